@@ -1,0 +1,57 @@
+# Helpers of this build: warnings, sanitizers, one call per library and test.
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+find_program(MUSCLEWARP_CCACHE ccache)
+if(MUSCLEWARP_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${MUSCLEWARP_CCACHE})
+endif()
+include(GNUInstallDirs)
+
+add_library(musclewarp_compile_options INTERFACE)
+target_compile_options(musclewarp_compile_options
+                       INTERFACE -Wall -Wextra -Wshadow -Wno-unused-parameter
+                                 -Wno-maybe-uninitialized)
+if(MUSCLEWARP_WARNINGS_AS_ERRORS)
+  target_compile_options(musclewarp_compile_options INTERFACE -Werror)
+endif()
+if(MUSCLEWARP_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
+# musclewarp_library(<folder> SOURCES ... LINK ...) makes the static library
+# musclewarp_<folder>, alias musclewarp::<folder>. Includes are written from
+# the root: "musclewarp/<folder>/x.h" or "problems/<folder>/x.h".
+function(musclewarp_library NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  add_library(musclewarp_${NAME} STATIC ${ARG_SOURCES})
+  add_library(musclewarp::${NAME} ALIAS musclewarp_${NAME})
+  target_include_directories(
+    musclewarp_${NAME}
+    PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+           $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(musclewarp_${NAME} PUBLIC ${ARG_LINK})
+  target_link_libraries(
+    musclewarp_${NAME}
+    PRIVATE $<BUILD_INTERFACE:musclewarp_compile_options> ${ARG_PRIVATE_LINK})
+  set_target_properties(musclewarp_${NAME} PROPERTIES EXPORT_NAME ${NAME})
+  set_property(GLOBAL APPEND PROPERTY MUSCLEWARP_LIBRARIES musclewarp_${NAME})
+endfunction()
+
+# musclewarp_test(<folder> SOURCES ... LINK ...): one test program per folder,
+# every GoogleTest case a ctest case named <folder>/<suite>.<case>.
+function(musclewarp_test NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  add_executable(${NAME}_test ${ARG_SOURCES})
+  target_link_libraries(
+    ${NAME}_test PRIVATE musclewarp_test_support musclewarp_compile_options
+                         ${ARG_LINK})
+  gtest_discover_tests(${NAME}_test TEST_PREFIX ${NAME}/ DISCOVERY_TIMEOUT 60
+                       PROPERTIES TIMEOUT 600)
+endfunction()

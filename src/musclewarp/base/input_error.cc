@@ -1,0 +1,12 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/base/input_error.h"
+
+namespace musclewarp {
+
+InputError::InputError(const std::string& where,
+                       const std::string& problem,
+                       const std::string& advice)
+    : std::runtime_error(where + ": " + problem + "; " + advice) {}
+
+}  // namespace musclewarp

@@ -1,0 +1,53 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/base/output_file.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "musclewarp/base/input_error.h"
+
+namespace musclewarp {
+namespace fs = std::filesystem;
+
+void WriteFileAtomically(const std::string& path,
+                         const std::function<void(const std::string&)>& write) {
+  const fs::path target(path);
+  // Same extension: writers choose the format by it.
+  const fs::path partial =
+      target.parent_path() /
+      ("." + target.stem().string() + ".partial" + std::to_string(getpid()) +
+       target.extension().string());
+  try {
+    write(partial.string());
+    fs::rename(partial, target);
+  } catch (const fs::filesystem_error& error) {
+    std::error_code ignored;
+    fs::remove(partial, ignored);
+    throw InputError(path,
+                     "cannot be written (" + error.code().message() + ")",
+                     "choose a folder that exists and can be written");
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(partial, ignored);
+    throw;
+  }
+}
+
+void WriteTextAtomically(const std::string& path, const std::string& text) {
+  WriteFileAtomically(path, [&](const std::string& partial) {
+    std::ofstream file(partial, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) {
+      throw InputError(path,
+                       "cannot be written",
+                       "choose a folder that exists, can be written and has "
+                       "room");
+    }
+  });
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,20 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace musclewarp {
+
+// Writes a file so that it appears complete or not at all: `write` receives a
+// path beside the target with the same extension, which is renamed to `path`
+// when `write` returns and removed when it throws. Throws InputError if the
+// folder cannot be written.
+void WriteFileAtomically(const std::string& path,
+                         const std::function<void(const std::string&)>& write);
+
+// The same for text at hand.
+void WriteTextAtomically(const std::string& path, const std::string& text);
+
+}  // namespace musclewarp

@@ -1,0 +1,61 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/mesh/measures.h"
+
+#include <Eigen/Geometry>
+
+namespace musclewarp {
+namespace {
+
+Eigen::RowVector3d Origin(const Points& points) {
+  // Volumes and gradients of closed meshes do not depend on the origin; one
+  // near the mesh keeps rounding small.
+  return points.rows() > 0 ? Eigen::RowVector3d(points.row(0))
+                           : Eigen::RowVector3d(0, 0, 0);
+}
+
+}  // namespace
+
+double SignedVolume(const Points& points, const Triangles& triangles) {
+  const Eigen::RowVector3d origin = Origin(points);
+  double six_volumes = 0;
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    const Eigen::RowVector3d a = points.row(triangles(f, 0)) - origin;
+    const Eigen::RowVector3d b = points.row(triangles(f, 1)) - origin;
+    const Eigen::RowVector3d c = points.row(triangles(f, 2)) - origin;
+    six_volumes += a.cross(b).dot(c);
+  }
+  return six_volumes / 6;
+}
+
+Points VolumeGradient(const Points& points, const Triangles& triangles) {
+  const Eigen::RowVector3d origin = Origin(points);
+  Points gradient = Points::Zero(points.rows(), 3);
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    const Eigen::RowVector3d a = points.row(triangles(f, 0)) - origin;
+    const Eigen::RowVector3d b = points.row(triangles(f, 1)) - origin;
+    const Eigen::RowVector3d c = points.row(triangles(f, 2)) - origin;
+    gradient.row(triangles(f, 0)) += b.cross(c) / 6;
+    gradient.row(triangles(f, 1)) += c.cross(a) / 6;
+    gradient.row(triangles(f, 2)) += a.cross(b) / 6;
+  }
+  return gradient;
+}
+
+double SurfaceArea(const Points& points, const Triangles& triangles) {
+  double area = 0;
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    const Eigen::RowVector3d a = points.row(triangles(f, 0));
+    const Eigen::RowVector3d b = points.row(triangles(f, 1));
+    const Eigen::RowVector3d c = points.row(triangles(f, 2));
+    area += (b - a).cross(c - a).norm() / 2;
+  }
+  return area;
+}
+
+double BoundingBoxDiagonal(const Points& points) {
+  if (points.rows() == 0) return 0;
+  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+}
+
+}  // namespace musclewarp

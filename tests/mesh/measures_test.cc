@@ -1,0 +1,61 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/mesh/measures.h"
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+
+namespace musclewarp {
+
+// Sums of a few hundred terms of size 1e3: rounding stays below 1e-12 of that.
+constexpr double kRounding = 1e-12;
+
+TEST(Measures, VolumeAndAreaOfABox) {
+  const TriangleSoup box = Box(2, 3, 4);
+  EXPECT_DOUBLE_EQ(SignedVolume(box.points, box.triangles), 24);
+  EXPECT_DOUBLE_EQ(SurfaceArea(box.points, box.triangles), 52);
+  EXPECT_DOUBLE_EQ(BoundingBoxDiagonal(box.points), std::sqrt(29.0));
+}
+
+TEST(Measures, VolumeIsNegativeInsideOut) {
+  TriangleSoup tetrahedron = UnitTetrahedron();
+  tetrahedron.triangles.col(0).swap(tetrahedron.triangles.col(1));
+  EXPECT_DOUBLE_EQ(SignedVolume(tetrahedron.points, tetrahedron.triangles),
+                   -1.0 / 6);
+}
+
+TEST(Measures, VolumeDoesNotDependOnThePlace) {
+  TriangleSoup sphere = Icosphere(10, 3);
+  const double volume = SignedVolume(sphere.points, sphere.triangles);
+  sphere.points.rowwise() += Eigen::RowVector3d(300, -200, 1000);
+  // Coordinates of 1e3 carry an absolute rounding of 1e-13, times area 1e3.
+  EXPECT_NEAR(SignedVolume(sphere.points, sphere.triangles), volume, 1e-9);
+}
+
+TEST(Measures, GradientIsTheNumericDerivative) {
+  TriangleSoup spindle = Spindle(5, 20, 1);
+  const Points gradient = VolumeGradient(spindle.points, spindle.triangles);
+  for (Eigen::Index i = 0; i < spindle.points.size(); ++i) {
+    double& x = spindle.points.data()[i];
+    const double x0 = x;
+    // The volume is linear in one coordinate: central differences are exact.
+    x = x0 + 1;
+    const double plus = SignedVolume(spindle.points, spindle.triangles);
+    x = x0 - 1;
+    const double minus = SignedVolume(spindle.points, spindle.triangles);
+    x = x0;
+    EXPECT_NEAR(gradient.data()[i], (plus - minus) / 2, 1e3 * kRounding);
+  }
+}
+
+TEST(Measures, GradientSumsToZeroAndGivesThriceTheVolume) {
+  const TriangleSoup sphere = Icosphere(10, 3);
+  const Points gradient = VolumeGradient(sphere.points, sphere.triangles);
+  EXPECT_LT(gradient.colwise().sum().norm(), 1e3 * kRounding);
+  EXPECT_NEAR(gradient.cwiseProduct(sphere.points).sum(),
+              3 * SignedVolume(sphere.points, sphere.triangles),
+              1e4 * kRounding);
+}
+
+}  // namespace musclewarp

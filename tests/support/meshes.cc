@@ -1,0 +1,89 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "support/meshes.h"
+
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace musclewarp {
+
+TriangleSoup UnitTetrahedron() {
+  TriangleSoup soup;
+  soup.points.resize(4, 3);
+  soup.points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+  soup.triangles.resize(4, 3);
+  soup.triangles << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+  return soup;
+}
+
+TriangleSoup Box(double x, double y, double z) {
+  TriangleSoup soup;
+  soup.points.resize(8, 3);
+  for (int corner = 0; corner < 8; ++corner) {
+    soup.points.row(corner) << (corner & 1 ? x : -x) / 2,
+        (corner & 2 ? y : -y) / 2, (corner & 4 ? z : -z) / 2;
+  }
+  soup.triangles.resize(12, 3);
+  soup.triangles << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6,
+      7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5;
+  return soup;
+}
+
+TriangleSoup Icosphere(double radius, int levels) {
+  const double t = (1 + std::sqrt(5.0)) / 2;
+  std::vector<Eigen::RowVector3d> points = {{-1, t, 0},
+                                            {1, t, 0},
+                                            {-1, -t, 0},
+                                            {1, -t, 0},
+                                            {0, -1, t},
+                                            {0, 1, t},
+                                            {0, -1, -t},
+                                            {0, 1, -t},
+                                            {t, 0, -1},
+                                            {t, 0, 1},
+                                            {-t, 0, -1},
+                                            {-t, 0, 1}};
+  std::vector<Eigen::RowVector3i> faces = {
+      {0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+      {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+      {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+      {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<int, int>, int> midpoints;
+    const auto midpoint = [&](int a, int b) {
+      const auto [entry, is_new] =
+          midpoints.try_emplace(std::minmax(a, b), points.size());
+      if (is_new) points.push_back((points[a] + points[b]) / 2);
+      return entry->second;
+    };
+    std::vector<Eigen::RowVector3i> finer;
+    for (const auto& f : faces) {
+      const int ab = midpoint(f[0], f[1]);
+      const int bc = midpoint(f[1], f[2]);
+      const int ca = midpoint(f[2], f[0]);
+      finer.insert(
+          finer.end(),
+          {{f[0], ab, ca}, {f[1], bc, ab}, {f[2], ca, bc}, {ab, bc, ca}});
+    }
+    faces = std::move(finer);
+  }
+  TriangleSoup soup;
+  soup.points.resize(points.size(), 3);
+  soup.triangles.resize(faces.size(), 3);
+  for (size_t i = 0; i < points.size(); ++i) {
+    soup.points.row(i) = radius * points[i].normalized();
+  }
+  for (size_t i = 0; i < faces.size(); ++i) soup.triangles.row(i) = faces[i];
+  return soup;
+}
+
+TriangleSoup Spindle(double radius, double half_length, int levels) {
+  TriangleSoup soup = Icosphere(1, levels);
+  soup.points.leftCols<2>() *= radius;
+  soup.points.col(2) *= half_length;
+  return soup;
+}
+
+}  // namespace musclewarp
