@@ -11,6 +11,7 @@ if(MUSCLEWARP_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${MUSCLEWARP_CCACHE})
 endif()
 include(GNUInstallDirs)
+set(MUSCLEWARP_INSTALL_INCLUDEDIR ${CMAKE_INSTALL_INCLUDEDIR}/musclewarp)
 
 add_library(musclewarp_compile_options INTERFACE)
 target_compile_options(musclewarp_compile_options
@@ -35,7 +36,8 @@ function(musclewarp_library NAME)
     musclewarp_${NAME}
     PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
            $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
-           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+           $<INSTALL_INTERFACE:${MUSCLEWARP_INSTALL_INCLUDEDIR}>)
+  target_compile_features(musclewarp_${NAME} PUBLIC cxx_std_17)
   target_link_libraries(musclewarp_${NAME} PUBLIC ${ARG_LINK})
   target_link_libraries(
     musclewarp_${NAME}
@@ -45,13 +47,25 @@ function(musclewarp_library NAME)
 endfunction()
 
 # musclewarp_test(<folder> SOURCES ... LINK ...): one test program per folder,
-# every GoogleTest case a ctest case named <folder>/<suite>.<case>.
+# every GoogleTest case a ctest case named <folder>/<suite>.<case>. Suites whose
+# name ends in DataTest need real data and carry the label "data".
 function(musclewarp_test NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${NAME}_test ${ARG_SOURCES})
   target_link_libraries(
     ${NAME}_test PRIVATE musclewarp_test_support musclewarp_compile_options
                          ${ARG_LINK})
-  gtest_discover_tests(${NAME}_test TEST_PREFIX ${NAME}/ DISCOVERY_TIMEOUT 60
-                       PROPERTIES TIMEOUT 600)
+  gtest_discover_tests(
+    ${NAME}_test
+    TEST_PREFIX ${NAME}/
+    TEST_FILTER -*DataTest.*
+    DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT 600)
+  gtest_discover_tests(
+    ${NAME}_test
+    TEST_PREFIX ${NAME}/
+    TEST_FILTER *DataTest.*
+    TEST_LIST ${NAME}_data_tests
+    DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT 1800 LABELS data)
 endfunction()

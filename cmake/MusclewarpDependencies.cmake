@@ -1,15 +1,17 @@
-# The packages musclewarp links; shared by the build and, once installed, by
-# find_package(musclewarp).
-find_package(Eigen3 3.4 REQUIRED)
-find_package(glog REQUIRED)
-find_package(gflags REQUIRED)
-find_package(OpenMesh REQUIRED)
-find_package(Ceres 2.1 REQUIRED)
-find_package(CGAL 5.5 REQUIRED)
-find_package(nlohmann_json 3.11 REQUIRED)
-find_package(OpenMP REQUIRED)
+# The packages musclewarp links, one string each, as find_package takes them.
+# The build and, once installed, musclewarpConfig.cmake read this list; it
+# depends on MUSCLEWARP_WITH_VTK.
+set(MUSCLEWARP_PACKAGES
+    "Eigen3 3.4"
+    "glog"
+    "gflags"
+    "OpenMesh"
+    "Ceres 2.1"
+    "CGAL 5.5"
+    "nlohmann_json 3.11"
+    "pugixml 1.12"
+    "OpenMP COMPONENTS CXX")
 if(MUSCLEWARP_WITH_VTK)
-  find_package(VTK 9.1 REQUIRED
-               COMPONENTS CommonCore CommonDataModel IOLegacy IOXML IOImage
-                          RenderingCore RenderingOpenGL2)
+  list(APPEND MUSCLEWARP_PACKAGES
+       "VTK 9.1 COMPONENTS CommonCore CommonDataModel IOLegacy IOXML IOImage RenderingCore RenderingOpenGL2")
 endif()

@@ -1,0 +1,57 @@
+# Install rules: programs, libraries, headers and what find_package needs.
+include(CMakePackageConfigHelpers)
+set(MUSCLEWARP_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/musclewarp)
+
+# Every program is an executable of tools/ named musclewarp-<verb>; the target
+# musclewarp_programs builds them all, without the tests.
+add_custom_target(musclewarp_programs)
+get_property(
+  MUSCLEWARP_PROGRAMS
+  DIRECTORY tools
+  PROPERTY BUILDSYSTEM_TARGETS)
+list(FILTER MUSCLEWARP_PROGRAMS INCLUDE REGEX "^musclewarp-")
+if(MUSCLEWARP_PROGRAMS)
+  add_dependencies(musclewarp_programs ${MUSCLEWARP_PROGRAMS})
+  install(TARGETS ${MUSCLEWARP_PROGRAMS} DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+# Libraries outside src/ and problems/ (the commands behind the programs) are
+# not for others to link.
+get_property(MUSCLEWARP_LIBRARIES GLOBAL PROPERTY MUSCLEWARP_LIBRARIES)
+foreach(LIBRARY IN LISTS MUSCLEWARP_LIBRARIES)
+  get_target_property(FOLDER ${LIBRARY} SOURCE_DIR)
+  file(RELATIVE_PATH FOLDER ${PROJECT_SOURCE_DIR} ${FOLDER})
+  if(NOT FOLDER MATCHES "^(src|problems)/")
+    list(REMOVE_ITEM MUSCLEWARP_LIBRARIES ${LIBRARY})
+  endif()
+endforeach()
+
+# musclewarp::musclewarp is all of them.
+add_library(musclewarp INTERFACE)
+add_library(musclewarp::musclewarp ALIAS musclewarp)
+target_link_libraries(musclewarp INTERFACE ${MUSCLEWARP_LIBRARIES})
+
+install(TARGETS musclewarp ${MUSCLEWARP_LIBRARIES} EXPORT musclewarpTargets
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(
+  EXPORT musclewarpTargets
+  NAMESPACE musclewarp::
+  DESTINATION ${MUSCLEWARP_CONFIG_DIR})
+# Include paths are those of the sources; a folder of their own keeps
+# "problems/..." out of the way of others.
+install(DIRECTORY src/musclewarp problems
+        DESTINATION ${MUSCLEWARP_INSTALL_INCLUDEDIR}
+        FILES_MATCHING PATTERN "*.h")
+
+configure_package_config_file(
+  cmake/musclewarpConfig.cmake.in ${PROJECT_BINARY_DIR}/musclewarpConfig.cmake
+  INSTALL_DESTINATION ${MUSCLEWARP_CONFIG_DIR})
+# Before 1.0 a minor version may break what came before it.
+write_basic_package_version_file(
+  ${PROJECT_BINARY_DIR}/musclewarpConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/musclewarpConfig.cmake
+              ${PROJECT_BINARY_DIR}/musclewarpConfigVersion.cmake
+              cmake/MusclewarpDependencies.cmake
+        DESTINATION ${MUSCLEWARP_CONFIG_DIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+#
+# From a bare checkout to deformed muscles: installs what is missing, builds
+# the programs and runs the scene that comes with the sources.
+#
+# usage: ./demo.sh [more flags for musclewarp-deform]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+bin=build/release/tools
+out=out/demo
+
+scripts/setup.sh
+scripts/build.sh release musclewarp_programs
+
+echo "demo: $bin/musclewarp-deform --scene=data/phantom/scene.json --out=$out"
+status=0
+"$bin/musclewarp-deform" --scene=data/phantom/scene.json --out="$out" "$@" ||
+  status=$?
+if ((status > 1)); then exit "$status"; fi
+
+echo
+echo "The meshes of every frame are in $PWD/$out/frame_*/;"
+echo "the figures are in $PWD/$out/report.json."
+if [[ -f $out/motion.pvd ]]; then
+  echo "To see the motion: paraview $PWD/$out/motion.pvd"
+else
+  echo "To see a frame: open its files in ParaView, MeshLab or Blender."
+fi
+for program in report render; do
+  if [[ -x $bin/musclewarp-$program ]]; then
+    echo "More: $bin/musclewarp-$program --help"
+  fi
+done
+exit "$status"
