@@ -1,0 +1,183 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/scene/json_fields.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include "musclewarp/base/input_error.h"
+
+namespace musclewarp {
+namespace {
+
+std::string Shortened(const Json& value) {
+  // Invalid UTF-8 is replaced: the message must be printable.
+  const std::string text =
+      value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.size() <= 40 ? text : text.substr(0, 37) + "...";
+}
+
+// Parses text and refuses duplicate keys, of which the parser would silently
+// keep the last.
+Json ParseText(const std::string& text, const std::string& file) {
+  std::vector<std::vector<std::string>> open_objects;
+  const Json::parser_callback_t refuse_duplicates =
+      [&](int, Json::parse_event_t event, Json& parsed) {
+        if (event == Json::parse_event_t::object_start) {
+          open_objects.emplace_back();
+        } else if (event == Json::parse_event_t::object_end) {
+          open_objects.pop_back();
+        } else if (event == Json::parse_event_t::key) {
+          const auto key = parsed.get<std::string>();
+          auto& keys = open_objects.back();
+          if (std::find(keys.begin(), keys.end(), key) != keys.end()) {
+            throw InputError(
+                file,
+                "the key \"" + key + "\" stands twice in an object",
+                "remove one");
+          }
+          keys.push_back(key);
+        }
+        return true;
+      };
+  try {
+    return Json::parse(text, refuse_duplicates);
+  } catch (const Json::parse_error& error) {
+    const auto offset = std::min<size_t>(error.byte, text.size());
+    const auto line = 1 + std::count(text.begin(), text.begin() + offset, '\n');
+    throw InputError(file,
+                     "is not JSON: error near line " + std::to_string(line),
+                     "look for a missing comma, quote or bracket there");
+  }
+}
+
+}  // namespace
+
+JsonField JsonField::ParseFile(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file)) {
+    throw InputError(file, "cannot be read", "check the path");
+  }
+  const std::string text((std::istreambuf_iterator<char>(stream)), {});
+  return JsonField(ParseText(text, file), file, "");
+}
+
+std::string JsonField::where() const {
+  return field_.empty() ? file_ : file_ + ": " + field_;
+}
+
+void JsonField::Fail(const std::string& problem,
+                     const std::string& advice) const {
+  throw InputError(where(), problem, advice);
+}
+
+void JsonField::CheckObject() const {
+  if (!value_.is_object()) {
+    Fail("is " + Shortened(value_), "give an object { ... }");
+  }
+}
+
+bool JsonField::Has(const std::string& key) const {
+  return value_.is_object() && value_.contains(key);
+}
+
+JsonField JsonField::At(const std::string& key) const {
+  CheckObject();
+  const std::string field = field_.empty() ? key : field_ + "." + key;
+  if (!value_.contains(key)) {
+    throw InputError(file_ + ": " + field, "is missing", "add it");
+  }
+  return JsonField(value_.at(key), file_, field);
+}
+
+JsonField JsonField::At(size_t index) const {
+  return JsonField(
+      value_.at(index), file_, field_ + "[" + std::to_string(index) + "]");
+}
+
+size_t JsonField::ArraySize() const {
+  if (!value_.is_array()) {
+    Fail("is " + Shortened(value_), "give an array [ ... ]");
+  }
+  return value_.size();
+}
+
+void JsonField::CheckKeys(std::initializer_list<std::string> allowed) const {
+  CheckObject();
+  for (const auto& item : value_.items()) {
+    if (std::find(allowed.begin(), allowed.end(), item.key()) !=
+        allowed.end()) {
+      continue;
+    }
+    std::string list;
+    for (const auto& key : allowed) list += (list.empty() ? "" : ", ") + key;
+    Fail("has the unknown key \"" + item.key() + "\"", "allowed: " + list);
+  }
+}
+
+std::string JsonField::AsString() const {
+  if (!value_.is_string() || value_.get<std::string>().empty()) {
+    Fail("is " + Shortened(value_), "give a text in quotes, not empty");
+  }
+  return value_.get<std::string>();
+}
+
+double JsonField::AsNumber() const {
+  if (!value_.is_number() || !std::isfinite(value_.get<double>())) {
+    Fail("is " + Shortened(value_), "give a finite number");
+  }
+  return value_.get<double>();
+}
+
+std::vector<std::string> JsonField::AsStrings() const {
+  std::vector<std::string> strings(ArraySize());
+  for (size_t i = 0; i < strings.size(); ++i) strings[i] = At(i).AsString();
+  return strings;
+}
+
+Points JsonField::AsPoints() const {
+  Points points(ArraySize(), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const JsonField point = At(i);
+    if (point.ArraySize() != 3) {
+      point.Fail("has " + std::to_string(point.ArraySize()) + " entries",
+                 "give a point as [x, y, z]");
+    }
+    for (int k = 0; k < 3; ++k) points(i, k) = point.At(k).AsNumber();
+  }
+  return points;
+}
+
+Eigen::Matrix4d JsonField::AsRigidTransform() const {
+  const std::string advice =
+      "give 4 rows of 4 numbers, row major, rotation and translation in mm";
+  Eigen::Matrix4d transform;
+  if (ArraySize() != 4) {
+    Fail("has " + std::to_string(ArraySize()) + " rows", advice);
+  }
+  for (int i = 0; i < 4; ++i) {
+    const JsonField row = At(i);
+    if (row.ArraySize() != 4) {
+      row.Fail("has " + std::to_string(row.ArraySize()) + " numbers", advice);
+    }
+    for (int k = 0; k < 4; ++k) transform(i, k) = row.At(k).AsNumber();
+  }
+  // Files carry rotations with as few as 4 digits.
+  constexpr double kTolerance = 1e-3;
+  const Eigen::Matrix3d rotation = transform.topLeftCorner<3, 3>();
+  if (!(rotation.transpose() * rotation).isIdentity(kTolerance) ||
+      rotation.determinant() < 0) {
+    Fail("is not a rigid motion: its upper left 3 x 3 is not a rotation",
+         advice);
+  }
+  if (transform.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
+    Fail("has a last row that is not 0 0 0 1", advice);
+  }
+  return transform;
+}
+
+}  // namespace musclewarp

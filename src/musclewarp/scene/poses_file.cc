@@ -1,0 +1,69 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/scene/poses_file.h"
+
+#include <sstream>
+
+#include "musclewarp/scene/json_fields.h"
+
+namespace musclewarp {
+namespace {
+
+ActionLine ReadLine(const std::string& name, const JsonField& field) {
+  ActionLine line;
+  line.name = name;
+  line.rest = field.At("rest").AsPoints();
+  if (field.Has("bodies")) line.bodies = field.At("bodies").AsStrings();
+  return line;
+}
+
+ScenePose ReadPose(const JsonField& field,
+                   const std::map<std::string, std::string>& body_keys) {
+  field.CheckObject();
+  ScenePose pose;
+  std::ostringstream coordinates_text;
+  for (const auto& item : field.value().items()) {
+    if (!item.value().is_number() || item.key() == "time") continue;
+    pose.coordinates[item.key()] = field.At(item.key()).AsNumber();
+    coordinates_text << (pose.coordinates.size() > 1 ? "_" : "") << item.key()
+                     << "_" << pose.coordinates[item.key()];
+  }
+  pose.name =
+      field.Has("name") ? field.At("name").AsString() : coordinates_text.str();
+  if (pose.name.empty()) {
+    field.Fail("has neither a name nor a coordinate", "add a \"name\"");
+  }
+  if (field.Has("time")) pose.time = field.At("time").AsNumber();
+  for (const auto& [key, body] : body_keys) {
+    pose.bodies[body] = field.At(key).AsRigidTransform();
+  }
+  const JsonField targets = field.At("target");
+  targets.CheckObject();
+  for (const auto& item : targets.value().items()) {
+    pose.lines[item.key()] = targets.At(item.key()).AsPoints();
+  }
+  return pose;
+}
+
+}  // namespace
+
+PosesFile ReadPosesFile(const std::string& path,
+                        const std::map<std::string, std::string>& body_keys) {
+  const JsonField root = JsonField::ParseFile(path);
+  if (root.At("units").AsString() != "mm") {
+    root.At("units").Fail("is " + root.At("units").AsString(), "allowed: mm");
+  }
+  PosesFile file;
+  const JsonField lines = root.At("lines");
+  lines.CheckObject();
+  for (const auto& item : lines.value().items()) {
+    file.lines[item.key()] = ReadLine(item.key(), lines.At(item.key()));
+  }
+  const JsonField poses = root.At("poses");
+  for (size_t i = 0; i < poses.ArraySize(); ++i) {
+    file.poses.push_back(ReadPose(poses.At(i), body_keys));
+  }
+  return file;
+}
+
+}  // namespace musclewarp

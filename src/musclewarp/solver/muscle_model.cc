@@ -1,0 +1,124 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/solver/muscle_model.h"
+
+#include <glog/logging.h>
+
+#include <cmath>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh/measures.h"
+#include "musclewarp/skeleton/sampling.h"
+#include "musclewarp/solver/attachment_rows.h"
+
+namespace musclewarp {
+namespace {
+
+void AddSkeletonRows(const MuscleModelOptions& options, MuscleModel* model) {
+  model->samples = SampleLines(model->lines, options.sample_spacing);
+  Points rest(model->samples.size(), 3);
+  for (size_t i = 0; i < model->samples.size(); ++i) {
+    rest.row(i) = PointOnSegment(model->lines[model->samples[i].line].rest,
+                                 model->samples[i]);
+  }
+  model->skeleton_weight = options.skeleton_weight;
+  model->skeleton =
+      options.skeleton_weight *
+      MeanValueCoordinates(rest, model->coarse_rest, model->coarse_triangles);
+}
+
+void AddAttachmentRows(const MuscleModelOptions& options, MuscleModel* model) {
+  std::vector<int> vertices;
+  std::vector<double> weights;
+  if (options.attachment_weight > 0) {
+    for (size_t a = 0; a < model->attachments.size(); ++a) {
+      const auto attached = AttachedVertices(
+          model->attachments[a], model->fine_rest, options.attachment_rows);
+      for (const int v : attached) {
+        vertices.push_back(v);
+        weights.push_back(options.attachment_weight /
+                          std::sqrt(static_cast<double>(attached.size())));
+        model->attachment_of.push_back(a);
+      }
+    }
+  }
+  const Eigen::Index rows = vertices.size();
+  model->attachment.resize(rows, model->coarse_rest.rows());
+  model->attachment_rest.resize(rows, 3);
+  model->attachment_weights.resize(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    model->attachment.row(i) =
+        weights[i] * model->fine_from_coarse.row(vertices[i]);
+    model->attachment_rest.row(i) = model->fine_rest.row(vertices[i]);
+    model->attachment_weights[i] = weights[i];
+  }
+}
+
+void FactorNormalMatrix(MuscleModel* model) {
+  Eigen::MatrixXd normal(SparseMatrix(model->laplacian.transpose()) *
+                         model->laplacian);
+  normal += model->skeleton.transpose() * model->skeleton;
+  normal += model->attachment.transpose() * model->attachment;
+  model->normal_matrix.compute(normal);
+  if (model->normal_matrix.info() != Eigen::Success) {
+    throw InputError("muscle " + model->name,
+                     "its lines do not determine its shape (the normal matrix "
+                     "is singular)",
+                     "give lines of some length near the muscle");
+  }
+}
+
+}  // namespace
+
+bool MuscleModelOptions::IsValid(std::string* error) const {
+  if (!laplacian.IsValid(error)) return false;
+  const auto fail = [error](const std::string& field, double value) {
+    *error = "MuscleModelOptions::" + field + " is " + std::to_string(value) +
+             ", allowed: above 0";
+    return false;
+  };
+  if (!(sample_spacing > 0)) return fail("sample_spacing", sample_spacing);
+  if (!(skeleton_weight > 0)) return fail("skeleton_weight", skeleton_weight);
+  if (attachment_rows < 1) return fail("attachment_rows", attachment_rows);
+  if (!(attachment_weight >= 0)) {
+    *error = "MuscleModelOptions::attachment_weight is " +
+             std::to_string(attachment_weight) + ", allowed: 0 or above";
+    return false;
+  }
+  return true;
+}
+
+MuscleModel PrepareMuscle(const SceneMuscle& muscle,
+                          const TriangleSoup& fine,
+                          const TriangleSoup& hull,
+                          const MuscleModelOptions& options) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+  CHECK(!muscle.lines.empty());
+  MuscleModel model;
+  model.name = muscle.name;
+  model.lines = muscle.lines;
+  model.attachments = muscle.attachments;
+  model.fine_rest = fine.points;
+  model.fine_triangles = fine.triangles;
+  model.coarse_rest = hull.points;
+  model.coarse_triangles = hull.triangles;
+  model.rest_volume = SignedVolume(fine.points, fine.triangles);
+  model.rest_area = SurfaceArea(fine.points, fine.triangles);
+
+  model.fine_from_coarse =
+      MeanValueCoordinates(fine.points, hull.points, hull.triangles);
+  model.laplacian =
+      CotangentLaplacian(hull.points, hull.triangles, options.laplacian);
+  model.laplacian_rest = model.laplacian * hull.points;
+  for (Eigen::Index i = 0; i < hull.points.rows(); ++i) {
+    model.nearest_segments.push_back(
+        NearestSegment(hull.points.row(i), model.lines));
+  }
+  AddSkeletonRows(options, &model);
+  AddAttachmentRows(options, &model);
+  FactorNormalMatrix(&model);
+  return model;
+}
+
+}  // namespace musclewarp

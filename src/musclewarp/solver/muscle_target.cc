@@ -1,0 +1,71 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/solver/muscle_target.h"
+
+#include "musclewarp/scene/line_targets.h"
+#include "musclewarp/skeleton/sampling.h"
+#include "musclewarp/skeleton/segment_rotation.h"
+
+namespace musclewarp {
+
+MuscleTarget TargetOf(const MuscleModel& model,
+                      const ScenePose& pose,
+                      const PreRotationOptions& options) {
+  const std::vector<LineTarget> lines = LineTargets(model.lines, pose);
+  MuscleTarget target;
+
+  target.laplacian.resize(model.laplacian_rest.rows(), 3);
+  for (Eigen::Index i = 0; i < target.laplacian.rows(); ++i) {
+    const SegmentPoint& place = model.nearest_segments[i];
+    const Eigen::Matrix3d rotation = SegmentRotation(model.lines[place.line],
+                                                     lines[place.line],
+                                                     place,
+                                                     options.use_body_twist);
+    target.laplacian.row(i) =
+        model.laplacian_rest.row(i) * rotation.transpose();
+  }
+
+  target.skeleton.resize(model.samples.size(), 3);
+  for (size_t i = 0; i < model.samples.size(); ++i) {
+    target.skeleton.row(i) =
+        model.skeleton_weight *
+        PointOnSegment(lines[model.samples[i].line].points, model.samples[i]);
+  }
+
+  target.attachment.resize(model.attachment_of.size(), 3);
+  for (size_t i = 0; i < model.attachment_of.size(); ++i) {
+    const auto& body = model.attachments[model.attachment_of[i]].body;
+    target.attachment.row(i) =
+        model.attachment_weights[i] *
+        Transformed(model.attachment_rest.row(i), BodyTransform(pose, body));
+  }
+  return target;
+}
+
+Points LinearDescent(const MuscleModel& model,
+                     const MuscleTarget& target,
+                     const Points& coarse) {
+  Points descent = model.laplacian.transpose() *
+                   (target.laplacian - model.laplacian * coarse);
+  descent +=
+      model.skeleton.transpose() * (target.skeleton - model.skeleton * coarse);
+  descent += model.attachment.transpose() *
+             (target.attachment - model.attachment * coarse);
+  return descent;
+}
+
+double LinearEnergy(const MuscleModel& model,
+                    const MuscleTarget& target,
+                    const Points& coarse) {
+  return 0.5 * ((model.laplacian * coarse - target.laplacian).squaredNorm() +
+                (model.skeleton * coarse - target.skeleton).squaredNorm() +
+                (model.attachment * coarse - target.attachment).squaredNorm());
+}
+
+Points UnconstrainedMinimizer(const MuscleModel& model,
+                              const MuscleTarget& target) {
+  return model.coarse_rest + model.normal_matrix.solve(LinearDescent(
+                                 model, target, model.coarse_rest));
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,22 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/solver/muscle_model.h"
+
+namespace musclewarp {
+
+// The volume of the fine mesh as a function of the coarse vertices,
+// g(X) = V(W X) - V_hat (paper eq. 2.6, 2.7, 2.9).
+struct FineVolume {
+  double error = 0;  // g, mm^3
+  Points gradient;   // J_g^T pulled back through W, N x 3, mm^2
+};
+
+FineVolume EvaluateFineVolume(const MuscleModel& model, const Points& coarse);
+
+// g alone, at half the cost.
+double FineVolumeError(const MuscleModel& model, const Points& coarse);
+
+}  // namespace musclewarp
