@@ -47,25 +47,30 @@ function(musclewarp_library NAME)
 endfunction()
 
 # musclewarp_test(<folder> SOURCES ... LINK ...): one test program per folder,
-# every GoogleTest case a ctest case named <folder>/<suite>.<case>. Suites whose
-# name ends in DataTest need real data and carry the label "data".
+# every GoogleTest case a ctest case named <folder>/<suite>.<case>. The sources
+# named *_data_test.cc need real data; their cases carry the label "data".
 function(musclewarp_test NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
-  add_executable(${NAME}_test ${ARG_SOURCES})
+  set(DATA_SOURCES ${ARG_SOURCES})
+  list(FILTER DATA_SOURCES INCLUDE REGEX "_data_test\\.cc$")
+  list(FILTER ARG_SOURCES EXCLUDE REGEX "_data_test\\.cc$")
+  _musclewarp_test_program(${NAME}_test "${ARG_SOURCES}" TIMEOUT 600)
+  _musclewarp_test_program(${NAME}_data_test "${DATA_SOURCES}" TIMEOUT 1800
+                           LABELS data)
+endfunction()
+
+# Uses NAME and ARG_LINK of musclewarp_test; the rest are test properties.
+function(_musclewarp_test_program PROGRAM SOURCES)
+  if(NOT SOURCES)
+    return()
+  endif()
+  add_executable(${PROGRAM} ${SOURCES})
   target_link_libraries(
-    ${NAME}_test PRIVATE musclewarp_test_support musclewarp_compile_options
-                         ${ARG_LINK})
+    ${PROGRAM} PRIVATE musclewarp_test_support musclewarp_compile_options
+                       ${ARG_LINK})
   gtest_discover_tests(
-    ${NAME}_test
+    ${PROGRAM}
     TEST_PREFIX ${NAME}/
-    TEST_FILTER -*DataTest.*
     DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT 600)
-  gtest_discover_tests(
-    ${NAME}_test
-    TEST_PREFIX ${NAME}/
-    TEST_FILTER *DataTest.*
-    TEST_LIST ${NAME}_data_tests
-    DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT 1800 LABELS data)
+    PROPERTIES ${ARGN})
 endfunction()
