@@ -13,15 +13,18 @@ endif()
 include(GNUInstallDirs)
 set(MUSCLEWARP_INSTALL_INCLUDEDIR ${CMAKE_INSTALL_INCLUDEDIR}/musclewarp)
 
+# g++ 12 reports uninitialised values inside libstdc++ and Eigen that are none.
 add_library(musclewarp_compile_options INTERFACE)
-target_compile_options(musclewarp_compile_options
-                       INTERFACE -Wall -Wextra -Wshadow -Wno-unused-parameter
-                                 -Wno-maybe-uninitialized)
+target_compile_options(
+  musclewarp_compile_options INTERFACE -Wall -Wextra -Wshadow
+                                       -Wno-maybe-uninitialized)
 if(MUSCLEWARP_WARNINGS_AS_ERRORS)
   target_compile_options(musclewarp_compile_options INTERFACE -Werror)
 endif()
 if(MUSCLEWARP_SANITIZE)
-  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
+  # Without -fno-sanitize-recover undefined behaviour is only printed.
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
+                      -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
