@@ -18,7 +18,6 @@ enum class StopReason {
 std::string ToString(StopReason reason);
 
 struct SolverIteration {
-  double energy = 0;        // 1/2 |f|^2, mm^2; only where it is logged
   double max_step = 0;      // largest move of a coarse vertex, mm
   double volume_error = 0;  // relative, of the mesh the step was based on
   double alpha = 0;         // step length; 1 for Ceres

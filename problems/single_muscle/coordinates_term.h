@@ -1,0 +1,46 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ceres/dynamic_autodiff_cost_function.h>
+
+#include <Eigen/Core>
+
+namespace musclewarp {
+
+// A point tied to all coarse vertices by mean value coordinates k_j that should
+// lie at a target:
+//
+//   r = sum_j k_j x_j - target,      3 residuals, mm times the row's weight.
+//
+// Parameter blocks: all coarse vertices, each of size 3. Serves the skeleton
+// rows, paper eq. (2.4) and (2.5), and the attachment rows.
+struct CoordinatesTerm {
+  CoordinatesTerm(const Eigen::RowVectorXd& row, const double* row_target)
+      : coordinates(row), target{row_target[0], row_target[1], row_target[2]} {}
+
+  template <typename T>
+  bool operator()(T const* const* x, T* residual) const {
+    for (int k = 0; k < 3; ++k) {
+      residual[k] = T(-target[k]);
+      for (Eigen::Index j = 0; j < coordinates.size(); ++j) {
+        residual[k] += coordinates[j] * x[j][k];
+      }
+    }
+    return true;
+  }
+
+  static ceres::CostFunction* Create(const Eigen::RowVectorXd& row,
+                                     const double* target) {
+    auto* cost = new ceres::DynamicAutoDiffCostFunction<CoordinatesTerm>(
+        new CoordinatesTerm(row, target));
+    for (Eigen::Index j = 0; j < row.size(); ++j) cost->AddParameterBlock(3);
+    cost->SetNumResiduals(3);
+    return cost;
+  }
+
+  const Eigen::RowVectorXd coordinates;
+  const double target[3];
+};
+
+}  // namespace musclewarp

@@ -1,0 +1,38 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "musclewarp/solver/hard_constraint_solver.h"
+#include "musclewarp/solver/muscle_model.h"
+#include "musclewarp/solver/muscle_target.h"
+#include "musclewarp/solver/solver_summary.h"
+
+namespace musclewarp {
+
+enum class MuscleFormulation {
+  kWhitened,  // fast: the linear rows are the identity
+  kBlocks,    // a block per vertex, a term per row
+};
+
+struct SingleMuscleOptions {
+  MuscleFormulation formulation = MuscleFormulation::kWhitened;
+  HardConstraintOptions hard_constraint;
+
+  // Options for a formulation, with a linear solver that suits it.
+  static SingleMuscleOptions For(MuscleFormulation formulation);
+
+  bool IsValid(std::string* error) const;
+};
+
+// Deforms one muscle with Ceres: the minimum of the linear energy at the volume
+// of the fine rest mesh. `coarse` (N x 3) is the start and the result.
+// Precondition (CHECKed): the options are valid.
+void SolveSingleMuscle(const MuscleModel& model,
+                       const MuscleTarget& target,
+                       const SingleMuscleOptions& options,
+                       Points* coarse,
+                       SolverSummary* summary);
+
+}  // namespace musclewarp

@@ -1,0 +1,56 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "musclewarp/solver/muscle_model.h"
+#include "musclewarp/solver/muscle_target.h"
+#include "musclewarp/solver/solver_summary.h"
+
+namespace musclewarp {
+
+struct GaussNewtonOptions {
+  // Step length: starts at the first, is multiplied by the decay after every
+  // iteration and never falls below the last. The paper gives the two ends.
+  double initial_alpha = 0.5;
+  double final_alpha = 0.125;
+  double alpha_decay = 0.9;
+
+  // The volume error is taken from the coarse mesh until every |h_i| is below
+  // this, mm, or that many iterations have passed; then from the fine mesh.
+  double fine_volume_threshold = 0.05;
+  int max_coarse_iterations = 100;
+
+  // Stop when the largest move of a coarse vertex, mm, and the relative volume
+  // error of the fine mesh are below these.
+  double step_threshold = 5e-3;
+  double volume_tolerance = 1e-8;
+
+  int max_iterations = 500;
+
+  // Beyond the paper: once stopped, take steps with alpha = 1 until the move is
+  // below this, mm. Damped steps approach the minimum by a factor 1 - alpha
+  // each, full steps much faster. 0 leaves the result as the paper has it.
+  double polish_threshold = 1e-5;
+  int max_polish_iterations = 30;
+
+  bool IsValid(std::string* error) const;
+};
+
+// The reference solver: Gauss-Newton with Lagrange multiplier, paper eq. (2.8)
+// to (2.10) in the reading of docs/method.md,
+//
+//   lambda = (J_g A^-1 J_g^T)^-1 (dV / alpha - J_g A^-1 J_f^T f)
+//   h      = -A^-1 (J_f^T f + J_g^T lambda)
+//   X     <- X + alpha h,
+//
+// so that J_g (alpha h) = -dV. `coarse` (N x 3) is the start and the result.
+// Precondition (CHECKed): the options are valid.
+void SolveGaussNewton(const MuscleModel& model,
+                      const MuscleTarget& target,
+                      const GaussNewtonOptions& options,
+                      Points* coarse,
+                      SolverSummary* summary);
+
+}  // namespace musclewarp
