@@ -15,7 +15,7 @@ packages="
   g++ cmake ninja-build ccache git
   libeigen3-dev libgoogle-glog-dev libgflags-dev libceres-dev
   libopenmesh-dev libcgal-dev nlohmann-json3-dev libpugixml-dev
-  libvtk9-dev xvfb xauth
+  libvtk9-dev libegl-dev libgl1-mesa-dri
   libgtest-dev libgmock-dev libbenchmark-dev
   clang-format-14
 "
