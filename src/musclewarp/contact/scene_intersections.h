@@ -1,0 +1,42 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "musclewarp/geometry/mesh_intersection.h"
+
+namespace musclewarp {
+
+// Two meshes of a scene that touch. Triangle pairs by an exact test.
+struct PairIntersection {
+  std::string a;
+  std::string b;
+  int triangle_pairs = 0;
+  int vertices_inside = 0;  // of a in b and of b in a
+  double max_depth_mm = 0;
+};
+
+// The sum over all muscle x muscle and muscle x bone pairs.
+struct SceneIntersections {
+  int triangle_pairs = 0;
+  int vertices_inside = 0;
+  double max_depth_mm = 0;
+  int self_pairs = 0;                   // of the muscles, each with itself
+  std::vector<PairIntersection> pairs;  // those that touch, in scene order
+
+  // No triangles cross and no mesh contains another's vertices.
+  bool IsClean() const { return triangle_pairs == 0 && vertices_inside == 0; }
+};
+
+struct NamedMesh {
+  std::string name;
+  const SearchableMesh* mesh = nullptr;
+};
+
+// Bones are not tested against each other, nor with themselves.
+SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
+                                  const std::vector<NamedMesh>& bones);
+
+}  // namespace musclewarp

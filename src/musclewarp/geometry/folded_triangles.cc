@@ -1,0 +1,85 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/geometry/folded_triangles.h"
+
+#include <glog/logging.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+namespace musclewarp {
+namespace {
+
+using Matrices = std::vector<Eigen::Matrix3d>;
+
+// Sum over the edges at each vertex of (rest edge)^T (deformed edge).
+Matrices EdgeCovariances(const Points& rest,
+                         const Points& deformed,
+                         const Triangles& triangles) {
+  Matrices covariances(rest.rows(), Eigen::Matrix3d::Zero());
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const int a = triangles(f, corner);
+      const int b = triangles(f, (corner + 1) % 3);
+      const Eigen::Matrix3d covariance =
+          (rest.row(b) - rest.row(a)).transpose() *
+          (deformed.row(b) - deformed.row(a));
+      covariances[a] += covariance;
+      covariances[b] += covariance;
+    }
+  }
+  return covariances;
+}
+
+// Every vertex takes the sum over the triangles around it.
+Matrices SummedOverNeighbours(const Matrices& values,
+                              const Triangles& triangles) {
+  Matrices sums(values.size(), Eigen::Matrix3d::Zero());
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    const Eigen::Matrix3d sum = values[triangles(f, 0)] +
+                                values[triangles(f, 1)] +
+                                values[triangles(f, 2)];
+    for (int corner = 0; corner < 3; ++corner) {
+      sums[triangles(f, corner)] += sum;
+    }
+  }
+  return sums;
+}
+
+// The rotation R that maximises trace(R C).
+Eigen::Matrix3d BestRotation(const Eigen::Matrix3d& covariance) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
+      covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Vector3d signs(1, 1, 1);
+  signs[2] = (svd.matrixV() * svd.matrixU().transpose()).determinant();
+  return svd.matrixV() * signs.asDiagonal() * svd.matrixU().transpose();
+}
+
+Eigen::RowVector3d Normal(const Points& points, const Eigen::RowVector3i& f) {
+  const Eigen::RowVector3d a = points.row(f[0]);
+  return (points.row(f[1]) - a).cross(points.row(f[2]) - a);
+}
+
+}  // namespace
+
+std::vector<int> FoldedTriangles(const Points& rest,
+                                 const Points& deformed,
+                                 const Triangles& triangles) {
+  CHECK_EQ(rest.rows(), deformed.rows());
+  const Matrices covariances = SummedOverNeighbours(
+      EdgeCovariances(rest, deformed, triangles), triangles);
+  std::vector<int> folded;
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    const Eigen::Matrix3d rotation = BestRotation(covariances[triangles(f, 0)] +
+                                                  covariances[triangles(f, 1)] +
+                                                  covariances[triangles(f, 2)]);
+    const Eigen::RowVector3d turned =
+        Normal(rest, triangles.row(f)) * rotation.transpose();
+    if (Normal(deformed, triangles.row(f)).dot(turned) < 0) {
+      folded.push_back(static_cast<int>(f));
+    }
+  }
+  return folded;
+}
+
+}  // namespace musclewarp

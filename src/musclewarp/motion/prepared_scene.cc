@@ -1,0 +1,93 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/prepared_scene.h"
+
+#include <glog/logging.h>
+
+#include <chrono>
+#include <sstream>
+
+#include "musclewarp/geometry/outer_hull.h"
+#include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh/mesh_io.h"
+
+namespace musclewarp {
+namespace {
+
+// Reads and repairs the mesh of a muscle or bone.
+TriangleSoup ReadRepaired(const std::string& name,
+                          const std::string& path,
+                          const RepairOptions& options,
+                          MeshPreparation* preparation) {
+  const TriangleSoup delivered = ReadTriangleSoup(path);
+  preparation->name = name;
+  preparation->path = path;
+  preparation->defects = CountDefects(delivered);
+  return SoupFromMesh(
+      RepairMesh(delivered, path, options, &preparation->repairs));
+}
+
+PreparedMuscle PrepareOne(const SceneMuscle& muscle,
+                          const PrepareOptions& options) {
+  PreparedMuscle prepared;
+  const TriangleSoup fine = ReadRepaired(
+      muscle.name, muscle.mesh_path, options.repair, &prepared.mesh);
+  const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
+  prepared.hull_encloses = Encloses(hull, fine);
+  prepared.model = PrepareMuscle(muscle, fine, hull, options.muscle);
+  return prepared;
+}
+
+struct MeshSize {
+  std::string name;
+  double diagonal;  // mm
+};
+
+// A mesh in metres among others in millimetres is a thousand times too small.
+std::vector<std::string> ScaleWarnings(const std::vector<MeshSize>& sizes,
+                                       double ratio) {
+  std::vector<std::string> warnings;
+  for (size_t a = 0; a < sizes.size(); ++a) {
+    for (size_t b = 0; b < sizes.size(); ++b) {
+      if (sizes[a].diagonal <= ratio * sizes[b].diagonal) continue;
+      std::ostringstream text;
+      text << sizes[a].name << " is " << sizes[a].diagonal << " mm across, "
+           << sizes[b].name << " " << sizes[b].diagonal
+           << " mm: are both files in millimetres?";
+      warnings.push_back(text.str());
+    }
+  }
+  return warnings;
+}
+
+}  // namespace
+
+PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  PreparedScene prepared;
+  prepared.scene = scene;
+  std::vector<MeshSize> sizes;
+  // Bones first: reading them is quick, so that bad files are found early.
+  for (const SceneBone& bone : scene.bones) {
+    PreparedBone one;
+    one.rest =
+        ReadRepaired(bone.name, bone.mesh_path, options.repair, &one.mesh);
+    one.body = bone.body;
+    sizes.push_back({bone.name, BoundingBoxDiagonal(one.rest.points)});
+    prepared.bones.push_back(std::move(one));
+  }
+  for (const SceneMuscle& muscle : scene.muscles) {
+    prepared.muscles.push_back(PrepareOne(muscle, options));
+    sizes.push_back(
+        {muscle.name,
+         BoundingBoxDiagonal(prepared.muscles.back().model.fine_rest)});
+  }
+  prepared.warnings = ScaleWarnings(sizes, options.scale_warning_ratio);
+  for (const std::string& warning : prepared.warnings) LOG(WARNING) << warning;
+  prepared.wall_ms = std::chrono::duration<double, std::milli>(
+                         std::chrono::steady_clock::now() - start)
+                         .count();
+  return prepared;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,58 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/mesh/defects.h"
+#include "musclewarp/mesh/repair.h"
+#include "musclewarp/scene/scene.h"
+#include "musclewarp/solver/muscle_model.h"
+
+namespace musclewarp {
+
+struct PrepareOptions {
+  MuscleModelOptions muscle;
+  RepairOptions repair;
+
+  // Warn if the diagonals of two meshes differ by more than this factor: one of
+  // them is likely in other units.
+  double scale_warning_ratio = 100;
+};
+
+// A mesh file as it came and what was done to it.
+struct MeshPreparation {
+  std::string name;
+  std::string path;
+  MeshDefects defects;
+  RepairReport repairs;
+};
+
+struct PreparedMuscle {
+  MeshPreparation mesh;
+  MuscleModel model;
+  bool hull_encloses = false;
+};
+
+struct PreparedBone {
+  MeshPreparation mesh;
+  std::string body;
+  TriangleSoup rest;
+};
+
+// A scene with its meshes read, repaired and analysed. Constant from then on.
+struct PreparedScene {
+  Scene scene;
+  std::vector<PreparedMuscle> muscles;
+  std::vector<PreparedBone> bones;
+  std::vector<std::string> warnings;
+  double wall_ms = 0;
+};
+
+// Throws InputError if a mesh cannot be read or repaired.
+PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options);
+
+}  // namespace musclewarp

@@ -1,0 +1,37 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "musclewarp/motion/frame.h"
+#include "musclewarp/motion/prepared_scene.h"
+
+namespace musclewarp {
+
+// What a run did, for report.json (docs/report.md describes the keys).
+struct RunRecord {
+  std::string solver;
+  std::string contact;
+  const PreparedScene* scene = nullptr;
+  SceneIntersections rest;
+  std::vector<Frame> frames;
+};
+
+// Sums over the frames.
+struct RunTotals {
+  int frames = 0;
+  int frames_clean = 0;           // no intersection
+  double worst_volume_error = 0;  // largest |volume ratio - 1|
+  int worst_folded_triangles = 0;
+  double wall_ms_per_frame_median = 0;
+  bool usable = false;
+};
+
+RunTotals TotalsOf(const RunRecord& run);
+
+nlohmann::ordered_json ReportJson(const RunRecord& run);
+
+}  // namespace musclewarp

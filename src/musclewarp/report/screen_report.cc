@@ -1,0 +1,87 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/report/screen_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <string>
+
+namespace musclewarp {
+namespace {
+
+double WorstVolumeError(const Frame& frame) {
+  double worst = 0;
+  for (const MuscleFrame& muscle : frame.muscles) {
+    worst = std::max(worst, std::abs(muscle.volume_ratio - 1));
+  }
+  return worst;
+}
+
+int FoldedTriangles(const Frame& frame) {
+  int sum = 0;
+  for (const MuscleFrame& muscle : frame.muscles) {
+    sum += muscle.folded_triangles;
+  }
+  return sum;
+}
+
+}  // namespace
+
+void PrintPreparation(const PreparedScene& scene, std::ostream& out) {
+  out << "scene " << scene.scene.name << ": " << scene.muscles.size()
+      << " muscles, " << scene.bones.size() << " bones, "
+      << scene.scene.poses.size() << " poses; prepared in " << std::fixed
+      << std::setprecision(0) << scene.wall_ms << " ms\n";
+  for (const PreparedMuscle& muscle : scene.muscles) {
+    out << "  " << muscle.model.name << ": " << muscle.model.fine_rest.rows()
+        << " vertices, " << std::setprecision(1)
+        << muscle.model.rest_volume / 1000 << " cm3, hull of "
+        << muscle.model.coarse_rest.rows() << " vertices"
+        << (muscle.hull_encloses ? "" : " that does NOT enclose it")
+        << (muscle.mesh.repairs.AnythingDone() ? ", repaired" : "") << "\n";
+  }
+  for (const PreparedBone& bone : scene.bones) {
+    out << "  " << bone.mesh.name << ": " << bone.rest.points.rows()
+        << " vertices, bone"
+        << (bone.mesh.repairs.AnythingDone() ? ", repaired" : "") << "\n";
+  }
+}
+
+void PrintFrames(const RunRecord& run, std::ostream& out) {
+  size_t name_width = 4;
+  for (const Frame& frame : run.frames) {
+    name_width = std::max(name_width, frame.pose->name.size());
+  }
+  out << "\nframe  " << std::left << std::setw(name_width) << "pose"
+      << std::right << "  iterations       ms  volume error  folded"
+      << "  crossing pairs  inside  depth mm  stop\n";
+  const auto print_counts = [&](const SceneIntersections& counts) {
+    out << std::setw(16) << counts.triangle_pairs << std::setw(8)
+        << counts.vertices_inside << std::setw(10) << std::fixed
+        << std::setprecision(2) << counts.max_depth_mm;
+  };
+  out << " rest  " << std::setw(name_width) << "" << std::setw(12 + 9 + 14 + 8)
+      << "";
+  print_counts(run.rest);
+  out << "\n";
+  for (const Frame& frame : run.frames) {
+    out << std::setw(5) << frame.index << "  " << std::left
+        << std::setw(name_width) << frame.pose->name << std::right
+        << std::setw(12) << frame.iterations() << std::setw(9) << std::fixed
+        << std::setprecision(1) << frame.wall_ms << std::scientific
+        << std::setw(14) << WorstVolumeError(frame) << std::setw(8)
+        << FoldedTriangles(frame);
+    print_counts(frame.intersections);
+    out << "  " << frame.stop_reason(*run.scene) << "\n";
+  }
+  const RunTotals totals = TotalsOf(run);
+  out << "\n"
+      << totals.frames << " frames, " << totals.frames_clean
+      << " without intersection, worst volume error " << std::scientific
+      << totals.worst_volume_error << ", median " << std::fixed
+      << totals.wall_ms_per_frame_median
+      << " ms a frame: " << (totals.usable ? "usable" : "NOT usable") << "\n";
+}
+
+}  // namespace musclewarp
