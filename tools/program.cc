@@ -1,0 +1,79 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/program.h"
+
+#include <gflags/gflags.h>
+#include <glog/logging.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+#include "musclewarp/base/input_error.h"
+
+DECLARE_bool(help);
+DECLARE_bool(helpshort);
+DECLARE_bool(version);
+
+namespace GFLAGS_NAMESPACE {
+// What gflags calls after it has printed what is wrong with a flag; exported by
+// the library, but not declared in its header.
+extern void (*gflags_exitfunc)(int);
+}  // namespace GFLAGS_NAMESPACE
+
+namespace musclewarp {
+namespace {
+
+// Flags of the libraries underneath (glog, gflags) are left out: a user of the
+// program has no use for them.
+void PrintHelp(const std::string& usage) {
+  std::cout << "usage: " << usage
+            << "\n\nFlags (--flagfile=F reads them from a "
+            << "file):\n";
+  std::vector<gflags::CommandLineFlagInfo> flags;
+  gflags::GetAllFlags(&flags);
+  for (const auto& flag : flags) {
+    if (flag.filename.find("tools/") == std::string::npos) continue;
+    std::cout << "  --" << flag.name;
+    if (flag.type != "bool") {
+      std::cout << "=" << (flag.type == "string" ? "TEXT" : "NUMBER");
+    }
+    std::cout << "\n      " << flag.description;
+    if (!flag.default_value.empty()) {
+      std::cout << " [" << flag.default_value << "]";
+    }
+    std::cout << "\n";
+  }
+}
+
+}  // namespace
+
+int RunProgram(
+    int argc,
+    char** argv,
+    const std::string& usage,
+    const std::function<int(const std::vector<std::string>&)>& command) {
+  const std::string name = std::filesystem::path(argv[0]).filename().string();
+  FLAGS_logtostderr = true;  // no log files
+  FLAGS_log_prefix = false;
+  google::InitGoogleLogging(argv[0]);
+  gflags::SetVersionString(MUSCLEWARP_VERSION);
+  GFLAGS_NAMESPACE::gflags_exitfunc = [](int) { std::exit(kExitBadInput); };
+  gflags::ParseCommandLineNonHelpFlags(&argc, &argv, /*remove_flags=*/true);
+  if (FLAGS_help || FLAGS_helpshort) {
+    PrintHelp(usage);
+    return kExitUsable;
+  }
+  if (FLAGS_version) {
+    std::cout << name << " " << MUSCLEWARP_VERSION << "\n";
+    return kExitUsable;
+  }
+  try {
+    return command(std::vector<std::string>(argv + 1, argv + argc));
+  } catch (const InputError& error) {
+    std::cerr << name << ": " << error.what() << "\n";
+    return kExitBadInput;
+  }
+}
+
+}  // namespace musclewarp
