@@ -1,0 +1,25 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/render/palette.h"
+
+#include <array>
+
+namespace musclewarp {
+
+Color MuscleColor(int index) {
+  static constexpr std::array<Color, kMuscleColors> kColors = {{
+      {0xd9, 0x40, 0x4d},  // red
+      {0xeb, 0xb6, 0x87},  // peach
+      {0x79, 0x27, 0x3b},  // wine
+      {0xc5, 0x81, 0x25},  // ochre
+      {0xed, 0x6c, 0x96},  // pink
+      {0xb8, 0x42, 0x68},  // rose
+      {0x68, 0x47, 0x1e},  // brown
+      {0xf2, 0xd7, 0x81},  // straw
+  }};
+  return kColors[index % kMuscleColors];
+}
+
+Color BoneColor() { return {0xef, 0xe6, 0xcf}; }
+
+}  // namespace musclewarp
