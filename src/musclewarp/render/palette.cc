@@ -8,7 +8,7 @@ namespace musclewarp {
 
 Color MuscleColor(int index) {
   static constexpr std::array<Color, kMuscleColors> kColors = {{
-      {0xd9, 0x40, 0x4d},  // red
+      {0xcc, 0x44, 0x48},  // red
       {0xeb, 0xb6, 0x87},  // peach
       {0x79, 0x27, 0x3b},  // wine
       {0xc5, 0x81, 0x25},  // ochre

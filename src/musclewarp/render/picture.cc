@@ -67,7 +67,7 @@ vtkSmartPointer<vtkActor> MeshActor(const PictureMesh& mesh,
   property->SetColor(Rgb(mesh.color).data());
   property->SetOpacity(mesh.opacity);
   property->SetAmbient(0.16);
-  property->SetDiffuse(0.88);
+  property->SetDiffuse(0.84);
   property->SetSpecular(0.12);
   property->SetSpecularPower(18);
   return actor;

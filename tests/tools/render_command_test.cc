@@ -1,0 +1,189 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/render_command.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/render/picture.h"
+#include "support/meshes.h"
+#include "support/temp_dir.h"
+#include "tools/run_files.h"
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Key;
+
+// A run of three frames: a muscle that moves away, and a bone.
+std::string WriteRun() {
+  const std::string dir = TestTempDir();
+  for (int i = 0; i < 3; ++i) {
+    const std::string frame = dir + "/frame_000" + std::to_string(i);
+    fs::create_directories(frame);
+    TriangleSoup muscle = Spindle(10, 50, 2);
+    muscle.points.col(0).array() += 20 * i;
+    WriteTriangleSoup(frame + "/psoas_major.ply", muscle);
+    WriteTriangleSoup(frame + "/femur.ply", Box(10, 10, 120));
+  }
+  WriteTextAtomically(dir + "/report.json",
+                      R"({"prepare": {"muscles": [{"name": "psoas_major"}]},
+                          "frames": [{"index": 0, "name": "rest"},
+                                     {"index": 2, "name": "flexion_60"}]})");
+  return dir;
+}
+
+std::string ErrorOf(const RenderRequest& request) {
+  std::ostringstream log;
+  try {
+    Render(request, log);
+  } catch (const InputError& error) {
+    EXPECT_FALSE(fs::exists(request.out));
+    return error.what();
+  }
+  return "no error";
+}
+
+bool CanDraw() {
+  PicturePanel panel;
+  panel.meshes.push_back({Box(1, 1, 1), {}, 1, true});
+  PictureOptions options;
+  options.width = options.height = 16;
+  try {
+    DrawPicture(
+        {panel}, {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ()}, options);
+  } catch (const InputError&) {
+    return false;
+  }
+  return true;
+}
+
+std::string Bytes(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(RunFiles, FramesComeInTheirOrderWithTheNamesOfTheReport) {
+  const std::string dir = WriteRun();
+  const RunFiles run = FindRunFiles(dir, "last,0,1");
+  ASSERT_EQ(run.frames.size(), 3u);
+  EXPECT_EQ(run.frames[0].name, "flexion_60");
+  EXPECT_EQ(run.frames[1].name, "rest");
+  EXPECT_EQ(run.frames[2].name, "");
+  EXPECT_THAT(run.frames[0].meshes,
+              ElementsAre(Key("femur"), Key("psoas_major")));
+  EXPECT_EQ(run.frames[0].meshes.at("femur"), dir + "/frame_0002/femur.ply");
+  EXPECT_TRUE(run.has_report);
+  EXPECT_THAT(run.muscles, ElementsAre("psoas_major"));
+}
+
+TEST(RunFiles, AFolderOfMeshesIsOneFrame) {
+  const std::string dir = WriteRun() + "/frame_0001";
+  const RunFiles run = FindRunFiles(dir, "0");
+  ASSERT_EQ(run.frames.size(), 1u);
+  EXPECT_EQ(run.frames[0].meshes.size(), 2u);
+  EXPECT_FALSE(run.has_report);
+}
+
+TEST(RunFiles, OfSeveralFormatsTheMostExactIsTaken) {
+  const std::string dir = TestTempDir();
+  for (const char* name : {"/a.stl", "/a.ply", "/a.obj", "/b.stl", "/b.off"}) {
+    WriteTriangleSoup(dir + name, UnitTetrahedron());
+  }
+  WriteTextAtomically(dir + "/notes.txt", "not a mesh");
+  const MeshFiles files = MeshFilesIn(dir);
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_EQ(files.at("a"), dir + "/a.ply");
+  EXPECT_EQ(files.at("b"), dir + "/b.off");
+}
+
+TEST(RenderCommand, DrawsFramesSideBySide) {
+  if (!CanDraw()) GTEST_SKIP() << "no OpenGL";
+  RenderRequest request;
+  request.in = WriteRun();
+  request.out = request.in + "/a.png";
+  request.frames = "0,last";
+  request.size = "300x200";
+  request.fade = "femur:0.5";
+  std::ostringstream log;
+  Render(request, log);
+  EXPECT_THAT(log.str(), HasSubstr(request.out));
+  const std::string both = Bytes(request.out);
+  // Width and height in the header of a PNG file.
+  EXPECT_EQ(both.substr(16, 8), std::string("\0\0\1\x2c\0\0\0\xc8", 8));
+  Render(request, log);
+  EXPECT_EQ(Bytes(request.out), both);
+}
+
+TEST(RenderCommand, DrawsFiles) {
+  if (!CanDraw()) GTEST_SKIP() << "no OpenGL";
+  const std::string dir = WriteRun();
+  RenderRequest request;
+  request.files = {dir + "/frame_0000/femur.ply",
+                   dir + "/frame_0000/psoas_major.ply"};
+  request.out = dir + "/muscles.png";
+  request.size = "100x100";
+  std::ostringstream log;
+  Render(request, log);
+  const std::string all_muscles = Bytes(request.out);
+  request.bones = "femur";
+  request.out = dir + "/bone.png";
+  Render(request, log);
+  EXPECT_NE(Bytes(request.out), all_muscles);
+}
+
+TEST(RenderCommand, MistakesNameTheFlagAndLeaveNoPicture) {
+  RenderRequest good;
+  good.in = WriteRun();
+  good.out = good.in + "/a.png";
+  const auto error_with = [&](std::string RenderRequest::*field,
+                              const std::string& value) {
+    RenderRequest request = good;
+    request.*field = value;
+    return ErrorOf(request);
+  };
+  EXPECT_THAT(error_with(&RenderRequest::out, good.in + "/a.jpg"),
+              HasSubstr("--out"));
+  EXPECT_THAT(error_with(&RenderRequest::in, ""), HasSubstr("--in"));
+  EXPECT_THAT(error_with(&RenderRequest::in, good.in + "/no"),
+              HasSubstr(good.in + "/no"));
+  EXPECT_THAT(error_with(&RenderRequest::frames, "0,3"),
+              HasSubstr("--frames: '3'"));
+  EXPECT_THAT(error_with(&RenderRequest::frames, ""), HasSubstr("--frames"));
+  EXPECT_THAT(error_with(&RenderRequest::size, "300"), HasSubstr("--size"));
+  EXPECT_THAT(error_with(&RenderRequest::size, "9x300"), HasSubstr("--size"));
+  EXPECT_THAT(error_with(&RenderRequest::captions, "a,b"),
+              HasSubstr("--captions"));
+  EXPECT_THAT(error_with(&RenderRequest::hide, "tibia"),
+              HasSubstr("femur psoas_major"));
+  EXPECT_THAT(error_with(&RenderRequest::hide, "femur,psoas_major"),
+              HasSubstr("--hide"));
+  EXPECT_THAT(error_with(&RenderRequest::fit, "tibia"), HasSubstr("--fit"));
+  EXPECT_THAT(error_with(&RenderRequest::bones, "tibia"), HasSubstr("--bones"));
+  EXPECT_THAT(error_with(&RenderRequest::fade, "femur"), HasSubstr("--fade"));
+  EXPECT_THAT(error_with(&RenderRequest::fade, "femur:2"), HasSubstr("--fade"));
+  EXPECT_THAT(error_with(&RenderRequest::view, "front"), HasSubstr("--view"));
+}
+
+TEST(RenderCommand, TooManyFramesForTheSizeAreAnError) {
+  RenderRequest request;
+  request.in = WriteRun();
+  request.out = request.in + "/a.png";
+  request.frames = "0,1,2,0,1";
+  request.size = "64x64";
+  EXPECT_THAT(ErrorOf(request), HasSubstr("--size"));
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,136 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/run_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <sstream>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/scene/json_fields.h"
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kFramePrefix[] = "frame_";
+
+// Lower is better: double precision before text before float.
+int Rank(const fs::path& path) {
+  static const std::vector<std::string> kOrder = {
+      ".ply", ".vtp", ".vtk", ".obj", ".off", ".stl"};
+  return static_cast<int>(
+      std::find(kOrder.begin(), kOrder.end(), path.extension()) -
+      kOrder.begin());
+}
+
+// The number of "frame_0012", -1 for other names.
+int FrameNumber(const std::string& name) {
+  const std::size_t length = sizeof(kFramePrefix) - 1;
+  const std::string digits = name.substr(std::min(length, name.size()));
+  if (name.compare(0, length, kFramePrefix) != 0 || digits.empty() ||
+      digits.size() > 9 ||
+      !std::all_of(digits.begin(), digits.end(), [](unsigned char c) {
+        return std::isdigit(c);
+      })) {
+    return -1;
+  }
+  return std::stoi(digits);
+}
+
+std::map<int, std::string> FrameFolders(const std::string& dir) {
+  std::map<int, std::string> folders;
+  for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
+    const int number = FrameNumber(entry.path().filename().string());
+    if (number >= 0 && entry.is_directory()) {
+      folders[number] = entry.path().string();
+    }
+  }
+  return folders;
+}
+
+std::vector<int> ParseFrames(const std::string& text,
+                             const std::string& dir,
+                             const std::map<int, std::string>& folders) {
+  const int last = folders.rbegin()->first;
+  std::vector<int> numbers;
+  std::istringstream in(text);
+  for (std::string word; std::getline(in, word, ',');) {
+    const int number = word == "last" ? last : FrameNumber(kFramePrefix + word);
+    if (folders.count(number) == 0) {
+      throw InputError("--frames",
+                       "'" + word + "' is not a frame of " + dir,
+                       "use 'last' or numbers from " +
+                           std::to_string(folders.begin()->first) + " to " +
+                           std::to_string(last) + ", with commas");
+    }
+    numbers.push_back(number);
+  }
+  if (numbers.empty()) {
+    throw InputError("--frames", "names no frame", "use for example 0,last");
+  }
+  return numbers;
+}
+
+// Names of the muscles and of the frames by index.
+void ReadReport(const std::string& path,
+                RunFiles* run,
+                std::map<int, std::string>* frame_names) {
+  const JsonField report = JsonField::ParseFile(path);
+  const JsonField muscles = report.At("prepare").At("muscles");
+  for (std::size_t i = 0; i < muscles.ArraySize(); ++i) {
+    run->muscles.push_back(muscles.At(i).At("name").AsString());
+  }
+  const JsonField frames = report.At("frames");
+  for (std::size_t i = 0; i < frames.ArraySize(); ++i) {
+    const JsonField frame = frames.At(i);
+    const int index = static_cast<int>(frame.At("index").AsNumber());
+    (*frame_names)[index] = frame.At("name").AsString();
+  }
+  run->has_report = true;
+}
+
+}  // namespace
+
+MeshFiles MeshFilesIn(const std::string& dir) {
+  MeshFiles files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
+    const fs::path& path = entry.path();
+    if (!entry.is_regular_file() || path.extension().empty() ||
+        !IsMeshExtension(path.extension().string())) {
+      continue;
+    }
+    std::string& file = files[path.stem().string()];
+    if (file.empty() || Rank(path) < Rank(file)) file = path.string();
+  }
+  if (files.empty()) {
+    throw InputError(dir,
+                     "the folder holds no mesh",
+                     "name the folder of a run or a folder of meshes");
+  }
+  return files;
+}
+
+RunFiles FindRunFiles(const std::string& dir, const std::string& frames) {
+  if (!fs::is_directory(dir)) {
+    throw InputError(dir, "there is no such folder", "check --in");
+  }
+  RunFiles run;
+  std::map<int, std::string> names;
+  const std::string report = (fs::path(dir) / "report.json").string();
+  if (fs::exists(report)) ReadReport(report, &run, &names);
+  const std::map<int, std::string> folders = FrameFolders(dir);
+  if (folders.empty()) {
+    run.frames.push_back({"", MeshFilesIn(dir)});
+    return run;
+  }
+  for (const int number : ParseFrames(frames, dir, folders)) {
+    run.frames.push_back({names[number], MeshFilesIn(folders.at(number))});
+  }
+  return run;
+}
+
+}  // namespace musclewarp
