@@ -27,7 +27,9 @@ Eigen::Matrix3d SmallestRotation(const Eigen::Vector3d& from,
   if (from.squaredNorm() == 0 || to.squaredNorm() == 0) {
     return Eigen::Matrix3d::Identity();
   }
-  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+  return Eigen::Quaterniond::FromTwoVectors(from, to)
+      .normalized()
+      .toRotationMatrix();
 }
 
 double TwistAngle(const Eigen::Matrix3d& rotation,

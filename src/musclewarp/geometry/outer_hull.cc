@@ -1,0 +1,81 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/geometry/outer_hull.h"
+
+#include <glog/logging.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/geometry/alpha_wrap.h"
+#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/mesh/measures.h"
+
+namespace musclewarp {
+namespace {
+
+// A wrap stays this share of alpha away from the surface.
+constexpr double kOffsetPerAlpha = 2.0 / 15;
+
+#ifdef MUSCLEWARP_WITH_ALPHA_WRAP
+TriangleSoup Wrap(const TriangleSoup& fine, double alpha) {
+  return AlphaWrap(fine, alpha, kOffsetPerAlpha * alpha);
+}
+#else
+TriangleSoup Wrap(const TriangleSoup&, double) {
+  throw InputError("outer hull",
+                   "this build has no alpha wrap",
+                   "build with MUSCLEWARP_WITH_ALPHA_WRAP=ON");
+}
+#endif
+
+}  // namespace
+
+bool OuterHullOptions::IsValid(std::string* error) const {
+  if (coarse_vertices < 20 || coarse_vertices > 5000) {
+    *error = "OuterHullOptions::coarse_vertices is " +
+             std::to_string(coarse_vertices) + ", allowed: 20 to 5000";
+    return false;
+  }
+  if (!(count_tolerance > 0) || max_wraps < 1) {
+    *error = "OuterHullOptions: count_tolerance and max_wraps must be above 0";
+    return false;
+  }
+  return true;
+}
+
+TriangleSoup OuterHull(const TriangleSoup& fine,
+                       const OuterHullOptions& options) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+  // Triangles of a wrap have edges near alpha: their number goes with the area
+  // over alpha squared, and there are half as many vertices.
+  double alpha = std::sqrt(2 * SurfaceArea(fine.points, fine.triangles) /
+                           options.coarse_vertices);
+  TriangleSoup best;
+  for (int wrap = 0; wrap < options.max_wraps; ++wrap) {
+    TriangleSoup hull = Wrap(fine, alpha);
+    const double ratio =
+        static_cast<double>(hull.points.rows()) / options.coarse_vertices;
+    const auto distance = [&](const TriangleSoup& candidate) {
+      return std::abs(candidate.points.rows() - options.coarse_vertices);
+    };
+    if (wrap == 0 || distance(hull) < distance(best)) best = std::move(hull);
+    if (std::abs(ratio - 1) <= options.count_tolerance) break;
+    alpha *= std::sqrt(ratio);
+  }
+  return best;
+}
+
+bool Encloses(const TriangleSoup& hull, const TriangleSoup& fine) {
+  const MeshIntersection found = IntersectMeshes(hull, fine);
+  // Unreferenced points are no part of the surface.
+  const std::set<int> vertices(fine.triangles.data(),
+                               fine.triangles.data() + fine.triangles.size());
+  return found.triangle_pairs.empty() &&
+         found.b_inside_a.size() == vertices.size();
+}
+
+}  // namespace musclewarp

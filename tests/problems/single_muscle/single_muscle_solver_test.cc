@@ -1,0 +1,107 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "problems/single_muscle/single_muscle_solver.h"
+
+#include <ceres/problem.h>
+#include <gtest/gtest.h>
+
+#include "musclewarp/solver/gauss_newton.h"
+#include "problems/single_muscle/single_muscle_problem.h"
+#include "support/muscles.h"
+
+namespace musclewarp {
+namespace {
+
+// Required of the distance between the results of two solvers, mm.
+constexpr double kSameMinimum = 1e-3;
+
+Points SolveWithCeres(const MuscleModel& model,
+                      const MuscleTarget& target,
+                      MuscleFormulation formulation) {
+  Points coarse = model.coarse_rest;
+  SolverSummary summary;
+  SolveSingleMuscle(
+      model, target, SingleMuscleOptions::For(formulation), &coarse, &summary);
+  EXPECT_EQ(summary.stop_reason, StopReason::kConverged)
+      << summary.FullReport();
+  EXPECT_NEAR(summary.volume_ratio, 1, 1e-6);
+  return model.fine_from_coarse * coarse;
+}
+
+Points SolveWithReference(const MuscleModel& model,
+                          const MuscleTarget& target) {
+  Points coarse = model.coarse_rest;
+  SolverSummary summary;
+  SolveGaussNewton(model, target, {}, &coarse, &summary);
+  EXPECT_EQ(summary.stop_reason, StopReason::kConverged);
+  return model.fine_from_coarse * coarse;
+}
+
+double Distance(const Points& a, const Points& b) {
+  return (a - b).rowwise().norm().maxCoeff();
+}
+
+}  // namespace
+
+TEST(SingleMuscleSolver, DefaultOptionsAreValid) {
+  std::string error;
+  for (const auto formulation :
+       {MuscleFormulation::kWhitened, MuscleFormulation::kBlocks}) {
+    EXPECT_TRUE(SingleMuscleOptions::For(formulation).IsValid(&error)) << error;
+  }
+}
+
+TEST(SingleMuscleSolver, TheBlocksAddUpToTheLinearEnergy) {
+  MuscleModelOptions options;
+  options.attachment_weight = 1;
+  const MuscleModel model = SpindleModel(options);
+  const MuscleTarget target = TargetOf(model, BentPose(0.6), {});
+  HardConstraint no_volume;
+  no_volume.penalty = 1e-300;
+  Points coarse = model.coarse_rest;
+  ceres::Problem problem;
+  AddMuscleInBlocks(model, target, no_volume, &coarse, &problem);
+  double cost = 0;
+  problem.Evaluate({}, &cost, nullptr, nullptr, nullptr);
+  EXPECT_NEAR(cost, LinearEnergy(model, target, coarse), 1e-9 * cost);
+}
+
+TEST(SingleMuscleSolver, BothFormulationsAndTheReferenceFindOneMinimum) {
+  const MuscleModel model = SpindleModel();
+  for (const double angle : {0.0, 0.5, 1.0}) {
+    const MuscleTarget target = TargetOf(model, BentPose(angle), {});
+    const Points reference = SolveWithReference(model, target);
+    EXPECT_LT(
+        Distance(reference,
+                 SolveWithCeres(model, target, MuscleFormulation::kWhitened)),
+        kSameMinimum);
+    EXPECT_LT(
+        Distance(reference,
+                 SolveWithCeres(model, target, MuscleFormulation::kBlocks)),
+        kSameMinimum);
+  }
+}
+
+TEST(SingleMuscleSolver, RestInRestOut) {
+  const MuscleModel model = SpindleModel();
+  const MuscleTarget target = TargetOf(model, ScenePose(), {});
+  for (const auto formulation :
+       {MuscleFormulation::kWhitened, MuscleFormulation::kBlocks}) {
+    EXPECT_LT(
+        Distance(SolveWithCeres(model, target, formulation), model.fine_rest),
+        1e-6);
+  }
+}
+
+TEST(SingleMuscleSolver, TheResultDoesNotDependOnTheStart) {
+  const MuscleModel model = SpindleModel();
+  const MuscleTarget target = TargetOf(model, BentPose(0.8), {});
+  const Points from_rest =
+      SolveWithCeres(model, target, MuscleFormulation::kWhitened);
+  Points coarse = 1.2 * model.coarse_rest;
+  SolverSummary summary;
+  SolveSingleMuscle(model, target, {}, &coarse, &summary);
+  EXPECT_LT(Distance(model.fine_from_coarse * coarse, from_rest), kSameMinimum);
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,195 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/scene/scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
+#include "support/temp_dir.h"
+
+namespace musclewarp {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+Json GoodScene() {
+  return Json::parse(R"({
+    "name": "one muscle", "units": "mm",
+    "muscles": [{"name": "m", "mesh": "m.ply",
+      "lines": [{"name": "l", "rest": [[0,0,0],[0,0,9]], "bodies": ["p","f"]}],
+      "attachments": [{"body": "f", "points": [[0,0,9]], "radius": 3}]}],
+    "bones": [{"name": "pelvis", "mesh": "p.ply", "body": "p"},
+              {"name": "femur", "mesh": "f.ply", "body": "f"}],
+    "poses": [{"name": "a", "time": 0.5,
+      "bodies": {"f": [[1,0,0,0],[0,1,0,0],[0,0,1,7],[0,0,0,1]]},
+      "lines": {"l": [[0,0,1],[0,0,8]]}}]})");
+}
+
+Scene Read(const Json& json) {
+  const std::string path = TestTempDir() + "/scene.json";
+  WriteTextAtomically(path, json.dump());
+  return ReadScene(path, "");
+}
+
+void ExpectRefused(const Json& json, const std::vector<std::string>& words) {
+  try {
+    Read(json);
+    ADD_FAILURE() << "read: " << json.dump();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("scene.json"));
+    for (const auto& word : words) EXPECT_THAT(error.what(), HasSubstr(word));
+  }
+}
+
+// The good scene with the value at a JSON pointer replaced.
+Json With(const std::string& pointer, const Json& value) {
+  Json scene = GoodScene();
+  scene[Json::json_pointer(pointer)] = value;
+  return scene;
+}
+
+Json Without(const std::string& parent, const std::string& key) {
+  Json scene = GoodScene();
+  scene[Json::json_pointer(parent)].erase(key);
+  return scene;
+}
+
+}  // namespace
+
+TEST(Scene, ReadsEveryField) {
+  const Scene scene = Read(GoodScene());
+  EXPECT_EQ(scene.name, "one muscle");
+  ASSERT_EQ(scene.muscles.size(), 1u);
+  const SceneMuscle& muscle = scene.muscles[0];
+  EXPECT_EQ(muscle.name, "m");
+  EXPECT_EQ(muscle.mesh_path,
+            scene.path.substr(0, scene.path.rfind('/')) + "/m.ply");
+  EXPECT_EQ(muscle.lines[0].name, "l");
+  EXPECT_EQ(muscle.lines[0].rest(1, 2), 9);
+  EXPECT_EQ(muscle.lines[0].bodies[1], "f");
+  EXPECT_EQ(muscle.attachments[0].radius, 3);
+  EXPECT_EQ(scene.bones[1].body, "f");
+  EXPECT_EQ(scene.poses[0].time, 0.5);
+  EXPECT_EQ(scene.poses[0].bodies.at("f")(2, 3), 7);
+  EXPECT_EQ(scene.poses[0].lines.at("l")(1, 2), 8);
+}
+
+TEST(Scene, PathsFollowTheDataRoot) {
+  const std::string path = TestTempDir() + "/scene.json";
+  WriteTextAtomically(path, GoodScene().dump());
+  EXPECT_EQ(ReadScene(path, "/data").muscles[0].mesh_path, "/data/m.ply");
+}
+
+TEST(Scene, RefusesWhatIsNotAScene) {
+  const std::string path = TestTempDir() + "/scene.json";
+  EXPECT_THROW(ReadScene(path, ""), InputError);
+  EXPECT_THROW(ReadScene(TestTempDir(), ""), InputError);
+  for (const char* text : {"", "{", "[1, 2]", "\"text\"", "{\"name\": 1,}"}) {
+    WriteTextAtomically(path, text);
+    EXPECT_THROW(ReadScene(path, ""), InputError) << text;
+  }
+  WriteTextAtomically(path, "{\n\"name\": \"a\",\n\"units\" \"mm\"\n}");
+  try {
+    ReadScene(path, "");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("line 3"));
+  }
+}
+
+TEST(Scene, RefusesUnknownMissingAndRepeatedKeys) {
+  ExpectRefused(With("/muscels", 1), {"muscels", "allowed", "muscles"});
+  ExpectRefused(With("/muscles/0/colour", 1), {"muscles[0]", "colour"});
+  ExpectRefused(With("/poses/0/bones", 1), {"poses[0]", "bones"});
+  ExpectRefused(Without("", "units"), {"units", "missing"});
+  ExpectRefused(Without("/muscles/0", "mesh"), {"muscles[0].mesh", "missing"});
+  const std::string path = TestTempDir() + "/scene.json";
+  std::string text = GoodScene().dump();
+  text.insert(1, "\"name\": \"first\", ");
+  WriteTextAtomically(path, text);
+  EXPECT_THROW(ReadScene(path, ""), InputError);
+}
+
+TEST(Scene, RefusesWrongTypesAndValues) {
+  ExpectRefused(With("/name", 5), {"name", "5"});
+  ExpectRefused(With("/units", "m"), {"units", "\"m\"", "mm"});
+  ExpectRefused(With("/muscles", Json::object()), {"muscles", "array"});
+  ExpectRefused(With("/muscles", Json::array()), {"muscles", "empty"});
+  ExpectRefused(With("/poses", Json::array()), {"pose"});
+  ExpectRefused(With("/muscles/0/lines/0/rest/1", {1, 2}),
+                {"muscles[0].lines[0].rest[1]", "[x, y, z]"});
+  ExpectRefused(With("/muscles/0/lines/0/rest/1/0", "x"),
+                {"muscles[0].lines[0].rest[1][0]", "number"});
+  ExpectRefused(With("/muscles/0/attachments/0/radius", -1), {"radius"});
+  ExpectRefused(With("/poses/0/bodies/f/0/0", 2),
+                {"poses[0].bodies.f", "rigid"});
+  ExpectRefused(With("/poses/0/bodies/f/3/0", 1),
+                {"poses[0].bodies.f", "0 0 0 1"});
+  ExpectRefused(With("/model", "a.osim"), {"OpenSim"});
+}
+
+TEST(Scene, RefusesBadLines) {
+  ExpectRefused(With("/muscles/0/lines", Json::array()), {"lines", "empty"});
+  ExpectRefused(With("/muscles/0/lines/0/rest", {{0, 0, 0}}),
+                {"\"l\"", "1 points", "at least 2"});
+  ExpectRefused(With("/muscles/0/lines/0/rest", {{0, 0, 1}, {0, 0, 1}}),
+                {"\"l\"", "repeats point 0"});
+  ExpectRefused(With("/poses/0/lines/l", {{0, 0, 1}, {0, 0, 2}, {0, 0, 3}}),
+                {"\"l\"", "\"a\"", "3 points", "2"});
+  ExpectRefused(With("/muscles/0/lines/0/bodies", {"p"}), {"1 bodies", "2"});
+  ExpectRefused(With("/poses/0/lines/other", {{0, 0, 1}, {0, 0, 2}}),
+                {"\"other\"", "no muscle"});
+  ExpectRefused(With("/muscles/0/lines/0", "glut_med1_r"), {"glut_med1_r"});
+}
+
+TEST(Scene, RefusesNamesThatClashOrAreUnknown) {
+  ExpectRefused(With("/bones/0/name", "m"), {"\"m\"", "twice"});
+  ExpectRefused(With("/bones/0/name", "a/b"), {"\"a/b\"", "file name"});
+  ExpectRefused(With("/muscles/0/lines/0/bodies/1", "tibia"),
+                {"\"tibia\"", "p"});
+  ExpectRefused(With("/muscles/0/attachments/0/body", "tibia"), {"\"tibia\""});
+  ExpectRefused(
+      With("/poses/0/bodies/tibia", GoodScene()["poses"][0]["bodies"]["f"]),
+      {"\"tibia\""});
+  Json scene = GoodScene();
+  scene["poses"].push_back(scene["poses"][0]);
+  ExpectRefused(scene, {"\"a\"", "twice"});
+  scene = GoodScene();
+  scene["muscles"][0]["lines"].push_back(scene["muscles"][0]["lines"][0]);
+  ExpectRefused(scene, {"\"l\"", "twice"});
+}
+
+TEST(Scene, TakesLinesAndPosesFromAPosesFile) {
+  const std::string dir = TestTempDir();
+  WriteTextAtomically(dir + "/poses.json", R"({"units": "mm", "note": "any",
+    "lines": {"l": {"muscle": "m", "rest": [[0,0,0],[0,0,9]]},
+              "unused": {"rest": [[0,0,0],[1,0,0]]}},
+    "poses": [{"flexion_deg": -10, "thigh":
+        [[1,0,0,0],[0,1,0,0],[0,0,1,7],[0,0,0,1]],
+      "target": {"l": [[0,0,1],[0,0,8]], "unused": [[0,0,0],[2,0,0]]}}]})");
+  Json json = GoodScene();
+  json.erase("poses");
+  json["poses_file"] = {{"path", "poses.json"}, {"bodies", {{"thigh", "f"}}}};
+  json["muscles"][0]["lines"] = {"l"};
+  WriteTextAtomically(dir + "/scene.json", json.dump());
+  const Scene scene = ReadScene(dir + "/scene.json", "");
+  ASSERT_EQ(scene.poses.size(), 1u);
+  EXPECT_EQ(scene.poses[0].name, "flexion_deg_-10");
+  EXPECT_EQ(scene.poses[0].coordinates.at("flexion_deg"), -10);
+  EXPECT_EQ(scene.poses[0].bodies.at("f")(2, 3), 7);
+  EXPECT_EQ(scene.poses[0].lines.size(), 1u);
+  EXPECT_EQ(scene.muscles[0].lines[0].rest(1, 2), 9);
+
+  json["muscles"][0]["lines"] = {"l", "missing"};
+  WriteTextAtomically(dir + "/scene.json", json.dump());
+  EXPECT_THROW(ReadScene(dir + "/scene.json", ""), InputError);
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,77 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/solver/muscle_target.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "support/muscles.h"
+
+namespace musclewarp {
+namespace {
+
+MuscleModelOptions WithAttachments() {
+  MuscleModelOptions options;
+  options.attachment_weight = 2;
+  options.skeleton_weight = 1.5;
+  return options;
+}
+
+Eigen::Matrix3d Turn() {
+  return Eigen::AngleAxisd(1.2, Eigen::Vector3d(1, 2, -1).normalized())
+      .toRotationMatrix();
+}
+
+}  // namespace
+
+TEST(MuscleTarget, RestHasNoEnergy) {
+  const MuscleModel model = SpindleModel(WithAttachments());
+  ASSERT_GT(model.attachment.rows(), 0);
+  const MuscleTarget target = TargetOf(model, ScenePose(), {});
+  EXPECT_LT(LinearEnergy(model, target, model.coarse_rest), 1e-20);
+  EXPECT_LT((UnconstrainedMinimizer(model, target) - model.coarse_rest)
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-9);
+}
+
+TEST(MuscleTarget, ARigidMotionHasNoEnergy) {
+  const MuscleModel model = SpindleModel(WithAttachments());
+  const Eigen::Vector3d shift(100, -50, 20);
+  const MuscleTarget target = TargetOf(model, RigidPose(Turn(), shift), {});
+  Points moved = model.coarse_rest * Turn().transpose();
+  moved.rowwise() += shift.transpose();
+  EXPECT_LT(LinearEnergy(model, target, moved), 1e-18);
+  EXPECT_LT(
+      (UnconstrainedMinimizer(model, target) - moved).cwiseAbs().maxCoeff(),
+      1e-6);
+}
+
+TEST(MuscleTarget, DescentIsMinusTheGradient) {
+  const MuscleModel model = SpindleModel(WithAttachments());
+  const MuscleTarget target = TargetOf(model, BentPose(0.8), {});
+  Points coarse = model.coarse_rest;
+  const Points descent = LinearDescent(model, target, coarse);
+  for (Eigen::Index i = 0; i < coarse.size(); i += 11) {
+    double& x = coarse.data()[i];
+    const double x0 = x;
+    // Quadratic: central differences are exact but for rounding.
+    x = x0 + 1;
+    const double plus = LinearEnergy(model, target, coarse);
+    x = x0 - 1;
+    const double minus = LinearEnergy(model, target, coarse);
+    x = x0;
+    EXPECT_NEAR(-descent.data()[i], (plus - minus) / 2, 1e-8);
+  }
+}
+
+TEST(MuscleTarget, TheMinimizerHasNoDescent) {
+  const MuscleModel model = SpindleModel(WithAttachments());
+  const MuscleTarget target = TargetOf(model, BentPose(0.8), {});
+  const Points minimizer = UnconstrainedMinimizer(model, target);
+  EXPECT_LT(LinearDescent(model, target, minimizer).cwiseAbs().maxCoeff(),
+            1e-9);
+}
+
+}  // namespace musclewarp

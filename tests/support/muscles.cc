@@ -1,0 +1,66 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "support/muscles.h"
+
+#include <Eigen/Geometry>
+
+#include "support/meshes.h"
+
+namespace musclewarp {
+
+SceneMuscle SpindleMuscle() {
+  SceneMuscle muscle;
+  muscle.name = "spindle";
+  ActionLine middle;
+  middle.name = "middle";
+  middle.rest.resize(3, 3);
+  middle.rest << 0, 0, -55, 1, 0, 0, 0, 0, 55;
+  middle.bodies = {"pelvis", "pelvis", "femur"};
+  ActionLine side;
+  side.name = "side";
+  side.rest.resize(2, 3);
+  side.rest << 8, 2, -30, 8, 2, 35;
+  side.bodies = {"pelvis", "femur"};
+  muscle.lines = {middle, side};
+  Attachment origin;
+  origin.body = "pelvis";
+  origin.points.resize(1, 3);
+  origin.points << 0, 0, -60;
+  origin.radius = 12;
+  Attachment insertion = origin;
+  insertion.body = "femur";
+  insertion.points *= -1;
+  muscle.attachments = {origin, insertion};
+  return muscle;
+}
+
+MuscleModel SpindleModel(const MuscleModelOptions& options) {
+  return PrepareMuscle(
+      SpindleMuscle(), Spindle(12, 60, 3), Spindle(15, 66, 2), options);
+}
+
+ScenePose FemurPose(const Eigen::Matrix3d& rotation,
+                    const Eigen::Vector3d& translation) {
+  ScenePose pose;
+  pose.name = "femur";
+  Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
+  transform.topLeftCorner<3, 3>() = rotation;
+  transform.topRightCorner<3, 1>() = translation;
+  pose.bodies["femur"] = transform;
+  return pose;
+}
+
+ScenePose BentPose(double angle) {
+  return FemurPose(
+      Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()).toRotationMatrix(),
+      Eigen::Vector3d(3, 1, -2));
+}
+
+ScenePose RigidPose(const Eigen::Matrix3d& rotation,
+                    const Eigen::Vector3d& translation) {
+  ScenePose pose = FemurPose(rotation, translation);
+  pose.bodies["pelvis"] = pose.bodies["femur"];
+  return pose;
+}
+
+}  // namespace musclewarp
