@@ -1,0 +1,161 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/mesh/mesh_io.h"
+
+#include <glog/logging.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/mesh/legacy_vtk_io.h"
+#include "musclewarp/mesh/obj_io.h"
+#include "musclewarp/mesh/off_io.h"
+#include "musclewarp/mesh/ply_io.h"
+#include "musclewarp/mesh/stl_io.h"
+#include "musclewarp/mesh/text_cursor.h"
+#ifdef MUSCLEWARP_WITH_VTK
+#include "musclewarp/mesh/vtk_io.h"
+#endif
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Format {
+  const char* extension;
+  TriangleSoup (*read)(const std::string& path, std::string_view bytes);
+  std::string (*write)(const TriangleSoup& soup);
+};
+
+const std::vector<Format>& Formats() {
+  static const std::vector<Format> kFormats = {
+      {".ply", ReadPly, PlyBytes},
+      {".obj", ReadObj, ObjBytes},
+      {".off", ReadOff, OffBytes},
+      {".stl", ReadStl, StlBytes},
+      {".vtk", ReadLegacyVtk, LegacyVtkBytes},
+#ifdef MUSCLEWARP_WITH_VTK
+      {".vtp",
+       ReadVtp,
+       [](const TriangleSoup& soup) {
+         return VtpBytes(PolyDataFromSoup(soup));
+       }},
+#endif
+  };
+  return kFormats;
+}
+
+// Null if there is none.
+const Format* FindFormat(const std::string& extension) {
+  for (const Format& format : Formats()) {
+    if (extension == format.extension) return &format;
+  }
+  return nullptr;
+}
+
+const Format& FormatOf(const std::string& path) {
+  const std::string extension = LowerCase(fs::path(path).extension().string());
+  if (const Format* format = FindFormat(extension)) return *format;
+  std::string allowed;
+  for (const Format& format : Formats()) {
+    if (!allowed.empty()) allowed += ", ";
+    allowed += format.extension;
+  }
+  if (extension == ".vtp") {
+    throw InputError(
+        path,
+        ".vtp needs VTK, which this build of musclewarp lacks",
+        "use " + allowed + ", or build with -DMUSCLEWARP_WITH_VTK=ON");
+  }
+  throw InputError(path,
+                   extension.empty()
+                       ? "has no extension to tell the format"
+                       : Quoted(extension) + " is no mesh format known here",
+                   "use " + allowed);
+}
+
+void CheckIsFile(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) {
+    throw InputError(path, "does not exist", "check the name and the folder");
+  }
+  if (fs::is_directory(status)) {
+    throw InputError(path, "is a folder", "name a mesh file in it");
+  }
+  // A pipe could block for ever.
+  if (!fs::is_regular_file(status)) {
+    throw InputError(path, "is no regular file", "name a mesh file");
+  }
+}
+
+std::string ReadBytes(const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(path, error);
+  std::ifstream file(path, std::ios::binary);
+  if (error || !file) {
+    throw InputError(
+        path, "cannot be opened", "check that you are allowed to read it");
+  }
+  if (size == 0) {
+    throw InputError(path, "is empty (0 bytes)", "copy or export it again");
+  }
+  std::string bytes(size, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(size));
+  if (static_cast<std::uintmax_t>(file.gcount()) != size) {
+    throw InputError(path,
+                     "could be read up to byte " +
+                         std::to_string(file.gcount()) + " of " +
+                         std::to_string(size),
+                     "check the disk and try again");
+  }
+  return bytes;
+}
+
+void CheckIsSound(const TriangleSoup& soup) {
+  CHECK(soup.points.allFinite());
+  if (soup.triangles.size() == 0) return;
+  CHECK_GE(soup.triangles.minCoeff(), 0);
+  CHECK_LT(soup.triangles.maxCoeff(), soup.points.rows());
+}
+
+void CheckFitsStl(const std::string& path, const TriangleSoup& soup) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  if (soup.points.size() == 0) return;
+  const double largest = soup.points.cwiseAbs().maxCoeff();
+  if (largest <= kLargest) return;
+  std::string text;
+  AppendReal(largest, &text);
+  throw InputError(
+      path,
+      "cannot hold a coordinate of size " + text + ", .stl ends at 3.4e38",
+      "write another format");
+}
+
+}  // namespace
+
+TriangleSoup ReadTriangleSoup(const std::string& path) {
+  CheckIsFile(path);
+  const Format& format = FormatOf(path);
+  return format.read(path, ReadBytes(path));
+}
+
+void WriteTriangleSoup(const std::string& path, const TriangleSoup& soup) {
+  const Format& format = FormatOf(path);
+  CheckIsSound(soup);
+  if (format.write == StlBytes) CheckFitsStl(path, soup);
+  WriteTextAtomically(path, format.write(soup));
+}
+
+bool IsMeshExtension(const std::string& extension) {
+  const bool has_dot = !extension.empty() && extension[0] == '.';
+  return FindFormat((has_dot ? "" : ".") + LowerCase(extension)) != nullptr;
+}
+
+}  // namespace musclewarp
