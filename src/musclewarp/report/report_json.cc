@@ -12,20 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json ToJson(const MeshDefects& defects) {
-  return {{"duplicate_points", defects.duplicate_points},
-          {"unreferenced_points", defects.unreferenced_points},
-          {"degenerate_triangles", defects.degenerate_triangles},
-          {"duplicate_triangles", defects.duplicate_triangles},
-          {"border_edges", defects.border_edges},
-          {"border_length_mm", defects.border_length},
-          {"non_manifold_edges", defects.non_manifold_edges},
-          {"non_manifold_vertices", defects.non_manifold_vertices},
-          {"misoriented_edges", defects.misoriented_edges},
-          {"components", defects.components},
-          {"is_inside_out", defects.is_inside_out}};
-}
-
 Json ToJson(const RepairReport& repairs) {
   return {{"merged_points", repairs.point_merges.merged},
           {"longest_merge_mm", repairs.point_merges.longest},
@@ -76,7 +62,7 @@ Json PrepareJson(const PreparedScene& scene) {
                        {"volume_mm3", muscle.model.rest_volume},
                        {"skeleton_samples", muscle.model.samples.size()},
                        {"attachment_rows", muscle.model.attachment_of.size()},
-                       {"defects", ToJson(muscle.mesh.defects)},
+                       {"defects", DefectsJson(muscle.mesh.defects)},
                        {"repairs", ToJson(muscle.mesh.repairs)}});
   }
   Json bones = Json::array();
@@ -84,7 +70,7 @@ Json PrepareJson(const PreparedScene& scene) {
     bones.push_back({{"name", bone.mesh.name},
                      {"mesh", bone.mesh.path},
                      {"vertices", bone.rest.points.rows()},
-                     {"defects", ToJson(bone.mesh.defects)},
+                     {"defects", DefectsJson(bone.mesh.defects)},
                      {"repairs", ToJson(bone.mesh.repairs)}});
   }
   return {{"wall_ms", scene.wall_ms},
@@ -126,6 +112,20 @@ Json ToJson(const Frame& frame, const PreparedScene& scene) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json DefectsJson(const MeshDefects& defects) {
+  return {{"duplicate_points", defects.duplicate_points},
+          {"unreferenced_points", defects.unreferenced_points},
+          {"degenerate_triangles", defects.degenerate_triangles},
+          {"duplicate_triangles", defects.duplicate_triangles},
+          {"border_edges", defects.border_edges},
+          {"border_length_mm", defects.border_length},
+          {"non_manifold_edges", defects.non_manifold_edges},
+          {"non_manifold_vertices", defects.non_manifold_vertices},
+          {"misoriented_edges", defects.misoriented_edges},
+          {"components", defects.components},
+          {"is_inside_out", defects.is_inside_out}};
+}
 
 RunTotals TotalsOf(const RunRecord& run) {
   RunTotals totals;

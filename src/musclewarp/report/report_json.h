@@ -32,6 +32,9 @@ struct RunTotals {
 
 RunTotals TotalsOf(const RunRecord& run);
 
+// What is wrong with a mesh as delivered.
+nlohmann::ordered_json DefectsJson(const MeshDefects& defects);
+
 nlohmann::ordered_json ReportJson(const RunRecord& run);
 
 }  // namespace musclewarp

@@ -1,0 +1,224 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/geometry/triangle_bvh.h"
+
+#include <glog/logging.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+
+Box3 BoxOf(const Corners& triangle) {
+  Box3 box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.lower[axis] = triangle.col(axis).minCoeff();
+    box.upper[axis] = triangle.col(axis).maxCoeff();
+  }
+  return box;
+}
+
+Box3 BoxOf(const Box3& a, const Box3& b) {
+  Box3 box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.lower[axis] = std::min(a.lower[axis], b.lower[axis]);
+    box.upper[axis] = std::max(a.upper[axis], b.upper[axis]);
+  }
+  return box;
+}
+
+RowVector3d ClosestPointOfSegment(const RowVector3d& p,
+                                  const RowVector3d& a,
+                                  const RowVector3d& b) {
+  const RowVector3d ab = b - a;
+  const double along = ab.dot(p - a);
+  const double square = ab.squaredNorm();
+  if (!(along > 0)) return a;
+  if (along >= square) return b;
+  return a + along / square * ab;
+}
+
+}  // namespace
+
+double Box3::SquaredDistance(const RowVector3d& p) const {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double gap =
+        std::max({lower[axis] - p[axis], p[axis] - upper[axis], 0.0});
+    sum += gap * gap;
+  }
+  return sum;
+}
+
+RowVector3d ClosestPointOfTriangle(const RowVector3d& p,
+                                   const Corners& triangle) {
+  const RowVector3d a = triangle.row(0);
+  const RowVector3d b = triangle.row(1);
+  const RowVector3d c = triangle.row(2);
+  // Barycentric coordinates of the foot of p on the plane, times |n|^2.
+  const RowVector3d n = (b - a).cross(c - a);
+  const double at_b = n.dot((p - a).cross(c - a));
+  const double at_c = n.dot((b - a).cross(p - a));
+  const double square = n.squaredNorm();
+  const double at_a = square - at_b - at_c;
+  const bool is_above = at_a > 0 && at_b > 0 && at_c > 0;
+  const RowVector3d foot =
+      is_above ? RowVector3d(a + at_b / square * (b - a) +
+                             at_c / square * (c - a))
+               : RowVector3d(RowVector3d::Constant(
+                     std::numeric_limits<double>::quiet_NaN()));
+  // With a sine below 1e-6 the foot may lie in the triangle and yet not be the
+  // closest point; one of the edges has a point as close then.
+  const bool is_needle =
+      square < 1e-12 * (b - a).squaredNorm() * (c - a).squaredNorm();
+  if (is_above && !is_needle) return foot;
+
+  RowVector3d closest = ClosestPointOfSegment(p, a, b);
+  double least = (p - closest).squaredNorm();
+  const auto offer = [&](const RowVector3d& candidate) {
+    const double distance = (p - candidate).squaredNorm();
+    if (distance < least) {
+      least = distance;
+      closest = candidate;
+    }
+  };
+  offer(ClosestPointOfSegment(p, b, c));
+  offer(ClosestPointOfSegment(p, c, a));
+  if (is_above) offer(foot);
+  return closest;
+}
+
+TriangleBvh::TriangleBvh(const Points& points, const Triangles& triangles)
+    : triangles_(triangles), corners_(triangles.rows()) {
+  const int count = num_triangles();
+  Points centroids(count, 3);
+  for (int f = 0; f < count; ++f) {
+    centroids.row(f) = (points.row(triangles(f, 0)) +
+                        points.row(triangles(f, 1)) +
+                        points.row(triangles(f, 2))) /
+                       3;
+  }
+  std::vector<int> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  nodes_.reserve(std::max(0, 2 * count - 1));
+  if (count > 0) Build(centroids, order.data(), order.data() + count);
+  Refit(points);
+}
+
+int TriangleBvh::Build(const Points& centroids, int* begin, int* end) {
+  const int index = static_cast<int>(nodes_.size());
+  nodes_.push_back(Node{{}, -1, -1});
+  if (end - begin == 1) {
+    nodes_[index].triangle = *begin;
+    return index;
+  }
+  RowVector3d lower = centroids.row(*begin);
+  RowVector3d upper = lower;
+  for (const int* f = begin; f != end; ++f) {
+    lower = lower.cwiseMin(centroids.row(*f));
+    upper = upper.cwiseMax(centroids.row(*f));
+  }
+  int axis;
+  (upper - lower).maxCoeff(&axis);
+  int* middle = begin + (end - begin) / 2;
+  // Ties by index, or the tree would depend on the standard library.
+  std::nth_element(begin, middle, end, [&](int f, int g) {
+    return std::make_pair(centroids(f, axis), f) <
+           std::make_pair(centroids(g, axis), g);
+  });
+  Build(centroids, begin, middle);
+  const int second = Build(centroids, middle, end);
+  nodes_[index].second = second;
+  return index;
+}
+
+void TriangleBvh::Refit(const Points& points) {
+  for (int f = 0; f < num_triangles(); ++f) {
+    for (int corner = 0; corner < 3; ++corner) {
+      corners_[f].row(corner) = points.row(triangles_(f, corner));
+    }
+  }
+  // Children come after their parents.
+  for (int i = static_cast<int>(nodes_.size()) - 1; i >= 0; --i) {
+    Node& node = nodes_[i];
+    node.box = node.IsLeaf()
+                   ? BoxOf(corners_[node.triangle])
+                   : BoxOf(nodes_[i + 1].box, nodes_[node.second].box);
+  }
+}
+
+std::vector<TriangleBvh::NodePair> TriangleBvh::Expand(
+    const TriangleBvh& a, const TriangleBvh& b, std::vector<NodePair> roots) {
+  constexpr size_t kEnough = 256;
+  const auto is_leaf_pair = [&](const NodePair& pair) {
+    return a.nodes_[pair.first].IsLeaf() && b.nodes_[pair.second].IsLeaf();
+  };
+  bool has_changed = true;
+  while (has_changed && roots.size() < kEnough) {
+    has_changed = false;
+    std::vector<NodePair> finer;
+    for (const NodePair& pair : roots) {
+      if (!a.nodes_[pair.first].box.Overlaps(b.nodes_[pair.second].box)) {
+        continue;
+      }
+      if (is_leaf_pair(pair)) {
+        finer.push_back(pair);
+        continue;
+      }
+      for (const NodePair& half : Split(a, b, pair)) finer.push_back(half);
+      has_changed = true;
+    }
+    roots = std::move(finer);
+  }
+  return roots;
+}
+
+std::vector<TriangleBvh::NodePair> TriangleBvh::SelfPairs() const {
+  std::vector<NodePair> pairs;
+  for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
+    if (!nodes_[i].IsLeaf()) pairs.emplace_back(i + 1, nodes_[i].second);
+  }
+  return pairs;
+}
+
+TriangleBvh::Closest TriangleBvh::ClosestPoint(const RowVector3d& point,
+                                               double max_distance) const {
+  Closest closest;
+  if (nodes_.empty()) return closest;
+  double least = max_distance * max_distance;
+  std::array<std::pair<double, int>, 64> stack;  // squared distance, node
+  int size = 0;
+  stack[size++] = {nodes_[0].box.SquaredDistance(point), 0};
+  while (size > 0) {
+    const auto [distance, index] = stack[--size];
+    if (distance > least) continue;
+    const Node& node = nodes_[index];
+    if (!node.IsLeaf()) {
+      std::pair<double, int> near = {
+          nodes_[index + 1].box.SquaredDistance(point), index + 1};
+      std::pair<double, int> far = {
+          nodes_[node.second].box.SquaredDistance(point), node.second};
+      if (far.first < near.first) std::swap(near, far);
+      if (far.first <= least) stack[size++] = far;
+      if (near.first <= least) stack[size++] = near;
+      continue;
+    }
+    const RowVector3d candidate =
+        ClosestPointOfTriangle(point, corners_[node.triangle]);
+    const double square = (point - candidate).squaredNorm();
+    if (square < least || (square == least && closest.triangle < 0)) {
+      least = square;
+      closest.triangle = node.triangle;
+      closest.point = candidate;
+    }
+  }
+  if (closest.triangle >= 0) closest.distance = std::sqrt(least);
+  return closest;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,184 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/geometry/triangle_intersection.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "musclewarp/geometry/exact_predicates.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Segment = Kernel::Segment_3;
+using Triangle = Kernel::Triangle_3;
+
+// True only if all corners of b surely lie strictly on one side of the plane of
+// a. Rounding: with e = 2^-53, a normal component is off by 4 e of the sum of
+// its absolute products, the dot product adds 4 e: 10 e is on the safe side.
+bool IsSurelyBeside(const Corners& a, const Corners& b) {
+  constexpr double kBound = 10 * 0x1p-53;
+  const double ux = a(1, 0) - a(0, 0), uy = a(1, 1) - a(0, 1),
+               uz = a(1, 2) - a(0, 2);
+  const double vx = a(2, 0) - a(0, 0), vy = a(2, 1) - a(0, 1),
+               vz = a(2, 2) - a(0, 2);
+  const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz,
+               nz = ux * vy - uy * vx;
+  const double mx = std::abs(uy * vz) + std::abs(uz * vy),
+               my = std::abs(uz * vx) + std::abs(ux * vz),
+               mz = std::abs(ux * vy) + std::abs(uy * vx);
+  int side = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double wx = b(i, 0) - a(0, 0), wy = b(i, 1) - a(0, 1),
+                 wz = b(i, 2) - a(0, 2);
+    const double height = nx * wx + ny * wy + nz * wz;
+    const double bound =
+        kBound * (mx * std::abs(wx) + my * std::abs(wy) + mz * std::abs(wz)) +
+        internal::kUnderflow;
+    if (height > bound) {
+      ++side;
+    } else if (height < -bound) {
+      --side;
+    } else {
+      return false;
+    }
+  }
+  return side == 3 || side == -3;
+}
+
+// The corners that span a triangle: three, or the ends of a segment, or a
+// point.
+using Simplex = std::vector<Point>;
+
+Simplex SimplexOf(const Corners& triangle) {
+  Simplex points;
+  for (int i = 0; i < 3; ++i) {
+    points.emplace_back(triangle(i, 0), triangle(i, 1), triangle(i, 2));
+  }
+  if (!CGAL::collinear(points[0], points[1], points[2])) return points;
+  std::sort(points.begin(), points.end());
+  if (points.front() == points.back()) return {points.front()};
+  return {points.front(), points.back()};
+}
+
+Segment SegmentOf(const Simplex& s) { return Segment(s[0], s[1]); }
+Triangle TriangleOf(const Simplex& s) { return Triangle(s[0], s[1], s[2]); }
+
+bool Intersect(const Simplex& a, const Simplex& b) {
+  if (a.size() > b.size()) return Intersect(b, a);
+  switch (10 * a.size() + b.size()) {
+    case 11:
+      return a[0] == b[0];
+    case 12:
+      return SegmentOf(b).has_on(a[0]);
+    case 13:
+      return TriangleOf(b).has_on(a[0]);
+    case 22:
+      return CGAL::do_intersect(SegmentOf(a), SegmentOf(b));
+    case 23:
+      return CGAL::do_intersect(SegmentOf(a), TriangleOf(b));
+    default:
+      return CGAL::do_intersect(TriangleOf(a), TriangleOf(b));
+  }
+}
+
+Simplex Without(const Simplex& simplex, const Simplex& points) {
+  Simplex rest;
+  for (const Point& p : simplex) {
+    if (std::find(points.begin(), points.end(), p) == points.end()) {
+      rest.push_back(p);
+    }
+  }
+  return rest;
+}
+
+// Triangles (u, v, p) and (u, v, q).
+bool AreFolded(const Point& u, const Point& v, const Point& p, const Point& q) {
+  return CGAL::coplanar(u, v, p, q) &&
+         CGAL::coplanar_orientation(u, v, p, q) == CGAL::POSITIVE;
+}
+
+bool IntersectBeyondCommon(const Simplex& a, const Simplex& b) {
+  const Simplex only_a = Without(a, b);
+  const Simplex only_b = Without(b, a);
+  const Simplex common = Without(a, only_a);
+  switch (common.size()) {
+    case 0:
+      return Intersect(a, b);
+    case 1:
+      // Along a segment from the common corner, what is left first is left
+      // through the face opposite, at a point of the other.
+      return (!only_a.empty() && Intersect(only_a, b)) ||
+             (!only_b.empty() && Intersect(only_b, a));
+    case 2:
+      return only_a.size() == 1 && only_b.size() == 1 &&
+             AreFolded(common[0], common[1], only_a[0], only_b[0]);
+    default:
+      return true;
+  }
+}
+
+int CommonCorners(const Corners& a, const Corners& b) {
+  int count = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) count += a.row(i) == b.row(j);
+  }
+  return count;
+}
+
+// Triangles (u, v, p) and (u, v, q) are apart but for the edge where q surely
+// lies off the plane of (u, v, p); the same for b.
+bool IsSurelyOffPlane(const Corners& a, const Corners& b) {
+  for (int j = 0; j < 3; ++j) {
+    const RowVector3d q = b.row(j);
+    if (q == a.row(0) || q == a.row(1) || q == a.row(2)) continue;
+    return Orientation(a.row(0), a.row(1), a.row(2), q) != 0;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool TrianglesIntersect(const Corners& a, const Corners& b) {
+  if (IsSurelyBeside(a, b) || IsSurelyBeside(b, a)) return false;
+  return Intersect(SimplexOf(a), SimplexOf(b));
+}
+
+bool TrianglesIntersect(const RowVector3d& a0,
+                        const RowVector3d& a1,
+                        const RowVector3d& a2,
+                        const RowVector3d& b0,
+                        const RowVector3d& b1,
+                        const RowVector3d& b2) {
+  Corners a, b;
+  a << a0, a1, a2;
+  b << b0, b1, b2;
+  return TrianglesIntersect(a, b);
+}
+
+bool TrianglesIntersectBeyondCommon(const Corners& a, const Corners& b) {
+  switch (CommonCorners(a, b)) {
+    case 0:
+      return TrianglesIntersect(a, b);
+    case 2:
+      if (IsSurelyOffPlane(a, b)) return false;
+      break;
+  }
+  return IntersectBeyondCommon(SimplexOf(a), SimplexOf(b));
+}
+
+bool IsOnTriangle(const RowVector3d& p, const Corners& triangle) {
+  const RowVector3d a = triangle.row(0);
+  const RowVector3d b = triangle.row(1);
+  const RowVector3d c = triangle.row(2);
+  if (Orientation(a, b, c, p) != 0) return false;
+  return Intersect({Point(p[0], p[1], p[2])}, SimplexOf(triangle));
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,165 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/geometry/winding_number.h"
+
+#include <glog/logging.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "musclewarp/geometry/exact_predicates.h"
+#include "musclewarp/geometry/triangle_intersection.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+
+// Points in special position are thought moved by (e, e^2, e^3) with e > 0 as
+// small as need be. Every sign below is that of the moved point, so the rays
+// never meet an edge, and shared edges and vertices are counted once.
+
+int Sign(double value) { return (value > 0) - (value < 0); }
+
+// The side of the line ab, seen along z, on which p lies.
+int SideOfEdge(const RowVector3d& a,
+               const RowVector3d& b,
+               const RowVector3d& p) {
+  const int side = Orientation2d(a[0], a[1], b[0], b[1], p[0], p[1]);
+  if (side != 0) return side;
+  return a[1] != b[1] ? Sign(a[1] - b[1]) : Sign(b[0] - a[0]);
+}
+
+// The side of the triangle's plane; 0 for triangles without area.
+int SideOfPlane(const Corners& t, const RowVector3d& p) {
+  const int side = Orientation(t.row(0), t.row(1), t.row(2), p);
+  if (side != 0) return side;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int y = (axis + 1) % 3;
+    const int z = (axis + 2) % 3;
+    const int normal = Orientation2d(
+        t(0, y), t(0, z), t(1, y), t(1, z), t(2, y), t(2, z));
+    if (normal != 0) return normal;
+  }
+  return 0;
+}
+
+// What the triangle adds to the winding number of a closed surface when counted
+// along the ray from p towards +z: 1 where the ray goes out, -1 where it goes
+// in.
+int Crossing(const Corners& t, const RowVector3d& p) {
+  const int side = SideOfEdge(t.row(0), t.row(1), p);
+  if (side == 0 || SideOfEdge(t.row(1), t.row(2), p) != side ||
+      SideOfEdge(t.row(2), t.row(0), p) != side) {
+    return 0;
+  }
+  return SideOfPlane(t, p) == -side ? side : 0;
+}
+
+// The solid angle over 4 pi, by van Oosterom and Strackee 1983. Its sign is the
+// exact one, or rounding beside the plane would be off by a whole turn.
+double SolidAngle(const Corners& t, const RowVector3d& p) {
+  const int side = SideOfPlane(t, p);
+  if (side == 0) return 0;
+  const RowVector3d a = t.row(0) - p;
+  const RowVector3d b = t.row(1) - p;
+  const RowVector3d c = t.row(2) - p;
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  const double sine = std::abs(a.dot(b.cross(c)));
+  const double cosine = la * lb * lc + a.dot(b) * lc + b.dot(c) * la +
+                        c.dot(a) * lb;
+  return -side * std::atan2(sine, cosine) / (2 * M_PI);
+}
+
+}  // namespace
+
+WindingNumber::WindingNumber(const TriangleBvh* bvh, const Triangles& triangles)
+    : bvh_(bvh) {
+  CHECK_EQ(bvh->num_triangles(), triangles.rows());
+  // Sorted by edge; each edge's half-edges of either direction side by side.
+  struct Entry {
+    int low, high;
+    bool is_upward;
+    HalfEdge half_edge;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(3 * triangles.rows());
+  for (int f = 0; f < triangles.rows(); ++f) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const int from = triangles(f, corner);
+      const int to = triangles(f, (corner + 1) % 3);
+      if (from == to) continue;
+      entries.push_back({std::min(from, to),
+                         std::max(from, to),
+                         from < to,
+                         HalfEdge{f, corner}});
+    }
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
+    return std::tie(
+               x.low, x.high, x.half_edge.triangle, x.half_edge.corner) <
+           std::tie(y.low, y.high, y.half_edge.triangle, y.half_edge.corner);
+  });
+  for (size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
+    int excess = 0;  // upward minus downward
+    for (; end < entries.size() && entries[end].low == entries[begin].low &&
+           entries[end].high == entries[begin].high;
+         ++end) {
+      excess += entries[end].is_upward ? 1 : -1;
+    }
+    const bool is_upward = excess > 0;
+    int left = std::abs(excess);
+    for (size_t i = begin; i < end && left > 0; ++i) {
+      if (entries[i].is_upward != is_upward) continue;
+      border_.push_back(entries[i].half_edge);
+      --left;
+    }
+  }
+}
+
+Corners WindingNumber::FanTriangle(const HalfEdge& edge) const {
+  const Corners& owner = bvh_->corners(edge.triangle);
+  Corners fan;
+  fan.row(0) = bvh_->corners(border_[0].triangle).row(border_[0].corner);
+  fan.row(1) = owner.row(edge.corner);
+  fan.row(2) = owner.row((edge.corner + 1) % 3);
+  return fan;
+}
+
+double WindingNumber::At(const RowVector3d& p) const {
+  int crossings = 0;
+  bvh_->Traverse(
+      [&](const Box3& box) {
+        return (box.lower[0] <= p[0]) & (p[0] <= box.upper[0]) &
+               (box.lower[1] <= p[1]) & (p[1] <= box.upper[1]) &
+               (p[2] <= box.upper[2]);
+      },
+      [&](int f) { crossings += Crossing(bvh_->corners(f), p); });
+  // The mesh without the fan is closed.
+  double angles = 0;
+  for (const HalfEdge& edge : border_) {
+    const Corners fan = FanTriangle(edge);
+    crossings -= Crossing(fan, p);
+    angles += SolidAngle(fan, p);
+  }
+  return crossings + angles;
+}
+
+bool WindingNumber::IsInside(const RowVector3d& point) const {
+  return At(point) > 0.5 && !IsOnSurface(point);
+}
+
+bool WindingNumber::IsOnSurface(const RowVector3d& point) const {
+  bool is_on = false;
+  bvh_->Traverse(
+      [&](const Box3& box) { return !is_on && box.Contains(point); },
+      [&](int f) {
+        is_on = is_on || IsOnTriangle(point, bvh_->corners(f));
+      });
+  return is_on;
+}
+
+}  // namespace musclewarp

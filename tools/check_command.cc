@@ -1,0 +1,192 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/check_command.h"
+
+#include <omp.h>
+
+#include <filesystem>
+#include <iomanip>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/mesh/defects.h"
+#include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/report/report_json.h"
+#include "tools/program.h"
+
+namespace musclewarp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CheckedFile {
+  std::string path;
+  std::string name;  // for the table
+  std::unique_ptr<SearchableMesh> mesh;
+  MeshDefects defects;
+  double volume = 0;  // mm^3
+  double area = 0;    // mm^2
+  size_t self_pairs = 0;
+};
+
+struct CheckedPair {
+  const CheckedFile* a;
+  const CheckedFile* b;
+  MeshIntersection found;
+};
+
+CheckedFile CheckFile(const std::string& path, TriangleSoup soup) {
+  CheckedFile file;
+  file.path = path;
+  file.name = std::filesystem::path(path).stem().string();
+  file.defects = CountDefects(soup);
+  file.volume = SignedVolume(soup.points, soup.triangles);
+  file.area = SurfaceArea(soup.points, soup.triangles);
+  file.mesh = std::make_unique<SearchableMesh>(std::move(soup));
+  file.self_pairs = SelfIntersections(file.mesh->bvh()).size();
+  return file;
+}
+
+std::vector<CheckedPair> CheckPairs(const std::vector<CheckedFile>& files) {
+  std::vector<CheckedPair> pairs;
+  for (size_t a = 0; a < files.size(); ++a) {
+    for (size_t b = a + 1; b < files.size(); ++b) {
+      pairs.push_back({&files[a],
+                       &files[b],
+                       IntersectMeshes(*files[a].mesh, *files[b].mesh)});
+    }
+  }
+  return pairs;
+}
+
+Json ToJson(const CheckedFile& file) {
+  const Points& points = file.mesh->points();
+  const Eigen::RowVector3d low = points.colwise().minCoeff();
+  const Eigen::RowVector3d high = points.colwise().maxCoeff();
+  return {{"file", file.path},
+          {"vertices", points.rows()},
+          {"triangles", file.mesh->triangles().rows()},
+          {"closed_manifold", file.defects.is_closed_manifold},
+          {"clean", file.defects.IsClean()},
+          {"defects", DefectsJson(file.defects)},
+          {"volume_mm3", file.volume},
+          {"area_mm2", file.area},
+          {"bounding_box_mm",
+           {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}},
+          {"self_pairs", file.self_pairs}};
+}
+
+Json ToJson(const CheckedPair& pair) {
+  return {{"a", pair.a->path},
+          {"b", pair.b->path},
+          {"triangle_pairs", pair.found.triangle_pairs.size()},
+          {"a_vertices_inside_b", pair.found.a_inside_b.size()},
+          {"b_vertices_inside_a", pair.found.b_inside_a.size()},
+          {"a_depth_mm", pair.found.a_depth_mm},
+          {"b_depth_mm", pair.found.b_depth_mm},
+          {"max_depth_mm", pair.found.max_depth_mm}};
+}
+
+std::string DefectsText(const MeshDefects& defects) {
+  std::string text;
+  const auto add = [&](int count, const std::string& what) {
+    if (count == 0) return;
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + what;
+  };
+  add(defects.duplicate_points, "duplicate points");
+  add(defects.unreferenced_points, "unused points");
+  add(defects.degenerate_triangles, "degenerate triangles");
+  add(defects.duplicate_triangles, "duplicate triangles");
+  add(defects.border_edges, "border edges");
+  add(defects.non_manifold_edges, "non-manifold edges");
+  add(defects.non_manifold_vertices, "non-manifold vertices");
+  add(defects.misoriented_edges, "misoriented edges");
+  if (defects.components > 1) add(defects.components, "pieces");
+  if (defects.is_inside_out)
+    text += (text.empty() ? "" : ", ") + std::string("inside out");
+  return text.empty() ? "none" : text;
+}
+
+void PrintFiles(const std::vector<CheckedFile>& files,
+                int width,
+                std::ostream& screen) {
+  screen << std::left << std::setw(width) << "mesh" << std::right
+         << "  vertices  triangles  volume cm3  self pairs  defects\n";
+  for (const CheckedFile& file : files) {
+    screen << std::left << std::setw(width) << file.name << std::right
+           << std::setw(10) << file.mesh->points().rows() << std::setw(11)
+           << file.mesh->triangles().rows() << std::fixed
+           << std::setprecision(2) << std::setw(12) << file.volume / 1000
+           << std::setw(12) << file.self_pairs << "  "
+           << DefectsText(file.defects) << "\n";
+  }
+}
+
+void PrintPairs(const std::vector<CheckedPair>& pairs,
+                int width,
+                std::ostream& screen) {
+  int apart = 0;
+  for (const CheckedPair& pair : pairs) apart += pair.found.IsEmpty();
+  if (apart < static_cast<int>(pairs.size())) {
+    screen << "\n"
+           << std::left << std::setw(width) << "a"
+           << "  " << std::setw(width) << "b" << std::right
+           << "  crossing pairs  a inside b  b inside a  depth mm\n";
+  }
+  for (const CheckedPair& pair : pairs) {
+    if (pair.found.IsEmpty()) continue;
+    screen << std::left << std::setw(width) << pair.a->name << "  "
+           << std::setw(width) << pair.b->name << std::right << std::setw(16)
+           << pair.found.triangle_pairs.size() << std::setw(12)
+           << pair.found.a_inside_b.size() << std::setw(12)
+           << pair.found.b_inside_a.size() << std::fixed << std::setprecision(2)
+           << std::setw(10) << pair.found.max_depth_mm << "\n";
+  }
+  if (!pairs.empty()) {
+    screen << "\n"
+           << pairs.size() - apart << " of " << pairs.size()
+           << " pairs of meshes touch, " << apart << " are apart\n";
+  }
+}
+
+}  // namespace
+
+int CheckCommand(const std::vector<std::string>& files,
+                 const CheckOptions& options,
+                 std::ostream& screen) {
+  if (files.empty()) {
+    throw InputError("files", "none given", "name at least one mesh file");
+  }
+  if (options.threads < 0) {
+    throw InputError("--threads",
+                     "is " + std::to_string(options.threads),
+                     "allowed: 0 (all cores) or above");
+  }
+  if (options.threads > 0) omp_set_num_threads(options.threads);
+  std::vector<CheckedFile> checked;
+  size_t width = 4;
+  for (const std::string& path : files) {
+    checked.push_back(CheckFile(path, ReadTriangleSoup(path)));
+    width = std::max(width, checked.back().name.size());
+  }
+  const std::vector<CheckedPair> pairs = CheckPairs(checked);
+
+  if (!options.json.empty()) {
+    Json json = {{"files", Json::array()}, {"pairs", Json::array()}};
+    for (const auto& file : checked) json["files"].push_back(ToJson(file));
+    for (const auto& pair : pairs) json["pairs"].push_back(ToJson(pair));
+    WriteTextAtomically(options.json, json.dump(2) + "\n");
+  }
+  PrintFiles(checked, static_cast<int>(width), screen);
+  PrintPairs(pairs, static_cast<int>(width), screen);
+  for (const CheckedPair& pair : pairs) {
+    if (options.require_clean && !pair.found.IsEmpty()) return kExitNotUsable;
+  }
+  return kExitUsable;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,26 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace musclewarp {
+
+struct CheckOptions {
+  std::string json;            // file to write the figures to; empty: none
+  bool require_clean = false;  // crossing meshes make the result not usable
+  int threads = 0;             // 0: as many as OpenMP chooses
+};
+
+// Reports on mesh files as they are, without repair: size, defects, volume and
+// self-intersections of each, and for every two of them the triangle pairs that
+// cross (by an exact test), the vertices of one inside the other, and how deep
+// they are. Returns an exit code. Throws InputError, before anything is
+// written, for files that cannot be read.
+int CheckCommand(const std::vector<std::string>& files,
+                 const CheckOptions& options,
+                 std::ostream& screen);
+
+}  // namespace musclewarp

@@ -1,0 +1,33 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <gflags/gflags.h>
+
+#include <iostream>
+
+#include "tools/check_command.h"
+#include "tools/program.h"
+
+DEFINE_string(json, "", "file to write all figures to");
+DEFINE_bool(require_clean,
+            false,
+            "exit with 1 if any two meshes cross or contain each other");
+DEFINE_int32(threads, 0, "threads; 0: one a core");
+
+int main(int argc, char** argv) {
+  return musclewarp::RunProgram(
+      argc,
+      argv,
+      "musclewarp-check FILE... [flags]\n\n"
+      "Reports on surface meshes as they are: defects, volume, "
+      "self-intersections, and\nfor every two files the triangle pairs that "
+      "cross (exact), the vertices of one\ninside the other and the depth of "
+      "the deepest. Reads .ply, .obj, .off, .stl, and\nwith VTK .vtk, .vtp.\n"
+      "Exit code: 0 done, 1 meshes cross and --require_clean, 2 bad input.",
+      [](const std::vector<std::string>& files) {
+        musclewarp::CheckOptions options;
+        options.json = FLAGS_json;
+        options.require_clean = FLAGS_require_clean;
+        options.threads = FLAGS_threads;
+        return musclewarp::CheckCommand(files, options, std::cout);
+      });
+}
