@@ -1,0 +1,42 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "musclewarp/phantom/field.h"
+
+namespace musclewarp::phantom {
+
+// The solids of the scene "hip": a right hip that is nobody's, drawn by hand
+// from textbook proportions. Axes x lateral (to the right), y anterior, z up;
+// origin at the centre of the femoral head; millimetres.
+
+constexpr double kHeadRadius = 24;
+constexpr double kSocketRadius = 27;
+
+// The lateral (gluteal) face of the iliac wing at (y, z).
+double WingLateralX(double y, double z);
+
+// Half a pelvis: iliac wing with its crest, socket, ischium and pubis.
+Field PelvisField();
+
+// The upper half of a femur: head, neck, trochanters and a cut shaft.
+Field FemurField();
+
+// The muscles may enter bones by at most kAttachmentDepth and each other by at
+// most kSheetOverlap (before roughness): sheets are cut along their neighbours.
+constexpr double kAttachmentDepth = 2.5;
+constexpr double kSheetOverlap = 1.5;
+
+// The deep fan: from the lower wing to the front of the greater trochanter.
+Field GluteusMinimusField(const Field& bones);
+
+// The large fan over it: from below the crest to the side of the trochanter.
+Field GluteusMediusField(const Field& bones, const Field& gluteus_minimus);
+
+// A long round strap, bending over the pelvic rim in front of the joint down to
+// the lesser trochanter.
+Field PsoasField(const Field& bones);
+
+}  // namespace musclewarp::phantom

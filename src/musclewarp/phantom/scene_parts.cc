@@ -1,0 +1,86 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/phantom/scene_parts.h"
+
+#include <glog/logging.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "musclewarp/phantom/polygonize.h"
+
+namespace musclewarp::phantom {
+
+double MiddleAlongX(const Field& field, double y, double z) {
+  constexpr double kReach = 200;  // mm
+  constexpr double kStep = 0.5;   // mm
+  double best_length = 0;
+  double best_middle = 0;
+  double length = 0;
+  for (double x = -kReach; x <= kReach; x += kStep) {
+    length = field({x, y, z}) < 0 ? length + kStep : 0;
+    if (length > best_length) {
+      best_length = length;
+      best_middle = x - length / 2 + kStep / 2;
+    }
+  }
+  CHECK_GT(best_length, 0) << "nothing at y = " << y << ", z = " << z;
+  return best_middle;
+}
+
+Points SpreadPoints(const Points& points,
+                    const std::function<bool(const Eigen::Vector3d&)>& is_in,
+                    int count) {
+  std::vector<Eigen::RowVector3d> accepted;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    if (is_in(points.row(i).transpose())) accepted.push_back(points.row(i));
+  }
+  CHECK_GE(static_cast<int>(accepted.size()), count);
+  std::vector<double> distances(accepted.size(),
+                                std::numeric_limits<double>::infinity());
+  Points spread(count, 3);
+  size_t next = 0;
+  for (int k = 0; k < count; ++k) {
+    spread.row(k) = accepted[next];
+    const Eigen::RowVector3d taken = accepted[next];
+    for (size_t i = 0; i < accepted.size(); ++i) {
+      distances[i] =
+          std::min(distances[i], (accepted[i] - taken).squaredNorm());
+    }
+    next = std::max_element(distances.begin(), distances.end()) -
+           distances.begin();
+  }
+  return spread;
+}
+
+Eigen::Matrix4d RotationAbout(const Eigen::Vector3d& centre,
+                              const Eigen::Vector3d& axis,
+                              double degrees) {
+  constexpr double kPi = 3.14159265358979323846;
+  Eigen::Affine3d turn = Eigen::Affine3d::Identity();
+  turn.translate(centre);
+  turn.rotate(Eigen::AngleAxisd(degrees * kPi / 180, axis));
+  turn.translate(-centre);
+  // Twelve decimals: sines differ in the last bits from library to library.
+  // Adding zero makes -0 a plain 0.
+  return (turn.matrix().array() * 1e12).round() / 1e12 + 0.0;
+}
+
+Points MovedLine(const ActionLine& line,
+                 const std::map<std::string, Eigen::Matrix4d>& bodies) {
+  CHECK_EQ(static_cast<Eigen::Index>(line.bodies.size()), line.rest.rows());
+  Points moved = line.rest;
+  for (Eigen::Index i = 0; i < moved.rows(); ++i) {
+    const auto body = bodies.find(line.bodies[i]);
+    if (body == bodies.end()) continue;
+    const Eigen::Vector3d p = moved.row(i).transpose();
+    moved.row(i) =
+        RoundedPoint((body->second * p.homogeneous()).head<3>()).transpose();
+  }
+  return moved;
+}
+
+}  // namespace musclewarp::phantom

@@ -1,0 +1,116 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/phantom/phantom_scene.h"
+
+namespace musclewarp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json JsonOf(
+    const Eigen::Ref<
+        const Eigen::
+            Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>&
+        rows) {
+  Json json = Json::array();
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < rows.cols(); ++j) row.push_back(rows(i, j));
+    json.push_back(row);
+  }
+  return json;
+}
+
+Json JsonOf(const SceneMuscle& muscle) {
+  Json json;
+  json["name"] = muscle.name;
+  json["mesh"] = muscle.mesh_path;
+  for (const ActionLine& line : muscle.lines) {
+    json["lines"].push_back({{"name", line.name},
+                             {"rest", JsonOf(line.rest)},
+                             {"bodies", line.bodies}});
+  }
+  for (const Attachment& attachment : muscle.attachments) {
+    json["attachments"].push_back({{"body", attachment.body},
+                                   {"points", JsonOf(attachment.points)},
+                                   {"radius", attachment.radius}});
+  }
+  return json;
+}
+
+Json JsonOf(const ScenePose& pose) {
+  Json json;
+  json["name"] = pose.name;
+  json["time"] = pose.time;
+  for (const auto& [body, matrix] : pose.bodies) {
+    json["bodies"][body] = JsonOf(matrix);
+  }
+  for (const auto& [line, points] : pose.lines) {
+    json["lines"][line] = JsonOf(points);
+  }
+  return json;
+}
+
+Json JsonOf(const Scene& scene) {
+  Json json;
+  json["name"] = scene.name;
+  json["units"] = "mm";
+  for (const SceneMuscle& muscle : scene.muscles) {
+    json["muscles"].push_back(JsonOf(muscle));
+  }
+  for (const SceneBone& bone : scene.bones) {
+    json["bones"].push_back(
+        {{"name", bone.name}, {"mesh", bone.mesh_path}, {"body", bone.body}});
+  }
+  for (const ScenePose& pose : scene.poses) {
+    json["poses"].push_back(JsonOf(pose));
+  }
+  return json;
+}
+
+// Like dump(), but a list of plain values stays on one line: one point a line.
+void Print(const Json& json, const std::string& indent, std::string* text) {
+  bool is_plain = true;
+  for (const Json& child : json) is_plain &= child.is_primitive();
+  if (json.is_primitive() || (json.is_array() && is_plain)) {
+    *text += json.dump();
+    return;
+  }
+  const std::string inner = indent + "  ";
+  std::string separator = "\n";
+  *text += json.is_array() ? "[" : "{";
+  for (const auto& item : json.items()) {
+    *text += separator + inner;
+    if (json.is_object()) *text += Json(item.key()).dump() + ": ";
+    Print(item.value(), inner, text);
+    separator = ",\n";
+  }
+  *text += "\n" + indent + (json.is_array() ? "]" : "}");
+}
+
+}  // namespace
+
+void WritePhantomScene(const PhantomScene& scene, const std::string& dir) {
+  std::error_code error;
+  std::filesystem::create_directories(dir, error);
+  if (error) {
+    throw InputError(dir,
+                     "cannot be made a folder (" + error.message() + ")",
+                     "choose a folder that can be written");
+  }
+  for (const PhantomMesh& mesh : scene.meshes) {
+    WriteTriangleSoup(dir + "/" + mesh.name + ".ply", mesh.delivered);
+  }
+  std::string text;
+  Print(JsonOf(scene.scene), "", &text);
+  WriteTextAtomically(dir + "/scene.json", text + "\n");
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,38 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <gflags/gflags.h>
+
+#include <iostream>
+
+#include "musclewarp/base/input_error.h"
+#include "tools/phantom_command.h"
+#include "tools/program.h"
+
+DEFINE_string(out, "", "folder to write to; made if need be");
+DEFINE_string(scene, "hip", "which scene: hip");
+DEFINE_uint32(seed,
+              1,
+              "places of the planted defects and bumps of the surfaces");
+
+int main(int argc, char** argv) {
+  return musclewarp::RunProgram(
+      argc,
+      argv,
+      "musclewarp-phantom --out=DIR [flags]\n\n"
+      "Writes a made-up scene of muscles and bones, the same bytes for the "
+      "same seed:\nDIR/scene.json, and DIR/<name>.ply for every mesh. The "
+      "meshes have defects, as\nsegmented ones do.\n"
+      "Exit code: 0 written, 2 bad input.",
+      [](const std::vector<std::string>& arguments) {
+        if (!arguments.empty()) {
+          throw musclewarp::InputError(
+              arguments[0], "is not a flag", "see --help");
+        }
+        musclewarp::PhantomRequest request;
+        request.out = FLAGS_out;
+        request.scene = FLAGS_scene;
+        request.seed = FLAGS_seed;
+        musclewarp::MakePhantom(request, std::cout);
+        return musclewarp::kExitUsable;
+      });
+}
