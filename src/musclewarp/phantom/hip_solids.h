@@ -24,8 +24,9 @@ Field PelvisField();
 // The upper half of a femur: head, neck, trochanters and a cut shaft.
 Field FemurField();
 
-// The muscles may enter bones by at most kAttachmentDepth and each other by at
-// most kSheetOverlap (before roughness): sheets are cut along their neighbours.
+// How deep the muscles enter bones and each other, mm: sheets are cut along
+// their neighbours. Bumps, facets and fields that grow slower than one per
+// millimetre make it up to a millimetre more.
 constexpr double kAttachmentDepth = 2.5;
 constexpr double kSheetOverlap = 1.5;
 
