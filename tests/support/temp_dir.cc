@@ -9,15 +9,18 @@
 
 namespace musclewarp {
 
-std::string TestTempDir() {
+std::string TestTempPath() {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  const std::filesystem::path dir =
-      std::filesystem::path(::testing::TempDir()) /
-      ("musclewarp_" + std::to_string(getpid())) /
-      (std::string(test->test_suite_name()) + "." + test->name());
+  return std::filesystem::path(::testing::TempDir()) /
+         ("musclewarp_" + std::to_string(getpid())) /
+         (std::string(test->test_suite_name()) + "." + test->name());
+}
+
+std::string TestTempDir() {
+  const std::string dir = TestTempPath();
   std::filesystem::remove_all(dir);
   std::filesystem::create_directories(dir);
-  return dir.string();
+  return dir;
 }
 
 }  // namespace musclewarp

@@ -6,7 +6,10 @@
 
 namespace musclewarp {
 
-// A fresh, empty folder named after the running test.
+// A folder named after the running test, which may not exist yet.
+std::string TestTempPath();
+
+// The same, fresh and empty.
 std::string TestTempDir();
 
 }  // namespace musclewarp

@@ -4,6 +4,7 @@
 
 #include <glog/logging.h>
 #include <vtkCellArray.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -35,6 +36,11 @@ class ErrorCatcher : public vtkOutputWindow {
   void DisplayGenericWarningText(const char*) override {}
   void DisplayDebugText(const char*) override {}
   void DisplayErrorText(const char* text) override {
+    // Notes on arrays, such as their range, which nobody reads.
+    if (std::string_view(text).find("InformationKey") !=
+        std::string_view::npos) {
+      return;
+    }
     if (first_error_.empty()) first_error_ = text;
   }
 
@@ -59,13 +65,16 @@ class ErrorScope {
   ErrorScope()
       : lock_(Mutex()),
         previous_(vtkOutputWindow::GetInstance()),
-        displayed_(vtkObject::GetGlobalWarningDisplay()) {
+        displayed_(vtkObject::GetGlobalWarningDisplay()),
+        verbosity_(vtkLogger::GetCurrentVerbosityCutoff()) {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
     vtkOutputWindow::SetInstance(catcher_);
     vtkObject::GlobalWarningDisplayOn();
   }
   ~ErrorScope() {
     vtkOutputWindow::SetInstance(previous_);
     vtkObject::SetGlobalWarningDisplay(displayed_);
+    vtkLogger::SetStderrVerbosity(verbosity_);
   }
   ErrorScope(const ErrorScope&) = delete;
   ErrorScope& operator=(const ErrorScope&) = delete;
@@ -81,6 +90,7 @@ class ErrorScope {
   std::lock_guard<std::mutex> lock_;
   vtkSmartPointer<vtkOutputWindow> previous_;
   int displayed_;
+  vtkLogger::Verbosity verbosity_;
   vtkNew<ErrorCatcher> catcher_;
 };
 
@@ -134,6 +144,21 @@ void CheckPromises(const std::string& path, std::string_view bytes) {
           kCopyAgain);
     }
   }
+}
+
+// VTK 9.1 numbers the corners of strips within their piece.
+void CheckStrips(const std::string& path,
+                 std::string_view bytes,
+                 vtkPolyData* data) {
+  constexpr std::string_view kPiece = "<Piece";
+  const std::size_t first = bytes.find(kPiece);
+  if (data->GetNumberOfStrips() == 0 || first == std::string_view::npos ||
+      bytes.find(kPiece, first + 1) == std::string_view::npos) {
+    return;
+  }
+  throw InputError(path,
+                   "has triangle strips in several pieces",
+                   "export it as polygons, or in one piece");
 }
 
 void CheckCells(const std::string& path, vtkCellArray* cells) {
@@ -213,6 +238,7 @@ TriangleSoup ReadVtp(const std::string& path, std::string_view bytes) {
     throw InputError(
         path, "cannot be read as VTK XML polydata: " + error, kCopyAgain);
   }
+  CheckStrips(path, bytes, reader->GetOutput());
   return SoupFromPolyData(path, reader->GetOutput());
 }
 

@@ -160,18 +160,17 @@ Scene ReadScene(const std::string& path, const std::string& data_root) {
   Scene scene;
   scene.name = field.At("name").AsString();
   scene.path = path;
-  PosesFile poses_file;
-  if (field.Has("poses_file")) {
-    if (field.Has("poses")) {
-      field.Fail("has both \"poses\" and \"poses_file\"", "keep one of them");
-    }
-    poses_file = ReadPosesFileOf(field, root);
-    scene.poses = poses_file.poses;
-  } else {
+  if (field.Has("poses")) {
     const JsonField poses = field.At("poses");
     for (size_t i = 0; i < poses.ArraySize(); ++i) {
       scene.poses.push_back(ReadPose(poses.At(i)));
     }
+  }
+  PosesFile poses_file;
+  if (field.Has("poses_file")) {
+    poses_file = ReadPosesFileOf(field, root);
+    scene.poses.insert(
+        scene.poses.end(), poses_file.poses.begin(), poses_file.poses.end());
   }
   const JsonField muscles = field.At("muscles");
   for (size_t i = 0; i < muscles.ArraySize(); ++i) {
@@ -185,7 +184,7 @@ Scene ReadScene(const std::string& path, const std::string& data_root) {
   }
   if (scene.muscles.empty()) muscles.Fail("is empty", "add a muscle");
   if (scene.poses.empty()) {
-    field.Fail("has no pose", "add at least one to \"poses\"");
+    field.Fail("has no pose", "add \"poses\" or a \"poses_file\"");
   }
   if (field.Has("poses_file")) KeepTargetsInUse(&scene);
   CheckScene(scene);

@@ -71,7 +71,7 @@ void FactorNormalMatrix(MuscleModel* model) {
 }  // namespace
 
 bool MuscleModelOptions::IsValid(std::string* error) const {
-  if (!laplacian.IsValid(error)) return false;
+  if (!hull.IsValid(error) || !laplacian.IsValid(error)) return false;
   const auto fail = [error](const std::string& field, double value) {
     *error = "MuscleModelOptions::" + field + " is " + std::to_string(value) +
              ", allowed: above 0";

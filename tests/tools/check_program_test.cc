@@ -1,0 +1,94 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/mesh/mesh_io.h"
+#include "support/meshes.h"
+#include "support/temp_dir.h"
+#include "tools/run_program.h"
+
+namespace musclewarp {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+ProgramRun Check(const std::string& arguments) {
+  return RunCommandLine(MUSCLEWARP_CHECK, arguments);
+}
+
+}  // namespace
+
+TEST(CheckProgram, FindsAKnownOverlap) {
+  const std::string dir = TestTempDir();
+  TriangleSoup small = Box(1, 1, 1);
+  WriteTriangleSoup(dir + "/large.ply", Box(10, 10, 10));
+  WriteTriangleSoup(dir + "/inside.obj", small);
+  small.points.rowwise() += Eigen::RowVector3d(5.2, 0, 0);
+  WriteTriangleSoup(dir + "/across.off", small);
+  small.points.rowwise() += Eigen::RowVector3d(5, 0, 0);
+  WriteTriangleSoup(dir + "/apart.stl", small);
+  const ProgramRun run =
+      Check(dir + "/large.ply " + dir + "/inside.obj " + dir + "/across.off " +
+            dir + "/apart.stl --json=" + dir + "/check.json");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.out, HasSubstr("2 of 6 pairs of meshes touch, 4 are apart"));
+  const Json json = Json::parse(FileText(dir + "/check.json"));
+  ASSERT_EQ(json["pairs"].size(), 6u);
+  const Json& inside = json["pairs"][0];
+  EXPECT_EQ(inside["triangle_pairs"], 0);
+  EXPECT_EQ(inside["b_vertices_inside_a"], 8);
+  EXPECT_NEAR(inside["max_depth_mm"], 4.5, 1e-12);
+  const Json& across = json["pairs"][1];
+  EXPECT_GT(across["triangle_pairs"], 0);
+  EXPECT_EQ(across["b_vertices_inside_a"], 4);
+  EXPECT_NEAR(across["max_depth_mm"], 0.3, 1e-12);
+  EXPECT_NEAR(json["files"][0]["volume_mm3"], 1000, 1e-9);
+  EXPECT_TRUE(json["files"][0]["clean"]);
+}
+
+TEST(CheckProgram, ReportsDefectsWithoutRepair) {
+  const std::string dir = TestTempDir();
+  TriangleSoup soup = Icosphere(10, 2);
+  soup.triangles.conservativeResize(soup.triangles.rows() - 1, 3);
+  WriteTriangleSoup(dir + "/open.ply", soup);
+  const ProgramRun run = Check(dir + "/open.ply --json=" + dir + "/check.json");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.out, HasSubstr("3 border edges"));
+  const Json json = Json::parse(FileText(dir + "/check.json"));
+  EXPECT_FALSE(json["files"][0]["closed_manifold"]);
+  EXPECT_EQ(json["files"][0]["defects"]["border_edges"], 3);
+  EXPECT_EQ(json["files"][0]["triangles"], soup.triangles.rows());
+}
+
+TEST(CheckProgram, CanRequireCleanMeshes) {
+  const std::string dir = TestTempDir();
+  WriteTriangleSoup(dir + "/a.ply", Box(1, 1, 1));
+  WriteTriangleSoup(dir + "/b.ply", Box(2, 2, 0.5));
+  const std::string files = dir + "/a.ply " + dir + "/b.ply";
+  EXPECT_EQ(Check(files).exit_code, 0);
+  EXPECT_EQ(Check(files + " --require_clean").exit_code, 1);
+}
+
+TEST(CheckProgram, RefusesBadInput) {
+  const std::string dir = TestTempDir();
+  EXPECT_EQ(Check("").exit_code, 2);
+  const ProgramRun missing =
+      Check(dir + "/nothing.ply --json=" + dir + "/check.json");
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_THAT(missing.errors,
+              AllOf(HasSubstr("musclewarp-check"), HasSubstr("nothing.ply")));
+  EXPECT_FALSE(std::filesystem::exists(dir + "/check.json"));
+  WriteTriangleSoup(dir + "/a.ply", Box(1, 1, 1));
+  EXPECT_EQ(Check(dir + "/a.ply --unknown=1").exit_code, 2);
+  EXPECT_EQ(Check(dir + "/a.ply --json=" + dir + "/no/folder.json").exit_code,
+            2);
+}
+
+}  // namespace musclewarp

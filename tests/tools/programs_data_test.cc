@@ -1,0 +1,154 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "musclewarp/mesh/mesh_io.h"
+#include "support/temp_dir.h"
+#include "tools/run_program.h"
+
+namespace musclewarp {
+namespace {
+
+using Json = nlohmann::json;
+
+class ProgramsDataTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const char* root = std::getenv("MUSCLEWARP_DATA_ROOT");
+    if (!root) GTEST_SKIP() << "MUSCLEWARP_DATA_ROOT is not set";
+    root_ = root;
+  }
+
+  // Runs a delivered scene and returns its report.
+  Json Deform(const std::string& scene,
+              const std::string& solver,
+              const std::string& out) {
+    const ProgramRun run =
+        RunCommandLine(MUSCLEWARP_DEFORM,
+                       "--scene=" MUSCLEWARP_DATA_DIR "/scenes/" + scene +
+                           ".json --data_root=" + root_ +
+                           " --solver=" + solver + " --out=" + out);
+    EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
+    return Json::parse(FileText(out + "/report.json"));
+  }
+
+  std::string root_;
+};
+
+void ExpectKept(const Json& report) {
+  std::map<std::string, int> vertices;
+  for (const Json& muscle : report["prepare"]["muscles"]) {
+    EXPECT_TRUE(muscle["hull_encloses"]) << muscle["name"];
+    EXPECT_NEAR(muscle["coarse_vertices"], 200, 40) << muscle["name"];
+    vertices[muscle["name"]] = muscle["fine_vertices"];
+  }
+  for (const Json& frame : report["frames"]) {
+    for (const Json& muscle : frame["muscles"]) {
+      const std::string where = frame["name"].get<std::string>() + " " +
+                                muscle["name"].get<std::string>();
+      EXPECT_NEAR(muscle["volume_ratio"], 1, 1e-6) << where;
+      EXPECT_EQ(muscle["stop_reason"], "converged") << where;
+      // Below 0.1 % of the triangles, of which there are two a vertex.
+      EXPECT_LE(muscle["folded_triangles"],
+                0.001 * 2 * vertices[muscle["name"]])
+          << where;
+    }
+  }
+}
+
+// The largest distance of a vertex between two runs of one scene, mm.
+double Distance(const Json& report,
+                const std::string& a,
+                const std::string& b) {
+  double largest = 0;
+  for (const Json& frame : report["frames"]) {
+    for (const Json& muscle : frame["muscles"]) {
+      char folder[32];
+      std::snprintf(
+          folder, sizeof(folder), "/frame_%04d/", frame["index"].get<int>());
+      const std::string file =
+          folder + muscle["name"].get<std::string>() + ".ply";
+      largest = std::max(largest,
+                         (ReadTriangleSoup(a + file).points -
+                          ReadTriangleSoup(b + file).points)
+                             .rowwise()
+                             .norm()
+                             .maxCoeff());
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+TEST_F(ProgramsDataTest, LhdlHipKeepsVolumeAndBothSolversAgree) {
+  const std::string dir = TestTempDir();
+  const Json ceres = Deform("lhdl_hip", "ceres", dir + "/ceres");
+  const Json reference = Deform("lhdl_hip", "reference", dir + "/reference");
+  ExpectKept(ceres);
+  ExpectKept(reference);
+  ASSERT_EQ(ceres["frames"].size(), 5u);
+  EXPECT_LT(ceres["frames"][0]["muscles"][0]["max_displacement_mm"], 1e-6);
+  EXPECT_LT(Distance(ceres, dir + "/ceres", dir + "/reference"), 1e-3);
+}
+
+TEST_F(ProgramsDataTest, PaperCaseKeepsVolumeAndBothSolversAgree) {
+  const std::string dir = TestTempDir();
+  const Json ceres = Deform("bodyparts3d_gluteals", "ceres", dir + "/ceres");
+  const Json reference =
+      Deform("bodyparts3d_gluteals", "reference", dir + "/reference");
+  ExpectKept(ceres);
+  ExpectKept(reference);
+  EXPECT_LT(Distance(ceres, dir + "/ceres", dir + "/reference"), 1e-3);
+}
+
+TEST_F(ProgramsDataTest, CheckCountsWhatTheDataSetSays) {
+  const std::string dir = TestTempDir();
+  std::string files;
+  for (const char* name : {"gluteus_maximus_r",
+                           "gluteus_medius_r",
+                           "iliacus_r",
+                           "psoas_major_r",
+                           "hip_bone_r",
+                           "sacrum",
+                           "femur_r"}) {
+    files += root_ + "/lhdl_hip/" + name + ".ply ";
+  }
+  ASSERT_EQ(
+      RunCommandLine(MUSCLEWARP_CHECK, files + "--json=" + dir + "/c.json")
+          .exit_code,
+      0);
+  const Json json = Json::parse(FileText(dir + "/c.json"));
+  std::map<std::string, int> counts;
+  double deepest = 0;
+  for (const Json& pair : json["pairs"]) {
+    const auto stem = [](const std::string& path) {
+      const size_t begin = path.rfind('/') + 1;
+      return path.substr(begin, path.rfind('.') - begin);
+    };
+    const int count = pair["triangle_pairs"];
+    if (count) counts[stem(pair["a"]) + " " + stem(pair["b"])] = count;
+    deepest = std::max<double>(deepest, pair["max_depth_mm"]);
+  }
+  // lhdl_hip/README.md, "Rest-pose intersections"; it leaves bone x bone out.
+  EXPECT_EQ(counts.erase("hip_bone_r sacrum"), 1u);
+  const std::map<std::string, int> expected = {
+      {"gluteus_maximus_r gluteus_medius_r", 297},
+      {"gluteus_maximus_r hip_bone_r", 544},
+      {"gluteus_maximus_r femur_r", 98},
+      {"gluteus_maximus_r sacrum", 54},
+      {"gluteus_medius_r hip_bone_r", 648},
+      {"iliacus_r psoas_major_r", 220},
+      {"iliacus_r hip_bone_r", 1038},
+      {"psoas_major_r hip_bone_r", 360}};
+  EXPECT_EQ(counts, expected);
+  EXPECT_NEAR(deepest, 9.1, 0.05);
+}
+
+}  // namespace musclewarp
