@@ -37,10 +37,9 @@ inline int Orientation(const Eigen::RowVector3d& a,
   const double cx = c[0] - d[0], cy = c[1] - d[1], cz = c[2] - d[2];
   const double det = az * (bx * cy - by * cx) + bz * (cx * ay - cy * ax) +
                      cz * (ax * by - ay * bx);
-  const double size =
-      std::abs(az) * (std::abs(bx * cy) + std::abs(by * cx)) +
-      std::abs(bz) * (std::abs(cx * ay) + std::abs(cy * ax)) +
-      std::abs(cz) * (std::abs(ax * by) + std::abs(ay * bx));
+  const double size = std::abs(az) * (std::abs(bx * cy) + std::abs(by * cx)) +
+                      std::abs(bz) * (std::abs(cx * ay) + std::abs(cy * ax)) +
+                      std::abs(cz) * (std::abs(ax * by) + std::abs(ay * bx));
   const double bound =
       internal::kOrientationBound * size + internal::kUnderflow;
   if (det > bound) return -1;

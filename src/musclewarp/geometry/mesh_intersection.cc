@@ -63,8 +63,7 @@ std::vector<int> VerticesInside(const SearchableMesh& mesh,
   for (int v = 0; v < count; ++v) {
     if (representative[v] != v || !is_used[v]) continue;
     const Eigen::RowVector3d p = mesh.points().row(v);
-    is_inside[v] =
-        other.bvh().box().Contains(p) && other.winding().IsInside(p);
+    is_inside[v] = other.bvh().box().Contains(p) && other.winding().IsInside(p);
   }
   std::vector<int> inside;
   for (int v = 0; v < count; ++v) {
@@ -79,8 +78,8 @@ double Depth(const Points& points,
   double depth = 0;
 #pragma omp parallel for schedule(dynamic, 64) reduction(max : depth)
   for (size_t i = 0; i < inside.size(); ++i) {
-    depth = std::max(depth,
-                     surface.ClosestPoint(points.row(inside[i])).distance);
+    depth =
+        std::max(depth, surface.ClosestPoint(points.row(inside[i])).distance);
   }
   return depth;
 }

@@ -68,10 +68,10 @@ RowVector3d ClosestPointOfTriangle(const RowVector3d& p,
   const double at_a = square - at_b - at_c;
   const bool is_above = at_a > 0 && at_b > 0 && at_c > 0;
   const RowVector3d foot =
-      is_above ? RowVector3d(a + at_b / square * (b - a) +
-                             at_c / square * (c - a))
-               : RowVector3d(RowVector3d::Constant(
-                     std::numeric_limits<double>::quiet_NaN()));
+      is_above
+          ? RowVector3d(a + at_b / square * (b - a) + at_c / square * (c - a))
+          : RowVector3d(RowVector3d::Constant(
+                std::numeric_limits<double>::quiet_NaN()));
   // With a sine below 1e-6 the foot may lie in the triangle and yet not be the
   // closest point; one of the edges has a point as close then.
   const bool is_needle =
@@ -98,10 +98,10 @@ TriangleBvh::TriangleBvh(const Points& points, const Triangles& triangles)
   const int count = num_triangles();
   Points centroids(count, 3);
   for (int f = 0; f < count; ++f) {
-    centroids.row(f) = (points.row(triangles(f, 0)) +
-                        points.row(triangles(f, 1)) +
-                        points.row(triangles(f, 2))) /
-                       3;
+    centroids.row(f) =
+        (points.row(triangles(f, 0)) + points.row(triangles(f, 1)) +
+         points.row(triangles(f, 2))) /
+        3;
   }
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);

@@ -40,8 +40,8 @@ int SideOfPlane(const Corners& t, const RowVector3d& p) {
   for (int axis = 0; axis < 3; ++axis) {
     const int y = (axis + 1) % 3;
     const int z = (axis + 2) % 3;
-    const int normal = Orientation2d(
-        t(0, y), t(0, z), t(1, y), t(1, z), t(2, y), t(2, z));
+    const int normal =
+        Orientation2d(t(0, y), t(0, z), t(1, y), t(1, z), t(2, y), t(2, z));
     if (normal != 0) return normal;
   }
   return 0;
@@ -69,8 +69,8 @@ double SolidAngle(const Corners& t, const RowVector3d& p) {
   const RowVector3d c = t.row(2) - p;
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   const double sine = std::abs(a.dot(b.cross(c)));
-  const double cosine = la * lb * lc + a.dot(b) * lc + b.dot(c) * la +
-                        c.dot(a) * lb;
+  const double cosine =
+      la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
   return -side * std::atan2(sine, cosine) / (2 * M_PI);
 }
 
@@ -99,8 +99,7 @@ WindingNumber::WindingNumber(const TriangleBvh* bvh, const Triangles& triangles)
     }
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
-    return std::tie(
-               x.low, x.high, x.half_edge.triangle, x.half_edge.corner) <
+    return std::tie(x.low, x.high, x.half_edge.triangle, x.half_edge.corner) <
            std::tie(y.low, y.high, y.half_edge.triangle, y.half_edge.corner);
   });
   for (size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
@@ -156,9 +155,7 @@ bool WindingNumber::IsOnSurface(const RowVector3d& point) const {
   bool is_on = false;
   bvh_->Traverse(
       [&](const Box3& box) { return !is_on && box.Contains(point); },
-      [&](int f) {
-        is_on = is_on || IsOnTriangle(point, bvh_->corners(f));
-      });
+      [&](int f) { is_on = is_on || IsOnTriangle(point, bvh_->corners(f)); });
   return is_on;
 }
 
