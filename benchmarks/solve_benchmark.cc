@@ -12,6 +12,7 @@
 #include <map>
 
 #include "arap.h"
+#include "musclewarp/geometry/dense_product.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/scene/line_targets.h"
@@ -59,7 +60,7 @@ void Reference(benchmark::State& state,
     Points coarse = model.coarse_rest;
     SolveGaussNewton(model, TargetOf(model, pose, {}), {}, &coarse, &summary);
     // The result is the fine mesh.
-    benchmark::DoNotOptimize(Points(model.fine_from_coarse * coarse));
+    benchmark::DoNotOptimize(Product(model.fine_from_coarse, coarse));
   }
   SetLabel(model, summary.volume_ratio, &state);
   state.counters["iterations"] = summary.iterations;
@@ -72,7 +73,7 @@ void Ceres(benchmark::State& state,
   for (auto _ : state) {
     Points coarse = model.coarse_rest;
     SolveSingleMuscle(model, TargetOf(model, pose, {}), {}, &coarse, &summary);
-    benchmark::DoNotOptimize(Points(model.fine_from_coarse * coarse));
+    benchmark::DoNotOptimize(Product(model.fine_from_coarse, coarse));
   }
   SetLabel(model, summary.volume_ratio, &state);
   state.counters["iterations"] = summary.iterations;

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <memory>
 
+#include "musclewarp/geometry/dense_product.h"
 #include "musclewarp/geometry/folded_triangles.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/scene/line_targets.h"
@@ -34,7 +35,7 @@ MuscleFrame SolveMuscle(const MuscleModel& model,
   MuscleFrame frame;
   Points coarse = model.coarse_rest;
   solver(model, TargetOf(model, pose, pre_rotation), &coarse, &frame.solver);
-  frame.fine = model.fine_from_coarse * coarse;
+  frame.fine = Product(model.fine_from_coarse, coarse);
   frame.volume_ratio =
       SignedVolume(frame.fine, model.fine_triangles) / model.rest_volume;
   frame.max_displacement =

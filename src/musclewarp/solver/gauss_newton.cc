@@ -39,30 +39,27 @@ class GaussNewton {
         coarse_(*coarse),
         summary_(*summary) {}
 
+  // The iterations of the paper; with polishing, as far as full steps take
+  // over.
   void Iterate() {
+    const bool polishes = options_.polish_threshold > 0;
+    const double step_threshold =
+        polishes ? options_.polish_start : options_.step_threshold;
     double alpha = options_.initial_alpha;
     bool is_fine = options_.max_coarse_iterations == 0;
     while (summary_.iterations < options_.max_iterations) {
       if (!Step(alpha, is_fine)) return;
-      if (is_fine && HasStopped(options_.step_threshold)) {
-        summary_.stop_reason = StopReason::kConverged;
-        summary_.message = "";
-        return;
+      if (is_fine && summary_.max_step < step_threshold &&
+          (polishes || VolumeIsKept())) {
+        if (polishes) return Polish();
+        return Finish(StopReason::kConverged, "");
       }
       is_fine = is_fine ||
                 summary_.max_step < alpha * options_.fine_volume_threshold ||
                 summary_.iterations >= options_.max_coarse_iterations;
       alpha = std::max(options_.final_alpha, alpha * options_.alpha_decay);
     }
-    summary_.stop_reason = StopReason::kIterationLimit;
-    summary_.message = "max_iterations reached";
-  }
-
-  void Polish() {
-    for (int k = 0; k < options_.max_polish_iterations; ++k) {
-      if (!Step(1, /*is_fine=*/true)) return;
-      if (HasStopped(options_.polish_threshold)) return;
-    }
+    Finish(StopReason::kIterationLimit, "max_iterations reached");
   }
 
  private:
@@ -91,8 +88,8 @@ class GaussNewton {
         denominator;
     const Points h = to_minimizer - lambda * inverse_gradient;
     if (!(denominator > 0) || !h.allFinite()) {
-      summary_.stop_reason = StopReason::kFailed;
-      summary_.message = "the volume gradient vanished or a step is not finite";
+      Finish(StopReason::kFailed,
+             "the volume gradient vanished or a step is not finite");
       return false;
     }
     coarse_ += alpha * h;
@@ -103,12 +100,26 @@ class GaussNewton {
     return true;
   }
 
-  // The volume error is that of the state the last step started from; a step
-  // corrects it to first order, so what is left is smaller.
-  bool HasStopped(double step_threshold) const {
-    return summary_.max_step < step_threshold &&
-           std::abs(summary_.history.back().volume_error) <
-               options_.volume_tolerance;
+  void Polish() {
+    while (summary_.iterations < options_.max_iterations) {
+      if (!Step(1, /*is_fine=*/true)) return;
+      if (summary_.max_step < options_.polish_threshold && VolumeIsKept()) {
+        return Finish(StopReason::kConverged, "");
+      }
+    }
+    Finish(StopReason::kIterationLimit, "max_iterations reached");
+  }
+
+  // The error is that of the state the last step started from; a step corrects
+  // it to first order, so what is left is smaller.
+  bool VolumeIsKept() const {
+    return std::abs(summary_.history.back().volume_error) <
+           options_.volume_tolerance;
+  }
+
+  void Finish(StopReason reason, const std::string& message) {
+    summary_.stop_reason = reason;
+    summary_.message = message;
   }
 
   const MuscleModel& model_;
@@ -139,9 +150,11 @@ bool GaussNewtonOptions::IsValid(std::string* error) const {
     return fail("fine_volume_threshold must not be negative");
   }
   if (max_iterations < 1) return fail("max_iterations must be above 0");
-  if (max_coarse_iterations < 0 || max_polish_iterations < 0 ||
-      polish_threshold < 0) {
-    return fail("limits must not be negative");
+  if (max_coarse_iterations < 0) {
+    return fail("max_coarse_iterations must not be negative");
+  }
+  if (!(0 <= polish_threshold && polish_threshold <= polish_start)) {
+    return fail("allowed: 0 <= polish_threshold <= polish_start");
   }
   return true;
 }
@@ -159,11 +172,7 @@ void SolveGaussNewton(const MuscleModel& model,
   summary->iterations = 0;
   summary->initial_energy = LinearEnergy(model, target, *coarse);
 
-  GaussNewton solver(model, target, options, coarse, summary);
-  solver.Iterate();
-  if (summary->IsSolutionUsable() && options.polish_threshold > 0) {
-    solver.Polish();
-  }
+  GaussNewton(model, target, options, coarse, summary).Iterate();
   summary->final_energy = LinearEnergy(model, target, *coarse);
   summary->volume_ratio =
       1 + FineVolumeError(model, *coarse) / model.rest_volume;

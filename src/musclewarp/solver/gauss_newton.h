@@ -29,11 +29,13 @@ struct GaussNewtonOptions {
 
   int max_iterations = 500;
 
-  // Beyond the paper: once stopped, take steps with alpha = 1 until the move is
-  // below this, mm. Damped steps approach the minimum by a factor 1 - alpha
-  // each, full steps much faster. 0 leaves the result as the paper has it.
-  double polish_threshold = 1e-5;
-  int max_polish_iterations = 30;
+  // Beyond the paper: damped steps approach the minimum by a factor 1 - alpha
+  // each, full steps much faster once they are near. So steps with alpha = 1
+  // take over on the fine volume when the move falls below polish_start, mm,
+  // and stop below polish_threshold. 0 leaves them out, and the result as the
+  // paper has it.
+  double polish_start = 0.05;
+  double polish_threshold = 1e-4;
 
   bool IsValid(std::string* error) const;
 };

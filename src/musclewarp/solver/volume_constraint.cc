@@ -2,21 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/solver/volume_constraint.h"
 
+#include "musclewarp/geometry/dense_product.h"
 #include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {
 
 FineVolume EvaluateFineVolume(const MuscleModel& model, const Points& coarse) {
-  const Points fine = model.fine_from_coarse * coarse;
+  const Points fine = Product(model.fine_from_coarse, coarse);
   const Points fine_gradient = VolumeGradient(fine, model.fine_triangles);
   FineVolume volume;
   volume.error = SignedVolume(fine, model.fine_triangles) - model.rest_volume;
-  volume.gradient = model.fine_from_coarse.transpose() * fine_gradient;
+  volume.gradient = TransposedProduct(model.fine_from_coarse, fine_gradient);
   return volume;
 }
 
 double FineVolumeError(const MuscleModel& model, const Points& coarse) {
-  return SignedVolume(model.fine_from_coarse * coarse, model.fine_triangles) -
+  return SignedVolume(Product(model.fine_from_coarse, coarse),
+                      model.fine_triangles) -
          model.rest_volume;
 }
 
