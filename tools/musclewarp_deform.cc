@@ -74,10 +74,7 @@ int main(int argc, char** argv) {
       "and DIR/report.json.\nExit code: 0 usable, 1 not usable (the summary "
       "says why), 2 bad input.",
       [](const std::vector<std::string>& arguments) {
-        if (!arguments.empty()) {
-          throw musclewarp::InputError(
-              arguments[0], "is not a flag", "see --help");
-        }
+        musclewarp::RefuseArguments(arguments);
         return musclewarp::DeformCommand(musclewarp::OptionsFromFlags(),
                                          std::cout);
       });

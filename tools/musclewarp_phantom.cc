@@ -4,7 +4,6 @@
 
 #include <iostream>
 
-#include "musclewarp/base/input_error.h"
 #include "tools/phantom_command.h"
 #include "tools/program.h"
 
@@ -24,10 +23,7 @@ int main(int argc, char** argv) {
       "meshes have defects, as\nsegmented ones do.\n"
       "Exit code: 0 written, 2 bad input.",
       [](const std::vector<std::string>& arguments) {
-        if (!arguments.empty()) {
-          throw musclewarp::InputError(
-              arguments[0], "is not a flag", "see --help");
-        }
+        musclewarp::RefuseArguments(arguments);
         musclewarp::PhantomRequest request;
         request.out = FLAGS_out;
         request.scene = FLAGS_scene;

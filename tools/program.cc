@@ -76,4 +76,9 @@ int RunProgram(
   }
 }
 
+void RefuseArguments(const std::vector<std::string>& arguments) {
+  if (arguments.empty()) return;
+  throw InputError(arguments[0], "is not a flag", "see --help");
+}
+
 }  // namespace musclewarp

@@ -24,4 +24,7 @@ int RunProgram(
     const std::string& usage,
     const std::function<int(const std::vector<std::string>&)>& command);
 
+// For programs that take flags only: throws InputError if there is an argument.
+void RefuseArguments(const std::vector<std::string>& arguments);
+
 }  // namespace musclewarp

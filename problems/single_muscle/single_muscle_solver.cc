@@ -4,8 +4,7 @@
 
 #include <glog/logging.h>
 
-#include <chrono>
-
+#include "musclewarp/base/stopwatch.h"
 #include "musclewarp/solver/volume_constraint.h"
 #include "problems/single_muscle/single_muscle_problem.h"
 #include "problems/single_muscle/whitening.h"
@@ -77,7 +76,7 @@ void SolveSingleMuscle(const MuscleModel& model,
                        const SingleMuscleOptions& options,
                        Points* coarse,
                        SolverSummary* summary) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   CHECK_EQ(coarse->rows(), model.coarse_rest.rows());
   const double initial_energy = LinearEnergy(model, target, *coarse);
   if (options.formulation == MuscleFormulation::kWhitened) {
@@ -86,12 +85,8 @@ void SolveSingleMuscle(const MuscleModel& model,
     SolveInBlocks(model, target, options, coarse, summary);
   }
   summary->initial_energy = initial_energy;
-  summary->final_energy = LinearEnergy(model, target, *coarse);
-  summary->volume_ratio =
-      1 + FineVolumeError(model, *coarse) / model.rest_volume;
-  summary->wall_ms = std::chrono::duration<double, std::milli>(
-                         std::chrono::steady_clock::now() - start)
-                         .count();
+  SummarizeSolution(model, target, *coarse, summary);
+  summary->wall_ms = stopwatch.Milliseconds();
 }
 
 }  // namespace musclewarp

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/motion/frame.h"
 
-#include <chrono>
 #include <memory>
 
+#include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/dense_product.h"
 #include "musclewarp/geometry/folded_triangles.h"
 #include "musclewarp/mesh/measures.h"
@@ -12,13 +12,6 @@
 
 namespace musclewarp {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double MillisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start)
-      .count();
-}
 
 double PolylineLength(const Points& points) {
   const Eigen::Index segments = points.rows() - 1;
@@ -99,7 +92,7 @@ Frame SolveFrame(const PreparedScene& scene,
                  int index,
                  const PreRotationOptions& pre_rotation,
                  const MuscleSolver& solver) {
-  const auto start = Clock::now();
+  const Stopwatch solving;
   Frame frame;
   frame.index = index;
   frame.pose = &scene.scene.poses[index];
@@ -114,9 +107,9 @@ Frame SolveFrame(const PreparedScene& scene,
     frame.bones.push_back(
         Transformed(bone.rest.points, BodyTransform(*frame.pose, bone.body)));
   }
-  frame.wall_ms = MillisecondsSince(start);
+  frame.wall_ms = solving.Milliseconds();
 
-  const auto certify_start = Clock::now();
+  const Stopwatch certifying;
   std::vector<const Points*> muscles;
   std::vector<const Points*> bones;
   for (int i = 0; i < muscle_count; ++i) {
@@ -129,7 +122,7 @@ Frame SolveFrame(const PreparedScene& scene,
   }
   for (const Points& bone : frame.bones) bones.push_back(&bone);
   frame.intersections = Intersect(scene, muscles, bones);
-  frame.certify_ms = MillisecondsSince(certify_start);
+  frame.certify_ms = certifying.Milliseconds();
   return frame;
 }
 

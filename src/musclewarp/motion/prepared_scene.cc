@@ -4,9 +4,9 @@
 
 #include <glog/logging.h>
 
-#include <chrono>
 #include <sstream>
 
+#include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/mesh_io.h"
@@ -63,7 +63,7 @@ std::vector<std::string> ScaleWarnings(const std::vector<MeshSize>& sizes,
 }  // namespace
 
 PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   PreparedScene prepared;
   prepared.scene = scene;
   std::vector<MeshSize> sizes;
@@ -84,9 +84,7 @@ PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {
   }
   prepared.warnings = ScaleWarnings(sizes, options.scale_warning_ratio);
   for (const std::string& warning : prepared.warnings) LOG(WARNING) << warning;
-  prepared.wall_ms = std::chrono::duration<double, std::milli>(
-                         std::chrono::steady_clock::now() - start)
-                         .count();
+  prepared.wall_ms = stopwatch.Milliseconds();
   return prepared;
 }
 

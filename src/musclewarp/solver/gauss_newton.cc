@@ -5,9 +5,9 @@
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "musclewarp/base/stopwatch.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/solver/volume_constraint.h"
 
@@ -164,7 +164,7 @@ void SolveGaussNewton(const MuscleModel& model,
                       const GaussNewtonOptions& options,
                       Points* coarse,
                       SolverSummary* summary) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   *summary = SolverSummary();
   std::string error;
   CHECK(options.IsValid(&error)) << error;
@@ -173,12 +173,8 @@ void SolveGaussNewton(const MuscleModel& model,
   summary->initial_energy = LinearEnergy(model, target, *coarse);
 
   GaussNewton(model, target, options, coarse, summary).Iterate();
-  summary->final_energy = LinearEnergy(model, target, *coarse);
-  summary->volume_ratio =
-      1 + FineVolumeError(model, *coarse) / model.rest_volume;
-  summary->wall_ms = std::chrono::duration<double, std::milli>(
-                         std::chrono::steady_clock::now() - start)
-                         .count();
+  SummarizeSolution(model, target, *coarse, summary);
+  summary->wall_ms = stopwatch.Milliseconds();
 }
 
 }  // namespace musclewarp

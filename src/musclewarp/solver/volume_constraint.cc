@@ -22,4 +22,13 @@ double FineVolumeError(const MuscleModel& model, const Points& coarse) {
          model.rest_volume;
 }
 
+void SummarizeSolution(const MuscleModel& model,
+                       const MuscleTarget& target,
+                       const Points& coarse,
+                       SolverSummary* summary) {
+  summary->final_energy = LinearEnergy(model, target, coarse);
+  summary->volume_ratio =
+      1 + FineVolumeError(model, coarse) / model.rest_volume;
+}
+
 }  // namespace musclewarp

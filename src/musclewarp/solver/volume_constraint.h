@@ -4,6 +4,8 @@
 
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/solver/muscle_model.h"
+#include "musclewarp/solver/muscle_target.h"
+#include "musclewarp/solver/solver_summary.h"
 
 namespace musclewarp {
 
@@ -18,5 +20,11 @@ FineVolume EvaluateFineVolume(const MuscleModel& model, const Points& coarse);
 
 // g alone, at half the cost.
 double FineVolumeError(const MuscleModel& model, const Points& coarse);
+
+// Fills in the final energy and the volume ratio.
+void SummarizeSolution(const MuscleModel& model,
+                       const MuscleTarget& target,
+                       const Points& coarse,
+                       SolverSummary* summary);
 
 }  // namespace musclewarp
