@@ -49,4 +49,14 @@ TEST(FoldedTriangles, FindsTheOnesAroundAPushedVertex) {
   }
 }
 
+TEST(FoldedTriangles, NeedlesDoNotCount) {
+  // The corner of a needle moved across its long edge by a rounding.
+  TriangleSoup soup = UnitTetrahedron();
+  soup.points.row(3) << 0.5, 1e-13, 0;
+  Points moved = soup.points;
+  moved(3, 1) = -1e-13;
+  EXPECT_THAT(FoldedTriangles(soup.points, moved, soup.triangles),
+              ::testing::IsEmpty());
+}
+
 }  // namespace musclewarp

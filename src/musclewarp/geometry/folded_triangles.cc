@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
+#include <algorithm>
 
 namespace musclewarp {
 namespace {
@@ -60,6 +61,19 @@ Eigen::RowVector3d Normal(const Points& points, const Eigen::RowVector3i& f) {
   return (points.row(f[1]) - a).cross(points.row(f[2]) - a);
 }
 
+// Twice the area over the square of the longest edge, below which the rounding
+// of coordinates decides on which side the normal lies.
+constexpr double kNeedle = 1e-9;
+
+bool IsNeedle(const Points& points, const Eigen::RowVector3i& f) {
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    longest = std::max(
+        longest, (points.row(f[k]) - points.row(f[(k + 1) % 3])).squaredNorm());
+  }
+  return Normal(points, f).norm() <= kNeedle * longest;
+}
+
 }  // namespace
 
 std::vector<int> FoldedTriangles(const Points& rest,
@@ -70,6 +84,7 @@ std::vector<int> FoldedTriangles(const Points& rest,
       EdgeCovariances(rest, deformed, triangles), triangles);
   std::vector<int> folded;
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    if (IsNeedle(rest, triangles.row(f))) continue;
     const Eigen::Matrix3d rotation = BestRotation(covariances[triangles(f, 0)] +
                                                   covariances[triangles(f, 1)] +
                                                   covariances[triangles(f, 2)]);
