@@ -12,7 +12,6 @@
 #include <random>
 #include <sstream>
 
-#include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh/binary_scalar.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
@@ -357,8 +356,45 @@ TEST(MeshIo, VtpReadsPolygonsStripsAndPieces) {
   EXPECT_EQ(TextOf(soup.triangles), "0 1 3 0 3 2 4 5 7 4 7 6");
   EXPECT_EQ(TextOf(SoupFromBytes("a.vtp", file(strip)).triangles),
             "0 1 2 2 1 3");
-  // VTK 9.1 does not number the corners of a second piece's strips on.
-  EXPECT_THROW(SoupFromBytes("a.vtp", file(polygon + strip)), InputError);
+  EXPECT_EQ(TextOf(SoupFromBytes("a.vtp", file(polygon + strip)).triangles),
+            "0 1 3 0 3 2 4 5 6 6 5 7");
+  // The first piece to hold polygons need not be the first piece.
+  const std::string bare = "<Piece NumberOfPoints=\"4\">" + points + "</Piece>";
+  EXPECT_EQ(TextOf(SoupFromBytes("a.vtp", file(bare + polygon)).triangles),
+            "4 5 7 4 7 6");
+}
+
+// Plain bytes behind an underscore, in either byte order, each array with its
+// size before it.
+TEST(MeshIo, VtpReadsAppendedData) {
+  for (const ByteOrder order : {ByteOrder::kLittle, ByteOrder::kBig}) {
+    std::string data;
+    AppendBytes<std::uint64_t>(12 * sizeof(float), order, &data);
+    for (const float x : {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) {
+      AppendBytes<float>(x, order, &data);
+    }
+    AppendBytes<std::uint64_t>(4 * sizeof(std::int64_t), order, &data);
+    for (const int x : {0, 1, 2, 3}) AppendBytes<std::int64_t>(x, order, &data);
+    AppendBytes<std::uint64_t>(sizeof(std::uint8_t), order, &data);
+    AppendBytes<std::uint8_t>(4, order, &data);
+    const std::string name =
+        order == ByteOrder::kBig ? "BigEndian" : "LittleEndian";
+    const TriangleSoup soup = SoupFromBytes(
+        "a.vtp",
+        "<VTKFile type='PolyData' byte_order='" + name +
+            "' header_type='UInt64'><!-- <Piece> --><PolyData>"
+            "<Piece NumberOfPoints='4' NumberOfPolys='1'>"
+            "<PointData/><Points><DataArray type='Float32' "
+            "format='appended' offset='0'/></Points><Polys>"
+            "<DataArray type='Int64' Name='connectivity' "
+            "format='appended' offset='56'/>"
+            "<DataArray type='UInt8' Name='offsets' format='appended' "
+            "offset='96'/></Polys></Piece></PolyData>"
+            "<AppendedData encoding='raw'>\n_" +
+            data + "\n</AppendedData></VTKFile>");
+    EXPECT_EQ(soup.points.row(2), Eigen::RowVector3d(1, 1, 0));
+    EXPECT_EQ(TextOf(soup.triangles), kTwoTriangles);
+  }
 }
 #endif
 

@@ -20,6 +20,7 @@
 #include "musclewarp/mesh/text_cursor.h"
 #ifdef MUSCLEWARP_WITH_VTK
 #include "musclewarp/mesh/vtk_io.h"
+#include "musclewarp/mesh/vtp_reader.h"
 #endif
 
 namespace musclewarp {

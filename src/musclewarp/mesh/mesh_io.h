@@ -15,11 +15,13 @@ namespace musclewarp {
 //   .obj       v and f                             ASCII, 17 digits
 //   .off       ASCII                               ASCII, 17 digits
 //   .stl       ASCII, binary                       binary, float
-//   .vtk       legacy polydata, ASCII and binary   binary, double  (VTK)
-//   .vtp       XML polydata                        binary, double  (VTK)
+//   .vtk       legacy polydata, ASCII and binary   binary, double
+//   .vtp       XML polydata                        binary, double
 //
 // Points come back as the file has them: nothing is merged but the corners of
 // an .stl with identical coordinates, and polygons are split into triangles.
+// .vtp needs a build with MUSCLEWARP_WITH_VTK. An .obj holds no counts, so one
+// cut short between two faces cannot be told from a whole one.
 
 // Throws InputError if the file is missing, empty, truncated or not a mesh, if
 // it has no face, a coordinate that is not finite, or a face that names a
