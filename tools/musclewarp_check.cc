@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
       "Reports on surface meshes as they are: defects, volume, "
       "self-intersections, and\nfor every two files the triangle pairs that "
       "cross (exact), the vertices of one\ninside the other and the depth of "
-      "the deepest. Reads .ply, .obj, .off, .stl, and\nwith VTK .vtk, .vtp.\n"
+      "the deepest. Reads .ply, .obj, .off, .stl, .vtk,\nand with VTK .vtp.\n"
       "Exit code: 0 done, 1 meshes cross and --require_clean, 2 bad input.",
       [](const std::vector<std::string>& files) {
         musclewarp::CheckOptions options;
