@@ -2,11 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/geometry/mesh_intersection.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <omp.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <set>
+#include <utility>
+#include <vector>
 
+#include "geometry/random_meshes.h"
 #include "musclewarp/geometry/triangle_intersection.h"
 #include "support/meshes.h"
 
@@ -39,6 +46,67 @@ Pairs BruteForce(const TriangleSoup& a, const TriangleSoup& b) {
     }
   }
   return pairs;
+}
+
+using Eigen::RowVector3d;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using PairList = std::vector<std::pair<int, int>>;
+
+PairList PairsByBruteForce(const SearchableMesh& a, const SearchableMesh& b) {
+  PairList pairs;
+  for (int f = 0; f < a.triangles().rows(); ++f) {
+    for (int g = 0; g < b.triangles().rows(); ++g) {
+      if (TrianglesIntersect(a.bvh().corners(f), b.bvh().corners(g))) {
+        pairs.emplace_back(f, g);
+      }
+    }
+  }
+  return pairs;
+}
+
+std::vector<int> InsideByBruteForce(const SearchableMesh& a,
+                                    const SearchableMesh& b) {
+  std::set<int> inside;
+  for (Eigen::Index i = 0; i < a.triangles().size(); ++i) {
+    const int v = a.triangles().data()[i];
+    if (b.winding().IsInside(a.points().row(v))) inside.insert(v);
+  }
+  return {inside.begin(), inside.end()};
+}
+
+double DepthByBruteForce(const SearchableMesh& a, const SearchableMesh& b) {
+  double depth = 0;
+  for (const int v : InsideByBruteForce(a, b)) {
+    const RowVector3d p = a.points().row(v);
+    double least = INFINITY;
+    for (int g = 0; g < b.triangles().rows(); ++g) {
+      least = std::min(
+          least, (ClosestPointOfTriangle(p, b.bvh().corners(g)) - p).norm());
+    }
+    depth = std::max(depth, least);
+  }
+  return depth;
+}
+
+void ExpectBruteForce(const TriangleSoup& soup_a, const TriangleSoup& soup_b) {
+  const SearchableMesh a(soup_a);
+  const SearchableMesh b(soup_b);
+  const MeshIntersection result = IntersectMeshes(a, b);
+  EXPECT_EQ(result.triangle_pairs, PairsByBruteForce(a, b));
+  EXPECT_EQ(result.a_inside_b, InsideByBruteForce(a, b));
+  EXPECT_EQ(result.b_inside_a, InsideByBruteForce(b, a));
+  EXPECT_EQ(result.a_depth_mm, DepthByBruteForce(a, b));
+  EXPECT_EQ(result.b_depth_mm, DepthByBruteForce(b, a));
+  EXPECT_EQ(result.max_depth_mm,
+            std::max(result.a_depth_mm, result.b_depth_mm));
+}
+
+TriangleSoup WithHole(TriangleSoup soup, int triangles) {
+  soup.triangles =
+      soup.triangles.bottomRows(soup.triangles.rows() - triangles).eval();
+  return soup;
 }
 
 }  // namespace
@@ -140,6 +208,129 @@ TEST(SelfIntersections, FindsFoldsAndDoubles) {
   EXPECT_TRUE(SelfIntersections(fold).empty());
   fold.triangles.row(1) << 2, 0, 1;
   EXPECT_EQ(SelfIntersections(fold), (Pairs{{0, 1}}));
+}
+
+TEST(MeshIntersection, AgreesWithBruteForce) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 10; ++i) {
+    ExpectBruteForce(Icosphere(10, 2),
+                     Moved(Spindle(4, 12, 2), RandomPoint(10, &random)));
+  }
+}
+
+TEST(MeshIntersection, AgreesWithBruteForceOnOpenMeshes) {
+  std::mt19937 random(2);
+  for (int i = 0; i < 6; ++i) {
+    ExpectBruteForce(
+        WithHole(Icosphere(10, 2), 20 * i),
+        Moved(WithHole(Icosphere(8, 2), 30), RandomPoint(8, &random)));
+  }
+}
+
+TEST(MeshIntersection, AgreesWithBruteForceInSpecialPosition) {
+  for (int x = 0; x <= 4; ++x) {
+    for (int y = 0; y <= 4; ++y) {
+      ExpectBruteForce(Box(2, 2, 2),
+                       Moved(Box(2, 2, 2), RowVector3d(x, y, 1) / 2));
+      ExpectBruteForce(Box(2, 2, 2),
+                       Moved(Box(2, 4, 1), RowVector3d(x, y, 0) / 2));
+    }
+  }
+}
+
+TEST(MeshIntersection, BoxesFaceToFaceTouchButAreNotInside) {
+  const MeshIntersection result =
+      IntersectMeshes(Box(2, 2, 2), Moved(Box(1, 1, 2), RowVector3d(0, 0, 2)));
+  EXPECT_FALSE(result.triangle_pairs.empty());
+  EXPECT_THAT(result.a_inside_b, IsEmpty());
+  EXPECT_THAT(result.b_inside_a, IsEmpty());
+  EXPECT_EQ(result.max_depth_mm, 0);
+}
+
+TEST(MeshIntersection, AMeshWithItselfTouchesOnly) {
+  const TriangleSoup sphere = Icosphere(10, 2);
+  const MeshIntersection result = IntersectMeshes(sphere, sphere);
+  EXPECT_GE(result.triangle_pairs.size(), sphere.triangles.rows());
+  EXPECT_THAT(result.a_inside_b, IsEmpty());
+  EXPECT_THAT(result.b_inside_a, IsEmpty());
+}
+
+TEST(MeshIntersection, PointsInNoTriangleDoNotCount) {
+  TriangleSoup soup = Moved(Icosphere(1, 1), RowVector3d(50, 0, 0));
+  soup.points.conservativeResize(soup.points.rows() + 1, 3);
+  soup.points.bottomRows<1>().setZero();
+  EXPECT_TRUE(IntersectMeshes(soup, Box(20, 20, 20)).IsEmpty());
+}
+
+TEST(MeshIntersection, NoTriangles) {
+  const TriangleSoup empty = {Points(0, 3), Triangles(0, 3)};
+  EXPECT_TRUE(IntersectMeshes(empty, Box(1, 1, 1)).IsEmpty());
+  EXPECT_TRUE(IntersectMeshes(Box(1, 1, 1), empty).IsEmpty());
+}
+
+TEST(MeshIntersection, RefittedMeshesAreLikeNewOnes) {
+  const TriangleSoup sphere = Icosphere(10, 2);
+  const TriangleSoup spindle = Spindle(4, 12, 2);
+  SearchableMesh moving(Moved(spindle, RowVector3d(30, 0, 0)));
+  moving.Refit(Moved(spindle, RowVector3d(7, 1, 2)).points);
+  const MeshIntersection refitted =
+      IntersectMeshes(SearchableMesh(sphere), moving);
+  const MeshIntersection built =
+      IntersectMeshes(sphere, Moved(spindle, RowVector3d(7, 1, 2)));
+  EXPECT_FALSE(built.IsEmpty());
+  EXPECT_EQ(refitted.triangle_pairs, built.triangle_pairs);
+  EXPECT_EQ(refitted.a_inside_b, built.a_inside_b);
+  EXPECT_EQ(refitted.b_inside_a, built.b_inside_a);
+  EXPECT_EQ(refitted.max_depth_mm, built.max_depth_mm);
+}
+
+TEST(SelfIntersections, TwoBodiesInOneMeshAreTheirPairs) {
+  const TriangleSoup a = Icosphere(10, 2);
+  const TriangleSoup b = Moved(a, RowVector3d(3, 4, 5));
+  PairList expected = IntersectMeshes(a, b).triangle_pairs;
+  for (auto& pair : expected) {
+    pair.second += static_cast<int>(a.triangles.rows());
+  }
+  EXPECT_FALSE(expected.empty());
+  EXPECT_EQ(SelfIntersections(Together(a, b)), expected);
+}
+
+TEST(SelfIntersections, AgreesWithBruteForce) {
+  std::mt19937 random(3);
+  TriangleSoup soup = Icosphere(1, 2);
+  for (Eigen::Index i = 0; i < soup.points.rows(); ++i) {
+    soup.points.row(i) += RandomPoint(0.2, &random);
+  }
+  const TriangleBvh bvh(soup.points, soup.triangles);
+  PairList expected;
+  for (int f = 0; f < bvh.num_triangles(); ++f) {
+    for (int g = f + 1; g < bvh.num_triangles(); ++g) {
+      if (TrianglesIntersectBeyondCommon(bvh.corners(f), bvh.corners(g))) {
+        expected.emplace_back(f, g);
+      }
+    }
+  }
+  EXPECT_GT(expected.size(), 10);
+  EXPECT_EQ(SelfIntersections(soup), expected);
+}
+
+TEST(SelfIntersections, PointsAreCommonByCoordinates) {
+  TriangleSoup soup;
+  const TriangleSoup box = Box(1, 1, 1);
+  soup.points.resize(36, 3);
+  soup.triangles.resize(12, 3);
+  for (int i = 0; i < 36; ++i) {
+    soup.points.row(i) = box.points.row(box.triangles.data()[i]);
+    soup.triangles.data()[i] = i;
+  }
+  EXPECT_THAT(SelfIntersections(soup), IsEmpty());
+}
+
+TEST(SelfIntersections, DuplicateTriangles) {
+  TriangleSoup soup = UnitTetrahedron();
+  soup.triangles.conservativeResize(5, 3);
+  soup.triangles.row(4) = soup.triangles.row(1).reverse().eval();
+  EXPECT_THAT(SelfIntersections(soup), ElementsAre(std::make_pair(1, 4)));
 }
 
 }  // namespace musclewarp

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/random_meshes.h"
+#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
 #include "support/meshes.h"
@@ -19,6 +21,8 @@ TriangleSoup Muscle() {
   muscle.points.rowwise() += Eigen::RowVector3d(180, 270, -400);
   return muscle;
 }
+
+using Eigen::RowVector3d;
 
 }  // namespace
 
@@ -54,6 +58,15 @@ TEST(OuterHull, TakesDirtyMeshes) {
   EXPECT_TRUE(Encloses(hull, muscle));
 }
 
+TEST(OuterHull, StrayPiecesFarAwayAreLeftOut) {
+  const TriangleSoup fine = Spindle(20, 60, 3);
+  const TriangleSoup hull =
+      OuterHull(Together(fine, Moved(Box(1, 1, 1), {500, 0, 0})), {});
+  EXPECT_TRUE(CountDefects(hull).IsClean());
+  EXPECT_TRUE(SelfIntersections(hull).empty());
+  EXPECT_TRUE(Encloses(hull, fine));
+}
+
 TEST(OuterHull, DoesNotDependOnTheRun) {
   EXPECT_EQ(OuterHull(Muscle(), {}).points, OuterHull(Muscle(), {}).points);
 }
@@ -76,6 +89,51 @@ TEST(Encloses, NeedsVerticesEdgesAndFacesInside) {
   EXPECT_FALSE(Encloses(pierced, Box(12, 12, 12)));
   // Touching is not inside.
   EXPECT_FALSE(Encloses(hull, Box(10, 4, 4)));
+}
+
+TEST(Encloses, TouchingIsNotEnclosing) {
+  const TriangleSoup fine = Box(1, 1, 1);
+  EXPECT_FALSE(Encloses(fine, fine));
+  EXPECT_FALSE(Encloses(Moved(Box(2, 2, 2), {0.5, 0, 0}), fine));
+  EXPECT_TRUE(Encloses(Moved(Box(2, 2, 2), {0.5 - 1e-15, 0, 0}), fine));
+}
+
+TEST(Encloses, ADentOfTheHullIntoAFace) {
+  // All corners of the fine mesh are inside; the dent's tip reaches in, or not.
+  TriangleSoup hull = Box(4, 4, 4);
+  const Eigen::Index tip = hull.points.rows();
+  hull.points.conservativeResize(tip + 1, 3);
+  const Eigen::RowVector3i face = hull.triangles.row(0);
+  const RowVector3d center =
+      (hull.points.row(face[0]) + hull.points.row(face[1]) +
+       hull.points.row(face[2])) /
+      3;
+  hull.triangles.conservativeResize(hull.triangles.rows() + 2, 3);
+  const int t = static_cast<int>(tip);
+  hull.triangles.row(0) << face[0], face[1], t;
+  hull.triangles.row(12) << face[1], face[2], t;
+  hull.triangles.row(13) << face[2], face[0], t;
+  const TriangleSoup fine = Box(2, 2, 2);
+  hull.points.row(tip) = RowVector3d(center[0], center[1], -1.01);
+  EXPECT_TRUE(Encloses(hull, fine));
+  hull.points.row(tip) = RowVector3d(center[0], center[1], -0.99);
+  EXPECT_FALSE(Encloses(hull, fine));
+}
+
+TEST(Encloses, APieceOutside) {
+  EXPECT_FALSE(Encloses(
+      Box(4, 4, 4), Together(Box(1, 1, 1), Moved(Box(1, 1, 1), {10, 0, 0}))));
+}
+
+TEST(Encloses, OpenOrInsideOutHulls) {
+  const TriangleSoup fine = Icosphere(1, 1);
+  TriangleSoup open = Box(4, 4, 4);
+  open.triangles = open.triangles.bottomRows(11).eval();
+  EXPECT_FALSE(Encloses(open, fine));
+  TriangleSoup inverted = Box(4, 4, 4);
+  inverted.triangles.col(0).swap(inverted.triangles.col(1));
+  EXPECT_FALSE(Encloses(inverted, fine));
+  EXPECT_FALSE(Encloses({Points(0, 3), Triangles(0, 3)}, fine));
 }
 
 }  // namespace musclewarp

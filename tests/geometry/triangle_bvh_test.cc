@@ -3,10 +3,16 @@
 #include "musclewarp/geometry/triangle_bvh.h"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
+#include <utility>
+#include <vector>
 
+#include "geometry/random_meshes.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -41,6 +47,53 @@ void ExpectAllOverlapsFound(const TriangleBvh& a, const TriangleBvh& b) {
   });
   EXPECT_EQ(found, expected);
   EXPECT_EQ(visits, static_cast<int>(found.size())) << "a pair came twice";
+}
+
+using Eigen::RowVector3d;
+using PairList = std::vector<std::pair<int, int>>;
+
+PairList Overlaps(const TriangleBvh& a, const TriangleBvh& b) {
+  PairList pairs;
+  a.ForEachOverlap(b, [&](int f, int g) { pairs.emplace_back(f, g); });
+  return pairs;
+}
+
+PairList Sorted(PairList pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+double DistanceByBruteForce(const TriangleBvh& bvh, const RowVector3d& p) {
+  double least = INFINITY;
+  for (int f = 0; f < bvh.num_triangles(); ++f) {
+    least =
+        std::min(least, (ClosestPointOfTriangle(p, bvh.corners(f)) - p).norm());
+  }
+  return least;
+}
+
+// No point of a fine sampling of the triangle is closer.
+void ExpectClosest(const RowVector3d& p, const Corners& triangle) {
+  const RowVector3d closest = ClosestPointOfTriangle(p, triangle);
+  const double distance = (closest - p).norm();
+  double least = INFINITY;
+  double to_triangle = INFINITY;
+  constexpr int kSteps = 200;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int j = 0; i + j <= kSteps; ++j) {
+      const RowVector3d sample = (i * triangle.row(0) + j * triangle.row(1) +
+                                  (kSteps - i - j) * triangle.row(2)) /
+                                 kSteps;
+      least = std::min(least, (sample - p).norm());
+      to_triangle = std::min(to_triangle, (sample - closest).norm());
+    }
+  }
+  // Rounding of coordinates of size 10.
+  constexpr double kRounding = 1e-14;
+  // Half the spacing of samples on triangles up to 5 wide.
+  constexpr double kSpacing = 5.0 / kSteps;
+  EXPECT_LE(distance, least + kRounding) << triangle << "\n" << p;
+  EXPECT_LE(to_triangle, kSpacing) << triangle << "\n" << p;
 }
 
 }  // namespace
@@ -104,6 +157,103 @@ TEST(TriangleBvh, AnEmptyMeshHasNothing) {
   const TriangleBvh empty(Points(0, 3), Triangles(0, 3));
   EXPECT_EQ(empty.ClosestPoint({0, 0, 0}).triangle, -1);
   empty.ForEachOverlap(empty, [](int, int) { FAIL(); });
+}
+
+TEST(TriangleBvh, CollectingKeepsWhatTheFilterKeeps) {
+  std::mt19937 random(3);
+  const TriangleSoup a = RandomSoup(700, 0.1, &random);
+  const TriangleSoup b = RandomSoup(500, 0.1, &random);
+  const TriangleBvh bvh_a(a.points, a.triangles);
+  const TriangleBvh bvh_b(b.points, b.triangles);
+  const auto keep = [](int f, int g) { return (f + g) % 3 == 0; };
+  PairList expected, expected_self;
+  for (const auto& [f, g] : Overlaps(bvh_a, bvh_b)) {
+    if (keep(f, g)) expected.emplace_back(f, g);
+  }
+  bvh_a.ForEachSelfOverlap([&](int f, int g) {
+    if (keep(f, g)) expected_self.push_back(std::minmax(f, g));
+  });
+  PairList self = bvh_a.CollectSelfOverlaps(keep);
+  for (auto& [f, g] : self) {
+    if (f > g) std::swap(f, g);
+  }
+  EXPECT_EQ(Sorted(bvh_a.CollectOverlaps(bvh_b, keep)), Sorted(expected));
+  EXPECT_EQ(Sorted(self), Sorted(expected_self));
+}
+
+TEST(TriangleBvh, TheOrderDoesNotDependOnTheThreads) {
+  std::mt19937 random(4);
+  const TriangleSoup soup = RandomSoup(600, 0.2, &random);
+  const TriangleBvh bvh(soup.points, soup.triangles);
+  const auto keep = [](int, int) { return true; };
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const PairList one = bvh.CollectOverlaps(bvh, keep);
+  omp_set_num_threads(4);
+  const PairList four = bvh.CollectOverlaps(bvh, keep);
+  omp_set_num_threads(threads);
+  EXPECT_EQ(one, four);
+}
+
+TEST(TriangleBvh, ClosestPointIsThatOfAllTriangles) {
+  std::mt19937 random(6);
+  const TriangleSoup soup = RandomSoup(300, 0.2, &random);
+  const TriangleBvh bvh(soup.points, soup.triangles);
+  for (int i = 0; i < 300; ++i) {
+    const RowVector3d p = RandomPoint(2, &random);
+    const auto closest = bvh.ClosestPoint(p);
+    EXPECT_EQ(closest.distance, DistanceByBruteForce(bvh, p));
+    EXPECT_EQ(closest.distance, (closest.point - p).norm());
+    EXPECT_EQ(closest.point,
+              ClosestPointOfTriangle(p, bvh.corners(closest.triangle)));
+  }
+}
+
+TEST(TriangleBvh, NothingIsCloseOutsideTheRadius) {
+  const TriangleSoup sphere = Icosphere(10, 2);
+  const TriangleBvh bvh(sphere.points, sphere.triangles);
+  const RowVector3d p = 2 * sphere.points.row(0);
+  EXPECT_EQ(bvh.ClosestPoint(p, 9.99).triangle, -1);
+  EXPECT_EQ(bvh.ClosestPoint(p, 9.99).distance, INFINITY);
+  const auto closest = bvh.ClosestPoint(p, 10.01);
+  EXPECT_EQ(closest.distance, bvh.ClosestPoint(p).distance);
+  // The radius itself counts.
+  EXPECT_EQ(bvh.ClosestPoint(p, closest.distance).distance, closest.distance);
+}
+
+TEST(TriangleBvh, CoincidentTrianglesAreToldApart) {
+  TriangleSoup soup;
+  soup.points = UnitTetrahedron().points;
+  soup.triangles.resize(64, 3);
+  for (int f = 0; f < 64; ++f) soup.triangles.row(f) << 0, 1, 2;
+  const TriangleBvh bvh(soup.points, soup.triangles);
+  int pairs = 0;
+  bvh.ForEachSelfOverlap([&](int, int) { ++pairs; });
+  EXPECT_EQ(pairs, 64 * 63 / 2);
+}
+
+TEST(ClosestPointOfTriangle, AnyPlacementOnTheGrid) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> coordinate(-1, 3);
+  for (int i = 0; i < 200; ++i) {
+    const RowVector3d p(
+        coordinate(random), coordinate(random), coordinate(random));
+    ExpectClosest(p, RandomGridTriangle(2, &random));
+  }
+}
+
+TEST(ClosestPointOfTriangle, Needles) {
+  std::mt19937 random(8);
+  for (const double width : {1e-3, 1e-6, 1e-9, 1e-12, 0.0}) {
+    for (int i = 0; i < 20; ++i) {
+      Corners needle;
+      needle.row(0) = RandomPoint(1, &random);
+      needle.row(1) = RandomPoint(1, &random);
+      needle.row(2) =
+          (needle.row(0) + needle.row(1)) / 2 + RandomPoint(width, &random);
+      ExpectClosest(RandomPoint(2, &random), needle);
+    }
+  }
 }
 
 }  // namespace musclewarp

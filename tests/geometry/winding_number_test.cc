@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "geometry/random_meshes.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -44,6 +45,56 @@ void ExpectTheDefinition(const TriangleSoup& soup) {
   }
 }
 
+using Eigen::RowVector3d;
+
+// A few hundred angles, each rounded to 1e-15.
+constexpr double kRounding = 1e-12;
+
+// A mesh as the queries want it.
+struct Solid {
+  explicit Solid(const TriangleSoup& soup)
+      : bvh(soup.points, soup.triangles), winding(&bvh, soup.triangles) {}
+  Solid(const Solid&) = delete;
+  TriangleBvh bvh;
+  WindingNumber winding;
+};
+
+// The definition: solid angles of all triangles.
+double AngleSum(const TriangleBvh& bvh, const RowVector3d& p) {
+  double sum = 0;
+  for (int f = 0; f < bvh.num_triangles(); ++f) {
+    const RowVector3d a = bvh.corners(f).row(0) - p;
+    const RowVector3d b = bvh.corners(f).row(1) - p;
+    const RowVector3d c = bvh.corners(f).row(2) - p;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    sum += std::atan2(
+        a.dot(b.cross(c)),
+        la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return sum / (2 * M_PI);
+}
+
+void ExpectAngleSum(const TriangleSoup& soup, double size, int seed) {
+  const Solid solid(soup);
+  std::mt19937 random(seed);
+  for (int i = 0; i < 300; ++i) {
+    const RowVector3d p = RandomPoint(size, &random);
+    EXPECT_NEAR(solid.winding.At(p), AngleSum(solid.bvh, p), kRounding) << p;
+  }
+}
+
+TriangleSoup WithoutTriangles(TriangleSoup soup, double share, int seed) {
+  std::mt19937 random(seed);
+  std::bernoulli_distribution is_dropped(share);
+  int kept = 0;
+  for (Eigen::Index f = 0; f < soup.triangles.rows(); ++f) {
+    if (is_dropped(random)) continue;
+    soup.triangles.row(kept++) = soup.triangles.row(f).eval();
+  }
+  soup.triangles.conservativeResize(kept, 3);
+  return soup;
+}
+
 }  // namespace
 
 TEST(WindingNumber, IsTheSumOfSolidAngles) {
@@ -71,6 +122,73 @@ TEST(WindingNumber, RaysThroughCornersAndEdgesCountRight) {
     EXPECT_EQ(winding.IsInside(p), reach < 2) << p;
     EXPECT_EQ(winding.IsOnSurface(p), reach == 2) << p;
   }
+}
+
+TEST(WindingNumber, OpenMeshes) {
+  for (const double share : {0.01, 0.1, 0.5, 0.95}) {
+    ExpectAngleSum(WithoutTriangles(Icosphere(1, 2), share, 4), 1.2, 5);
+  }
+}
+
+TEST(WindingNumber, SoupsWithoutConnectivity) {
+  std::mt19937 random(6);
+  ExpectAngleSum(RandomSoup(100, 0.7, &random), 1, 7);
+}
+
+TEST(WindingNumber, NonManifoldAndMisorientedMeshes) {
+  TriangleSoup soup = Icosphere(1, 1);
+  std::mt19937 random(8);
+  std::uniform_int_distribution<int> any(0, 41);
+  for (Eigen::Index i = 0; i < 20; ++i) {
+    soup.triangles(any(random), i % 3) = any(random);
+  }
+  ExpectAngleSum(soup, 1.2, 9);
+}
+
+TEST(WindingNumber, NestedAndInsideOut) {
+  TriangleSoup inverted = Icosphere(1, 1);
+  inverted.triangles.col(0).swap(inverted.triangles.col(1));
+  const Solid hollow(inverted);
+  EXPECT_EQ(hollow.winding.At(RowVector3d(0.1, 0.2, 0.3)), -1);
+  EXPECT_FALSE(hollow.winding.IsInside(RowVector3d(0.1, 0.2, 0.3)));
+  const Solid nested(Together(Icosphere(1, 1), Icosphere(2, 1)));
+  EXPECT_EQ(nested.winding.At(RowVector3d(0, 0, 0)), 2);
+  EXPECT_EQ(nested.winding.At(RowVector3d(0, 0, 1.2)), 1);
+}
+
+// The fan over the hole lies in the same plane as the points.
+TEST(WindingNumber, PointsInThePlaneOfAHole) {
+  TriangleSoup open = Box(2, 2, 2);
+  open.triangles = open.triangles.bottomRows(open.triangles.rows() - 2).eval();
+  const Solid solid(open);
+  EXPECT_FALSE(solid.winding.IsClosed());
+  for (int x = -6; x <= 6; ++x) {
+    for (int y = -6; y <= 6; ++y) {
+      for (const double z : {-1.0, -1 - 1e-15, -1 + 1e-15, -1.5}) {
+        const RowVector3d p(x / 4.0, y / 4.0, z);
+        if (std::max(std::abs(x), std::abs(y)) == 4) continue;  // the rim
+        EXPECT_NEAR(solid.winding.At(p), AngleSum(solid.bvh, p), kRounding)
+            << p;
+      }
+    }
+  }
+}
+
+TEST(WindingNumber, FollowsTheTree) {
+  TriangleSoup soup = WithoutTriangles(Icosphere(1, 2), 0.1, 10);
+  Solid solid(soup);
+  soup.points.rowwise() += RowVector3d(5, 6, 7);
+  solid.bvh.Refit(soup.points);
+  const RowVector3d p(5.1, 6.2, 7.3);
+  EXPECT_NEAR(solid.winding.At(p), AngleSum(solid.bvh, p), kRounding);
+  EXPECT_GT(solid.winding.At(p), 0.5);
+}
+
+TEST(WindingNumber, NoTriangles) {
+  const TriangleSoup empty = {Points(0, 3), Triangles(0, 3)};
+  const Solid solid(empty);
+  EXPECT_EQ(solid.winding.At(RowVector3d(0, 0, 0)), 0);
+  EXPECT_FALSE(solid.winding.IsInside(RowVector3d(0, 0, 0)));
 }
 
 }  // namespace musclewarp

@@ -7,10 +7,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/geometry/alpha_wrap.h"
 #include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {
@@ -30,6 +33,29 @@ TriangleSoup Wrap(const TriangleSoup&, double) {
                    "build with MUSCLEWARP_WITH_ALPHA_WRAP=ON");
 }
 #endif
+
+// A stray piece far from the muscle gets a wrap of its own, which no coarse
+// mesh of one muscle can have.
+TriangleSoup LargestComponent(TriangleSoup soup) {
+  const Components components = ConnectedComponents(
+      soup.triangles, UsesOfEdges(soup.triangles), /*max_uses=*/2);
+  if (components.count == 1) return soup;
+  TriangleSoup largest;
+  double largest_volume = -INFINITY;
+  for (int c = 0; c < components.count; ++c) {
+    std::vector<bool> keep;
+    for (const int label : components.label) keep.push_back(label == c);
+    Triangles part = soup.triangles;
+    KeepTriangles(keep, &part);
+    const double volume = SignedVolume(soup.points, part);
+    if (volume <= largest_volume) continue;
+    largest_volume = volume;
+    largest.triangles = std::move(part);
+  }
+  largest.points = std::move(soup.points);
+  DropUnreferencedPoints(&largest);
+  return largest;
+}
 
 }  // namespace
 
@@ -56,7 +82,7 @@ TriangleSoup OuterHull(const TriangleSoup& fine,
                            options.coarse_vertices);
   TriangleSoup best;
   for (int wrap = 0; wrap < options.max_wraps; ++wrap) {
-    TriangleSoup hull = Wrap(fine, alpha);
+    TriangleSoup hull = LargestComponent(Wrap(fine, alpha));
     const double ratio =
         static_cast<double>(hull.points.rows()) / options.coarse_vertices;
     const auto distance = [&](const TriangleSoup& candidate) {
@@ -70,7 +96,11 @@ TriangleSoup OuterHull(const TriangleSoup& fine,
 }
 
 bool Encloses(const TriangleSoup& hull, const TriangleSoup& fine) {
-  const MeshIntersection found = IntersectMeshes(hull, fine);
+  if (hull.triangles.rows() == 0) return false;
+  const SearchableMesh outer(hull);
+  // Inside of an open mesh is a matter of degree.
+  if (!outer.winding().IsClosed()) return false;
+  const MeshIntersection found = IntersectMeshes(outer, SearchableMesh(fine));
   // Unreferenced points are no part of the surface.
   const std::set<int> vertices(fine.triangles.data(),
                                fine.triangles.data() + fine.triangles.size());

@@ -25,12 +25,14 @@ struct OuterHullOptions {
 
 // A coarse closed, outward oriented 2-manifold that strictly encloses `fine`
 // (any triangle soup, as delivered or repaired): the coarse outer hull of paper
-// section 2.1. Throws InputError in a build without MUSCLEWARP_WITH_ALPHA_WRAP.
+// section 2.1. Of several pieces too far apart for one hull, the one whose hull
+// has the largest volume is enclosed. Throws InputError in a build without
+// MUSCLEWARP_WITH_ALPHA_WRAP.
 TriangleSoup OuterHull(const TriangleSoup& fine,
                        const OuterHullOptions& options);
 
-// True if every vertex, edge and face of `fine` lies strictly inside the closed
-// mesh `hull`; by exact tests, and a winding number for one side of it.
+// True if every vertex, edge and face of `fine` lies strictly inside `hull`, by
+// exact tests; false for hulls that are open or inside out.
 bool Encloses(const TriangleSoup& hull, const TriangleSoup& fine);
 
 }  // namespace musclewarp

@@ -47,7 +47,15 @@ class WindingNumber {
     int triangle;
     int corner;  // where it starts
   };
-  Corners FanTriangle(const HalfEdge& edge) const;
+  // Triangles from an apex to all border edges, seen from a point.
+  struct Fan {
+    int crossings = 0;        // of the ray
+    double turns = 0;         // solid angles over 4 pi
+    double conditioning = 1;  // of the worst of them
+  };
+  Fan FanFrom(const Eigen::RowVector3d& apex,
+              const Eigen::RowVector3d& point) const;
+  Fan BorderFan(const Eigen::RowVector3d& point) const;
 
   const TriangleBvh* bvh_;
   std::vector<HalfEdge> border_;

@@ -1,0 +1,60 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <random>
+
+#include "musclewarp/geometry/triangle_bvh.h"
+#include "musclewarp/mesh/triangle_soup.h"
+
+namespace musclewarp {
+
+inline Eigen::RowVector3d RandomPoint(double size, std::mt19937* random) {
+  std::uniform_real_distribution<double> coordinate(-size, size);
+  Eigen::RowVector3d p;
+  for (int axis = 0; axis < 3; ++axis) p[axis] = coordinate(*random);
+  return p;
+}
+
+// Triangles of points of a grid with the coordinates 0 .. cells: most are in
+// special position, many have no area.
+inline Corners RandomGridTriangle(int cells, std::mt19937* random) {
+  std::uniform_int_distribution<int> coordinate(0, cells);
+  Corners triangle;
+  for (int i = 0; i < 9; ++i) triangle.data()[i] = coordinate(*random);
+  return triangle;
+}
+
+// `count` separate triangles of the given size in a cube of side 2.
+inline TriangleSoup RandomSoup(int count, double size, std::mt19937* random) {
+  TriangleSoup soup;
+  soup.points.resize(3 * count, 3);
+  soup.triangles.resize(count, 3);
+  for (int f = 0; f < count; ++f) {
+    const Eigen::RowVector3d center = RandomPoint(1, random);
+    for (int corner = 0; corner < 3; ++corner) {
+      soup.points.row(3 * f + corner) = center + RandomPoint(size, random);
+      soup.triangles(f, corner) = 3 * f + corner;
+    }
+  }
+  return soup;
+}
+
+inline TriangleSoup Moved(TriangleSoup soup, const Eigen::RowVector3d& by) {
+  soup.points.rowwise() += by;
+  return soup;
+}
+
+// Both, with the triangles of `a` first.
+inline TriangleSoup Together(const TriangleSoup& a, const TriangleSoup& b) {
+  TriangleSoup both;
+  both.points.resize(a.points.rows() + b.points.rows(), 3);
+  both.points << a.points, b.points;
+  both.triangles.resize(a.triangles.rows() + b.triangles.rows(), 3);
+  both.triangles << a.triangles,
+      (b.triangles.array() + static_cast<int>(a.points.rows())).matrix();
+  return both;
+}
+
+}  // namespace musclewarp
