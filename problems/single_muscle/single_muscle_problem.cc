@@ -12,14 +12,6 @@
 namespace musclewarp {
 namespace {
 
-std::vector<double*> RowBlocks(Points* points) {
-  std::vector<double*> blocks(points->rows());
-  for (size_t i = 0; i < blocks.size(); ++i) {
-    blocks[i] = points->data() + 3 * i;
-  }
-  return blocks;
-}
-
 void AddLaplacianTerms(const MuscleModel& model,
                        const MuscleTarget& target,
                        const std::vector<double*>& vertices,
@@ -55,30 +47,24 @@ void AddCoordinatesTerms(const RowMajorMatrix& rows,
 
 }  // namespace
 
-void AddMuscleInBlocks(const MuscleModel& model,
-                       const MuscleTarget& target,
-                       const HardConstraint& constraint,
-                       Points* coarse,
-                       ceres::Problem* problem) {
-  const std::vector<double*> vertices = RowBlocks(coarse);
-  AddLaplacianTerms(model, target, vertices, problem);
-  AddCoordinatesTerms(model.skeleton, target.skeleton, vertices, problem);
-  AddCoordinatesTerms(model.attachment, target.attachment, vertices, problem);
-  problem->AddResidualBlock(
-      new VolumeTerm(&model, &constraint, nullptr), nullptr, vertices);
-}
-
-void AddMuscleWhitened(const MuscleModel& model,
-                       const Whitening& whitening,
-                       const HardConstraint& constraint,
-                       Points* whitened,
-                       ceres::Problem* problem) {
-  const std::vector<double*> unknowns = RowBlocks(whitened);
-  for (double* unknown : unknowns) {
-    problem->AddResidualBlock(WhitenedLinearTerm::Create(), nullptr, unknown);
+void AddMuscle(const MuscleModel& model,
+               const MuscleTarget& target,
+               const HardConstraint& constraint,
+               VolumeEvaluator* volume,
+               MuscleUnknowns* unknowns,
+               ceres::Problem* problem) {
+  const std::vector<double*> blocks = unknowns->Blocks();
+  if (unknowns->IsWhitened()) {
+    for (double* block : blocks) {
+      problem->AddResidualBlock(WhitenedLinearTerm::Create(), nullptr, block);
+    }
+  } else {
+    AddLaplacianTerms(model, target, blocks, problem);
+    AddCoordinatesTerms(model.skeleton, target.skeleton, blocks, problem);
+    AddCoordinatesTerms(model.attachment, target.attachment, blocks, problem);
   }
   problem->AddResidualBlock(
-      new VolumeTerm(&model, &constraint, &whitening), nullptr, unknowns);
+      new VolumeTerm(unknowns, volume, &constraint), nullptr, blocks);
 }
 
 }  // namespace musclewarp

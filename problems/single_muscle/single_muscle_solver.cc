@@ -7,51 +7,12 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/solver/volume_constraint.h"
 #include "problems/single_muscle/single_muscle_problem.h"
-#include "problems/single_muscle/whitening.h"
 
 namespace musclewarp {
 namespace {
 
-void SolveInBlocks(const MuscleModel& model,
-                   const MuscleTarget& target,
-                   const SingleMuscleOptions& options,
-                   Points* coarse,
-                   SolverSummary* summary) {
-  HardConstraint constraint;
-  ceres::Problem problem;
-  AddMuscleInBlocks(model, target, constraint, coarse, &problem);
-  SolveWithHardConstraint(
-      options.hard_constraint,
-      [&] { return FineVolumeError(model, *coarse) / model.rest_area; },
-      coarse->data(),
-      coarse->size(),
-      &problem,
-      &constraint,
-      summary);
-}
-
-void SolveWhitened(const MuscleModel& model,
-                   const MuscleTarget& target,
-                   const SingleMuscleOptions& options,
-                   Points* coarse,
-                   SolverSummary* summary) {
-  const Whitening whitening(model, target);
-  Points whitened = whitening.WhitenedFromCoarse(*coarse);
-  HardConstraint constraint;
-  ceres::Problem problem;
-  AddMuscleWhitened(model, whitening, constraint, &whitened, &problem);
-  SolveWithHardConstraint(
-      options.hard_constraint,
-      [&] {
-        return FineVolumeError(model, whitening.CoarseFromWhitened(whitened)) /
-               model.rest_area;
-      },
-      whitened.data(),
-      whitened.size(),
-      &problem,
-      &constraint,
-      summary);
-  *coarse = whitening.CoarseFromWhitened(whitened);
+Eigen::VectorXd Flattened(const Points& points) {
+  return Eigen::Map<const Eigen::VectorXd>(points.data(), points.size());
 }
 
 }  // namespace
@@ -63,11 +24,16 @@ SingleMuscleOptions SingleMuscleOptions::For(MuscleFormulation formulation) {
     options.hard_constraint.ceres.linear_solver_type =
         ceres::DENSE_NORMAL_CHOLESKY;
     options.hard_constraint.ceres.preconditioner_type = ceres::JACOBI;
+    options.hard_constraint.ceres.jacobi_scaling = true;
   }
   return options;
 }
 
 bool SingleMuscleOptions::IsValid(std::string* error) const {
+  if (!(fine_volume_threshold > 0)) {
+    *error = "SingleMuscleOptions: fine_volume_threshold must be above 0";
+    return false;
+  }
   return hard_constraint.IsValid(error);
 }
 
@@ -78,14 +44,43 @@ void SolveSingleMuscle(const MuscleModel& model,
                        SolverSummary* summary) {
   const Stopwatch stopwatch;
   CHECK_EQ(coarse->rows(), model.coarse_rest.rows());
-  const double initial_energy = LinearEnergy(model, target, *coarse);
-  if (options.formulation == MuscleFormulation::kWhitened) {
-    SolveWhitened(model, target, options, coarse, summary);
-  } else {
-    SolveInBlocks(model, target, options, coarse, summary);
-  }
-  summary->initial_energy = initial_energy;
-  SummarizeSolution(model, target, *coarse, summary);
+  MuscleUnknowns unknowns(model, target, options.formulation, *coarse);
+  HardConstraint constraint;
+  constraint.penalty = options.hard_constraint.initial_penalty;
+  ceres::Problem problem;
+  VolumeEvaluator volume(model, nullptr);
+  AddMuscle(model, target, constraint, &volume, &unknowns, &problem);
+  const auto solve = [&](VolumeMesh mesh,
+                         const HardConstraintOptions& hard_constraint) {
+    volume.SetMesh(mesh);
+    SolverSummary part;
+    SolveWithHardConstraint(
+        hard_constraint,
+        [&] { return volume.Error(unknowns.Coarse()) / model.rest_area; },
+        [&] { return Flattened(unknowns.Coarse()); },
+        &problem,
+        &constraint,
+        &part);
+    for (SolverIteration& iteration : part.history) {
+      iteration.volume_error *= model.rest_area / model.rest_volume;
+      iteration.is_fine_volume = mesh == VolumeMesh::kFine;
+    }
+    return part;
+  };
+  // The paper's way: the volume of the coarse mesh, at next to no cost, brings
+  // the muscle and the multiplier near.
+  HardConstraintOptions near = options.hard_constraint;
+  near.violation_tolerance = near.step_tolerance =
+      options.fine_volume_threshold;
+  const SolverSummary approach = solve(VolumeMesh::kCoarse, near);
+  *summary = solve(VolumeMesh::kFine, options.hard_constraint);
+  summary->iterations += approach.iterations;
+  summary->history.insert(summary->history.begin(),
+                          approach.history.begin(),
+                          approach.history.end());
+  summary->initial_energy = LinearEnergy(model, target, *coarse);
+  *coarse = unknowns.Coarse();
+  SummarizeSolution(model, target, MuscleState{*coarse, {}}, summary);
   summary->wall_ms = stopwatch.Milliseconds();
 }
 

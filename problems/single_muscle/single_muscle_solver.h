@@ -8,17 +8,17 @@
 #include "musclewarp/solver/muscle_model.h"
 #include "musclewarp/solver/muscle_target.h"
 #include "musclewarp/solver/solver_summary.h"
+#include "problems/single_muscle/muscle_unknowns.h"
 
 namespace musclewarp {
-
-enum class MuscleFormulation {
-  kWhitened,  // fast: the linear rows are the identity
-  kBlocks,    // a block per vertex, a term per row
-};
 
 struct SingleMuscleOptions {
   MuscleFormulation formulation = MuscleFormulation::kWhitened;
   HardConstraintOptions hard_constraint;
+
+  // The volume is taken from the coarse mesh until steps and volume error (as a
+  // thickness) are below this, mm; then from the fine mesh.
+  double fine_volume_threshold = 0.05;
 
   // Options for a formulation, with a linear solver that suits it.
   static SingleMuscleOptions For(MuscleFormulation formulation);

@@ -4,44 +4,35 @@
 
 #include <cmath>
 
-#include "musclewarp/solver/volume_constraint.h"
-
 namespace musclewarp {
 
-VolumeTerm::VolumeTerm(const MuscleModel* model,
-                       const HardConstraint* constraint,
-                       const Whitening* whitening)
-    : model_(*model), constraint_(*constraint), whitening_(whitening) {
+VolumeTerm::VolumeTerm(const MuscleUnknowns* unknowns,
+                       VolumeEvaluator* evaluator,
+                       const HardConstraint* constraint)
+    : unknowns_(*unknowns), evaluator_(*evaluator), constraint_(*constraint) {
   set_num_residuals(1);
-  mutable_parameter_block_sizes()->assign(model->coarse_rest.rows(), 3);
+  mutable_parameter_block_sizes()->assign(evaluator->model().coarse_rest.rows(),
+                                          3);
 }
 
 bool VolumeTerm::Evaluate(double const* const* parameters,
                           double* residual,
                           double** jacobians) const {
-  Points unknowns(model_.coarse_rest.rows(), 3);
-  for (Eigen::Index j = 0; j < unknowns.rows(); ++j) {
-    unknowns.row(j) = Eigen::Map<const Eigen::RowVector3d>(parameters[j]);
+  const double area = evaluator_.model().rest_area;
+  Points values(parameter_block_sizes().size(), 3);
+  for (Eigen::Index j = 0; j < values.rows(); ++j) {
+    values.row(j) = Eigen::Map<const Eigen::RowVector3d>(parameters[j]);
   }
-  const Points coarse =
-      whitening_ ? whitening_->CoarseFromWhitened(unknowns) : unknowns;
-  const double root = std::sqrt(constraint_.penalty);
-  const double shift = constraint_.multiplier / constraint_.penalty;
-  if (!jacobians) {
-    const double error = FineVolumeError(model_, coarse);
-    residual[0] = root * (error / model_.rest_area + shift);
-    return std::isfinite(residual[0]);
-  }
-
-  const FineVolume volume = EvaluateFineVolume(model_, coarse);
-  residual[0] = root * (volume.error / model_.rest_area + shift);
-  const Points gradient = whitening_
-                              ? whitening_->WhitenedGradient(volume.gradient)
-                              : volume.gradient;
-  for (Eigen::Index j = 0; j < gradient.rows(); ++j) {
-    if (!jacobians[j]) continue;
-    Eigen::Map<Eigen::RowVector3d> block(jacobians[j]);
-    block = root / model_.rest_area * gradient.row(j);
+  const Points& coarse = unknowns_.CoarseOf(values);
+  residual[0] = constraint_.Residual(evaluator_.Error(coarse) / area);
+  if (jacobians) {
+    const double root = std::sqrt(constraint_.penalty);
+    const Points gradient = unknowns_.GradientOf(evaluator_.Gradient(coarse));
+    for (Eigen::Index j = 0; j < gradient.rows(); ++j) {
+      if (!jacobians[j]) continue;
+      Eigen::Map<Eigen::RowVector3d> block(jacobians[j]);
+      block = root / area * gradient.row(j);
+    }
   }
   return std::isfinite(residual[0]);
 }

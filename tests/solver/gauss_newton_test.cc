@@ -162,13 +162,13 @@ TEST(GaussNewton, TakesTheStepsOfThePaper) {
   SolverSummary summary;
   Solve(model, BentPose(0.9), {}, options, &summary);
   ASSERT_FALSE(summary.history.empty());
-  EXPECT_EQ(summary.history.front().alpha, options.initial_alpha);
+  EXPECT_EQ(summary.history.front().alpha, options.step_length.initial_alpha);
   EXPECT_FALSE(summary.history.front().is_fine_volume);
   EXPECT_TRUE(summary.history.back().is_fine_volume);
   for (size_t k = 1; k < summary.history.size(); ++k) {
     const SolverIteration& before = summary.history[k - 1];
     const SolverIteration& now = summary.history[k];
-    EXPECT_GE(now.alpha, options.final_alpha);
+    EXPECT_GE(now.alpha, options.step_length.final_alpha);
     EXPECT_LE(now.alpha, before.alpha);
     // Once |h| is small the fine volume takes over, and stays.
     EXPECT_EQ(

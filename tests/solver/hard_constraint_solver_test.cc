@@ -34,6 +34,7 @@ struct OnCircle {
 
 SolverSummary SolveCircle(const HardConstraintOptions& options, double* p) {
   HardConstraint constraint;
+  constraint.penalty = options.initial_penalty;
   ceres::Problem problem;
   problem.AddResidualBlock(
       new ceres::AutoDiffCostFunction<NearPoint, 2, 2>(new NearPoint),
@@ -47,8 +48,7 @@ SolverSummary SolveCircle(const HardConstraintOptions& options, double* p) {
   SolveWithHardConstraint(
       options,
       [&] { return p[0] * p[0] + p[1] * p[1] - 1; },
-      p,
-      2,
+      [&] { return Eigen::Vector2d(p[0], p[1]); },
       &problem,
       &constraint,
       &summary);

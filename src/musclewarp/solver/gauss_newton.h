@@ -7,15 +7,12 @@
 #include "musclewarp/solver/muscle_model.h"
 #include "musclewarp/solver/muscle_target.h"
 #include "musclewarp/solver/solver_summary.h"
+#include "musclewarp/solver/step_length.h"
 
 namespace musclewarp {
 
 struct GaussNewtonOptions {
-  // Step length: starts at the first, is multiplied by the decay after every
-  // iteration and never falls below the last. The paper gives the two ends.
-  double initial_alpha = 0.5;
-  double final_alpha = 0.125;
-  double alpha_decay = 0.9;
+  StepLengthSchedule step_length;
 
   // The volume error is taken from the coarse mesh until every |h_i| is below
   // this, mm, or that many iterations have passed; then from the fine mesh.
@@ -40,14 +37,8 @@ struct GaussNewtonOptions {
   bool IsValid(std::string* error) const;
 };
 
-// The reference solver: Gauss-Newton with Lagrange multiplier, paper eq. (2.8)
-// to (2.10) in the reading of docs/method.md,
-//
-//   lambda = (J_g A^-1 J_g^T)^-1 (dV / alpha - J_g A^-1 J_f^T f)
-//   h      = -A^-1 (J_f^T f + J_g^T lambda)
-//   X     <- X + alpha h,
-//
-// so that J_g (alpha h) = -dV. `coarse` (N x 3) is the start and the result.
+// The reference solver: Gauss-Newton with Lagrange multiplier, steps as in
+// gauss_newton_step.h. `coarse` (N x 3) is the start and the result.
 // Precondition (CHECKed): the options are valid.
 void SolveGaussNewton(const MuscleModel& model,
                       const MuscleTarget& target,

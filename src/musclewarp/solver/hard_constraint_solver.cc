@@ -2,13 +2,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/solver/hard_constraint_solver.h"
 
+#include <ceres/iteration_callback.h>
 #include <glog/logging.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 namespace musclewarp {
+namespace {
+
+// Ends a solve after so many steps. A limit of iterations would count those
+// that Ceres takes back, too.
+struct StopAfterSteps : public ceres::IterationCallback {
+  ceres::CallbackReturnType operator()(
+      const ceres::IterationSummary& iteration) override {
+    if (iteration.iteration == 0) {
+      steps = 0;
+    } else if (iteration.step_is_successful) {
+      ++steps;
+    }
+    return steps >= max_steps ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                              : ceres::SOLVER_CONTINUE;
+  }
+
+  int max_steps = 1;
+  int steps = 0;
+};
+
+}  // namespace
 
 HardConstraintOptions::HardConstraintOptions() {
   ceres.minimizer_type = ceres::TRUST_REGION;
@@ -16,8 +37,11 @@ HardConstraintOptions::HardConstraintOptions() {
   ceres.preconditioner_type = ceres::IDENTITY;
   ceres.initial_trust_region_radius = 1e8;
   ceres.max_num_iterations = 50;
+  // Unknowns that are scaled well stay so; columns scaled one by one would take
+  // conjugate gradients 20 steps where 3 do.
+  ceres.jacobi_scaling = false;
   // Rounding of the cost ends a round by failed steps if these are tighter.
-  ceres.function_tolerance = 1e-12;
+  ceres.function_tolerance = 1e-14;
   ceres.gradient_tolerance = 1e-7;
   ceres.parameter_tolerance = 1e-10;
   // An exact linear solve costs little in whitened unknowns.
@@ -42,10 +66,26 @@ bool HardConstraintOptions::IsValid(std::string* error) const {
   return ceres.IsValid(error);
 }
 
+double HardConstraint::Residual(double c) const {
+  return std::sqrt(penalty) * (c - target + multiplier / penalty);
+}
+
+bool HardConstraint::Update(const HardConstraintOptions& options,
+                            double violation,
+                            double previous_violation,
+                            bool is_minimum) {
+  const bool has_fallen =
+      std::abs(violation) <= 0.25 * std::abs(previous_violation);
+  if (has_fallen || is_minimum) multiplier += penalty * violation;
+  if (!has_fallen) {
+    penalty = std::min(options.max_penalty, penalty * options.penalty_factor);
+  }
+  return has_fallen;
+}
+
 void SolveWithHardConstraint(const HardConstraintOptions& options,
                              const std::function<double()>& violation,
-                             double* parameters,
-                             int size,
+                             const std::function<Eigen::VectorXd()>& state,
                              ceres::Problem* problem,
                              HardConstraint* constraint,
                              SolverSummary* summary) {
@@ -53,15 +93,17 @@ void SolveWithHardConstraint(const HardConstraintOptions& options,
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   summary->iterations = 0;
-  constraint->penalty = options.initial_penalty;
-  constraint->multiplier = 0;
-  const Eigen::Map<const Eigen::VectorXd> x(parameters, size);
-  double previous_violation = std::abs(violation());
+  double previous_violation = violation();
+  Eigen::VectorXd before = state();
+  // A minimum for a wrong multiplier is worth no more than a step towards it,
+  // and each step has its price: rounds are as short as the violation falls.
+  StopAfterSteps short_round;
+  ceres::Solver::Options ceres_options = options.ceres;
+  ceres_options.callbacks.push_back(&short_round);
 
   for (int round = 0; round < options.max_rounds; ++round) {
-    const Eigen::VectorXd before = x;
     ceres::Solver::Summary ceres_summary;
-    ceres::Solve(options.ceres, problem, &ceres_summary);
+    ceres::Solve(ceres_options, problem, &ceres_summary);
     summary->iterations +=
         std::max<int>(0, static_cast<int>(ceres_summary.iterations.size()) - 1);
     if (!ceres_summary.IsSolutionUsable()) {
@@ -70,7 +112,9 @@ void SolveWithHardConstraint(const HardConstraintOptions& options,
       return;
     }
     const double c = violation();
-    summary->max_step = (x - before).lpNorm<Eigen::Infinity>();
+    const Eigen::VectorXd after = state();
+    summary->max_step = (after - before).lpNorm<Eigen::Infinity>();
+    before = after;
     summary->history.push_back({summary->max_step, c, 1, true});
     if (std::abs(c) <= options.violation_tolerance &&
         summary->max_step <= options.step_tolerance) {
@@ -78,12 +122,15 @@ void SolveWithHardConstraint(const HardConstraintOptions& options,
       summary->message = "";
       return;
     }
-    constraint->multiplier += constraint->penalty * c;
-    if (std::abs(c) > 0.25 * previous_violation) {
-      constraint->penalty = std::min(
-          options.max_penalty, constraint->penalty * options.penalty_factor);
+    if (!constraint->Update(
+            options,
+            c,
+            previous_violation,
+            ceres_summary.termination_type == ceres::CONVERGENCE)) {
+      short_round.max_steps =
+          std::min(2 * short_round.max_steps, ceres_options.max_num_iterations);
     }
-    previous_violation = std::abs(c);
+    previous_violation = c;
   }
   summary->stop_reason = StopReason::kIterationLimit;
   summary->message = "max_rounds reached";

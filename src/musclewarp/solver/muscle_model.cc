@@ -104,6 +104,7 @@ MuscleModel PrepareMuscle(const SceneMuscle& muscle,
   model.coarse_rest = hull.points;
   model.coarse_triangles = hull.triangles;
   model.rest_volume = SignedVolume(fine.points, fine.triangles);
+  model.coarse_rest_volume = SignedVolume(hull.points, hull.triangles);
   model.rest_area = SurfaceArea(fine.points, fine.triangles);
 
   model.fine_from_coarse =

@@ -72,6 +72,7 @@ struct MuscleModel {
   Eigen::VectorXd attachment_weights;  // k
 
   double rest_volume = 0;                     // of the fine mesh, mm^3: V_hat
+  double coarse_rest_volume = 0;              // of the coarse mesh, mm^3
   double rest_area = 0;                       // of the fine mesh, mm^2
   Eigen::LLT<Eigen::MatrixXd> normal_matrix;  // A = U^T U, factored once
 };

@@ -2,33 +2,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/solver/volume_constraint.h"
 
-#include "musclewarp/geometry/dense_product.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/solver/volume_evaluator.h"
 
 namespace musclewarp {
-
-FineVolume EvaluateFineVolume(const MuscleModel& model, const Points& coarse) {
-  const Points fine = Product(model.fine_from_coarse, coarse);
-  const Points fine_gradient = VolumeGradient(fine, model.fine_triangles);
-  FineVolume volume;
-  volume.error = SignedVolume(fine, model.fine_triangles) - model.rest_volume;
-  volume.gradient = TransposedProduct(model.fine_from_coarse, fine_gradient);
-  return volume;
+FineVolume EvaluateFineVolume(const MuscleModel& model,
+                              const Points& coarse,
+                              const MuscleContact& contact) {
+  VolumeEvaluator evaluator(model, &contact);
+  const double error = evaluator.Error(coarse);
+  return {error, evaluator.Gradient(coarse)};
 }
 
-double FineVolumeError(const MuscleModel& model, const Points& coarse) {
-  return SignedVolume(Product(model.fine_from_coarse, coarse),
-                      model.fine_triangles) -
-         model.rest_volume;
+double FineVolumeError(const MuscleModel& model,
+                       const Points& coarse,
+                       const MuscleContact& contact) {
+  return VolumeEvaluator(model, &contact).Error(coarse);
+}
+
+FineVolume EvaluateCoarseVolume(const MuscleModel& model,
+                                const Points& coarse,
+                                const MuscleContact& contact) {
+  VolumeEvaluator evaluator(model, &contact);
+  evaluator.SetMesh(VolumeMesh::kCoarse);
+  const double error = evaluator.Error(coarse);
+  return {error,
+          model.coarse_rest_volume / model.rest_volume *
+              evaluator.Gradient(coarse)};
 }
 
 void SummarizeSolution(const MuscleModel& model,
                        const MuscleTarget& target,
-                       const Points& coarse,
+                       const MuscleState& state,
                        SolverSummary* summary) {
-  summary->final_energy = LinearEnergy(model, target, coarse);
+  summary->final_energy = LinearEnergy(model, target, state.coarse);
   summary->volume_ratio =
-      1 + FineVolumeError(model, coarse) / model.rest_volume;
+      SignedVolume(FinePoints(model, state), model.fine_triangles) /
+      model.rest_volume;
 }
 
 }  // namespace musclewarp

@@ -58,12 +58,15 @@ TEST(SingleMuscleSolver, TheBlocksAddUpToTheLinearEnergy) {
   const MuscleTarget target = TargetOf(model, BentPose(0.6), {});
   HardConstraint no_volume;
   no_volume.penalty = 1e-300;
-  Points coarse = model.coarse_rest;
+  MuscleUnknowns unknowns(
+      model, target, MuscleFormulation::kBlocks, model.coarse_rest);
+  VolumeEvaluator volume(model, nullptr);
   ceres::Problem problem;
-  AddMuscleInBlocks(model, target, no_volume, &coarse, &problem);
+  AddMuscle(model, target, no_volume, &volume, &unknowns, &problem);
   double cost = 0;
   problem.Evaluate({}, &cost, nullptr, nullptr, nullptr);
-  EXPECT_NEAR(cost, LinearEnergy(model, target, coarse), 1e-9 * cost);
+  EXPECT_NEAR(
+      cost, LinearEnergy(model, target, model.coarse_rest), 1e-9 * cost);
 }
 
 TEST(SingleMuscleSolver, BothFormulationsAndTheReferenceFindOneMinimum) {

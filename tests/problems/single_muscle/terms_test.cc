@@ -98,7 +98,10 @@ TEST(VolumeTerm, IsTheErrorAsAThicknessPlusTheMultiplier) {
   const MuscleModel model = SpindleModel();
   HardConstraint constraint;
   constraint.penalty = 100;
-  const VolumeTerm term(&model, &constraint, nullptr);
+  VolumeEvaluator volume(model, nullptr);
+  const MuscleUnknowns unknowns(
+      model, MuscleTarget(), MuscleFormulation::kBlocks, model.coarse_rest);
+  const VolumeTerm term(&unknowns, &volume, &constraint);
   EXPECT_NEAR(Residuals(term, model.coarse_rest)[0], 0, 1e-10);
   // Twice the size has eight times the volume.
   EXPECT_NEAR(Residuals(term, 2 * model.coarse_rest)[0],
@@ -113,7 +116,10 @@ TEST(VolumeTerm, HasTheRightDerivative) {
   HardConstraint constraint;
   constraint.penalty = 100;
   constraint.multiplier = 5;
-  const VolumeTerm term(&model, &constraint, nullptr);
+  VolumeEvaluator volume(model, nullptr);
+  const MuscleUnknowns unknowns(
+      model, MuscleTarget(), MuscleFormulation::kBlocks, model.coarse_rest);
+  const VolumeTerm term(&unknowns, &volume, &constraint);
   // Shaken: symmetry makes entries vanish, which have no relative error.
   const Points shaken =
       model.coarse_rest + RandomPoints(model.coarse_rest.rows());
@@ -125,11 +131,15 @@ TEST(VolumeTerm, HasTheRightDerivativeWhitened) {
   HardConstraint constraint;
   constraint.penalty = 100;
   constraint.multiplier = 5;
-  const Whitening whitening(model, TargetOf(model, BentPose(0.5), {}));
-  const VolumeTerm term(&model, &constraint, &whitening);
+  const MuscleTarget target = TargetOf(model, BentPose(0.5), {});
   const Points shaken =
       model.coarse_rest + RandomPoints(model.coarse_rest.rows());
-  ExpectRightDerivative(term, whitening.WhitenedFromCoarse(shaken));
+  VolumeEvaluator volume(model, nullptr);
+  const MuscleUnknowns unknowns(
+      model, target, MuscleFormulation::kWhitened, shaken);
+  const VolumeTerm term(&unknowns, &volume, &constraint);
+  ExpectRightDerivative(term,
+                        Whitening(model, target).WhitenedFromCoarse(shaken));
 }
 
 }  // namespace musclewarp

@@ -1,0 +1,32 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/solver/gauss_newton_step.h"
+
+#include "musclewarp/solver/volume_constraint.h"
+
+namespace musclewarp {
+
+GaussNewtonStep StepFrom(const MuscleModel& model,
+                         const Points& minimizer,
+                         const MuscleState& state,
+                         double alpha,
+                         bool is_fine_volume) {
+  const FineVolume volume =
+      is_fine_volume ? EvaluateFineVolume(model, state.coarse, state.contact)
+                     : EvaluateCoarseVolume(model, state.coarse, state.contact);
+  // -A^-1 J_f^T f = X* - X, because f is linear.
+  const Points to_minimizer = minimizer - state.coarse;
+  const Points inverse_gradient = model.normal_matrix.solve(volume.gradient);
+  const double denominator =
+      volume.gradient.cwiseProduct(inverse_gradient).sum();
+  const double lambda = (volume.error / alpha +
+                         volume.gradient.cwiseProduct(to_minimizer).sum()) /
+                        denominator;
+  GaussNewtonStep step;
+  step.h = to_minimizer - lambda * inverse_gradient;
+  step.volume_error = volume.error;
+  step.is_finite = denominator > 0 && step.h.allFinite();
+  return step;
+}
+
+}  // namespace musclewarp

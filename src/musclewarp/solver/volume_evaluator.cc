@@ -1,0 +1,55 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/solver/volume_evaluator.h"
+
+#include "musclewarp/geometry/dense_product.h"
+#include "musclewarp/mesh/measures.h"
+
+namespace musclewarp {
+
+VolumeEvaluator::VolumeEvaluator(const MuscleModel& model,
+                                 const MuscleContact* contact)
+    : model_(model), contact_(contact) {}
+
+void VolumeEvaluator::SetMesh(VolumeMesh mesh) {
+  mesh_ = mesh;
+  Forget();
+}
+
+double VolumeEvaluator::Error(const Points& coarse) {
+  if (coarse_.rows() == coarse.rows() && coarse_ == coarse) return error_;
+  coarse_ = coarse;
+  gradient_.resize(0, 3);
+  moved_ = coarse;
+  if (contact_) contact_->held_coarse.PutBack(&moved_);
+  if (mesh_ == VolumeMesh::kCoarse) {
+    error_ = (SignedVolume(moved_, model_.coarse_triangles) -
+              model_.coarse_rest_volume) *
+             model_.rest_volume / model_.coarse_rest_volume;
+    return error_;
+  }
+  moved_ = Product(model_.fine_from_coarse, moved_);
+  if (contact_) {
+    if (contact_->fine_offset.rows() > 0) moved_ += contact_->fine_offset;
+    contact_->held_fine.PutBack(&moved_);
+  }
+  error_ = SignedVolume(moved_, model_.fine_triangles) - model_.rest_volume;
+  return error_;
+}
+
+const Points& VolumeEvaluator::Gradient(const Points& coarse) {
+  Error(coarse);
+  if (gradient_.rows() > 0) return gradient_;
+  if (mesh_ == VolumeMesh::kCoarse) {
+    gradient_ = model_.rest_volume / model_.coarse_rest_volume *
+                VolumeGradient(moved_, model_.coarse_triangles);
+  } else {
+    Points fine_gradient = VolumeGradient(moved_, model_.fine_triangles);
+    if (contact_) contact_->held_fine.ClearRows(&fine_gradient);
+    gradient_ = TransposedProduct(model_.fine_from_coarse, fine_gradient);
+  }
+  if (contact_) contact_->held_coarse.ClearRows(&gradient_);
+  return gradient_;
+}
+
+}  // namespace musclewarp
