@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 
 #include "musclewarp/base/input_error.h"
@@ -32,67 +33,6 @@ std::vector<std::string> Split(const std::string& text, char separator) {
   return parts;
 }
 
-// Refuses a folder that could not be written, without making it.
-void CheckWritable(const std::string& dir) {
-  if (dir.empty()) {
-    throw InputError("--out", "is missing", "give the folder for the results");
-  }
-  fs::path existing = fs::absolute(dir);
-  std::error_code error;
-  while (!fs::exists(existing, error) && existing.has_relative_path()) {
-    existing = existing.parent_path();
-  }
-  if (!fs::is_directory(existing, error) ||
-      access(existing.c_str(), W_OK | X_OK) != 0) {
-    throw InputError("--out=" + dir,
-                     existing.string() + " is not a folder that can be written",
-                     "choose another folder");
-  }
-}
-
-void MakeFolder(const std::string& dir) {
-  std::error_code error;
-  fs::create_directories(dir, error);
-  if (error) {
-    throw InputError("--out=" + dir,
-                     "cannot be made (" + error.message() + ")",
-                     "choose another folder");
-  }
-}
-
-MuscleSolver SolverOf(const DeformOptions& options) {
-  if (options.solver == DeformSolver::kReference) {
-    return [&options](const MuscleModel& model,
-                      const MuscleTarget& target,
-                      Points* coarse,
-                      SolverSummary* summary) {
-      SolveGaussNewton(model, target, options.gauss_newton, coarse, summary);
-    };
-  }
-  return [&options](const MuscleModel& model,
-                    const MuscleTarget& target,
-                    Points* coarse,
-                    SolverSummary* summary) {
-    SolveSingleMuscle(model, target, options.ceres, coarse, summary);
-  };
-}
-
-void CheckOptions(const DeformOptions& options) {
-  std::string error;
-  if (!options.prepare.muscle.IsValid(&error) ||
-      !options.gauss_newton.IsValid(&error) || !options.ceres.IsValid(&error)) {
-    throw InputError("flags", error, "see --help");
-  }
-  if (options.scene.empty()) {
-    throw InputError("--scene", "is missing", "give a scene file");
-  }
-  if (options.threads < 0) {
-    throw InputError("--threads",
-                     "is " + std::to_string(options.threads),
-                     "allowed: 0 (all cores) or above");
-  }
-}
-
 int ParseFrameNumber(const std::string& text, const std::string& frames) {
   if (text.empty() || text.size() > 8 ||
       !std::all_of(text.begin(), text.end(), [](unsigned char c) {
@@ -107,11 +47,27 @@ int ParseFrameNumber(const std::string& text, const std::string& frames) {
 
 }  // namespace
 
-DeformSolver ParseDeformSolver(const std::string& text) {
-  if (text == "ceres") return DeformSolver::kCeres;
-  if (text == "reference") return DeformSolver::kReference;
+SolverConfiguration ParseSolver(const std::string& text) {
+  if (text != "ceres" && text != "reference") {
+    throw InputError(
+        "--solver=" + text, "is not a solver", "allowed: ceres, reference");
+  }
+  return SolverConfigurationNamed(text);
+}
+
+DeformContact ParseDeformContact(const std::string& text) {
+  if (text == "none") return DeformContact::kNone;
+  if (text == "paper") return DeformContact::kPaper;
+  throw InputError("--contact=" + text,
+                   "is not something this version does",
+                   "allowed: none, paper");
+}
+
+ContactLevel ParseContactLevel(const std::string& text) {
+  if (text == "coarse") return ContactLevel::kCoarse;
+  if (text == "fine") return ContactLevel::kFine;
   throw InputError(
-      "--solver=" + text, "is not a solver", "allowed: ceres, reference");
+      "--contact_level=" + text, "is not a level", "allowed: coarse, fine");
 }
 
 std::vector<std::string> ParseFormats(const std::string& text) {
@@ -158,26 +114,80 @@ std::vector<int> SelectFrames(const std::string& frames, int count) {
   return selected;
 }
 
+void CheckSceneOptions(const DeformOptions& options) {
+  std::string error;
+  if (!options.prepare.muscle.IsValid(&error) ||
+      !options.solver.IsValid(&error) ||
+      !options.scene_contact.IsValid(&error)) {
+    throw InputError("flags", error, "see --help");
+  }
+  if (options.scene.empty()) {
+    throw InputError("--scene", "is missing", "give a scene file");
+  }
+  if (options.threads < 0) {
+    throw InputError("--threads",
+                     "is " + std::to_string(options.threads),
+                     "allowed: 0 (all cores) or above");
+  }
+}
+
+void CheckWritable(const std::string& dir) {
+  if (dir.empty()) {
+    throw InputError("--out", "is missing", "give the folder for the results");
+  }
+  fs::path existing = fs::absolute(dir);
+  std::error_code error;
+  while (!fs::exists(existing, error) && existing.has_relative_path()) {
+    existing = existing.parent_path();
+  }
+  if (!fs::is_directory(existing, error) ||
+      access(existing.c_str(), W_OK | X_OK) != 0) {
+    throw InputError("--out=" + dir,
+                     existing.string() + " is not a folder that can be written",
+                     "choose another folder");
+  }
+}
+
+void MakeFolder(const std::string& dir) {
+  std::error_code error;
+  fs::create_directories(dir, error);
+  if (error) {
+    throw InputError("--out=" + dir,
+                     "cannot be made (" + error.message() + ")",
+                     "choose another folder");
+  }
+}
+
 int DeformCommand(const DeformOptions& options, std::ostream& screen) {
-  CheckOptions(options);
+  CheckSceneOptions(options);
   CheckWritable(options.out);
   if (options.threads > 0) omp_set_num_threads(options.threads);
   const Scene scene = ReadScene(options.scene, options.data_root);
   const std::vector<int> selected =
       SelectFrames(options.frames, static_cast<int>(scene.poses.size()));
   const PreparedScene prepared = PrepareScene(scene, options.prepare);
+  std::optional<SceneContact> contact;
+  if (options.contact == DeformContact::kPaper) {
+    contact = PrepareContact(prepared, options.scene_contact);
+  }
   PrintPreparation(prepared, screen);
 
   MakeFolder(options.out);
   RunRecord run;
-  run.solver = options.solver == DeformSolver::kCeres ? "ceres" : "reference";
-  run.contact = "none";
+  run.solver = options.solver.name;
+  if (contact) {
+    run.contact = &*contact;
+    run.rest_after_fix = RestIntersectionsAfterFix(prepared, *contact);
+  }
   run.scene = &prepared;
   run.rest = RestIntersections(prepared);
-  const MuscleSolver solver = SolverOf(options);
+  const GroupSolver solver = SolverOf(options.solver, contact.has_value());
   for (const int index : selected) {
-    run.frames.push_back(
-        SolveFrame(prepared, index, options.pre_rotation, solver));
+    run.frames.push_back(SolveFrame(prepared,
+                                    contact ? &*contact : nullptr,
+                                    index,
+                                    options.pre_rotation,
+                                    solver));
     WriteFrame(prepared, run.frames.back(), options.formats, options.out);
   }
   if (std::count(options.formats.begin(), options.formats.end(), "vtp")) {

@@ -126,6 +126,66 @@ TEST_F(DeformProgram, ReportsIntersectionsAsCheckDoes) {
   EXPECT_EQ(counts["self_pairs"], check["files"][0]["self_pairs"]);
 }
 
+TEST_F(DeformProgram, PaperContactPushesTheMuscleOffTheBone) {
+  for (const char* level : {"coarse", "fine"}) {
+    for (const char* solver : {"reference", "ceres"}) {
+      const ProgramRun run =
+          Run(std::string("--contact=paper --contact_level=") + level +
+              " --solver=" + solver);
+      ASSERT_EQ(run.exit_code, 0) << run.out << run.errors;
+      const Json report = Json::parse(FileText(out() + "/report.json"));
+      EXPECT_EQ(report["contact"], "paper");
+      EXPECT_EQ(report["contact_options"]["level"], level);
+      EXPECT_TRUE(report["rest"].contains("after_initial_fix"));
+      const Json& frame = report["frames"][1];
+      EXPECT_EQ(frame["intersections"]["vertices_inside"], 0)
+          << level << " " << solver;
+      EXPECT_NEAR(frame["muscles"][0]["volume_ratio"], 1, 1e-6);
+    }
+  }
+}
+
+TEST_F(DeformProgram, PaperContactIsTheSameToTheByteForEveryNumberOfThreads) {
+  const auto written = [&](const std::string& flags) {
+    EXPECT_EQ(Run("--contact=paper " + flags).exit_code, 0);
+    return FileText(out() + "/frame_0001/muscle.ply");
+  };
+  const std::string once = written("--threads=1 --seed=3");
+  EXPECT_EQ(once, written("--threads=1 --seed=3"));
+  EXPECT_EQ(once, written("--threads=3 --seed=3"));
+}
+
+TEST_F(DeformProgram, AnswersForMeshesThatContainEachOther) {
+  // A bone inside the muscle; then a second muscle inside the first; then the
+  // same mesh twice. Counted, said, never a hang or crash.
+  WriteTriangleSoup(dir_ + "/bone.ply", Icosphere(4, 2));
+  ProgramRun run = Run("--contact=paper --frames=0");
+  EXPECT_LE(run.exit_code, 1) << run.errors;
+  EXPECT_THAT(run.errors, HasSubstr("bone lies inside muscle"));
+
+  scene_["bones"] = Json::array();
+  scene_["muscles"].push_back(scene_["muscles"][0]);
+  scene_["muscles"][1]["name"] = "inner";
+  scene_["muscles"][1]["mesh"] = "inner.ply";
+  scene_["muscles"][1]["lines"][0]["name"] = "inner_line";
+  WriteTriangleSoup(dir_ + "/inner.ply", Spindle(4, 40, 3));
+  run = Run("--contact=paper --frames=0");
+  EXPECT_LE(run.exit_code, 1) << run.errors;
+  EXPECT_THAT(run.errors, HasSubstr("inner lies inside muscle"));
+
+  WriteTriangleSoup(dir_ + "/inner.ply", Spindle(12, 60, 3));
+  run = Run("--contact=paper --frames=0");
+  EXPECT_LE(run.exit_code, 1) << run.errors;
+  EXPECT_THAT(run.errors, HasSubstr("muscle and inner are the same mesh"));
+}
+
+TEST_F(DeformProgram, RefusesAnObstacleThatIsNotClosed) {
+  TriangleSoup open = Icosphere(10, 2);
+  open.triangles = open.triangles.topRows(200).eval();
+  WriteTriangleSoup(dir_ + "/bone.ply", open);
+  ExpectRefused({"bone.ply", "hole"}, "--contact=paper");
+}
+
 TEST_F(DeformProgram, SelectsFrames) {
   ASSERT_EQ(Run("--frames=last").exit_code, 0);
   EXPECT_FALSE(fs::exists(out() + "/frame_0000"));

@@ -28,12 +28,13 @@ class ProgramsDataTest : public ::testing::Test {
   // Runs a delivered scene and returns its report.
   Json Deform(const std::string& scene,
               const std::string& solver,
-              const std::string& out) {
-    const ProgramRun run =
-        RunCommandLine(MUSCLEWARP_DEFORM,
-                       "--scene=" MUSCLEWARP_DATA_DIR "/scenes/" + scene +
-                           ".json --data_root=" + root_ +
-                           " --solver=" + solver + " --out=" + out);
+              const std::string& out,
+              const std::string& flags = "") {
+    const ProgramRun run = RunCommandLine(
+        MUSCLEWARP_DEFORM,
+        "--scene=" MUSCLEWARP_DATA_DIR "/scenes/" + scene +
+            ".json --data_root=" + root_ + " --solver=" + solver +
+            " --out=" + out + " " + flags);
     EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
     return Json::parse(FileText(out + "/report.json"));
   }
@@ -111,6 +112,70 @@ TEST_F(ProgramsDataTest, PaperCaseKeepsVolumeAndBothSolversAgree) {
   ExpectKept(ceres);
   ExpectKept(reference);
   EXPECT_LT(Distance(ceres, dir + "/ceres", dir + "/reference"), 1e-3);
+}
+
+// Paper mode: nearly nothing inside, volume kept, both solvers alike.
+void ExpectApart(const Json& none, const Json& paper) {
+  ASSERT_EQ(none["frames"].size(), paper["frames"].size());
+  for (size_t i = 0; i < paper["frames"].size(); ++i) {
+    const Json& frame = paper["frames"][i];
+    EXPECT_EQ(frame["stop_reason"], "converged") << frame["name"];
+    const int before = none["frames"][i]["intersections"]["vertices_inside"];
+    // The aim is a tenth; what is reached is nearly nothing.
+    EXPECT_LE(frame["intersections"]["vertices_inside"].get<int>(),
+              before / 100)
+        << frame["name"];
+    for (const Json& muscle : frame["muscles"]) {
+      EXPECT_NEAR(muscle["volume_ratio"], 1, 1e-6) << frame["name"];
+    }
+  }
+}
+
+TEST_F(ProgramsDataTest, PaperContactPartsThePapersCaseInBothSolvers) {
+  const std::string dir = TestTempDir();
+  const std::string scene = "bodyparts3d_gluteals";
+  const Json none = Deform(scene, "reference", dir + "/none");
+  for (const char* solver : {"reference", "ceres"}) {
+    ExpectApart(none,
+                Deform(scene, solver, dir + "/" + solver, "--contact=paper"));
+  }
+}
+
+TEST_F(ProgramsDataTest, PaperContactPartsTheHamstrings) {
+  const std::string dir = TestTempDir();
+  const std::string scene = "bodyparts3d_hamstrings";
+  ExpectApart(Deform(scene, "ceres", dir + "/none"),
+              Deform(scene, "ceres", dir + "/paper", "--contact=paper"));
+}
+
+TEST_F(ProgramsDataTest, PaperContactPartsTheLhdlHip) {
+  const std::string dir = TestTempDir();
+  for (const char* level : {"coarse", "fine"}) {
+    ExpectApart(Deform("lhdl_hip", "ceres", dir + "/none", "--frames=last"),
+                Deform("lhdl_hip",
+                       "ceres",
+                       dir + "/paper",
+                       std::string("--frames=last --contact=paper "
+                                   "--contact_level=") +
+                           level));
+  }
+}
+
+TEST_F(ProgramsDataTest, PaperContactDoesNotDependOnThreads) {
+  const std::string dir = TestTempDir();
+  for (const char* level : {"coarse", "fine"}) {
+    for (const char* threads : {"1", "3"}) {
+      Deform("bodyparts3d_gluteals",
+             "ceres",
+             dir + "/" + threads,
+             std::string("--frames=last --contact=paper --contact_level=") +
+                 level + " --threads=" + threads);
+    }
+    for (const char* muscle : {"gluteus_medius", "gluteus_minimus"}) {
+      const std::string file = std::string("/frame_0004/") + muscle + ".ply";
+      EXPECT_EQ(FileText(dir + "/1" + file), FileText(dir + "/3" + file));
+    }
+  }
 }
 
 TEST_F(ProgramsDataTest, CheckCountsWhatTheDataSetSays) {

@@ -3,9 +3,10 @@
 #include "musclewarp/motion/frame.h"
 
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "musclewarp/base/stopwatch.h"
-#include "musclewarp/geometry/dense_product.h"
 #include "musclewarp/geometry/folded_triangles.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/scene/line_targets.h"
@@ -21,18 +22,20 @@ double PolylineLength(const Points& points) {
       .sum();
 }
 
-MuscleFrame SolveMuscle(const MuscleModel& model,
-                        const ScenePose& pose,
-                        const PreRotationOptions& pre_rotation,
-                        const MuscleSolver& solver) {
+MuscleFrame FrameOf(const MuscleModel& model,
+                    const ScenePose& pose,
+                    const MuscleState& state,
+                    SolverSummary summary) {
   MuscleFrame frame;
-  Points coarse = model.coarse_rest;
-  solver(model, TargetOf(model, pose, pre_rotation), &coarse, &frame.solver);
-  frame.fine = Product(model.fine_from_coarse, coarse);
+  frame.solver = std::move(summary);
+  frame.fine = FinePoints(model, state);
   frame.volume_ratio =
       SignedVolume(frame.fine, model.fine_triangles) / model.rest_volume;
   frame.max_displacement =
       (frame.fine - model.fine_rest).rowwise().norm().maxCoeff();
+  frame.folded_triangles = static_cast<int>(
+      FoldedTriangles(model.fine_rest, frame.fine, model.fine_triangles)
+          .size());
   const std::vector<LineTarget> targets = LineTargets(model.lines, pose);
   for (size_t i = 0; i < targets.size(); ++i) {
     frame.line_lengths[model.lines[i].name] = PolylineLength(targets[i].points);
@@ -89,36 +92,52 @@ bool Frame::IsUsable() const {
 }
 
 Frame SolveFrame(const PreparedScene& scene,
+                 const SceneContact* contact,
                  int index,
                  const PreRotationOptions& pre_rotation,
-                 const MuscleSolver& solver) {
-  const Stopwatch solving;
+                 const GroupSolver& solver) {
+  const Stopwatch moving;
   Frame frame;
   frame.index = index;
   frame.pose = &scene.scene.poses[index];
-  frame.muscles.resize(scene.muscles.size());
-  const int muscle_count = static_cast<int>(scene.muscles.size());
-#pragma omp parallel for schedule(dynamic)
-  for (int i = 0; i < muscle_count; ++i) {
-    frame.muscles[i] =
-        SolveMuscle(scene.muscles[i].model, *frame.pose, pre_rotation, solver);
+  const ScenePose& pose = *frame.pose;
+  std::vector<const MuscleModel*> models;
+  std::vector<MuscleTarget> targets;
+  std::vector<MuscleState> states;
+  for (const PreparedMuscle& muscle : scene.muscles) {
+    models.push_back(&muscle.model);
+    targets.push_back(TargetOf(muscle.model, pose, pre_rotation));
+    MuscleState start;
+    start.coarse = contact
+                       ? UnconstrainedMinimizer(muscle.model, targets.back())
+                       : muscle.model.coarse_rest;
+    states.push_back(std::move(start));
   }
+  std::optional<GroupContact> group_contact;
+  if (contact) group_contact = ContactInPose(scene, *contact, pose);
+  std::vector<SolverSummary> summaries;
+  const Stopwatch solving;
+  solver(models,
+         targets,
+         group_contact ? &*group_contact : nullptr,
+         &states,
+         &summaries);
+  frame.solve_ms = solving.Milliseconds();
   for (const PreparedBone& bone : scene.bones) {
     frame.bones.push_back(
-        Transformed(bone.rest.points, BodyTransform(*frame.pose, bone.body)));
+        Transformed(bone.rest.points, BodyTransform(pose, bone.body)));
   }
-  frame.wall_ms = solving.Milliseconds();
+  frame.wall_ms = moving.Milliseconds();
 
   const Stopwatch certifying;
   std::vector<const Points*> muscles;
   std::vector<const Points*> bones;
-  for (int i = 0; i < muscle_count; ++i) {
-    const MuscleModel& model = scene.muscles[i].model;
-    frame.muscles[i].folded_triangles = static_cast<int>(
-        FoldedTriangles(
-            model.fine_rest, frame.muscles[i].fine, model.fine_triangles)
-            .size());
-    muscles.push_back(&frame.muscles[i].fine);
+  for (size_t i = 0; i < models.size(); ++i) {
+    frame.muscles.push_back(
+        FrameOf(*models[i], pose, states[i], std::move(summaries[i])));
+  }
+  for (const MuscleFrame& muscle : frame.muscles) {
+    muscles.push_back(&muscle.fine);
   }
   for (const Points& bone : frame.bones) bones.push_back(&bone);
   frame.intersections = Intersect(scene, muscles, bones);
@@ -132,6 +151,25 @@ SceneIntersections RestIntersections(const PreparedScene& scene) {
   for (const auto& muscle : scene.muscles) {
     muscles.push_back(&muscle.model.fine_rest);
   }
+  for (const auto& bone : scene.bones) bones.push_back(&bone.rest.points);
+  return Intersect(scene, muscles, bones);
+}
+
+SceneIntersections RestIntersectionsAfterFix(const PreparedScene& scene,
+                                             const SceneContact& contact) {
+  GroupContact group_contact = ContactInPose(scene, contact, ScenePose());
+  std::vector<MuscleState> states;
+  for (const auto& muscle : scene.muscles) {
+    states.push_back({muscle.model.coarse_rest, {}});
+  }
+  group_contact.Start(&states);
+  std::vector<Points> fine;
+  for (size_t i = 0; i < states.size(); ++i) {
+    fine.push_back(FinePoints(scene.muscles[i].model, states[i]));
+  }
+  std::vector<const Points*> muscles;
+  std::vector<const Points*> bones;
+  for (const Points& points : fine) muscles.push_back(&points);
   for (const auto& bone : scene.bones) bones.push_back(&bone.rest.points);
   return Intersect(scene, muscles, bones);
 }

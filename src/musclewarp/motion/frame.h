@@ -2,24 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "musclewarp/contact/scene_intersections.h"
+#include "musclewarp/motion/group_solver.h"
 #include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/motion/scene_contact.h"
 #include "musclewarp/solver/muscle_target.h"
 #include "musclewarp/solver/solver_summary.h"
 
 namespace musclewarp {
-
-// Moves the coarse vertices of one muscle (N x 3; start and result) to a
-// target.
-using MuscleSolver = std::function<void(const MuscleModel& model,
-                                        const MuscleTarget& target,
-                                        Points* coarse,
-                                        SolverSummary* summary)>;
 
 // A muscle in one pose.
 struct MuscleFrame {
@@ -38,7 +32,8 @@ struct Frame {
   std::vector<MuscleFrame> muscles;
   std::vector<Points> bones;  // #V x 3, mm
   SceneIntersections intersections;
-  double wall_ms = 0;     // solving
+  double wall_ms = 0;     // moving the scene to the pose
+  double solve_ms = 0;    // of that, in the solver
   double certify_ms = 0;  // counting intersections and folded triangles
 
   int iterations() const;  // of all muscles
@@ -47,14 +42,20 @@ struct Frame {
   bool IsUsable() const;
 };
 
-// Deforms every muscle on its own, from its rest pose; muscles are spread over
-// the threads of OpenMP, and the result does not depend on their number.
+// Deforms the muscles from their rest pose, on their own; or with `contact`
+// (null: without) together, from the shape they have without contact and volume
+// constraint: bones do not pass through their rest pose on the way.
 Frame SolveFrame(const PreparedScene& scene,
+                 const SceneContact* contact,
                  int index,
                  const PreRotationOptions& pre_rotation,
-                 const MuscleSolver& solver);
+                 const GroupSolver& solver);
 
 // The same scene with every mesh where it came.
 SceneIntersections RestIntersections(const PreparedScene& scene);
+
+// And after the initial fix of its contact.
+SceneIntersections RestIntersectionsAfterFix(const PreparedScene& scene,
+                                             const SceneContact& contact);
 
 }  // namespace musclewarp

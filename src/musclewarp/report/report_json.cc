@@ -104,6 +104,7 @@ Json ToJson(const Frame& frame, const PreparedScene& scene) {
           {"time", frame.pose->time},
           {"coordinates", frame.pose->coordinates},
           {"wall_ms", frame.wall_ms},
+          {"solve_ms", frame.solve_ms},
           {"certify_ms", frame.certify_ms},
           {"iterations", frame.iterations()},
           {"stop_reason", frame.stop_reason(scene)},
@@ -151,8 +152,27 @@ RunTotals TotalsOf(const RunRecord& run) {
   return totals;
 }
 
-nlohmann::ordered_json ReportJson(const RunRecord& run) {
+nlohmann::ordered_json MachineJson() {
   const Machine machine = ThisMachine();
+  return {{"processor", machine.processor},
+          {"cores", machine.cores},
+          {"threads", machine.threads}};
+}
+
+nlohmann::ordered_json ReportJson(const RunRecord& run) {
+  Json prepare = PrepareJson(*run.scene);
+  Json rest = {{"intersections", ToJson(run.rest)}};
+  Json contact_options = nullptr;
+  if (run.contact) {
+    prepare["contact_ms"] = run.contact->wall_ms;
+    for (const std::string& warning : run.contact->warnings) {
+      prepare["warnings"].push_back(warning);
+    }
+    rest["after_initial_fix"] = ToJson(run.rest_after_fix);
+    const GroupContactOptions& options = run.contact->options.group;
+    contact_options = {{"level", ToString(options.level)},
+                       {"seed", options.paper.seed}};
+  }
   const RunTotals totals = TotalsOf(run);
   Json frames = Json::array();
   for (const Frame& frame : run.frames) {
@@ -160,14 +180,12 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
   }
   return {{"scene", run.scene->scene.name},
           {"solver", run.solver},
-          {"contact", run.contact},
-          {"machine",
-           {{"processor", machine.processor},
-            {"cores", machine.cores},
-            {"threads", machine.threads}}},
+          {"contact", run.contact ? "paper" : "none"},
+          {"contact_options", contact_options},
+          {"machine", MachineJson()},
           {"version", MUSCLEWARP_VERSION},
-          {"prepare", PrepareJson(*run.scene)},
-          {"rest", {{"intersections", ToJson(run.rest)}}},
+          {"prepare", prepare},
+          {"rest", rest},
           {"frames", frames},
           {"summary",
            {{"frames", totals.frames},

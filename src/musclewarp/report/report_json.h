@@ -8,15 +8,17 @@
 
 #include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/motion/scene_contact.h"
 
 namespace musclewarp {
 
 // What a run did, for report.json (docs/report.md describes the keys).
 struct RunRecord {
   std::string solver;
-  std::string contact;
   const PreparedScene* scene = nullptr;
+  const SceneContact* contact = nullptr;  // null: without
   SceneIntersections rest;
+  SceneIntersections rest_after_fix;  // with contact
   std::vector<Frame> frames;
 };
 
@@ -31,6 +33,9 @@ struct RunTotals {
 };
 
 RunTotals TotalsOf(const RunRecord& run);
+
+// The machine of this run.
+nlohmann::ordered_json MachineJson();
 
 // What is wrong with a mesh as delivered.
 nlohmann::ordered_json DefectsJson(const MeshDefects& defects);

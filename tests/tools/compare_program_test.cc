@@ -1,0 +1,109 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "support/temp_dir.h"
+#include "tools/run_program.h"
+
+namespace musclewarp {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+ProgramRun Compare(const std::string& arguments) {
+  return RunCommandLine(
+      MUSCLEWARP_COMPARE,
+      "--scene=" MUSCLEWARP_DATA_DIR "/phantom/scene.json " + arguments);
+}
+
+int Lines(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace
+
+TEST(CompareProgram, ComparesAllConfigurations) {
+  const std::string out = TestTempDir() + "/out";
+  const ProgramRun run =
+      Compare("--frames=last --coarse_vertices=60 --out=" + out);
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const Json comparison = Json::parse(FileText(out + "/comparison.json"));
+  ASSERT_EQ(comparison["rows"].size(), 6u);
+  size_t iterations = 0;
+  for (const Json& row : comparison["rows"]) {
+    EXPECT_THAT(run.out, HasSubstr(row["configuration"].get<std::string>()));
+    EXPECT_EQ(row["stop_reason"], "converged") << row["configuration"];
+    // All of them find the same minimum.
+    EXPECT_NEAR(row["cost_ratio"], 1, 1e-6) << row["configuration"];
+    EXPECT_NEAR(row["volume_ratio"], 1, 1e-6) << row["configuration"];
+    EXPECT_LT(row["distance_to_reference_mm"], 1e-2) << row["configuration"];
+    EXPECT_GT(row["iterations"], 0);
+    for (const Json& muscle : row["muscles"]) {
+      iterations += muscle["history"].size();
+    }
+  }
+  EXPECT_EQ(Lines(FileText(out + "/comparison.csv")), 1 + 6);
+  EXPECT_EQ(Lines(FileText(out + "/history.csv")),
+            1 + static_cast<int>(iterations));
+}
+
+TEST(CompareProgram, ContactKeepsMusclesApart) {
+  const std::string out = TestTempDir() + "/out";
+  const ProgramRun run = Compare(
+      "--frames=last --configurations=reference,ceres --contact=none,paper "
+      "--out=" +
+      out);
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const Json comparison = Json::parse(FileText(out + "/comparison.json"));
+  std::map<std::string, Json> rows;
+  for (const Json& row : comparison["rows"]) {
+    rows[row["configuration"].get<std::string>() + " " +
+         row["contact"].get<std::string>()] = row;
+  }
+  ASSERT_EQ(rows.size(), 4u);
+  for (const char* solver : {"reference", "ceres"}) {
+    const Json& none = rows[std::string(solver) + " none"];
+    const Json& paper = rows[std::string(solver) + " paper/coarse"];
+    EXPECT_GT(none["vertices_inside"], 100);
+    EXPECT_LE(paper["vertices_inside"].get<int>(),
+              none["vertices_inside"].get<int>() / 10);
+    EXPECT_NEAR(paper["volume_ratio"], 1, 1e-6);
+    EXPECT_EQ(paper["stop_reason"], "converged");
+  }
+}
+
+TEST(CompareProgram, AConfigurationThatDoesNotGetThereIsARow) {
+  TestTempDir();
+  const ProgramRun run = Compare(
+      "--frames=last --configurations=reference,ceres --max_iterations=2");
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.out, HasSubstr("iteration_limit"));
+}
+
+TEST(CompareProgram, RefusesBadFlags) {
+  TestTempDir();
+  const auto expect_refused = [](const std::string& flags,
+                                 const std::string& word) {
+    const ProgramRun run = Compare(flags);
+    EXPECT_EQ(run.exit_code, 2) << flags;
+    EXPECT_THAT(run.errors, HasSubstr(word)) << flags;
+  };
+  expect_refused("--configurations=newton", "ceres_cgnr");
+  expect_refused("--configurations=", "--configurations");
+  expect_refused("--contact=some", "allowed: none, paper");
+  expect_refused("--contact_level=medium", "coarse, fine");
+  expect_refused("--repeat=0", "--repeat");
+  expect_refused("--max_iterations=0", "--max_iterations");
+  expect_refused("--bone_coarse_vertices=3 --contact=paper", "20 to 5000");
+  expect_refused("--frames=99", "--frames");
+}
+
+}  // namespace musclewarp

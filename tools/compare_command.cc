@@ -1,0 +1,167 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/compare_command.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/report/screen_report.h"
+#include "tools/comparison.h"
+#include "tools/program.h"
+
+namespace musclewarp {
+namespace {
+
+std::string NameOf(DeformContact contact, const DeformOptions& options) {
+  if (contact == DeformContact::kNone) return "none";
+  return "paper/" + ToString(options.scene_contact.group.level);
+}
+
+// The frame of a configuration, with the median time of the repeats.
+Frame SolveRepeatedly(const PreparedScene& scene,
+                      const SceneContact* contact,
+                      int index,
+                      const CompareOptions& options,
+                      const SolverConfiguration& configuration) {
+  const GroupSolver solver = SolverOf(configuration, contact != nullptr);
+  std::vector<double> times;
+  std::optional<Frame> frame;
+  for (int k = 0; k < options.repeat; ++k) {
+    frame =
+        SolveFrame(scene, contact, index, options.deform.pre_rotation, solver);
+    times.push_back(frame->solve_ms);
+  }
+  std::nth_element(
+      times.begin(), times.begin() + times.size() / 2, times.end());
+  frame->solve_ms = times[times.size() / 2];
+  return std::move(*frame);
+}
+
+ComparisonRow RowOfFailure(const ScenePose& pose,
+                           int index,
+                           const std::string& why) {
+  ComparisonRow row;
+  row.frame = index;
+  row.pose = pose.name;
+  row.stop_reason = "failed: " + why;
+  return row;
+}
+
+}  // namespace
+
+std::vector<SolverConfiguration> ParseConfigurations(const std::string& text) {
+  const auto& names = SolverConfigurationNames();
+  std::vector<SolverConfiguration> configurations;
+  if (text == "all") {
+    for (const std::string& name : names) {
+      configurations.push_back(SolverConfigurationNamed(name));
+    }
+    return configurations;
+  }
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    if (std::count(names.begin(), names.end(), word) == 0) {
+      std::string allowed = "all";
+      for (const std::string& name : names) allowed += ", " + name;
+      throw InputError("--configurations=" + text,
+                       "\"" + word + "\" is not a configuration",
+                       "allowed: " + allowed);
+    }
+    configurations.push_back(SolverConfigurationNamed(word));
+  }
+  if (configurations.empty()) {
+    throw InputError("--configurations", "is empty", "name one, or all");
+  }
+  return configurations;
+}
+
+std::vector<DeformContact> ParseContacts(const std::string& text) {
+  std::vector<DeformContact> contacts;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    contacts.push_back(ParseDeformContact(word));
+  }
+  if (contacts.empty()) {
+    throw InputError("--contact", "is empty", "allowed: none, paper, or both");
+  }
+  return contacts;
+}
+
+int CompareCommand(const CompareOptions& options, std::ostream& screen) {
+  const DeformOptions& deform = options.deform;
+  CheckSceneOptions(deform);
+  if (options.repeat < 1) {
+    throw InputError("--repeat",
+                     "is " + std::to_string(options.repeat),
+                     "allowed: 1 or above");
+  }
+  if (!deform.out.empty()) CheckWritable(deform.out);
+  if (deform.threads > 0) omp_set_num_threads(deform.threads);
+  const Scene scene = ReadScene(deform.scene, deform.data_root);
+  const std::vector<int> selected =
+      SelectFrames(deform.frames, static_cast<int>(scene.poses.size()));
+  const PreparedScene prepared = PrepareScene(scene, deform.prepare);
+  std::optional<SceneContact> scene_contact;
+  if (std::count(options.contacts.begin(),
+                 options.contacts.end(),
+                 DeformContact::kPaper)) {
+    scene_contact = PrepareContact(prepared, deform.scene_contact);
+  }
+  PrintPreparation(prepared, screen);
+
+  std::vector<ComparisonRow> rows;
+  for (const int index : selected) {
+    for (const DeformContact contact : options.contacts) {
+      const bool with_contact = contact == DeformContact::kPaper;
+      std::optional<Frame> reference;
+      for (const SolverConfiguration& configuration : options.configurations) {
+        std::string error;
+        ComparisonRow row;
+        if (!configuration.IsValid(&error)) {
+          row = RowOfFailure(prepared.scene.poses[index], index, error);
+        } else {
+          Frame frame =
+              SolveRepeatedly(prepared,
+                              with_contact ? &*scene_contact : nullptr,
+                              index,
+                              options,
+                              configuration);
+          const bool is_reference = configuration.is_reference && !reference;
+          row = RowOf(frame,
+                      is_reference ? &frame
+                      : reference  ? &*reference
+                                   : nullptr,
+                      prepared,
+                      with_contact);
+          if (is_reference) reference = std::move(frame);
+        }
+        row.configuration = configuration.name;
+        row.contact = NameOf(contact, deform);
+        rows.push_back(std::move(row));
+      }
+    }
+  }
+  PrintComparison(rows, screen);
+  if (!deform.out.empty()) {
+    MakeFolder(deform.out);
+    const std::filesystem::path out = deform.out;
+    WriteTextAtomically((out / "comparison.csv").string(), ComparisonCsv(rows));
+    WriteTextAtomically((out / "history.csv").string(),
+                        HistoryCsv(rows, prepared));
+    WriteTextAtomically((out / "comparison.json").string(),
+                        ComparisonJson(rows, prepared).dump(2) + "\n");
+    screen << "written: " << out.string()
+           << "/comparison.csv, comparison.json, history.csv\n";
+  }
+  return kExitUsable;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,55 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "musclewarp/motion/frame.h"
+#include "musclewarp/motion/prepared_scene.h"
+
+namespace musclewarp {
+
+// What one solver configuration made of one pose.
+struct ComparisonRow {
+  int frame = 0;
+  std::string pose;
+  std::string configuration;
+  std::string contact;  // "none", "paper/coarse", ...
+  std::string stop_reason;
+
+  // Not filled in if the configuration could not be run.
+  bool was_run = false;
+  int iterations = 0;  // of all muscles; of the group where they are in contact
+  double ms = 0;       // in the solver; the median of the repeats
+  double ms_per_iteration = 0;
+  double time_ratio = 0;    // to the reference with the same contact
+  double final_cost = 0;    // 1/2 |f|^2 of all muscles, mm^2
+  double cost_ratio = 0;    // to the reference with the same contact
+  double volume_ratio = 0;  // of the muscle that is farthest from 1
+  double distance = 0;      // to the reference, largest of a fine vertex, mm
+  int folded_triangles = 0;
+  SceneIntersections intersections;
+  std::vector<SolverSummary> muscles;
+};
+
+// A solver's result beside that of the reference in the same pose and with the
+// same contact; null if there is none.
+ComparisonRow RowOf(const Frame& frame,
+                    const Frame* reference,
+                    const PreparedScene& scene,
+                    bool with_contact);
+
+void PrintComparison(const std::vector<ComparisonRow>& rows, std::ostream& out);
+
+// A line a row; a line an iteration of a muscle.
+std::string ComparisonCsv(const std::vector<ComparisonRow>& rows);
+std::string HistoryCsv(const std::vector<ComparisonRow>& rows,
+                       const PreparedScene& scene);
+
+nlohmann::ordered_json ComparisonJson(const std::vector<ComparisonRow>& rows,
+                                      const PreparedScene& scene);
+
+}  // namespace musclewarp

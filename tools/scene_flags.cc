@@ -1,0 +1,70 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/scene_flags.h"
+
+#include <gflags/gflags.h>
+
+#include "musclewarp/base/input_error.h"
+
+DEFINE_string(scene, "", "scene file (JSON)");
+DEFINE_string(data_root,
+              "",
+              "folder that the paths in the scene are relative to; without it "
+              "the folder of the scene file");
+DEFINE_string(frames,
+              "all",
+              "poses to compute: all, last, N, FIRST:LAST or FIRST:LAST:STEP "
+              "(last included)");
+DEFINE_string(contact_level,
+              "coarse",
+              "what meets with --contact=paper: coarse (hulls) or fine (the "
+              "meshes)");
+DEFINE_int32(max_iterations, 500, "of a solver, before it gives up");
+DEFINE_uint32(seed, 1, "of the rays that tell inside from outside");
+DEFINE_int32(threads, 0, "threads; 0: one a core");
+DEFINE_int32(coarse_vertices, 200, "vertices of the hull of a muscle, about");
+DEFINE_int32(bone_coarse_vertices,
+             1000,
+             "vertices of the hull of a bone, about (--contact_level=coarse)");
+DEFINE_double(sample_spacing, 10, "distance of samples along a line, mm");
+DEFINE_double(skeleton_weight,
+              1,
+              "how strongly a muscle follows its lines, against its shape");
+DEFINE_double(attachment_weight,
+              0,
+              "how strongly attachment areas follow their bones; 0: not");
+DEFINE_bool(body_twist,
+            true,
+            "muscles turn about their lines as the bones at the ends do");
+
+namespace musclewarp {
+
+DeformOptions SceneOptionsFromFlags() {
+  DeformOptions options;
+  options.scene = FLAGS_scene;
+  options.data_root = FLAGS_data_root;
+  options.frames = FLAGS_frames;
+  options.threads = FLAGS_threads;
+  options.scene_contact.group.level = ParseContactLevel(FLAGS_contact_level);
+  options.scene_contact.group.paper.seed = FLAGS_seed;
+  options.scene_contact.bone_hull.coarse_vertices = FLAGS_bone_coarse_vertices;
+  options.prepare.muscle.hull.coarse_vertices = FLAGS_coarse_vertices;
+  options.prepare.muscle.sample_spacing = FLAGS_sample_spacing;
+  options.prepare.muscle.skeleton_weight = FLAGS_skeleton_weight;
+  options.prepare.muscle.attachment_weight = FLAGS_attachment_weight;
+  options.pre_rotation.use_body_twist = FLAGS_body_twist;
+  return options;
+}
+
+void SetIterationLimit(SolverConfiguration* configuration) {
+  if (FLAGS_max_iterations < 1) {
+    throw InputError("--max_iterations",
+                     "is " + std::to_string(FLAGS_max_iterations),
+                     "allowed: 1 or above");
+  }
+  configuration->gauss_newton.max_iterations = FLAGS_max_iterations;
+  configuration->ceres.iteration.max_iterations = FLAGS_max_iterations;
+  configuration->ceres.muscle.hard_constraint.max_rounds = FLAGS_max_iterations;
+}
+
+}  // namespace musclewarp
