@@ -4,6 +4,7 @@
 
 #include <gflags/gflags.h>
 #include <glog/logging.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -46,6 +47,16 @@ void PrintHelp(const std::string& usage) {
   }
 }
 
+// Threads that wait for each other without sleeping cost a few percent less on
+// an idle machine, and several times more on one that does something else, too.
+// OpenMP reads its policy before main, so the program starts itself again; if
+// that fails, it goes on as it is.
+void WaitPassively(char** argv) {
+  if (std::getenv("OMP_WAIT_POLICY")) return;
+  setenv("OMP_WAIT_POLICY", "passive", /*overwrite=*/1);
+  execv("/proc/self/exe", argv);
+}
+
 }  // namespace
 
 int RunProgram(
@@ -53,6 +64,7 @@ int RunProgram(
     char** argv,
     const std::string& usage,
     const std::function<int(const std::vector<std::string>&)>& command) {
+  WaitPassively(argv);
   const std::string name = std::filesystem::path(argv[0]).filename().string();
   FLAGS_logtostderr = true;  // no log files
   FLAGS_log_prefix = false;

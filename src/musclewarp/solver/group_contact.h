@@ -85,9 +85,9 @@ class GroupContact {
   int found_inside(int muscle) const;
 
   // The final check and fix on the fine meshes: what is still inside another
-  // body is dragged out as in the initial fix, and the volume restored with
-  // those vertices held, until nothing is inside or max_final_rounds have
-  // passed. True if nothing is inside.
+  // body is pushed out (contact/final_fix.h) and the volume restored with those
+  // vertices held, until nothing is inside or max_final_rounds have passed.
+  // True if nothing is inside.
   bool Finish(std::vector<MuscleState>* states);
 
  private:
