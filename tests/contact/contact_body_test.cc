@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "contact/contact_cases.h"
 #include "support/meshes.h"
@@ -26,6 +27,13 @@ Eigen::Matrix4d SomeMotion() {
 TEST(ContactBody, AnObstacleAnswersWhereItIs) {
   const ContactShape shape("bone", Icosphere(10, 2), 1);
   const ContactBody obstacle = ContactBody::Obstacle(shape, SomeMotion());
+  for (Eigen::Index v = 0; v < shape.rest.rows(); ++v) {
+    const Eigen::Vector4d p =
+        SomeMotion() * shape.rest.row(v).transpose().homogeneous();
+    // Rounding of coordinates of size 20.
+    EXPECT_LT((obstacle.points().row(v).transpose() - p.head<3>()).norm(),
+              1e-12);
+  }
   const ContactShape moved("moved", {obstacle.points(), shape.triangles}, 1);
   const ContactBody expected =
       ContactBody::Obstacle(moved, Eigen::Matrix4d::Identity());
