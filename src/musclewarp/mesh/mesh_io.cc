@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh/legacy_vtk_io.h"
 #include "musclewarp/mesh/obj_io.h"
@@ -81,44 +82,6 @@ const Format& FormatOf(const std::string& path) {
                    "use " + allowed);
 }
 
-void CheckIsFile(const std::string& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) {
-    throw InputError(path, "does not exist", "check the name and the folder");
-  }
-  if (fs::is_directory(status)) {
-    throw InputError(path, "is a folder", "name a mesh file in it");
-  }
-  // A pipe could block for ever.
-  if (!fs::is_regular_file(status)) {
-    throw InputError(path, "is no regular file", "name a mesh file");
-  }
-}
-
-std::string ReadBytes(const std::string& path) {
-  std::error_code error;
-  const std::uintmax_t size = fs::file_size(path, error);
-  std::ifstream file(path, std::ios::binary);
-  if (error || !file) {
-    throw InputError(
-        path, "cannot be opened", "check that you are allowed to read it");
-  }
-  if (size == 0) {
-    throw InputError(path, "is empty (0 bytes)", "copy or export it again");
-  }
-  std::string bytes(size, '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (static_cast<std::uintmax_t>(file.gcount()) != size) {
-    throw InputError(path,
-                     "could be read up to byte " +
-                         std::to_string(file.gcount()) + " of " +
-                         std::to_string(size),
-                     "check the disk and try again");
-  }
-  return bytes;
-}
-
 void CheckIsSound(const TriangleSoup& soup) {
   CHECK(soup.points.allFinite());
   if (soup.triangles.size() == 0) return;
@@ -142,9 +105,8 @@ void CheckFitsStl(const std::string& path, const TriangleSoup& soup) {
 }  // namespace
 
 TriangleSoup ReadTriangleSoup(const std::string& path) {
-  CheckIsFile(path);
   const Format& format = FormatOf(path);
-  return format.read(path, ReadBytes(path));
+  return format.read(path, ReadFile(path));
 }
 
 void WriteTriangleSoup(const std::string& path, const TriangleSoup& soup) {

@@ -5,11 +5,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/input_file.h"
 
 namespace musclewarp {
 namespace {
@@ -58,12 +57,7 @@ Json ParseText(const std::string& text, const std::string& file) {
 }  // namespace
 
 JsonField JsonField::ParseFile(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw InputError(file, "cannot be read", "check the path");
-  }
-  const std::string text((std::istreambuf_iterator<char>(stream)), {});
-  return JsonField(ParseText(text, file), file, "");
+  return JsonField(ParseText(ReadFile(file), file), file, "");
 }
 
 std::string JsonField::where() const {
@@ -131,6 +125,13 @@ double JsonField::AsNumber() const {
     Fail("is " + Shortened(value_), "give a finite number");
   }
   return value_.get<double>();
+}
+
+bool JsonField::AsBool() const {
+  if (!value_.is_boolean()) {
+    Fail("is " + Shortened(value_), "give true or false");
+  }
+  return value_.get<bool>();
 }
 
 std::vector<std::string> JsonField::AsStrings() const {

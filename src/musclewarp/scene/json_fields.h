@@ -39,6 +39,7 @@ class JsonField {
 
   std::string AsString() const;                // not empty
   double AsNumber() const;                     // finite
+  bool AsBool() const;
   std::vector<std::string> AsStrings() const;  // ["...", ...]
   Points AsPoints() const;                     // [[x, y, z], ...]
   // [[4 numbers] x 4], row major, a rigid motion.

@@ -2,9 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/scene/scene.h"
 
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <iomanip>
+#include <optional>
+#include <sstream>
+#include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/opensim/coordinate_motion.h"
+#include "musclewarp/opensim/storage_table.h"
 #include "musclewarp/scene/json_fields.h"
 #include "musclewarp/scene/poses_file.h"
 #include "musclewarp/scene/scene_checks.h"
@@ -25,12 +34,36 @@ ActionLine ReadInlineLine(const JsonField& field) {
   return line;
 }
 
-ActionLine ReadLine(const JsonField& field, const PosesFile& poses_file) {
+// Lines known by name.
+struct NamedLines {
+  PosesFile poses_file;
+  const Model* model = nullptr;
+};
+
+// The path of a muscle of the model. Its rest points wait until the meshes are
+// put on the model.
+ActionLine ReadModelLine(const Model& model, int muscle) {
+  CheckMuscleIsSupported(model, muscle);
+  ActionLine line;
+  line.name = model.muscles[muscle].name;
+  for (const PathPoint& point : model.muscles[muscle].path) {
+    if (point.condition >= 0) continue;
+    line.bodies.push_back(model.bodies[point.body].name);
+  }
+  return line;
+}
+
+ActionLine ReadLine(const JsonField& field, const NamedLines& named) {
   if (!field.value().is_string()) return ReadInlineLine(field);
-  const auto line = poses_file.lines.find(field.AsString());
-  if (line == poses_file.lines.end()) {
-    field.Fail("names the line \"" + field.AsString() +
-                   "\", which the poses_file does not have",
+  const std::string name = field.AsString();
+  // A muscle of the model moves as the model has it, conditions and all.
+  const int muscle = named.model ? named.model->FindMuscle(name) : -1;
+  if (muscle >= 0) return ReadModelLine(*named.model, muscle);
+  const auto line = named.poses_file.lines.find(name);
+  if (line == named.poses_file.lines.end()) {
+    field.Fail("names the line \"" + name + "\", which " +
+                   (named.model ? named.model->path + " does not have"
+                                : "the poses_file does not have"),
                "check the name, or give the line as an object");
   }
   return line->second;
@@ -52,18 +85,17 @@ Attachment ReadAttachment(const JsonField& field) {
 }
 
 SceneMuscle ReadMuscle(const JsonField& field,
-                       const PosesFile& poses_file,
+                       const NamedLines& named,
                        const std::string& root) {
   field.CheckKeys({"name", "mesh", "lines", "attachments"});
   SceneMuscle muscle;
   muscle.name = field.At("name").AsString();
   muscle.mesh_path = Resolve(field.At("mesh").AsString(), root);
-  const JsonField lines = field.At("lines");
-  for (size_t i = 0; i < lines.ArraySize(); ++i) {
-    muscle.lines.push_back(ReadLine(lines.At(i), poses_file));
-  }
-  if (muscle.lines.empty()) {
-    lines.Fail("is empty", "a muscle follows at least one line");
+  if (field.Has("lines")) {
+    const JsonField lines = field.At("lines");
+    for (size_t i = 0; i < lines.ArraySize(); ++i) {
+      muscle.lines.push_back(ReadLine(lines.At(i), named));
+    }
   }
   if (field.Has("attachments")) {
     const JsonField attachments = field.At("attachments");
@@ -74,11 +106,19 @@ SceneMuscle ReadMuscle(const JsonField& field,
   return muscle;
 }
 
-SceneBone ReadBone(const JsonField& field, const std::string& root) {
+// A bone without mesh stands for all meshes that the model attaches to its
+// body; they are found once the meshes are put on the model.
+SceneBone ReadBone(const JsonField& field,
+                   const std::string& root,
+                   bool has_model) {
   field.CheckKeys({"name", "mesh", "body"});
-  return {field.At("name").AsString(),
-          Resolve(field.At("mesh").AsString(), root),
-          field.At("body").AsString()};
+  SceneBone bone;
+  bone.name = field.At("name").AsString();
+  if (field.Has("mesh") || !has_model) {
+    bone.mesh_path = Resolve(field.At("mesh").AsString(), root);
+  }
+  bone.body = field.At("body").AsString();
+  return bone;
 }
 
 ScenePose ReadPose(const JsonField& field) {
@@ -131,9 +171,156 @@ void KeepTargetsInUse(Scene* scene) {
   }
 }
 
+// Poses whose times rise are a motion; poses without times are not.
+bool TimesRise(const std::vector<ScenePose>& poses) {
+  for (size_t i = 0; i + 1 < poses.size(); ++i) {
+    if (poses[i].time >= poses[i + 1].time) return false;
+  }
+  return poses.size() > 1;
+}
+
+ModelRest ReadModelRest(const JsonField& scene, const Model& model) {
+  ModelRest rest;
+  if (!scene.Has("model_rest")) return rest;
+  const JsonField field = scene.At("model_rest");
+  field.CheckKeys({"coordinates", "in_degrees", "frame"});
+  if (field.Has("frame")) rest.frame = field.At("frame").AsString();
+  const JsonField coordinates = field.At("coordinates");
+  coordinates.CheckObject();
+  const bool in_degrees = field.At("in_degrees").AsBool();
+  rest.coordinates.emplace();
+  for (const auto& item : coordinates.value().items()) {
+    const int index = model.FindCoordinate(item.key());
+    const bool is_angle =
+        index >= 0 &&
+        model.coordinates[index].kind == CoordinateKind::kRotational;
+    (*rest.coordinates)[item.key()] = coordinates.At(item.key()).AsNumber() *
+                                      (in_degrees && is_angle ? M_PI / 180 : 1);
+  }
+  return rest;
+}
+
+// The model's file of an attached mesh: beside the model, or in a folder
+// "Geometry" there or one above, where OpenSim looks.
+std::string FindGeometry(const Model& model, const ModelGeometry& geometry) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(model.path).parent_path();
+  for (const char* place : {"", "Geometry", "geometry", "../Geometry"}) {
+    const fs::path file = folder / place / geometry.file;
+    if (fs::exists(file)) return file.lexically_normal().string();
+  }
+  throw InputError(model.path,
+                   "names the geometry file \"" + geometry.file +
+                       "\", which is not there",
+                   "put it beside the model or into its folder Geometry, or "
+                   "give the bone a \"mesh\"");
+}
+
+// One bone for each mesh of the model on the body of `bone`.
+std::vector<SceneBone> BonesOfModel(const SceneBone& bone,
+                                    const ModelPoses& poses,
+                                    const std::string& where) {
+  constexpr double kMillimetres = 1000;  // in a metre
+  const int body = poses.model.FindBody(bone.body);
+  const auto& geometry = poses.model.bodies[body].geometry;
+  if (geometry.empty()) {
+    throw InputError(where + ": bone \"" + bone.name + "\"",
+                     "has no mesh, and " + poses.model.path +
+                         " attaches none to " + bone.body,
+                     "give a \"mesh\"");
+  }
+  std::vector<SceneBone> bones;
+  for (const ModelGeometry& mesh : geometry) {
+    SceneBone one = bone;
+    if (geometry.size() > 1) {
+      one.name += "_" + std::filesystem::path(mesh.file).stem().string();
+    }
+    one.mesh_path = FindGeometry(poses.model, mesh);
+    Eigen::Matrix4d scale = Eigen::Matrix4d::Identity();
+    scale.diagonal().head<3>() = kMillimetres * mesh.scale;
+    one.rest_from_file =
+        poses.body_from_rest[body].inverse() * mesh.body_from_mesh * scale;
+    bones.push_back(std::move(one));
+  }
+  return bones;
+}
+
+// Bodies in the order in which bones, lines and attachments name them.
+std::vector<std::string> BodiesInUse(const Scene& scene) {
+  std::vector<std::string> bodies;
+  const auto add = [&](const std::string& body) {
+    if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) {
+      bodies.push_back(body);
+    }
+  };
+  for (const SceneBone& bone : scene.bones) add(bone.body);
+  for (const SceneMuscle& muscle : scene.muscles) {
+    for (const ActionLine& line : muscle.lines) {
+      for (const std::string& body : line.bodies) add(body);
+    }
+    for (const Attachment& attachment : muscle.attachments) {
+      add(attachment.body);
+    }
+  }
+  return bodies;
+}
+
+// Puts a scene whose muscles and bones are read onto its model, and takes its
+// poses from the motion.
+void AddModelPoses(const JsonField& field,
+                   Model model,
+                   const std::string& motion_path,
+                   Scene* scene) {
+  const ModelRest rest = ReadModelRest(field, model);
+  const std::vector<std::string> bodies = BodiesInUse(*scene);
+  if (bodies.empty()) {
+    field.Fail("has a model, but neither bones nor lines on its bodies",
+               "add \"bones\"");
+  }
+  scene->warnings = model.warnings;
+  scene->motion_path = motion_path;
+  const CoordinateMotion motion =
+      MotionOf(model, ReadStorageTable(motion_path), motion_path);
+  scene->warnings.insert(
+      scene->warnings.end(), motion.warnings.begin(), motion.warnings.end());
+  auto poses = std::make_shared<ModelPoses>(BindModel(
+      std::move(model), rest, bodies, field.file(), &scene->notes));
+  poses->given_coordinates = motion.given;
+  poses->moving_coordinates = motion.moving;
+  for (SceneMuscle& muscle : scene->muscles) {
+    for (ActionLine& line : muscle.lines) {
+      if (line.rest.rows() > 0) continue;
+      poses->muscles.push_back(poses->model.FindMuscle(line.name));
+      line = LineOfMuscle(*poses, poses->muscles.back());
+    }
+  }
+  std::vector<SceneBone> bones;
+  for (const SceneBone& bone : scene->bones) {
+    if (!bone.mesh_path.empty()) {
+      bones.push_back(bone);
+      continue;
+    }
+    const auto found = BonesOfModel(bone, *poses, field.file());
+    bones.insert(bones.end(), found.begin(), found.end());
+  }
+  scene->bones = std::move(bones);
+  for (size_t i = 0; i < motion.times.size(); ++i) {
+    ScenePose pose = PoseAt(*poses, motion.values[i]);
+    pose.time = motion.times[i];
+    std::ostringstream name;
+    name << std::setprecision(10) << "t=" << pose.time;
+    pose.name = name.str();
+    scene->poses.push_back(std::move(pose));
+  }
+  scene->model = std::move(poses);
+  scene->is_motion = true;
+}
+
 }  // namespace
 
-Scene ReadScene(const std::string& path, const std::string& data_root) {
+Scene ReadScene(const std::string& path,
+                const std::string& data_root,
+                const std::string& motion) {
   const JsonField field = JsonField::ParseFile(path);
   field.CheckKeys({"name",
                    "units",
@@ -142,16 +329,19 @@ Scene ReadScene(const std::string& path, const std::string& data_root) {
                    "poses",
                    "poses_file",
                    "model",
+                   "model_rest",
                    "motion"});
-  if (field.Has("model") || field.Has("motion")) {
-    field.Fail(
-        "names an OpenSim model or motion, which this version does not "
-        "read",
-        "give \"poses\" or a \"poses_file\"");
-  }
   if (field.At("units").AsString() != "mm") {
     field.At("units").Fail("is \"" + field.At("units").AsString() + "\"",
                            "allowed: \"mm\"; scale the meshes");
+  }
+  const bool has_model = field.Has("model");
+  if (has_model && field.Has("poses")) {
+    field.Fail("has both \"poses\" and a \"model\"", "leave one of them out");
+  }
+  if (!has_model && (field.Has("motion") || field.Has("model_rest") ||
+                     !motion.empty())) {
+    field.Fail("has a motion but no \"model\"", "add the OpenSim model");
   }
   const std::string root =
       data_root.empty() ? std::filesystem::path(path).parent_path().string()
@@ -160,31 +350,49 @@ Scene ReadScene(const std::string& path, const std::string& data_root) {
   Scene scene;
   scene.name = field.At("name").AsString();
   scene.path = path;
+  NamedLines named;
+  std::optional<Model> model;
+  if (has_model) {
+    model = ReadModel(Resolve(field.At("model").AsString(), root));
+    named.model = &*model;
+  }
   if (field.Has("poses")) {
     const JsonField poses = field.At("poses");
     for (size_t i = 0; i < poses.ArraySize(); ++i) {
       scene.poses.push_back(ReadPose(poses.At(i)));
     }
   }
-  PosesFile poses_file;
   if (field.Has("poses_file")) {
-    poses_file = ReadPosesFileOf(field, root);
-    scene.poses.insert(
-        scene.poses.end(), poses_file.poses.begin(), poses_file.poses.end());
+    named.poses_file = ReadPosesFileOf(field, root);
+    // Beside a model it is there for its lines.
+    if (!has_model) {
+      const auto& poses = named.poses_file.poses;
+      scene.poses.insert(scene.poses.end(), poses.begin(), poses.end());
+    }
   }
   const JsonField muscles = field.At("muscles");
   for (size_t i = 0; i < muscles.ArraySize(); ++i) {
-    scene.muscles.push_back(ReadMuscle(muscles.At(i), poses_file, root));
+    scene.muscles.push_back(ReadMuscle(muscles.At(i), named, root));
   }
   if (field.Has("bones")) {
     const JsonField bones = field.At("bones");
     for (size_t i = 0; i < bones.ArraySize(); ++i) {
-      scene.bones.push_back(ReadBone(bones.At(i), root));
+      scene.bones.push_back(ReadBone(bones.At(i), root, has_model));
     }
   }
   if (scene.muscles.empty()) muscles.Fail("is empty", "add a muscle");
+  if (has_model) {
+    const std::string motion_path =
+        motion.empty() ? field.At("motion").AsString() : motion;
+    AddModelPoses(
+        field, std::move(*model), Resolve(motion_path, root), &scene);
+  } else {
+    scene.is_motion = TimesRise(scene.poses);
+  }
   if (scene.poses.empty()) {
-    field.Fail("has no pose", "add \"poses\" or a \"poses_file\"");
+    field.Fail("has no pose",
+               "add \"poses\", a \"poses_file\", or \"model\" and "
+               "\"motion\"");
   }
   if (field.Has("poses_file")) KeepTargetsInUse(&scene);
   CheckScene(scene);

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/scene/model_poses.h"
+#include "musclewarp/scene/scene_pose.h"
 #include "musclewarp/skeleton/action_line.h"
 
 namespace musclewarp {
@@ -23,7 +25,7 @@ struct Attachment {
 struct SceneMuscle {
   std::string name;
   std::string mesh_path;
-  std::vector<ActionLine> lines;
+  std::vector<ActionLine> lines;  // none: to be made from the meshes
   std::vector<Attachment> attachments;
 };
 
@@ -31,17 +33,9 @@ struct SceneBone {
   std::string name;
   std::string mesh_path;
   std::string body;
-};
-
-// One instant of the motion.
-struct ScenePose {
-  std::string name;
-  double time = 0;                            // s
-  std::map<std::string, double> coordinates;  // for the record only
-  // target_from_rest, mm; a body that is not named stays.
-  std::map<std::string, Eigen::Matrix4d> bodies;
-  // Target points by line name; a line that is not named moves with its bodies.
-  std::map<std::string, Points> lines;
+  // What puts the points of the file into the scene: scale and place of meshes
+  // that a model names; the identity for those of the scene file.
+  Eigen::Matrix4d rest_from_file = Eigen::Matrix4d::Identity();
 };
 
 // Muscles, bones and poses; meshes are named, not yet read. All positions are
@@ -52,14 +46,38 @@ struct Scene {
   std::vector<SceneMuscle> muscles;
   std::vector<SceneBone> bones;
   std::vector<ScenePose> poses;
+  // The poses follow each other (their times rise): a frame starts from the one
+  // before. Else each is on its own.
+  bool is_motion = false;
+  // Where the poses come from, if that is an OpenSim model; else null.
+  std::shared_ptr<const ModelPoses> model;
+  std::string motion_path;
+  // What was passed over, or found, while reading.
+  std::vector<std::string> warnings;
+  std::vector<std::string> notes;
 };
 
-// Reads a scene file (docs/scene.md). Paths in it are relative to `data_root`,
-// or to the folder of the scene file if that is empty. Throws InputError that
-// names the file and the field: not JSON, unknown key, missing key, wrong type,
-// duplicate name, a body that nothing names, a line with too few or repeated
-// points, rest and target of different length, a matrix that is not a rigid
-// motion.
-Scene ReadScene(const std::string& path, const std::string& data_root);
+// Reads a scene file (docs/scene.md), and the model and motion it names. Paths
+// in it are relative to `data_root`, or to the folder of the scene file if that
+// is empty; `motion`, if not empty, is taken in place of the scene's motion.
+// Throws InputError that names the file and the field: not JSON, unknown key,
+// missing key, wrong type, duplicate name, a body that nothing names, a line
+// with too few or repeated points, rest and target of different length, a
+// matrix that is not a rigid motion; and what ReadModel, ReadStorageTable,
+// MotionOf and BindModel throw.
+Scene ReadScene(const std::string& path,
+                const std::string& data_root,
+                const std::string& motion = "");
+
+// The pose at a part (0 to 1) of the way from one pose to another: coordinates
+// of the model in between, or bodies turned and moved evenly and lines straight
+// if there is no model. Of two null transforms of a body the identity counts.
+ScenePose PoseBetween(const Scene& scene,
+                      const ScenePose& from,
+                      const ScenePose& to,
+                      double part);
+
+// The pose the meshes came in.
+ScenePose RestPose(const Scene& scene);
 
 }  // namespace musclewarp

@@ -103,6 +103,11 @@ void CheckScene(const Scene& scene) {
     CheckMeshName(scene, bone.name, &mesh_names);
     bodies.insert(bone.body);
   }
+  if (scene.model) {
+    for (const int body : scene.model->bodies) {
+      bodies.insert(scene.model->model.bodies[body].name);
+    }
+  }
   std::map<std::string, const ActionLine*> lines;
   for (const auto& muscle : scene.muscles) {
     CheckMeshName(scene, muscle.name, &mesh_names);

@@ -1,0 +1,276 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/opensim/joint_reader.h"
+
+#include <map>
+#include <utility>
+
+#include "musclewarp/mesh/text_cursor.h"
+#include "musclewarp/opensim/function_reader.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr double kMillimetres = 1000;  // in a metre
+
+// The axes of the joints that have no SpatialTransform of their own, in the
+// order of their coordinates: "rz" turns about z, "tx" moves along x.
+const std::map<std::string, std::vector<std::string>>& AxesOfJoints() {
+  static const std::map<std::string, std::vector<std::string>> kAxes = {
+      {"WeldJoint", {}},
+      {"PinJoint", {"rz"}},
+      {"SliderJoint", {"tx"}},
+      {"UniversalJoint", {"rx", "ry"}},
+      {"BallJoint", {"rx", "ry", "rz"}},
+      {"GimbalJoint", {"rx", "ry", "rz"}},
+      {"PlanarJoint", {"rz", "tx", "ty"}},
+      {"FreeJoint", {"rx", "ry", "rz", "tx", "ty", "tz"}}};
+  return kAxes;
+}
+
+// Index of a new coordinate.
+int AddCoordinate(const OsimXml& xml,
+                  pugi::xml_node node,
+                  std::string name,
+                  CoordinateKind kind,
+                  Model* model) {
+  if (model->FindCoordinate(name) >= 0) {
+    xml.Fail(node,
+             "names the coordinate \"" + name + "\" a second time",
+             "coordinates need names of their own");
+  }
+  Coordinate coordinate;
+  coordinate.name = std::move(name);
+  coordinate.kind = kind;
+  coordinate.default_value = xml.Number(node, "default_value", 0);
+  model->coordinates.push_back(std::move(coordinate));
+  return static_cast<int>(model->coordinates.size()) - 1;
+}
+
+std::vector<pugi::xml_node> CoordinateElements(pugi::xml_node joint) {
+  auto elements = ObjectsOf(joint, "CoordinateSet");
+  if (elements.empty()) elements = ElementsOf(joint.child("coordinates"));
+  return elements;
+}
+
+// Axes of pins, sliders and so on.
+void SetKnownAxes(const OsimXml& xml,
+                  pugi::xml_node node,
+                  const std::vector<std::string>& axes,
+                  Joint* joint,
+                  Model* model) {
+  const auto elements = CoordinateElements(node);
+  int rotations = 0;
+  int translations = 0;
+  for (size_t i = 0; i < axes.size(); ++i) {
+    const bool turns = axes[i][0] == 'r';
+    // OpenSim leaves out what has its default, a whole coordinate even.
+    const pugi::xml_node element =
+        i < elements.size() ? elements[i] : pugi::xml_node();
+    const std::string name = element
+                                 ? xml.NameOf(element)
+                                 : joint->name + "_coord_" + std::to_string(i);
+    TransformAxis& axis = turns ? joint->rotations[rotations++]
+                                : joint->translations[translations++];
+    axis.axis = Eigen::Vector3d::Unit(axes[i][1] - 'x');
+    axis.coordinates = {AddCoordinate(xml,
+                                      element,
+                                      name,
+                                      turns ? CoordinateKind::kRotational
+                                            : CoordinateKind::kTranslational,
+                                      model)};
+    axis.function = MakeLinear({turns ? 1 : kMillimetres, 0});
+  }
+}
+
+// The value itself: what makes a coordinate the angle about an axis, or the way
+// along it.
+bool IsIdentity(const OsimXml& xml, pugi::xml_node function) {
+  if (std::string(function.name()) != "LinearFunction") return false;
+  const auto coefficients = xml.Numbers(function.child("coefficients"));
+  return coefficients.size() == 2 && std::abs(coefficients[0]) == 1 &&
+         coefficients[1] == 0;
+}
+
+void SetAxis(const OsimXml& xml,
+             pugi::xml_node node,
+             bool turns,
+             Joint* joint,
+             TransformAxis* axis,
+             Model* model) {
+  axis->axis = xml.Vector(node, "axis", Eigen::Vector3d::Zero());
+  const pugi::xml_node function = FunctionElement(node, "function");
+  if (!function) return;
+  if (axis->axis.norm() == 0) {
+    xml.Fail(node, "has no axis", "give a direction");
+  }
+  axis->axis.normalize();
+  std::string unsupported;
+  axis->function = ReadFunction(xml, function, &unsupported);
+  if (!axis->function) {
+    joint->unsupported = "the function " + unsupported;
+    return;
+  }
+  if (!turns) {
+    axis->function = MakeMultiplier(kMillimetres, std::move(axis->function));
+  }
+  std::string names = xml.Text(node.child("coordinates"));
+  size_t begin = 0;
+  while ((begin = names.find_first_not_of(" \t\r\n", begin)) !=
+         std::string::npos) {
+    const size_t end =
+        std::min(names.find_first_of(" \t\r\n", begin), names.size());
+    const std::string name = names.substr(begin, end - begin);
+    const int coordinate = model->FindCoordinate(name);
+    if (coordinate < 0) {
+      xml.Fail(node.child("coordinates"),
+               "names \"" + name + "\", which is no coordinate of the joint",
+               "check the name");
+    }
+    axis->coordinates.push_back(coordinate);
+    begin = end;
+    if (IsIdentity(xml, function)) {
+      model->coordinates[coordinate].kind = turns
+                                                ? CoordinateKind::kRotational
+                                                : CoordinateKind::kTranslational;
+    }
+  }
+  if (axis->function->Arity() > axis->coordinates.size()) {
+    xml.Fail(node,
+             "has a function of " + std::to_string(axis->function->Arity()) +
+                 " arguments and " + std::to_string(axis->coordinates.size()) +
+                 " coordinates",
+             "name a coordinate for each");
+  }
+}
+
+// What a file of OpenSim 2 or 3 says about a coordinate goes before what its
+// axes show.
+void SetMotionType(const OsimXml& xml,
+                   pugi::xml_node element,
+                   Coordinate* coordinate) {
+  const std::string type = LowerCase(xml.Text(element.child("motion_type")));
+  if (type == "rotational") coordinate->kind = CoordinateKind::kRotational;
+  if (type == "translational") {
+    coordinate->kind = CoordinateKind::kTranslational;
+  }
+  if (type == "coupled") coordinate->kind = CoordinateKind::kCoupled;
+}
+
+void SetSpatialTransform(const OsimXml& xml,
+                         pugi::xml_node node,
+                         Joint* joint,
+                         Model* model) {
+  const auto elements = CoordinateElements(node);
+  for (const pugi::xml_node element : elements) {
+    AddCoordinate(
+        xml, element, xml.NameOf(element), CoordinateKind::kCoupled, model);
+  }
+  const pugi::xml_node transform = xml.Child(node, "SpatialTransform");
+  std::vector<pugi::xml_node> axes;
+  for (const pugi::xml_node axis : transform.children("TransformAxis")) {
+    axes.push_back(axis);
+  }
+  if (axes.size() != 6) {
+    xml.Fail(transform,
+             "has " + std::to_string(axes.size()) + " <TransformAxis>",
+             "give 3 rotations and 3 translations");
+  }
+  for (int i = 0; i < 3; ++i) {
+    SetAxis(xml, axes[i], true, joint, &joint->rotations[i], model);
+    SetAxis(xml, axes[i + 3], false, joint, &joint->translations[i], model);
+  }
+  for (const pugi::xml_node element : elements) {
+    const int index = model->FindCoordinate(xml.NameOf(element));
+    SetMotionType(xml, element, &model->coordinates[index]);
+  }
+}
+
+void AddJoint(const OsimXml& xml,
+              pugi::xml_node node,
+              Joint joint,
+              Model* model) {
+  joint.type = node.name();
+  joint.name = xml.NameOf(node);
+  joint.is_reversed = xml.Bool(node, "reverse", false);
+  const auto known = AxesOfJoints().find(joint.type);
+  if (known != AxesOfJoints().end()) {
+    SetKnownAxes(xml, node, known->second, &joint, model);
+  } else if (joint.type == "CustomJoint") {
+    SetSpatialTransform(xml, node, &joint, model);
+  } else {
+    joint.unsupported =
+        "the type of joint in line " + std::to_string(xml.LineOf(node));
+    for (const pugi::xml_node element : CoordinateElements(node)) {
+      AddCoordinate(
+          xml, element, xml.NameOf(element), CoordinateKind::kCoupled, model);
+    }
+  }
+  Body& child = model->bodies[joint.child];
+  if (child.joint >= 0) {
+    // A loop: the first joint would not hold it alone.
+    Joint& first = model->joints[child.joint];
+    first.unsupported = "a closed loop: joint \"" + joint.name +
+                        "\" has the same child \"" + child.name + "\"";
+  } else {
+    child.joint = static_cast<int>(model->joints.size());
+  }
+  model->joints.push_back(std::move(joint));
+}
+
+// Place of a joint on a body, by child elements of two names; the first is
+// there.
+Eigen::Matrix4d JointPlace(const OsimXml& xml,
+                           pugi::xml_node node,
+                           const std::vector<std::string>& places) {
+  for (const std::string& suffix : places) {
+    const std::string location = "location" + suffix;
+    const std::string orientation = "orientation" + suffix;
+    if (!node.child(location.c_str()) && !node.child(orientation.c_str())) {
+      continue;
+    }
+    return OffsetTransform(
+        xml.Vector(node, location.c_str(), Eigen::Vector3d::Zero()),
+        xml.Vector(node, orientation.c_str(), Eigen::Vector3d::Zero()));
+  }
+  return Eigen::Matrix4d::Identity();
+}
+
+}  // namespace
+
+void AddJointOfBody(const OsimXml& xml,
+                    pugi::xml_node node,
+                    int child,
+                    Model* model) {
+  Joint joint;
+  joint.child = child;
+  const pugi::xml_node parent = xml.Child(node, "parent_body");
+  joint.parent = model->FindBody(xml.Text(parent));
+  if (joint.parent < 0) {
+    xml.Fail(parent,
+             "names \"" + xml.Text(parent) + "\", which is no body",
+             "check the name");
+  }
+  joint.parent_from_joint = JointPlace(xml, node, {"_in_parent"});
+  joint.child_from_joint = JointPlace(xml, node, {"", "_in_child"});
+  AddJoint(xml, node, std::move(joint), model);
+}
+
+void AddJointOfSet(const OsimXml& xml,
+                   const OffsetFrames& frames,
+                   pugi::xml_node node,
+                   Model* model) {
+  const std::string name = xml.NameOf(node);
+  const FrameOnBody parent =
+      frames.Resolve(xml.Child(node, "socket_parent_frame"), name);
+  const FrameOnBody child =
+      frames.Resolve(xml.Child(node, "socket_child_frame"), name);
+  Joint joint;
+  joint.parent = parent.body;
+  joint.child = child.body;
+  joint.parent_from_joint = parent.body_from_frame;
+  joint.child_from_joint = child.body_from_frame;
+  AddJoint(xml, node, std::move(joint), model);
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,206 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <utility>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/opensim/function_reader.h"
+#include "musclewarp/opensim/geometry_reader.h"
+#include "musclewarp/opensim/joint_reader.h"
+#include "musclewarp/opensim/model.h"
+#include "musclewarp/opensim/offset_frames.h"
+#include "musclewarp/opensim/osim_xml.h"
+#include "musclewarp/opensim/path_reader.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr char kGround[] = "ground";
+
+bool IsGround(pugi::xml_node body) {
+  return std::string(body.attribute("name").value()) == kGround;
+}
+
+void ReadBodies(const OsimXml& xml, pugi::xml_node node, Model* model) {
+  Body ground;
+  ground.name = kGround;
+  model->bodies.push_back(std::move(ground));
+  for (const pugi::xml_node element : ObjectsOf(node, "BodySet")) {
+    if (IsGround(element)) continue;
+    Body body;
+    body.name = xml.NameOf(element);
+    if (model->FindBody(body.name) >= 0) {
+      xml.Fail(element, "is there twice", "bodies need names of their own");
+    }
+    body.geometry = ReadBodyGeometry(xml, element);
+    model->bodies.push_back(std::move(body));
+  }
+}
+
+void ReadJoints(const OsimXml& xml,
+                pugi::xml_node node,
+                const OffsetFrames& frames,
+                Model* model) {
+  for (const pugi::xml_node element : ObjectsOf(node, "BodySet")) {
+    if (IsGround(element)) continue;
+    const auto joint = ElementsOf(element.child("Joint"));
+    if (joint.empty()) continue;
+    AddJointOfBody(xml,
+                   joint[0],
+                   model->FindBody(element.attribute("name").value()),
+                   model);
+  }
+  for (const pugi::xml_node element : ObjectsOf(node, "JointSet")) {
+    AddJointOfSet(xml, frames, element, model);
+  }
+}
+
+// Following the joints from every body must end: at the ground, or at a body
+// without joint.
+void CheckIsTree(const OsimXml& xml, const Model& model) {
+  for (const Body& start : model.bodies) {
+    const Body* body = &start;
+    for (size_t steps = 0; body->joint >= 0; ++steps) {
+      if (steps > model.bodies.size()) {
+        throw InputError(xml.path() + ": body \"" + body->name + "\"",
+                         "is its own parent by way of its joints",
+                         "joints must lead to the ground");
+      }
+      body = &model.bodies[model.joints[body->joint].parent];
+    }
+  }
+}
+
+std::vector<int> CoordinatesNamed(const OsimXml& xml,
+                                  pugi::xml_node element,
+                                  const Model& model) {
+  std::vector<int> coordinates;
+  std::string word;
+  for (const char c : xml.Text(element) + " ") {
+    if (std::string(" \t\r\n").find(c) == std::string::npos) {
+      word += c;
+      continue;
+    }
+    if (word.empty()) continue;
+    coordinates.push_back(model.FindCoordinate(LastName(word)));
+    if (coordinates.back() < 0) {
+      xml.Fail(element,
+               "names \"" + word + "\", which is no coordinate of the model",
+               "check the name");
+    }
+    word.clear();
+  }
+  return coordinates;
+}
+
+// Joints whose motion hangs on a coordinate that cannot be followed.
+void MarkUnsupported(int coordinate, const std::string& why, Model* model) {
+  for (Joint& joint : model->joints) {
+    for (const auto* axes : {&joint.rotations, &joint.translations}) {
+      for (const TransformAxis& axis : *axes) {
+        if (std::count(
+                axis.coordinates.begin(), axis.coordinates.end(), coordinate)) {
+          joint.unsupported = why;
+        }
+      }
+    }
+  }
+}
+
+void ReadCoupler(const OsimXml& xml, pugi::xml_node node, Model* model) {
+  CoordinateCoupler coupler;
+  coupler.name = xml.NameOf(node);
+  coupler.independents = CoordinatesNamed(
+      xml, xml.Child(node, "independent_coordinate_names"), *model);
+  const auto dependent_element = xml.Child(node, "dependent_coordinate_name");
+  const auto dependent = CoordinatesNamed(xml, dependent_element, *model);
+  if (dependent.size() != 1) {
+    xml.Fail(dependent_element, "must name one coordinate", "name it");
+  }
+  coupler.dependent = dependent[0];
+  coupler.scale = xml.Number(node, "scale_factor", 1);
+  const auto function = FunctionElement(node, "coupled_coordinates_function");
+  if (!function) xml.Fail(node, "has no function", "give one");
+  std::string unsupported;
+  coupler.function = ReadFunction(xml, function, &unsupported);
+  if (!coupler.function) {
+    MarkUnsupported(coupler.dependent,
+                    "the constraint \"" + coupler.name + "\" with " +
+                        unsupported,
+                    model);
+    return;
+  }
+  if (coupler.function->Arity() > coupler.independents.size()) {
+    xml.Fail(node,
+             "has a function of more arguments than independent coordinates",
+             "name a coordinate for each");
+  }
+  model->couplers.push_back(std::move(coupler));
+}
+
+void ReadConstraints(const OsimXml& xml, pugi::xml_node node, Model* model) {
+  std::string others;
+  for (const pugi::xml_node element : ObjectsOf(node, "ConstraintSet")) {
+    if (xml.Bool(element, "isDisabled", false) ||
+        !xml.Bool(element, "isEnforced", true)) {
+      continue;
+    }
+    if (std::string(element.name()) == "CoordinateCouplerConstraint") {
+      ReadCoupler(xml, element, model);
+    } else {
+      others += std::string(others.empty() ? "" : ", ") + element.name() +
+                " \"" + element.attribute("name").value() + "\"";
+    }
+  }
+  if (!others.empty()) {
+    model->warnings.push_back(xml.path() +
+                              ": constraints that are not followed: " + others);
+  }
+}
+
+void ReadMuscles(const OsimXml& xml,
+                 pugi::xml_node node,
+                 const OffsetFrames& frames,
+                 Model* model) {
+  std::string wrapped;
+  for (const pugi::xml_node force : ObjectsOf(node, "ForceSet")) {
+    const pugi::xml_node path = GeometryPathOf(force);
+    if (!path) continue;
+    model->muscles.push_back(ReadPath(xml, frames, force, *model));
+    if (!ObjectsOf(path, "PathWrapSet").empty()) {
+      wrapped += (wrapped.empty() ? "" : ", ") + model->muscles.back().name;
+    }
+  }
+  if (!wrapped.empty()) {
+    model->warnings.push_back(
+        xml.path() +
+        ": wrapping is not followed, paths are straight between their points: " +
+        wrapped);
+  }
+}
+
+}  // namespace
+
+Model ReadModel(const std::string& path) {
+  const OsimXml xml(path);
+  Model model;
+  model.path = path;
+  model.warnings = xml.warnings();
+  const pugi::xml_node node =
+      std::string(xml.root().name()) == "Model" ? xml.root()
+                                                : xml.root().child("Model");
+  if (!node) {
+    throw InputError(path, "holds no <Model>", "give an OpenSim model (.osim)");
+  }
+  model.name = node.attribute("name").value();
+  ReadBodies(xml, node, &model);
+  const OffsetFrames frames(xml, model);
+  ReadJoints(xml, node, frames, &model);
+  CheckIsTree(xml, model);
+  AddOffsetGeometry(xml, frames, &model);
+  ReadConstraints(xml, node, &model);
+  ReadMuscles(xml, node, frames, &model);
+  return model;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,141 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/opensim/path_reader.h"
+
+#include <Eigen/Geometry>
+#include <utility>
+
+#include "musclewarp/opensim/function_reader.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr double kMillimetres = 1000;  // in a metre
+
+// The first of two children, one of OpenSim 3 and one of OpenSim 4.
+pugi::xml_node EitherChild(const OsimXml& xml,
+                           pugi::xml_node node,
+                           const char* opensim3,
+                           const char* opensim4) {
+  if (const auto child = node.child(opensim3)) return child;
+  return xml.Child(node, opensim4);
+}
+
+int CoordinateOf(const OsimXml& xml,
+                 pugi::xml_node element,
+                 const Model& model) {
+  const std::string name = LastName(xml.Text(element));
+  const int coordinate = model.FindCoordinate(name);
+  if (coordinate < 0) {
+    xml.Fail(element,
+             "names \"" + name + "\", which is no coordinate of the model",
+             "check the name");
+  }
+  return coordinate;
+}
+
+void ReadCondition(const OsimXml& xml,
+                   pugi::xml_node node,
+                   const Model& model,
+                   PathPoint* point) {
+  point->condition = CoordinateOf(
+      xml, EitherChild(xml, node, "coordinate", "socket_coordinate"), model);
+  xml.Child(node, "range");
+  const auto range = xml.Numbers(node, "range", 2, {});
+  point->range[0] = range[0];
+  point->range[1] = range[1];
+}
+
+// The functions x_location, y_location and z_location; false, with the reason,
+// if one is of a kind that is not supported.
+bool ReadMovement(const OsimXml& xml,
+                  pugi::xml_node node,
+                  const Model& model,
+                  PathPoint* point,
+                  std::string* unsupported) {
+  point->is_moving = true;
+  for (int i = 0; i < 3; ++i) {
+    const std::string letter(1, static_cast<char>('x' + i));
+    const std::string location = letter + "_location";
+    const auto element = FunctionElement(node, location.c_str());
+    if (!element) {
+      xml.Fail(node, "has no <" + location + ">", "give a function");
+    }
+    FunctionPtr function = ReadFunction(xml, element, unsupported);
+    if (!function) return false;
+    if (function->Arity() > 1) {
+      xml.Fail(element, "takes several arguments", "give a function of one");
+    }
+    const bool needs_coordinate = function->Arity() > 0;
+    point->moving_functions[i] =
+        MakeMultiplier(kMillimetres, std::move(function));
+    if (!needs_coordinate) continue;
+    point->moving_coordinates[i] = CoordinateOf(
+        xml,
+        EitherChild(xml,
+                    node,
+                    (letter + "_coordinate").c_str(),
+                    ("socket_" + letter + "_coordinate").c_str()),
+        model);
+  }
+  return true;
+}
+
+PathPoint ReadPoint(const OsimXml& xml,
+                    const OffsetFrames& frames,
+                    pugi::xml_node node,
+                    const Model& model,
+                    std::string* unsupported) {
+  PathPoint point;
+  point.name = node.attribute("name").value();
+  const FrameOnBody frame = frames.Resolve(
+      EitherChild(xml, node, "body", "socket_parent_frame"), point.name);
+  point.body = frame.body;
+  point.body_from_frame = frame.body_from_frame;
+  const std::string type = node.name();
+  if (type == "MovingPathPoint" || type == "MovingMusclePoint") {
+    ReadMovement(xml, node, model, &point, unsupported);
+    return point;
+  }
+  if (type == "ConditionalPathPoint" || type == "MuscleViaPoint") {
+    ReadCondition(xml, node, model, &point);
+  } else if (type != "PathPoint" && type != "MusclePoint") {
+    *unsupported = "the path point <" + type + "> in line " +
+                   std::to_string(xml.LineOf(node));
+    return point;
+  }
+  xml.Child(node, "location");
+  const Eigen::Vector3d location =
+      kMillimetres * xml.Vector(node, "location", Eigen::Vector3d::Zero());
+  point.location =
+      (frame.body_from_frame * location.homogeneous()).head<3>();
+  return point;
+}
+
+}  // namespace
+
+pugi::xml_node GeometryPathOf(pugi::xml_node force) {
+  if (const auto path = force.child("GeometryPath")) return path;
+  return force.child("path").child("GeometryPath");
+}
+
+ModelMuscle ReadPath(const OsimXml& xml,
+                     const OffsetFrames& frames,
+                     pugi::xml_node force,
+                     const Model& model) {
+  ModelMuscle muscle;
+  muscle.name = xml.NameOf(force);
+  const pugi::xml_node path = GeometryPathOf(force);
+  for (const pugi::xml_node node : ObjectsOf(path, "PathPointSet")) {
+    muscle.path.push_back(
+        ReadPoint(xml, frames, node, model, &muscle.unsupported));
+  }
+  if (muscle.path.size() < 2) {
+    xml.Fail(path,
+             "has " + std::to_string(muscle.path.size()) + " path points",
+             "give at least 2");
+  }
+  return muscle;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,213 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/opensim/storage_table.h"
+
+#include <glog/logging.h>
+
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/input_file.h"
+#include "musclewarp/mesh/text_cursor.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr char kTime[] = "time";
+
+using Words = std::vector<std::string_view>;
+
+std::string_view Trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
+struct Header {
+  std::string name;
+  std::optional<bool> in_degrees;
+  std::optional<int> rows;
+  std::optional<int> columns;  // with time
+};
+
+bool ParseDegrees(const TextCursor& cursor, std::string_view value) {
+  const std::string word = LowerCase(value);
+  if (word == "yes" || word == "true" || word == "y" || word == "1") {
+    return true;
+  }
+  if (word == "no" || word == "false" || word == "n" || word == "0") {
+    return false;
+  }
+  throw InputError(cursor.Where(),
+                   "inDegrees is " + Quoted(value),
+                   "allowed: yes, no");
+}
+
+// One line of the header; lines that are no setting are notes.
+void ReadHeaderLine(const TextCursor& cursor,
+                    std::string_view line,
+                    Header* header) {
+  const auto split = line.find_first_of("= \t");
+  if (split == std::string_view::npos) return;
+  const std::string key = LowerCase(Trimmed(line.substr(0, split)));
+  std::string_view value = Trimmed(line.substr(split + 1));
+  if (!value.empty() && value[0] == '=') value = Trimmed(value.substr(1));
+  if (key == "indegrees") {
+    header->in_degrees = ParseDegrees(cursor, value);
+  } else if (key == "nrows" || key == "datarows") {
+    header->rows =
+        static_cast<int>(cursor.Integer(value, "the number of rows"));
+  } else if (key == "ncolumns" || key == "datacolumns") {
+    header->columns =
+        static_cast<int>(cursor.Integer(value, "the number of columns"));
+  }
+}
+
+Header ReadHeader(const std::string& path, TextCursor* cursor) {
+  Header header;
+  std::string_view line;
+  bool is_first = true;
+  while (cursor->NextLine(&line)) {
+    line = Trimmed(line);
+    if (LowerCase(line) == "endheader") return header;
+    if (is_first) header.name = std::string(line);
+    is_first = false;
+    ReadHeaderLine(*cursor, line, &header);
+  }
+  throw InputError(path,
+                   "has no line \"endheader\"",
+                   "give an OpenSim .mot or .sto file");
+}
+
+std::vector<std::string> ReadLabels(const std::string& path,
+                                    TextCursor* cursor) {
+  Words words;
+  if (!cursor->NextWords(&words) || LowerCase(words[0]) != kTime) {
+    throw InputError(words.empty() ? path : cursor->Where(),
+                     "the line of labels must begin with \"time\"",
+                     "export the table again");
+  }
+  std::vector<std::string> labels(words.begin() + 1, words.end());
+  std::set<std::string> seen;
+  for (const std::string& label : labels) {
+    if (!seen.insert(label).second) {
+      throw InputError(cursor->Where(),
+                       "the column \"" + label + "\" is there twice",
+                       "remove one");
+    }
+  }
+  return labels;
+}
+
+double ReadValue(const TextCursor& cursor,
+                 std::string_view word,
+                 const std::string& label) {
+  double value = 0;
+  const char* const end = word.data() + word.size();
+  const auto result =
+      std::from_chars(word.data() + (word[0] == '+'), end, value);
+  if (result.ptr != end || result.ec != std::errc() || !std::isfinite(value)) {
+    throw InputError(cursor.Where(),
+                     "column \"" + label + "\" has " + Quoted(word),
+                     "every value must be a finite number");
+  }
+  return value;
+}
+
+void AddCountWarning(const std::string& path,
+                     const std::string& what,
+                     std::optional<int> promised,
+                     int found,
+                     std::vector<std::string>* warnings) {
+  if (!promised || *promised == found) return;
+  warnings->push_back(path + ": the header promises " +
+                      std::to_string(*promised) + " " + what + ", " +
+                      std::to_string(found) + " are there and used");
+}
+
+}  // namespace
+
+StorageTable ReadStorageTable(const std::string& path) {
+  const std::string text = ReadFile(path);
+  TextCursor cursor(path, text);
+  const Header header = ReadHeader(path, &cursor);
+  StorageTable table;
+  table.name = header.name;
+  table.in_degrees = header.in_degrees;
+  table.labels = ReadLabels(path, &cursor);
+  const size_t columns = table.labels.size() + 1;
+
+  std::vector<double> values;
+  Words words;
+  while (cursor.NextWords(&words)) {
+    if (words.size() != columns) {
+      throw InputError(cursor.Where(),
+                       "the row has " + std::to_string(words.size()) +
+                           " values, there are " + std::to_string(columns) +
+                           " columns",
+                       "complete the row or remove it");
+    }
+    const double time = ReadValue(cursor, words[0], kTime);
+    if (!table.times.empty() && time <= table.times.back()) {
+      throw InputError(cursor.Where(),
+                       "time " + std::string(words[0]) +
+                           " does not come after that of the row before",
+                       "times must rise");
+    }
+    table.times.push_back(time);
+    for (size_t i = 1; i < columns; ++i) {
+      values.push_back(ReadValue(cursor, words[i], table.labels[i - 1]));
+    }
+  }
+  if (table.times.empty()) {
+    throw InputError(path, "has no row", "export the table again");
+  }
+  using RowMajor = Eigen::
+      Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  table.values = Eigen::Map<const RowMajor>(
+      values.data(), table.times.size(), table.labels.size());
+  AddCountWarning(path,
+                  "rows",
+                  header.rows,
+                  static_cast<int>(table.times.size()),
+                  &table.warnings);
+  AddCountWarning(path,
+                  "columns",
+                  header.columns,
+                  static_cast<int>(columns),
+                  &table.warnings);
+  return table;
+}
+
+std::string StorageText(const StorageTable& table) {
+  CHECK_EQ(table.values.rows(), static_cast<int>(table.times.size()));
+  CHECK_EQ(table.values.cols(), static_cast<int>(table.labels.size()));
+  const bool in_degrees = table.in_degrees.value_or(false);
+  std::string text = table.name + "\nversion=1\nnRows=" +
+                     std::to_string(table.times.size()) + "\nnColumns=" +
+                     std::to_string(table.labels.size() + 1) +
+                     "\ninDegrees=" + (in_degrees ? "yes" : "no") +
+                     "\nendheader\n" + kTime;
+  std::set<std::string> seen;
+  for (const std::string& label : table.labels) {
+    CHECK(!label.empty());
+    CHECK_EQ(label.find_first_of(" \t\r\n"), std::string::npos) << label;
+    CHECK(seen.insert(label).second) << label;
+    text += "\t" + label;
+  }
+  text += "\n";
+  for (Eigen::Index row = 0; row < table.values.rows(); ++row) {
+    AppendReal(table.times[row], &text);
+    for (Eigen::Index i = 0; i < table.values.cols(); ++i) {
+      text += "\t";
+      AppendReal(table.values(row, i), &text);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,190 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/scene/model_poses.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/opensim/rest_pose.h"
+
+namespace musclewarp {
+namespace {
+
+// How far apart the frames of bodies may be to count as one: roundings of the
+// model, not another pose.
+constexpr double kLargestGap = 1;                    // mm
+constexpr double kLargestTurn = 0.5 * M_PI / 180;    // rad
+
+Eigen::Matrix4d RigidInverse(const Eigen::Matrix4d& transform) {
+  return Eigen::Isometry3d(transform).inverse().matrix();
+}
+
+std::string AllNames(const std::vector<Body>& bodies) {
+  std::string names;
+  for (const Body& body : bodies) {
+    names += (names.empty() ? "" : ", ") + body.name;
+  }
+  return names;
+}
+
+int BodyNamed(const Model& model,
+              const std::string& name,
+              const std::string& where) {
+  const int body = model.FindBody(name);
+  if (body < 0) {
+    throw InputError(where,
+                     "the body \"" + name + "\" is not in " + model.path,
+                     "its bodies: " + AllNames(model.bodies));
+  }
+  return body;
+}
+
+CoordinateValues GivenRest(const Model& model,
+                           const std::map<std::string, double>& coordinates,
+                           const std::string& where) {
+  CoordinateValues values = DefaultValues(model);
+  for (const auto& [name, value] : coordinates) {
+    const int coordinate = model.FindCoordinate(name);
+    if (coordinate < 0) {
+      throw InputError(where + ": model_rest.coordinates",
+                       "\"" + name + "\" is no coordinate of " + model.path,
+                       "check the name");
+    }
+    values[coordinate] = value;
+  }
+  ApplyCouplers(model, &values);
+  return values;
+}
+
+CoordinateValues FoundRest(const Model& model,
+                           const std::vector<int>& bodies,
+                           const std::string& where,
+                           std::vector<std::string>* notes) {
+  const CoincidentPose pose = FindCoincidentPose(model, bodies);
+  std::ostringstream gap;
+  gap << pose.distance << " mm and " << pose.angle * 180 / M_PI
+      << " degrees remain";
+  if (pose.distance > kLargestGap || pose.angle > kLargestTurn) {
+    throw InputError(
+        where,
+        "in no pose found of " + model.path +
+            " the frames of the bones' bodies coincide: " + gap.str(),
+        "give \"model_rest\": the coordinates in which the meshes were made");
+  }
+  std::ostringstream note;
+  note << "rest pose of the meshes, where the body frames coincide ("
+       << gap.str() << "):";
+  const CoordinateValues defaults = DefaultValues(model);
+  for (size_t i = 0; i < pose.values.size(); ++i) {
+    if (pose.values[i] == defaults[i]) continue;
+    const bool is_angle =
+        model.coordinates[i].kind == CoordinateKind::kRotational;
+    note << " " << model.coordinates[i].name << " "
+         << pose.values[i] * (is_angle ? 180 / M_PI : 1)
+         << (is_angle ? " degrees" : "");
+  }
+  notes->push_back(note.str());
+  return pose.values;
+}
+
+Points PointsOf(const ModelPoses& poses,
+                const ModelMuscle& muscle,
+                const CoordinateValues& values,
+                const std::vector<Eigen::Matrix4d>& scene_from_body) {
+  Points points(muscle.path.size(), 3);
+  Eigen::Index count = 0;
+  for (const PathPoint& point : muscle.path) {
+    if (point.condition >= 0) continue;
+    points.row(count++) = (scene_from_body[point.body] *
+                           LocationOnBody(point, values).homogeneous())
+                              .head<3>()
+                              .transpose();
+  }
+  (void)poses;
+  points.conservativeResize(count, 3);
+  return points;
+}
+
+}  // namespace
+
+ModelPoses BindModel(Model model,
+                     const ModelRest& rest,
+                     const std::vector<std::string>& bodies,
+                     const std::string& where,
+                     std::vector<std::string>* notes) {
+  ModelPoses poses;
+  for (const std::string& name : bodies) {
+    poses.bodies.push_back(BodyNamed(model, name, where));
+    CheckBodyIsSupported(model, poses.bodies.back(), "the scene");
+  }
+  int frame = rest.frame.empty() ? 0 : BodyNamed(model, rest.frame, where);
+  if (rest.coordinates) {
+    poses.rest = GivenRest(model, *rest.coordinates, where);
+  } else {
+    poses.rest = FoundRest(model, poses.bodies, where, notes);
+    frame = poses.bodies[0];
+  }
+  const auto ground_from_body = BodyFrames(model, poses.rest);
+  poses.scene_from_ground = RigidInverse(ground_from_body[frame]);
+  for (size_t i = 0; i < model.bodies.size(); ++i) {
+    poses.body_from_rest.push_back(
+        rest.coordinates
+            ? RigidInverse(poses.scene_from_ground * ground_from_body[i])
+            : Eigen::Matrix4d::Identity());
+  }
+  poses.model = std::move(model);
+  return poses;
+}
+
+ActionLine LineOfMuscle(const ModelPoses& poses, int muscle) {
+  const ModelMuscle& path = poses.model.muscles[muscle];
+  std::vector<Eigen::Matrix4d> rest_from_body;
+  for (const Eigen::Matrix4d& transform : poses.body_from_rest) {
+    rest_from_body.push_back(RigidInverse(transform));
+  }
+  ActionLine line;
+  line.name = path.name;
+  line.rest = PointsOf(poses, path, poses.rest, rest_from_body);
+  for (const PathPoint& point : path.path) {
+    if (point.condition >= 0) continue;
+    line.bodies.push_back(poses.model.bodies[point.body].name);
+  }
+  return line;
+}
+
+ScenePose PoseAt(const ModelPoses& poses, const CoordinateValues& values) {
+  const Model& model = poses.model;
+  const auto ground_from_body = BodyFrames(model, values);
+  std::vector<Eigen::Matrix4d> scene_from_body;
+  for (const Eigen::Matrix4d& frame : ground_from_body) {
+    scene_from_body.push_back(poses.scene_from_ground * frame);
+  }
+  ScenePose pose;
+  pose.model_values = values;
+  for (const int body : poses.bodies) {
+    pose.bodies[model.bodies[body].name] =
+        scene_from_body[body] * poses.body_from_rest[body];
+  }
+  for (const int coordinate : poses.given_coordinates) {
+    const bool is_angle =
+        model.coordinates[coordinate].kind == CoordinateKind::kRotational;
+    pose.coordinates[model.coordinates[coordinate].name] =
+        values[coordinate] * (is_angle ? 180 / M_PI : 1);
+  }
+  for (const int index : poses.muscles) {
+    const ModelMuscle& muscle = model.muscles[index];
+    pose.lines[muscle.name] = PointsOf(poses, muscle, values, scene_from_body);
+    pose.path_lengths[muscle.name] =
+        PathLength(muscle, ground_from_body, values);
+    for (const int coordinate : poses.moving_coordinates) {
+      pose.path_moment_arms[muscle.name][model.coordinates[coordinate].name] =
+          PathMomentArm(model, muscle, coordinate, values);
+    }
+  }
+  return pose;
+}
+
+}  // namespace musclewarp
