@@ -6,17 +6,25 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <optional>
 #include <sstream>
+#include <utility>
 
+#include "musclewarp/base/content_hash.h"
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh/mesh_io.h"
 #include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/frame_files.h"
+#include "musclewarp/report/motion_tables.h"
+#include "musclewarp/report/progress.h"
 #include "musclewarp/report/report_json.h"
+#include "musclewarp/report/resume_log.h"
 #include "musclewarp/report/screen_report.h"
+#include "musclewarp/scene/json_fields.h"
 #include "tools/program.h"
 
 namespace musclewarp {
@@ -33,16 +41,72 @@ std::vector<std::string> Split(const std::string& text, char separator) {
   return parts;
 }
 
+[[noreturn]] void FailFrames(const std::string& frames,
+                             const std::string& problem) {
+  throw InputError("--frames=" + frames,
+                   problem,
+                   "allowed: all, last, N, FIRST:LAST, FIRST:LAST:STEP; FIRST "
+                   "and LAST may be times (0.1s)");
+}
+
 int ParseFrameNumber(const std::string& text, const std::string& frames) {
   if (text.empty() || text.size() > 8 ||
       !std::all_of(text.begin(), text.end(), [](unsigned char c) {
         return std::isdigit(c);
       })) {
-    throw InputError("--frames=" + frames,
-                     "\"" + text + "\" is not a frame number",
-                     "allowed: all, last, N, FIRST:LAST, FIRST:LAST:STEP");
+    FailFrames(frames, "\"" + text + "\" is not a frame number");
   }
   return std::stoi(text);
+}
+
+// An end of a range: a frame number, or a time with its unit.
+int ParseRangeEnd(const std::string& text,
+                  bool is_first,
+                  const std::vector<ScenePose>& poses,
+                  const std::string& frames) {
+  if (text.empty() || text.back() != 's') {
+    return ParseFrameNumber(text, frames);
+  }
+  double time = 0;
+  const char* const end = text.data() + text.size() - 1;
+  const auto result = std::from_chars(text.data(), end, time);
+  if (result.ptr != end || result.ec != std::errc()) {
+    FailFrames(frames, "\"" + text + "\" is not a time");
+  }
+  // Half of the last digit of usual files.
+  constexpr double kSlack = 1e-9;
+  const int count = static_cast<int>(poses.size());
+  if (is_first) {
+    int i = 0;
+    while (i < count && poses[i].time < time - kSlack) ++i;
+    return i;
+  }
+  int i = count - 1;
+  while (i >= 0 && poses[i].time > time + kSlack) --i;
+  return i;
+}
+
+// Of everything the result depends on.
+std::string InputsHash(const Scene& scene, const DeformOptions& options) {
+  ContentHash hash;
+  hash.Add(MUSCLEWARP_VERSION);
+  hash.Add(options.result_flags);
+  for (const std::string& file : scene.files) hash.Add(ReadFile(file));
+  return hash.Hex();
+}
+
+// True if `dir` holds the finished run of the same input.
+bool IsFinished(const std::string& dir, const std::string& inputs_hash) {
+  const std::string report = (fs::path(dir) / "report.json").string();
+  if (!fs::exists(report)) return false;
+  const JsonField field = JsonField::ParseFile(report);
+  return field.Has("inputs_hash") &&
+         field.At("inputs_hash").AsString() == inputs_hash &&
+         field.At("summary").At("finished").AsBool();
+}
+
+void WriteReport(const RunRecord& run, const std::string& path) {
+  WriteTextAtomically(path, ReportJson(run).dump(2) + "\n");
 }
 
 }  // namespace
@@ -87,7 +151,9 @@ std::vector<std::string> ParseFormats(const std::string& text) {
   return formats;
 }
 
-std::vector<int> SelectFrames(const std::string& frames, int count) {
+std::vector<int> SelectFrames(const std::string& frames,
+                              const std::vector<ScenePose>& poses) {
+  const int count = static_cast<int>(poses.size());
   int first = 0;
   int last = count - 1;
   int step = 1;
@@ -98,14 +164,21 @@ std::vector<int> SelectFrames(const std::string& frames, int count) {
     if (parts.empty() || parts.size() > 3 || frames.back() == ':') {
       ParseFrameNumber("", frames);
     }
-    first = last = ParseFrameNumber(parts[0], frames);
-    if (parts.size() > 1) last = ParseFrameNumber(parts[1], frames);
+    first = ParseRangeEnd(parts[0], true, poses, frames);
+    last = ParseRangeEnd(
+        parts.size() > 1 ? parts[1] : parts[0], false, poses, frames);
     if (parts.size() > 2) step = ParseFrameNumber(parts[2], frames);
   }
   if (first > last || last >= count || step < 1) {
+    std::ostringstream range;
+    range << "the scene has frames 0 to " << count - 1;
+    if (poses.front().time < poses.back().time) {
+      range << ", " << poses.front().time << "s to " << poses.back().time
+            << "s";
+    }
     throw InputError("--frames=" + frames,
                      "selects no frame or one that is not there",
-                     "the scene has frames 0 to " + std::to_string(count - 1));
+                     range.str());
   }
   std::vector<int> selected;
   for (int frame = first; frame <= last; frame += step) {
@@ -117,7 +190,7 @@ std::vector<int> SelectFrames(const std::string& frames, int count) {
 void CheckSceneOptions(const DeformOptions& options) {
   std::string error;
   if (!options.prepare.muscle.IsValid(&error) ||
-      !options.solver.IsValid(&error) ||
+      !options.solver.IsValid(&error) || !options.frame.IsValid(&error) ||
       !options.scene_contact.IsValid(&error)) {
     throw InputError("flags", error, "see --help");
   }
@@ -162,9 +235,23 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   CheckSceneOptions(options);
   CheckWritable(options.out);
   if (options.threads > 0) omp_set_num_threads(options.threads);
-  const Scene scene = ReadScene(options.scene, options.data_root);
-  const std::vector<int> selected =
-      SelectFrames(options.frames, static_cast<int>(scene.poses.size()));
+  const Scene scene =
+      ReadScene(options.scene, options.data_root, options.motion);
+  const std::vector<int> selected = SelectFrames(options.frames, scene.poses);
+  const std::string report = (fs::path(options.out) / "report.json").string();
+  RunRecord run;
+  run.solver = options.solver.name;
+  run.command = options.command;
+  run.inputs_hash = InputsHash(scene, options);
+  const ResumeLog log(options.out, run.inputs_hash);
+  SceneState state;
+  if (options.resume) run.frames = log.Continue(selected, &state.muscles);
+  if (options.resume && IsFinished(options.out, run.inputs_hash)) {
+    screen << "finished already: " << report << "\n";
+    return JsonField::ParseFile(report).At("summary").At("usable").AsBool()
+               ? kExitUsable
+               : kExitNotUsable;
+  }
   const PreparedScene prepared = PrepareScene(scene, options.prepare);
   std::optional<SceneContact> contact;
   if (options.contact == DeformContact::kPaper) {
@@ -173,8 +260,7 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   PrintPreparation(prepared, screen);
 
   MakeFolder(options.out);
-  RunRecord run;
-  run.solver = options.solver.name;
+  if (run.frames.empty()) log.StartAnew();
   if (contact) {
     run.contact = &*contact;
     run.rest_after_fix = RestIntersectionsAfterFix(prepared, *contact);
@@ -182,19 +268,36 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   run.scene = &prepared;
   run.rest = RestIntersections(prepared);
   const GroupSolver solver = SolverOf(options.solver, contact.has_value());
-  for (const int index : selected) {
-    run.frames.push_back(SolveFrame(prepared,
-                                    contact ? &*contact : nullptr,
-                                    index,
-                                    options.pre_rotation,
-                                    solver));
-    WriteFrame(prepared, run.frames.back(), options.formats, options.out);
+  const bool writes_vtp =
+      std::count(options.formats.begin(), options.formats.end(), "vtp") > 0;
+  const int done = static_cast<int>(run.frames.size());
+  const int total = static_cast<int>(selected.size());
+  if (done > 0) screen << "resumed after frame " << done << "\n";
+  const SceneContact* const contact_or_none = contact ? &*contact : nullptr;
+  if (done > 0) {
+    state.pose = scene.poses[selected[done - 1]];
+  } else if (scene.is_motion) {
+    state = StartState(prepared, contact_or_none, options.frame, solver);
   }
-  if (std::count(options.formats.begin(), options.formats.end(), "vtp")) {
-    WritePvd(prepared, selected, options.out);
+  Progress progress(done, total, options.is_terminal, &screen);
+  for (int i = done; i < total; ++i) {
+    const Frame frame = SolveFrame(prepared,
+                                   contact_or_none,
+                                   selected[i],
+                                   options.frame,
+                                   solver,
+                                   scene.is_motion ? &state : nullptr);
+    WriteFrame(prepared, frame, options.formats, options.out);
+    run.frames.push_back(RecordOf(prepared, frame));
+    log.FrameDone(run.frames.back(), state.muscles);
+    WriteReport(run, report);
+    progress.FrameDone(run.frames.back());
   }
-  const std::string report = (fs::path(options.out) / "report.json").string();
-  WriteTextAtomically(report, ReportJson(run).dump(2) + "\n");
+  if (writes_vtp) WritePvd(prepared, selected, options.out);
+  if (scene.is_motion) WriteMotionTables(run.frames, scene, options.out);
+  run.finished = true;
+  WriteReport(run, report);
+  log.Finish();
   PrintFrames(run, screen);
   screen << "report: " << report << "\n";
   return TotalsOf(run).usable ? kExitUsable : kExitNotUsable;

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_contact.h"
-#include "musclewarp/solver/muscle_target.h"
 #include "tools/solver_configuration.h"
 
 namespace musclewarp {
@@ -21,12 +21,21 @@ struct DeformOptions {
   std::string out;
   SolverConfiguration solver = SolverConfigurationNamed("ceres");
   DeformContact contact = DeformContact::kNone;
-  std::string frames = "all";  // "all", "last", "7" or "first:last[:step]"
+  // "all", "last", "7" or "first:last[:step]", where first and last may be
+  // times ("0.1s").
+  std::string frames = "all";
   std::vector<std::string> formats = {"ply"};
-  int threads = 0;  // 0: as many as OpenMP chooses
+  std::string motion;  // in place of the scene's
+  int threads = 0;     // 0: as many as OpenMP chooses
+  bool resume = false;
+  bool is_terminal = false;  // `screen` is one
+  // The flags that make a difference to the result, and the command line that
+  // runs it again; for the record.
+  std::string result_flags;
+  std::string command;
 
   PrepareOptions prepare;
-  PreRotationOptions pre_rotation;
+  FrameOptions frame;
   SceneContactOptions scene_contact;
 };
 
@@ -36,9 +45,11 @@ DeformContact ParseDeformContact(const std::string& text);
 ContactLevel ParseContactLevel(const std::string& text);
 std::vector<std::string> ParseFormats(const std::string& text);
 
-// Indices of the poses that `frames` selects out of `count`, rising. "a:b:step"
-// runs from a to b inclusive.
-std::vector<int> SelectFrames(const std::string& frames, int count);
+// Indices of the poses that `frames` selects, rising. "a:b:step" runs from a to
+// b inclusive; times select the poses from the first not before a to the last
+// not after b.
+std::vector<int> SelectFrames(const std::string& frames,
+                              const std::vector<ScenePose>& poses);
 
 // Throw InputError: options that no scene can be run with, a folder that cannot
 // be written (it is not made), one that cannot be made.
@@ -47,8 +58,12 @@ void CheckWritable(const std::string& dir);
 void MakeFolder(const std::string& dir);
 
 // Deforms the muscles of a scene in every selected pose, writes the frames and
-// report.json to `out` and a summary to `screen`. Returns an exit code. Throws
-// InputError, before anything is written, for bad input.
+// report.json to `out` and a summary to `screen`; of a motion each frame starts
+// from the one before, and tables of lengths, volumes and moment arms are
+// written as well. After every frame what is there is complete. With `resume`
+// an interrupted run of the same input goes on where it was, to the same
+// result. Returns an exit code. Throws InputError, before anything is written,
+// for bad input.
 int DeformCommand(const DeformOptions& options, std::ostream& screen);
 
 }  // namespace musclewarp

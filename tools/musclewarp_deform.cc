@@ -1,6 +1,7 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include <gflags/gflags.h>
+#include <unistd.h>
 
 #include <iostream>
 
@@ -18,6 +19,10 @@ DEFINE_string(contact,
               "of each other and of bones as Kellnhofer and Kohout have it");
 DEFINE_string(format, "ply", "mesh files to write: ply, obj, vtp; commas");
 
+DEFINE_bool(resume,
+            false,
+            "go on with an interrupted run of the same input in --out");
+
 namespace musclewarp {
 namespace {
 
@@ -28,6 +33,8 @@ DeformOptions OptionsFromFlags() {
   SetIterationLimit(&options.solver);
   options.contact = ParseDeformContact(FLAGS_contact);
   options.formats = ParseFormats(FLAGS_format);
+  options.resume = FLAGS_resume;
+  options.is_terminal = isatty(STDOUT_FILENO);
   return options;
 }
 

@@ -4,6 +4,13 @@
 
 #include <gflags/gflags.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <set>
+#include <string>
+#include <vector>
+
 #include "musclewarp/base/input_error.h"
 
 DEFINE_string(scene, "", "scene file (JSON)");
@@ -14,7 +21,10 @@ DEFINE_string(data_root,
 DEFINE_string(frames,
               "all",
               "poses to compute: all, last, N, FIRST:LAST or FIRST:LAST:STEP "
-              "(last included)");
+              "(last included); FIRST and LAST may be times: 0.1s:0.35s");
+DEFINE_string(motion,
+              "",
+              "OpenSim motion (.mot, .sto) in place of the one the scene names");
 DEFINE_string(contact_level,
               "coarse",
               "what meets with --contact=paper: coarse (hulls) or fine (the "
@@ -38,11 +48,43 @@ DEFINE_bool(body_twist,
             "muscles turn about their lines as the bones at the ends do");
 
 namespace musclewarp {
+namespace {
+
+// As a word for a shell.
+std::string ShellQuoted(const std::string& text) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) || std::strchr("_-+=./:,@%", c) != nullptr;
+  };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) {
+    return text;
+  }
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+// The flags of our programs that were set, but those in `without`.
+std::string SetFlags(const std::set<std::string>& without) {
+  std::vector<gflags::CommandLineFlagInfo> flags;
+  gflags::GetAllFlags(&flags);
+  std::string text;
+  for (const auto& flag : flags) {
+    if (flag.filename.find("tools/") == std::string::npos || flag.is_default ||
+        without.count(flag.name)) {
+      continue;
+    }
+    text += " --" + flag.name + "=" + ShellQuoted(flag.current_value);
+  }
+  return text;
+}
+
+}  // namespace
 
 DeformOptions SceneOptionsFromFlags() {
   DeformOptions options;
   options.scene = FLAGS_scene;
   options.data_root = FLAGS_data_root;
+  options.motion = FLAGS_motion;
   options.frames = FLAGS_frames;
   options.threads = FLAGS_threads;
   options.scene_contact.group.level = ParseContactLevel(FLAGS_contact_level);
@@ -52,7 +94,12 @@ DeformOptions SceneOptionsFromFlags() {
   options.prepare.muscle.sample_spacing = FLAGS_sample_spacing;
   options.prepare.muscle.skeleton_weight = FLAGS_skeleton_weight;
   options.prepare.muscle.attachment_weight = FLAGS_attachment_weight;
-  options.pre_rotation.use_body_twist = FLAGS_body_twist;
+  options.command =
+      std::string(gflags::ProgramInvocationShortName()) + SetFlags({"resume"});
+  // Files count by their contents, threads make no difference.
+  options.result_flags =
+      SetFlags({"resume", "out", "threads", "scene", "data_root", "motion"});
+  options.frame.pre_rotation.use_body_twist = FLAGS_body_twist;
   return options;
 }
 

@@ -50,4 +50,29 @@ void WriteTextAtomically(const std::string& path, const std::string& text) {
   });
 }
 
+void WriteFolderAtomically(
+    const std::string& path,
+    const std::function<void(const std::string&)>& write) {
+  const fs::path target(path);
+  const fs::path partial =
+      target.parent_path() / ("." + target.filename().string() + ".partial");
+  try {
+    fs::remove_all(partial);
+    fs::create_directories(partial);
+    write(partial.string());
+    fs::remove_all(target);
+    fs::rename(partial, target);
+  } catch (const fs::filesystem_error& error) {
+    std::error_code ignored;
+    fs::remove_all(partial, ignored);
+    throw InputError(path,
+                     "cannot be written (" + error.code().message() + ")",
+                     "choose a folder that can be written and has room");
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove_all(partial, ignored);
+    throw;
+  }
+}
+
 }  // namespace musclewarp

@@ -17,4 +17,11 @@ void WriteFileAtomically(const std::string& path,
 // The same for text at hand.
 void WriteTextAtomically(const std::string& path, const std::string& text);
 
+// Writes a folder so that it appears complete or not at all: `write` fills a
+// folder beside the target, which then takes the place of `path`. What a killed
+// run left behind is removed by the next.
+void WriteFolderAtomically(
+    const std::string& path,
+    const std::function<void(const std::string&)>& write);
+
 }  // namespace musclewarp

@@ -10,6 +10,7 @@
 #include "musclewarp/contact/final_fix.h"
 #include "musclewarp/contact/initial_fix.h"
 #include "musclewarp/contact/step_rollback.h"
+#include "musclewarp/mesh/transformed.h"
 
 namespace musclewarp {
 
@@ -51,13 +52,23 @@ bool PaperContact::FixRemaining() {
 }
 
 void PaperContact::RollBack(const std::vector<Points>& before) {
+  RollBack(before, {});
+}
+
+void PaperContact::RollBack(
+    const std::vector<Points>& before,
+    const std::vector<Eigen::Matrix4d>& now_from_before) {
   CHECK_EQ(before.size(), muscles_.size());
+  CHECK(now_from_before.empty() || now_from_before.size() == bones_.size());
   for (auto& found : found_inside_) found.assign(found.size(), 0);
   const Points none;
   ForEachPair([&](ContactBody* a, ContactBody* b, int a_idx, int b_idx) {
-    const bool is_bone = b_idx < 0;
+    const bool is_bone = !b->is_deformable();
+    const bool bone_moved = is_bone && !now_from_before.empty();
     RollBackStep(options_,
-                 before[a_idx],
+                 bone_moved
+                     ? Transformed(before[a_idx], now_from_before[b_idx])
+                     : before[a_idx],
                  is_bone ? none : before[b_idx],
                  a,
                  b,
@@ -76,8 +87,8 @@ void PaperContact::ForEachPair(const Visit& visit) {
     for (int j = i + 1; j < num_muscles(); ++j) {
       visit_if_near(&muscles_[i], &muscles_[j], i, j);
     }
-    for (ContactBody& bone : bones_) {
-      visit_if_near(&muscles_[i], &bone, i, -1);
+    for (size_t j = 0; j < bones_.size(); ++j) {
+      visit_if_near(&muscles_[i], &bones_[j], i, static_cast<int>(j));
     }
   }
 }

@@ -31,6 +31,12 @@ class PaperContact {
   // Section 3.3, after a step of all muscles from `before` (a muscle each).
   void RollBack(const std::vector<Points>& before);
 
+  // The same after a step in which the bones moved as well: seen from a bone, a
+  // muscle came from `before` moved along with the bone. `now_from_before`, a
+  // bone each; none: they stayed.
+  void RollBack(const std::vector<Points>& before,
+                const std::vector<Eigen::Matrix4d>& now_from_before);
+
   // What is left at the end (final_fix.h). True if anything was inside.
   bool FixRemaining();
 
@@ -41,8 +47,8 @@ class PaperContact {
   }
 
  private:
-  // Calls visit(a, b, index of a, index of b or -1 for a bone) for the pairs
-  // whose capsules overlap.
+  // Calls visit(a, b, index of a, index of b among muscles or bones) for the
+  // pairs whose capsules overlap.
   template <typename Visit>
   void ForEachPair(const Visit& visit);
 

@@ -3,13 +3,32 @@
 #include "musclewarp/contact/scene_intersections.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace musclewarp {
 namespace {
 
-void AddPair(const NamedMesh& a, const NamedMesh& b, SceneIntersections* sum) {
+void AddTo(const std::vector<int>& vertices, std::vector<int>* sum) {
+  std::vector<int> both;
+  std::set_union(sum->begin(),
+                 sum->end(),
+                 vertices.begin(),
+                 vertices.end(),
+                 std::back_inserter(both));
+  *sum = std::move(both);
+}
+
+// The vertices inside are added to those of the muscles; null for a bone.
+void AddPair(const NamedMesh& a,
+             const NamedMesh& b,
+             std::vector<int>* inside_of_a,
+             std::vector<int>* inside_of_b,
+             SceneIntersections* sum) {
   const MeshIntersection found = IntersectMeshes(*a.mesh, *b.mesh);
   if (found.IsEmpty()) return;
+  AddTo(found.a_inside_b, inside_of_a);
+  if (inside_of_b) AddTo(found.b_inside_a, inside_of_b);
   PairIntersection pair;
   pair.a = a.name;
   pair.b = b.name;
@@ -28,15 +47,43 @@ void AddPair(const NamedMesh& a, const NamedMesh& b, SceneIntersections* sum) {
 SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                                   const std::vector<NamedMesh>& bones) {
   SceneIntersections sum;
+  std::vector<std::vector<int>> inside(muscles.size());
   for (size_t a = 0; a < muscles.size(); ++a) {
     for (size_t b = a + 1; b < muscles.size(); ++b) {
-      AddPair(muscles[a], muscles[b], &sum);
+      AddPair(muscles[a], muscles[b], &inside[a], &inside[b], &sum);
     }
-    for (const NamedMesh& bone : bones) AddPair(muscles[a], bone, &sum);
+    for (const NamedMesh& bone : bones) {
+      AddPair(muscles[a], bone, &inside[a], nullptr, &sum);
+    }
     sum.self_pairs +=
         static_cast<int>(SelfIntersections(muscles[a].mesh->bvh()).size());
   }
+  sum.inside_of_muscles = std::move(inside);
   return sum;
+}
+
+Eigen::VectorXd VertexGaps(size_t muscle,
+                           const std::vector<NamedMesh>& muscles,
+                           const std::vector<NamedMesh>& bones,
+                           const std::vector<int>& inside,
+                           double limit) {
+  std::vector<const TriangleBvh*> others;
+  for (size_t i = 0; i < muscles.size(); ++i) {
+    if (i != muscle) others.push_back(&muscles[i].mesh->bvh());
+  }
+  for (const NamedMesh& bone : bones) others.push_back(&bone.mesh->bvh());
+  const Points& points = muscles[muscle].mesh->points();
+  Eigen::VectorXd gaps(points.rows());
+#pragma omp parallel for schedule(dynamic, 64)
+  for (Eigen::Index v = 0; v < points.rows(); ++v) {
+    double gap = limit;
+    for (const TriangleBvh* other : others) {
+      gap = std::min(gap, other->ClosestPoint(points.row(v), gap).distance);
+    }
+    gaps[v] = gap;
+  }
+  for (const int v : inside) gaps[v] = -gaps[v];
+  return gaps;
 }
 
 }  // namespace musclewarp

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct SceneIntersections {
   double max_depth_mm = 0;
   int self_pairs = 0;                   // of the muscles, each with itself
   std::vector<PairIntersection> pairs;  // those that touch, in scene order
+  // By muscle: its vertices inside any other mesh, rising.
+  std::vector<std::vector<int>> inside_of_muscles;
 
   // No triangles cross and no mesh contains another's vertices.
   bool IsClean() const { return triangle_pairs == 0 && vertices_inside == 0; }
@@ -38,5 +41,14 @@ struct NamedMesh {
 // Bones are not tested against each other, nor with themselves.
 SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                                   const std::vector<NamedMesh>& bones);
+
+// For each vertex of muscle `muscle`: the distance to the nearest other mesh,
+// mm, negative inside one (`inside`, from IntersectScene); `limit` where
+// nothing is nearer than that.
+Eigen::VectorXd VertexGaps(size_t muscle,
+                           const std::vector<NamedMesh>& muscles,
+                           const std::vector<NamedMesh>& bones,
+                           const std::vector<int>& inside,
+                           double limit);
 
 }  // namespace musclewarp

@@ -20,7 +20,7 @@
 #include "musclewarp/mesh/stl_io.h"
 #include "musclewarp/mesh/text_cursor.h"
 #ifdef MUSCLEWARP_WITH_VTK
-#include "musclewarp/mesh/vtk_io.h"
+#include "musclewarp/mesh/vtp_writer.h"
 #include "musclewarp/mesh/vtp_reader.h"
 #endif
 
@@ -46,7 +46,7 @@ const std::vector<Format>& Formats() {
       {".vtp",
        ReadVtp,
        [](const TriangleSoup& soup) {
-         return VtpBytes(PolyDataFromSoup(soup));
+         return VtpOfMesh(soup);
        }},
 #endif
   };

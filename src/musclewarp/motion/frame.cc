@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/motion/frame.h"
 
+#include <glog/logging.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -10,22 +15,16 @@
 #include "musclewarp/geometry/folded_triangles.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/scene/line_targets.h"
+#include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp {
 namespace {
 
-double PolylineLength(const Points& points) {
-  const Eigen::Index segments = points.rows() - 1;
-  return (points.bottomRows(segments) - points.topRows(segments))
-      .rowwise()
-      .norm()
-      .sum();
-}
-
-MuscleFrame FrameOf(const MuscleModel& model,
+MuscleFrame FrameOf(const PreparedMuscle& muscle,
                     const ScenePose& pose,
                     const MuscleState& state,
                     SolverSummary summary) {
+  const MuscleModel& model = muscle.model;
   MuscleFrame frame;
   frame.solver = std::move(summary);
   frame.fine = FinePoints(model, state);
@@ -36,35 +35,151 @@ MuscleFrame FrameOf(const MuscleModel& model,
   frame.folded_triangles = static_cast<int>(
       FoldedTriangles(model.fine_rest, frame.fine, model.fine_triangles)
           .size());
+  frame.lines = LinesAt(muscle.lines, state.coarse);
+  frame.fibres = LinesAt(muscle.fibres, state.coarse);
   const std::vector<LineTarget> targets = LineTargets(model.lines, pose);
   for (size_t i = 0; i < targets.size(); ++i) {
-    frame.line_lengths[model.lines[i].name] = PolylineLength(targets[i].points);
+    const auto known = pose.path_lengths.find(model.lines[i].name);
+    frame.path_lengths.push_back(known == pose.path_lengths.end()
+                                     ? PolylineLength(targets[i].points)
+                                     : known->second);
   }
   return frame;
 }
 
-SceneIntersections Intersect(const PreparedScene& scene,
-                             const std::vector<const Points*>& muscles,
-                             const std::vector<const Points*>& bones) {
+// The meshes of a scene, searchable, at some moment.
+struct SearchableScene {
   std::vector<std::unique_ptr<SearchableMesh>> meshes;
-  const auto add = [&](const std::string& name,
-                       const Points& points,
-                       const Triangles& triangles) {
+  std::vector<NamedMesh> muscles, bones;
+
+  SearchableScene(const PreparedScene& scene,
+                  const std::vector<const Points*>& muscle_points,
+                  const std::vector<const Points*>& bone_points) {
+    for (size_t i = 0; i < muscle_points.size(); ++i) {
+      const MuscleModel& model = scene.muscles[i].model;
+      muscles.push_back(
+          Add(model.name, *muscle_points[i], model.fine_triangles));
+    }
+    for (size_t i = 0; i < bone_points.size(); ++i) {
+      const PreparedBone& bone = scene.bones[i];
+      bones.push_back(
+          Add(bone.mesh.name, *bone_points[i], bone.rest.triangles));
+    }
+  }
+
+ private:
+  NamedMesh Add(const std::string& name,
+                const Points& points,
+                const Triangles& triangles) {
     meshes.push_back(
         std::make_unique<SearchableMesh>(TriangleSoup{points, triangles}));
-    return NamedMesh{name, meshes.back().get()};
-  };
-  std::vector<NamedMesh> named_muscles;
-  for (size_t i = 0; i < muscles.size(); ++i) {
+    return {name, meshes.back().get()};
+  }
+};
+
+std::vector<const Points*> RestBones(const PreparedScene& scene) {
+  std::vector<const Points*> bones;
+  for (const auto& bone : scene.bones) bones.push_back(&bone.rest.points);
+  return bones;
+}
+
+// Counts intersections and measures gaps.
+void Certify(const PreparedScene& scene, Frame* frame) {
+  std::vector<const Points*> muscles;
+  std::vector<const Points*> bones;
+  for (const MuscleFrame& muscle : frame->muscles) {
+    muscles.push_back(&muscle.fine);
+  }
+  for (const Points& bone : frame->bones) bones.push_back(&bone);
+  const SearchableScene meshes(scene, muscles, bones);
+  frame->intersections = IntersectScene(meshes.muscles, meshes.bones);
+  for (size_t i = 0; i < frame->muscles.size(); ++i) {
+    frame->muscles[i].gaps =
+        VertexGaps(i,
+                   meshes.muscles,
+                   meshes.bones,
+                   frame->intersections.inside_of_muscles[i],
+                   kGapLimit);
+  }
+}
+
+struct SolvedPose {
+  std::vector<MuscleState> states;
+  std::vector<SolverSummary> summaries;
+  double solve_ms = 0;
+};
+
+// Moves the muscles to one pose; `state` as for SolveFrame, not changed.
+SolvedPose SolvePose(const PreparedScene& scene,
+                     const SceneContact* contact,
+                     const ScenePose& pose,
+                     const PreRotationOptions& pre_rotation,
+                     const GroupSolver& solver,
+                     const SceneState* state) {
+  std::vector<const MuscleModel*> models;
+  std::vector<MuscleTarget> targets;
+  SolvedPose solved;
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
     const MuscleModel& model = scene.muscles[i].model;
-    named_muscles.push_back(add(model.name, *muscles[i], model.fine_triangles));
+    models.push_back(&model);
+    targets.push_back(TargetOf(model, pose, pre_rotation));
+    MuscleState start;
+    if (state) {
+      start = state->muscles[i];
+      start.coarse +=
+          UnconstrainedMinimizer(model, targets.back()) -
+          UnconstrainedMinimizer(model,
+                                 TargetOf(model, state->pose, pre_rotation));
+    } else if (contact) {
+      start.coarse = UnconstrainedMinimizer(model, targets.back());
+    } else {
+      start.coarse = model.coarse_rest;
+    }
+    solved.states.push_back(std::move(start));
   }
-  std::vector<NamedMesh> named_bones;
-  for (size_t i = 0; i < bones.size(); ++i) {
-    named_bones.push_back(add(
-        scene.bones[i].mesh.name, *bones[i], scene.bones[i].rest.triangles));
+  std::optional<GroupContact> group_contact;
+  if (contact) group_contact = ContactInPose(scene, *contact, pose);
+  if (contact && state) {
+    std::vector<Eigen::Matrix4d> now_from_before;
+    for (const PreparedBone& bone : scene.bones) {
+      now_from_before.push_back(
+          BodyTransform(pose, bone.body) *
+          BodyTransform(state->pose, bone.body).inverse());
+    }
+    group_contact->FollowOn(state->muscles, std::move(now_from_before));
   }
-  return IntersectScene(named_muscles, named_bones);
+  const Stopwatch solving;
+  solver(models,
+         targets,
+         group_contact ? &*group_contact : nullptr,
+         &solved.states,
+         &solved.summaries);
+  solved.solve_ms = solving.Milliseconds();
+  return solved;
+}
+
+// What the next pose starts from. Offsets of the fine vertices are part of it
+// where contact acts on them; else they are a last correction, made anew.
+SceneState StateOf(const ScenePose& pose,
+                   const SceneContact* contact,
+                   const std::vector<MuscleState>& states) {
+  const bool keeps_offset =
+      contact && contact->options.group.level == ContactLevel::kFine;
+  SceneState state;
+  state.pose = pose;
+  for (const MuscleState& muscle : states) {
+    MuscleState kept;
+    kept.coarse = muscle.coarse;
+    if (keeps_offset) kept.contact.fine_offset = muscle.contact.fine_offset;
+    state.muscles.push_back(std::move(kept));
+  }
+  return state;
+}
+
+double TurnBetween(const Eigen::Matrix4d& from, const Eigen::Matrix4d& to) {
+  const Eigen::Matrix3d turn =
+      to.topLeftCorner<3, 3>() * from.topLeftCorner<3, 3>().transpose();
+  return std::acos(std::clamp((turn.trace() - 1) / 2, -1.0, 1.0));
 }
 
 }  // namespace
@@ -91,38 +206,70 @@ bool Frame::IsUsable() const {
   return true;
 }
 
+bool FrameOptions::IsValid(std::string* error) const {
+  if (max_turn > 0 && max_move > 0) return true;
+  *error = "FrameOptions::max_turn and max_move must be above 0";
+  return false;
+}
+
+int StepsBetween(const Scene& scene,
+                 const ScenePose& from,
+                 const ScenePose& to,
+                 const FrameOptions& options) {
+  double steps = 1;
+  for (const SceneBone& bone : scene.bones) {
+    const double turn = TurnBetween(BodyTransform(from, bone.body),
+                                    BodyTransform(to, bone.body));
+    steps = std::max(steps, turn / options.max_turn);
+  }
+  for (const SceneMuscle& muscle : scene.muscles) {
+    const auto targets_0 = LineTargets(muscle.lines, from);
+    const auto targets_1 = LineTargets(muscle.lines, to);
+    for (size_t i = 0; i < targets_0.size(); ++i) {
+      const double move = (targets_1[i].points - targets_0[i].points)
+                              .rowwise()
+                              .norm()
+                              .maxCoeff();
+      steps = std::max(steps, move / options.max_move);
+    }
+  }
+  return static_cast<int>(std::ceil(steps));
+}
+
 Frame SolveFrame(const PreparedScene& scene,
                  const SceneContact* contact,
                  int index,
-                 const PreRotationOptions& pre_rotation,
-                 const GroupSolver& solver) {
+                 const FrameOptions& options,
+                 const GroupSolver& solver,
+                 SceneState* state) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
   const Stopwatch moving;
   Frame frame;
   frame.index = index;
   frame.pose = &scene.scene.poses[index];
   const ScenePose& pose = *frame.pose;
-  std::vector<const MuscleModel*> models;
-  std::vector<MuscleTarget> targets;
-  std::vector<MuscleState> states;
-  for (const PreparedMuscle& muscle : scene.muscles) {
-    models.push_back(&muscle.model);
-    targets.push_back(TargetOf(muscle.model, pose, pre_rotation));
-    MuscleState start;
-    start.coarse = contact
-                       ? UnconstrainedMinimizer(muscle.model, targets.back())
-                       : muscle.model.coarse_rest;
-    states.push_back(std::move(start));
+  const auto solve = [&](const ScenePose& target) {
+    SolvedPose solved = SolvePose(
+        scene, contact, target, options.pre_rotation, solver, state);
+    frame.solve_ms += solved.solve_ms;
+    return solved;
+  };
+  // Without contact the result does not depend on the way.
+  if (state && contact) {
+    const ScenePose from = state->pose;
+    frame.pose_steps = StepsBetween(scene.scene, from, pose, options);
+    for (int i = 1; i < frame.pose_steps; ++i) {
+      const ScenePose between =
+          PoseBetween(scene.scene,
+                      from,
+                      pose,
+                      static_cast<double>(i) / frame.pose_steps);
+      *state = StateOf(between, contact, solve(between).states);
+    }
   }
-  std::optional<GroupContact> group_contact;
-  if (contact) group_contact = ContactInPose(scene, *contact, pose);
-  std::vector<SolverSummary> summaries;
-  const Stopwatch solving;
-  solver(models,
-         targets,
-         group_contact ? &*group_contact : nullptr,
-         &states,
-         &summaries);
-  frame.solve_ms = solving.Milliseconds();
+  SolvedPose solved = solve(pose);
+  if (state) *state = StateOf(pose, contact, solved.states);
   for (const PreparedBone& bone : scene.bones) {
     frame.bones.push_back(
         Transformed(bone.rest.points, BodyTransform(pose, bone.body)));
@@ -130,29 +277,45 @@ Frame SolveFrame(const PreparedScene& scene,
   frame.wall_ms = moving.Milliseconds();
 
   const Stopwatch certifying;
-  std::vector<const Points*> muscles;
-  std::vector<const Points*> bones;
-  for (size_t i = 0; i < models.size(); ++i) {
-    frame.muscles.push_back(
-        FrameOf(*models[i], pose, states[i], std::move(summaries[i])));
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    frame.muscles.push_back(FrameOf(scene.muscles[i],
+                                    pose,
+                                    solved.states[i],
+                                    std::move(solved.summaries[i])));
   }
-  for (const MuscleFrame& muscle : frame.muscles) {
-    muscles.push_back(&muscle.fine);
-  }
-  for (const Points& bone : frame.bones) bones.push_back(&bone);
-  frame.intersections = Intersect(scene, muscles, bones);
+  Certify(scene, &frame);
   frame.certify_ms = certifying.Milliseconds();
   return frame;
 }
 
+SceneState StartState(const PreparedScene& scene,
+                      const SceneContact* contact,
+                      const FrameOptions& options,
+                      const GroupSolver& solver) {
+  const ScenePose rest = RestPose(scene.scene);
+  if (contact) {
+    return StateOf(
+        rest,
+        contact,
+        SolvePose(
+            scene, contact, rest, options.pre_rotation, solver, nullptr)
+            .states);
+  }
+  SceneState state;
+  state.pose = rest;
+  for (const PreparedMuscle& muscle : scene.muscles) {
+    state.muscles.push_back({muscle.model.coarse_rest, {}});
+  }
+  return state;
+}
+
 SceneIntersections RestIntersections(const PreparedScene& scene) {
   std::vector<const Points*> muscles;
-  std::vector<const Points*> bones;
   for (const auto& muscle : scene.muscles) {
     muscles.push_back(&muscle.model.fine_rest);
   }
-  for (const auto& bone : scene.bones) bones.push_back(&bone.rest.points);
-  return Intersect(scene, muscles, bones);
+  const SearchableScene meshes(scene, muscles, RestBones(scene));
+  return IntersectScene(meshes.muscles, meshes.bones);
 }
 
 SceneIntersections RestIntersectionsAfterFix(const PreparedScene& scene,
@@ -168,10 +331,9 @@ SceneIntersections RestIntersectionsAfterFix(const PreparedScene& scene,
     fine.push_back(FinePoints(scene.muscles[i].model, states[i]));
   }
   std::vector<const Points*> muscles;
-  std::vector<const Points*> bones;
   for (const Points& points : fine) muscles.push_back(&points);
-  for (const auto& bone : scene.bones) bones.push_back(&bone.rest.points);
-  return Intersect(scene, muscles, bones);
+  const SearchableScene meshes(scene, muscles, RestBones(scene));
+  return IntersectScene(meshes.muscles, meshes.bones);
 }
 
 }  // namespace musclewarp

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -15,14 +15,23 @@
 
 namespace musclewarp {
 
+// Gaps to other meshes are looked for up to this distance, mm.
+constexpr double kGapLimit = 20;
+
 // A muscle in one pose.
 struct MuscleFrame {
   Points fine;  // n x 3, mm
   SolverSummary solver;
   double volume_ratio = 0;  // of the fine mesh to its rest volume
   int folded_triangles = 0;
-  double max_displacement = 0;                 // of a fine vertex from rest, mm
-  std::map<std::string, double> line_lengths;  // target polylines, mm
+  double max_displacement = 0;  // of a fine vertex from rest, mm
+  // n: to the nearest other mesh, mm, negative inside one; at most kGapLimit.
+  Eigen::VectorXd gaps;
+  // The action lines, sampled, and the fibres, as the muscle carries them.
+  std::vector<Points> lines;
+  std::vector<Points> fibres;
+  // Of each action line straight through its path points, mm.
+  std::vector<double> path_lengths;
 };
 
 // The whole scene in one pose. Muscles and bones in scene order.
@@ -32,6 +41,7 @@ struct Frame {
   std::vector<MuscleFrame> muscles;
   std::vector<Points> bones;  // #V x 3, mm
   SceneIntersections intersections;
+  int pose_steps = 1;     // solves on the way from the frame before
   double wall_ms = 0;     // moving the scene to the pose
   double solve_ms = 0;    // of that, in the solver
   double certify_ms = 0;  // counting intersections and folded triangles
@@ -42,14 +52,49 @@ struct Frame {
   bool IsUsable() const;
 };
 
-// Deforms the muscles from their rest pose, on their own; or with `contact`
-// (null: without) together, from the shape they have without contact and volume
-// constraint: bones do not pass through their rest pose on the way.
+// Where a frame of a motion starts: the muscles in the frame before.
+struct SceneState {
+  ScenePose pose;
+  std::vector<MuscleState> muscles;
+};
+
+struct FrameOptions {
+  PreRotationOptions pre_rotation;
+
+  // With contact a frame of a motion is reached in steps in which no body turns
+  // and no point of a line moves by more than this, so that no bone passes
+  // through a muscle between two of them.
+  double max_turn = 5 * M_PI / 180;  // rad
+  double max_move = 10;              // mm
+
+  bool IsValid(std::string* error) const;
+};
+
+// Steps from one pose to another by those limits; at least 1.
+int StepsBetween(const Scene& scene,
+                 const ScenePose& from,
+                 const ScenePose& to,
+                 const FrameOptions& options);
+
+// Moves the muscles to pose `index`. Without `state` they start from rest, on
+// their own; or with `contact` (null: without) together, from the shape they
+// have without contact and volume constraint: bones do not pass through their
+// rest pose on the way. With `state`, that of the frame before (or StartState),
+// they start from there, moved on as the unconstrained shapes move, and `state`
+// becomes that of this frame. Precondition (CHECKed): the options are valid.
 Frame SolveFrame(const PreparedScene& scene,
                  const SceneContact* contact,
                  int index,
-                 const PreRotationOptions& pre_rotation,
-                 const GroupSolver& solver);
+                 const FrameOptions& options,
+                 const GroupSolver& solver,
+                 SceneState* state = nullptr);
+
+// Where the first frame of a motion starts: at rest, with contact after a solve
+// of the rest pose, which parts what overlaps as the data come.
+SceneState StartState(const PreparedScene& scene,
+                      const SceneContact* contact,
+                      const FrameOptions& options,
+                      const GroupSolver& solver);
 
 // The same scene with every mesh where it came.
 SceneIntersections RestIntersections(const PreparedScene& scene);

@@ -2,15 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/motion/frame_files.h"
 
+#include <glog/logging.h>
+
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
 
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh/vtp_writer.h"
+#include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp {
 namespace {
+
+namespace fs = std::filesystem;
+
+// What the files of lines and fibres add to the name of their muscle.
+constexpr char kLines[] = "_lines";
+constexpr char kFibres[] = "_fibres";
 
 std::string XmlEscaped(const std::string& text) {
   std::string escaped;
@@ -32,6 +43,49 @@ std::string XmlEscaped(const std::string& text) {
   return escaped;
 }
 
+#ifdef MUSCLEWARP_WITH_VTK
+void WriteMuscleVtp(const PreparedMuscle& muscle,
+                    const MuscleFrame& frame,
+                    const fs::path& folder) {
+  const MuscleModel& model = muscle.model;
+  const Eigen::VectorXd contact =
+      (frame.gaps.array() <= kContactGap).cast<double>();
+  const std::vector<NamedField> fields = {
+      {"displacement", frame.fine - model.fine_rest},
+      {"area_stretch",
+       AreaStretch(model.fine_rest, frame.fine, model.fine_triangles)},
+      {"gap", frame.gaps},
+      {"contact", contact}};
+  WriteTextAtomically((folder / (model.name + ".vtp")).string(),
+                      VtpOfMesh({frame.fine, model.fine_triangles}, fields));
+}
+
+void WriteLinesVtp(const std::vector<Points>& lines, const fs::path& path) {
+  Eigen::VectorXd numbers(lines.size());
+  Eigen::VectorXd lengths(lines.size());
+  for (size_t i = 0; i < lines.size(); ++i) {
+    numbers[i] = static_cast<double>(i + 1);
+    lengths[i] = PolylineLength(lines[i]);
+  }
+  WriteTextAtomically(
+      path.string(),
+      VtpOfLines(lines, {{"number", numbers}, {"length_mm", lengths}}));
+}
+#else
+void WriteMuscleVtp(const PreparedMuscle&, const MuscleFrame&, const fs::path&) {
+  LOG(FATAL) << "this build cannot write .vtp";
+}
+void WriteLinesVtp(const std::vector<Points>&, const fs::path&) {}
+#endif
+
+bool TimesRise(const std::vector<ScenePose>& poses,
+               const std::vector<int>& frames) {
+  for (size_t i = 0; i + 1 < frames.size(); ++i) {
+    if (poses[frames[i]].time >= poses[frames[i + 1]].time) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string FrameFolder(int index) {
@@ -40,52 +94,97 @@ std::string FrameFolder(int index) {
   return name.str();
 }
 
+Eigen::VectorXd AreaStretch(const Points& rest,
+                            const Points& points,
+                            const Triangles& triangles) {
+  const auto areas_around = [&](const Points& at) {
+    Eigen::VectorXd areas = Eigen::VectorXd::Zero(at.rows());
+    for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+      const Eigen::RowVector3d a = at.row(triangles(f, 0));
+      const Eigen::RowVector3d ab = at.row(triangles(f, 1)) - a;
+      const Eigen::RowVector3d ac = at.row(triangles(f, 2)) - a;
+      const double area = ab.cross(ac).norm() / 2;
+      for (int corner = 0; corner < 3; ++corner) {
+        areas[triangles(f, corner)] += area;
+      }
+    }
+    return areas;
+  };
+  const Eigen::VectorXd before = areas_around(rest);
+  const Eigen::VectorXd after = areas_around(points);
+  Eigen::VectorXd stretch = Eigen::VectorXd::Ones(rest.rows());
+  for (Eigen::Index v = 0; v < rest.rows(); ++v) {
+    if (before[v] > 0) stretch[v] = after[v] / before[v];
+  }
+  return stretch;
+}
+
 void WriteFrame(const PreparedScene& scene,
                 const Frame& frame,
                 const std::vector<std::string>& formats,
                 const std::string& dir) {
-  const std::filesystem::path folder =
-      std::filesystem::path(dir) / FrameFolder(frame.index);
-  std::filesystem::create_directories(folder);
-  const auto write = [&](const std::string& name,
-                         const Points& points,
-                         const Triangles& triangles) {
+  const auto write_all = [&](const std::string& partial) {
+    const fs::path folder(partial);
+    const auto path = [&](const std::string& name, const std::string& format) {
+      return (folder / (name + "." + format)).string();
+    };
     for (const std::string& format : formats) {
-      WriteTriangleSoup((folder / (name + "." + format)).string(),
-                        {points, triangles});
+      for (size_t i = 0; i < scene.muscles.size(); ++i) {
+        const PreparedMuscle& muscle = scene.muscles[i];
+        const MuscleFrame& moved = frame.muscles[i];
+        const std::string& name = muscle.model.name;
+        if (format == "vtp") {
+          WriteMuscleVtp(muscle, moved, folder);
+          WriteLinesVtp(moved.lines, path(name + kLines, format));
+          if (moved.fibres.empty()) continue;
+          WriteLinesVtp(moved.fibres, path(name + kFibres, format));
+        } else {
+          WriteTriangleSoup(path(name, format),
+                            {moved.fine, muscle.model.fine_triangles});
+        }
+      }
+      for (size_t i = 0; i < scene.bones.size(); ++i) {
+        const PreparedBone& bone = scene.bones[i];
+        WriteTriangleSoup(path(bone.mesh.name, format),
+                          {frame.bones[i], bone.rest.triangles});
+      }
     }
   };
-  for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    const MuscleModel& model = scene.muscles[i].model;
-    write(model.name, frame.muscles[i].fine, model.fine_triangles);
-  }
-  for (size_t i = 0; i < scene.bones.size(); ++i) {
-    write(scene.bones[i].mesh.name,
-          frame.bones[i],
-          scene.bones[i].rest.triangles);
-  }
+  WriteFolderAtomically((fs::path(dir) / FrameFolder(frame.index)).string(),
+                        write_all);
 }
 
 void WritePvd(const PreparedScene& scene,
               const std::vector<int>& frames,
               const std::string& dir) {
+  const bool has_times = TimesRise(scene.scene.poses, frames);
   std::ostringstream pvd;
   pvd << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" "
-         "version=\"0.1\">\n  <Collection>\n";
+         "version=\"0.1\">\n  <Collection>\n"
+      << std::setprecision(17);
   for (const int frame : frames) {
     int part = 0;
     const auto add = [&](const std::string& name) {
-      // The index, not the time: poses may all be at time 0.
-      pvd << "    <DataSet timestep=\"" << frame << "\" part=\"" << part++
-          << "\" name=\"" << XmlEscaped(name) << "\" file=\""
-          << XmlEscaped(FrameFolder(frame) + "/" + name) << ".vtp\"/>\n";
+      pvd << "    <DataSet timestep=\"";
+      // Poses without times are played by their indices.
+      if (has_times) {
+        pvd << scene.scene.poses[frame].time;
+      } else {
+        pvd << frame;
+      }
+      pvd << "\" part=\"" << part++ << "\" name=\"" << XmlEscaped(name)
+          << "\" file=\"" << XmlEscaped(FrameFolder(frame) + "/" + name)
+          << ".vtp\"/>\n";
     };
     for (const auto& muscle : scene.muscles) add(muscle.model.name);
     for (const auto& bone : scene.bones) add(bone.mesh.name);
+    for (const auto& muscle : scene.muscles) {
+      add(muscle.model.name + kLines);
+      if (muscle.fibres.num_lines() > 0) add(muscle.model.name + kFibres);
+    }
   }
   pvd << "  </Collection>\n</VTKFile>\n";
-  WriteTextAtomically((std::filesystem::path(dir) / "motion.pvd").string(),
-                      pvd.str());
+  WriteTextAtomically((fs::path(dir) / "motion.pvd").string(), pvd.str());
 }
 
 }  // namespace musclewarp

@@ -12,17 +12,32 @@ namespace musclewarp {
 // "frame_0007"
 std::string FrameFolder(int index);
 
-// Writes all meshes of a frame to DIR/frame_0000/<name>.<format>, every file
-// complete or not at all. Formats are extensions without dot; all of them keep
-// double precision (.stl does not and is not offered by the programs).
+// Writes all meshes of a frame to DIR/frame_0000/<name>.<format>; the folder
+// appears complete or not at all. Formats are extensions without dot; all of
+// them keep double precision (.stl does not and is not offered by the
+// programs). With "vtp" muscles carry point data: displacement from rest (mm),
+// area_stretch (area of the triangles around a vertex to that at rest), gap to
+// the nearest other mesh (mm, negative inside, at most kGapLimit) and contact
+// (1 where the gap is at most kContactGap), and each muscle has its lines in
+// <name>_lines.vtp and its fibres, if any, in <name>_fibres.vtp.
 void WriteFrame(const PreparedScene& scene,
                 const Frame& frame,
                 const std::vector<std::string>& formats,
                 const std::string& dir);
 
-// Writes DIR/motion.pvd, by which ParaView plays the .vtp files of `frames`.
+// A vertex that near to another mesh touches it, mm.
+constexpr double kContactGap = 0.5;
+
+// Writes DIR/motion.pvd, by which ParaView plays the .vtp files of `frames`:
+// at the times of the poses if they rise, else at the indices.
 void WritePvd(const PreparedScene& scene,
               const std::vector<int>& frames,
               const std::string& dir);
+
+// What a vertex's triangles have become, #V: the sum of their areas to that at
+// rest; 1 where they have none.
+Eigen::VectorXd AreaStretch(const Points& rest,
+                            const Points& points,
+                            const Triangles& triangles);
 
 }  // namespace musclewarp

@@ -10,6 +10,8 @@
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/scene/line_targets.h"
+#include "musclewarp/skeleton/sampling.h"
 
 namespace musclewarp {
 namespace {
@@ -17,9 +19,13 @@ namespace {
 // Reads and repairs the mesh of a muscle or bone.
 TriangleSoup ReadRepaired(const std::string& name,
                           const std::string& path,
+                          const Eigen::Matrix4d& rest_from_file,
                           const RepairOptions& options,
                           MeshPreparation* preparation) {
-  const TriangleSoup delivered = ReadTriangleSoup(path);
+  TriangleSoup delivered = ReadTriangleSoup(path);
+  if (!rest_from_file.isIdentity(0)) {
+    delivered.points = Transformed(delivered.points, rest_from_file);
+  }
   preparation->name = name;
   preparation->path = path;
   preparation->defects = CountDefects(delivered);
@@ -27,14 +33,31 @@ TriangleSoup ReadRepaired(const std::string& name,
       RepairMesh(delivered, path, options, &preparation->repairs));
 }
 
+// The action lines at the places of the skeleton samples.
+CarriedLines CarryActionLines(const MuscleModel& model) {
+  std::vector<Points> lines(model.lines.size());
+  for (const SegmentPoint& sample : model.samples) {
+    Points& line = lines[sample.line];
+    line.conservativeResize(line.rows() + 1, 3);
+    line.bottomRows<1>() =
+        PointOnSegment(model.lines[sample.line].rest, sample);
+  }
+  return CarryLines(lines, model.coarse_rest, model.coarse_triangles);
+}
+
 PreparedMuscle PrepareOne(const SceneMuscle& muscle,
                           const PrepareOptions& options) {
   PreparedMuscle prepared;
   const TriangleSoup fine = ReadRepaired(
-      muscle.name, muscle.mesh_path, options.repair, &prepared.mesh);
+      muscle.name,
+      muscle.mesh_path,
+      Eigen::Matrix4d::Identity(),
+      options.repair,
+      &prepared.mesh);
   const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
   prepared.hull_encloses = Encloses(hull, fine);
   prepared.model = PrepareMuscle(muscle, fine, hull, options.muscle);
+  prepared.lines = CarryActionLines(prepared.model);
   return prepared;
 }
 
@@ -71,7 +94,11 @@ PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {
   for (const SceneBone& bone : scene.bones) {
     PreparedBone one;
     one.rest =
-        ReadRepaired(bone.name, bone.mesh_path, options.repair, &one.mesh);
+        ReadRepaired(bone.name,
+                     bone.mesh_path,
+                     bone.rest_from_file,
+                     options.repair,
+                     &one.mesh);
     one.body = bone.body;
     sizes.push_back({bone.name, BoundingBoxDiagonal(one.rest.points)});
     prepared.bones.push_back(std::move(one));
@@ -82,7 +109,11 @@ PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {
         {muscle.name,
          BoundingBoxDiagonal(prepared.muscles.back().model.fine_rest)});
   }
-  prepared.warnings = ScaleWarnings(sizes, options.scale_warning_ratio);
+  prepared.warnings = scene.warnings;
+  for (const std::string& warning :
+       ScaleWarnings(sizes, options.scale_warning_ratio)) {
+    prepared.warnings.push_back(warning);
+  }
   for (const std::string& warning : prepared.warnings) LOG(WARNING) << warning;
   prepared.wall_ms = stopwatch.Milliseconds();
   return prepared;

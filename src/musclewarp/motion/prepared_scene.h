@@ -10,6 +10,7 @@
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/repair.h"
 #include "musclewarp/scene/scene.h"
+#include "musclewarp/solver/carried_lines.h"
 #include "musclewarp/solver/muscle_model.h"
 
 namespace musclewarp {
@@ -35,6 +36,8 @@ struct PreparedMuscle {
   MeshPreparation mesh;
   MuscleModel model;
   bool hull_encloses = false;
+  CarriedLines lines;   // the action lines, at the places of the samples
+  CarriedLines fibres;  // none unless asked for
 };
 
 struct PreparedBone {

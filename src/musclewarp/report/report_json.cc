@@ -35,22 +35,6 @@ Json ToJson(const RepairReport& repairs) {
           {"dropped_points", repairs.dropped_points}};
 }
 
-Json ToJson(const SceneIntersections& intersections) {
-  Json pairs = Json::array();
-  for (const PairIntersection& pair : intersections.pairs) {
-    pairs.push_back({{"a", pair.a},
-                     {"b", pair.b},
-                     {"triangle_pairs", pair.triangle_pairs},
-                     {"vertices_inside", pair.vertices_inside},
-                     {"max_depth_mm", pair.max_depth_mm}});
-  }
-  return {{"triangle_pairs", intersections.triangle_pairs},
-          {"vertices_inside", intersections.vertices_inside},
-          {"max_depth_mm", intersections.max_depth_mm},
-          {"self_pairs", intersections.self_pairs},
-          {"pairs", pairs}};
-}
-
 Json PrepareJson(const PreparedScene& scene) {
   Json muscles = Json::array();
   for (const PreparedMuscle& muscle : scene.muscles) {
@@ -61,6 +45,8 @@ Json PrepareJson(const PreparedScene& scene) {
                        {"hull_encloses", muscle.hull_encloses},
                        {"volume_mm3", muscle.model.rest_volume},
                        {"skeleton_samples", muscle.model.samples.size()},
+                       {"lines", muscle.model.lines.size()},
+                       {"fibres", muscle.fibres.num_lines()},
                        {"attachment_rows", muscle.model.attachment_of.size()},
                        {"defects", DefectsJson(muscle.mesh.defects)},
                        {"repairs", ToJson(muscle.mesh.repairs)}});
@@ -75,41 +61,31 @@ Json PrepareJson(const PreparedScene& scene) {
   }
   return {{"wall_ms", scene.wall_ms},
           {"cached", false},
+          {"notes", scene.scene.notes},
           {"warnings", scene.warnings},
           {"muscles", muscles},
           {"bones", bones}};
 }
 
-Json ToJson(const MuscleFrame& frame, const std::string& name) {
-  return {{"name", name},
-          {"volume_ratio", frame.volume_ratio},
-          {"max_step_mm", frame.solver.max_step},
-          {"max_displacement_mm", frame.max_displacement},
-          {"folded_triangles", frame.folded_triangles},
-          {"iterations", frame.solver.iterations},
-          {"solve_ms", frame.solver.wall_ms},
-          {"initial_energy_mm2", frame.solver.initial_energy},
-          {"final_energy_mm2", frame.solver.final_energy},
-          {"stop_reason", ToString(frame.solver.stop_reason)},
-          {"line_lengths_mm", frame.line_lengths}};
-}
-
-Json ToJson(const Frame& frame, const PreparedScene& scene) {
-  Json muscles = Json::array();
-  for (size_t i = 0; i < frame.muscles.size(); ++i) {
-    muscles.push_back(ToJson(frame.muscles[i], scene.muscles[i].model.name));
+// Where the poses come from, and in which unit each coordinate is.
+Json MotionJson(const Scene& scene) {
+  if (!scene.model) return nullptr;
+  const Model& model = scene.model->model;
+  Json coordinates = Json::array();
+  for (const int index : scene.model->given_coordinates) {
+    const auto& moving = scene.model->moving_coordinates;
+    const CoordinateKind kind = model.coordinates[index].kind;
+    coordinates.push_back(
+        {{"name", model.coordinates[index].name},
+         {"unit",
+          kind == CoordinateKind::kRotational      ? "degrees"
+          : kind == CoordinateKind::kTranslational ? "m"
+                                                   : ""},
+         {"moves", std::count(moving.begin(), moving.end(), index) > 0}});
   }
-  return {{"index", frame.index},
-          {"name", frame.pose->name},
-          {"time", frame.pose->time},
-          {"coordinates", frame.pose->coordinates},
-          {"wall_ms", frame.wall_ms},
-          {"solve_ms", frame.solve_ms},
-          {"certify_ms", frame.certify_ms},
-          {"iterations", frame.iterations()},
-          {"stop_reason", frame.stop_reason(scene)},
-          {"muscles", muscles},
-          {"intersections", ToJson(frame.intersections)}};
+  return {{"model", model.path},
+          {"file", scene.motion_path},
+          {"coordinates", coordinates}};
 }
 
 }  // namespace
@@ -133,13 +109,13 @@ RunTotals TotalsOf(const RunRecord& run) {
   totals.frames = static_cast<int>(run.frames.size());
   totals.usable = !run.frames.empty();
   std::vector<double> wall_ms;
-  for (const Frame& frame : run.frames) {
+  for (const FrameRecord& frame : run.frames) {
     totals.frames_clean += frame.intersections.IsClean();
-    totals.usable = totals.usable && frame.IsUsable();
+    totals.usable = totals.usable && frame.usable;
     wall_ms.push_back(frame.wall_ms);
-    for (const MuscleFrame& muscle : frame.muscles) {
-      totals.worst_volume_error = std::max(totals.worst_volume_error,
-                                           std::abs(muscle.volume_ratio - 1));
+    totals.worst_volume_error =
+        std::max(totals.worst_volume_error, frame.WorstVolumeError());
+    for (const MuscleRecord& muscle : frame.muscles) {
       totals.worst_folded_triangles =
           std::max(totals.worst_folded_triangles, muscle.folded_triangles);
     }
@@ -175,15 +151,16 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
   }
   const RunTotals totals = TotalsOf(run);
   Json frames = Json::array();
-  for (const Frame& frame : run.frames) {
-    frames.push_back(ToJson(frame, *run.scene));
-  }
+  for (const FrameRecord& frame : run.frames) frames.push_back(ToJson(frame));
   return {{"scene", run.scene->scene.name},
           {"solver", run.solver},
           {"contact", run.contact ? "paper" : "none"},
           {"contact_options", contact_options},
           {"machine", MachineJson()},
           {"version", MUSCLEWARP_VERSION},
+          {"command", run.command},
+          {"inputs_hash", run.inputs_hash},
+          {"motion", MotionJson(run.scene->scene)},
           {"prepare", prepare},
           {"rest", rest},
           {"frames", frames},
@@ -193,6 +170,7 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
             {"worst_volume_error", totals.worst_volume_error},
             {"worst_folded_triangles", totals.worst_folded_triangles},
             {"wall_ms_per_frame_median", totals.wall_ms_per_frame_median},
+            {"finished", run.finished},
             {"usable", totals.usable}}}};
 }
 

@@ -6,20 +6,23 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_contact.h"
+#include "musclewarp/report/frame_record.h"
 
 namespace musclewarp {
 
 // What a run did, for report.json (docs/report.md describes the keys).
 struct RunRecord {
   std::string solver;
+  std::string command;      // that runs it again
+  std::string inputs_hash;  // of all files read and options that matter
   const PreparedScene* scene = nullptr;
   const SceneContact* contact = nullptr;  // null: without
   SceneIntersections rest;
   SceneIntersections rest_after_fix;  // with contact
-  std::vector<Frame> frames;
+  std::vector<FrameRecord> frames;
+  bool finished = false;  // all frames are there
 };
 
 // Sums over the frames.

@@ -8,31 +8,13 @@
 #include <string>
 
 namespace musclewarp {
-namespace {
-
-double WorstVolumeError(const Frame& frame) {
-  double worst = 0;
-  for (const MuscleFrame& muscle : frame.muscles) {
-    worst = std::max(worst, std::abs(muscle.volume_ratio - 1));
-  }
-  return worst;
-}
-
-int FoldedTriangles(const Frame& frame) {
-  int sum = 0;
-  for (const MuscleFrame& muscle : frame.muscles) {
-    sum += muscle.folded_triangles;
-  }
-  return sum;
-}
-
-}  // namespace
 
 void PrintPreparation(const PreparedScene& scene, std::ostream& out) {
   out << "scene " << scene.scene.name << ": " << scene.muscles.size()
       << " muscles, " << scene.bones.size() << " bones, "
       << scene.scene.poses.size() << " poses; prepared in " << std::fixed
       << std::setprecision(0) << scene.wall_ms << " ms\n";
+  for (const std::string& note : scene.scene.notes) out << "  " << note << "\n";
   for (const PreparedMuscle& muscle : scene.muscles) {
     out << "  " << muscle.model.name << ": " << muscle.model.fine_rest.rows()
         << " vertices, " << std::setprecision(1)
@@ -50,8 +32,8 @@ void PrintPreparation(const PreparedScene& scene, std::ostream& out) {
 
 void PrintFrames(const RunRecord& run, std::ostream& out) {
   size_t name_width = 4;
-  for (const Frame& frame : run.frames) {
-    name_width = std::max(name_width, frame.pose->name.size());
+  for (const FrameRecord& frame : run.frames) {
+    name_width = std::max(name_width, frame.name.size());
   }
   out << "\nframe  " << std::left << std::setw(name_width) << "pose"
       << std::right << "  iterations       ms  volume error  folded"
@@ -65,15 +47,15 @@ void PrintFrames(const RunRecord& run, std::ostream& out) {
       << "";
   print_counts(run.rest);
   out << "\n";
-  for (const Frame& frame : run.frames) {
+  for (const FrameRecord& frame : run.frames) {
     out << std::setw(5) << frame.index << "  " << std::left
-        << std::setw(name_width) << frame.pose->name << std::right
-        << std::setw(12) << frame.iterations() << std::setw(9) << std::fixed
+        << std::setw(name_width) << frame.name << std::right
+        << std::setw(12) << frame.iterations << std::setw(9) << std::fixed
         << std::setprecision(1) << frame.wall_ms << std::scientific
-        << std::setw(14) << WorstVolumeError(frame) << std::setw(8)
-        << FoldedTriangles(frame);
+        << std::setw(14) << frame.WorstVolumeError() << std::setw(8)
+        << frame.FoldedTriangles();
     print_counts(frame.intersections);
-    out << "  " << frame.stop_reason(*run.scene) << "\n";
+    out << "  " << frame.stop_reason << "\n";
   }
   const RunTotals totals = TotalsOf(run);
   out << "\n"

@@ -27,13 +27,6 @@ Eigen::Matrix4d BodyTransform(const ScenePose& pose, const std::string& body) {
   return transform->second;
 }
 
-Points Transformed(const Points& points,
-                   const Eigen::Matrix4d& target_from_rest) {
-  Points moved = points * target_from_rest.topLeftCorner<3, 3>().transpose();
-  moved.rowwise() += target_from_rest.topRightCorner<3, 1>().transpose();
-  return moved;
-}
-
 std::vector<LineTarget> LineTargets(const std::vector<ActionLine>& lines,
                                     const ScenePose& pose) {
   std::vector<LineTarget> targets;

@@ -4,16 +4,13 @@
 
 #include <vector>
 
+#include "musclewarp/mesh/transformed.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
 
 // target_from_rest of a body in a pose; the identity if the pose leaves it out.
 Eigen::Matrix4d BodyTransform(const ScenePose& pose, const std::string& body);
-
-// #V x 3 points moved by target_from_rest.
-Points Transformed(const Points& points,
-                   const Eigen::Matrix4d& target_from_rest);
 
 // Where a pose puts the lines of a muscle: the target points it gives, else the
 // rest points moved with their bodies, else the rest points.

@@ -396,6 +396,18 @@ Scene ReadScene(const std::string& path,
   }
   if (field.Has("poses_file")) KeepTargetsInUse(&scene);
   CheckScene(scene);
+  scene.files.push_back(path);
+  for (const char* key : {"poses_file", "model"}) {
+    if (!field.Has(key)) continue;
+    const JsonField file = field.At(key);
+    scene.files.push_back(Resolve(
+        (file.Has("path") ? file.At("path") : file).AsString(), root));
+  }
+  if (has_model) scene.files.push_back(scene.motion_path);
+  for (const auto& muscle : scene.muscles) {
+    scene.files.push_back(muscle.mesh_path);
+  }
+  for (const auto& bone : scene.bones) scene.files.push_back(bone.mesh_path);
   return scene;
 }
 

@@ -52,6 +52,7 @@ struct Scene {
   // Where the poses come from, if that is an OpenSim model; else null.
   std::shared_ptr<const ModelPoses> model;
   std::string motion_path;
+  std::vector<std::string> files;  // all that were read, or will be
   // What was passed over, or found, while reading.
   std::vector<std::string> warnings;
   std::vector<std::string> notes;

@@ -55,9 +55,26 @@ GroupContact::GroupContact(const GroupContactOptions& options,
   }
 }
 
+void GroupContact::FollowOn(const std::vector<MuscleState>& before,
+                            std::vector<Eigen::Matrix4d> now_from_before) {
+  follows_on_ = true;
+  now_from_before_ = std::move(now_from_before);
+  for (size_t i = 0; i < models_.size(); ++i) {
+    before_[i] = ContactPoints(static_cast<int>(i), before[i]);
+  }
+}
+
 bool GroupContact::Start(std::vector<MuscleState>* states) {
   MoveBodies(*states);
-  const bool was_inside = contact_.FixInitial();
+  bool was_inside = false;
+  if (follows_on_) {
+    contact_.RollBack(std::vector<Points>(before_), now_from_before_);
+    for (size_t i = 0; i < models_.size(); ++i) {
+      was_inside |= found_inside(static_cast<int>(i)) > 0;
+    }
+  } else {
+    was_inside = contact_.FixInitial();
+  }
   MoveStates(states);
   return was_inside;
 }

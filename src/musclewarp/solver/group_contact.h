@@ -63,6 +63,14 @@ class GroupContact {
                PaperContact contact,
                std::optional<PaperContact> fine_contact);
 
+  // Before Start: the states follow on those of a pose before, in which nothing
+  // was inside anything that could be helped. Start then has no initial fix to
+  // make but takes back, as after any step, what the way from there carried
+  // into other bodies: the side of every contact is known. `now_from_before`:
+  // the motion of the bones since then.
+  void FollowOn(const std::vector<MuscleState>& before,
+                std::vector<Eigen::Matrix4d> now_from_before);
+
   // The initial fix, before the first iteration. True if it changed the states.
   bool Start(std::vector<MuscleState>* states);
 
@@ -101,6 +109,8 @@ class GroupContact {
   PaperContact contact_;
   std::optional<PaperContact> fine_contact_;
   std::vector<Points> before_;   // points in contact after the last call
+  bool follows_on_ = false;
+  std::vector<Eigen::Matrix4d> now_from_before_;  // of the bones
   std::vector<Points> stepped_;  // the same before the bodies were moved
   std::vector<double> max_move_;
   // Steps since a vertex was last found inside another body.

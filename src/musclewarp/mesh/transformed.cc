@@ -1,0 +1,13 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/mesh/transformed.h"
+
+namespace musclewarp {
+
+Points Transformed(const Points& points, const Eigen::Matrix4d& b_from_a) {
+  Points moved = points * b_from_a.topLeftCorner<3, 3>().transpose();
+  moved.rowwise() += b_from_a.topRightCorner<3, 1>().transpose();
+  return moved;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,32 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "musclewarp/mesh/triangle_soup.h"
+
+namespace musclewarp {
+
+// XML polydata (.vtp): binary, compressed, double precision, the same bytes for
+// the same data. Only in builds with MUSCLEWARP_WITH_VTK.
+
+// Values at the points, #V x 1 or #V x 3, or at the lines, #lines x 1.
+struct NamedField {
+  std::string name;
+  Eigen::MatrixXd values;
+};
+
+// A triangle mesh with fields at its points. Precondition (CHECKed): fields
+// have a row for each point.
+std::string VtpOfMesh(const TriangleSoup& soup,
+                      const std::vector<NamedField>& point_data = {});
+
+// Polylines, each #P x 3, with fields at the lines. Precondition (CHECKed):
+// fields have a row for each line.
+std::string VtpOfLines(const std::vector<Points>& lines,
+                       const std::vector<NamedField>& line_data);
+
+}  // namespace musclewarp

@@ -1,0 +1,193 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/report/frame_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "musclewarp/skeleton/polyline.h"
+
+namespace musclewarp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+MuscleRecord RecordOf(const MuscleModel& model, const MuscleFrame& frame) {
+  MuscleRecord record;
+  record.name = model.name;
+  record.volume_mm3 = frame.volume_ratio * model.rest_volume;
+  record.volume_ratio = frame.volume_ratio;
+  record.max_step_mm = frame.solver.max_step;
+  record.max_displacement_mm = frame.max_displacement;
+  record.min_gap_mm = frame.gaps.size() ? frame.gaps.minCoeff() : kGapLimit;
+  record.folded_triangles = frame.folded_triangles;
+  record.iterations = frame.solver.iterations;
+  record.solve_ms = frame.solver.wall_ms;
+  record.initial_energy_mm2 = frame.solver.initial_energy;
+  record.final_energy_mm2 = frame.solver.final_energy;
+  record.stop_reason = ToString(frame.solver.stop_reason);
+  for (size_t i = 0; i < model.lines.size(); ++i) {
+    const std::string& name = model.lines[i].name;
+    record.line_lengths_mm[name] = PolylineLength(frame.lines[i]);
+    record.path_lengths_mm[name] = frame.path_lengths[i];
+  }
+  for (const Points& fibre : frame.fibres) {
+    record.fibre_lengths_mm.push_back(PolylineLength(fibre));
+  }
+  return record;
+}
+
+Json ToJson(const MuscleRecord& record) {
+  return {{"name", record.name},
+          {"volume_mm3", record.volume_mm3},
+          {"volume_ratio", record.volume_ratio},
+          {"max_step_mm", record.max_step_mm},
+          {"max_displacement_mm", record.max_displacement_mm},
+          {"min_gap_mm", record.min_gap_mm},
+          {"folded_triangles", record.folded_triangles},
+          {"iterations", record.iterations},
+          {"solve_ms", record.solve_ms},
+          {"initial_energy_mm2", record.initial_energy_mm2},
+          {"final_energy_mm2", record.final_energy_mm2},
+          {"stop_reason", record.stop_reason},
+          {"line_lengths_mm", record.line_lengths_mm},
+          {"path_lengths_mm", record.path_lengths_mm},
+          {"fibre_lengths_mm", record.fibre_lengths_mm}};
+}
+
+MuscleRecord MuscleRecordFromJson(const Json& json) {
+  MuscleRecord record;
+  json.at("name").get_to(record.name);
+  json.at("volume_mm3").get_to(record.volume_mm3);
+  json.at("volume_ratio").get_to(record.volume_ratio);
+  json.at("max_step_mm").get_to(record.max_step_mm);
+  json.at("max_displacement_mm").get_to(record.max_displacement_mm);
+  json.at("min_gap_mm").get_to(record.min_gap_mm);
+  json.at("folded_triangles").get_to(record.folded_triangles);
+  json.at("iterations").get_to(record.iterations);
+  json.at("solve_ms").get_to(record.solve_ms);
+  json.at("initial_energy_mm2").get_to(record.initial_energy_mm2);
+  json.at("final_energy_mm2").get_to(record.final_energy_mm2);
+  json.at("stop_reason").get_to(record.stop_reason);
+  json.at("line_lengths_mm").get_to(record.line_lengths_mm);
+  json.at("path_lengths_mm").get_to(record.path_lengths_mm);
+  json.at("fibre_lengths_mm").get_to(record.fibre_lengths_mm);
+  return record;
+}
+
+SceneIntersections IntersectionsFromJson(const Json& json) {
+  SceneIntersections intersections;
+  json.at("triangle_pairs").get_to(intersections.triangle_pairs);
+  json.at("vertices_inside").get_to(intersections.vertices_inside);
+  json.at("max_depth_mm").get_to(intersections.max_depth_mm);
+  json.at("self_pairs").get_to(intersections.self_pairs);
+  for (const Json& item : json.at("pairs")) {
+    PairIntersection pair;
+    item.at("a").get_to(pair.a);
+    item.at("b").get_to(pair.b);
+    item.at("triangle_pairs").get_to(pair.triangle_pairs);
+    item.at("vertices_inside").get_to(pair.vertices_inside);
+    item.at("max_depth_mm").get_to(pair.max_depth_mm);
+    intersections.pairs.push_back(pair);
+  }
+  return intersections;
+}
+
+}  // namespace
+
+double FrameRecord::WorstVolumeError() const {
+  double worst = 0;
+  for (const MuscleRecord& muscle : muscles) {
+    worst = std::max(worst, std::abs(muscle.volume_ratio - 1));
+  }
+  return worst;
+}
+
+int FrameRecord::FoldedTriangles() const {
+  int sum = 0;
+  for (const MuscleRecord& muscle : muscles) sum += muscle.folded_triangles;
+  return sum;
+}
+
+FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame) {
+  FrameRecord record;
+  record.index = frame.index;
+  record.name = frame.pose->name;
+  record.time = frame.pose->time;
+  record.coordinates = frame.pose->coordinates;
+  record.wall_ms = frame.wall_ms;
+  record.solve_ms = frame.solve_ms;
+  record.certify_ms = frame.certify_ms;
+  record.pose_steps = frame.pose_steps;
+  record.iterations = frame.iterations();
+  record.stop_reason = frame.stop_reason(scene);
+  record.usable = frame.IsUsable();
+  for (size_t i = 0; i < frame.muscles.size(); ++i) {
+    record.muscles.push_back(
+        RecordOf(scene.muscles[i].model, frame.muscles[i]));
+  }
+  record.path_moment_arms_mm = frame.pose->path_moment_arms;
+  record.intersections = frame.intersections;
+  record.intersections.inside_of_muscles.clear();
+  return record;
+}
+
+Json ToJson(const SceneIntersections& intersections) {
+  Json pairs = Json::array();
+  for (const PairIntersection& pair : intersections.pairs) {
+    pairs.push_back({{"a", pair.a},
+                     {"b", pair.b},
+                     {"triangle_pairs", pair.triangle_pairs},
+                     {"vertices_inside", pair.vertices_inside},
+                     {"max_depth_mm", pair.max_depth_mm}});
+  }
+  return {{"triangle_pairs", intersections.triangle_pairs},
+          {"vertices_inside", intersections.vertices_inside},
+          {"max_depth_mm", intersections.max_depth_mm},
+          {"self_pairs", intersections.self_pairs},
+          {"pairs", pairs}};
+}
+
+Json ToJson(const FrameRecord& record) {
+  Json muscles = Json::array();
+  for (const MuscleRecord& muscle : record.muscles) {
+    muscles.push_back(ToJson(muscle));
+  }
+  return {{"index", record.index},
+          {"name", record.name},
+          {"time", record.time},
+          {"coordinates", record.coordinates},
+          {"wall_ms", record.wall_ms},
+          {"solve_ms", record.solve_ms},
+          {"certify_ms", record.certify_ms},
+          {"pose_steps", record.pose_steps},
+          {"iterations", record.iterations},
+          {"stop_reason", record.stop_reason},
+          {"usable", record.usable},
+          {"muscles", muscles},
+          {"path_moment_arms_mm", record.path_moment_arms_mm},
+          {"intersections", ToJson(record.intersections)}};
+}
+
+FrameRecord FrameRecordFromJson(const Json& json) {
+  FrameRecord record;
+  json.at("index").get_to(record.index);
+  json.at("name").get_to(record.name);
+  json.at("time").get_to(record.time);
+  json.at("coordinates").get_to(record.coordinates);
+  json.at("wall_ms").get_to(record.wall_ms);
+  json.at("solve_ms").get_to(record.solve_ms);
+  json.at("certify_ms").get_to(record.certify_ms);
+  json.at("pose_steps").get_to(record.pose_steps);
+  json.at("iterations").get_to(record.iterations);
+  json.at("stop_reason").get_to(record.stop_reason);
+  json.at("usable").get_to(record.usable);
+  for (const Json& muscle : json.at("muscles")) {
+    record.muscles.push_back(MuscleRecordFromJson(muscle));
+  }
+  json.at("path_moment_arms_mm").get_to(record.path_moment_arms_mm);
+  record.intersections = IntersectionsFromJson(json.at("intersections"));
+  return record;
+}
+
+}  // namespace musclewarp

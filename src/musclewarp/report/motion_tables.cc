@@ -1,0 +1,268 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/report/motion_tables.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "musclewarp/base/output_file.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr double kMetres = 1e-3;  // in a mm
+
+using Series = std::vector<double>;
+
+// OpenSim splits labels at blanks.
+std::string WithoutBlanks(std::string label) {
+  for (char& c : label) {
+    if (c == ' ' || c == '\t' || c == '\n' || c == '\r') c = '_';
+  }
+  return label;
+}
+
+class TableBuilder {
+ public:
+  TableBuilder(const std::string& name, const std::vector<FrameRecord>& frames) {
+    table_.name = name;
+    table_.in_degrees = false;
+    bool rises = true;
+    for (size_t i = 0; i + 1 < frames.size(); ++i) {
+      rises = rises && frames[i].time < frames[i + 1].time;
+    }
+    for (const FrameRecord& frame : frames) {
+      table_.times.push_back(rises ? frame.time : frame.index);
+    }
+    table_.values.resize(frames.size(), 0);
+  }
+
+  void Add(const std::string& label, const Series& values) {
+    std::string unique = WithoutBlanks(label);
+    while (!labels_.insert(unique).second) unique += "_";
+    table_.labels.push_back(unique);
+    table_.values.conservativeResize(Eigen::NoChange, table_.labels.size());
+    for (size_t i = 0; i < values.size(); ++i) {
+      table_.values(i, table_.values.cols() - 1) = values[i];
+    }
+  }
+
+  StorageTable Table() const { return table_; }
+
+ private:
+  StorageTable table_;
+  std::set<std::string> labels_;
+};
+
+// One figure of every frame.
+template <typename Figure>
+Series SeriesOf(const std::vector<FrameRecord>& frames, const Figure& figure) {
+  Series series;
+  for (const FrameRecord& frame : frames) series.push_back(figure(frame));
+  return series;
+}
+
+std::string FibreLabel(const std::string& muscle, size_t fibre) {
+  return muscle + "_fibre_" + std::to_string(fibre + 1);
+}
+
+// A coordinate that the motion moves, in rad or m.
+struct MovingCoordinate {
+  std::string name;
+  Series values;
+};
+
+std::vector<MovingCoordinate> MovingCoordinates(
+    const std::vector<FrameRecord>& frames, const Scene& scene) {
+  std::vector<MovingCoordinate> moving;
+  if (!scene.model) return moving;
+  for (const int index : scene.model->moving_coordinates) {
+    const Coordinate& coordinate = scene.model->model.coordinates[index];
+    const double unit =
+        coordinate.kind == CoordinateKind::kRotational ? M_PI / 180 : 1;
+    moving.push_back(
+        {coordinate.name, SeriesOf(frames, [&](const FrameRecord& frame) {
+           return unit * frame.coordinates.at(coordinate.name);
+         })});
+  }
+  return moving;
+}
+
+// Moment arms over the frames, where they have a meaning.
+void AddSeriesMomentArms(const std::string& label,
+                         const Series& lengths_m,
+                         const std::vector<MovingCoordinate>& moving,
+                         TableBuilder* table) {
+  if (moving.size() != 1 || lengths_m.size() < 2) return;
+  table->Add(label + "." + moving[0].name,
+             SeriesMomentArms(lengths_m, moving[0].values));
+}
+
+Series LineLengths(const std::vector<FrameRecord>& frames,
+                   size_t muscle,
+                   const std::string& line) {
+  return SeriesOf(frames, [&](const FrameRecord& frame) {
+    return kMetres * frame.muscles[muscle].line_lengths_mm.at(line);
+  });
+}
+
+Series FibreLengths(const std::vector<FrameRecord>& frames,
+                    size_t muscle,
+                    size_t fibre) {
+  return SeriesOf(frames, [&](const FrameRecord& frame) {
+    return kMetres * frame.muscles[muscle].fibre_lengths_mm[fibre];
+  });
+}
+
+const std::vector<MuscleRecord>& MusclesOf(
+    const std::vector<FrameRecord>& frames) {
+  static const std::vector<MuscleRecord> kNone;
+  return frames.empty() ? kNone : frames[0].muscles;
+}
+
+}  // namespace
+
+std::vector<double> SeriesMomentArms(const std::vector<double>& lengths,
+                                     const std::vector<double>& coordinates) {
+  CHECK_EQ(lengths.size(), coordinates.size());
+  // Coordinates come from files of some digits: below this they are equal.
+  constexpr double kSame = 1e-9;
+  const int count = static_cast<int>(lengths.size());
+  const auto next = [&](int from, int step) {
+    int i = from + step;
+    while (i >= 0 && i < count &&
+           std::abs(coordinates[i] - coordinates[from]) < kSame) {
+      i += step;
+    }
+    return i >= 0 && i < count ? i : -1;
+  };
+  const auto slope = [&](int a, int b) {
+    return (lengths[b] - lengths[a]) / (coordinates[b] - coordinates[a]);
+  };
+  // At the ends the parabola goes through two on the same side.
+  const auto beyond = [&](int i, int neighbour, int step) {
+    const int far = neighbour < 0 ? -1 : next(neighbour, step);
+    const bool turns_round =
+        far >= 0 && std::abs(coordinates[far] - coordinates[i]) < kSame;
+    return turns_round ? -1 : far;
+  };
+  std::vector<double> arms(count, 0);
+  for (int i = 0; i < count; ++i) {
+    int a = next(i, -1);
+    int b = next(i, 1);
+    if (a < 0) a = beyond(i, b, 1);
+    if (b < 0) b = beyond(i, a, -1);
+    if (a < 0 && b < 0) continue;
+    if (a < 0 || b < 0) {
+      arms[i] = -slope(i, std::max(a, b));
+    } else if (std::abs(coordinates[a] - coordinates[b]) < kSame) {
+      arms[i] = -slope(a, i);  // the motion turns round here
+    } else {
+      // The slope of Newton's parabola at the value itself.
+      const double bend =
+          (slope(i, b) - slope(a, i)) / (coordinates[b] - coordinates[a]);
+      arms[i] =
+          -(slope(a, i) + bend * (coordinates[i] - coordinates[a]));
+    }
+  }
+  return arms;
+}
+
+StorageTable LengthTable(const std::vector<FrameRecord>& frames) {
+  TableBuilder table("lengths", frames);
+  const auto& muscles = MusclesOf(frames);
+  for (size_t m = 0; m < muscles.size(); ++m) {
+    for (const auto& item : muscles[m].line_lengths_mm) {
+      const std::string& line = item.first;
+      table.Add(line, LineLengths(frames, m, line));
+      table.Add(line + "_path", SeriesOf(frames, [&](const FrameRecord& frame) {
+                  return kMetres * frame.muscles[m].path_lengths_mm.at(line);
+                }));
+    }
+  }
+  return table.Table();
+}
+
+StorageTable VolumeTable(const std::vector<FrameRecord>& frames) {
+  TableBuilder table("volumes", frames);
+  const auto& muscles = MusclesOf(frames);
+  for (size_t m = 0; m < muscles.size(); ++m) {
+    table.Add(muscles[m].name, SeriesOf(frames, [&](const FrameRecord& frame) {
+                return kMetres * kMetres * kMetres *
+                       frame.muscles[m].volume_mm3;
+              }));
+  }
+  return table.Table();
+}
+
+StorageTable FibreLengthTable(const std::vector<FrameRecord>& frames) {
+  TableBuilder table("fibre_lengths", frames);
+  const auto& muscles = MusclesOf(frames);
+  for (size_t m = 0; m < muscles.size(); ++m) {
+    for (size_t k = 0; k < muscles[m].fibre_lengths_mm.size(); ++k) {
+      table.Add(FibreLabel(muscles[m].name, k), FibreLengths(frames, m, k));
+    }
+  }
+  return table.Table();
+}
+
+StorageTable MomentArmTable(const std::vector<FrameRecord>& frames,
+                            const Scene& scene) {
+  TableBuilder table("moment_arms", frames);
+  const auto moving = MovingCoordinates(frames, scene);
+  const auto& muscles = MusclesOf(frames);
+  for (size_t m = 0; m < muscles.size(); ++m) {
+    for (const auto& item : muscles[m].line_lengths_mm) {
+      const std::string& line = item.first;
+      AddSeriesMomentArms(line, LineLengths(frames, m, line), moving, &table);
+      if (!frames[0].path_moment_arms_mm.count(line)) continue;
+      for (const MovingCoordinate& coordinate : moving) {
+        table.Add(line + "_path." + coordinate.name,
+                  SeriesOf(frames, [&](const FrameRecord& frame) {
+                    return kMetres * frame.path_moment_arms_mm.at(line).at(
+                                         coordinate.name);
+                  }));
+      }
+    }
+  }
+  return table.Table();
+}
+
+StorageTable FibreMomentArmTable(const std::vector<FrameRecord>& frames,
+                                 const Scene& scene) {
+  TableBuilder table("fibre_moment_arms", frames);
+  const auto moving = MovingCoordinates(frames, scene);
+  const auto& muscles = MusclesOf(frames);
+  for (size_t m = 0; m < muscles.size(); ++m) {
+    for (size_t k = 0; k < muscles[m].fibre_lengths_mm.size(); ++k) {
+      AddSeriesMomentArms(FibreLabel(muscles[m].name, k),
+                          FibreLengths(frames, m, k),
+                          moving,
+                          &table);
+    }
+  }
+  return table.Table();
+}
+
+void WriteMotionTables(const std::vector<FrameRecord>& frames,
+                       const Scene& scene,
+                       const std::string& dir) {
+  const StorageTable tables[] = {LengthTable(frames),
+                                 VolumeTable(frames),
+                                 MomentArmTable(frames, scene),
+                                 FibreLengthTable(frames),
+                                 FibreMomentArmTable(frames, scene)};
+  for (const StorageTable& table : tables) {
+    if (table.labels.empty()) continue;
+    WriteTextAtomically(
+        (std::filesystem::path(dir) / (table.name + ".sto")).string(),
+        StorageText(table));
+  }
+}
+
+}  // namespace musclewarp
