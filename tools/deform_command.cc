@@ -189,7 +189,7 @@ std::vector<int> SelectFrames(const std::string& frames,
 
 void CheckSceneOptions(const DeformOptions& options) {
   std::string error;
-  if (!options.prepare.muscle.IsValid(&error) ||
+  if (!options.prepare.IsValid(&error) ||
       !options.solver.IsValid(&error) || !options.frame.IsValid(&error) ||
       !options.scene_contact.IsValid(&error)) {
     throw InputError("flags", error, "see --help");

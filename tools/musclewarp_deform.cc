@@ -19,6 +19,10 @@ DEFINE_string(contact,
               "of each other and of bones as Kellnhofer and Kohout have it");
 DEFINE_string(format, "ply", "mesh files to write: ply, obj, vtp; commas");
 
+DEFINE_int32(fibres,
+             0,
+             "fibres of each muscle to carry along, written with vtp and as "
+             "tables");
 DEFINE_bool(resume,
             false,
             "go on with an interrupted run of the same input in --out");
@@ -33,6 +37,7 @@ DeformOptions OptionsFromFlags() {
   SetIterationLimit(&options.solver);
   options.contact = ParseDeformContact(FLAGS_contact);
   options.formats = ParseFormats(FLAGS_format);
+  options.prepare.fibres.fibres = FLAGS_fibres;
   options.resume = FLAGS_resume;
   options.is_terminal = isatty(STDOUT_FILENO);
   return options;

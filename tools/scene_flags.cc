@@ -43,6 +43,9 @@ DEFINE_double(skeleton_weight,
 DEFINE_double(attachment_weight,
               0,
               "how strongly attachment areas follow their bones; 0: not");
+DEFINE_int32(auto_lines,
+             3,
+             "lines made for a muscle that has none; 1: a centre line");
 DEFINE_bool(body_twist,
             true,
             "muscles turn about their lines as the bones at the ends do");
@@ -99,6 +102,7 @@ DeformOptions SceneOptionsFromFlags() {
   // Files count by their contents, threads make no difference.
   options.result_flags =
       SetFlags({"resume", "out", "threads", "scene", "data_root", "motion"});
+  options.prepare.auto_lines = FLAGS_auto_lines;
   options.frame.pre_rotation.use_body_twist = FLAGS_body_twist;
   return options;
 }

@@ -19,9 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the files of lines and fibres add to the name of their muscle.
-constexpr char kLines[] = "_lines";
-constexpr char kFibres[] = "_fibres";
+// Folders of a frame, so that no name of a mesh is taken.
+constexpr char kLines[] = "lines/";
+constexpr char kFibres[] = "fibres/";
 
 std::string XmlEscaped(const std::string& text) {
   std::string escaped;
@@ -61,6 +61,7 @@ void WriteMuscleVtp(const PreparedMuscle& muscle,
 }
 
 void WriteLinesVtp(const std::vector<Points>& lines, const fs::path& path) {
+  fs::create_directories(path.parent_path());
   Eigen::VectorXd numbers(lines.size());
   Eigen::VectorXd lengths(lines.size());
   for (size_t i = 0; i < lines.size(); ++i) {
@@ -135,9 +136,9 @@ void WriteFrame(const PreparedScene& scene,
         const std::string& name = muscle.model.name;
         if (format == "vtp") {
           WriteMuscleVtp(muscle, moved, folder);
-          WriteLinesVtp(moved.lines, path(name + kLines, format));
+          WriteLinesVtp(moved.lines, path(kLines + name, format));
           if (moved.fibres.empty()) continue;
-          WriteLinesVtp(moved.fibres, path(name + kFibres, format));
+          WriteLinesVtp(moved.fibres, path(kFibres + name, format));
         } else {
           WriteTriangleSoup(path(name, format),
                             {moved.fine, muscle.model.fine_triangles});
@@ -179,8 +180,8 @@ void WritePvd(const PreparedScene& scene,
     for (const auto& muscle : scene.muscles) add(muscle.model.name);
     for (const auto& bone : scene.bones) add(bone.mesh.name);
     for (const auto& muscle : scene.muscles) {
-      add(muscle.model.name + kLines);
-      if (muscle.fibres.num_lines() > 0) add(muscle.model.name + kFibres);
+      add(kLines + muscle.model.name);
+      if (muscle.fibres.num_lines() > 0) add(kFibres + muscle.model.name);
     }
   }
   pvd << "  </Collection>\n</VTKFile>\n";

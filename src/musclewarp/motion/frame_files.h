@@ -19,7 +19,7 @@ std::string FrameFolder(int index);
 // area_stretch (area of the triangles around a vertex to that at rest), gap to
 // the nearest other mesh (mm, negative inside, at most kGapLimit) and contact
 // (1 where the gap is at most kContactGap), and each muscle has its lines in
-// <name>_lines.vtp and its fibres, if any, in <name>_fibres.vtp.
+// lines/<name>.vtp and its fibres, if any, in fibres/<name>.vtp.
 void WriteFrame(const PreparedScene& scene,
                 const Frame& frame,
                 const std::vector<std::string>& formats,

@@ -4,7 +4,9 @@
 
 #include <glog/logging.h>
 
+#include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/outer_hull.h"
@@ -45,19 +47,60 @@ CarriedLines CarryActionLines(const MuscleModel& model) {
   return CarryLines(lines, model.coarse_rest, model.coarse_triangles);
 }
 
-PreparedMuscle PrepareOne(const SceneMuscle& muscle,
-                          const PrepareOptions& options) {
+// The bones as lines and fibres find their ends on them.
+class BodySurfaces {
+ public:
+  explicit BodySurfaces(const std::vector<PreparedBone>& bones) {
+    for (const PreparedBone& bone : bones) {
+      trees_.push_back(std::make_unique<TriangleBvh>(bone.rest.points,
+                                                     bone.rest.triangles));
+      auto body = std::find_if(
+          bodies_.begin(), bodies_.end(), [&](const BodySurface& surface) {
+            return surface.body == bone.body;
+          });
+      if (body == bodies_.end()) {
+        bodies_.push_back({bone.body, {}});
+        body = bodies_.end() - 1;
+      }
+      body->bones.push_back(trees_.back().get());
+    }
+  }
+  const std::vector<BodySurface>& bodies() const { return bodies_; }
+
+ private:
+  std::vector<std::unique_ptr<TriangleBvh>> trees_;
+  std::vector<BodySurface> bodies_;
+};
+
+// Adds lines to the muscle if it has none.
+PreparedMuscle PrepareOne(const std::vector<BodySurface>& bodies,
+                          const PrepareOptions& options,
+                          SceneMuscle* muscle) {
   PreparedMuscle prepared;
-  const TriangleSoup fine = ReadRepaired(
-      muscle.name,
-      muscle.mesh_path,
-      Eigen::Matrix4d::Identity(),
-      options.repair,
-      &prepared.mesh);
+  const TriangleSoup fine = ReadRepaired(muscle->name,
+                                         muscle->mesh_path,
+                                         Eigen::Matrix4d::Identity(),
+                                         options.repair,
+                                         &prepared.mesh);
+  if (muscle->lines.empty()) {
+    muscle->lines = MakeLines(muscle->name,
+                              fine,
+                              bodies,
+                              muscle->attachments,
+                              options.auto_lines);
+  }
   const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
   prepared.hull_encloses = Encloses(hull, fine);
-  prepared.model = PrepareMuscle(muscle, fine, hull, options.muscle);
+  prepared.model = PrepareMuscle(*muscle, fine, hull, options.muscle);
   prepared.lines = CarryActionLines(prepared.model);
+  if (options.fibres.fibres > 0) {
+    const Stopwatch stopwatch;
+    prepared.fibres = CarryLines(
+        MakeFibres(fine, bodies, muscle->attachments, options.fibres),
+        hull.points,
+        hull.triangles);
+    prepared.fibres_ms = stopwatch.Milliseconds();
+  }
   return prepared;
 }
 
@@ -85,8 +128,19 @@ std::vector<std::string> ScaleWarnings(const std::vector<MeshSize>& sizes,
 
 }  // namespace
 
+bool PrepareOptions::IsValid(std::string* error) const {
+  if (auto_lines < 1) {
+    *error = "PrepareOptions::auto_lines is " + std::to_string(auto_lines) +
+             ", allowed: above 0";
+    return false;
+  }
+  return muscle.IsValid(error) && fibres.IsValid(error);
+}
+
 PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {
   const Stopwatch stopwatch;
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
   PreparedScene prepared;
   prepared.scene = scene;
   std::vector<MeshSize> sizes;
@@ -103,8 +157,18 @@ PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {
     sizes.push_back({bone.name, BoundingBoxDiagonal(one.rest.points)});
     prepared.bones.push_back(std::move(one));
   }
-  for (const SceneMuscle& muscle : scene.muscles) {
-    prepared.muscles.push_back(PrepareOne(muscle, options));
+  const bool needs_bodies =
+      options.fibres.fibres > 0 ||
+      std::any_of(scene.muscles.begin(),
+                  scene.muscles.end(),
+                  [](const SceneMuscle& muscle) {
+                    return muscle.lines.empty();
+                  });
+  const BodySurfaces surfaces(needs_bodies ? prepared.bones
+                                           : std::vector<PreparedBone>());
+  for (SceneMuscle& muscle : prepared.scene.muscles) {
+    prepared.muscles.push_back(
+        PrepareOne(surfaces.bodies(), options, &muscle));
     sizes.push_back(
         {muscle.name,
          BoundingBoxDiagonal(prepared.muscles.back().model.fine_rest)});

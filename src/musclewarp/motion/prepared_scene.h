@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/fibres/fibres.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/repair.h"
@@ -19,9 +20,18 @@ struct PrepareOptions {
   MuscleModelOptions muscle;
   RepairOptions repair;
 
+  // Lines made for a muscle that has none.
+  int auto_lines = 3;
+
+  // Fibres of every muscle; none by default.
+  FibreOptions fibres;
+
   // Warn if the diagonals of two meshes differ by more than this factor: one of
   // them is likely in other units.
   double scale_warning_ratio = 100;
+
+  PrepareOptions() { fibres.fibres = 0; }
+  bool IsValid(std::string* error) const;
 };
 
 // A mesh file as it came and what was done to it.
@@ -38,6 +48,7 @@ struct PreparedMuscle {
   bool hull_encloses = false;
   CarriedLines lines;   // the action lines, at the places of the samples
   CarriedLines fibres;  // none unless asked for
+  double fibres_ms = 0;
 };
 
 struct PreparedBone {
@@ -46,7 +57,8 @@ struct PreparedBone {
   TriangleSoup rest;
 };
 
-// A scene with its meshes read, repaired and analysed. Constant from then on.
+// A scene with its meshes read, repaired and analysed, and lines made where
+// there were none. Constant from then on.
 struct PreparedScene {
   Scene scene;
   std::vector<PreparedMuscle> muscles;
@@ -55,7 +67,8 @@ struct PreparedScene {
   double wall_ms = 0;
 };
 
-// Throws InputError if a mesh cannot be read or repaired.
+// Throws InputError if a mesh cannot be read or repaired. Precondition
+// (CHECKed): the options are valid.
 PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options);
 
 }  // namespace musclewarp

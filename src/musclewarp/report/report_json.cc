@@ -47,6 +47,7 @@ Json PrepareJson(const PreparedScene& scene) {
                        {"skeleton_samples", muscle.model.samples.size()},
                        {"lines", muscle.model.lines.size()},
                        {"fibres", muscle.fibres.num_lines()},
+                       {"fibres_ms", muscle.fibres_ms},
                        {"attachment_rows", muscle.model.attachment_of.size()},
                        {"defects", DefectsJson(muscle.mesh.defects)},
                        {"repairs", ToJson(muscle.mesh.repairs)}});

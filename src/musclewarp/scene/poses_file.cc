@@ -17,8 +17,9 @@ ActionLine ReadLine(const std::string& name, const JsonField& field) {
   return line;
 }
 
-ScenePose ReadPose(const JsonField& field,
-                   const std::map<std::string, std::string>& body_keys) {
+using BodyKeys = std::map<std::string, std::vector<std::string>>;
+
+ScenePose ReadPose(const JsonField& field, const BodyKeys& body_keys) {
   field.CheckObject();
   ScenePose pose;
   std::ostringstream coordinates_text;
@@ -34,8 +35,9 @@ ScenePose ReadPose(const JsonField& field,
     field.Fail("has neither a name nor a coordinate", "add a \"name\"");
   }
   if (field.Has("time")) pose.time = field.At("time").AsNumber();
-  for (const auto& [key, body] : body_keys) {
-    pose.bodies[body] = field.At(key).AsRigidTransform();
+  for (const auto& [key, bodies] : body_keys) {
+    const Eigen::Matrix4d transform = field.At(key).AsRigidTransform();
+    for (const std::string& body : bodies) pose.bodies[body] = transform;
   }
   const JsonField targets = field.At("target");
   targets.CheckObject();
@@ -47,8 +49,7 @@ ScenePose ReadPose(const JsonField& field,
 
 }  // namespace
 
-PosesFile ReadPosesFile(const std::string& path,
-                        const std::map<std::string, std::string>& body_keys) {
+PosesFile ReadPosesFile(const std::string& path, const BodyKeys& body_keys) {
   const JsonField root = JsonField::ParseFile(path);
   if (root.At("units").AsString() != "mm") {
     root.At("units").Fail("is " + root.At("units").AsString(), "allowed: mm");

@@ -26,9 +26,10 @@ struct PosesFile {
   std::vector<ScenePose> poses;
 };
 
-// `body_keys`: which key of a pose holds the transform of which body
-// ("femur" -> "femur_r"). Throws InputError as ReadScene does.
-PosesFile ReadPosesFile(const std::string& path,
-                        const std::map<std::string, std::string>& body_keys);
+// `body_keys`: which key of a pose holds the transform of which bodies
+// ("femur" -> "femur_r", "tibia_r"). Throws InputError as ReadScene does.
+PosesFile ReadPosesFile(
+    const std::string& path,
+    const std::map<std::string, std::vector<std::string>>& body_keys);
 
 }  // namespace musclewarp

@@ -146,12 +146,16 @@ ScenePose ReadPose(const JsonField& field) {
 PosesFile ReadPosesFileOf(const JsonField& scene, const std::string& root) {
   const JsonField field = scene.At("poses_file");
   field.CheckKeys({"path", "bodies"});
-  std::map<std::string, std::string> body_keys;
+  std::map<std::string, std::vector<std::string>> body_keys;
   if (field.Has("bodies")) {
     const JsonField bodies = field.At("bodies");
     bodies.CheckObject();
     for (const auto& item : bodies.value().items()) {
-      body_keys[item.key()] = bodies.At(item.key()).AsString();
+      const JsonField names = bodies.At(item.key());
+      body_keys[item.key()] =
+          names.value().is_array()
+              ? names.AsStrings()
+              : std::vector<std::string>{names.AsString()};
     }
   }
   return ReadPosesFile(Resolve(field.At("path").AsString(), root), body_keys);

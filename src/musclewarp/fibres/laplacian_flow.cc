@@ -1,0 +1,325 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/fibres/laplacian_flow.h"
+
+#include <glog/logging.h>
+
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace musclewarp {
+namespace {
+
+using Cell = VoxelGrid::Cell;
+
+// The voxel beyond face `side` (0 below, 1 above) of axis k, -1 if none.
+int Beyond(const VoxelGrid& grid, int voxel, int k, int side) {
+  Cell cell = grid.cells[voxel];
+  cell[k] += side == 0 ? -1 : 1;
+  return grid.At(cell);
+}
+
+// The flow along axis k through the lower and the upper face of a voxel.
+std::array<double, 2> FaceFlow(const LaplacianFlow& flow, int voxel, int k) {
+  const int below = Beyond(*flow.grid, voxel, k, 0);
+  const int above = Beyond(*flow.grid, voxel, k, 1);
+  return {below < 0 ? 0 : flow.potential[voxel] - flow.potential[below],
+          above < 0 ? 0 : flow.potential[above] - flow.potential[voxel]};
+}
+
+// Along one axis of a voxel, where the velocity is linear: the time until a
+// point at `at` (0 to 1) leaves, and by which side. Infinite if it does not.
+struct Exit {
+  double time = std::numeric_limits<double>::infinity();
+  int side = 0;
+};
+Exit ExitAlong(const std::array<double, 2>& face, double at) {
+  const double slope = face[1] - face[0];
+  const double velocity = face[0] + slope * at;
+  Exit exit;
+  if (velocity == 0) return exit;
+  exit.side = velocity > 0 ? 1 : 0;
+  // A face that is not crossed that way is never reached.
+  const double at_face = face[exit.side];
+  if (at_face * velocity <= 0) return exit;
+  const double way = (exit.side == 1 ? 1 : 0) - at;
+  exit.time = std::abs(slope) < 1e-9 * std::abs(velocity)
+                  ? way / velocity
+                  : std::log(at_face / velocity) / slope;
+  exit.time = std::max(0.0, exit.time);
+  return exit;
+}
+
+double MovedAlong(const std::array<double, 2>& face, double at, double time) {
+  const double slope = face[1] - face[0];
+  const double velocity = face[0] + slope * at;
+  const double moved = std::abs(slope * time) < 1e-9
+                           ? velocity * time
+                           : velocity / slope * std::expm1(slope * time);
+  return std::clamp(at + moved, 0.0, 1.0);
+}
+
+// From a point with the flow (direction 1) or against it (-1), up to a voxel at
+// an end; the point itself is not part of it.
+std::vector<Eigen::RowVector3d> Trace(const LaplacianFlow& flow,
+                                      const Eigen::RowVector3d& start,
+                                      int direction) {
+  const VoxelGrid& grid = *flow.grid;
+  std::vector<Eigen::RowVector3d> points;
+  const Cell first_cell = grid.CellOf(start);
+  int voxel = grid.At(first_cell);
+  CHECK_GE(voxel, 0);
+  double at[3];
+  for (int k = 0; k < 3; ++k) {
+    at[k] = (start[k] - grid.origin[k]) / grid.size - first_cell[k];
+  }
+  const double end = direction > 0 ? 1 : 0;
+  // Potential rises at every step, so no voxel comes twice.
+  for (int steps = 0; steps < grid.num_voxels(); ++steps) {
+    if (flow.potential[voxel] == end) {
+      points.push_back(grid.Center(voxel));
+      break;
+    }
+    std::array<double, 2> faces[3];
+    Exit first;
+    int axis = -1;
+    for (int k = 0; k < 3; ++k) {
+      faces[k] = FaceFlow(flow, voxel, k);
+      for (double& face : faces[k]) face *= direction;
+      const Exit exit = ExitAlong(faces[k], at[k]);
+      if (exit.time < first.time) {
+        first = exit;
+        axis = k;
+      }
+    }
+    if (axis < 0) break;
+    for (int k = 0; k < 3; ++k) {
+      at[k] = MovedAlong(faces[k], at[k], first.time);
+    }
+    at[axis] = first.side;
+    const Cell& cell = grid.cells[voxel];
+    points.push_back(grid.origin +
+                     grid.size * Eigen::RowVector3d(cell[0] + at[0],
+                                                    cell[1] + at[1],
+                                                    cell[2] + at[2]));
+    voxel = Beyond(grid, voxel, axis, first.side);
+    CHECK_GE(voxel, 0);
+    at[axis] = 1 - first.side;
+  }
+  return points;
+}
+
+// Calls visit(voxel, neighbour, axis) for every two voxels with a common face,
+// the potential of the voxel being the lower.
+template <typename Visit>
+void ForEachFace(const LaplacianFlow& flow, const Visit& visit) {
+  for (int v = 0; v < flow.grid->num_voxels(); ++v) {
+    for (int k = 0; k < 3; ++k) {
+      const int above = Beyond(*flow.grid, v, k, 1);
+      if (above < 0) continue;
+      const bool rises = flow.potential[v] <= flow.potential[above];
+      visit(rises ? v : above, rises ? above : v, k);
+    }
+  }
+}
+
+// The potential at which the section is widest: crosses most faces.
+double WidestLevel(const LaplacianFlow& flow) {
+  constexpr int kLevels = 64;
+  std::array<int, kLevels + 1> changes = {};
+  const auto level_above = [&](double potential) {
+    return std::clamp(
+        static_cast<int>(std::ceil(potential * kLevels - 0.5)), 0, kLevels);
+  };
+  ForEachFace(flow, [&](int low, int high, int) {
+    ++changes[level_above(flow.potential[low])];
+    --changes[level_above(flow.potential[high])];
+  });
+  int widest = 0;
+  int most = 0;
+  int crossed = 0;
+  for (int i = 0; i < kLevels; ++i) {
+    crossed += changes[i];
+    if (crossed > most) {
+      most = crossed;
+      widest = i;
+    }
+  }
+  return (widest + 0.5) / kLevels;
+}
+
+// Points where the potential has a value: where it does so between the centres
+// of two voxels, four around that place, beside each other on the section.
+Points SectionPoints(const LaplacianFlow& flow, double level) {
+  constexpr double kAside = 0.25;  // of a voxel
+  std::vector<Eigen::RowVector3d> points;
+  ForEachFace(flow, [&](int low, int high, int axis) {
+    const double u_0 = flow.potential[low];
+    const double u_1 = flow.potential[high];
+    if (u_0 > level || u_1 <= level) return;
+    const Eigen::RowVector3d from = flow.grid->Center(low);
+    const Eigen::RowVector3d to = flow.grid->Center(high);
+    const Eigen::RowVector3d between =
+        from + (level - u_0) / (u_1 - u_0) * (to - from);
+    for (const int side_1 : {-1, 1}) {
+      for (const int side_2 : {-1, 1}) {
+        Eigen::RowVector3d point = between;
+        point[(axis + 1) % 3] += side_1 * kAside * flow.grid->size;
+        point[(axis + 2) % 3] += side_2 * kAside * flow.grid->size;
+        points.push_back(point);
+      }
+    }
+  });
+  Points all(points.size(), 3);
+  for (size_t i = 0; i < points.size(); ++i) all.row(i) = points[i];
+  return all;
+}
+
+// At most `most` of the points, evenly.
+Points Thinned(const Points& points, Eigen::Index most) {
+  if (points.rows() <= most) return points;
+  Points thinned(most, 3);
+  for (Eigen::Index i = 0; i < most; ++i) {
+    thinned.row(i) = points.row(i * points.rows() / most);
+  }
+  return thinned;
+}
+
+}  // namespace
+
+LaplacianFlow SolveFlow(const VoxelGrid& grid,
+                        const std::vector<int>& origin,
+                        const std::vector<int>& insertion) {
+  CHECK(!origin.empty());
+  CHECK(!insertion.empty());
+  const int count = grid.num_voxels();
+  constexpr double kFree = -1;
+  Eigen::VectorXd fixed = Eigen::VectorXd::Constant(count, kFree);
+  for (const int voxel : origin) fixed[voxel] = 0;
+  for (const int voxel : insertion) {
+    CHECK_EQ(fixed[voxel], kFree);
+    fixed[voxel] = 1;
+  }
+  std::vector<int> row_of(count, -1);
+  int rows = 0;
+  for (int v = 0; v < count; ++v) {
+    if (fixed[v] == kFree) row_of[v] = rows++;
+  }
+  // What flows in flows out of every voxel that is free.
+  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(rows, rows);
+  matrix.reserve(Eigen::VectorXi::Constant(rows, 7));
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(rows);
+  for (int v = 0; v < count; ++v) {
+    const int row = row_of[v];
+    if (row < 0) continue;
+    double diagonal = 0;
+    for (int k = 0; k < 3; ++k) {
+      for (int side = 0; side < 2; ++side) {
+        const int neighbour = Beyond(grid, v, k, side);
+        if (neighbour < 0) continue;
+        ++diagonal;
+        if (row_of[neighbour] < 0) {
+          right[row] += fixed[neighbour];
+        } else {
+          matrix.insert(row, row_of[neighbour]) = -1;
+        }
+      }
+    }
+    matrix.insert(row, row) = diagonal;
+  }
+  matrix.makeCompressed();
+  Eigen::ConjugateGradient<Eigen::SparseMatrix<double, Eigen::RowMajor>,
+                           Eigen::Lower | Eigen::Upper>
+      solver;
+  // Flow comes from differences of neighbours: about 1e-2 of the whole.
+  solver.setTolerance(1e-6);
+  solver.compute(matrix);
+  const Eigen::VectorXd from_origin = DistancesWithin(grid, origin);
+  const Eigen::VectorXd to_insertion = DistancesWithin(grid, insertion);
+  Eigen::VectorXd guess(rows);
+  for (int v = 0; v < count; ++v) {
+    if (row_of[v] < 0) continue;
+    guess[row_of[v]] = from_origin[v] / (from_origin[v] + to_insertion[v]);
+  }
+  const Eigen::VectorXd solution = solver.solveWithGuess(right, guess);
+  LaplacianFlow flow;
+  flow.grid = &grid;
+  flow.potential = std::move(fixed);
+  for (int v = 0; v < count; ++v) {
+    if (row_of[v] >= 0) flow.potential[v] = solution[row_of[v]];
+  }
+  return flow;
+}
+
+Points StreamLine(const LaplacianFlow& flow, const Eigen::RowVector3d& point) {
+  auto points = Trace(flow, point, -1);
+  std::reverse(points.begin(), points.end());
+  points.push_back(point);
+  for (const auto& later : Trace(flow, point, 1)) points.push_back(later);
+  Points line(points.size(), 3);
+  for (size_t i = 0; i < points.size(); ++i) line.row(i) = points[i];
+  return line;
+}
+
+Points SpreadOverSection(const LaplacianFlow& flow, int count) {
+  constexpr int kRounds = 8;
+  constexpr int kShare = 8;  // candidates for a point, at most
+  const Points candidates =
+      Thinned(SectionPoints(flow, WidestLevel(flow)), kShare * count);
+  const Eigen::Index size = candidates.rows();
+  const Eigen::Index chosen = std::min<Eigen::Index>(count, size);
+  if (chosen <= 0) return Points(0, 3);
+  // Farthest points to begin with, then each to the middle of its share.
+  Points centers(chosen, 3);
+  Eigen::VectorXd nearest =
+      (candidates.rowwise() - candidates.colwise().mean())
+          .rowwise()
+          .squaredNorm();
+  for (Eigen::Index c = 0; c < chosen; ++c) {
+    Eigen::Index farthest;
+    nearest.maxCoeff(&farthest);
+    centers.row(c) = candidates.row(farthest);
+    const Eigen::VectorXd squared =
+        (candidates.rowwise() - centers.row(c)).rowwise().squaredNorm();
+    nearest = c == 0 ? squared : Eigen::VectorXd(nearest.cwiseMin(squared));
+  }
+  for (int round = 0; round < kRounds; ++round) {
+    Points sums = Points::Zero(chosen, 3);
+    Eigen::VectorXi shares = Eigen::VectorXi::Zero(chosen);
+    for (Eigen::Index i = 0; i < size; ++i) {
+      Eigen::Index c;
+      (centers.rowwise() - candidates.row(i))
+          .rowwise()
+          .squaredNorm()
+          .minCoeff(&c);
+      sums.row(c) += candidates.row(i);
+      ++shares[c];
+    }
+    for (Eigen::Index c = 0; c < chosen; ++c) {
+      if (shares[c] > 0) centers.row(c) = sums.row(c) / shares[c];
+    }
+  }
+  // The middle of a bent share may be outside: the nearest candidate is not.
+  std::vector<char> is_taken(size, 0);
+  for (Eigen::Index c = 0; c < chosen; ++c) {
+    Eigen::Index best = -1;
+    double best_squared = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const double squared =
+          (candidates.row(i) - centers.row(c)).squaredNorm();
+      if (is_taken[i] || squared >= best_squared) continue;
+      best_squared = squared;
+      best = i;
+    }
+    is_taken[best] = 1;
+    centers.row(c) = candidates.row(best);
+  }
+  return centers;
+}
+
+}  // namespace musclewarp

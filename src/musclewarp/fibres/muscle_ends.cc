@@ -1,0 +1,268 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/fibres/muscle_ends.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace musclewarp {
+namespace {
+
+// A muscle that comes so near to a bone may be attached to it, mm.
+constexpr double kNear = 10;
+// Its area there is what lies within so much of the nearest point, mm.
+constexpr double kAreaDepth = 3;
+// An end farther than this share of the muscle's length from all areas has lost
+// its bone.
+constexpr double kLoneEnd = 0.3;
+// Of an area, what is at least this share of the way to its far end from the
+// other area is kept; of a lone end, the same share.
+constexpr double kEndShare = 0.7;
+
+void SortUnique(std::vector<int>* voxels) {
+  std::sort(voxels->begin(), voxels->end());
+  voxels->erase(std::unique(voxels->begin(), voxels->end()), voxels->end());
+}
+
+// The voxels next to some points of the surface.
+std::vector<int> VoxelsAt(const VoxelGrid& grid, const Points& points) {
+  std::vector<int> voxels;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const int voxel = grid.Nearest(points.row(i));
+    if (voxel >= 0) voxels.push_back(voxel);
+  }
+  SortUnique(&voxels);
+  return voxels;
+}
+
+double Median(const Eigen::VectorXd& values, const std::vector<int>& at) {
+  std::vector<double> chosen;
+  for (const int i : at) chosen.push_back(values[i]);
+  const auto middle = chosen.begin() + chosen.size() / 2;
+  std::nth_element(chosen.begin(), middle, chosen.end());
+  return *middle;
+}
+
+// Those with at least kEndShare of the largest value.
+std::vector<int> FarPart(const Eigen::VectorXd& distances,
+                         const std::vector<int>& voxels) {
+  double farthest = 0;
+  for (const int v : voxels) farthest = std::max(farthest, distances[v]);
+  std::vector<int> far;
+  for (const int v : voxels) {
+    if (distances[v] >= kEndShare * farthest) far.push_back(v);
+  }
+  return far;
+}
+
+std::string NearestBody(const std::vector<BodySurface>& bodies,
+                        const Eigen::RowVector3d& point) {
+  std::string nearest;
+  double distance = std::numeric_limits<double>::infinity();
+  for (const BodySurface& body : bodies) {
+    const double here = body.Distance(point);
+    if (here < distance) {
+      distance = here;
+      nearest = body.body;
+    }
+  }
+  return nearest;
+}
+
+// The areas of the attachments.
+std::vector<MuscleEnd> GivenAreas(const TriangleSoup& muscle,
+                                  const VoxelGrid& grid,
+                                  const std::vector<Attachment>& attachments) {
+  std::vector<MuscleEnd> areas;
+  for (const Attachment& attachment : attachments) {
+    MuscleEnd area;
+    area.body = attachment.body;
+    std::vector<int> vertices;
+    Eigen::Index nearest = 0;
+    double nearest_squared = std::numeric_limits<double>::infinity();
+    for (Eigen::Index v = 0; v < muscle.points.rows(); ++v) {
+      const double squared =
+          (attachment.points.rowwise() - muscle.points.row(v))
+              .rowwise()
+              .squaredNorm()
+              .minCoeff();
+      if (squared <= attachment.radius * attachment.radius) {
+        vertices.push_back(static_cast<int>(v));
+      }
+      if (squared < nearest_squared) {
+        nearest_squared = squared;
+        nearest = v;
+      }
+    }
+    if (vertices.empty()) vertices.push_back(static_cast<int>(nearest));
+    Points points(vertices.size(), 3);
+    for (size_t i = 0; i < vertices.size(); ++i) {
+      points.row(i) = muscle.points.row(vertices[i]);
+    }
+    area.voxels = VoxelsAt(grid, points);
+    if (!area.voxels.empty()) areas.push_back(std::move(area));
+  }
+  return areas;
+}
+
+// Where the surface lies near bones, by body.
+std::vector<MuscleEnd> NearAreas(const TriangleSoup& muscle,
+                                 const VoxelGrid& grid,
+                                 const std::vector<BodySurface>& bodies) {
+  const Eigen::Index count = muscle.points.rows();
+  Eigen::MatrixXd distances(count, bodies.size());
+#pragma omp parallel for schedule(dynamic, 64)
+  for (Eigen::Index v = 0; v < count; ++v) {
+    for (size_t b = 0; b < bodies.size(); ++b) {
+      double distance = kNear + kAreaDepth;
+      for (const TriangleBvh* bone : bodies[b].bones) {
+        distance = std::min(
+            distance,
+            bone->ClosestPoint(muscle.points.row(v), distance).distance);
+      }
+      distances(v, b) = distance;
+    }
+  }
+  std::vector<MuscleEnd> areas;
+  for (size_t b = 0; b < bodies.size(); ++b) {
+    const double nearest = distances.col(b).minCoeff();
+    if (nearest > kNear) continue;
+    std::vector<int> vertices;
+    for (Eigen::Index v = 0; v < count; ++v) {
+      if (distances(v, b) <= nearest + kAreaDepth &&
+          distances(v, b) == distances.row(v).minCoeff()) {
+        vertices.push_back(static_cast<int>(v));
+      }
+    }
+    Points points(vertices.size(), 3);
+    for (size_t i = 0; i < vertices.size(); ++i) {
+      points.row(i) = muscle.points.row(vertices[i]);
+    }
+    MuscleEnd area{bodies[b].body, VoxelsAt(grid, points)};
+    if (!area.voxels.empty()) areas.push_back(std::move(area));
+  }
+  return areas;
+}
+
+// The two ends of the voxels: the farthest from anywhere, and the farthest from
+// that.
+std::pair<int, int> Tips(const VoxelGrid& grid) {
+  Eigen::Index first, second;
+  DistancesWithin(grid, {0}).maxCoeff(&first);
+  DistancesWithin(grid, {static_cast<int>(first)}).maxCoeff(&second);
+  return {static_cast<int>(first), static_cast<int>(second)};
+}
+
+// An end of the muscle that no area is near to, if there is one.
+void AddLoneEnd(const VoxelGrid& grid,
+                const std::vector<BodySurface>& bodies,
+                std::vector<MuscleEnd>* areas) {
+  const auto [first, second] = Tips(grid);
+  const double length = DistancesWithin(grid, {first})[second];
+  std::vector<int> all;
+  for (const MuscleEnd& area : *areas) {
+    all.insert(all.end(), area.voxels.begin(), area.voxels.end());
+  }
+  // Without any area both tips are lone ends.
+  const auto add = [&](const Eigen::VectorXd& distances) {
+    Eigen::Index farthest;
+    const double distance = distances.maxCoeff(&farthest);
+    std::vector<int> voxels;
+    const Eigen::VectorXd around =
+        DistancesWithin(grid, {static_cast<int>(farthest)});
+    for (int v = 0; v < grid.num_voxels(); ++v) {
+      if (distances[v] >= kEndShare * distance &&
+          around[v] <= (1 - kEndShare) * distance) {
+        voxels.push_back(v);
+      }
+    }
+    const std::string body =
+        NearestBody(bodies, grid.Center(static_cast<int>(farthest)));
+    areas->push_back({body, std::move(voxels)});
+  };
+  if (all.empty()) {
+    add(DistancesWithin(grid, {second}));
+    add(DistancesWithin(grid, {first}));
+    return;
+  }
+  const Eigen::VectorXd distances = DistancesWithin(grid, all);
+  if (distances.maxCoeff() > kLoneEnd * length || areas->size() == 1) {
+    add(distances);
+  }
+}
+
+}  // namespace
+
+double BodySurface::Distance(const Eigen::RowVector3d& point) const {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const TriangleBvh* bone : bones) {
+    distance = std::min(distance, bone->ClosestPoint(point, distance).distance);
+  }
+  return distance;
+}
+
+MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
+                          const VoxelGrid& grid,
+                          const std::vector<BodySurface>& bodies,
+                          const std::vector<Attachment>& attachments) {
+  std::vector<MuscleEnd> areas = GivenAreas(muscle, grid, attachments);
+  if (areas.empty()) areas = NearAreas(muscle, grid, bodies);
+  if (areas.size() < 2 || attachments.empty()) {
+    AddLoneEnd(grid, bodies, &areas);
+  }
+  std::vector<Eigen::VectorXd> distances;
+  for (const MuscleEnd& area : areas) {
+    distances.push_back(DistancesWithin(grid, area.voxels));
+  }
+  size_t a = 0;
+  size_t b = 1;
+  double farthest = -1;
+  for (size_t i = 0; i < areas.size(); ++i) {
+    for (size_t j = i + 1; j < areas.size(); ++j) {
+      const double apart = Median(distances[i], areas[j].voxels) +
+                           Median(distances[j], areas[i].voxels);
+      if (apart > farthest) {
+        farthest = apart;
+        a = i;
+        b = j;
+      }
+    }
+  }
+  MuscleEnds ends;
+  ends.origin.body = areas[a].body;
+  ends.insertion.body = areas[b].body;
+  ends.origin.voxels = FarPart(distances[b], areas[a].voxels);
+  ends.insertion.voxels =
+      FarPart(DistancesWithin(grid, ends.origin.voxels), areas[b].voxels);
+  // Areas of two bodies may share voxels: these are neither end.
+  std::vector<int> shared;
+  std::set_intersection(ends.origin.voxels.begin(),
+                        ends.origin.voxels.end(),
+                        ends.insertion.voxels.begin(),
+                        ends.insertion.voxels.end(),
+                        std::back_inserter(shared));
+  for (MuscleEnd* end : {&ends.origin, &ends.insertion}) {
+    std::vector<int> own;
+    std::set_difference(end->voxels.begin(),
+                        end->voxels.end(),
+                        shared.begin(),
+                        shared.end(),
+                        std::back_inserter(own));
+    end->voxels = std::move(own);
+  }
+  // The order of the bodies is the scene's, not that of the areas.
+  const auto rank = [&](const std::string& body) {
+    size_t i = 0;
+    while (i < bodies.size() && bodies[i].body != body) ++i;
+    return i;
+  };
+  if (rank(ends.insertion.body) < rank(ends.origin.body)) {
+    std::swap(ends.origin, ends.insertion);
+  }
+  return ends;
+}
+
+}  // namespace musclewarp
