@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "musclewarp/phantom/hip_model.h"
 #include "musclewarp/phantom/hip_solids.h"
 #include "musclewarp/phantom/polygonize.h"
 #include "musclewarp/phantom/scene_parts.h"
@@ -20,6 +21,11 @@ constexpr char kFemur[] = "femur_r";
 // The solids are drawn around the hip centre; in the scene x = 0 is the
 // body's plane of symmetry.
 const Eigen::Vector3d kHipCentre(85, 0, 0);
+
+// The point of the psoas line that wraps around the head, and where it is at 60
+// degrees of flexion, from the hip centre.
+constexpr int kWrapped = 5;
+const Eigen::Vector3d kWrappedFlexed(1, 47, 4);
 
 // Bumps of the surfaces, mm.
 constexpr double kRoughness = 0.25;
@@ -211,7 +217,7 @@ std::vector<ScenePose> Poses(const ActionLine& psoas) {
   // The point in front of the head would turn up and behind the one before it;
   // a real line wraps on the way, which only a target can say.
   Points target = phantom::MovedLine(psoas, poses[2].bodies);
-  target.row(5) = kHipCentre.transpose() + Eigen::RowVector3d(1, 47, 4);
+  target.row(kWrapped) = (kHipCentre + kWrappedFlexed).transpose();
   poses[2].lines[psoas.name] = target;
   return poses;
 }
@@ -248,7 +254,13 @@ PhantomScene MakeHipScene(uint32_t seed) {
   hip.scene.bones = {{kPelvis, "pelvis.ply", kPelvis},
                      {kFemur, "femur_r.ply", kFemur}};
   MoveBy(kHipCentre, &hip);
-  hip.scene.poses = Poses(hip.scene.muscles[2].lines[0]);
+  const ActionLine& psoas = hip.scene.muscles[2].lines[0];
+  hip.scene.poses = Poses(psoas);
+  hip.model_text = phantom::HipModelText(
+      hip.scene,
+      kHipCentre,
+      {psoas.name, kWrapped, kHipCentre + kWrappedFlexed});
+  hip.motion_text = phantom::HipMotionText();
   return hip;
 }
 

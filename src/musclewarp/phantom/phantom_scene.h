@@ -25,6 +25,9 @@ struct PhantomMesh {
 struct PhantomScene {
   Scene scene;
   std::vector<PhantomMesh> meshes;  // muscles, then bones, in their order
+  // The same scene for OpenSim; "" if there is none.
+  std::string model_text;   // .osim
+  std::string motion_text;  // .mot
 };
 
 // Names that MakePhantomScene knows.
@@ -34,7 +37,8 @@ std::vector<std::string> PhantomSceneNames();
 // InputError for a name it does not know.
 PhantomScene MakePhantomScene(const std::string& name, uint32_t seed);
 
-// Writes DIR/scene.json and one .ply file a mesh; makes the folder if need be.
+// Writes DIR/scene.json and one .ply file a mesh, and for OpenSim NAME.osim,
+// NAME.mot and motion.json, a scene by these; makes the folder if need be.
 // Throws InputError if it cannot be written.
 void WritePhantomScene(const PhantomScene& scene, const std::string& dir);
 

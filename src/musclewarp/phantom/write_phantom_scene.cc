@@ -75,6 +75,19 @@ Json JsonOf(const Scene& scene) {
   return json;
 }
 
+// The scene with its poses and lines taken from an OpenSim model and motion.
+Json MotionJsonOf(const Scene& scene) {
+  Json json = JsonOf(scene);
+  json.erase("poses");
+  json["name"] = scene.name + "_motion";
+  for (Json& muscle : json["muscles"]) {
+    for (Json& line : muscle["lines"]) line = Json(line["name"]);
+  }
+  json["model"] = scene.name + ".osim";
+  json["motion"] = scene.name + ".mot";
+  return json;
+}
+
 // Like dump(), but a list of plain values stays on one line: one point a line.
 void Print(const Json& json, const std::string& indent, std::string* text) {
   bool is_plain = true;
@@ -111,6 +124,13 @@ void WritePhantomScene(const PhantomScene& scene, const std::string& dir) {
   std::string text;
   Print(JsonOf(scene.scene), "", &text);
   WriteTextAtomically(dir + "/scene.json", text + "\n");
+  if (scene.model_text.empty()) return;
+  const std::string stem = dir + "/" + scene.scene.name;
+  WriteTextAtomically(stem + ".osim", scene.model_text);
+  WriteTextAtomically(stem + ".mot", scene.motion_text);
+  text.clear();
+  Print(MotionJsonOf(scene.scene), "", &text);
+  WriteTextAtomically(dir + "/motion.json", text + "\n");
 }
 
 }  // namespace musclewarp

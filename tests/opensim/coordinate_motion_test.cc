@@ -1,0 +1,91 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/opensim/coordinate_motion.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "musclewarp/base/input_error.h"
+#include "support/osim_models.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+Model Leg() {
+  return ReadModel(
+      Written("leg.osim", Model4(Joint4("PlanarJoint", "knee tx ty"))));
+}
+
+StorageTable Table(const std::vector<std::string>& labels,
+                   const std::vector<std::vector<double>>& rows) {
+  StorageTable table;
+  table.in_degrees = true;
+  table.labels = labels;
+  table.values.resize(rows.size(), labels.size());
+  for (size_t i = 0; i < rows.size(); ++i) {
+    table.times.push_back(0.1 * static_cast<double>(i));
+    for (size_t k = 0; k < labels.size(); ++k) table.values(i, k) = rows[i][k];
+  }
+  return table;
+}
+
+void ExpectRefused(const StorageTable& table,
+                   const std::vector<std::string>& words) {
+  try {
+    MotionOf(Leg(), table, "m.mot");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("m.mot"));
+    for (const auto& word : words) EXPECT_THAT(error.what(), HasSubstr(word));
+  }
+}
+
+TEST(CoordinateMotion, DegreesAreForAnglesOnly) {
+  StorageTable table = Table({"knee", "tx"}, {{90, 0.5}, {180, 0.5}});
+  auto motion = MotionOf(Leg(), table, "m.mot");
+  EXPECT_THAT(motion.values[0], ElementsAre(M_PI / 2, 0.5, 0));
+  EXPECT_THAT(motion.values[1], ElementsAre(M_PI, 0.5, 0));
+  EXPECT_THAT(motion.given, ElementsAre(0, 1));
+  EXPECT_THAT(motion.moving, ElementsAre(0));
+  table.in_degrees = false;
+  motion = MotionOf(Leg(), table, "m.mot");
+  EXPECT_EQ(motion.values[0][0], 90);
+}
+
+TEST(CoordinateMotion, ColumnsMayBePathsAndStatesArePassedOver) {
+  const auto motion = MotionOf(Leg(),
+                               Table({"/jointset/knee_joint/knee/value",
+                                      "/jointset/knee_joint/knee/speed",
+                                      "/forceset/m/activation",
+                                      "tx_u"},
+                                     {{90, 7, 1, 5}}),
+                               "m.mot");
+  EXPECT_THAT(motion.values[0], ElementsAre(M_PI / 2, 0, 0));
+  EXPECT_TRUE(motion.warnings.empty());
+}
+
+TEST(CoordinateMotion, IdleColumnsGetAWarningMovingOnesAreRefused) {
+  const auto motion =
+      MotionOf(Leg(), Table({"knee", "hip"}, {{90, 0}, {80, 0}}), "m.mot");
+  ASSERT_EQ(motion.warnings.size(), 1u);
+  EXPECT_THAT(motion.warnings[0], HasSubstr("passed over: hip"));
+  ExpectRefused(Table({"knee", "hip"}, {{90, 0}, {80, 1e-9}}),
+                {"\"hip\"", "knee, tx, ty"});
+}
+
+TEST(CoordinateMotion, RefusesTablesThatDoNotFit) {
+  StorageTable table = Table({"knee"}, {{1}});
+  table.in_degrees.reset();
+  ExpectRefused(table, {"inDegrees=yes"});
+  ExpectRefused(Table({"knee", "/jointset/knee_joint/knee"}, {{1, 2}}),
+                {"second time"});
+  ExpectRefused(Table({"hip"}, {{0}}), {"no column"});
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,99 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/opensim/storage_table.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "musclewarp/base/input_error.h"
+#include "support/osim_models.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr char kHeader[] =
+    "name\nversion=1\nnRows=2\nnColumns=3\ninDegrees=yes\n\nnotes\nendheader\n";
+
+StorageTable Read(const std::string& text) {
+  return ReadStorageTable(Written("motion.mot", text));
+}
+
+void ExpectRefused(const std::string& text,
+                   const std::vector<std::string>& words) {
+  try {
+    Read(text);
+    ADD_FAILURE() << "read: " << text;
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("motion.mot"));
+    for (const auto& word : words) EXPECT_THAT(error.what(), HasSubstr(word));
+  }
+}
+
+TEST(StorageTable, ReadsHeaderLabelsAndRows) {
+  const auto table =
+      Read(std::string(kHeader) + "time\ta\tb\n0\t1\t-2e1\n0.5 +3 4\t\t\n");
+  EXPECT_EQ(table.in_degrees, true);
+  EXPECT_THAT(table.labels, ElementsAre("a", "b"));
+  EXPECT_THAT(table.times, ElementsAre(0, 0.5));
+  EXPECT_EQ(table.values, (Eigen::Matrix2d() << 1, -20, 3, 4).finished());
+  EXPECT_TRUE(table.warnings.empty());
+}
+
+TEST(StorageTable, ReadsTheOlderHeaderOfSimmAndWindowsLines) {
+  const auto table = Read(
+      "name x\r\ndatacolumns 2\r\ndatarows 1\r\nrange 0 1\r\nendheader\r\n"
+      "time a\r\n0 1\r\n");
+  EXPECT_EQ(table.in_degrees, std::nullopt);
+  EXPECT_TRUE(table.warnings.empty());
+}
+
+TEST(StorageTable, CountsThatAreWrongAreAWarning) {
+  const auto table = Read(std::string(kHeader) + "time\ta\tb\n0\t1\t2\n");
+  ASSERT_EQ(table.times.size(), 1u);
+  ASSERT_EQ(table.warnings.size(), 1u);
+  EXPECT_THAT(table.warnings[0], HasSubstr("promises 2 rows, 1"));
+}
+
+TEST(StorageTable, RefusesBadRows) {
+  const std::string start = std::string(kHeader) + "time\ta\tb\n0\t1\t2\n";
+  ExpectRefused(start + "1\t1\n", {"line 11", "2 values", "3 columns"});
+  ExpectRefused(start + "1\t1\t2\t3\n", {"line 11", "4 values"});
+  ExpectRefused(start + "1\tNaN\t2\n", {"line 11", "\"a\"", "'NaN'"});
+  ExpectRefused(start + "1\tinf\t2\n", {"line 11", "\"a\""});
+  ExpectRefused(start + "1\t1\tabc\n", {"line 11", "\"b\"", "'abc'"});
+  ExpectRefused(start + "1\t1\t2,5\n", {"line 11", "'2,5'"});
+  ExpectRefused(start + "0\t1\t2\n", {"line 11", "times must rise"});
+}
+
+TEST(StorageTable, RefusesBadHeaders) {
+  ExpectRefused("name\ninDegrees=yes\ntime a\n0 1\n", {"endheader"});
+  ExpectRefused("name\nendheader\nt a\n0 1\n", {"line 3", "\"time\""});
+  ExpectRefused("name\nendheader\ntime a a\n0 1 2\n", {"\"a\"", "twice"});
+  ExpectRefused("name\nendheader\ntime a\n", {"no row"});
+  ExpectRefused("name\ninDegrees=maybe\nendheader\ntime a\n0 1\n",
+                {"line 2", "'maybe'", "yes, no"});
+  ExpectRefused("name\nnRows=many\nendheader\ntime a\n0 1\n", {"line 2"});
+}
+
+TEST(StorageTable, WhatIsWrittenReadsBackToTheBit) {
+  StorageTable table;
+  table.name = "lengths";
+  table.in_degrees = false;
+  table.labels = {"a", "b.c"};
+  table.times = {0, 0.1};
+  table.values.resize(2, 2);
+  table.values << 1.0 / 3, -1e-300, 0, 5e22;
+  const StorageTable back = Read(StorageText(table));
+  EXPECT_EQ(back.name, table.name);
+  EXPECT_EQ(back.in_degrees, table.in_degrees);
+  EXPECT_EQ(back.labels, table.labels);
+  EXPECT_EQ(back.times, table.times);
+  EXPECT_EQ(back.values, table.values);
+  EXPECT_TRUE(back.warnings.empty());
+}
+
+}  // namespace
+}  // namespace musclewarp
