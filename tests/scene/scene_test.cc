@@ -132,11 +132,11 @@ TEST(Scene, RefusesWrongTypesAndValues) {
                 {"poses[0].bodies.f", "rigid"});
   ExpectRefused(With("/poses/0/bodies/f/3/0", 1),
                 {"poses[0].bodies.f", "0 0 0 1"});
-  ExpectRefused(With("/model", "a.osim"), {"OpenSim"});
+  ExpectRefused(With("/model", "a.osim"), {"poses", "model"});
+  ExpectRefused(With("/motion", "a.mot"), {"motion", "model"});
 }
 
 TEST(Scene, RefusesBadLines) {
-  ExpectRefused(With("/muscles/0/lines", Json::array()), {"lines", "empty"});
   ExpectRefused(With("/muscles/0/lines/0/rest", {{0, 0, 0}}),
                 {"\"l\"", "1 points", "at least 2"});
   ExpectRefused(With("/muscles/0/lines/0/rest", {{0, 0, 1}, {0, 0, 1}}),
@@ -147,6 +147,22 @@ TEST(Scene, RefusesBadLines) {
   ExpectRefused(With("/poses/0/lines/other", {{0, 0, 1}, {0, 0, 2}}),
                 {"\"other\"", "no muscle"});
   ExpectRefused(With("/muscles/0/lines/0", "glut_med1_r"), {"glut_med1_r"});
+}
+
+TEST(Scene, MusclesMayComeWithoutLines) {
+  Json scene = GoodScene();
+  scene["muscles"][0].erase("lines");
+  scene["poses"][0].erase("lines");
+  EXPECT_TRUE(Read(scene).muscles[0].lines.empty());
+}
+
+TEST(Scene, PosesAreAMotionIfTheirTimesRise) {
+  Json scene = GoodScene();
+  EXPECT_FALSE(Read(scene).is_motion);
+  scene["poses"].push_back({{"name", "b"}, {"time", 0.5}});
+  EXPECT_FALSE(Read(scene).is_motion);
+  scene["poses"][1]["time"] = 0.6;
+  EXPECT_TRUE(Read(scene).is_motion);
 }
 
 TEST(Scene, RefusesNamesThatClashOrAreUnknown) {
@@ -176,7 +192,8 @@ TEST(Scene, TakesLinesAndPosesFromAPosesFile) {
       "target": {"l": [[0,0,1],[0,0,8]], "unused": [[0,0,0],[2,0,0]]}}]})");
   Json json = GoodScene();
   json.erase("poses");
-  json["poses_file"] = {{"path", "poses.json"}, {"bodies", {{"thigh", "f"}}}};
+  json["poses_file"] = {{"path", "poses.json"},
+                        {"bodies", {{"thigh", {"f", "p"}}}}};
   json["muscles"][0]["lines"] = {"l"};
   WriteTextAtomically(dir + "/scene.json", json.dump());
   const Scene scene = ReadScene(dir + "/scene.json", "");
@@ -184,6 +201,7 @@ TEST(Scene, TakesLinesAndPosesFromAPosesFile) {
   EXPECT_EQ(scene.poses[0].name, "flexion_deg_-10");
   EXPECT_EQ(scene.poses[0].coordinates.at("flexion_deg"), -10);
   EXPECT_EQ(scene.poses[0].bodies.at("f")(2, 3), 7);
+  EXPECT_EQ(scene.poses[0].bodies.at("p")(2, 3), 7);
   EXPECT_EQ(scene.poses[0].lines.size(), 1u);
   EXPECT_EQ(scene.muscles[0].lines[0].rest(1, 2), 9);
 

@@ -90,8 +90,8 @@ CoordinateValues FoundRest(const Model& model,
   return pose.values;
 }
 
-Points PointsOf(const ModelPoses& poses,
-                const ModelMuscle& muscle,
+// The points of the path that are there in every pose.
+Points PointsOf(const ModelMuscle& muscle,
                 const CoordinateValues& values,
                 const std::vector<Eigen::Matrix4d>& scene_from_body) {
   Points points(muscle.path.size(), 3);
@@ -103,7 +103,6 @@ Points PointsOf(const ModelPoses& poses,
                               .head<3>()
                               .transpose();
   }
-  (void)poses;
   points.conservativeResize(count, 3);
   return points;
 }
@@ -147,7 +146,7 @@ ActionLine LineOfMuscle(const ModelPoses& poses, int muscle) {
   }
   ActionLine line;
   line.name = path.name;
-  line.rest = PointsOf(poses, path, poses.rest, rest_from_body);
+  line.rest = PointsOf(path, poses.rest, rest_from_body);
   for (const PathPoint& point : path.path) {
     if (point.condition >= 0) continue;
     line.bodies.push_back(poses.model.bodies[point.body].name);
@@ -176,7 +175,7 @@ ScenePose PoseAt(const ModelPoses& poses, const CoordinateValues& values) {
   }
   for (const int index : poses.muscles) {
     const ModelMuscle& muscle = model.muscles[index];
-    pose.lines[muscle.name] = PointsOf(poses, muscle, values, scene_from_body);
+    pose.lines[muscle.name] = PointsOf(muscle, values, scene_from_body);
     pose.path_lengths[muscle.name] =
         PathLength(muscle, ground_from_body, values);
     for (const int coordinate : poses.moving_coordinates) {
