@@ -268,9 +268,10 @@ Points StreamLine(const LaplacianFlow& flow, const Eigen::RowVector3d& point) {
 
 Points SpreadOverSection(const LaplacianFlow& flow, int count) {
   constexpr int kRounds = 8;
-  constexpr int kShare = 8;  // candidates for a point, at most
-  const Points candidates =
-      Thinned(SectionPoints(flow, WidestLevel(flow)), kShare * count);
+  constexpr int kCandidates = 400;  // at most, or so many for a point:
+  constexpr int kShare = 8;
+  const Points candidates = Thinned(SectionPoints(flow, WidestLevel(flow)),
+                                    std::max(kCandidates, kShare * count));
   const Eigen::Index size = candidates.rows();
   const Eigen::Index chosen = std::min<Eigen::Index>(count, size);
   if (chosen <= 0) return Points(0, 3);

@@ -1,0 +1,116 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/fibres/fibres.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/geometry/inside_test.h"
+#include "musclewarp/skeleton/polyline.h"
+#include "support/meshes.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::ElementsAre;
+
+// A bent spindle between two balls of bone.
+class FibresTest : public ::testing::Test {
+ protected:
+  FibresTest() : muscle_(Spindle(10, 50, 3)) {
+    for (Eigen::Index i = 0; i < muscle_.points.rows(); ++i) {
+      muscle_.points(i, 0) +=
+          0.006 * muscle_.points(i, 2) * muscle_.points(i, 2);
+    }
+    AddBone("pelvis", {15, 0, 56});
+    AddBone("femur", {15, 0, -56});
+  }
+  void AddBone(const std::string& body, const Eigen::RowVector3d& place) {
+    TriangleSoup ball = Icosphere(8, 2);
+    ball.points.rowwise() += place;
+    trees_.push_back(std::make_unique<TriangleBvh>(ball.points, ball.triangles));
+    bodies_.push_back({body, {trees_.back().get()}});
+  }
+  TriangleSoup muscle_;
+  std::vector<std::unique_ptr<TriangleBvh>> trees_;
+  std::vector<BodySurface> bodies_;
+};
+
+TEST_F(FibresTest, RunInsideFromOriginToInsertion) {
+  FibreOptions options;
+  options.fibres = 60;
+  const auto fibres = MakeFibres(muscle_, bodies_, {}, options);
+  ASSERT_EQ(fibres.size(), 60u);
+  const InsideTest inside(muscle_.points, muscle_.triangles, 3);
+  for (const Points& fibre : fibres) {
+    ASSERT_EQ(fibre.rows(), options.segments + 1);
+    for (Eigen::Index i = 0; i < fibre.rows(); ++i) {
+      EXPECT_TRUE(inside.Contains(fibre.row(i)));
+    }
+    EXPECT_GT(fibre(0, 2), 35);
+    EXPECT_LT(fibre(fibre.rows() - 1, 2), -35);
+    // The muscle is 107 mm long along its bend; both ends lie in the areas.
+    EXPECT_GT(PolylineLength(fibre), 75);
+    EXPECT_LT(PolylineLength(fibre), 115);
+  }
+}
+
+TEST_F(FibresTest, SegmentsOfAFibreAreAlike) {
+  FibreOptions options;
+  options.fibres = 10;
+  for (const Points& fibre : MakeFibres(muscle_, bodies_, {}, options)) {
+    const double mean = PolylineLength(fibre) / options.segments;
+    for (Eigen::Index i = 0; i + 1 < fibre.rows(); ++i) {
+      // Points outside are pulled in by a part of a voxel.
+      EXPECT_NEAR((fibre.row(i + 1) - fibre.row(i)).norm(), mean, 0.3 * mean);
+    }
+  }
+}
+
+TEST_F(FibresTest, TheSameEveryTime) {
+  FibreOptions options;
+  options.fibres = 20;
+  const auto a = MakeFibres(muscle_, bodies_, {}, options);
+  const auto b = MakeFibres(muscle_, bodies_, {}, options);
+  ASSERT_EQ(a.size(), b.size());
+  for (size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i], b[i]);
+}
+
+TEST_F(FibresTest, LinesFollowTheBonesTheyAreNearestTo) {
+  const auto lines = MakeLines("m", muscle_, bodies_, {}, 3);
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0].name, "m_1");
+  EXPECT_EQ(lines[2].name, "m_3");
+  for (const ActionLine& line : lines) {
+    ASSERT_EQ(line.rest.rows(), 5);
+    EXPECT_EQ(line.bodies.front(), "pelvis");
+    EXPECT_EQ(line.bodies[1], "pelvis");
+    EXPECT_EQ(line.bodies[3], "femur");
+    EXPECT_EQ(line.bodies.back(), "femur");
+  }
+}
+
+TEST_F(FibresTest, OneLineIsTheCentreLine) {
+  const auto lines = MakeLines("m", muscle_, bodies_, {}, 1);
+  ASSERT_EQ(lines.size(), 1u);
+  const Eigen::RowVector3d middle = lines[0].rest.row(2);
+  // In the middle of the section at z = 0, whose radius is 10.
+  EXPECT_LT((middle - Eigen::RowVector3d(0, 0, middle[2])).norm(), 2);
+}
+
+TEST_F(FibresTest, AMuscleOverThreeBodiesFollowsTheOneBetween) {
+  AddBone("knee", {-20, 0, 0});
+  const auto lines = MakeLines("m", muscle_, bodies_, {}, 1);
+  EXPECT_THAT(lines[0].bodies,
+              ElementsAre("pelvis", "pelvis", "knee", "femur", "femur"));
+}
+
+TEST_F(FibresTest, LinesNeedABone) {
+  EXPECT_THROW(MakeLines("m", muscle_, {}, {}, 1), InputError);
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,96 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/fibres/muscle_ends.h"
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+
+namespace musclewarp {
+namespace {
+
+// A spindle along z from -50 to 50 and balls of bone at heights along it.
+class MuscleEndsTest : public ::testing::Test {
+ protected:
+  void AddBone(const std::string& body, const Eigen::RowVector3d& place) {
+    TriangleSoup ball = Icosphere(8, 2);
+    ball.points.rowwise() += place;
+    trees_.push_back(std::make_unique<TriangleBvh>(ball.points, ball.triangles));
+    bodies_.push_back({body, {trees_.back().get()}});
+  }
+
+  MuscleEnds Find(const std::vector<Attachment>& attachments = {}) const {
+    return FindMuscleEnds(muscle_, grid_, bodies_, attachments);
+  }
+
+  double MeanHeight(const MuscleEnd& end) const {
+    double sum = 0;
+    for (const int v : end.voxels) sum += grid_.Center(v)[2];
+    return sum / static_cast<double>(end.voxels.size());
+  }
+
+  const TriangleSoup muscle_ = Spindle(10, 50, 3);
+  const VoxelGrid grid_ = Voxelize(muscle_, 3000);
+  std::vector<std::unique_ptr<TriangleBvh>> trees_;
+  std::vector<BodySurface> bodies_;
+};
+
+TEST_F(MuscleEndsTest, AreWhereItLiesNearItsBones) {
+  AddBone("pelvis", {0, 0, 56});
+  AddBone("femur", {0, 0, -56});
+  const MuscleEnds ends = Find();
+  EXPECT_EQ(ends.origin.body, "pelvis");
+  EXPECT_EQ(ends.insertion.body, "femur");
+  EXPECT_GT(MeanHeight(ends.origin), 35);
+  EXPECT_LT(MeanHeight(ends.insertion), -35);
+}
+
+TEST_F(MuscleEndsTest, OfThreeBonesTheOuterTwoCount) {
+  AddBone("pelvis", {0, 0, 56});
+  AddBone("femur", {18, 0, 0});
+  AddBone("tibia", {0, 0, -56});
+  const MuscleEnds ends = Find();
+  EXPECT_EQ(ends.origin.body, "pelvis");
+  EXPECT_EQ(ends.insertion.body, "tibia");
+}
+
+TEST_F(MuscleEndsTest, AnEndWithoutBoneGoesToTheNearestBody) {
+  AddBone("pelvis", {18, 0, 10});
+  AddBone("femur", {0, 0, -56});
+  const MuscleEnds ends = Find();
+  EXPECT_EQ(ends.origin.body, "pelvis");
+  // Not where the pelvis touches, but at the tip beyond.
+  EXPECT_GT(MeanHeight(ends.origin), 30);
+  EXPECT_LT(MeanHeight(ends.insertion), -35);
+}
+
+TEST_F(MuscleEndsTest, OneBoneOrNoneIsEnough) {
+  MuscleEnds ends = Find();
+  EXPECT_EQ(ends.origin.body, "");
+  EXPECT_GT(std::abs(MeanHeight(ends.origin) - MeanHeight(ends.insertion)), 60);
+  AddBone("pelvis", {0, 0, 56});
+  ends = Find();
+  EXPECT_EQ(ends.origin.body, "pelvis");
+  EXPECT_EQ(ends.insertion.body, "pelvis");
+  EXPECT_GT(std::abs(MeanHeight(ends.origin) - MeanHeight(ends.insertion)), 60);
+}
+
+TEST_F(MuscleEndsTest, AttachmentsComeFirst) {
+  AddBone("pelvis", {0, 0, 56});
+  AddBone("femur", {0, 0, -56});
+  Attachment a, b;
+  a.body = "femur";
+  a.points = Eigen::RowVector3d(0, 10, 0);
+  a.radius = 6;
+  b.body = "pelvis";
+  b.points = Eigen::RowVector3d(0, 0, 50);
+  b.radius = 6;
+  const MuscleEnds ends = Find({a, b});
+  EXPECT_EQ(ends.origin.body, "pelvis");
+  EXPECT_GT(MeanHeight(ends.origin), 40);
+  EXPECT_EQ(ends.insertion.body, "femur");
+  EXPECT_NEAR(MeanHeight(ends.insertion), 0, 5);
+}
+
+}  // namespace
+}  // namespace musclewarp

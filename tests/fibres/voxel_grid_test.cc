@@ -1,0 +1,80 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/fibres/voxel_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "musclewarp/geometry/inside_test.h"
+#include "musclewarp/mesh/measures.h"
+#include "support/meshes.h"
+
+namespace musclewarp {
+namespace {
+
+TEST(VoxelGrid, HoldsTheCellsWhoseCentresAreInside) {
+  const TriangleSoup mesh = Spindle(10, 40, 3);
+  const VoxelGrid grid = Voxelize(mesh, 2000);
+  const InsideTest inside(mesh.points, mesh.triangles, 1);
+  int expected = 0;
+  for (int k = 0; k < grid.counts[2]; ++k) {
+    for (int j = 0; j < grid.counts[1]; ++j) {
+      for (int i = 0; i < grid.counts[0]; ++i) {
+        const Eigen::RowVector3d center =
+            grid.origin +
+            grid.size * Eigen::RowVector3d(i + 0.5, j + 0.5, k + 0.5);
+        const bool is_inside = inside.Contains(center);
+        expected += is_inside;
+        EXPECT_EQ(grid.At({i, j, k}) >= 0, is_inside);
+      }
+    }
+  }
+  EXPECT_EQ(grid.num_voxels(), expected);
+  EXPECT_EQ(grid.At({-1, 0, 0}), -1);
+}
+
+TEST(VoxelGrid, HasAsManyVoxelsAsWantedAndMoreForSheets) {
+  // A bulky body: the volume decides.
+  EXPECT_NEAR(Voxelize(Icosphere(20, 3), 3000).num_voxels(), 3000, 100);
+  // A sheet 2 mm thick (1.8 by volume over half its surface): three voxels
+  // across, though fewer were wanted, up to eight times as many.
+  EXPECT_NEAR(Voxelize(Box(40, 40, 2), 2000).size, 1.8 / 3, 0.01);
+  EXPECT_NEAR(Voxelize(Box(40, 40, 2), 300).num_voxels(), 8 * 300, 400);
+}
+
+TEST(VoxelGrid, KeepsTheLargestPiece) {
+  TriangleSoup two = Icosphere(10, 2);
+  const TriangleSoup small = Icosphere(3, 2);
+  const Eigen::Index offset = two.points.rows();
+  two.points.conservativeResize(2 * offset, 3);
+  two.points.bottomRows(offset) =
+      small.points.rowwise() + Eigen::RowVector3d(20, 0, 0);
+  const Eigen::Index faces = two.triangles.rows();
+  two.triangles.conservativeResize(2 * faces, 3);
+  two.triangles.bottomRows(faces) =
+      small.triangles.array() + static_cast<int>(offset);
+  const VoxelGrid grid = Voxelize(two, 2000);
+  for (int v = 0; v < grid.num_voxels(); ++v) {
+    EXPECT_LT(grid.Center(v).norm(), 10);
+  }
+}
+
+TEST(VoxelGrid, DistancesGoThroughTheMesh) {
+  const VoxelGrid grid = Voxelize(Box(10, 10, 60), 3000);
+  const int start = grid.Nearest(Eigen::RowVector3d(0, 0, -29));
+  ASSERT_GE(start, 0);
+  const Eigen::VectorXd distances = DistancesWithin(grid, {start});
+  EXPECT_EQ(distances[start], 0);
+  for (int v = 0; v < grid.num_voxels(); ++v) {
+    const double straight = (grid.Center(v) - grid.Center(start)).norm();
+    // Steps of 3, 4 and 5 thirds miss the Euclidean distance by at most an
+    // eighth, on the long side but for diagonals (4/3 for sqrt 2, 5/3 for
+    // sqrt 3).
+    EXPECT_LT(distances[v], 1.13 * straight + 1e-9);
+    EXPECT_GT(distances[v], 0.94 * straight - 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace musclewarp
