@@ -260,6 +260,7 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   PrintPreparation(prepared, screen);
 
   MakeFolder(options.out);
+  RemovePartialOutput(options.out);
   if (run.frames.empty()) log.StartAnew();
   if (contact) {
     run.contact = &*contact;

@@ -52,4 +52,43 @@ TEST(OutputFile, AMissingFolderIsNamed) {
   }
 }
 
+TEST(OutputFolder, AppearsCompleteAndReplacesTheOldOne) {
+  const std::string dir = TestTempDir() + "/frame";
+  WriteFolderAtomically(dir, [](const std::string& partial) {
+    WriteTextAtomically(partial + "/old.txt", "old");
+  });
+  WriteFolderAtomically(dir, [&](const std::string& partial) {
+    EXPECT_TRUE(fs::exists(dir + "/old.txt"));
+    WriteTextAtomically(partial + "/new.txt", "new");
+  });
+  EXPECT_FALSE(fs::exists(dir + "/old.txt"));
+  EXPECT_EQ(TextOf(dir + "/new.txt"), "new");
+}
+
+TEST(OutputFolder, AFailedWriteLeavesTheOldFolderAndNothingElse) {
+  const std::string parent = TestTempDir();
+  WriteFolderAtomically(parent + "/frame", [](const std::string& partial) {
+    WriteTextAtomically(partial + "/old.txt", "old");
+  });
+  EXPECT_THROW(WriteFolderAtomically(parent + "/frame",
+                                     [](const std::string& partial) {
+                                       WriteTextAtomically(partial + "/a", "a");
+                                       throw std::runtime_error("disk full");
+                                     }),
+               std::runtime_error);
+  EXPECT_EQ(TextOf(parent + "/frame/old.txt"), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(parent), {}), 1);
+}
+
+TEST(OutputFolder, LeftoversOfKilledProgramsAreRemoved) {
+  const std::string dir = TestTempDir();
+  fs::create_directories(dir + "/.frame_0001.partial");
+  WriteTextAtomically(dir + "/.frame_0001.partial/muscle.ply", "half");
+  WriteTextAtomically(dir + "/.report.partial123.json", "half");
+  WriteTextAtomically(dir + "/a.partial", "a user's");
+  RemovePartialOutput(dir);
+  EXPECT_EQ(std::distance(fs::directory_iterator(dir), {}), 1);
+  EXPECT_TRUE(fs::exists(dir + "/a.partial"));
+}
+
 }  // namespace musclewarp

@@ -143,4 +143,32 @@ TEST(PaperContact, AnswersForAnObstacleThatIsNotClosed) {
   RunAll(&scene);
 }
 
+// A bone that moves through a standing muscle: seen from the bone the muscle
+// came to it, so its vertices go out on the side they were on.
+TEST(PaperContact, MovedBonesPushVerticesAheadOfThem) {
+  // The bone stood 12 mm to the left and has come into the ball.
+  Scene scene({Ball(0)}, {Ball(-14)});
+  Eigen::Matrix4d now_from_before = Eigen::Matrix4d::Identity();
+  now_from_before(0, 3) = 12;
+  const std::vector<Points> before = scene.AllPoints();
+  scene.contact->RollBack(before, {now_from_before});
+  const Points& after = scene.contact->muscle(0).points();
+  int moved = 0;
+  for (Eigen::Index v = 0; v < after.rows(); ++v) {
+    const Eigen::RowVector3d move = after.row(v) - before[0].row(v);
+    if (move.norm() == 0) continue;
+    ++moved;
+    // Along the way of the bone, and no farther.
+    EXPECT_GT(move[0], 0);
+    EXPECT_LT(move.tail<2>().norm(), 1e-12);
+    EXPECT_LT(move[0], 12.01);
+    EXPECT_TRUE(scene.contact->found_inside()[0][v]);
+  }
+  EXPECT_GT(moved, 5);
+  const ContactShape bone("bone", Ball(-14), 1);
+  EXPECT_TRUE(ContactBody::Obstacle(bone, Eigen::Matrix4d::Identity())
+                  .Inside(after)
+                  .empty());
+}
+
 }  // namespace musclewarp

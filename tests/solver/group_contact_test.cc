@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -76,6 +77,31 @@ TEST(GroupContact, FinishLeavesNothingInsideAndKeepsTheVolume) {
   for (size_t i = 0; i < states.size(); ++i) {
     EXPECT_NEAR(scene.VolumeRatio(i, states[i]), 1, 1e-9);
   }
+}
+
+// Muscles that follow on from a pose in which they were apart go back along the
+// way they came, and nowhere else.
+TEST(GroupContact, FollowsOnFromThePoseBefore) {
+  TouchingSpindles scene(ContactLevel::kFine, /*gap=*/2);
+  GroupContact contact = scene.Contact();
+  std::vector<MuscleState> states = scene.RestStates();
+  const std::vector<MuscleState> before = states;
+  // The first muscle goes 7 mm towards the second, 5 mm into it.
+  states[0].coarse.col(0).array() += 7;
+  contact.FollowOn(before, {Eigen::Matrix4d::Identity()});
+  EXPECT_TRUE(contact.Start(&states));
+  EXPECT_GT(contact.found_inside(0), 0);
+  const Points moved = FinePoints(scene.models[0], states[0]);
+  const Points stepped = FinePoints(scene.models[0], {states[0].coarse, {}});
+  double farthest = 0;
+  for (Eigen::Index v = 0; v < moved.rows(); ++v) {
+    const Eigen::RowVector3d back = moved.row(v) - stepped.row(v);
+    EXPECT_LE(back[0], 1e-12);
+    EXPECT_LT(back.tail<2>().norm(), 1e-9);
+    farthest = std::max(farthest, -back[0]);
+  }
+  // 0.6 of 5 mm, the deepest.
+  EXPECT_NEAR(farthest, 3, 0.2);
 }
 
 class GaussNewtonGroup : public ::testing::TestWithParam<ContactLevel> {};

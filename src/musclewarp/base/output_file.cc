@@ -6,11 +6,19 @@
 
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "musclewarp/base/input_error.h"
 
 namespace musclewarp {
 namespace fs = std::filesystem;
+
+namespace {
+
+// Part of the names of what is being written.
+constexpr char kPartial[] = ".partial";
+
+}  // namespace
 
 void WriteFileAtomically(const std::string& path,
                          const std::function<void(const std::string&)>& write) {
@@ -18,7 +26,7 @@ void WriteFileAtomically(const std::string& path,
   // Same extension: writers choose the format by it.
   const fs::path partial =
       target.parent_path() /
-      ("." + target.stem().string() + ".partial" + std::to_string(getpid()) +
+      ("." + target.stem().string() + kPartial + std::to_string(getpid()) +
        target.extension().string());
   try {
     write(partial.string());
@@ -55,7 +63,7 @@ void WriteFolderAtomically(
     const std::function<void(const std::string&)>& write) {
   const fs::path target(path);
   const fs::path partial =
-      target.parent_path() / ("." + target.filename().string() + ".partial");
+      target.parent_path() / ("." + target.filename().string() + kPartial);
   try {
     fs::remove_all(partial);
     fs::create_directories(partial);
@@ -73,6 +81,17 @@ void WriteFolderAtomically(
     fs::remove_all(partial, ignored);
     throw;
   }
+}
+
+void RemovePartialOutput(const std::string& dir) {
+  std::vector<fs::path> partial;
+  for (const auto& entry : fs::directory_iterator(dir)) {
+    const std::string name = entry.path().filename().string();
+    if (name[0] == '.' && name.find(kPartial) != std::string::npos) {
+      partial.push_back(entry.path());
+    }
+  }
+  for (const fs::path& path : partial) fs::remove_all(path);
 }
 
 }  // namespace musclewarp

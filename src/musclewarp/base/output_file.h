@@ -18,10 +18,13 @@ void WriteFileAtomically(const std::string& path,
 void WriteTextAtomically(const std::string& path, const std::string& text);
 
 // Writes a folder so that it appears complete or not at all: `write` fills a
-// folder beside the target, which then takes the place of `path`. What a killed
-// run left behind is removed by the next.
+// hidden folder beside the target, which then takes the place of `path`.
 void WriteFolderAtomically(
     const std::string& path,
     const std::function<void(const std::string&)>& write);
+
+// Removes from a folder what the functions above were writing when their
+// program was killed.
+void RemovePartialOutput(const std::string& dir);
 
 }  // namespace musclewarp

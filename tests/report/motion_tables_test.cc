@@ -1,0 +1,142 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/report/motion_tables.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "report/records.h"
+#include "support/temp_dir.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::ElementsAre;
+
+// Rounding of quotients of differences of values about 10.
+constexpr double kRounding = 1e-11;
+
+// l = 3 - 2 q + 0.5 q^2, so that -dl/dq = 2 - q.
+double Length(double q) { return 3 - 2 * q + 0.5 * q * q; }
+
+TEST(SeriesMomentArms, AreExactForParabolasEndsIncluded) {
+  const std::vector<double> q = {-1, -0.5, 0.2, 0.4, 1.5};
+  std::vector<double> lengths;
+  for (const double value : q) lengths.push_back(Length(value));
+  const auto arms = SeriesMomentArms(lengths, q);
+  for (size_t i = 0; i < q.size(); ++i) {
+    EXPECT_NEAR(arms[i], 2 - q[i], kRounding) << i;
+  }
+}
+
+TEST(SeriesMomentArms, FollowAMotionThatStandsAndTurnsRound) {
+  const std::vector<double> q = {0, 0, 0.1, 0.2, 0.2, 0.1, 0};
+  std::vector<double> lengths;
+  for (const double value : q) lengths.push_back(Length(value));
+  const auto arms = SeriesMomentArms(lengths, q);
+  for (size_t i = 0; i < q.size(); ++i) {
+    // At the turn there is one side only: half a step times the bend off.
+    EXPECT_NEAR(arms[i], 2 - q[i], 0.05 + kRounding) << i;
+  }
+  EXPECT_NEAR(arms[2], 1.9, kRounding);
+}
+
+TEST(SeriesMomentArms, HaveNothingToSayWithoutMotion) {
+  EXPECT_THAT(SeriesMomentArms({1, 2}, {0.5, 0.5}), ElementsAre(0, 0));
+  EXPECT_THAT(SeriesMomentArms({1}, {0.5}), ElementsAre(0));
+  EXPECT_THAT(SeriesMomentArms({1, 3}, {0, 1}), ElementsAre(-2, -2));
+}
+
+Scene SceneOf(const std::vector<std::string>& moving) {
+  auto poses = std::make_shared<ModelPoses>();
+  for (const std::string& name : moving) {
+    poses->moving_coordinates.push_back(
+        static_cast<int>(poses->model.coordinates.size()));
+    Coordinate coordinate;
+    coordinate.name = name;
+    poses->model.coordinates.push_back(coordinate);
+  }
+  Scene scene;
+  scene.model = poses;
+  return scene;
+}
+
+std::vector<FrameRecord> Frames() {
+  std::vector<FrameRecord> frames;
+  for (int i = 0; i < 3; ++i) {
+    frames.push_back(SomeRecord(i));
+    frames.back().coordinates = {{"hip", 10.0 * i}, {"knee", -5.0 * i}};
+    frames.back().muscles[0].line_lengths_mm["l"] = 100 + 2 * i;
+  }
+  return frames;
+}
+
+TEST(MotionTables, AreInMetres) {
+  const StorageTable lengths = LengthTable(Frames());
+  EXPECT_THAT(lengths.labels, ElementsAre("l", "l_path"));
+  EXPECT_THAT(lengths.times, ElementsAre(0.1, 1.1, 2.1));
+  EXPECT_DOUBLE_EQ(lengths.values(2, 0), 0.104);
+  EXPECT_DOUBLE_EQ(lengths.values(2, 1), 0.101);
+  const StorageTable volumes = VolumeTable(Frames());
+  EXPECT_THAT(volumes.labels, ElementsAre("m"));
+  EXPECT_NEAR(volumes.values(0, 0), 2e5 / 7 * 1e-9, 1e-18);
+  const StorageTable fibres = FibreLengthTable(Frames());
+  EXPECT_THAT(fibres.labels, ElementsAre("m_fibre_1", "m_fibre_2"));
+  EXPECT_DOUBLE_EQ(fibres.values(1, 0), 0.051);
+}
+
+TEST(MotionTables, MomentArmsAreByRadian) {
+  const StorageTable arms = MomentArmTable(Frames(), SceneOf({"hip"}));
+  EXPECT_THAT(arms.labels, ElementsAre("l.hip", "l_path.hip"));
+  // 2 mm longer for 10 degrees more.
+  EXPECT_NEAR(arms.values(1, 0), -0.002 / (10 * M_PI / 180), kRounding);
+  EXPECT_DOUBLE_EQ(arms.values(1, 1), 0.025);
+  EXPECT_EQ(FibreMomentArmTable(Frames(), SceneOf({"hip"})).labels.size(), 2u);
+}
+
+TEST(MotionTables, CarriedMomentArmsNeedOneMovingCoordinate) {
+  std::vector<FrameRecord> frames = Frames();
+  for (FrameRecord& frame : frames) {
+    frame.path_moment_arms_mm["l"]["knee"] = -3;
+  }
+  const StorageTable arms = MomentArmTable(frames, SceneOf({"hip", "knee"}));
+  EXPECT_THAT(arms.labels, ElementsAre("l_path.hip", "l_path.knee"));
+  EXPECT_TRUE(MomentArmTable(frames, Scene()).labels.empty());
+}
+
+TEST(MotionTables, BlanksInNamesAndTimesThatStandAreNoTrouble) {
+  std::vector<FrameRecord> frames = Frames();
+  for (FrameRecord& frame : frames) {
+    frame.time = 0;
+    frame.muscles[0].line_lengths_mm = {{"my line", 1}, {"my_line", 2}};
+    frame.muscles[0].path_lengths_mm = {{"my line", 1}, {"my_line", 2}};
+  }
+  const StorageTable lengths = LengthTable(frames);
+  EXPECT_THAT(lengths.labels,
+              ElementsAre("my_line", "my_line_path", "my_line_",
+                          "my_line_path_"));
+  EXPECT_THAT(lengths.times, ElementsAre(0, 1, 2));
+}
+
+TEST(MotionTables, AreWrittenSoThatTheyReadBack) {
+  const std::string dir = TestTempDir();
+  WriteMotionTables(Frames(), SceneOf({"hip"}), dir);
+  for (const char* name : {"lengths",
+                           "volumes",
+                           "moment_arms",
+                           "fibre_lengths",
+                           "fibre_moment_arms"}) {
+    const StorageTable table =
+        ReadStorageTable(dir + "/" + name + ".sto");
+    EXPECT_EQ(table.times.size(), 3u) << name;
+    EXPECT_EQ(table.in_degrees, false) << name;
+    EXPECT_TRUE(table.warnings.empty()) << name;
+  }
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,49 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "musclewarp/report/frame_record.h"
+
+namespace musclewarp {
+
+// A record with a value of its own in every field.
+inline FrameRecord SomeRecord(int index) {
+  FrameRecord record;
+  record.index = index;
+  record.name = "t=0.1 \"quoted\"";
+  record.time = 0.1 + index;
+  record.coordinates = {{"hip", 1.0 / 3}, {"knee", -2}};
+  record.wall_ms = 1.5;
+  record.solve_ms = 0.7;
+  record.certify_ms = 3e-300;
+  record.pose_steps = 4;
+  record.iterations = 17;
+  record.stop_reason = "converged";
+  record.usable = true;
+  MuscleRecord muscle;
+  muscle.name = "m";
+  muscle.volume_mm3 = 2e5 / 7;
+  muscle.volume_ratio = 1 - 1e-16;
+  muscle.max_step_mm = 0.1;
+  muscle.max_displacement_mm = 12;
+  muscle.min_gap_mm = -0.5;
+  muscle.folded_triangles = 3;
+  muscle.iterations = 17;
+  muscle.solve_ms = 0.6;
+  muscle.initial_energy_mm2 = 5;
+  muscle.final_energy_mm2 = 4;
+  muscle.stop_reason = "converged";
+  muscle.line_lengths_mm = {{"l", 100 + index * index}};
+  muscle.path_lengths_mm = {{"l", 101}};
+  muscle.fibre_lengths_mm = {50.0 + index, 60};
+  record.muscles = {muscle};
+  record.path_moment_arms_mm = {{"l", {{"hip", 25}}}};
+  record.intersections.triangle_pairs = 9;
+  record.intersections.vertices_inside = 2;
+  record.intersections.max_depth_mm = 0.3;
+  record.intersections.self_pairs = 1;
+  record.intersections.pairs = {{"m", "b", 9, 2, 0.3}};
+  return record;
+}
+
+}  // namespace musclewarp
