@@ -61,13 +61,14 @@ std::string FixedPoint(const std::string& name,
 // Straight from where it is at rest, flexion 0, to where it is at 60 degrees,
 // and on.
 std::string MovingPoint(const std::string& name,
+                        const std::string& body,
                         const Eigen::Vector3d& rest,
                         const Eigen::Vector3d& flexed) {
   std::ostringstream text;
   text.precision(12);
   text << "              <MovingPathPoint name=\"" << name
-       << "\">\n                "
-          "<socket_parent_frame>/bodyset/pelvis</socket_parent_frame>\n";
+       << "\">\n                <socket_parent_frame>/bodyset/" << body
+       << "</socket_parent_frame>\n";
   for (int k = 0; k < 3; ++k) {
     const char letter = static_cast<char>('x' + k);
     text << "                <socket_" << letter << "_coordinate>/jointset/hip_r/"
@@ -93,7 +94,8 @@ std::string MuscleText(const ActionLine& line, const WrappedPoint& wrapped) {
     const std::string name = line.name + "-P" + std::to_string(i + 1);
     const Eigen::Vector3d location = line.rest.row(i).transpose();
     text += line.name == wrapped.line && i == wrapped.point
-                ? MovingPoint(name, location, wrapped.flexed)
+                ? MovingPoint(
+                      name, line.bodies[i], location, wrapped.flexed)
                 : FixedPoint(name, line.bodies[i], location);
   }
   return text +

@@ -9,8 +9,8 @@
 
 namespace musclewarp::phantom {
 
-// A point of a line that stands in the pelvis and moves with flexion, straight
-// from its rest place to `flexed`, mm, at 60 degrees.
+// A point of a line that moves on its body with flexion, straight from its rest
+// place to `flexed` (in the frame of the body, mm) at 60 degrees.
 struct WrappedPoint {
   std::string line;
   int point = 0;

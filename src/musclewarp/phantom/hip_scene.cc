@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/phantom/hip_scene.h"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <functional>
 
@@ -25,6 +26,7 @@ const Eigen::Vector3d kHipCentre(85, 0, 0);
 // The point of the psoas line that wraps around the head, and where it is at 60
 // degrees of flexion, from the hip centre.
 constexpr int kWrapped = 5;
+constexpr int kFlexed60 = 2;  // the pose
 const Eigen::Vector3d kWrappedFlexed(1, 47, 4);
 
 // Bumps of the surfaces, mm.
@@ -216,9 +218,9 @@ std::vector<ScenePose> Poses(const ActionLine& psoas) {
   };
   // The point in front of the head would turn up and behind the one before it;
   // a real line wraps on the way, which only a target can say.
-  Points target = phantom::MovedLine(psoas, poses[2].bodies);
+  Points target = phantom::MovedLine(psoas, poses[kFlexed60].bodies);
   target.row(kWrapped) = (kHipCentre + kWrappedFlexed).transpose();
-  poses[2].lines[psoas.name] = target;
+  poses[kFlexed60].lines[psoas.name] = target;
   return poses;
 }
 
@@ -256,10 +258,11 @@ PhantomScene MakeHipScene(uint32_t seed) {
   MoveBy(kHipCentre, &hip);
   const ActionLine& psoas = hip.scene.muscles[2].lines[0];
   hip.scene.poses = Poses(psoas);
+  const Eigen::Vector4d flexed =
+      hip.scene.poses[kFlexed60].bodies.at(kFemur).inverse() *
+      (kHipCentre + kWrappedFlexed).homogeneous();
   hip.model_text = phantom::HipModelText(
-      hip.scene,
-      kHipCentre,
-      {psoas.name, kWrapped, kHipCentre + kWrappedFlexed});
+      hip.scene, kHipCentre, {psoas.name, kWrapped, flexed.head<3>()});
   hip.motion_text = phantom::HipMotionText();
   return hip;
 }
