@@ -30,13 +30,15 @@ Frame SolveRepeatedly(const PreparedScene& scene,
                       const SceneContact* contact,
                       int index,
                       const CompareOptions& options,
-                      const SolverConfiguration& configuration) {
+                      const SolverConfiguration& configuration,
+                      SceneMeshes* meshes) {
   const GroupSolver solver = SolverOf(configuration, contact != nullptr);
   std::vector<double> times;
   std::optional<Frame> frame;
   for (int k = 0; k < options.repeat; ++k) {
     frame =
-        SolveFrame(scene, contact, index, options.deform.frame, solver);
+        SolveFrame(
+            scene, contact, index, options.deform.frame, solver, meshes);
     times.push_back(frame->solve_ms);
   }
   std::nth_element(
@@ -117,6 +119,7 @@ int CompareCommand(const CompareOptions& options, std::ostream& screen) {
   }
   PrintPreparation(prepared, screen);
 
+  SceneMeshes meshes(prepared);
   std::vector<ComparisonRow> rows;
   for (const int index : selected) {
     for (const DeformContact contact : options.contacts) {
@@ -133,7 +136,8 @@ int CompareCommand(const CompareOptions& options, std::ostream& screen) {
                               with_contact ? &*scene_contact : nullptr,
                               index,
                               options,
-                              configuration);
+                              configuration,
+                              &meshes);
           const bool is_reference = configuration.is_reference && !reference;
           row = RowOf(frame,
                       is_reference ? &frame

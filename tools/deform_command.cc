@@ -262,12 +262,14 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   MakeFolder(options.out);
   RemovePartialOutput(options.out);
   if (run.frames.empty()) log.StartAnew();
+  SceneMeshes meshes(prepared);
   if (contact) {
     run.contact = &*contact;
-    run.rest_after_fix = RestIntersectionsAfterFix(prepared, *contact);
+    run.rest_after_fix =
+        RestIntersectionsAfterFix(prepared, *contact, &meshes);
   }
   run.scene = &prepared;
-  run.rest = RestIntersections(prepared);
+  run.rest = RestIntersections(prepared, &meshes);
   const GroupSolver solver = SolverOf(options.solver, contact.has_value());
   const bool writes_vtp =
       std::count(options.formats.begin(), options.formats.end(), "vtp") > 0;
@@ -287,6 +289,7 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
                                    selected[i],
                                    options.frame,
                                    solver,
+                                   &meshes,
                                    scene.is_motion ? &state : nullptr);
     WriteFrame(prepared, frame, options.formats, options.out);
     run.frames.push_back(RecordOf(prepared, frame));

@@ -32,6 +32,10 @@ DEFINE_string(contact_level,
 DEFINE_int32(max_iterations, 500, "of a solver, before it gives up");
 DEFINE_uint32(seed, 1, "of the rays that tell inside from outside");
 DEFINE_int32(threads, 0, "threads; 0: one a core");
+DEFINE_double(max_hole,
+              30,
+              "length of the border of holes that are closed when a mesh is "
+              "repaired, mm; longer ones are refused");
 DEFINE_int32(coarse_vertices, 200, "vertices of the hull of a muscle, about");
 DEFINE_int32(bone_coarse_vertices,
              1000,
@@ -102,6 +106,7 @@ DeformOptions SceneOptionsFromFlags() {
   // Files count by their contents, threads make no difference.
   options.result_flags =
       SetFlags({"resume", "out", "threads", "scene", "data_root", "motion"});
+  options.prepare.repair.holes.max_perimeter = FLAGS_max_hole;
   options.prepare.auto_lines = FLAGS_auto_lines;
   options.frame.pre_rotation.use_body_twist = FLAGS_body_twist;
   return options;

@@ -7,7 +7,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -47,57 +46,25 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
   return frame;
 }
 
-// The meshes of a scene, searchable, at some moment.
-struct SearchableScene {
-  std::vector<std::unique_ptr<SearchableMesh>> meshes;
-  std::vector<NamedMesh> muscles, bones;
-
-  SearchableScene(const PreparedScene& scene,
-                  const std::vector<const Points*>& muscle_points,
-                  const std::vector<const Points*>& bone_points) {
-    for (size_t i = 0; i < muscle_points.size(); ++i) {
-      const MuscleModel& model = scene.muscles[i].model;
-      muscles.push_back(
-          Add(model.name, *muscle_points[i], model.fine_triangles));
-    }
-    for (size_t i = 0; i < bone_points.size(); ++i) {
-      const PreparedBone& bone = scene.bones[i];
-      bones.push_back(
-          Add(bone.mesh.name, *bone_points[i], bone.rest.triangles));
-    }
-  }
-
- private:
-  NamedMesh Add(const std::string& name,
-                const Points& points,
-                const Triangles& triangles) {
-    meshes.push_back(
-        std::make_unique<SearchableMesh>(TriangleSoup{points, triangles}));
-    return {name, meshes.back().get()};
-  }
-};
-
-std::vector<const Points*> RestBones(const PreparedScene& scene) {
-  std::vector<const Points*> bones;
-  for (const auto& bone : scene.bones) bones.push_back(&bone.rest.points);
+std::vector<Points> RestBones(const PreparedScene& scene) {
+  std::vector<Points> bones;
+  for (const auto& bone : scene.bones) bones.push_back(bone.rest.points);
   return bones;
 }
 
 // Counts intersections and measures gaps.
-void Certify(const PreparedScene& scene, Frame* frame) {
-  std::vector<const Points*> muscles;
-  std::vector<const Points*> bones;
+void Certify(SceneMeshes* meshes, Frame* frame) {
+  std::vector<Points> muscles;
   for (const MuscleFrame& muscle : frame->muscles) {
-    muscles.push_back(&muscle.fine);
+    muscles.push_back(muscle.fine);
   }
-  for (const Points& bone : frame->bones) bones.push_back(&bone);
-  const SearchableScene meshes(scene, muscles, bones);
-  frame->intersections = IntersectScene(meshes.muscles, meshes.bones);
+  meshes->MoveTo(muscles, frame->bones);
+  frame->intersections = IntersectScene(meshes->muscles(), meshes->bones());
   for (size_t i = 0; i < frame->muscles.size(); ++i) {
     frame->muscles[i].gaps =
         VertexGaps(i,
-                   meshes.muscles,
-                   meshes.bones,
+                   meshes->muscles(),
+                   meshes->bones(),
                    frame->intersections.inside_of_muscles[i],
                    kGapLimit);
   }
@@ -241,6 +208,7 @@ Frame SolveFrame(const PreparedScene& scene,
                  int index,
                  const FrameOptions& options,
                  const GroupSolver& solver,
+                 SceneMeshes* meshes,
                  SceneState* state) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
@@ -283,7 +251,7 @@ Frame SolveFrame(const PreparedScene& scene,
                                     solved.states[i],
                                     std::move(solved.summaries[i])));
   }
-  Certify(scene, &frame);
+  Certify(meshes, &frame);
   frame.certify_ms = certifying.Milliseconds();
   return frame;
 }
@@ -309,31 +277,31 @@ SceneState StartState(const PreparedScene& scene,
   return state;
 }
 
-SceneIntersections RestIntersections(const PreparedScene& scene) {
-  std::vector<const Points*> muscles;
+SceneIntersections RestIntersections(const PreparedScene& scene,
+                                     SceneMeshes* meshes) {
+  std::vector<Points> muscles;
   for (const auto& muscle : scene.muscles) {
-    muscles.push_back(&muscle.model.fine_rest);
+    muscles.push_back(muscle.model.fine_rest);
   }
-  const SearchableScene meshes(scene, muscles, RestBones(scene));
-  return IntersectScene(meshes.muscles, meshes.bones);
+  meshes->MoveTo(muscles, RestBones(scene));
+  return IntersectScene(meshes->muscles(), meshes->bones());
 }
 
 SceneIntersections RestIntersectionsAfterFix(const PreparedScene& scene,
-                                             const SceneContact& contact) {
+                                             const SceneContact& contact,
+                                             SceneMeshes* meshes) {
   GroupContact group_contact = ContactInPose(scene, contact, ScenePose());
   std::vector<MuscleState> states;
   for (const auto& muscle : scene.muscles) {
     states.push_back({muscle.model.coarse_rest, {}});
   }
   group_contact.Start(&states);
-  std::vector<Points> fine;
+  std::vector<Points> muscles;
   for (size_t i = 0; i < states.size(); ++i) {
-    fine.push_back(FinePoints(scene.muscles[i].model, states[i]));
+    muscles.push_back(FinePoints(scene.muscles[i].model, states[i]));
   }
-  std::vector<const Points*> muscles;
-  for (const Points& points : fine) muscles.push_back(&points);
-  const SearchableScene meshes(scene, muscles, RestBones(scene));
-  return IntersectScene(meshes.muscles, meshes.bones);
+  meshes->MoveTo(muscles, RestBones(scene));
+  return IntersectScene(meshes->muscles(), meshes->bones());
 }
 
 }  // namespace musclewarp

@@ -10,6 +10,7 @@
 #include "musclewarp/motion/group_solver.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_contact.h"
+#include "musclewarp/motion/scene_meshes.h"
 #include "musclewarp/solver/muscle_target.h"
 #include "musclewarp/solver/solver_summary.h"
 
@@ -81,12 +82,14 @@ int StepsBetween(const Scene& scene,
 // have without contact and volume constraint: bones do not pass through their
 // rest pose on the way. With `state`, that of the frame before (or StartState),
 // they start from there, moved on as the unconstrained shapes move, and `state`
-// becomes that of this frame. Precondition (CHECKed): the options are valid.
+// becomes that of this frame. `meshes` are those of the scene, for counting.
+// Precondition (CHECKed): the options are valid.
 Frame SolveFrame(const PreparedScene& scene,
                  const SceneContact* contact,
                  int index,
                  const FrameOptions& options,
                  const GroupSolver& solver,
+                 SceneMeshes* meshes,
                  SceneState* state = nullptr);
 
 // Where the first frame of a motion starts: at rest, with contact after a solve
@@ -97,10 +100,12 @@ SceneState StartState(const PreparedScene& scene,
                       const GroupSolver& solver);
 
 // The same scene with every mesh where it came.
-SceneIntersections RestIntersections(const PreparedScene& scene);
+SceneIntersections RestIntersections(const PreparedScene& scene,
+                                     SceneMeshes* meshes);
 
 // And after the initial fix of its contact.
 SceneIntersections RestIntersectionsAfterFix(const PreparedScene& scene,
-                                             const SceneContact& contact);
+                                             const SceneContact& contact,
+                                             SceneMeshes* meshes);
 
 }  // namespace musclewarp
