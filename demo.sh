@@ -15,15 +15,15 @@ out=out/demo
 scripts/setup.sh
 scripts/build.sh release musclewarp_programs
 
-echo "demo: $bin/musclewarp-deform --scene=data/phantom/scene.json --out=$out"
+flags=(--scene=data/phantom/motion.json --out="$out" --format=ply,vtp)
+echo "demo: $bin/musclewarp-deform ${flags[*]}"
 status=0
-"$bin/musclewarp-deform" --scene=data/phantom/scene.json --out="$out" "$@" ||
-  status=$?
+"$bin/musclewarp-deform" "${flags[@]}" "$@" || status=$?
 if ((status > 1)); then exit "$status"; fi
 
 echo
 echo "The meshes of every frame are in $PWD/$out/frame_*/;"
-echo "the figures are in $PWD/$out/report.json."
+echo "lengths and moment arms in $PWD/$out/*.sto, all figures in report.json."
 if [[ -f $out/motion.pvd ]]; then
   echo "To see the motion: paraview $PWD/$out/motion.pvd"
 else

@@ -37,8 +37,7 @@ Frame SolveRepeatedly(const PreparedScene& scene,
   std::optional<Frame> frame;
   for (int k = 0; k < options.repeat; ++k) {
     frame =
-        SolveFrame(
-            scene, contact, index, options.deform.frame, solver, meshes);
+        SolveFrame(scene, contact, index, options.deform.frame, solver, meshes);
     times.push_back(frame->solve_ms);
   }
   std::nth_element(
@@ -108,8 +107,7 @@ int CompareCommand(const CompareOptions& options, std::ostream& screen) {
   if (!deform.out.empty()) CheckWritable(deform.out);
   if (deform.threads > 0) omp_set_num_threads(deform.threads);
   const Scene scene = ReadScene(deform.scene, deform.data_root, deform.motion);
-  const std::vector<int> selected =
-      SelectFrames(deform.frames, scene.poses);
+  const std::vector<int> selected = SelectFrames(deform.frames, scene.poses);
   const PreparedScene prepared = PrepareScene(scene, deform.prepare);
   std::optional<SceneContact> scene_contact;
   if (std::count(options.contacts.begin(),

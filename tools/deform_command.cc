@@ -189,8 +189,8 @@ std::vector<int> SelectFrames(const std::string& frames,
 
 void CheckSceneOptions(const DeformOptions& options) {
   std::string error;
-  if (!options.prepare.IsValid(&error) ||
-      !options.solver.IsValid(&error) || !options.frame.IsValid(&error) ||
+  if (!options.prepare.IsValid(&error) || !options.solver.IsValid(&error) ||
+      !options.frame.IsValid(&error) ||
       !options.scene_contact.IsValid(&error)) {
     throw InputError("flags", error, "see --help");
   }
@@ -265,8 +265,7 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   SceneMeshes meshes(prepared);
   if (contact) {
     run.contact = &*contact;
-    run.rest_after_fix =
-        RestIntersectionsAfterFix(prepared, *contact, &meshes);
+    run.rest_after_fix = RestIntersectionsAfterFix(prepared, *contact, &meshes);
   }
   run.scene = &prepared;
   run.rest = RestIntersections(prepared, &meshes);

@@ -22,9 +22,10 @@ DEFINE_string(frames,
               "all",
               "poses to compute: all, last, N, FIRST:LAST or FIRST:LAST:STEP "
               "(last included); FIRST and LAST may be times: 0.1s:0.35s");
-DEFINE_string(motion,
-              "",
-              "OpenSim motion (.mot, .sto) in place of the one the scene names");
+DEFINE_string(
+    motion,
+    "",
+    "OpenSim motion (.mot, .sto) in place of the one the scene names");
 DEFINE_string(contact_level,
               "coarse",
               "what meets with --contact=paper: coarse (hulls) or fine (the "
@@ -66,7 +67,8 @@ std::string ShellQuoted(const std::string& text) {
     return text;
   }
   std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  for (const char c : text)
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
 }
 

@@ -64,9 +64,9 @@ TEST(FibresData, EveryMuscleHasLinesAndFibresBetweenItsBones) {
     const auto fibres = MakeFibres(muscle, bodies, {}, FibreOptions());
     EXPECT_EQ(fibres.size(), 100u) << name;
     const InsideTest inside(muscle.points, muscle.triangles, 3);
-    const double size =
-        (muscle.points.colwise().maxCoeff() - muscle.points.colwise().minCoeff())
-            .maxCoeff();
+    const double size = (muscle.points.colwise().maxCoeff() -
+                         muscle.points.colwise().minCoeff())
+                            .maxCoeff();
     double longest = 0;
     for (const Points& fibre : fibres) {
       for (Eigen::Index i = 0; i < fibre.rows(); ++i) {

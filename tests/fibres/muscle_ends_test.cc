@@ -15,7 +15,8 @@ class MuscleEndsTest : public ::testing::Test {
   void AddBone(const std::string& body, const Eigen::RowVector3d& place) {
     TriangleSoup ball = Icosphere(8, 2);
     ball.points.rowwise() += place;
-    trees_.push_back(std::make_unique<TriangleBvh>(ball.points, ball.triangles));
+    trees_.push_back(
+        std::make_unique<TriangleBvh>(ball.points, ball.triangles));
     bodies_.push_back({body, {trees_.back().get()}});
   }
 

@@ -42,8 +42,7 @@ TEST_F(KinematicsData, LhdlAgreesWithItsPoses) {
   ASSERT_EQ(file.poses.size(), 4u);
   for (const ScenePose& pose : file.poses) {
     CoordinateValues values = DefaultValues(model);
-    values[flexion] =
-        pose.coordinates.at("hip_flexion_r_deg") * M_PI / 180;
+    values[flexion] = pose.coordinates.at("hip_flexion_r_deg") * M_PI / 180;
     const auto frames = BodyFrames(model, values);
     const Eigen::Matrix4d pelvis_from_ground =
         Eigen::Isometry3d(frames[pelvis]).inverse().matrix();
@@ -57,10 +56,9 @@ TEST_F(KinematicsData, LhdlAgreesWithItsPoses) {
       Eigen::Index row = 0;
       for (const PathPoint& point : muscle.path) {
         if (point.condition >= 0) continue;  // left out there
-        const Vector3d here =
-            (pelvis_from_ground * frames[point.body] *
-             LocationOnBody(point, values).homogeneous())
-                .head<3>();
+        const Vector3d here = (pelvis_from_ground * frames[point.body] *
+                               LocationOnBody(point, values).homogeneous())
+                                  .head<3>();
         EXPECT_LT((here - target.row(row++).transpose()).cwiseAbs().maxCoeff(),
                   kPathPoints)
             << muscle.name;
@@ -149,18 +147,18 @@ TEST_F(Gait2392, TheKneeMovesByItsSplines) {
             kExact);
   // A quarter turn of the hip takes (x, y) to (-y, x).
   Set("hip_flexion_r", M_PI / 2);
-  EXPECT_LT((InPelvis("tibia_r", Vector3d::Zero()) -
-             (hip_ + Vector3d(397.6, -1, 0)))
-                .norm(),
-            kExact);
+  EXPECT_LT(
+      (InPelvis("tibia_r", Vector3d::Zero()) - (hip_ + Vector3d(397.6, -1, 0)))
+          .norm(),
+      kExact);
   // 10 mm along the tibia's x axis, which the knee has turned by the knot.
   const double angle = M_PI / 2 + kKnot;
-  EXPECT_LT((InPelvis("tibia_r", Vector3d(10, 0, 0)) -
-             (hip_ + Vector3d(397.6 + 10 * std::cos(angle),
-                              -1 + 10 * std::sin(angle),
-                              0)))
-                .norm(),
-            kExact);
+  EXPECT_LT(
+      (InPelvis("tibia_r", Vector3d(10, 0, 0)) -
+       (hip_ +
+        Vector3d(397.6 + 10 * std::cos(angle), -1 + 10 * std::sin(angle), 0)))
+          .norm(),
+      kExact);
 }
 
 TEST_F(Gait2392, MovingAndConditionalPointsMakeThePath) {
@@ -175,9 +173,8 @@ TEST_F(Gait2392, MovingAndConditionalPointsMakeThePath) {
   // (52.4826, -392.1434, 1.4) of the femur, (-18.2174, -458.2434, 84.9) of the
   // pelvis; from (-29.5, -31.1, 96.8) that is sqrt(11.2826^2 + 427.1434^2 +
   // 11.9^2) = 427.4580.
-  EXPECT_NEAR(PathLength(rectus, BodyFrames(model_, values_), values_),
-              427.4580,
-              1e-3);
+  EXPECT_NEAR(
+      PathLength(rectus, BodyFrames(model_, values_), values_), 427.4580, 1e-3);
   Set("knee_angle_r", -1.5);
   EXPECT_TRUE(IsActive(rectus.path[1], values_));
   Set("knee_angle_r", -1.4);

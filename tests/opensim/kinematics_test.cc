@@ -87,11 +87,11 @@ TEST(Kinematics, CustomJointsTurnAboutTurnedAxesAndMoveInTheParent) {
             "<y>0 1</y></PiecewiseLinearFunction></function><scale>0.5</scale>"
             "</MultiplierFunction>") +
       FreeAxes(4, 6);
-  const Model model = Read(
-      Model4(Joint4("CustomJoint", "a b", SpatialTransform(axes))));
-  ExpectNear(ShankAt(model, {0.2, -0.3}),
-             Frame(Turn(0.5, kZ) * Turn(-0.5, Vector3d(1, 1, 0)),
-                   kKnee + 100 * kY));
+  const Model model =
+      Read(Model4(Joint4("CustomJoint", "a b", SpatialTransform(axes))));
+  ExpectNear(
+      ShankAt(model, {0.2, -0.3}),
+      Frame(Turn(0.5, kZ) * Turn(-0.5, Vector3d(1, 1, 0)), kKnee + 100 * kY));
 }
 
 TEST(Kinematics, ReversedJointsMoveTheParent) {
@@ -109,8 +109,8 @@ TEST(Kinematics, OffsetFramesCount) {
   const Eigen::Matrix4d parent_from_joint = Frame(Matrix3d::Identity(), kKnee);
   const Eigen::Matrix4d child_from_joint = Frame(Turn(0.4, kY), 100 * kX);
   const Eigen::Matrix4d moved = Frame(Turn(0.3, kZ), Vector3d::Zero());
-  ExpectNear(
-      ShankAt(Read(text), {0.3}) * child_from_joint, parent_from_joint * moved);
+  ExpectNear(ShankAt(Read(text), {0.3}) * child_from_joint,
+             parent_from_joint * moved);
 }
 
 TEST(Kinematics, VersionsThreeAndFourAreTheSameModel) {
@@ -134,8 +134,7 @@ TEST(Kinematics, CoupledCoordinatesFollow) {
         <dependent_coordinate_name>b</dependent_coordinate_name>
         <scale_factor>2</scale_factor>
       </CoordinateCouplerConstraint>)";
-  const Model model =
-      Read(Model4(Joint4("UniversalJoint", "a b"), coupler));
+  const Model model = Read(Model4(Joint4("UniversalJoint", "a b"), coupler));
   ExpectNear(ShankAt(model, {0.3, 99}),
              Frame(Turn(0.3, kX) * Turn(2 * (0.5 * 0.3 + 0.1), kY), kKnee));
   EXPECT_TRUE(MovesBody(model, 0, kShank));
@@ -159,18 +158,18 @@ Model ModelWithPath() {
       <y_location><Constant><value>-0.1</value></Constant></y_location>
       <z_location><Constant><value>0</value></Constant></z_location>
     </MovingPathPoint>)";
-  return Read(Model4(
-      Joint4("PinJoint", "q"),
-      "",
-      Muscle("m",
-             Point4("p1", "thigh", "0.02 -0.1 0") +
-                 Point4("p2",
-                        "thigh",
-                        "0.06 -0.4 0",
-                        "ConditionalPathPoint",
-                        "<socket_coordinate>/jointset/knee_joint/q"
-                        "</socket_coordinate><range>-2 -0.5</range>") +
-                 moving)));
+  return Read(
+      Model4(Joint4("PinJoint", "q"),
+             "",
+             Muscle("m",
+                    Point4("p1", "thigh", "0.02 -0.1 0") +
+                        Point4("p2",
+                               "thigh",
+                               "0.06 -0.4 0",
+                               "ConditionalPathPoint",
+                               "<socket_coordinate>/jointset/knee_joint/q"
+                               "</socket_coordinate><range>-2 -0.5</range>") +
+                        moving)));
 }
 
 double LengthAt(const Model& model, double q) {
@@ -203,9 +202,8 @@ TEST(Kinematics, MomentArmsAreTheSlopeOfTheLength) {
   for (const double q : {-1.5, -0.8, 0.1, 0.9}) {
     const double slope =
         (LengthAt(model, q + kStep) - LengthAt(model, q - kStep)) / (2 * kStep);
-    EXPECT_NEAR(PathMomentArm(model, model.muscles[0], 0, {q}),
-                -slope,
-                kTolerance);
+    EXPECT_NEAR(
+        PathMomentArm(model, model.muscles[0], 0, {q}), -slope, kTolerance);
   }
   // Where the condition switches, from the side that it is on.
   const double at_switch = PathMomentArm(model, model.muscles[0], 0, {-0.5});

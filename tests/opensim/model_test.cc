@@ -43,10 +43,9 @@ std::string Replaced(std::string text,
 const std::string Knee() { return Model4(Joint4("PinJoint", "q")); }
 
 std::string WithMuscle(const std::string& point) {
-  return Model4(
-      Joint4("PinJoint", "q"),
-      "",
-      Muscle("m", Point4("p1", "thigh", "0 0 0") + point));
+  return Model4(Joint4("PinJoint", "q"),
+                "",
+                Muscle("m", Point4("p1", "thigh", "0 0 0") + point));
 }
 
 TEST(ModelReader, ReadsBothVersions) {
@@ -65,8 +64,7 @@ TEST(ModelReader, ReadsBothVersions) {
 TEST(ModelReader, CoordinateKindsFollowFromTheAxes) {
   const std::string identity =
       "<LinearFunction><coefficients>1 0</coefficients></LinearFunction>";
-  const std::string spline =
-      "<SimmSpline><x>0 1</x><y>0 2</y></SimmSpline>";
+  const std::string spline = "<SimmSpline><x>0 1</x><y>0 2</y></SimmSpline>";
   const Model model = Read(Model4(Joint4(
       "CustomJoint",
       "turn move both",
@@ -80,35 +78,35 @@ TEST(ModelReader, CoordinateKindsFollowFromTheAxes) {
 }
 
 TEST(ModelReader, Latin1UnderAUtf8HeadIsReadWithAWarning) {
-  const Model model =
-      Read(Replaced(Knee(), "<Ground name=", "<credits>Universit\xe9</credits>"
-                                             "<Ground name="));
+  const Model model = Read(Replaced(Knee(),
+                                    "<Ground name=",
+                                    "<credits>Universit\xe9</credits>"
+                                    "<Ground name="));
   ASSERT_EQ(model.warnings.size(), 1u);
   EXPECT_THAT(model.warnings[0], HasSubstr("Latin-1"));
 }
 
 TEST(ModelReader, NamesOnceWhatItDoesNotFollow) {
-  std::string muscle = Muscle("m1",
-                              Point4("a", "thigh", "0 0 0") +
-                                  Point4("b", "shank", "0 0 0"));
+  std::string muscle = Muscle(
+      "m1", Point4("a", "thigh", "0 0 0") + Point4("b", "shank", "0 0 0"));
   muscle = Replaced(muscle,
                     "</PathPointSet>",
                     "</PathPointSet><PathWrapSet><objects><PathWrap/>"
                     "</objects></PathWrapSet>");
-  const Model model = Read(Model4(
-      Joint4("PinJoint", "q"),
-      "<PointConstraint name=\"c1\"/><WeldConstraint name=\"c2\"/>",
-      muscle + Replaced(muscle, "m1", "m2")));
+  const Model model =
+      Read(Model4(Joint4("PinJoint", "q"),
+                  "<PointConstraint name=\"c1\"/><WeldConstraint name=\"c2\"/>",
+                  muscle + Replaced(muscle, "m1", "m2")));
   ASSERT_EQ(model.warnings.size(), 2u);
   EXPECT_THAT(model.warnings[0], HasSubstr("PointConstraint \"c1\", Weld"));
   EXPECT_THAT(model.warnings[1], HasSubstr("m1, m2"));
 }
 
 TEST(ModelReader, GeometryComesWithItsScaleAndPlace) {
-  const Model three = Read(Replaced(
-      Model3(),
-      "<Body name=\"thigh\">",
-      R"(<Body name="thigh"><VisibleObject><GeometrySet><objects>
+  const Model three =
+      Read(Replaced(Model3(),
+                    "<Body name=\"thigh\">",
+                    R"(<Body name="thigh"><VisibleObject><GeometrySet><objects>
          <DisplayGeometry><geometry_file>.\geo\a.vtp</geometry_file>
          <transform>0 0 0 0.5 0 0</transform>
          <scale_factors>2 2 2</scale_factors></DisplayGeometry>
@@ -123,12 +121,12 @@ TEST(ModelReader, GeometryComesWithItsScaleAndPlace) {
   const std::string mesh =
       "<attached_geometry><Mesh><mesh_file>b.stl</mesh_file>"
       "<scale_factors>1 1 -1</scale_factors></Mesh></attached_geometry>";
-  const Model four = Read(Replaced(
-      Replaced(Knee(),
-               "<Body name=\"thigh\"/>",
-               "<Body name=\"thigh\">" + mesh + "</Body>"),
-      "<translation>0 -0.4 0</translation>",
-      "<translation>0 -0.4 0</translation>" + mesh));
+  const Model four =
+      Read(Replaced(Replaced(Knee(),
+                             "<Body name=\"thigh\"/>",
+                             "<Body name=\"thigh\">" + mesh + "</Body>"),
+                    "<translation>0 -0.4 0</translation>",
+                    "<translation>0 -0.4 0</translation>" + mesh));
   ASSERT_EQ(four.bodies[1].geometry.size(), 2u);
   EXPECT_EQ(four.bodies[1].geometry[0].scale[2], -1);
   EXPECT_EQ(four.bodies[1].geometry[1].body_from_mesh(1, 3), -400);
@@ -151,23 +149,21 @@ TEST(ModelReader, RefusesACircleOfBodies) {
 }
 
 TEST(ModelReader, RefusesNamesThatNothingHas) {
-  ExpectRefused(
-      Replaced(Knee(), "/bodyset/shank</socket_parent>", "/bodyset/foot<"
-                                                         "/socket_parent>"),
-      {"line", "socket_parent", "/bodyset/foot"});
-  ExpectRefused(Replaced(Model3(),
-                         "<parent_body>thigh",
-                         "<parent_body>hip"),
+  ExpectRefused(Replaced(Knee(),
+                         "/bodyset/shank</socket_parent>",
+                         "/bodyset/foot<"
+                         "/socket_parent>"),
+                {"line", "socket_parent", "/bodyset/foot"});
+  ExpectRefused(Replaced(Model3(), "<parent_body>thigh", "<parent_body>hip"),
                 {"line", "parent_body", "\"hip\""});
   ExpectRefused(WithMuscle(Point4("p2", "foot", "0 0 0")), {"/bodyset/foot"});
-  ExpectRefused(
-      WithMuscle(Point4("p2",
-                        "shank",
-                        "0 0 0",
-                        "ConditionalPathPoint",
-                        "<socket_coordinate>hip</socket_coordinate>"
-                        "<range>0 1</range>")),
-      {"socket_coordinate", "\"hip\""});
+  ExpectRefused(WithMuscle(Point4("p2",
+                                  "shank",
+                                  "0 0 0",
+                                  "ConditionalPathPoint",
+                                  "<socket_coordinate>hip</socket_coordinate>"
+                                  "<range>0 1</range>")),
+                {"socket_coordinate", "\"hip\""});
 }
 
 TEST(ModelReader, RefusesValuesThatAreNone) {
@@ -181,19 +177,18 @@ TEST(ModelReader, RefusesValuesThatAreNone) {
 
 TEST(ModelReader, RefusesFunctionsThatAreNotSound) {
   const auto custom = [](const std::string& function) {
-    return Model4(Joint4("CustomJoint",
-                         "q",
-                         SpatialTransform(Axis4("q", "0 0 1", function) +
-                                          FreeAxes(1, 6))));
+    return Model4(Joint4(
+        "CustomJoint",
+        "q",
+        SpatialTransform(Axis4("q", "0 0 1", function) + FreeAxes(1, 6))));
   };
   ExpectRefused(custom("<SimmSpline><x>0 1 1</x><y>0 1 2</y></SimmSpline>"),
                 {"line", "SimmSpline", "do not rise"});
   ExpectRefused(custom("<SimmSpline><x>0 1</x><y>0 1 2</y></SimmSpline>"),
                 {"2 x and 3 y"});
-  ExpectRefused(
-      custom("<LinearFunction><coefficients>1 2 3</coefficients>"
-             "</LinearFunction>"),
-      {"2 arguments", "1 coordinates"});
+  ExpectRefused(custom("<LinearFunction><coefficients>1 2 3</coefficients>"
+                       "</LinearFunction>"),
+                {"2 arguments", "1 coordinates"});
   ExpectRefused(custom("<LinearFunction/>"), {"no <coefficients>"});
 }
 

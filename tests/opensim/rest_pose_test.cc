@@ -18,10 +18,10 @@ constexpr double kTolerance = 1e-6;
 Model Scanned(const std::string& orientation, const std::string& place) {
   std::string text = Model4(Joint4("BallJoint", "a b c"));
   const std::string at = "<translation>0 0 0</translation><orientation>0 0 0";
-  text.replace(text.find(at),
-               at.size(),
-               "<translation>" + place + "</translation><orientation>" +
-                   orientation);
+  text.replace(
+      text.find(at),
+      at.size(),
+      "<translation>" + place + "</translation><orientation>" + orientation);
   return ReadModel(Written("leg.osim", text));
 }
 

@@ -13,9 +13,9 @@ TEST(FrameRecord, ComesBackToTheBit) {
   const auto json = ToJson(SomeRecord(3));
   EXPECT_EQ(ToJson(FrameRecordFromJson(json)), json);
   // Through text as well: every double is written so that it reads the same.
-  EXPECT_EQ(ToJson(FrameRecordFromJson(
-                nlohmann::ordered_json::parse(json.dump()))),
-            json);
+  EXPECT_EQ(
+      ToJson(FrameRecordFromJson(nlohmann::ordered_json::parse(json.dump()))),
+      json);
 }
 
 TEST(FrameRecord, SumsOverMuscles) {

@@ -116,9 +116,9 @@ TEST(MotionTables, BlanksInNamesAndTimesThatStandAreNoTrouble) {
     frame.muscles[0].path_lengths_mm = {{"my line", 1}, {"my_line", 2}};
   }
   const StorageTable lengths = LengthTable(frames);
-  EXPECT_THAT(lengths.labels,
-              ElementsAre("my_line", "my_line_path", "my_line_",
-                          "my_line_path_"));
+  EXPECT_THAT(
+      lengths.labels,
+      ElementsAre("my_line", "my_line_path", "my_line_", "my_line_path_"));
   EXPECT_THAT(lengths.times, ElementsAre(0, 1, 2));
 }
 
@@ -130,8 +130,7 @@ TEST(MotionTables, AreWrittenSoThatTheyReadBack) {
                            "moment_arms",
                            "fibre_lengths",
                            "fibre_moment_arms"}) {
-    const StorageTable table =
-        ReadStorageTable(dir + "/" + name + ".sto");
+    const StorageTable table = ReadStorageTable(dir + "/" + name + ".sto");
     EXPECT_EQ(table.times.size(), 3u) << name;
     EXPECT_EQ(table.in_degrees, false) << name;
     EXPECT_TRUE(table.warnings.empty()) << name;

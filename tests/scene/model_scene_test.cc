@@ -45,8 +45,7 @@ class ModelScene : public ::testing::Test {
                                       "</socket_coordinate><range>-2 -0.3"
                                       "</range>") +
                                Point4("p3", "shank", "0.03 -0.1 0")));
-    motion_ =
-        "m\ninDegrees=yes\nendheader\ntime knee\n0 0\n0.1 -30\n0.2 -60\n";
+    motion_ = "m\ninDegrees=yes\nendheader\ntime knee\n0 0\n0.1 -30\n0.2 -60\n";
     scene_ = Json::parse(R"({"name": "leg", "units": "mm",
       "muscles": [{"name": "muscle", "mesh": "m.ply", "lines": ["m",
         {"name": "own", "rest": [[0,-300,0],[0,-500,0]],
@@ -77,9 +76,9 @@ class ModelScene : public ::testing::Test {
 
   // Turned about the knee by so many degrees.
   static Eigen::Vector3d Turned(const Eigen::Vector3d& point, double degrees) {
-    return kKnee + Eigen::AngleAxisd(degrees * M_PI / 180,
-                                     Eigen::Vector3d::UnitZ()) *
-                       (point - kKnee);
+    return kKnee +
+           Eigen::AngleAxisd(degrees * M_PI / 180, Eigen::Vector3d::UnitZ()) *
+               (point - kKnee);
   }
 
   std::string dir_, model_, motion_;
@@ -93,14 +92,14 @@ TEST_F(ModelScene, BodiesTurnFromTheRestPoseToThePose) {
   EXPECT_EQ(scene.poses[1].name, "t=0.1");
   EXPECT_NEAR(scene.poses[1].coordinates.at("knee"), -30, 1e-12);
   const Eigen::Vector3d point(10, -500, 7);
-  const Points moved = Transformed(
-      point.transpose(), BodyTransform(scene.poses[2], "shank"));
+  const Points moved =
+      Transformed(point.transpose(), BodyTransform(scene.poses[2], "shank"));
   // Rest was at -20, so -60 is 40 on.
   EXPECT_LT((moved.row(0).transpose() - Turned(point, -40)).norm(), kRounding);
-  EXPECT_LT((BodyTransform(scene.poses[2], "thigh") -
-             Eigen::Matrix4d::Identity())
-                .norm(),
-            kRounding);
+  EXPECT_LT(
+      (BodyTransform(scene.poses[2], "thigh") - Eigen::Matrix4d::Identity())
+          .norm(),
+      kRounding);
 }
 
 TEST_F(ModelScene, LinesAreThePathsWithoutConditionalPoints) {
@@ -118,7 +117,8 @@ TEST_F(ModelScene, LinesAreThePathsWithoutConditionalPoints) {
   EXPECT_NEAR(scene.poses[2].path_lengths.at("m"),
               (between - first).norm() + (Turned(last, -60) - between).norm(),
               kRounding);
-  EXPECT_NEAR(scene.poses[0].path_lengths.at("m"), (last - first).norm(), kRounding);
+  EXPECT_NEAR(
+      scene.poses[0].path_lengths.at("m"), (last - first).norm(), kRounding);
   EXPECT_EQ(scene.poses[0].path_moment_arms.at("m").count("knee"), 1u);
 }
 
@@ -127,10 +127,10 @@ TEST_F(ModelScene, OwnLinesFollowTheirBodies) {
   const Points target =
       LineTargets({scene.muscles[0].lines[1]}, scene.poses[2])[0].points;
   EXPECT_LT((target.row(0) - Eigen::RowVector3d(0, -300, 0)).norm(), kRounding);
-  EXPECT_LT((target.row(1).transpose() -
-             Turned(Eigen::Vector3d(0, -500, 0), -40))
-                .norm(),
-            kRounding);
+  EXPECT_LT(
+      (target.row(1).transpose() - Turned(Eigen::Vector3d(0, -500, 0), -40))
+          .norm(),
+      kRounding);
 }
 
 TEST_F(ModelScene, TheRestPoseIsFoundWhereFramesCoincide) {
@@ -161,19 +161,19 @@ TEST_F(ModelScene, MeshesMayBeInTheFrameOfABody) {
   const Eigen::Vector3d expected =
       Eigen::AngleAxisd(20 * M_PI / 180, Eigen::Vector3d::UnitZ()) *
       (first - kKnee);
-  EXPECT_LT((scene.muscles[0].lines[0].rest.row(0).transpose() - expected)
-                .norm(),
-            kRounding);
+  EXPECT_LT(
+      (scene.muscles[0].lines[0].rest.row(0).transpose() - expected).norm(),
+      kRounding);
 }
 
 TEST_F(ModelScene, PosesBetweenAreThoseOfTheCoordinatesBetween) {
   const Scene scene = Read();
   const ScenePose between =
       PoseBetween(scene, scene.poses[0], scene.poses[2], 0.5);
-  EXPECT_LT((BodyTransform(between, "shank") -
-             BodyTransform(scene.poses[1], "shank"))
-                .norm(),
-            kRounding);
+  EXPECT_LT(
+      (BodyTransform(between, "shank") - BodyTransform(scene.poses[1], "shank"))
+          .norm(),
+      kRounding);
   EXPECT_LT((between.lines.at("m") - scene.poses[1].lines.at("m")).norm(),
             kRounding);
 }

@@ -60,8 +60,9 @@ TEST(PoseBetween, EndsAreThePoses) {
     const ScenePose& end = part == 0 ? from : to;
     const ScenePose between = PoseBetween(scene, from, to, part);
     for (const char* body : {"a", "b"}) {
-      EXPECT_LT((BodyTransform(between, body) - BodyTransform(end, body)).norm(),
-                kRounding);
+      EXPECT_LT(
+          (BodyTransform(between, body) - BodyTransform(end, body)).norm(),
+          kRounding);
     }
   }
 }

@@ -41,8 +41,7 @@ std::string Model4(const std::string& joint,
 std::string Joint4(const std::string& type,
                    const std::string& coordinates,
                    const std::string& rest) {
-  std::string text =
-      "<" + type + " name=\"knee_joint\">" + R"(
+  std::string text = "<" + type + " name=\"knee_joint\">" + R"(
     <socket_parent_frame>thigh_offset</socket_parent_frame>
     <socket_child_frame>shank_offset</socket_child_frame>
     <coordinates>)";
@@ -126,10 +125,9 @@ std::string Point4(const std::string& name,
                    const std::string& location,
                    const std::string& type,
                    const std::string& extra) {
-  return "<" + type + " name=\"" + name +
-         "\"><socket_parent_frame>/bodyset/" + body +
-         "</socket_parent_frame><location>" + location + "</location>" + extra +
-         "</" + type + ">";
+  return "<" + type + " name=\"" + name + "\"><socket_parent_frame>/bodyset/" +
+         body + "</socket_parent_frame><location>" + location + "</location>" +
+         extra + "</" + type + ">";
 }
 
 std::string Written(const std::string& name, const std::string& text) {

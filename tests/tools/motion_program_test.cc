@@ -63,8 +63,9 @@ class MotionProgram : public ::testing::Test {
                                Point4("p2", "thigh", "0.025 -0.38 0") +
                                Point4("p3", "shank", "0.025 -0.02 0") +
                                Point4("p4", "shank", "0.025 -0.055 0")));
-    motion_ = "bend\nversion=1\nnRows=7\nnColumns=2\ninDegrees=yes\nendheader\n"
-              "time\tknee\n";
+    motion_ =
+        "bend\nversion=1\nnRows=7\nnColumns=2\ninDegrees=yes\nendheader\n"
+        "time\tknee\n";
     for (int i = 0; i < 7; ++i) {
       motion_ += std::to_string(0.1 * i) + "\t" + std::to_string(-5 * i) + "\n";
     }
@@ -86,9 +87,7 @@ class MotionProgram : public ::testing::Test {
     return RunCommandLine(MUSCLEWARP_DEFORM, CommandLine(flags, out()));
   }
   std::string out() const { return dir_ + "/out"; }
-  Json Report() const {
-    return Json::parse(FileText(out() + "/report.json"));
-  }
+  Json Report() const { return Json::parse(FileText(out() + "/report.json")); }
   StorageTable Table(const std::string& name) const {
     return ReadStorageTable(out() + "/" + name + ".sto");
   }
@@ -144,8 +143,7 @@ TEST_F(MotionProgram, FollowsTheMotionAndWritesItsTables) {
   EXPECT_NEAR(lengths.values(0, 1), 0.110, 1e-12);
   EXPECT_NEAR(lengths.values(6, 1), 1e-3 * (70 + between), 1e-9);
   const StorageTable arms = Table("moment_arms");
-  EXPECT_THAT(arms.labels,
-              testing::ElementsAre("path.knee", "path_path.knee"));
+  EXPECT_THAT(arms.labels, testing::ElementsAre("path.knee", "path_path.knee"));
   const double arm = std::hypot(25, 20) * std::cos(half_angle);
   EXPECT_NEAR(arms.values(6, 1), 1e-3 * arm, 1e-8);
   EXPECT_EQ(Table("volumes").values.rows(), 7);
@@ -213,8 +211,7 @@ Json WithoutTimes(Json report) {
   if (report.is_structured()) {
     for (auto item = report.begin(); item != report.end();) {
       const bool is_time =
-          report.is_object() &&
-          (item.key().find("_ms") != std::string::npos);
+          report.is_object() && (item.key().find("_ms") != std::string::npos);
       if (is_time) {
         item = report.erase(item);
       } else {
@@ -282,12 +279,10 @@ TEST_F(MotionProgram, ResumeIsForTheSameInput) {
 TEST_F(MotionProgram, RefusesMotionsThatDoNotFit) {
   ExpectRefusedWith(
       &motion_, "time\tknee", "time\thip", {"bend.mot", "\"hip\"", "knee"});
-  ExpectRefusedWith(
-      &motion_, "inDegrees=yes\n", "", {"bend.mot", "inDegrees"});
+  ExpectRefusedWith(&motion_, "inDegrees=yes\n", "", {"bend.mot", "inDegrees"});
   ExpectRefusedWith(&motion_, "\t-15", "\tNaN", {"bend.mot", "line 11"});
   ExpectRefusedWith(&motion_, "\t-15", "\tabc", {"bend.mot", "line 11"});
-  ExpectRefusedWith(
-      &motion_, "\t-15", "", {"bend.mot", "line 11", "1 values"});
+  ExpectRefusedWith(&motion_, "\t-15", "", {"bend.mot", "line 11", "1 values"});
   ExpectRefusedWith(&motion_, "endheader", "", {"bend.mot", "endheader"});
 }
 
@@ -346,9 +341,10 @@ TEST_F(MotionProgram, VtkPlaysTheMotion) {
   int row = 0;
   for (const auto& [time, names] : names_at) {
     EXPECT_DOUBLE_EQ(time, 0.1 * row++);
-    EXPECT_EQ(names,
-              (std::set<std::string>{
-                  "muscle", "thigh", "shank", "lines/muscle", "fibres/muscle"}));
+    EXPECT_EQ(
+        names,
+        (std::set<std::string>{
+            "muscle", "thigh", "shank", "lines/muscle", "fibres/muscle"}));
   }
   const auto muscle = ReadVtp(out() + "/frame_0006/muscle.vtp");
   for (const char* field : {"displacement", "area_stretch", "gap", "contact"}) {
@@ -364,11 +360,10 @@ TEST_F(MotionProgram, VtkPlaysTheMotion) {
   EXPECT_EQ(fibres->GetNumberOfLines(), 12);
   EXPECT_EQ(fibres->GetNumberOfPoints(), 12 * 16);
   fibres->GetCellData()->GetArray("length_mm")->GetRange(range);
-  EXPECT_NEAR(
-      range[1],
-      *std::max_element(frame["muscles"][0]["fibre_lengths_mm"].begin(),
-                        frame["muscles"][0]["fibre_lengths_mm"].end()),
-      1e-9);
+  EXPECT_NEAR(range[1],
+              *std::max_element(frame["muscles"][0]["fibre_lengths_mm"].begin(),
+                                frame["muscles"][0]["fibre_lengths_mm"].end()),
+              1e-9);
   EXPECT_EQ(Table("fibre_lengths").labels.size(), 12u);
   EXPECT_THAT(Table("fibre_moment_arms").labels,
               Contains("muscle_fibre_12.knee"));
@@ -380,13 +375,15 @@ TEST(MotionEmbeddedScene, EndsWhereThePoseOfTheSceneFileIs) {
   const std::string dir = TestTempDir();
   const std::string data = std::string(MUSCLEWARP_DATA_DIR) + "/phantom";
   ASSERT_EQ(RunCommandLine(MUSCLEWARP_DEFORM,
-                           "--scene=" + data + "/motion.json --frames=last "
-                           "--out=" + dir + "/motion")
+                           "--scene=" + data +
+                               "/motion.json --frames=last "
+                               "--out=" +
+                               dir + "/motion")
                 .exit_code,
             0);
   ASSERT_EQ(RunCommandLine(MUSCLEWARP_DEFORM,
-                           "--scene=" + data + "/scene.json --frames=2 --out=" +
-                               dir + "/poses")
+                           "--scene=" + data +
+                               "/scene.json --frames=2 --out=" + dir + "/poses")
                 .exit_code,
             0);
   for (const char* name : {"psoas_major_r", "gluteus_medius_r", "femur_r"}) {

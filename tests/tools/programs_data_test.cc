@@ -244,11 +244,10 @@ class MotionsDataTest : public ProgramsDataTest,
 TEST_P(MotionsDataTest, EveryFrameKeepsItsVolumeAndNoLineJumps) {
   const std::string out = TestTempDir();
   const std::string motion = GetParam();
-  const Json report =
-      Deform("lhdl_hip_motion",
-             "ceres",
-             out,
-             "--motion=lhdl_hip/motions/" + motion + ".mot");
+  const Json report = Deform("lhdl_hip_motion",
+                             "ceres",
+                             out,
+                             "--motion=lhdl_hip/motions/" + motion + ".mot");
   for (const Json& frame : report["frames"]) {
     for (const Json& muscle : frame["muscles"]) {
       EXPECT_NEAR(muscle["volume_ratio"], 1, 1e-4) << frame["name"];
@@ -311,8 +310,8 @@ TEST_F(ProgramsDataTest, LhdlMomentArmsAreThoseOfTheirMuscles) {
     for (Eigen::Index i = 0; i + 1 < length.size(); ++i) {
       // Rows are 2 degrees apart. Where a point of psoas (40 degrees) or
       // iliacus (54) is switched off the length has a step.
-      const bool is_switched = (i == 25 && path[0] == 'p') ||
-                               (i == 32 && path[0] == 'i');
+      const bool is_switched =
+          (i == 25 && path[0] == 'p') || (i == 32 && path[0] == 'i');
       if (is_switched) continue;
       const double slope = (length[i + 1] - length[i]) / 2;
       const double expected = -(arm[i] + arm[i + 1]) / 2 * kDegree;

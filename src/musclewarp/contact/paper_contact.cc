@@ -66,9 +66,8 @@ void PaperContact::RollBack(
     const bool is_bone = !b->is_deformable();
     const bool bone_moved = is_bone && !now_from_before.empty();
     RollBackStep(options_,
-                 bone_moved
-                     ? Transformed(before[a_idx], now_from_before[b_idx])
-                     : before[a_idx],
+                 bone_moved ? Transformed(before[a_idx], now_from_before[b_idx])
+                            : before[a_idx],
                  is_bone ? none : before[b_idx],
                  a,
                  b,

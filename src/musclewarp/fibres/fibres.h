@@ -14,8 +14,8 @@ namespace musclewarp {
 
 struct FibreOptions {
   int fibres = 100;
-  int segments = 15;   // of a fibre; Modenese and Kohout (2020) have 15
-  int voxels = 6000;   // of the grid the fibres are found on, about
+  int segments = 15;  // of a fibre; Modenese and Kohout (2020) have 15
+  int voxels = 6000;  // of the grid the fibres are found on, about
 
   bool IsValid(std::string* error) const;
 };

@@ -277,10 +277,9 @@ Points SpreadOverSection(const LaplacianFlow& flow, int count) {
   if (chosen <= 0) return Points(0, 3);
   // Farthest points to begin with, then each to the middle of its share.
   Points centers(chosen, 3);
-  Eigen::VectorXd nearest =
-      (candidates.rowwise() - candidates.colwise().mean())
-          .rowwise()
-          .squaredNorm();
+  Eigen::VectorXd nearest = (candidates.rowwise() - candidates.colwise().mean())
+                                .rowwise()
+                                .squaredNorm();
   for (Eigen::Index c = 0; c < chosen; ++c) {
     Eigen::Index farthest;
     nearest.maxCoeff(&farthest);
@@ -311,8 +310,7 @@ Points SpreadOverSection(const LaplacianFlow& flow, int count) {
     Eigen::Index best = -1;
     double best_squared = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < size; ++i) {
-      const double squared =
-          (candidates.row(i) - centers.row(c)).squaredNorm();
+      const double squared = (candidates.row(i) - centers.row(c)).squaredNorm();
       if (is_taken[i] || squared >= best_squared) continue;
       best_squared = squared;
       best = i;

@@ -38,8 +38,8 @@ std::vector<std::vector<double>> Crossings(const TriangleSoup& mesh,
     int lower[2], upper[2];
     for (int k = 0; k < 2; ++k) {
       const auto [low, high] = std::minmax({p[0][k], p[1][k], p[2][k]});
-      lower[k] = static_cast<int>(
-          std::ceil((low - grid.origin[k]) / grid.size - 0.5));
+      lower[k] =
+          static_cast<int>(std::ceil((low - grid.origin[k]) / grid.size - 0.5));
       upper[k] = static_cast<int>(
           std::floor((high - grid.origin[k]) / grid.size - 0.5));
     }
@@ -51,8 +51,8 @@ std::vector<std::vector<double>> Crossings(const TriangleSoup& mesh,
         const double w1 = Side(p[2], p[0], x, y) / area;
         const double w2 = Side(p[0], p[1], x, y) / area;
         if (w0 < 0 || w1 < 0 || w2 < 0) continue;
-        crossings[j * grid.counts[0] + i].push_back(w0 * p[0][2] +
-                                                    w1 * p[1][2] + w2 * p[2][2]);
+        crossings[j * grid.counts[0] + i].push_back(
+            w0 * p[0][2] + w1 * p[1][2] + w2 * p[2][2]);
       }
     }
   }
@@ -144,8 +144,7 @@ int VoxelGrid::Nearest(const Eigen::RowVector3d& point) const {
   for (int dz = -kReach; dz <= kReach; ++dz) {
     for (int dy = -kReach; dy <= kReach; ++dy) {
       for (int dx = -kReach; dx <= kReach; ++dx) {
-        const int voxel =
-            At({center[0] + dx, center[1] + dy, center[2] + dz});
+        const int voxel = At({center[0] + dx, center[1] + dy, center[2] + dz});
         if (voxel < 0) continue;
         const double squared = (Center(voxel) - point).squaredNorm();
         if (squared < nearest_squared) {
@@ -164,18 +163,21 @@ VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted) {
   constexpr double kMost = 8;
   const double volume = SignedVolume(mesh.points, mesh.triangles);
   CHECK_GT(volume, 0);
-  const double thickness = 2 * volume / SurfaceArea(mesh.points, mesh.triangles);
+  const double thickness =
+      2 * volume / SurfaceArea(mesh.points, mesh.triangles);
   VoxelGrid grid;
-  grid.size = std::max(std::min(std::cbrt(volume / wanted), thickness / kAcross),
-                       std::cbrt(volume / (kMost * wanted)));
+  grid.size =
+      std::max(std::min(std::cbrt(volume / wanted), thickness / kAcross),
+               std::cbrt(volume / (kMost * wanted)));
   const Eigen::RowVector3d lower = mesh.points.colwise().minCoeff();
   const Eigen::RowVector3d upper = mesh.points.colwise().maxCoeff();
   // Off any round number, so that columns pass beside edges of regular meshes.
   const Eigen::RowVector3d shift(0.9271, 0.8817, 0.9043);
   grid.origin = lower - grid.size * (shift + Eigen::RowVector3d::Ones());
   for (int k = 0; k < 3; ++k) {
-    grid.counts[k] = 2 + static_cast<int>(
-                             std::ceil((upper[k] - grid.origin[k]) / grid.size));
+    grid.counts[k] =
+        2 +
+        static_cast<int>(std::ceil((upper[k] - grid.origin[k]) / grid.size));
   }
   grid.index_of.assign(grid.counts[0] * grid.counts[1] * grid.counts[2], -1);
   NumberLargestPiece(InsideCells(mesh, grid), &grid);
@@ -207,7 +209,8 @@ Eigen::VectorXd DistancesWithin(const VoxelGrid& grid,
         for (int dy = -1; dy <= 1; ++dy) {
           for (int dx = -1; dx <= 1; ++dx) {
             const int axes = (dx != 0) + (dy != 0) + (dz != 0);
-            const int next = grid.At({cell[0] + dx, cell[1] + dy, cell[2] + dz});
+            const int next =
+                grid.At({cell[0] + dx, cell[1] + dy, cell[2] + dz});
             const int farther = distance + kUnit - 1 + axes;
             if (axes == 0 || next < 0 || distances[next] <= farther) continue;
             distances[next] = farther;

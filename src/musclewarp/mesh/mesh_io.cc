@@ -20,8 +20,8 @@
 #include "musclewarp/mesh/stl_io.h"
 #include "musclewarp/mesh/text_cursor.h"
 #ifdef MUSCLEWARP_WITH_VTK
-#include "musclewarp/mesh/vtp_writer.h"
 #include "musclewarp/mesh/vtp_reader.h"
+#include "musclewarp/mesh/vtp_writer.h"
 #endif
 
 namespace musclewarp {
@@ -45,9 +45,7 @@ const std::vector<Format>& Formats() {
 #ifdef MUSCLEWARP_WITH_VTK
       {".vtp",
        ReadVtp,
-       [](const TriangleSoup& soup) {
-         return VtpOfMesh(soup);
-       }},
+       [](const TriangleSoup& soup) { return VtpOfMesh(soup); }},
 #endif
   };
   return kFormats;

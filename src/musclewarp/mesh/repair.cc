@@ -107,7 +107,9 @@ void CheckClosed(const TriangleSoup& soup,
   if (loops.size() > 1) problem << " and " << loops.size() - 1 << " smaller";
   problem << "; allowed: holes of up to " << limits.max_perimeter << " mm and "
           << limits.max_edges << " edges, or narrow slits";
-  throw InputError(name, problem.str(), "close the surface, or allow longer holes (--max_hole)");
+  throw InputError(name,
+                   problem.str(),
+                   "close the surface, or allow longer holes (--max_hole)");
 }
 
 void CheckClean(const TriangleSoup& soup, const std::string& name) {

@@ -93,10 +93,9 @@ SolvedPose SolvePose(const PreparedScene& scene,
     MuscleState start;
     if (state) {
       start = state->muscles[i];
-      start.coarse +=
-          UnconstrainedMinimizer(model, targets.back()) -
-          UnconstrainedMinimizer(model,
-                                 TargetOf(model, state->pose, pre_rotation));
+      start.coarse += UnconstrainedMinimizer(model, targets.back()) -
+                      UnconstrainedMinimizer(
+                          model, TargetOf(model, state->pose, pre_rotation));
     } else if (contact) {
       start.coarse = UnconstrainedMinimizer(model, targets.back());
     } else {
@@ -218,8 +217,8 @@ Frame SolveFrame(const PreparedScene& scene,
   frame.pose = &scene.scene.poses[index];
   const ScenePose& pose = *frame.pose;
   const auto solve = [&](const ScenePose& target) {
-    SolvedPose solved = SolvePose(
-        scene, contact, target, options.pre_rotation, solver, state);
+    SolvedPose solved =
+        SolvePose(scene, contact, target, options.pre_rotation, solver, state);
     frame.solve_ms += solved.solve_ms;
     return solved;
   };
@@ -228,11 +227,8 @@ Frame SolveFrame(const PreparedScene& scene,
     const ScenePose from = state->pose;
     frame.pose_steps = StepsBetween(scene.scene, from, pose, options);
     for (int i = 1; i < frame.pose_steps; ++i) {
-      const ScenePose between =
-          PoseBetween(scene.scene,
-                      from,
-                      pose,
-                      static_cast<double>(i) / frame.pose_steps);
+      const ScenePose between = PoseBetween(
+          scene.scene, from, pose, static_cast<double>(i) / frame.pose_steps);
       *state = StateOf(between, contact, solve(between).states);
     }
   }
@@ -265,8 +261,7 @@ SceneState StartState(const PreparedScene& scene,
     return StateOf(
         rest,
         contact,
-        SolvePose(
-            scene, contact, rest, options.pre_rotation, solver, nullptr)
+        SolvePose(scene, contact, rest, options.pre_rotation, solver, nullptr)
             .states);
   }
   SceneState state;

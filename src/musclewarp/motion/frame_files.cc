@@ -73,7 +73,9 @@ void WriteLinesVtp(const std::vector<Points>& lines, const fs::path& path) {
       VtpOfLines(lines, {{"number", numbers}, {"length_mm", lengths}}));
 }
 #else
-void WriteMuscleVtp(const PreparedMuscle&, const MuscleFrame&, const fs::path&) {
+void WriteMuscleVtp(const PreparedMuscle&,
+                    const MuscleFrame&,
+                    const fs::path&) {
   LOG(FATAL) << "this build cannot write .vtp";
 }
 void WriteLinesVtp(const std::vector<Points>&, const fs::path&) {}

@@ -52,8 +52,8 @@ class BodySurfaces {
  public:
   explicit BodySurfaces(const std::vector<PreparedBone>& bones) {
     for (const PreparedBone& bone : bones) {
-      trees_.push_back(std::make_unique<TriangleBvh>(bone.rest.points,
-                                                     bone.rest.triangles));
+      trees_.push_back(
+          std::make_unique<TriangleBvh>(bone.rest.points, bone.rest.triangles));
       auto body = std::find_if(
           bodies_.begin(), bodies_.end(), [&](const BodySurface& surface) {
             return surface.body == bone.body;
@@ -83,11 +83,8 @@ PreparedMuscle PrepareOne(const std::vector<BodySurface>& bodies,
                                          options.repair,
                                          &prepared.mesh);
   if (muscle->lines.empty()) {
-    muscle->lines = MakeLines(muscle->name,
-                              fine,
-                              bodies,
-                              muscle->attachments,
-                              options.auto_lines);
+    muscle->lines = MakeLines(
+        muscle->name, fine, bodies, muscle->attachments, options.auto_lines);
   }
   const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
   prepared.hull_encloses = Encloses(hull, fine);
@@ -147,28 +144,25 @@ PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {
   // Bones first: reading them is quick, so that bad files are found early.
   for (const SceneBone& bone : scene.bones) {
     PreparedBone one;
-    one.rest =
-        ReadRepaired(bone.name,
-                     bone.mesh_path,
-                     bone.rest_from_file,
-                     options.repair,
-                     &one.mesh);
+    one.rest = ReadRepaired(bone.name,
+                            bone.mesh_path,
+                            bone.rest_from_file,
+                            options.repair,
+                            &one.mesh);
     one.body = bone.body;
     sizes.push_back({bone.name, BoundingBoxDiagonal(one.rest.points)});
     prepared.bones.push_back(std::move(one));
   }
   const bool needs_bodies =
-      options.fibres.fibres > 0 ||
-      std::any_of(scene.muscles.begin(),
-                  scene.muscles.end(),
-                  [](const SceneMuscle& muscle) {
-                    return muscle.lines.empty();
-                  });
+      options.fibres.fibres > 0 || std::any_of(scene.muscles.begin(),
+                                               scene.muscles.end(),
+                                               [](const SceneMuscle& muscle) {
+                                                 return muscle.lines.empty();
+                                               });
   const BodySurfaces surfaces(needs_bodies ? prepared.bones
                                            : std::vector<PreparedBone>());
   for (SceneMuscle& muscle : prepared.scene.muscles) {
-    prepared.muscles.push_back(
-        PrepareOne(surfaces.bodies(), options, &muscle));
+    prepared.muscles.push_back(PrepareOne(surfaces.bodies(), options, &muscle));
     sizes.push_back(
         {muscle.name,
          BoundingBoxDiagonal(prepared.muscles.back().model.fine_rest)});

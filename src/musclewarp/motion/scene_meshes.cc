@@ -13,7 +13,8 @@ SceneMeshes::SceneMeshes(const PreparedScene& scene) {
   };
   for (const PreparedMuscle& muscle : scene.muscles) {
     const MuscleModel& model = muscle.model;
-    muscles_.push_back(add(model.name, {model.fine_rest, model.fine_triangles}));
+    muscles_.push_back(
+        add(model.name, {model.fine_rest, model.fine_triangles}));
   }
   for (const PreparedBone& bone : scene.bones) {
     bones_.push_back(add(bone.mesh.name, bone.rest));

@@ -55,10 +55,10 @@ std::vector<int> MatchColumns(const Model& model,
     const int coordinate = model.FindCoordinate(CoordinateName(label));
     if (coordinate < 0 && !IsOtherState(label)) {
       if (!table.values.col(i).isZero(0)) {
-        throw InputError(path + ": column \"" + label + "\"",
-                         "is no coordinate of " + model.path,
-                         "remove it, or rename it; coordinates: " +
-                             KnownCoordinates(model));
+        throw InputError(
+            path + ": column \"" + label + "\"",
+            "is no coordinate of " + model.path,
+            "remove it, or rename it; coordinates: " + KnownCoordinates(model));
       }
       idle += (idle.empty() ? "" : ", ") + label;
     }

@@ -30,10 +30,9 @@ void AddMeshes(const OsimXml& xml,
                const Eigen::Matrix4d& body_from_frame,
                std::vector<ModelGeometry>* geometry) {
   for (const auto mesh : frame.child("attached_geometry").children("Mesh")) {
-    geometry->push_back(
-        {ForwardSlashes(xml.Text(xml.Child(mesh, "mesh_file"))),
-         ScaleOf(xml, mesh),
-         body_from_frame});
+    geometry->push_back({ForwardSlashes(xml.Text(xml.Child(mesh, "mesh_file"))),
+                         ScaleOf(xml, mesh),
+                         body_from_frame});
   }
 }
 
@@ -46,10 +45,9 @@ std::vector<ModelGeometry> ReadBodyGeometry(const OsimXml& xml,
   for (const auto node : ObjectsOf(visible, "GeometrySet")) {
     const std::string file = xml.Text(node.child("geometry_file"));
     if (file.empty()) continue;
-    geometry.push_back(
-        {ForwardSlashes(file),
-         ScaleOf(xml, visible).cwiseProduct(ScaleOf(xml, node)),
-         TransformOf(xml, visible) * TransformOf(xml, node)});
+    geometry.push_back({ForwardSlashes(file),
+                        ScaleOf(xml, visible).cwiseProduct(ScaleOf(xml, node)),
+                        TransformOf(xml, visible) * TransformOf(xml, node)});
   }
   AddMeshes(xml, body, Eigen::Matrix4d::Identity(), &geometry);
   return geometry;
@@ -61,10 +59,8 @@ void AddOffsetGeometry(const OsimXml& xml,
   for (const pugi::xml_node node : frames.nodes()) {
     if (!node.child("attached_geometry").child("Mesh")) continue;
     const FrameOnBody frame = frames.Place(node);
-    AddMeshes(xml,
-              node,
-              frame.body_from_frame,
-              &model->bodies[frame.body].geometry);
+    AddMeshes(
+        xml, node, frame.body_from_frame, &model->bodies[frame.body].geometry);
   }
 }
 

@@ -73,12 +73,12 @@ void SetKnownAxes(const OsimXml& xml,
     TransformAxis& axis = turns ? joint->rotations[rotations++]
                                 : joint->translations[translations++];
     axis.axis = Eigen::Vector3d::Unit(axes[i][1] - 'x');
-    axis.coordinates = {AddCoordinate(xml,
-                                      element,
-                                      name,
-                                      turns ? CoordinateKind::kRotational
-                                            : CoordinateKind::kTranslational,
-                                      model)};
+    axis.coordinates = {AddCoordinate(
+        xml,
+        element,
+        name,
+        turns ? CoordinateKind::kRotational : CoordinateKind::kTranslational,
+        model)};
     axis.function = MakeLinear({turns ? 1 : kMillimetres, 0});
   }
 }
@@ -130,9 +130,8 @@ void SetAxis(const OsimXml& xml,
     axis->coordinates.push_back(coordinate);
     begin = end;
     if (IsIdentity(xml, function)) {
-      model->coordinates[coordinate].kind = turns
-                                                ? CoordinateKind::kRotational
-                                                : CoordinateKind::kTranslational;
+      model->coordinates[coordinate].kind =
+          turns ? CoordinateKind::kRotational : CoordinateKind::kTranslational;
     }
   }
   if (axis->function->Arity() > axis->coordinates.size()) {

@@ -28,8 +28,8 @@ Eigen::Matrix4d JointTransform(const Joint& joint,
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
   for (const TransformAxis& axis : joint.rotations) {
     if (!axis.function) continue;
-    rotation *= Eigen::AngleAxisd(ValueOf(axis, values), axis.axis)
-                    .toRotationMatrix();
+    rotation *=
+        Eigen::AngleAxisd(ValueOf(axis, values), axis.axis).toRotationMatrix();
   }
   for (const TransformAxis& axis : joint.translations) {
     if (!axis.function) continue;
@@ -82,9 +82,8 @@ void ApplyCouplers(const Model& model, CoordinateValues* values) {
 void CheckBodyIsSupported(const Model& model,
                           int body,
                           const std::string& used_by) {
-  const std::string where =
-      model.path + ": body \"" + model.bodies[body].name + "\", which " +
-      used_by + " needs,";
+  const std::string where = model.path + ": body \"" + model.bodies[body].name +
+                            "\", which " + used_by + " needs,";
   while (body > 0) {
     const int joint = model.bodies[body].joint;
     if (joint < 0) {
@@ -107,14 +106,13 @@ void CheckBodyIsSupported(const Model& model,
 void CheckMuscleIsSupported(const Model& model, int muscle) {
   const ModelMuscle& path = model.muscles[muscle];
   if (!path.unsupported.empty()) {
-    throw InputError(model.path + ": muscle \"" + path.name + "\"",
-                     "needs " + path.unsupported +
-                         ", which this version does not know",
-                     "replace it, or give the line as an object");
+    throw InputError(
+        model.path + ": muscle \"" + path.name + "\"",
+        "needs " + path.unsupported + ", which this version does not know",
+        "replace it, or give the line as an object");
   }
   for (const PathPoint& point : path.path) {
-    CheckBodyIsSupported(
-        model, point.body, "the muscle \"" + path.name + "\"");
+    CheckBodyIsSupported(model, point.body, "the muscle \"" + path.name + "\"");
   }
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 template <typename Named>
 int Find(const std::vector<Named>& items, const std::string& name) {
-  const auto found = std::find_if(
-      items.begin(), items.end(), [&](const Named& item) {
+  const auto found =
+      std::find_if(items.begin(), items.end(), [&](const Named& item) {
         return item.name == name;
       });
   return found == items.end() ? -1 : static_cast<int>(found - items.begin());

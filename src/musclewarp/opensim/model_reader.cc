@@ -124,10 +124,10 @@ void ReadCoupler(const OsimXml& xml, pugi::xml_node node, Model* model) {
   std::string unsupported;
   coupler.function = ReadFunction(xml, function, &unsupported);
   if (!coupler.function) {
-    MarkUnsupported(coupler.dependent,
-                    "the constraint \"" + coupler.name + "\" with " +
-                        unsupported,
-                    model);
+    MarkUnsupported(
+        coupler.dependent,
+        "the constraint \"" + coupler.name + "\" with " + unsupported,
+        model);
     return;
   }
   if (coupler.function->Arity() > coupler.independents.size()) {
@@ -172,10 +172,10 @@ void ReadMuscles(const OsimXml& xml,
     }
   }
   if (!wrapped.empty()) {
-    model->warnings.push_back(
-        xml.path() +
-        ": wrapping is not followed, paths are straight between their points: " +
-        wrapped);
+    model->warnings.push_back(xml.path() +
+                              ": wrapping is not followed, paths are straight "
+                              "between their points: " +
+                              wrapped);
   }
 }
 
@@ -186,9 +186,9 @@ Model ReadModel(const std::string& path) {
   Model model;
   model.path = path;
   model.warnings = xml.warnings();
-  const pugi::xml_node node =
-      std::string(xml.root().name()) == "Model" ? xml.root()
-                                                : xml.root().child("Model");
+  const pugi::xml_node node = std::string(xml.root().name()) == "Model"
+                                  ? xml.root()
+                                  : xml.root().child("Model");
   if (!node) {
     throw InputError(path, "holds no <Model>", "give an OpenSim model (.osim)");
   }

@@ -94,8 +94,8 @@ FrameOnBody OffsetFrames::Place(pugi::xml_node frame, int depth) const {
   if (depth > kDeepest) {
     xml_.Fail(frame, "rests on itself", "set its socket_parent to a body");
   }
-  FrameOnBody placed = Resolve(
-      xml_.Child(frame, "socket_parent"), OwnerOf(frame), depth + 1);
+  FrameOnBody placed =
+      Resolve(xml_.Child(frame, "socket_parent"), OwnerOf(frame), depth + 1);
   placed.body_from_frame =
       placed.body_from_frame *
       OffsetTransform(

@@ -17,7 +17,7 @@ namespace {
 // Length of the UTF-8 character at the start of `text`, 0 if it is none.
 size_t Utf8Length(const unsigned char* text, size_t size) {
   const unsigned char lead = text[0];
-  const size_t length = lead < 0x80              ? 1
+  const size_t length = lead < 0x80                   ? 1
                         : lead >= 0xc2 && lead < 0xe0 ? 2
                         : lead >= 0xe0 && lead < 0xf0 ? 3
                         : lead >= 0xf0 && lead < 0xf5 ? 4
@@ -61,7 +61,9 @@ bool HasUtf16Mark(const std::string& text) {
 int LineAt(const std::string& text, std::ptrdiff_t offset) {
   const auto end = std::min<std::ptrdiff_t>(offset, text.size());
   return 1 + static_cast<int>(
-                 std::count(text.begin(), text.begin() + std::max<std::ptrdiff_t>(0, end), '\n'));
+                 std::count(text.begin(),
+                            text.begin() + std::max<std::ptrdiff_t>(0, end),
+                            '\n'));
 }
 
 bool IsBlank(char c) { return std::strchr(" \t\r\n,", c) != nullptr; }
@@ -92,8 +94,8 @@ int OsimXml::LineOf(pugi::xml_node node) const {
 }
 
 std::string OsimXml::Where(pugi::xml_node node) const {
-  std::string where = path_ + ": line " + std::to_string(LineOf(node)) + ", <" +
-                      node.name();
+  std::string where =
+      path_ + ": line " + std::to_string(LineOf(node)) + ", <" + node.name();
   if (const auto name = node.attribute("name")) {
     where += std::string(" name=\"") + name.value() + "\"";
   }

@@ -70,13 +70,13 @@ bool ReadMovement(const OsimXml& xml,
     point->moving_functions[i] =
         MakeMultiplier(kMillimetres, std::move(function));
     if (!needs_coordinate) continue;
-    point->moving_coordinates[i] = CoordinateOf(
-        xml,
-        EitherChild(xml,
-                    node,
-                    (letter + "_coordinate").c_str(),
-                    ("socket_" + letter + "_coordinate").c_str()),
-        model);
+    point->moving_coordinates[i] =
+        CoordinateOf(xml,
+                     EitherChild(xml,
+                                 node,
+                                 (letter + "_coordinate").c_str(),
+                                 ("socket_" + letter + "_coordinate").c_str()),
+                     model);
   }
   return true;
 }
@@ -107,8 +107,7 @@ PathPoint ReadPoint(const OsimXml& xml,
   xml.Child(node, "location");
   const Eigen::Vector3d location =
       kMillimetres * xml.Vector(node, "location", Eigen::Vector3d::Zero());
-  point.location =
-      (frame.body_from_frame * location.homogeneous()).head<3>();
+  point.location = (frame.body_from_frame * location.homogeneous()).head<3>();
   return point;
 }
 

@@ -21,8 +21,7 @@ struct FrameGap {
 };
 
 FrameGap GapBetween(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) {
-  const Eigen::Matrix4d a_from_b =
-      Eigen::Isometry3d(a).inverse().matrix() * b;
+  const Eigen::Matrix4d a_from_b = Eigen::Isometry3d(a).inverse().matrix() * b;
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(a_from_b.topLeftCorner<3, 3>()));
   return {turn.angle() * turn.axis(), a_from_b.topRightCorner<3, 1>()};
 }
@@ -33,8 +32,8 @@ std::vector<int> FreeCoordinates(const Model& model,
   std::vector<int> free;
   for (size_t c = 0; c < model.coordinates.size(); ++c) {
     const int coordinate = static_cast<int>(c);
-    const auto moved = std::count_if(
-        bodies.begin(), bodies.end(), [&](int body) {
+    const auto moved =
+        std::count_if(bodies.begin(), bodies.end(), [&](int body) {
           return MovesBody(model, coordinate, body);
         });
     const bool is_coupled =

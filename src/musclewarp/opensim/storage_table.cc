@@ -41,9 +41,8 @@ bool ParseDegrees(const TextCursor& cursor, std::string_view value) {
   if (word == "no" || word == "false" || word == "n" || word == "0") {
     return false;
   }
-  throw InputError(cursor.Where(),
-                   "inDegrees is " + Quoted(value),
-                   "allowed: yes, no");
+  throw InputError(
+      cursor.Where(), "inDegrees is " + Quoted(value), "allowed: yes, no");
 }
 
 // One line of the header; lines that are no setting are notes.
@@ -77,9 +76,8 @@ Header ReadHeader(const std::string& path, TextCursor* cursor) {
     is_first = false;
     ReadHeaderLine(*cursor, line, &header);
   }
-  throw InputError(path,
-                   "has no line \"endheader\"",
-                   "give an OpenSim .mot or .sto file");
+  throw InputError(
+      path, "has no line \"endheader\"", "give an OpenSim .mot or .sto file");
 }
 
 std::vector<std::string> ReadLabels(const std::string& path,
@@ -165,8 +163,8 @@ StorageTable ReadStorageTable(const std::string& path) {
   if (table.times.empty()) {
     throw InputError(path, "has no row", "export the table again");
   }
-  using RowMajor = Eigen::
-      Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  using RowMajor =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   table.values = Eigen::Map<const RowMajor>(
       values.data(), table.times.size(), table.labels.size());
   AddCountWarning(path,
@@ -186,11 +184,10 @@ std::string StorageText(const StorageTable& table) {
   CHECK_EQ(table.values.rows(), static_cast<int>(table.times.size()));
   CHECK_EQ(table.values.cols(), static_cast<int>(table.labels.size()));
   const bool in_degrees = table.in_degrees.value_or(false);
-  std::string text = table.name + "\nversion=1\nnRows=" +
-                     std::to_string(table.times.size()) + "\nnColumns=" +
-                     std::to_string(table.labels.size() + 1) +
-                     "\ninDegrees=" + (in_degrees ? "yes" : "no") +
-                     "\nendheader\n" + kTime;
+  std::string text =
+      table.name + "\nversion=1\nnRows=" + std::to_string(table.times.size()) +
+      "\nnColumns=" + std::to_string(table.labels.size() + 1) +
+      "\ninDegrees=" + (in_degrees ? "yes" : "no") + "\nendheader\n" + kTime;
   std::set<std::string> seen;
   for (const std::string& label : table.labels) {
     CHECK(!label.empty());

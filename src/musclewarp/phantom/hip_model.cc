@@ -71,8 +71,9 @@ std::string MovingPoint(const std::string& name,
        << "</socket_parent_frame>\n";
   for (int k = 0; k < 3; ++k) {
     const char letter = static_cast<char>('x' + k);
-    text << "                <socket_" << letter << "_coordinate>/jointset/hip_r/"
-         << kFlexion << "</socket_" << letter << "_coordinate>\n"
+    text << "                <socket_" << letter
+         << "_coordinate>/jointset/hip_r/" << kFlexion << "</socket_" << letter
+         << "_coordinate>\n"
          << "                <" << letter
          << "_location>\n                  <PiecewiseLinearFunction>\n"
             "                    <x>0 "
@@ -94,8 +95,7 @@ std::string MuscleText(const ActionLine& line, const WrappedPoint& wrapped) {
     const std::string name = line.name + "-P" + std::to_string(i + 1);
     const Eigen::Vector3d location = line.rest.row(i).transpose();
     text += line.name == wrapped.line && i == wrapped.point
-                ? MovingPoint(
-                      name, line.bodies[i], location, wrapped.flexed)
+                ? MovingPoint(name, line.bodies[i], location, wrapped.flexed)
                 : FixedPoint(name, line.bodies[i], location);
   }
   return text +
@@ -134,11 +134,12 @@ std::string HipModelText(const Scene& scene,
   text += Axis("rotation1", kFlexion, "1 0 0") +
           Axis("rotation2", "hip_adduction_r", "0 1 0") +
           Axis("rotation3", "hip_rotation_r", "0 0 1") +
-          Axis("translation1", "", "1 0 0") + Axis("translation2", "", "0 1 0") +
-          Axis("translation3", "", "0 0 1");
-  text += "        </SpatialTransform>\n      </CustomJoint>\n"
-          "      </objects>\n    </JointSet>\n"
-          "    <ForceSet name=\"forceset\">\n      <objects>\n";
+          Axis("translation1", "", "1 0 0") +
+          Axis("translation2", "", "0 1 0") + Axis("translation3", "", "0 0 1");
+  text +=
+      "        </SpatialTransform>\n      </CustomJoint>\n"
+      "      </objects>\n    </JointSet>\n"
+      "    <ForceSet name=\"forceset\">\n      <objects>\n";
   for (const SceneMuscle& muscle : scene.muscles) {
     for (const ActionLine& line : muscle.lines) {
       text += MuscleText(line, wrapped);

@@ -29,7 +29,8 @@ std::string WithoutBlanks(std::string label) {
 
 class TableBuilder {
  public:
-  TableBuilder(const std::string& name, const std::vector<FrameRecord>& frames) {
+  TableBuilder(const std::string& name,
+               const std::vector<FrameRecord>& frames) {
     table_.name = name;
     table_.in_degrees = false;
     bool rises = true;
@@ -166,8 +167,7 @@ std::vector<double> SeriesMomentArms(const std::vector<double>& lengths,
       // The slope of Newton's parabola at the value itself.
       const double bend =
           (slope(i, b) - slope(a, i)) / (coordinates[b] - coordinates[a]);
-      arms[i] =
-          -(slope(a, i) + bend * (coordinates[i] - coordinates[a]));
+      arms[i] = -(slope(a, i) + bend * (coordinates[i] - coordinates[a]));
     }
   }
   return arms;

@@ -18,8 +18,8 @@ Progress::Progress(int done, int total, bool is_terminal, std::ostream* out)
 void Progress::FrameDone(const FrameRecord& frame) {
   constexpr int kWidth = 24;
   ++done_;
-  const double left = stopwatch_.Milliseconds() / (done_ - first_) *
-                      (total_ - done_);
+  const double left =
+      stopwatch_.Milliseconds() / (done_ - first_) * (total_ - done_);
   std::ostringstream line;
   if (is_terminal_) {
     const int filled = kWidth * done_ / total_;

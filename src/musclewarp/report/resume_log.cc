@@ -53,8 +53,7 @@ std::vector<FrameRecord> ResumeLog::Continue(
     const std::string bytes = ReadFile(FrameFile(index));
     const Json json = Json::from_cbor(bytes, true, /*allow_exceptions=*/false);
     if (json.is_discarded()) {
-      throw InputError(
-          FrameFile(index), "is damaged", "run without --resume");
+      throw InputError(FrameFile(index), "is damaged", "run without --resume");
     }
     records.push_back(FrameRecordFromJson(json.at("record")));
     muscles->clear();

@@ -49,8 +49,8 @@ void PrintFrames(const RunRecord& run, std::ostream& out) {
   out << "\n";
   for (const FrameRecord& frame : run.frames) {
     out << std::setw(5) << frame.index << "  " << std::left
-        << std::setw(name_width) << frame.name << std::right
-        << std::setw(12) << frame.iterations << std::setw(9) << std::fixed
+        << std::setw(name_width) << frame.name << std::right << std::setw(12)
+        << frame.iterations << std::setw(9) << std::fixed
         << std::setprecision(1) << frame.wall_ms << std::scientific
         << std::setw(14) << frame.WorstVolumeError() << std::setw(8)
         << frame.FoldedTriangles();

@@ -37,8 +37,8 @@ class JsonField {
   void CheckKeys(std::initializer_list<std::string> allowed) const;
   void CheckObject() const;
 
-  std::string AsString() const;                // not empty
-  double AsNumber() const;                     // finite
+  std::string AsString() const;  // not empty
+  double AsNumber() const;       // finite
   bool AsBool() const;
   std::vector<std::string> AsStrings() const;  // ["...", ...]
   Points AsPoints() const;                     // [[x, y, z], ...]

@@ -15,8 +15,8 @@ namespace {
 
 // How far apart the frames of bodies may be to count as one: roundings of the
 // model, not another pose.
-constexpr double kLargestGap = 1;                    // mm
-constexpr double kLargestTurn = 0.5 * M_PI / 180;    // rad
+constexpr double kLargestGap = 1;                  // mm
+constexpr double kLargestTurn = 0.5 * M_PI / 180;  // rad
 
 Eigen::Matrix4d RigidInverse(const Eigen::Matrix4d& transform) {
   return Eigen::Isometry3d(transform).inverse().matrix();

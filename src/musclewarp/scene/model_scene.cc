@@ -31,9 +31,8 @@ ModelRest ReadModelRest(const JsonField& scene, const Model& model) {
   rest.coordinates.emplace();
   for (const auto& item : coordinates.value().items()) {
     const int index = model.FindCoordinate(item.key());
-    const bool is_angle =
-        index >= 0 &&
-        model.coordinates[index].kind == CoordinateKind::kRotational;
+    const bool is_angle = index >= 0 && model.coordinates[index].kind ==
+                                            CoordinateKind::kRotational;
     (*rest.coordinates)[item.key()] = coordinates.At(item.key()).AsNumber() *
                                       (in_degrees && is_angle ? M_PI / 180 : 1);
   }
@@ -49,11 +48,11 @@ std::string FindGeometry(const Model& model, const ModelGeometry& geometry) {
     const fs::path file = folder / place / geometry.file;
     if (fs::exists(file)) return file.lexically_normal().string();
   }
-  throw InputError(model.path,
-                   "names the geometry file \"" + geometry.file +
-                       "\", which is not there",
-                   "put it beside the model or into its folder Geometry, or "
-                   "give the bone a \"mesh\"");
+  throw InputError(
+      model.path,
+      "names the geometry file \"" + geometry.file + "\", which is not there",
+      "put it beside the model or into its folder Geometry, or "
+      "give the bone a \"mesh\"");
 }
 
 // One bone for each mesh of the model on the body of `bone`.
@@ -123,8 +122,8 @@ void AddModelPoses(const JsonField& field,
       MotionOf(model, ReadStorageTable(motion_path), motion_path);
   scene->warnings.insert(
       scene->warnings.end(), motion.warnings.begin(), motion.warnings.end());
-  auto poses = std::make_shared<ModelPoses>(BindModel(
-      std::move(model), rest, bodies, field.file(), &scene->notes));
+  auto poses = std::make_shared<ModelPoses>(
+      BindModel(std::move(model), rest, bodies, field.file(), &scene->notes));
   poses->given_coordinates = motion.given;
   poses->moving_coordinates = motion.moving;
   for (SceneMuscle& muscle : scene->muscles) {

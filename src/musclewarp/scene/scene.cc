@@ -146,10 +146,9 @@ PosesFile ReadPosesFileOf(const JsonField& scene, const std::string& root) {
     bodies.CheckObject();
     for (const auto& item : bodies.value().items()) {
       const JsonField names = bodies.At(item.key());
-      body_keys[item.key()] =
-          names.value().is_array()
-              ? names.AsStrings()
-              : std::vector<std::string>{names.AsString()};
+      body_keys[item.key()] = names.value().is_array()
+                                  ? names.AsStrings()
+                                  : std::vector<std::string>{names.AsString()};
     }
   }
   return ReadPosesFile(Resolve(field.At("path").AsString(), root), body_keys);
@@ -200,8 +199,8 @@ Scene ReadScene(const std::string& path,
   if (has_model && field.Has("poses")) {
     field.Fail("has both \"poses\" and a \"model\"", "leave one of them out");
   }
-  if (!has_model && (field.Has("motion") || field.Has("model_rest") ||
-                     !motion.empty())) {
+  if (!has_model &&
+      (field.Has("motion") || field.Has("model_rest") || !motion.empty())) {
     field.Fail("has a motion but no \"model\"", "add the OpenSim model");
   }
   const std::string root =
@@ -245,8 +244,7 @@ Scene ReadScene(const std::string& path,
   if (has_model) {
     const std::string motion_path =
         motion.empty() ? field.At("motion").AsString() : motion;
-    AddModelPoses(
-        field, std::move(*model), Resolve(motion_path, root), &scene);
+    AddModelPoses(field, std::move(*model), Resolve(motion_path, root), &scene);
   } else {
     scene.is_motion = TimesRise(scene.poses);
   }
@@ -261,8 +259,8 @@ Scene ReadScene(const std::string& path,
   for (const char* key : {"poses_file", "model"}) {
     if (!field.Has(key)) continue;
     const JsonField file = field.At(key);
-    scene.files.push_back(Resolve(
-        (file.Has("path") ? file.At("path") : file).AsString(), root));
+    scene.files.push_back(
+        Resolve((file.Has("path") ? file.At("path") : file).AsString(), root));
   }
   if (has_model) scene.files.push_back(scene.motion_path);
   for (const auto& muscle : scene.muscles) {

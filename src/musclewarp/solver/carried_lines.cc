@@ -9,15 +9,13 @@ CarriedLines CarryLines(const std::vector<Points>& rest,
                         const Triangles& coarse_triangles) {
   CarriedLines lines;
   for (const Points& line : rest) {
-    lines.starts.push_back(lines.starts.back() +
-                           static_cast<int>(line.rows()));
+    lines.starts.push_back(lines.starts.back() + static_cast<int>(line.rows()));
   }
   Points all(lines.starts.back(), 3);
   for (size_t k = 0; k < rest.size(); ++k) {
     all.middleRows(lines.starts[k], rest[k].rows()) = rest[k];
   }
-  lines.from_coarse =
-      MeanValueCoordinates(all, coarse_rest, coarse_triangles);
+  lines.from_coarse = MeanValueCoordinates(all, coarse_rest, coarse_triangles);
   return lines;
 }
 

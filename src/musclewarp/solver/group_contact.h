@@ -108,7 +108,7 @@ class GroupContact {
   std::vector<const MuscleModel*> models_;
   PaperContact contact_;
   std::optional<PaperContact> fine_contact_;
-  std::vector<Points> before_;   // points in contact after the last call
+  std::vector<Points> before_;  // points in contact after the last call
   bool follows_on_ = false;
   std::vector<Eigen::Matrix4d> now_from_before_;  // of the bones
   std::vector<Points> stepped_;  // the same before the bodies were moved
