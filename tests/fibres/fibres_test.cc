@@ -5,8 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <memory>
-
+#include "fibres/ball_bones.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/geometry/inside_test.h"
 #include "musclewarp/skeleton/polyline.h"
@@ -25,25 +24,17 @@ class FibresTest : public ::testing::Test {
       muscle_.points(i, 0) +=
           0.006 * muscle_.points(i, 2) * muscle_.points(i, 2);
     }
-    AddBone("pelvis", {15, 0, 56});
-    AddBone("femur", {15, 0, -56});
-  }
-  void AddBone(const std::string& body, const Eigen::RowVector3d& place) {
-    TriangleSoup ball = Icosphere(8, 2);
-    ball.points.rowwise() += place;
-    trees_.push_back(
-        std::make_unique<TriangleBvh>(ball.points, ball.triangles));
-    bodies_.push_back({body, {trees_.back().get()}});
+    bones_.Add("pelvis", {15, 0, 56});
+    bones_.Add("femur", {15, 0, -56});
   }
   TriangleSoup muscle_;
-  std::vector<std::unique_ptr<TriangleBvh>> trees_;
-  std::vector<BodySurface> bodies_;
+  BallBones bones_;
 };
 
 TEST_F(FibresTest, RunInsideFromOriginToInsertion) {
   FibreOptions options;
   options.fibres = 60;
-  const auto fibres = MakeFibres(muscle_, bodies_, {}, options);
+  const auto fibres = MakeFibres(muscle_, bones_.bodies(), {}, options);
   ASSERT_EQ(fibres.size(), 60u);
   const InsideTest inside(muscle_.points, muscle_.triangles, 3);
   for (const Points& fibre : fibres) {
@@ -62,7 +53,8 @@ TEST_F(FibresTest, RunInsideFromOriginToInsertion) {
 TEST_F(FibresTest, SegmentsOfAFibreAreAlike) {
   FibreOptions options;
   options.fibres = 10;
-  for (const Points& fibre : MakeFibres(muscle_, bodies_, {}, options)) {
+  for (const Points& fibre :
+       MakeFibres(muscle_, bones_.bodies(), {}, options)) {
     const double mean = PolylineLength(fibre) / options.segments;
     for (Eigen::Index i = 0; i + 1 < fibre.rows(); ++i) {
       // Points outside are pulled in by a part of a voxel.
@@ -74,14 +66,14 @@ TEST_F(FibresTest, SegmentsOfAFibreAreAlike) {
 TEST_F(FibresTest, TheSameEveryTime) {
   FibreOptions options;
   options.fibres = 20;
-  const auto a = MakeFibres(muscle_, bodies_, {}, options);
-  const auto b = MakeFibres(muscle_, bodies_, {}, options);
+  const auto a = MakeFibres(muscle_, bones_.bodies(), {}, options);
+  const auto b = MakeFibres(muscle_, bones_.bodies(), {}, options);
   ASSERT_EQ(a.size(), b.size());
   for (size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i], b[i]);
 }
 
 TEST_F(FibresTest, LinesFollowTheBonesTheyAreNearestTo) {
-  const auto lines = MakeLines("m", muscle_, bodies_, {}, 3);
+  const auto lines = MakeLines("m", muscle_, bones_.bodies(), {}, 3);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[0].name, "m_1");
   EXPECT_EQ(lines[2].name, "m_3");
@@ -95,7 +87,7 @@ TEST_F(FibresTest, LinesFollowTheBonesTheyAreNearestTo) {
 }
 
 TEST_F(FibresTest, OneLineIsTheCentreLine) {
-  const auto lines = MakeLines("m", muscle_, bodies_, {}, 1);
+  const auto lines = MakeLines("m", muscle_, bones_.bodies(), {}, 1);
   ASSERT_EQ(lines.size(), 1u);
   const Eigen::RowVector3d middle = lines[0].rest.row(2);
   // In the middle of the section at z = 0, whose radius is 10.
@@ -103,8 +95,8 @@ TEST_F(FibresTest, OneLineIsTheCentreLine) {
 }
 
 TEST_F(FibresTest, AMuscleOverThreeBodiesFollowsTheOneBetween) {
-  AddBone("knee", {-20, 0, 0});
-  const auto lines = MakeLines("m", muscle_, bodies_, {}, 1);
+  bones_.Add("knee", {-20, 0, 0});
+  const auto lines = MakeLines("m", muscle_, bones_.bodies(), {}, 1);
   EXPECT_THAT(lines[0].bodies,
               ElementsAre("pelvis", "pelvis", "knee", "femur", "femur"));
 }

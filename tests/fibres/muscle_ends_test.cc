@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fibres/ball_bones.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -12,16 +13,8 @@ namespace {
 // A spindle along z from -50 to 50 and balls of bone at heights along it.
 class MuscleEndsTest : public ::testing::Test {
  protected:
-  void AddBone(const std::string& body, const Eigen::RowVector3d& place) {
-    TriangleSoup ball = Icosphere(8, 2);
-    ball.points.rowwise() += place;
-    trees_.push_back(
-        std::make_unique<TriangleBvh>(ball.points, ball.triangles));
-    bodies_.push_back({body, {trees_.back().get()}});
-  }
-
   MuscleEnds Find(const std::vector<Attachment>& attachments = {}) const {
-    return FindMuscleEnds(muscle_, grid_, bodies_, attachments);
+    return FindMuscleEnds(muscle_, grid_, bones_.bodies(), attachments);
   }
 
   double MeanHeight(const MuscleEnd& end) const {
@@ -32,13 +25,12 @@ class MuscleEndsTest : public ::testing::Test {
 
   const TriangleSoup muscle_ = Spindle(10, 50, 3);
   const VoxelGrid grid_ = Voxelize(muscle_, 3000);
-  std::vector<std::unique_ptr<TriangleBvh>> trees_;
-  std::vector<BodySurface> bodies_;
+  BallBones bones_;
 };
 
 TEST_F(MuscleEndsTest, AreWhereItLiesNearItsBones) {
-  AddBone("pelvis", {0, 0, 56});
-  AddBone("femur", {0, 0, -56});
+  bones_.Add("pelvis", {0, 0, 56});
+  bones_.Add("femur", {0, 0, -56});
   const MuscleEnds ends = Find();
   EXPECT_EQ(ends.origin.body, "pelvis");
   EXPECT_EQ(ends.insertion.body, "femur");
@@ -47,17 +39,17 @@ TEST_F(MuscleEndsTest, AreWhereItLiesNearItsBones) {
 }
 
 TEST_F(MuscleEndsTest, OfThreeBonesTheOuterTwoCount) {
-  AddBone("pelvis", {0, 0, 56});
-  AddBone("femur", {18, 0, 0});
-  AddBone("tibia", {0, 0, -56});
+  bones_.Add("pelvis", {0, 0, 56});
+  bones_.Add("femur", {18, 0, 0});
+  bones_.Add("tibia", {0, 0, -56});
   const MuscleEnds ends = Find();
   EXPECT_EQ(ends.origin.body, "pelvis");
   EXPECT_EQ(ends.insertion.body, "tibia");
 }
 
 TEST_F(MuscleEndsTest, AnEndWithoutBoneGoesToTheNearestBody) {
-  AddBone("pelvis", {18, 0, 10});
-  AddBone("femur", {0, 0, -56});
+  bones_.Add("pelvis", {18, 0, 10});
+  bones_.Add("femur", {0, 0, -56});
   const MuscleEnds ends = Find();
   EXPECT_EQ(ends.origin.body, "pelvis");
   // Not where the pelvis touches, but at the tip beyond.
@@ -69,7 +61,7 @@ TEST_F(MuscleEndsTest, OneBoneOrNoneIsEnough) {
   MuscleEnds ends = Find();
   EXPECT_EQ(ends.origin.body, "");
   EXPECT_GT(std::abs(MeanHeight(ends.origin) - MeanHeight(ends.insertion)), 60);
-  AddBone("pelvis", {0, 0, 56});
+  bones_.Add("pelvis", {0, 0, 56});
   ends = Find();
   EXPECT_EQ(ends.origin.body, "pelvis");
   EXPECT_EQ(ends.insertion.body, "pelvis");
@@ -77,8 +69,8 @@ TEST_F(MuscleEndsTest, OneBoneOrNoneIsEnough) {
 }
 
 TEST_F(MuscleEndsTest, AttachmentsComeFirst) {
-  AddBone("pelvis", {0, 0, 56});
-  AddBone("femur", {0, 0, -56});
+  bones_.Add("pelvis", {0, 0, 56});
+  bones_.Add("femur", {0, 0, -56});
   Attachment a, b;
   a.body = "femur";
   a.points = Eigen::RowVector3d(0, 10, 0);

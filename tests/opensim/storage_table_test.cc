@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "musclewarp/base/input_error.h"
+#include "support/input_errors.h"
 #include "support/osim_models.h"
 
 namespace musclewarp {
@@ -21,15 +21,9 @@ StorageTable Read(const std::string& text) {
   return ReadStorageTable(Written("motion.mot", text));
 }
 
-void ExpectRefused(const std::string& text,
-                   const std::vector<std::string>& words) {
-  try {
-    Read(text);
-    ADD_FAILURE() << "read: " << text;
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("motion.mot"));
-    for (const auto& word : words) EXPECT_THAT(error.what(), HasSubstr(word));
-  }
+void ExpectRefused(const std::string& text, std::vector<std::string> words) {
+  words.push_back("motion.mot");
+  ExpectInputError([&] { Read(text); }, words);
 }
 
 TEST(StorageTable, ReadsHeaderLabelsAndRows) {

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/scene/scene.h"
+#include "support/input_errors.h"
 #include "support/osim_models.h"
 #include "support/temp_dir.h"
 
@@ -64,14 +64,7 @@ class ModelScene : public ::testing::Test {
   }
 
   void ExpectRefused(const std::vector<std::string>& words) {
-    try {
-      Read();
-      ADD_FAILURE();
-    } catch (const InputError& error) {
-      for (const auto& word : words) {
-        EXPECT_THAT(error.what(), HasSubstr(word));
-      }
-    }
+    ExpectInputError([&] { Read(); }, words);
   }
 
   // Turned about the knee by so many degrees.

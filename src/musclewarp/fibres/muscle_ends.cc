@@ -5,8 +5,11 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
+
+#include "musclewarp/scene/attachment_area.h"
 
 namespace musclewarp {
 namespace {
@@ -25,6 +28,12 @@ constexpr double kEndShare = 0.7;
 void SortUnique(std::vector<int>* voxels) {
   std::sort(voxels->begin(), voxels->end());
   voxels->erase(std::unique(voxels->begin(), voxels->end()), voxels->end());
+}
+
+Points RowsOf(const Points& points, const std::vector<int>& rows) {
+  Points chosen(rows.size(), 3);
+  for (size_t i = 0; i < rows.size(); ++i) chosen.row(i) = points.row(rows[i]);
+  return chosen;
 }
 
 // The voxels next to some points of the surface.
@@ -80,28 +89,10 @@ std::vector<MuscleEnd> GivenAreas(const TriangleSoup& muscle,
   for (const Attachment& attachment : attachments) {
     MuscleEnd area;
     area.body = attachment.body;
-    std::vector<int> vertices;
-    Eigen::Index nearest = 0;
-    double nearest_squared = std::numeric_limits<double>::infinity();
-    for (Eigen::Index v = 0; v < muscle.points.rows(); ++v) {
-      const double squared =
-          (attachment.points.rowwise() - muscle.points.row(v))
-              .rowwise()
-              .squaredNorm()
-              .minCoeff();
-      if (squared <= attachment.radius * attachment.radius) {
-        vertices.push_back(static_cast<int>(v));
-      }
-      if (squared < nearest_squared) {
-        nearest_squared = squared;
-        nearest = v;
-      }
-    }
-    if (vertices.empty()) vertices.push_back(static_cast<int>(nearest));
-    Points points(vertices.size(), 3);
-    for (size_t i = 0; i < vertices.size(); ++i) {
-      points.row(i) = muscle.points.row(vertices[i]);
-    }
+    const std::vector<int> vertices = VerticesInArea(attachment, muscle.points);
+    // An area that misses the surface is where its points are.
+    Points points = attachment.points;
+    if (!vertices.empty()) points = RowsOf(muscle.points, vertices);
     area.voxels = VoxelsAt(grid, points);
     if (!area.voxels.empty()) areas.push_back(std::move(area));
   }
@@ -137,11 +128,8 @@ std::vector<MuscleEnd> NearAreas(const TriangleSoup& muscle,
         vertices.push_back(static_cast<int>(v));
       }
     }
-    Points points(vertices.size(), 3);
-    for (size_t i = 0; i < vertices.size(); ++i) {
-      points.row(i) = muscle.points.row(vertices[i]);
-    }
-    MuscleEnd area{bodies[b].body, VoxelsAt(grid, points)};
+    MuscleEnd area{bodies[b].body,
+                   VoxelsAt(grid, RowsOf(muscle.points, vertices))};
     if (!area.voxels.empty()) areas.push_back(std::move(area));
   }
   return areas;

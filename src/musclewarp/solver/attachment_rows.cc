@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/solver/attachment_rows.h"
 
+#include "musclewarp/scene/attachment_area.h"
+
 namespace musclewarp {
 
 std::vector<int> AttachedVertices(const Attachment& attachment,
                                   const Points& points,
                                   int max_rows) {
-  std::vector<int> near;
-  for (Eigen::Index v = 0; v < points.rows(); ++v) {
-    const double squared = (attachment.points.rowwise() - points.row(v))
-                               .rowwise()
-                               .squaredNorm()
-                               .minCoeff();
-    if (squared <= attachment.radius * attachment.radius) near.push_back(v);
-  }
+  const std::vector<int> near = VerticesInArea(attachment, points);
   if (static_cast<int>(near.size()) <= max_rows) return near;
   std::vector<int> thinned(max_rows);
   for (int i = 0; i < max_rows; ++i) {
