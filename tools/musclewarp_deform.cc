@@ -52,9 +52,11 @@ int main(int argc, char** argv) {
       argv,
       "musclewarp-deform --scene=FILE --out=DIR [flags]\n\n"
       "Deforms the muscles of a scene so that they follow their lines of "
-      "action and\nkeep their volume. Writes DIR/frame_0000/<name>.ply, ..., "
-      "and DIR/report.json.\nExit code: 0 usable, 1 not usable (the summary "
-      "says why), 2 bad input.",
+      "action and\nkeep their volume, in each pose or along a motion "
+      "(OpenSim .osim and .mot, or poses\nwith times). Writes "
+      "DIR/frame_0000/<name>.ply, ..., DIR/report.json and, of motions,\n"
+      "DIR/lengths.sto, moment_arms.sto and volumes.sto.\n"
+      "Exit code: 0 usable, 1 not usable (the summary says why), 2 bad input.",
       [](const std::vector<std::string>& arguments) {
         musclewarp::RefuseArguments(arguments);
         return musclewarp::DeformCommand(musclewarp::OptionsFromFlags(),
