@@ -16,6 +16,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/stopwatch.h"
 #include "musclewarp/mesh/mesh_io.h"
 #include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/frame_files.h"
@@ -105,9 +106,28 @@ bool IsFinished(const std::string& dir, const std::string& inputs_hash) {
          field.At("summary").At("finished").AsBool();
 }
 
-void WriteReport(const RunRecord& run, const std::string& path) {
-  WriteTextAtomically(path, ReportJson(run).dump(2) + "\n");
-}
+// Keeps the report up to date while a run goes on, for a tenth of the time at
+// most: it grows with every frame.
+class ReportWriter {
+ public:
+  explicit ReportWriter(std::string path) : path_(std::move(path)) {}
+
+  void Write(const RunRecord& run) {
+    const Stopwatch writing;
+    WriteTextAtomically(path_, ReportJson(run).dump(2) + "\n");
+    write_ms_ = writing.Milliseconds();
+    since_.emplace();
+  }
+  void WriteNowAndThen(const RunRecord& run) {
+    constexpr double kPause = 10;  // times as long as writing took
+    if (!since_ || since_->Milliseconds() >= kPause * write_ms_) Write(run);
+  }
+
+ private:
+  const std::string path_;
+  double write_ms_ = 0;
+  std::optional<Stopwatch> since_;
+};
 
 }  // namespace
 
@@ -282,6 +302,7 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
     state = StartState(prepared, contact_or_none, options.frame, solver);
   }
   Progress progress(done, total, options.is_terminal, &screen);
+  ReportWriter writer(report);
   for (int i = done; i < total; ++i) {
     const Frame frame = SolveFrame(prepared,
                                    contact_or_none,
@@ -293,13 +314,13 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
     WriteFrame(prepared, frame, options.formats, options.out);
     run.frames.push_back(RecordOf(prepared, frame));
     log.FrameDone(run.frames.back(), state.muscles);
-    WriteReport(run, report);
+    writer.WriteNowAndThen(run);
     progress.FrameDone(run.frames.back());
   }
   if (writes_vtp) WritePvd(prepared, selected, options.out);
   if (scene.is_motion) WriteMotionTables(run.frames, scene, options.out);
   run.finished = true;
-  WriteReport(run, report);
+  writer.Write(run);
   log.Finish();
   PrintFrames(run, screen);
   screen << "report: " << report << "\n";

@@ -60,10 +60,10 @@ void MakeFolder(const std::string& dir);
 // Deforms the muscles of a scene in every selected pose, writes the frames and
 // report.json to `out` and a summary to `screen`; of a motion each frame starts
 // from the one before, and tables of lengths, volumes and moment arms are
-// written as well. After every frame what is there is complete. With `resume`
-// an interrupted run of the same input goes on where it was, to the same
-// result. Returns an exit code. Throws InputError, before anything is written,
-// for bad input.
+// written as well. Whenever it is killed, what is there is complete. With
+// `resume` an interrupted run of the same input goes on where it was, to the
+// same result. Returns an exit code. Throws InputError, before anything is
+// written, for bad input.
 int DeformCommand(const DeformOptions& options, std::ostream& screen);
 
 }  // namespace musclewarp
