@@ -14,7 +14,7 @@
 #include "musclewarp/geometry/folded_triangles.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/scene/line_targets.h"
-#include "musclewarp/skeleton/polyline.h"
+#include "musclewarp/scene/path_moment_arms.h"
 
 namespace musclewarp {
 namespace {
@@ -36,12 +36,8 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
           .size());
   frame.lines = LinesAt(muscle.lines, state.coarse);
   frame.fibres = LinesAt(muscle.fibres, state.coarse);
-  const std::vector<LineTarget> targets = LineTargets(model.lines, pose);
-  for (size_t i = 0; i < targets.size(); ++i) {
-    const auto known = pose.path_lengths.find(model.lines[i].name);
-    frame.path_lengths.push_back(known == pose.path_lengths.end()
-                                     ? PolylineLength(targets[i].points)
-                                     : known->second);
+  for (const ActionLine& line : model.lines) {
+    frame.path_lengths.push_back(PathLengthIn(pose, line));
   }
   return frame;
 }
@@ -247,6 +243,7 @@ Frame SolveFrame(const PreparedScene& scene,
                                     solved.states[i],
                                     std::move(solved.summaries[i])));
   }
+  frame.path_moment_arms = PathMomentArms(scene.scene, pose);
   Certify(meshes, &frame);
   frame.certify_ms = certifying.Milliseconds();
   return frame;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,8 @@ struct Frame {
   const ScenePose* pose = nullptr;
   std::vector<MuscleFrame> muscles;
   std::vector<Points> bones;  // #V x 3, mm
+  // Of the straight lines, by line and coordinate, mm/rad (or mm/m).
+  std::map<std::string, std::map<std::string, double>> path_moment_arms;
   SceneIntersections intersections;
   int pose_steps = 1;     // solves on the way from the frame before
   double wall_ms = 0;     // moving the scene to the pose

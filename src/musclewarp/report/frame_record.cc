@@ -126,7 +126,7 @@ FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame) {
     record.muscles.push_back(
         RecordOf(scene.muscles[i].model, frame.muscles[i]));
   }
-  record.path_moment_arms_mm = frame.pose->path_moment_arms;
+  record.path_moment_arms_mm = frame.path_moment_arms;
   record.intersections = frame.intersections;
   record.intersections.inside_of_muscles.clear();
   return record;

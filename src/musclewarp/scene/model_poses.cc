@@ -178,10 +178,6 @@ ScenePose PoseAt(const ModelPoses& poses, const CoordinateValues& values) {
     pose.lines[muscle.name] = PointsOf(muscle, values, scene_from_body);
     pose.path_lengths[muscle.name] =
         PathLength(muscle, ground_from_body, values);
-    for (const int coordinate : poses.moving_coordinates) {
-      pose.path_moment_arms[muscle.name][model.coordinates[coordinate].name] =
-          PathMomentArm(model, muscle, coordinate, values);
-    }
   }
   return pose;
 }

@@ -22,12 +22,10 @@ struct ScenePose {
   std::map<std::string, Points> lines;
 
   // Of poses of an OpenSim model, the values of all its coordinates, and for
-  // the lines that are paths of its muscles: the length straight through all
-  // points that are active (mm), and -dl/dq of it by coordinate (mm/rad, or
-  // mm/m).
+  // the lines that are paths of its muscles the length straight through all
+  // points that are active, mm.
   std::vector<double> model_values;
   std::map<std::string, double> path_lengths;
-  std::map<std::string, std::map<std::string, double>> path_moment_arms;
 };
 
 }  // namespace musclewarp
