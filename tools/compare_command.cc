@@ -8,14 +8,15 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/report/screen_report.h"
 #include "tools/comparison.h"
+#include "tools/frame_selection.h"
 #include "tools/program.h"
+#include "tools/split.h"
 
 namespace musclewarp {
 namespace {
@@ -67,8 +68,7 @@ std::vector<SolverConfiguration> ParseConfigurations(const std::string& text) {
     }
     return configurations;
   }
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');) {
+  for (const std::string& word : Split(text, ',')) {
     if (std::count(names.begin(), names.end(), word) == 0) {
       std::string allowed = "all";
       for (const std::string& name : names) allowed += ", " + name;
@@ -86,8 +86,7 @@ std::vector<SolverConfiguration> ParseConfigurations(const std::string& text) {
 
 std::vector<DeformContact> ParseContacts(const std::string& text) {
   std::vector<DeformContact> contacts;
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');) {
+  for (const std::string& word : Split(text, ',')) {
     contacts.push_back(ParseDeformContact(word));
   }
   if (contacts.empty()) {

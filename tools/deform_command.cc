@@ -6,10 +6,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "musclewarp/base/content_hash.h"
@@ -26,66 +24,14 @@
 #include "musclewarp/report/resume_log.h"
 #include "musclewarp/report/screen_report.h"
 #include "musclewarp/scene/json_fields.h"
+#include "tools/frame_selection.h"
 #include "tools/program.h"
+#include "tools/split.h"
 
 namespace musclewarp {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> Split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, separator);) {
-    parts.push_back(part);
-  }
-  return parts;
-}
-
-[[noreturn]] void FailFrames(const std::string& frames,
-                             const std::string& problem) {
-  throw InputError("--frames=" + frames,
-                   problem,
-                   "allowed: all, last, N, FIRST:LAST, FIRST:LAST:STEP; FIRST "
-                   "and LAST may be times (0.1s)");
-}
-
-int ParseFrameNumber(const std::string& text, const std::string& frames) {
-  if (text.empty() || text.size() > 8 ||
-      !std::all_of(text.begin(), text.end(), [](unsigned char c) {
-        return std::isdigit(c);
-      })) {
-    FailFrames(frames, "\"" + text + "\" is not a frame number");
-  }
-  return std::stoi(text);
-}
-
-// An end of a range: a frame number, or a time with its unit.
-int ParseRangeEnd(const std::string& text,
-                  bool is_first,
-                  const std::vector<ScenePose>& poses,
-                  const std::string& frames) {
-  if (text.empty() || text.back() != 's') {
-    return ParseFrameNumber(text, frames);
-  }
-  double time = 0;
-  const char* const end = text.data() + text.size() - 1;
-  const auto result = std::from_chars(text.data(), end, time);
-  if (result.ptr != end || result.ec != std::errc()) {
-    FailFrames(frames, "\"" + text + "\" is not a time");
-  }
-  // Half of the last digit of usual files.
-  constexpr double kSlack = 1e-9;
-  const int count = static_cast<int>(poses.size());
-  if (is_first) {
-    int i = 0;
-    while (i < count && poses[i].time < time - kSlack) ++i;
-    return i;
-  }
-  int i = count - 1;
-  while (i >= 0 && poses[i].time > time + kSlack) --i;
-  return i;
-}
 
 // Of everything the result depends on.
 std::string InputsHash(const Scene& scene, const DeformOptions& options) {
@@ -129,6 +75,53 @@ class ReportWriter {
   std::optional<Stopwatch> since_;
 };
 
+int ExitCodeOfFinished(const std::string& report) {
+  const JsonField summary = JsonField::ParseFile(report).At("summary");
+  return summary.At("usable").AsBool() ? kExitUsable : kExitNotUsable;
+}
+
+bool HasFormat(const DeformOptions& options, const std::string& format) {
+  return std::count(options.formats.begin(), options.formats.end(), format) > 0;
+}
+
+// Solves, writes and records the selected frames that the run does not have
+// yet; `state` is that of the last it has.
+void ComputeFrames(const DeformOptions& options,
+                   const std::vector<int>& selected,
+                   const ResumeLog& log,
+                   SceneState* state,
+                   SceneMeshes* meshes,
+                   ReportWriter* writer,
+                   RunRecord* run,
+                   std::ostream& screen) {
+  const PreparedScene& scene = *run->scene;
+  const bool is_motion = scene.scene.is_motion;
+  const GroupSolver solver = SolverOf(options.solver, run->contact != nullptr);
+  const int done = static_cast<int>(run->frames.size());
+  const int total = static_cast<int>(selected.size());
+  if (done > 0) {
+    screen << "resumed after frame " << done << "\n";
+    state->pose = scene.scene.poses[selected[done - 1]];
+  } else if (is_motion) {
+    *state = StartState(scene, run->contact, options.frame, solver);
+  }
+  Progress progress(done, total, options.is_terminal, &screen);
+  for (int i = done; i < total; ++i) {
+    const Frame frame = SolveFrame(scene,
+                                   run->contact,
+                                   selected[i],
+                                   options.frame,
+                                   solver,
+                                   meshes,
+                                   is_motion ? state : nullptr);
+    WriteFrame(scene, frame, options.formats, options.out);
+    run->frames.push_back(RecordOf(scene, frame));
+    log.FrameDone(run->frames.back(), state->muscles);
+    writer->WriteNowAndThen(*run);
+    progress.FrameDone(run->frames.back());
+  }
+}
+
 }  // namespace
 
 SolverConfiguration ParseSolver(const std::string& text) {
@@ -169,42 +162,6 @@ std::vector<std::string> ParseFormats(const std::string& text) {
     throw InputError("--format", "is empty", "allowed: ply, obj, vtp");
   }
   return formats;
-}
-
-std::vector<int> SelectFrames(const std::string& frames,
-                              const std::vector<ScenePose>& poses) {
-  const int count = static_cast<int>(poses.size());
-  int first = 0;
-  int last = count - 1;
-  int step = 1;
-  if (frames == "last") {
-    first = last;
-  } else if (frames != "all") {
-    const std::vector<std::string> parts = Split(frames, ':');
-    if (parts.empty() || parts.size() > 3 || frames.back() == ':') {
-      ParseFrameNumber("", frames);
-    }
-    first = ParseRangeEnd(parts[0], true, poses, frames);
-    last = ParseRangeEnd(
-        parts.size() > 1 ? parts[1] : parts[0], false, poses, frames);
-    if (parts.size() > 2) step = ParseFrameNumber(parts[2], frames);
-  }
-  if (first > last || last >= count || step < 1) {
-    std::ostringstream range;
-    range << "the scene has frames 0 to " << count - 1;
-    if (poses.front().time < poses.back().time) {
-      range << ", " << poses.front().time << "s to " << poses.back().time
-            << "s";
-    }
-    throw InputError("--frames=" + frames,
-                     "selects no frame or one that is not there",
-                     range.str());
-  }
-  std::vector<int> selected;
-  for (int frame = first; frame <= last; frame += step) {
-    selected.push_back(frame);
-  }
-  return selected;
 }
 
 void CheckSceneOptions(const DeformOptions& options) {
@@ -265,12 +222,12 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   run.inputs_hash = InputsHash(scene, options);
   const ResumeLog log(options.out, run.inputs_hash);
   SceneState state;
-  if (options.resume) run.frames = log.Continue(selected, &state.muscles);
-  if (options.resume && IsFinished(options.out, run.inputs_hash)) {
-    screen << "finished already: " << report << "\n";
-    return JsonField::ParseFile(report).At("summary").At("usable").AsBool()
-               ? kExitUsable
-               : kExitNotUsable;
+  if (options.resume) {
+    run.frames = log.Continue(selected, &state.muscles);
+    if (IsFinished(options.out, run.inputs_hash)) {
+      screen << "finished already: " << report << "\n";
+      return ExitCodeOfFinished(report);
+    }
   }
   const PreparedScene prepared = PrepareScene(scene, options.prepare);
   std::optional<SceneContact> contact;
@@ -283,41 +240,15 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   RemovePartialOutput(options.out);
   if (run.frames.empty()) log.StartAnew();
   SceneMeshes meshes(prepared);
+  run.scene = &prepared;
+  run.rest = RestIntersections(prepared, &meshes);
   if (contact) {
     run.contact = &*contact;
     run.rest_after_fix = RestIntersectionsAfterFix(prepared, *contact, &meshes);
   }
-  run.scene = &prepared;
-  run.rest = RestIntersections(prepared, &meshes);
-  const GroupSolver solver = SolverOf(options.solver, contact.has_value());
-  const bool writes_vtp =
-      std::count(options.formats.begin(), options.formats.end(), "vtp") > 0;
-  const int done = static_cast<int>(run.frames.size());
-  const int total = static_cast<int>(selected.size());
-  if (done > 0) screen << "resumed after frame " << done << "\n";
-  const SceneContact* const contact_or_none = contact ? &*contact : nullptr;
-  if (done > 0) {
-    state.pose = scene.poses[selected[done - 1]];
-  } else if (scene.is_motion) {
-    state = StartState(prepared, contact_or_none, options.frame, solver);
-  }
-  Progress progress(done, total, options.is_terminal, &screen);
   ReportWriter writer(report);
-  for (int i = done; i < total; ++i) {
-    const Frame frame = SolveFrame(prepared,
-                                   contact_or_none,
-                                   selected[i],
-                                   options.frame,
-                                   solver,
-                                   &meshes,
-                                   scene.is_motion ? &state : nullptr);
-    WriteFrame(prepared, frame, options.formats, options.out);
-    run.frames.push_back(RecordOf(prepared, frame));
-    log.FrameDone(run.frames.back(), state.muscles);
-    writer.WriteNowAndThen(run);
-    progress.FrameDone(run.frames.back());
-  }
-  if (writes_vtp) WritePvd(prepared, selected, options.out);
+  ComputeFrames(options, selected, log, &state, &meshes, &writer, &run, screen);
+  if (HasFormat(options, "vtp")) WritePvd(prepared, selected, options.out);
   if (scene.is_motion) WriteMotionTables(run.frames, scene, options.out);
   run.finished = true;
   writer.Write(run);

@@ -21,9 +21,7 @@ struct DeformOptions {
   std::string out;
   SolverConfiguration solver = SolverConfigurationNamed("ceres");
   DeformContact contact = DeformContact::kNone;
-  // "all", "last", "7" or "first:last[:step]", where first and last may be
-  // times ("0.1s").
-  std::string frames = "all";
+  std::string frames = "all";  // see SelectFrames
   std::vector<std::string> formats = {"ply"};
   std::string motion;  // in place of the scene's
   int threads = 0;     // 0: as many as OpenMP chooses
@@ -44,12 +42,6 @@ SolverConfiguration ParseSolver(const std::string& text);
 DeformContact ParseDeformContact(const std::string& text);
 ContactLevel ParseContactLevel(const std::string& text);
 std::vector<std::string> ParseFormats(const std::string& text);
-
-// Indices of the poses that `frames` selects, rising. "a:b:step" runs from a to
-// b inclusive; times select the poses from the first not before a to the last
-// not after b.
-std::vector<int> SelectFrames(const std::string& frames,
-                              const std::vector<ScenePose>& poses);
 
 // Throw InputError: options that no scene can be run with, a folder that cannot
 // be written (it is not made), one that cannot be made.
