@@ -78,6 +78,7 @@ CoordinateValues FoundRest(const Model& model,
   note << "rest pose of the meshes, where the body frames coincide ("
        << gap.str() << "):";
   const CoordinateValues defaults = DefaultValues(model);
+  if (pose.values == defaults) note << " all coordinates at their defaults";
   for (size_t i = 0; i < pose.values.size(); ++i) {
     if (pose.values[i] == defaults[i]) continue;
     const bool is_angle =
