@@ -60,7 +60,10 @@ class ReportWriter {
 
   void Write(const RunRecord& run) {
     const Stopwatch writing;
-    WriteTextAtomically(path_, ReportJson(run).dump(2) + "\n");
+    // Texts of files that are not UTF-8 may be in warnings.
+    const auto on_error = nlohmann::ordered_json::error_handler_t::replace;
+    WriteTextAtomically(path_,
+                        ReportJson(run).dump(2, ' ', false, on_error) + "\n");
     write_ms_ = writing.Milliseconds();
     since_.emplace();
   }

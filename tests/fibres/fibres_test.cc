@@ -101,6 +101,12 @@ TEST_F(FibresTest, AMuscleOverThreeBodiesFollowsTheOneBetween) {
               ElementsAre("pelvis", "pelvis", "knee", "femur", "femur"));
 }
 
+TEST_F(FibresTest, AFilmHasNoRoomForEither) {
+  const TriangleSoup film = Box(80, 80, 0.001);
+  EXPECT_TRUE(MakeFibres(film, bones_.bodies(), {}, FibreOptions()).empty());
+  EXPECT_THROW(MakeLines("m", film, bones_.bodies(), {}, 1), InputError);
+}
+
 TEST_F(FibresTest, LinesNeedABone) {
   EXPECT_THROW(MakeLines("m", muscle_, {}, {}, 1), InputError);
 }

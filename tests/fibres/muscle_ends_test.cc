@@ -68,6 +68,17 @@ TEST_F(MuscleEndsTest, OneBoneOrNoneIsEnough) {
   EXPECT_GT(std::abs(MeanHeight(ends.origin) - MeanHeight(ends.insertion)), 60);
 }
 
+TEST_F(MuscleEndsTest, AttachmentsInOnePlaceLeaveTheTips) {
+  Attachment a;
+  a.body = "pelvis";
+  a.points = Eigen::RowVector3d(0, 10, 0);
+  a.radius = 6;
+  Attachment b = a;
+  b.body = "femur";
+  const MuscleEnds ends = Find({a, b});
+  EXPECT_GT(std::abs(MeanHeight(ends.origin) - MeanHeight(ends.insertion)), 80);
+}
+
 TEST_F(MuscleEndsTest, AttachmentsComeFirst) {
   bones_.Add("pelvis", {0, 0, 56});
   bones_.Add("femur", {0, 0, -56});

@@ -159,6 +159,13 @@ TEST_F(MotionProgram, FramesAreThoseOfTheirPosesWhateverCameBefore) {
   EXPECT_LT((all - alone).rowwise().norm().maxCoeff(), 1e-3);
 }
 
+TEST_F(MotionProgram, NamesThatAreNotUtf8DoNotStopTheReport) {
+  motion_ = "bend\ninDegrees=yes\nendheader\ntime\tknee\tf\xfc\xdf\n0\t-5\t0\n";
+  const ProgramRun run = Run();
+  ASSERT_EQ(run.exit_code, 0) << run.out << run.errors;
+  EXPECT_TRUE(Report()["summary"]["finished"]);
+}
+
 TEST_F(MotionProgram, SelectsFramesByTime) {
   ASSERT_EQ(Run("--frames=0.15s:0.5s:2").exit_code, 0);
   std::vector<int> indices;

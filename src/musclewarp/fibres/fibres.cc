@@ -59,8 +59,10 @@ Courses FindCourses(const TriangleSoup& muscle,
                     int voxels) {
   constexpr int kFine = 4;  // points smoothed for one that is kept
   constexpr int kRounds = 4;
+  constexpr int kFewest = 20;  // voxels that a course can run through
   const VoxelGrid grid = Voxelize(muscle, voxels);
   Courses courses;
+  if (grid.num_voxels() < kFewest) return courses;
   courses.ends = FindMuscleEnds(muscle, grid, bodies, attachments);
   const LaplacianFlow flow = SolveFlow(
       grid, courses.ends.origin.voxels, courses.ends.insertion.voxels);
@@ -163,7 +165,11 @@ std::vector<ActionLine> MakeLines(const std::string& name,
     line.bodies = BodiesAlong(course, courses.ends, bodies);
     lines.push_back(std::move(line));
   }
-  CHECK(!lines.empty()) << name;
+  if (lines.empty()) {
+    throw InputError("muscle " + name,
+                     "is too thin for lines to be made inside it",
+                     "give it \"lines\"");
+  }
   return lines;
 }
 

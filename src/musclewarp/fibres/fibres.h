@@ -22,9 +22,9 @@ struct FibreOptions {
 
 // Fibres of a muscle at rest: polylines inside the surface from origin to
 // insertion, #segments + 1 points at equal distances each, mm, that do not
-// cross, each for an equal share of the muscle's middle section. Fewer if the
-// section is too small for so many. Preconditions (CHECKed): the options are
-// valid, the mesh is closed and outward.
+// cross, each for an equal share of the muscle's widest section. Fewer if the
+// section is too small for so many, none in a muscle too thin. Preconditions
+// (CHECKed): the options are valid, the mesh is closed and outward.
 std::vector<Points> MakeFibres(const TriangleSoup& muscle,
                                const std::vector<BodySurface>& bodies,
                                const std::vector<Attachment>& attachments,
@@ -35,7 +35,7 @@ std::vector<Points> MakeFibres(const TriangleSoup& muscle,
 // ends follow the bodies of origin and insertion, the points between the bone
 // they are nearest to, in one order along the line. Precondition (CHECKed):
 // count is above 0, the mesh is closed and outward. Throws InputError if there
-// is no bone to follow.
+// is no bone to follow, or the muscle is too thin.
 std::vector<ActionLine> MakeLines(const std::string& name,
                                   const TriangleSoup& muscle,
                                   const std::vector<BodySurface>& bodies,

@@ -241,6 +241,12 @@ MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
                         std::back_inserter(own));
     end->voxels = std::move(own);
   }
+  // Areas that are one place, say, leave no two ends: the tips are some.
+  if (ends.origin.voxels.empty() || ends.insertion.voxels.empty()) {
+    const auto [first, second] = Tips(grid);
+    ends.origin.voxels = {first};
+    ends.insertion.voxels = {second};
+  }
   // The order of the bodies is the scene's, not that of the areas.
   const auto rank = [&](const std::string& body) {
     size_t i = 0;

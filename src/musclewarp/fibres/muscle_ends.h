@@ -36,8 +36,9 @@ struct MuscleEnds {
 // that are farthest apart by the way through the muscle; an end of the muscle
 // far from all of these places, whose bone is not in the scene, say, counts as
 // one of them and goes to the body next to it. Of areas that run along the
-// muscle only the ends are kept. The origin is the end whose body comes first
-// in `bodies`.
+// muscle only the ends are kept; where that leaves no two, the tips of the
+// muscle. The origin is the end whose body comes first in `bodies`.
+// Precondition: the grid has two voxels.
 MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
                           const VoxelGrid& grid,
                           const std::vector<BodySurface>& bodies,

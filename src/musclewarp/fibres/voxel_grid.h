@@ -31,8 +31,9 @@ struct VoxelGrid {
 };
 
 // About `wanted` voxels, more where the mesh is thin: at least three across its
-// mean thickness. Only the largest piece that hangs together over faces is
-// kept. Precondition (CHECKed): the mesh holds a volume.
+// mean thickness, but not eight times as many. Only the largest piece that
+// hangs together over faces is kept; none where the mesh is thinner than all
+// that. Precondition (CHECKed): the mesh holds a volume.
 VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted);
 
 // The way through the voxels from the nearest of `sources` to each voxel, mm.

@@ -81,14 +81,6 @@ void WriteMuscleVtp(const PreparedMuscle&,
 void WriteLinesVtp(const std::vector<Points>&, const fs::path&) {}
 #endif
 
-bool TimesRise(const std::vector<ScenePose>& poses,
-               const std::vector<int>& frames) {
-  for (size_t i = 0; i + 1 < frames.size(); ++i) {
-    if (poses[frames[i]].time >= poses[frames[i + 1]].time) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 std::string FrameFolder(int index) {
@@ -160,7 +152,7 @@ void WriteFrame(const PreparedScene& scene,
 void WritePvd(const PreparedScene& scene,
               const std::vector<int>& frames,
               const std::string& dir) {
-  const bool has_times = TimesRise(scene.scene.poses, frames);
+  const bool has_times = scene.scene.is_motion;
   std::ostringstream pvd;
   pvd << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" "
          "version=\"0.1\">\n  <Collection>\n"

@@ -168,6 +168,13 @@ PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {
          BoundingBoxDiagonal(prepared.muscles.back().model.fine_rest)});
   }
   prepared.warnings = scene.warnings;
+  for (const PreparedMuscle& muscle : prepared.muscles) {
+    if (muscle.fibres.num_lines() >= options.fibres.fibres) continue;
+    prepared.warnings.push_back(muscle.model.name + " has room for " +
+                                std::to_string(muscle.fibres.num_lines()) +
+                                " fibres of " +
+                                std::to_string(options.fibres.fibres));
+  }
   for (const std::string& warning :
        ScaleWarnings(sizes, options.scale_warning_ratio)) {
     prepared.warnings.push_back(warning);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh/transformed.h"
 
 namespace musclewarp {
 namespace {
@@ -39,10 +40,6 @@ Eigen::Matrix4d JointTransform(const Joint& joint,
   transform.topLeftCorner<3, 3>() = rotation;
   transform.topRightCorner<3, 1>() = translation;
   return transform;
-}
-
-Eigen::Matrix4d RigidInverse(const Eigen::Matrix4d& transform) {
-  return Eigen::Isometry3d(transform).inverse().matrix();
 }
 
 Eigen::Matrix4d ParentFromChild(const Joint& joint,

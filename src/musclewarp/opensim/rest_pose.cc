@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "musclewarp/mesh/transformed.h"
+
 namespace musclewarp {
 namespace {
 
@@ -21,7 +23,7 @@ struct FrameGap {
 };
 
 FrameGap GapBetween(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) {
-  const Eigen::Matrix4d a_from_b = Eigen::Isometry3d(a).inverse().matrix() * b;
+  const Eigen::Matrix4d a_from_b = RigidInverse(a) * b;
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(a_from_b.topLeftCorner<3, 3>()));
   return {turn.angle() * turn.axis(), a_from_b.topRightCorner<3, 1>()};
 }

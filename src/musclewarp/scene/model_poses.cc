@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh/transformed.h"
 #include "musclewarp/opensim/rest_pose.h"
 
 namespace musclewarp {
@@ -17,10 +18,6 @@ namespace {
 // model, not another pose.
 constexpr double kLargestGap = 1;                  // mm
 constexpr double kLargestTurn = 0.5 * M_PI / 180;  // rad
-
-Eigen::Matrix4d RigidInverse(const Eigen::Matrix4d& transform) {
-  return Eigen::Isometry3d(transform).inverse().matrix();
-}
 
 std::string AllNames(const std::vector<Body>& bodies) {
   std::string names;

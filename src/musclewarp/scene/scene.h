@@ -72,7 +72,7 @@ Scene ReadScene(const std::string& path,
 
 // The pose at a part (0 to 1) of the way from one pose to another: coordinates
 // of the model in between, or bodies turned and moved evenly and lines straight
-// if there is no model. Of two null transforms of a body the identity counts.
+// if there is no model.
 ScenePose PoseBetween(const Scene& scene,
                       const ScenePose& from,
                       const ScenePose& to,
