@@ -10,6 +10,7 @@ set(MUSCLEWARP_PACKAGES
     "CGAL 5.5"
     "nlohmann_json 3.11"
     "pugixml 1.12"
+    "ZLIB"
     "OpenMP COMPONENTS CXX")
 if(MUSCLEWARP_WITH_VTK)
   list(APPEND MUSCLEWARP_PACKAGES

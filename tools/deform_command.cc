@@ -25,7 +25,9 @@
 #include "musclewarp/report/screen_report.h"
 #include "musclewarp/scene/json_fields.h"
 #include "tools/frame_selection.h"
+#include "tools/interruption.h"
 #include "tools/program.h"
+#include "tools/report_command.h"
 #include "tools/split.h"
 
 namespace musclewarp {
@@ -101,7 +103,7 @@ void ComputeFrames(const DeformOptions& options,
   const bool is_motion = scene.scene.is_motion;
   const GroupSolver solver = SolverOf(options.solver, run->contact != nullptr);
   const int done = static_cast<int>(run->frames.size());
-  const int total = static_cast<int>(selected.size());
+  const int total = run->frames_planned;
   if (done > 0) {
     screen << "resumed after frame " << done << "\n";
     state->pose = scene.scene.poses[selected[done - 1]];
@@ -110,6 +112,7 @@ void ComputeFrames(const DeformOptions& options,
   }
   Progress progress(done, total, options.is_terminal, &screen);
   for (int i = done; i < total; ++i) {
+    ThrowIfInterrupted();
     const Frame frame = SolveFrame(scene,
                                    run->contact,
                                    selected[i],
@@ -223,12 +226,14 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   run.solver = options.solver.name;
   run.command = options.command;
   run.inputs_hash = InputsHash(scene, options);
+  run.frames_planned = static_cast<int>(selected.size());
   const ResumeLog log(options.out, run.inputs_hash);
   SceneState state;
   if (options.resume) {
     run.frames = log.Continue(selected, &state.muscles);
     if (IsFinished(options.out, run.inputs_hash)) {
       screen << "finished already: " << report << "\n";
+      if (options.html) WriteRunPage(options.out, screen);
       return ExitCodeOfFinished(report);
     }
   }
@@ -244,21 +249,35 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   if (run.frames.empty()) log.StartAnew();
   SceneMeshes meshes(prepared);
   run.scene = &prepared;
-  run.rest = RestIntersections(prepared, &meshes);
+  const Frame rest = RestFrame(prepared, &meshes);
+  WriteFrame(prepared, rest, options.formats, options.out);
+  run.rest = rest.intersections;
   if (contact) {
     run.contact = &*contact;
     run.rest_after_fix = RestIntersectionsAfterFix(prepared, *contact, &meshes);
   }
   ReportWriter writer(report);
-  ComputeFrames(options, selected, log, &state, &meshes, &writer, &run, screen);
-  if (HasFormat(options, "vtp")) WritePvd(prepared, selected, options.out);
-  if (scene.is_motion) WriteMotionTables(run.frames, scene, options.out);
-  run.finished = true;
+  try {
+    const InterruptionScope interruption;
+    ComputeFrames(
+        options, selected, log, &state, &meshes, &writer, &run, screen);
+    if (HasFormat(options, "vtp")) WritePvd(prepared, selected, options.out);
+    if (scene.is_motion) WriteMotionTables(run.frames, scene, options.out);
+    run.finished = true;
+  } catch (const std::exception& error) {
+    run.stopped = error.what();
+  }
   writer.Write(run);
-  log.Finish();
+  if (run.finished) log.Finish();
   PrintFrames(run, screen);
   screen << "report: " << report << "\n";
-  return TotalsOf(run).usable ? kExitUsable : kExitNotUsable;
+  if (options.html) WriteRunPage(options.out, screen);
+  if (!run.finished) {
+    screen << "stopped after " << run.frames.size() << " of "
+           << run.frames_planned << " frames: " << run.stopped
+           << "\n--resume goes on from there\n";
+  }
+  return run.finished && TotalsOf(run).usable ? kExitUsable : kExitNotUsable;
 }
 
 }  // namespace musclewarp

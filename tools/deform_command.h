@@ -26,6 +26,7 @@ struct DeformOptions {
   std::string motion;  // in place of the scene's
   int threads = 0;     // 0: as many as OpenMP chooses
   bool resume = false;
+  bool html = false;         // also report.html
   bool is_terminal = false;  // `screen` is one
   // The flags that make a difference to the result, and the command line that
   // runs it again; for the record.
@@ -54,8 +55,9 @@ void MakeFolder(const std::string& dir);
 // from the one before, and tables of lengths, volumes and moment arms are
 // written as well. Whenever it is killed, what is there is complete. With
 // `resume` an interrupted run of the same input goes on where it was, to the
-// same result. Returns an exit code. Throws InputError, before anything is
-// written, for bad input.
+// same result. A run that is interrupted (SIGINT, SIGTERM) or cannot write a
+// frame says why in its report. Returns an exit code. Throws InputError, before
+// anything is written, for bad input.
 int DeformCommand(const DeformOptions& options, std::ostream& screen);
 
 }  // namespace musclewarp

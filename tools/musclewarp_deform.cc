@@ -26,6 +26,9 @@ DEFINE_int32(fibres,
 DEFINE_bool(resume,
             false,
             "go on with an interrupted run of the same input in --out");
+DEFINE_bool(html,
+            false,
+            "also write report.html, the run as one page to look at");
 
 namespace musclewarp {
 namespace {
@@ -39,6 +42,7 @@ DeformOptions OptionsFromFlags() {
   options.formats = ParseFormats(FLAGS_format);
   options.prepare.fibres.fibres = FLAGS_fibres;
   options.resume = FLAGS_resume;
+  options.html = FLAGS_html;
   options.is_terminal = isatty(STDOUT_FILENO);
   return options;
 }

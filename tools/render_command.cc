@@ -11,10 +11,10 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/page/run_files.h"
 #include "musclewarp/render/palette.h"
 #include "musclewarp/render/picture.h"
 #include "musclewarp/render/picture_texts.h"
-#include "tools/run_files.h"
 
 namespace musclewarp {
 namespace {

@@ -19,6 +19,12 @@ void AddTo(const std::vector<int>& vertices, std::vector<int>* sum) {
   *sum = std::move(both);
 }
 
+std::vector<int> Distinct(std::vector<int> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  return numbers;
+}
+
 // The vertices inside are added to those of the muscles; null for a bone.
 void AddPair(const NamedMesh& a,
              const NamedMesh& b,
@@ -36,6 +42,12 @@ void AddPair(const NamedMesh& a,
   pair.vertices_inside =
       static_cast<int>(found.a_inside_b.size() + found.b_inside_a.size());
   pair.max_depth_mm = found.max_depth_mm;
+  for (const auto& [f, g] : found.triangle_pairs) {
+    pair.triangles_of_a.push_back(f);
+    pair.triangles_of_b.push_back(g);
+  }
+  pair.triangles_of_a = Distinct(std::move(pair.triangles_of_a));
+  pair.triangles_of_b = Distinct(std::move(pair.triangles_of_b));
   sum->triangle_pairs += pair.triangle_pairs;
   sum->vertices_inside += pair.vertices_inside;
   sum->max_depth_mm = std::max(sum->max_depth_mm, pair.max_depth_mm);
@@ -43,6 +55,14 @@ void AddPair(const NamedMesh& a,
 }
 
 }  // namespace
+
+void SceneIntersections::DropLists() {
+  inside_of_muscles.clear();
+  for (PairIntersection& pair : pairs) {
+    pair.triangles_of_a.clear();
+    pair.triangles_of_b.clear();
+  }
+}
 
 SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                                   const std::vector<NamedMesh>& bones) {

@@ -17,6 +17,9 @@ struct PairIntersection {
   int triangle_pairs = 0;
   int vertices_inside = 0;  // of a in b and of b in a
   double max_depth_mm = 0;
+  // Those that cross, ascending, each once.
+  std::vector<int> triangles_of_a;
+  std::vector<int> triangles_of_b;
 };
 
 // The sum over all muscle x muscle and muscle x bone pairs.
@@ -31,6 +34,8 @@ struct SceneIntersections {
 
   // No triangles cross and no mesh contains another's vertices.
   bool IsClean() const { return triangle_pairs == 0 && vertices_inside == 0; }
+  // Keeps the counts.
+  void DropLists();
 };
 
 struct NamedMesh {

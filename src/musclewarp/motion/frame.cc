@@ -269,14 +269,20 @@ SceneState StartState(const PreparedScene& scene,
   return state;
 }
 
-SceneIntersections RestIntersections(const PreparedScene& scene,
-                                     SceneMeshes* meshes) {
-  std::vector<Points> muscles;
-  for (const auto& muscle : scene.muscles) {
-    muscles.push_back(muscle.model.fine_rest);
+Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes) {
+  Frame frame;
+  frame.index = -1;
+  for (const PreparedMuscle& muscle : scene.muscles) {
+    MuscleFrame at_rest;
+    at_rest.fine = muscle.model.fine_rest;
+    at_rest.volume_ratio = 1;
+    at_rest.lines = LinesAt(muscle.lines, muscle.model.coarse_rest);
+    at_rest.fibres = LinesAt(muscle.fibres, muscle.model.coarse_rest);
+    frame.muscles.push_back(std::move(at_rest));
   }
-  meshes->MoveTo(muscles, RestBones(scene));
-  return IntersectScene(meshes->muscles(), meshes->bones());
+  frame.bones = RestBones(scene);
+  Certify(meshes, &frame);
+  return frame;
 }
 
 SceneIntersections RestIntersectionsAfterFix(const PreparedScene& scene,

@@ -38,8 +38,8 @@ struct MuscleFrame {
 
 // The whole scene in one pose. Muscles and bones in scene order.
 struct Frame {
-  int index = 0;
-  const ScenePose* pose = nullptr;
+  int index = 0;                    // of the pose, -1 at rest
+  const ScenePose* pose = nullptr;  // null at rest
   std::vector<MuscleFrame> muscles;
   std::vector<Points> bones;  // #V x 3, mm
   // Of the straight lines, by line and coordinate, mm/rad (or mm/m).
@@ -102,11 +102,10 @@ SceneState StartState(const PreparedScene& scene,
                       const FrameOptions& options,
                       const GroupSolver& solver);
 
-// The same scene with every mesh where it came.
-SceneIntersections RestIntersections(const PreparedScene& scene,
-                                     SceneMeshes* meshes);
+// The scene with every mesh where it came.
+Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes);
 
-// And after the initial fix of its contact.
+// What crosses after the initial fix of its contact.
 SceneIntersections RestIntersectionsAfterFix(const PreparedScene& scene,
                                              const SceneContact& contact,
                                              SceneMeshes* meshes);

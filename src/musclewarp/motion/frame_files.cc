@@ -12,6 +12,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh/mesh_io.h"
 #include "musclewarp/mesh/vtp_writer.h"
+#include "musclewarp/motion/lines_file.h"
 #include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp {
@@ -81,6 +82,21 @@ void WriteMuscleVtp(const PreparedMuscle&,
 void WriteLinesVtp(const std::vector<Points>&, const fs::path&) {}
 #endif
 
+std::vector<MuscleLines> NamedLines(const PreparedScene& scene,
+                                    const Frame& frame) {
+  std::vector<MuscleLines> muscles;
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    const MuscleModel& model = scene.muscles[i].model;
+    MuscleLines lines{model.name, {}, frame.muscles[i].fibres};
+    for (size_t k = 0; k < model.lines.size(); ++k) {
+      lines.lines.push_back(
+          {model.lines[k].name, frame.muscles[i].lines[k]});
+    }
+    muscles.push_back(std::move(lines));
+  }
+  return muscles;
+}
+
 }  // namespace
 
 std::string FrameFolder(int index) {
@@ -123,6 +139,7 @@ void WriteFrame(const PreparedScene& scene,
     const auto path = [&](const std::string& name, const std::string& format) {
       return (folder / (name + "." + format)).string();
     };
+    WriteLinesFile((folder / kLinesFile).string(), NamedLines(scene, frame));
     for (const std::string& format : formats) {
       for (size_t i = 0; i < scene.muscles.size(); ++i) {
         const PreparedMuscle& muscle = scene.muscles[i];
@@ -145,8 +162,9 @@ void WriteFrame(const PreparedScene& scene,
       }
     }
   };
-  WriteFolderAtomically((fs::path(dir) / FrameFolder(frame.index)).string(),
-                        write_all);
+  const std::string name =
+      frame.index < 0 ? kRestFolder : FrameFolder(frame.index);
+  WriteFolderAtomically((fs::path(dir) / name).string(), write_all);
 }
 
 void WritePvd(const PreparedScene& scene,

@@ -12,7 +12,11 @@ namespace musclewarp {
 // "frame_0007"
 std::string FrameFolder(int index);
 
-// Writes all meshes of a frame to DIR/frame_0000/<name>.<format>; the folder
+// Of the meshes where they came.
+constexpr char kRestFolder[] = "rest";
+
+// Writes all meshes of a frame to DIR/frame_0000/<name>.<format> (DIR/rest/...
+// of the rest frame) and lines and fibres to lines.json beside them; the folder
 // appears complete or not at all. Formats are extensions without dot; all of
 // them keep double precision (.stl does not and is not offered by the
 // programs). With "vtp" muscles carry point data: displacement from rest (mm),

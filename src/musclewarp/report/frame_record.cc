@@ -128,7 +128,7 @@ FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame) {
   }
   record.path_moment_arms_mm = frame.path_moment_arms;
   record.intersections = frame.intersections;
-  record.intersections.inside_of_muscles.clear();
+  record.intersections.DropLists();
   return record;
 }
 

@@ -47,7 +47,7 @@ struct FrameRecord {
   std::vector<MuscleRecord> muscles;
   // By line and coordinate, mm/rad (or mm/m), of straight paths.
   std::map<std::string, std::map<std::string, double>> path_moment_arms_mm;
-  SceneIntersections intersections;  // without lists of vertices
+  SceneIntersections intersections;  // without lists
 
   double WorstVolumeError() const;
   int FoldedTriangles() const;

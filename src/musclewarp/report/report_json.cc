@@ -171,7 +171,9 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
             {"worst_volume_error", totals.worst_volume_error},
             {"worst_folded_triangles", totals.worst_folded_triangles},
             {"wall_ms_per_frame_median", totals.wall_ms_per_frame_median},
+            {"frames_planned", run.frames_planned},
             {"finished", run.finished},
+            {"stopped", run.stopped.empty() ? Json() : Json(run.stopped)},
             {"usable", totals.usable}}}};
 }
 

@@ -22,7 +22,9 @@ struct RunRecord {
   SceneIntersections rest;
   SceneIntersections rest_after_fix;  // with contact
   std::vector<FrameRecord> frames;
+  int frames_planned = 0;
   bool finished = false;  // all frames are there
+  std::string stopped;    // why, if not all ever will be; else empty
 };
 
 // Sums over the frames.

@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/run_files.h"
+#include "musclewarp/page/run_files.h"
 
 #include <algorithm>
 #include <cctype>
@@ -39,17 +39,6 @@ int FrameNumber(const std::string& name) {
     return -1;
   }
   return std::stoi(digits);
-}
-
-std::map<int, std::string> FrameFolders(const std::string& dir) {
-  std::map<int, std::string> folders;
-  for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
-    const int number = FrameNumber(entry.path().filename().string());
-    if (number >= 0 && entry.is_directory()) {
-      folders[number] = entry.path().string();
-    }
-  }
-  return folders;
 }
 
 std::vector<int> ParseFrames(const std::string& text,
@@ -114,6 +103,17 @@ MeshFiles MeshFilesIn(const std::string& dir) {
   return files;
 }
 
+std::map<int, std::string> FrameFoldersIn(const std::string& dir) {
+  std::map<int, std::string> folders;
+  for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
+    const int number = FrameNumber(entry.path().filename().string());
+    if (number >= 0 && entry.is_directory()) {
+      folders[number] = entry.path().string();
+    }
+  }
+  return folders;
+}
+
 RunFiles FindRunFiles(const std::string& dir, const std::string& frames) {
   if (!fs::is_directory(dir)) {
     throw InputError(dir, "there is no such folder", "check --in");
@@ -122,7 +122,7 @@ RunFiles FindRunFiles(const std::string& dir, const std::string& frames) {
   std::map<int, std::string> names;
   const std::string report = (fs::path(dir) / "report.json").string();
   if (fs::exists(report)) ReadReport(report, &run, &names);
-  const std::map<int, std::string> folders = FrameFolders(dir);
+  const std::map<int, std::string> folders = FrameFoldersIn(dir);
   if (folders.empty()) {
     run.frames.push_back({"", MeshFilesIn(dir)});
     return run;

@@ -29,6 +29,9 @@ struct RunFiles {
 // taken, .ply first.
 MeshFiles MeshFilesIn(const std::string& dir);
 
+// The frame folders (frame_0000, ...) of a run by number.
+std::map<int, std::string> FrameFoldersIn(const std::string& dir);
+
 // The frames of a folder that musclewarp-deform has written (frame_0000, ...,
 // report.json), in the order of `frames`: numbers or "last", with commas. A
 // folder without frame_0000 ... is one frame itself. Throws InputError that

@@ -1,0 +1,58 @@
+# musclewarp_page_bundle(<file.cc>) makes a source file that holds the page of
+# tools/report (see page/page.h). Node.js bundles the page; without it the page
+# that a source package brings along is taken (scripts/package.sh).
+set(MUSCLEWARP_REPORT_PAGE "" CACHE FILEPATH
+    "A page.html to embed, instead of making it with Node.js")
+
+function(musclewarp_page_bundle OUTPUT)
+  set(SOURCES ${PROJECT_SOURCE_DIR}/tools/report)
+  set(PACKAGED ${SOURCES}/packaged/page.html)
+  find_program(MUSCLEWARP_NODE NAMES node nodejs)
+  find_program(MUSCLEWARP_NPM npm)
+  if(MUSCLEWARP_REPORT_PAGE)
+    message(STATUS "Report page: ${MUSCLEWARP_REPORT_PAGE}")
+    set(PAGE ${MUSCLEWARP_REPORT_PAGE})
+  elseif(MUSCLEWARP_NODE AND MUSCLEWARP_NPM)
+    message(STATUS "Report page: made with ${MUSCLEWARP_NODE}")
+    set(PAGE ${PROJECT_BINARY_DIR}/report/page.html)
+    _musclewarp_build_page(${SOURCES} ${PAGE})
+  elseif(EXISTS ${PACKAGED})
+    message(STATUS "Report page: the one of this package, since there is no "
+                   "Node.js with npm to make it anew")
+    set(PAGE ${PACKAGED})
+  else()
+    message(
+      FATAL_ERROR
+        "The report page needs Node.js 18 or newer and npm (Debian: nodejs, "
+        "npm). Install them, or build from a source package, which has the "
+        "page (scripts/package.sh makes one), or name a page with "
+        "-DMUSCLEWARP_REPORT_PAGE=FILE.")
+  endif()
+  set(EMBED ${PROJECT_SOURCE_DIR}/cmake/EmbedPage.cmake)
+  add_custom_command(
+    OUTPUT ${OUTPUT}
+    COMMAND ${CMAKE_COMMAND} -DPAGE=${PAGE} -DOUTPUT=${OUTPUT} -P ${EMBED}
+    DEPENDS ${PAGE} ${EMBED}
+    VERBATIM)
+endfunction()
+
+# Packages go where editors look for them; the rest stays in the build folder.
+function(_musclewarp_build_page SOURCES PAGE)
+  set(INSTALLED ${SOURCES}/node_modules/.package-lock.json)
+  add_custom_command(
+    OUTPUT ${INSTALLED}
+    COMMAND ${MUSCLEWARP_NPM} ci --ignore-scripts --no-progress
+    COMMAND ${CMAKE_COMMAND} -E touch ${INSTALLED}
+    WORKING_DIRECTORY ${SOURCES}
+    DEPENDS ${SOURCES}/package.json ${SOURCES}/package-lock.json
+    COMMENT "Installing what the report page is made of"
+    VERBATIM)
+  file(GLOB_RECURSE PAGE_SOURCES CONFIGURE_DEPENDS ${SOURCES}/src/*)
+  add_custom_command(
+    OUTPUT ${PAGE}
+    COMMAND ${MUSCLEWARP_NODE} build.mjs ${PAGE}
+    WORKING_DIRECTORY ${SOURCES}
+    DEPENDS ${PAGE_SOURCES} ${SOURCES}/build.mjs ${INSTALLED}
+    COMMENT "Making the report page"
+    VERBATIM)
+endfunction()

@@ -1,0 +1,188 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/page/page_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "musclewarp/motion/frame_files.h"
+#include "musclewarp/page/packed_numbers.h"
+#include "musclewarp/page/view_mesh.h"
+
+namespace musclewarp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Gaps are told to this, mm: the limit is then 100.
+constexpr double kGapStep = kPageGapLimit / 100;
+
+// Of the diagonal of the box around all muscles and bones at rest.
+double RoundingStep(const RecordedRun& run) {
+  Eigen::RowVector3d lower = Eigen::RowVector3d::Constant(INFINITY);
+  Eigen::RowVector3d upper = -lower;
+  const auto add = [&](const Points& points) {
+    if (points.rows() == 0) return;
+    lower = lower.cwiseMin(points.colwise().minCoeff());
+    upper = upper.cwiseMax(points.colwise().maxCoeff());
+  };
+  for (const RecordedMuscle& muscle : run.muscles) add(muscle.points[0]);
+  for (const RecordedBone& bone : run.bones) add(bone.rest.points);
+  return (upper - lower).norm() / (1 << 17);
+}
+
+// Polylines that keep their numbers of points, one after the other.
+Json PolylinesJson(const std::vector<std::vector<const Points*>>& by_pose,
+                   double step,
+                   PackedNumbers* packed) {
+  Json counts = Json::array();
+  int points = 0;
+  for (const Points* line : by_pose[0]) {
+    counts.push_back(line->rows());
+    points += static_cast<int>(line->rows());
+  }
+  std::vector<int> rounded;
+  for (const auto& lines : by_pose) {
+    for (const Points* line : lines) AppendRounded(*line, step, &rounded);
+  }
+  return {{"counts", counts},
+          {"poses", packed->Add(rounded, std::max(1, 3 * points))}};
+}
+
+Json MuscleJson(const RecordedMuscle& muscle,
+                double step,
+                PackedNumbers* packed) {
+  std::vector<int> positions, gaps;
+  std::vector<std::vector<const Points*>> lines, fibres;
+  for (std::size_t pose = 0; pose < muscle.points.size(); ++pose) {
+    AppendRounded(muscle.points[pose], step, &positions);
+    for (const double gap : muscle.gaps[pose]) {
+      // Rounded away from zero: what is inside stays inside.
+      const double steps = gap / kGapStep;
+      gaps.push_back(static_cast<int>(std::max(
+          -100.0, steps < 0 ? std::floor(steps) : std::ceil(steps))));
+    }
+    lines.emplace_back();
+    for (const NamedLine& line : muscle.lines[pose].lines) {
+      lines.back().push_back(&line.points);
+    }
+    fibres.emplace_back();
+    for (const Points& fibre : muscle.lines[pose].fibres) {
+      fibres.back().push_back(&fibre);
+    }
+  }
+  Json names = Json::array();
+  for (const NamedLine& line : muscle.lines[0].lines) {
+    names.push_back(line.name);
+  }
+  const int vertices = static_cast<int>(muscle.points[0].rows());
+  Json line_json = PolylinesJson(lines, step, packed);
+  line_json["names"] = names;
+  return {{"name", muscle.name},
+          {"vertices", vertices},
+          {"triangles", packed->Add(muscle.triangles)},
+          {"poses", packed->Add(positions, 3 * vertices)},
+          {"gaps", packed->Add(gaps, vertices)},
+          {"lines", line_json},
+          {"fibres", PolylinesJson(fibres, step, packed)}};
+}
+
+Json BoneJson(const RecordedBone& bone,
+              double step,
+              const PageOptions& options,
+              PackedNumbers* packed) {
+  const ViewMesh view = ViewMeshOf(bone.rest, options.max_bone_triangles);
+  std::vector<int> positions;
+  AppendRounded(view.soup.points, step, &positions);
+  Json poses = Json::array();
+  for (const Eigen::Matrix4d& motion : bone.from_rest) {
+    Json rows = Json::array();
+    for (int i = 0; i < 12; ++i) rows.push_back(motion(i / 4, i % 4));
+    poses.push_back(rows);
+  }
+  return {{"name", bone.name},
+          {"vertices", view.soup.points.rows()},
+          {"triangles", packed->Add(view.soup.triangles)},
+          {"points", packed->Add(positions, 3)},
+          {"poses", poses},
+          {"triangles_in_files", bone.rest.triangles.rows()},
+          {"view_error_mm", view.max_error}};
+}
+
+// What crosses, by pose; the triangles of bones are not those of the view.
+Json CrossingsJson(const RecordedRun& run, PackedNumbers* packed) {
+  const auto is_muscle = [&](const std::string& name) {
+    return std::any_of(run.muscles.begin(),
+                       run.muscles.end(),
+                       [&](const auto& muscle) { return muscle.name == name; });
+  };
+  Json poses = Json::array();
+  for (const SceneIntersections& intersections : run.intersections) {
+    Json pairs = Json::array();
+    for (const PairIntersection& pair : intersections.pairs) {
+      Json json = {{"a", pair.a},
+                   {"b", pair.b},
+                   {"triangle_pairs", pair.triangle_pairs},
+                   {"vertices_inside", pair.vertices_inside},
+                   {"max_depth_mm", pair.max_depth_mm},
+                   {"a_triangles", packed->Add(pair.triangles_of_a, 1)}};
+      if (is_muscle(pair.b)) {
+        json["b_triangles"] = packed->Add(pair.triangles_of_b, 1);
+      }
+      pairs.push_back(json);
+    }
+    poses.push_back(pairs);
+  }
+  return poses;
+}
+
+// "flexion" of "out/flexion/".
+std::string LastPart(const std::string& dir) {
+  const auto path = std::filesystem::absolute(dir).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+Json RunJson(const RecordedRun& run,
+             const PageOptions& options,
+             PackedNumbers* packed) {
+  const double step = RoundingStep(run);
+  Json frames = Json::array();
+  for (const FrameRecord& frame : run.frames) frames.push_back(ToJson(frame));
+  Json muscles = Json::array();
+  for (const RecordedMuscle& muscle : run.muscles) {
+    muscles.push_back(MuscleJson(muscle, step, packed));
+  }
+  Json bones = Json::array();
+  for (const RecordedBone& bone : run.bones) {
+    bones.push_back(BoneJson(bone, step, options, packed));
+  }
+  Json report = run.report;
+  report.erase("frames");
+  return {{"folder", LastPart(run.dir)},
+          {"report", report},
+          {"frames", frames},
+          {"step_mm", step},
+          {"gap_step_mm", kGapStep},
+          {"contact_gap_mm", kContactGap},
+          {"muscles", muscles},
+          {"bones", bones},
+          {"crossings", CrossingsJson(run, packed)},
+          {"warnings", run.warnings}};
+}
+
+}  // namespace
+
+PageData PageDataOf(const std::vector<RecordedRun>& runs,
+                    const PageOptions& options) {
+  PackedNumbers packed;
+  PageData data;
+  data.json = Json::array();
+  for (const RecordedRun& run : runs) {
+    data.json.push_back(RunJson(run, options, &packed));
+  }
+  data.numbers = packed.Base64();
+  return data;
+}
+
+}  // namespace musclewarp

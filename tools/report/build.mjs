@@ -1,0 +1,2 @@
+import { copyFileSync } from "node:fs";
+copyFileSync("index.html", process.argv[2]);

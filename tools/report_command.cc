@@ -1,0 +1,62 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/report_command.h"
+
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+#include <vector>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/page/page.h"
+
+namespace musclewarp {
+namespace {
+
+std::string Mebibytes(std::size_t bytes) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1)
+       << static_cast<double>(bytes) / (1 << 20) << " MiB";
+  return text.str();
+}
+
+}  // namespace
+
+void WriteReport(const ReportRequest& request, std::ostream& log) {
+  if (request.in.empty()) {
+    throw InputError(
+        "--in", "is missing", "give the folder of a run of musclewarp-deform");
+  }
+  if (std::filesystem::path(request.out).extension() != ".html") {
+    throw InputError("--out",
+                     "'" + request.out + "' is not a .html file",
+                     "use --out=report.html");
+  }
+  if (request.page.max_bone_triangles < 100) {
+    throw InputError("--bone_triangles",
+                     "is " + std::to_string(request.page.max_bone_triangles),
+                     "allowed: 100 or above");
+  }
+  std::vector<RecordedRun> runs = {ReadRecordedRun(request.in, log)};
+  if (!request.compare.empty()) {
+    runs.push_back(ReadRecordedRun(request.compare, log));
+  }
+  for (const RecordedRun& run : runs) {
+    for (const std::string& warning : run.warnings) {
+      log << "warning: " << run.dir << ": " << warning << "\n";
+    }
+  }
+  const std::string html = PageHtml(runs, request.page);
+  WriteTextAtomically(request.out, html);
+  log << "wrote " << request.out << " (" << Mebibytes(html.size()) << ")\n";
+}
+
+void WriteRunPage(const std::string& dir, std::ostream& log) {
+  ReportRequest request;
+  request.in = dir;
+  request.out = (std::filesystem::path(dir) / "report.html").string();
+  WriteReport(request, log);
+}
+
+}  // namespace musclewarp
