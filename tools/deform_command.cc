@@ -225,6 +225,7 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   RunRecord run;
   run.solver = options.solver.name;
   run.command = options.command;
+  run.options = options.all_flags;
   run.inputs_hash = InputsHash(scene, options);
   run.frames_planned = static_cast<int>(selected.size());
   const ResumeLog log(options.out, run.inputs_hash);

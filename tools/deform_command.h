@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ struct DeformOptions {
   // runs it again; for the record.
   std::string result_flags;
   std::string command;
+  std::map<std::string, std::string> all_flags;  // defaults too
 
   PrepareOptions prepare;
   FrameOptions frame;

@@ -24,11 +24,14 @@ DEFINE_string(view,
               "superior, inferior, or a direction towards the viewer in the "
               "axes of the meshes, x,y,z or x,y,z;upx,upy,upz");
 DEFINE_string(axes,
-              "LPS",
+              "",
               "where +x, +y, +z of the meshes point in the body, a letter each "
               "out of L R A P S I: LPS for CT, MRI and BodyParts3D, ASR for "
-              "OpenSim");
-DEFINE_string(side, "right", "side of the body that lateral and medial mean");
+              "OpenSim; default: as the run says, else LPS");
+DEFINE_string(side,
+              "",
+              "side of the body that lateral and medial mean; default: as the "
+              "run says, else right");
 DEFINE_string(size, "1200x1000", "width and height of the picture, pixels");
 DEFINE_string(bones,
               "",

@@ -13,6 +13,14 @@ DEFINE_string(out, "report.html", "the page to write");
 DEFINE_int32(bone_triangles,
              musclewarp::PageOptions().max_bone_triangles,
              "bones are shown with at most about so many triangles each");
+DEFINE_string(axes,
+              "",
+              "where +x, +y, +z of the meshes point: L or R, A or P, S or I "
+              "(OpenSim: ASR); default: as the scene says");
+DEFINE_string(side,
+              "",
+              "side of the body, right or left, that lateral and medial mean; "
+              "default: as the scene says");
 
 int main(int argc, char** argv) {
   return musclewarp::RunProgram(
@@ -30,6 +38,8 @@ int main(int argc, char** argv) {
         request.compare = FLAGS_compare;
         request.out = FLAGS_out;
         request.page.max_bone_triangles = FLAGS_bone_triangles;
+        request.page.axes = FLAGS_axes;
+        request.page.side = FLAGS_side;
         musclewarp::WriteReport(request, std::cout);
         return musclewarp::kExitUsable;
       });

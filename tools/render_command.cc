@@ -239,10 +239,13 @@ void Render(const RenderRequest& request, std::ostream& log) {
   PictureOptions options;
   options.outlines = request.outlines;
   ParseSize(request.size, &options);
-  const View view = ParseView(request.view, request.axes, request.side);
   const RunFiles run = request.in.empty()
                            ? FilesAsRun(request.files)
                            : FindRunFiles(request.in, request.frames);
+  const View view =
+      ParseView(request.view,
+                request.axes.empty() ? run.axes : request.axes,
+                request.side.empty() ? run.side : request.side);
   const std::map<std::string, PictureMesh> looks =
       Looks(request, run, &options);
   const std::vector<PicturePanel> panels =

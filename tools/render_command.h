@@ -21,10 +21,10 @@ struct RenderRequest {
   // Texts below the frames, with commas; "auto" takes the names of the frames
   // from report.json if there is more than one frame, "" is none.
   std::string captions = "auto";
-  // See ParseView in musclewarp/render/view.h.
+  // See ParseView in musclewarp/geometry/view.h.
   std::string view = "anterior";
-  std::string axes = "LPS";
-  std::string side = "right";
+  std::string axes;  // empty: as the run says, else LPS
+  std::string side;  // the same, else right
   // Width x height of the whole picture, pixels.
   std::string size = "1200x1000";
   // Names with commas: what is a bone if there is no report.json; what is left

@@ -9,6 +9,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/geometry/view.h"
 #include "musclewarp/page/page.h"
 
 namespace musclewarp {
@@ -38,6 +39,10 @@ void WriteReport(const ReportRequest& request, std::ostream& log) {
                      "is " + std::to_string(request.page.max_bone_triangles),
                      "allowed: 100 or above");
   }
+  // Throws, before the work, if a flag is not what it should be.
+  ParseView("anterior",
+            request.page.axes.empty() ? "LPS" : request.page.axes,
+            request.page.side.empty() ? "right" : request.page.side);
   std::vector<RecordedRun> runs = {ReadRecordedRun(request.in, log)};
   if (!request.compare.empty()) {
     runs.push_back(ReadRecordedRun(request.compare, log));

@@ -72,16 +72,21 @@ std::string ShellQuoted(const std::string& text) {
   return quoted + "'";
 }
 
-// The flags of our programs that were set, but those in `without`.
+// Those of our programs, not of the libraries they use.
+std::vector<gflags::CommandLineFlagInfo> OwnFlags() {
+  std::vector<gflags::CommandLineFlagInfo> all, own;
+  gflags::GetAllFlags(&all);
+  for (const auto& flag : all) {
+    if (flag.filename.find("tools/") != std::string::npos) own.push_back(flag);
+  }
+  return own;
+}
+
+// The flags that were set, but those in `without`.
 std::string SetFlags(const std::set<std::string>& without) {
-  std::vector<gflags::CommandLineFlagInfo> flags;
-  gflags::GetAllFlags(&flags);
   std::string text;
-  for (const auto& flag : flags) {
-    if (flag.filename.find("tools/") == std::string::npos || flag.is_default ||
-        without.count(flag.name)) {
-      continue;
-    }
+  for (const auto& flag : OwnFlags()) {
+    if (flag.is_default || without.count(flag.name)) continue;
     text += " --" + flag.name + "=" + ShellQuoted(flag.current_value);
   }
   return text;
@@ -107,7 +112,16 @@ DeformOptions SceneOptionsFromFlags() {
       std::string(gflags::ProgramInvocationShortName()) + SetFlags({"resume"});
   // Files count by their contents, threads make no difference.
   options.result_flags =
-      SetFlags({"resume", "out", "threads", "scene", "data_root", "motion"});
+      SetFlags({"resume",
+                "html",
+                "out",
+                "threads",
+                "scene",
+                "data_root",
+                "motion"});
+  for (const auto& flag : OwnFlags()) {
+    options.all_flags[flag.name] = flag.current_value;
+  }
   options.prepare.repair.holes.max_perimeter = FLAGS_max_hole;
   options.prepare.auto_lines = FLAGS_auto_lines;
   options.frame.pre_rotation.use_body_twist = FLAGS_body_twist;

@@ -1,2 +1,74 @@
-import { copyFileSync } from "node:fs";
-copyFileSync("index.html", process.argv[2]);
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+
+// Bundles the page into one HTML file, with a comment where musclewarp-report
+// puts the data.
+//
+// usage: node build.mjs OUTPUT.html
+
+import { createHash } from "node:crypto";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
+
+import * as esbuild from "esbuild";
+
+const output = process.argv[2];
+if (!output) throw new Error("usage: node build.mjs OUTPUT.html");
+const target = resolve(output);
+process.chdir(import.meta.dirname ?? dirname(new URL(import.meta.url).pathname));
+
+async function bundle(entry) {
+  const result = await esbuild.build({
+    entryPoints: [entry],
+    bundle: true,
+    minify: true,
+    write: false,
+    metafile: true,
+    charset: "utf8",
+    legalComments: "none",
+    format: "iife",
+    target: ["chrome111", "firefox113", "safari16.4"],
+  });
+  return { text: result.outputFiles[0].text.trim(), meta: result.metafile };
+}
+
+// The folders of the packages that are in the bundle.
+function packagesIn(metafile) {
+  const folders = Object.keys(metafile.inputs)
+    .map((path) => /^(node_modules\/(?:@[^/]+\/)?[^/]+)\//.exec(path)?.[1])
+    .filter(Boolean);
+  return [...new Set(folders)].sort();
+}
+
+function licenceOf(folder) {
+  const { name, version, license } = JSON.parse(
+    readFileSync(join(folder, "package.json"), "utf8"),
+  );
+  const file = ["LICENSE", "LICENSE.md", "LICENSE.txt", "LICENCE"]
+    .map((each) => join(folder, each))
+    .find(existsSync);
+  if (!file) throw new Error(`${folder} has no licence file`);
+  return `${name} ${version} (${license})\n\n${readFileSync(file, "utf8").trim()}\n`;
+}
+
+const escaped = (text) =>
+  text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+
+const script = await bundle("src/main.ts");
+const style = await bundle("src/style.css");
+const licences = [
+  "musclewarp (Apache-2.0), Copyright 2026 The musclewarp authors\n",
+  ...packagesIn(script.meta).map(licenceOf),
+].join("\n----\n\n");
+const parts = {
+  "script-hash": createHash("sha256").update(script.text).digest("base64"),
+  style: style.text,
+  licences: escaped(licences),
+  script: script.text,
+};
+const page = readFileSync("src/page.html", "utf8").replace(
+  /\{\{([a-z-]+)\}\}/g,
+  (_, name) => parts[name],
+);
+mkdirSync(dirname(target), { recursive: true });
+writeFileSync(target, page);

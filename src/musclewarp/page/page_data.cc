@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "musclewarp/geometry/view.h"
 #include "musclewarp/motion/frame_files.h"
 #include "musclewarp/page/packed_numbers.h"
 #include "musclewarp/page/view_mesh.h"
@@ -171,15 +172,39 @@ Json RunJson(const RecordedRun& run,
           {"warnings", run.warnings}};
 }
 
+Json ToJson(const Eigen::Vector3d& vector) {
+  return {vector[0], vector[1], vector[2]};
+}
+
+Json ViewsJson(const RecordedRun& run, const PageOptions& options) {
+  const auto chosen = [&](const std::string& option, const char* key) {
+    return option.empty() ? run.report.at(key).get<std::string>() : option;
+  };
+  const std::string axes = chosen(options.axes, "axes");
+  const std::string side = chosen(options.side, "side");
+  Json views;
+  for (const char* name : {"anterior",
+                           "posterior",
+                           "lateral",
+                           "medial",
+                           "superior",
+                           "inferior"}) {
+    const View view = ParseView(name, axes, side);
+    views[name] = {{"toward_viewer", ToJson(view.toward_viewer)},
+                   {"up", ToJson(view.up)}};
+  }
+  return views;
+}
+
 }  // namespace
 
 PageData PageDataOf(const std::vector<RecordedRun>& runs,
                     const PageOptions& options) {
   PackedNumbers packed;
   PageData data;
-  data.json = Json::array();
+  data.json = {{"views", ViewsJson(runs.at(0), options)}, {"runs", Json::array()}};
   for (const RecordedRun& run : runs) {
-    data.json.push_back(RunJson(run, options, &packed));
+    data.json["runs"].push_back(RunJson(run, options, &packed));
   }
   data.numbers = packed.Base64();
   return data;

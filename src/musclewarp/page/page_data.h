@@ -13,6 +13,10 @@ namespace musclewarp {
 struct PageOptions {
   // Bones are shown with at most about so many triangles each.
   int max_bone_triangles = 10000;
+  // How the axes of the meshes lie in the body, and the side of it that
+  // "lateral" is on (see ParseView); empty: as the scene of the first run says.
+  std::string axes;
+  std::string side;
 };
 
 // What the page shows, in two parts (tools/report/src/data.ts reads them):
@@ -23,6 +27,7 @@ struct PageData {
   std::string numbers;  // base64
 };
 
+// Throws InputError that names --axes or --side. Precondition: there is a run.
 PageData PageDataOf(const std::vector<RecordedRun>& runs,
                     const PageOptions& options);
 

@@ -11,6 +11,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/geometry/view.h"
 #include "musclewarp/mesh/mesh_io.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/motion/frame_files.h"
@@ -38,10 +39,20 @@ std::vector<std::string> NamesIn(const JsonField& list) {
 
 // The keys that the page cannot do without.
 void CheckReport(const JsonField& report) {
-  for (const char* key :
-       {"scene", "solver", "contact", "version", "command", "inputs_hash"}) {
+  for (const char* key : {"scene",
+                          "axes",
+                          "side",
+                          "solver",
+                          "contact",
+                          "version",
+                          "command",
+                          "inputs_hash"}) {
     report.At(key).AsString();
   }
+  // Throws if that is not what it should be.
+  ParseView("anterior",
+            report.At("axes").AsString(),
+            report.At("side").AsString());
   report.At("machine").At("processor").AsString();
   report.At("machine").At("cores").AsNumber();
   const JsonField prepare = report.At("prepare");

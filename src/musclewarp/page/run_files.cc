@@ -79,6 +79,8 @@ void ReadReport(const std::string& path,
     const int index = static_cast<int>(frame.At("index").AsNumber());
     (*frame_names)[index] = frame.At("name").AsString();
   }
+  if (report.Has("axes")) run->axes = report.At("axes").AsString();
+  if (report.Has("side")) run->side = report.At("side").AsString();
   run->has_report = true;
 }
 

@@ -23,6 +23,9 @@ struct RunFiles {
   // From report.json, in its order; without one, has_report is false.
   bool has_report = false;
   std::vector<std::string> muscles;
+  // How the axes of the meshes lie in the body (see geometry/view.h).
+  std::string axes = "LPS";
+  std::string side = "right";
 };
 
 // The meshes of a folder by stem; of several formats the most exact one is

@@ -246,6 +246,7 @@ PhantomScene MakeHipScene(uint32_t seed) {
   const Field femur = phantom::FemurField();
   const std::vector<Solid> solids = Solids(pelvis, femur);
   PhantomScene hip;
+  hip.scene.axes = "RAS";
   hip.scene.name = "hip";
   hip.meshes.resize(solids.size());
 #pragma omp parallel for schedule(dynamic)

@@ -62,6 +62,8 @@ Json JsonOf(const Scene& scene) {
   Json json;
   json["name"] = scene.name;
   json["units"] = "mm";
+  json["axes"] = scene.axes;
+  json["side"] = scene.side;
   for (const SceneMuscle& muscle : scene.muscles) {
     json["muscles"].push_back(JsonOf(muscle));
   }

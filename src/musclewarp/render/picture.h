@@ -7,7 +7,7 @@
 
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/render/image.h"
-#include "musclewarp/render/view.h"
+#include "musclewarp/geometry/view.h"
 
 namespace musclewarp {
 

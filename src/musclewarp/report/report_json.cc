@@ -154,12 +154,15 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
   Json frames = Json::array();
   for (const FrameRecord& frame : run.frames) frames.push_back(ToJson(frame));
   return {{"scene", run.scene->scene.name},
+          {"axes", run.scene->scene.axes},
+          {"side", run.scene->scene.side},
           {"solver", run.solver},
           {"contact", run.contact ? "paper" : "none"},
           {"contact_options", contact_options},
           {"machine", MachineJson()},
           {"version", MUSCLEWARP_VERSION},
           {"command", run.command},
+          {"options", run.options},
           {"inputs_hash", run.inputs_hash},
           {"motion", MotionJson(run.scene->scene)},
           {"prepare", prepare},

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ namespace musclewarp {
 struct RunRecord {
   std::string solver;
   std::string command;      // that runs it again
+  std::map<std::string, std::string> options;  // all flags by name
   std::string inputs_hash;  // of all files read and options that matter
   const PreparedScene* scene = nullptr;
   const SceneContact* contact = nullptr;  // null: without

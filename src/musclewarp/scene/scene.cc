@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/geometry/view.h"
 #include "musclewarp/scene/json_fields.h"
 #include "musclewarp/scene/model_scene.h"
 #include "musclewarp/scene/poses_file.h"
@@ -176,6 +177,25 @@ bool TimesRise(const std::vector<ScenePose>& poses) {
   return poses.size() > 1;
 }
 
+void ReadBodyAxes(const JsonField& field, Scene* scene) {
+  if (field.Has("axes")) {
+    scene->axes = field.At("axes").AsString();
+    if (!AreBodyAxes(scene->axes)) {
+      field.At("axes").Fail(
+          "is \"" + scene->axes + "\"",
+          "give one letter for +x, +y and +z out of L or R, A or P, S or I, "
+          "such as \"LPS\"");
+    }
+  }
+  if (field.Has("side")) {
+    scene->side = field.At("side").AsString();
+    if (scene->side != "right" && scene->side != "left") {
+      field.At("side").Fail("is \"" + scene->side + "\"",
+                            "allowed: \"right\", \"left\"");
+    }
+  }
+}
+
 }  // namespace
 
 Scene ReadScene(const std::string& path,
@@ -184,6 +204,8 @@ Scene ReadScene(const std::string& path,
   const JsonField field = JsonField::ParseFile(path);
   field.CheckKeys({"name",
                    "units",
+                   "axes",
+                   "side",
                    "muscles",
                    "bones",
                    "poses",
@@ -210,6 +232,7 @@ Scene ReadScene(const std::string& path,
   Scene scene;
   scene.name = field.At("name").AsString();
   scene.path = path;
+  ReadBodyAxes(field, &scene);
   NamedLines named;
   std::optional<Model> model;
   if (has_model) {

@@ -43,6 +43,10 @@ struct SceneBone {
 struct Scene {
   std::string name;
   std::string path;
+  // Where +x, +y, +z point (see geometry/view.h), and the side of the body that
+  // "lateral" is on: for those who look at the results.
+  std::string axes = "LPS";
+  std::string side = "right";
   std::vector<SceneMuscle> muscles;
   std::vector<SceneBone> bones;
   std::vector<ScenePose> poses;

@@ -18,6 +18,9 @@ struct View {
 // L(eft) R(ight) A(nterior) P(osterior) S(uperior) I(nferior). CT and MRI come
 // as "LPS", OpenSim's ground and pelvis are "ASR".
 //
+// True if that names three different directions, as "LPS" does.
+bool AreBodyAxes(const std::string& axes);
+
 // name: anterior, posterior, left, right, superior, inferior, as seen from
 // there; lateral and medial for a limb of `side` ("left" or "right");
 // or a direction "x,y,z" towards the viewer in the axes of the meshes, with an

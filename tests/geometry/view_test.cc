@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/render/view.h"
+#include "musclewarp/geometry/view.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/render/view.h"
+#include "musclewarp/geometry/view.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -41,13 +41,18 @@ Matrix3d BodyFromMesh(const std::string& axes) {
   for (std::size_t i = 0; i < std::min<std::size_t>(axes.size(), 3); ++i) {
     body_from_mesh.col(i) = BodyDirection(axes[i]);
   }
-  if (axes.size() != 3 || std::abs(body_from_mesh.determinant()) != 1) {
+  return body_from_mesh;
+}
+
+// The same for what a flag gives.
+Matrix3d CheckedBodyFromMesh(const std::string& axes) {
+  if (!AreBodyAxes(axes)) {
     throw InputError("--axes",
                      "'" + axes + "' does not name three different directions",
                      "give one letter for +x, +y and +z out of L or R, A or P, "
                      "S or I, such as LPS");
   }
-  return body_from_mesh;
+  return BodyFromMesh(axes);
 }
 
 bool ParseVector(const std::string& text, Vector3d* vector) {
@@ -95,10 +100,14 @@ char SideLetter(const std::string& side) {
 
 }  // namespace
 
+bool AreBodyAxes(const std::string& axes) {
+  return axes.size() == 3 && std::abs(BodyFromMesh(axes).determinant()) == 1;
+}
+
 View ParseView(const std::string& name,
                const std::string& axes,
                const std::string& side) {
-  const Matrix3d mesh_from_body = BodyFromMesh(axes).transpose();
+  const Matrix3d mesh_from_body = CheckedBodyFromMesh(axes).transpose();
   const Vector3d superior = mesh_from_body * BodyDirection('S');
   const Vector3d anterior = mesh_from_body * BodyDirection('A');
   const Vector3d lateral = mesh_from_body * BodyDirection(SideLetter(side));

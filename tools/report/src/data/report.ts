@@ -1,0 +1,98 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+
+// What of report.json the page shows (docs/report.md says what each key is).
+// musclewarp-report checks what the page cannot do without; the rest is
+// optional here.
+
+export interface PairRecord {
+  a: string;
+  b: string;
+  triangle_pairs: number;
+  vertices_inside: number;
+  max_depth_mm: number;
+}
+
+export interface IntersectionsRecord {
+  triangle_pairs: number;
+  vertices_inside: number;
+  max_depth_mm: number;
+  self_pairs: number;
+  pairs: PairRecord[];
+}
+
+export interface MuscleRecord {
+  name: string;
+  volume_ratio: number;
+  min_gap_mm: number;
+  max_displacement_mm: number;
+  folded_triangles: number;
+  iterations: number;
+  stop_reason: string;
+  line_lengths_mm: Record<string, number>;
+  path_lengths_mm: Record<string, number>;
+}
+
+export interface FrameRecord {
+  index: number;
+  name: string;
+  time: number;
+  coordinates: Record<string, number>;
+  wall_ms: number;
+  certify_ms: number;
+  iterations: number;
+  stop_reason: string;
+  usable: boolean;
+  muscles: MuscleRecord[];
+  path_moment_arms_mm: Record<string, Record<string, number>>;
+  intersections: IntersectionsRecord;
+}
+
+export interface MeshReport {
+  name: string;
+  mesh?: string;
+  defects: Record<string, number | boolean>;
+  repairs: Record<string, number>;
+}
+
+export interface Coordinate {
+  name: string;
+  unit: string;
+  moves: boolean;
+}
+
+export interface Report {
+  scene: string;
+  solver: string;
+  contact: string;
+  contact_options?: Record<string, string | number> | null;
+  version: string;
+  command: string;
+  inputs_hash: string;
+  options?: Record<string, string>;
+  machine: { processor: string; cores: number; threads?: number };
+  motion?: { model: string; file: string; coordinates: Coordinate[] } | null;
+  prepare: {
+    wall_ms: number;
+    notes?: string[];
+    warnings: string[];
+    muscles: MeshReport[];
+    bones: MeshReport[];
+  };
+  rest: {
+    intersections: IntersectionsRecord;
+    after_initial_fix?: IntersectionsRecord;
+  };
+  summary: {
+    finished: boolean;
+    usable: boolean;
+    frames_planned?: number;
+    stopped?: string | null;
+  };
+}
+
+export function isClean(intersections: IntersectionsRecord): boolean {
+  return (
+    intersections.triangle_pairs === 0 && intersections.vertices_inside === 0
+  );
+}

@@ -1,0 +1,200 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+
+// A run as src/musclewarp/page/page_data.cc hands it over. "Poses" are rest,
+// then the frames. Lengths in mm.
+
+import { NumbersRef, PackedNumbers } from "./numbers";
+import { FrameRecord, PairRecord, Report } from "./report";
+
+type Vector = [number, number, number];
+
+export interface View {
+  toward_viewer: Vector;
+  up: Vector;
+}
+
+interface PolylinesJson {
+  counts: number[];
+  poses: NumbersRef;
+}
+
+interface MuscleJson {
+  name: string;
+  vertices: number;
+  triangles: NumbersRef;
+  poses: NumbersRef;
+  gaps: NumbersRef;
+  lines: PolylinesJson & { names: string[] };
+  fibres: PolylinesJson;
+}
+
+interface BoneJson {
+  name: string;
+  vertices: number;
+  triangles: NumbersRef;
+  points: NumbersRef;
+  poses: number[][];
+  triangles_in_files: number;
+  view_error_mm: number;
+}
+
+interface CrossingJson extends PairRecord {
+  a_triangles: NumbersRef;
+  b_triangles?: NumbersRef;
+}
+
+interface RunJson {
+  folder: string;
+  report: Report;
+  frames: FrameRecord[];
+  step_mm: number;
+  gap_step_mm: number;
+  contact_gap_mm: number;
+  muscles: MuscleJson[];
+  bones: BoneJson[];
+  crossings: CrossingJson[][];
+  warnings: string[];
+}
+
+interface PageJson {
+  views: Record<string, View>;
+  runs: RunJson[];
+}
+
+// Polylines one after the other, with the same numbers of points in each pose.
+export interface Polylines {
+  counts: number[];
+  // Coordinates in a pose, three to a point.
+  at(pose: number): Float32Array;
+}
+
+export interface Muscle {
+  name: string;
+  vertices: number;
+  triangles: Uint32Array;
+  pointsAt(pose: number): Float32Array;
+  // To the nearest other mesh, negative inside it, at most 5.
+  gapsAt(pose: number): Float32Array;
+  lines: Polylines & { names: string[] };
+  fibres: Polylines;
+}
+
+export interface Bone {
+  name: string;
+  triangles: Uint32Array;
+  points: Float32Array; // at rest
+  poses: number[][]; // rows of 3 x 4 matrices, from rest
+  trianglesInFiles: number;
+  viewError: number;
+}
+
+// Two meshes that cross in a pose: the triangles of those that are muscles.
+export interface Crossing extends PairRecord {
+  trianglesOfA: Int32Array;
+  trianglesOfB?: Int32Array;
+}
+
+export interface Run {
+  folder: string;
+  report: Report;
+  frames: FrameRecord[];
+  contactGap: number;
+  step: number;
+  muscles: Muscle[];
+  bones: Bone[];
+  crossings: Crossing[][];
+  warnings: string[];
+}
+
+export interface PageData {
+  views: Record<string, View>;
+  runs: Run[];
+}
+
+// Numbers in rows of a pose each, scaled.
+function rows(numbers: Int32Array, stride: number, scale: number) {
+  return (pose: number): Float32Array => {
+    const row = new Float32Array(stride);
+    const first = pose * stride;
+    for (let i = 0; i < stride; ++i) row[i] = numbers[first + i] * scale;
+    return row;
+  };
+}
+
+function polylinesFrom(
+  json: PolylinesJson,
+  step: number,
+  packed: PackedNumbers,
+): Polylines {
+  const points = json.counts.reduce((sum, count) => sum + count, 0);
+  return {
+    counts: json.counts,
+    at: rows(packed.at(json.poses), 3 * points, step),
+  };
+}
+
+function muscleFrom(
+  json: MuscleJson,
+  run: RunJson,
+  packed: PackedNumbers,
+): Muscle {
+  return {
+    name: json.name,
+    vertices: json.vertices,
+    triangles: new Uint32Array(packed.at(json.triangles)),
+    pointsAt: rows(packed.at(json.poses), 3 * json.vertices, run.step_mm),
+    gapsAt: rows(packed.at(json.gaps), json.vertices, run.gap_step_mm),
+    lines: {
+      ...polylinesFrom(json.lines, run.step_mm, packed),
+      names: json.lines.names,
+    },
+    fibres: polylinesFrom(json.fibres, run.step_mm, packed),
+  };
+}
+
+function boneFrom(json: BoneJson, run: RunJson, packed: PackedNumbers): Bone {
+  return {
+    name: json.name,
+    triangles: new Uint32Array(packed.at(json.triangles)),
+    points: rows(packed.at(json.points), 3 * json.vertices, run.step_mm)(0),
+    poses: json.poses,
+    trianglesInFiles: json.triangles_in_files,
+    viewError: json.view_error_mm,
+  };
+}
+
+function runFrom(json: RunJson, packed: PackedNumbers): Run {
+  return {
+    folder: json.folder,
+    report: json.report,
+    frames: json.frames,
+    contactGap: json.contact_gap_mm,
+    step: json.step_mm,
+    muscles: json.muscles.map((muscle) => muscleFrom(muscle, json, packed)),
+    bones: json.bones.map((bone) => boneFrom(bone, json, packed)),
+    crossings: json.crossings.map((pairs) =>
+      pairs.map((pair) => ({
+        ...pair,
+        trianglesOfA: packed.at(pair.a_triangles),
+        trianglesOfB: pair.b_triangles && packed.at(pair.b_triangles),
+      })),
+    ),
+    warnings: json.warnings,
+  };
+}
+
+function textOf(id: string): string {
+  const text = document.getElementById(id)?.textContent;
+  if (!text) throw new Error("The page holds no data: was it cut short?");
+  return text;
+}
+
+export async function readPageData(): Promise<PageData> {
+  const packed = await PackedNumbers.fromBase64(textOf("numbers"));
+  const json = JSON.parse(textOf("runs")) as PageJson;
+  return {
+    views: json.views,
+    runs: json.runs.map((run) => runFrom(run, packed)),
+  };
+}

@@ -1,0 +1,72 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+
+// A figure as a file of its own.
+
+import { Run } from "../data/run";
+import { download } from "../dom";
+import { Abscissa, Figure, Series } from "./series";
+
+// Quoted where commas, quotes or line ends would be taken for others; what a
+// spreadsheet would take for a formula is given as text.
+function csvField(value: string | number): string {
+  if (typeof value === "number") return Number.isFinite(value) ? String(value) : "";
+  const text = /^[=+\-@\t]/.test(value) ? `'${value}` : value;
+  return /[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+}
+
+// A row a frame; columns are the abscissas, then the curves that are shown.
+export function csvOf(
+  figure: Figure,
+  runs: Run[],
+  abscissas: Abscissa[],
+  isShown: (series: Series) => boolean,
+): string {
+  const series = figure.series.filter(isShown);
+  const rows = [
+    [
+      "run",
+      "name",
+      ...abscissas.map(({ label }) => label),
+      ...new Set(series.map(({ name }) => name)),
+    ] as (string | number)[],
+  ];
+  const names = [...new Set(series.map(({ name }) => name))];
+  runs.forEach((run, i) =>
+    run.frames.forEach((frame, at) =>
+      rows.push([
+        run.folder,
+        frame.name,
+        ...abscissas.map(({ value }) => value(frame, at)),
+        ...names.map(
+          (name) =>
+            series.find((each) => each.run === i && each.name === name)?.values[
+              at
+            ] ?? NaN,
+        ),
+      ]),
+    ),
+  );
+  return rows.map((row) => row.map(csvField).join(",")).join("\n") + "\n";
+}
+
+// The colours of the page do not go with the file.
+export function svgText(svg: SVGSVGElement, title: string): string {
+  const copy = svg.cloneNode(true) as SVGSVGElement;
+  copy.querySelector(".cursor")?.remove();
+  copy.querySelectorAll("[aria-label=tip]").forEach((tip) => tip.remove());
+  copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
+  copy.setAttribute("font-family", "sans-serif");
+  copy.style.color = "#222";
+  copy.style.background = "#fff";
+  copy.style.setProperty("--text", "#222");
+  const name = document.createElementNS(copy.namespaceURI, "title");
+  name.textContent = title;
+  copy.prepend(name);
+  return new XMLSerializer().serializeToString(copy);
+}
+
+export function downloadFigure(name: string, type: "svg" | "csv", text: string) {
+  const mime = type === "svg" ? "image/svg+xml" : "text/csv";
+  download(`${name}.${type}`, `${mime};charset=utf-8`, text);
+}

@@ -1,0 +1,177 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+
+// The figures over the motion: what is drawn in each, taken from report.json.
+
+import { FrameRecord, MuscleRecord } from "../data/report";
+import { Run } from "../data/run";
+
+// One curve: a value for each frame of a run, in the order of its frames.
+export interface Series {
+  name: string;
+  muscle: string; // whose colour and toggle it has; "" for the whole scene
+  run: number;
+  values: number[]; // NaN where there is none
+}
+
+export interface Figure {
+  id: string;
+  title: string;
+  label: string; // of the y axis, with the unit
+  note?: string;
+  series: Series[];
+}
+
+type Value = (muscle: MuscleRecord, frame: FrameRecord) => number | undefined;
+
+// A curve for each muscle of each run.
+function byMuscle(runs: Run[], value: Value): Series[] {
+  return runs.flatMap((run, i) =>
+    run.muscles.map(({ name }) => ({
+      name,
+      muscle: name,
+      run: i,
+      values: run.frames.map((frame) => {
+        const muscle = frame.muscles.find((each) => each.name === name);
+        return (muscle && value(muscle, frame)) ?? NaN;
+      }),
+    })),
+  );
+}
+
+// A curve for each action line.
+function byLine(
+  runs: Run[],
+  value: (line: string, ...rest: Parameters<Value>) => number | undefined,
+): Series[] {
+  return runs.flatMap((run, i) =>
+    run.muscles.flatMap((muscle) =>
+      muscle.lines.names.map((line) => ({
+        name: line,
+        muscle: muscle.name,
+        run: i,
+        values: run.frames.map((frame) => {
+          const record = frame.muscles.find(({ name }) => name === muscle.name);
+          return (record && value(line, record, frame)) ?? NaN;
+        }),
+      })),
+    ),
+  );
+}
+
+function ofScene(
+  runs: Run[],
+  name: string,
+  value: (frame: FrameRecord) => number,
+): Series[] {
+  return runs.map((run, i) => ({
+    name,
+    muscle: "",
+    run: i,
+    values: run.frames.map(value),
+  }));
+}
+
+function movingCoordinates(runs: Run[]): { name: string; unit: string }[] {
+  const found = new Map(
+    runs
+      .flatMap((run) => run.report.motion?.coordinates ?? [])
+      .filter(({ moves }) => moves)
+      .map((coordinate) => [coordinate.name, coordinate]),
+  );
+  return [...found.values()];
+}
+
+function momentArms(runs: Run[]): Figure[] {
+  return movingCoordinates(runs).map(({ name, unit }) => ({
+    id: `moment-arms-${name}`,
+    title: `Moment arms, ${name}`,
+    label: unit === "m" ? "mm / m" : "mm",
+    note: "−dl/dq of the straight paths through the path points",
+    series: byLine(
+      runs,
+      (line, _, frame) => frame.path_moment_arms_mm[line]?.[name],
+    ).filter(({ values }) => values.some(Number.isFinite)),
+  }));
+}
+
+export function figuresOf(runs: Run[]): Figure[] {
+  const figures: Figure[] = [
+    {
+      id: "volume-ratio",
+      title: "Volume ratio",
+      label: "volume ratio − 1",
+      note: "of the fine mesh to its volume at rest; 0 is kept to the last digit",
+      series: byMuscle(runs, (muscle) => muscle.volume_ratio - 1),
+    },
+    {
+      id: "crossing-pairs",
+      title: "Crossing pairs",
+      label: "triangle pairs",
+      note: "of each muscle with all other meshes; a pair of muscles counts for both, and once in all",
+      series: [
+        ...byMuscle(runs, (muscle, frame) =>
+          frame.intersections.pairs
+            .filter(({ a, b }) => a === muscle.name || b === muscle.name)
+            .reduce((sum, pair) => sum + pair.triangle_pairs, 0),
+        ),
+        ...ofScene(runs, "all", (frame) => frame.intersections.triangle_pairs),
+      ],
+    },
+    {
+      id: "gap",
+      title: "Smallest gap",
+      label: "mm",
+      note: "of a vertex of the muscle to another mesh; negative inside it",
+      series: byMuscle(runs, (muscle) => muscle.min_gap_mm),
+    },
+    {
+      id: "line-lengths",
+      title: "Line lengths",
+      label: "mm",
+      note: "of the action lines as the muscles carry them",
+      series: byLine(runs, (line, muscle) => muscle.line_lengths_mm[line]),
+    },
+    ...momentArms(runs),
+    {
+      id: "time",
+      title: "Time per frame",
+      label: "ms",
+      note: "moving the scene, and counting what crosses",
+      series: [
+        ...ofScene(runs, "moving", (frame) => frame.wall_ms),
+        ...ofScene(runs, "counting", (frame) => frame.certify_ms),
+      ],
+    },
+  ];
+  return figures.filter(({ series }) => series.length > 0);
+}
+
+// What the frames may be laid out by.
+export interface Abscissa {
+  id: string;
+  label: string;
+  value(frame: FrameRecord, at: number): number;
+}
+
+export function abscissasOf(runs: Run[]): Abscissa[] {
+  const byFrame: Abscissa = {
+    id: "frame",
+    label: "frame",
+    value: (_, at) => at + 1,
+  };
+  const times = runs[0].frames.map(({ time }) => time);
+  const rise = times.every((time, i) => i === 0 || time > times[i - 1]);
+  const byTime: Abscissa[] =
+    rise && times.length > 1
+      ? [{ id: "time", label: "time, s", value: ({ time }) => time }]
+      : [];
+  const byCoordinate = movingCoordinates(runs).map(
+    ({ name, unit }): Abscissa => ({
+      id: `coordinate ${name}`,
+      label: unit ? `${name}, ${unit}` : name,
+      value: ({ coordinates }) => coordinates[name] ?? NaN,
+    }),
+  );
+  return [byFrame, ...byTime, ...byCoordinate];
+}

@@ -1,0 +1,62 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+
+// Lines of action and fibres.
+
+import { Plane } from "three";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+
+import { Polylines } from "../data/run";
+
+// Points of polylines, doubled where two segments meet.
+function segments(polylines: Polylines, pose: number): Float32Array {
+  const points = polylines.at(pose);
+  const pieces = polylines.counts.reduce((sum, n) => sum + Math.max(0, n - 1), 0);
+  const ends = new Float32Array(6 * pieces);
+  let from = 0;
+  let to = 0;
+  for (const count of polylines.counts) {
+    for (let i = 0; i + 1 < count; ++i, to += 6) {
+      ends.set(points.subarray(from + 3 * i, from + 3 * i + 6), to);
+    }
+    from += 3 * count;
+  }
+  return ends;
+}
+
+export interface LineLook {
+  color: string;
+  width: number; // pixels
+  isOnTop: boolean; // seen through what is in front
+}
+
+export class PolylineObject {
+  readonly object: LineSegments2;
+
+  constructor(
+    private readonly polylines: Polylines,
+    look: LineLook,
+    clippingPlanes: Plane[],
+  ) {
+    const material = new LineMaterial({
+      color: look.color,
+      linewidth: look.width,
+      depthTest: !look.isOnTop,
+      clippingPlanes,
+    });
+    this.object = new LineSegments2(new LineSegmentsGeometry(), material);
+    this.object.frustumCulled = false;
+    this.object.renderOrder = look.isOnTop ? 20 : 0;
+  }
+
+  get isEmpty(): boolean {
+    return this.polylines.counts.length === 0;
+  }
+
+  setPose(pose: number): void {
+    if (this.isEmpty) return;
+    this.object.geometry.setPositions(segments(this.polylines, pose));
+  }
+}

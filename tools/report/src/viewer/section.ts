@@ -1,0 +1,169 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+
+// A plane that cuts everything on one side of it away. Where it cuts a mesh the
+// cut is filled in the mesh's colour (half transparent, so that it shows what
+// lies inside what) and outlined.
+
+import {
+  AlwaysStencilFunc,
+  BackSide,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DecrementWrapStencilOp,
+  DoubleSide,
+  FrontSide,
+  Group,
+  IncrementWrapStencilOp,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  NotEqualStencilFunc,
+  Plane,
+  PlaneGeometry,
+  ReplaceStencilOp,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+
+// Counts, along each ray behind the plane, how often it leaves a mesh more than
+// it enters it: not zero where the plane is inside the mesh.
+function stencilMeshes(geometry: BufferGeometry, plane: Plane): Mesh[] {
+  const counts = [
+    { side: BackSide, operation: IncrementWrapStencilOp },
+    { side: FrontSide, operation: DecrementWrapStencilOp },
+  ] as const;
+  return counts.map(({ side, operation }) => {
+    const material = new MeshBasicMaterial({
+      side,
+      clippingPlanes: [plane],
+      // Sorted with the caps, which are transparent.
+      transparent: true,
+      colorWrite: false,
+      depthWrite: false,
+      depthTest: false,
+      stencilWrite: true,
+      stencilFunc: AlwaysStencilFunc,
+      stencilFail: operation,
+      stencilZFail: operation,
+      stencilZPass: operation,
+    });
+    const mesh = new Mesh(geometry, material);
+    mesh.frustumCulled = false;
+    return mesh;
+  });
+}
+
+// Ends of the segments in which a plane cuts the triangles of a mesh.
+export function cutSegments(mesh: Mesh, plane: Plane): Float32Array {
+  const points = mesh.geometry.getAttribute("position");
+  const index = mesh.geometry.getIndex()!.array;
+  const place = new Vector3();
+  const world = new Float32Array(3 * points.count);
+  const heights = new Float32Array(points.count);
+  for (let v = 0; v < points.count; ++v) {
+    place.fromBufferAttribute(points, v).applyMatrix4(mesh.matrixWorld);
+    place.toArray(world, 3 * v);
+    heights[v] = plane.distanceToPoint(place);
+  }
+  const ends: number[] = [];
+  for (let t = 0; t < index.length; t += 3) {
+    for (let k = 0; k < 3; ++k) {
+      const [a, b] = [index[t + k], index[t + ((k + 1) % 3)]];
+      if (heights[a] >= 0 === heights[b] >= 0) continue;
+      const part = heights[a] / (heights[a] - heights[b]);
+      for (let c = 0; c < 3; ++c) {
+        ends.push(world[3 * a + c] + part * (world[3 * b + c] - world[3 * a + c]));
+      }
+    }
+  }
+  return new Float32Array(ends);
+}
+
+class Cut {
+  readonly stencils: Mesh[];
+  readonly cap: Mesh<PlaneGeometry, MeshBasicMaterial>;
+  readonly outline: LineSegments<BufferGeometry, LineBasicMaterial>;
+
+  constructor(
+    readonly mesh: Mesh,
+    color: string,
+    order: number,
+    plane: Plane,
+    renderer: WebGLRenderer,
+  ) {
+    this.stencils = stencilMeshes(mesh.geometry, plane);
+    mesh.add(...this.stencils);
+    this.cap = new Mesh(
+      new PlaneGeometry(1, 1),
+      new MeshBasicMaterial({
+        color,
+        side: DoubleSide,
+        transparent: true,
+        opacity: 0.8,
+        depthWrite: false,
+        stencilWrite: true,
+        stencilRef: 0,
+        stencilFunc: NotEqualStencilFunc,
+        stencilFail: ReplaceStencilOp,
+        stencilZFail: ReplaceStencilOp,
+        stencilZPass: ReplaceStencilOp,
+      }),
+    );
+    this.cap.onAfterRender = () => renderer.clearStencil();
+    this.outline = new LineSegments(
+      new BufferGeometry(),
+      new LineBasicMaterial({
+        color: new Color(color).multiplyScalar(0.35),
+        depthTest: false,
+        transparent: true,
+      }),
+    );
+    this.outline.frustumCulled = false;
+    for (const stencil of this.stencils) stencil.renderOrder = order;
+    this.cap.renderOrder = order + 0.5;
+    this.outline.renderOrder = order + 0.6;
+  }
+
+  setVisible(visible: boolean): void {
+    for (const object of [...this.stencils, this.cap, this.outline]) {
+      object.visible = visible;
+    }
+  }
+}
+
+export class Section {
+  readonly group = new Group();
+  private readonly cuts: Cut[];
+
+  constructor(
+    private readonly plane: Plane,
+    meshes: { mesh: Mesh; color: string }[],
+    renderer: WebGLRenderer,
+  ) {
+    // Above the order of all else that is transparent but crossings and lines.
+    this.cuts = meshes.map(
+      ({ mesh, color }, i) =>
+        new Cut(mesh, color, 1 + i / meshes.length, plane, renderer),
+    );
+    for (const cut of this.cuts) this.group.add(cut.cap, cut.outline);
+  }
+
+  // Follows the plane and the meshes; `size` is more than the scene's.
+  update(isOn: boolean, center: Vector3, size: number): void {
+    this.group.visible = isOn;
+    for (const cut of this.cuts) {
+      cut.setVisible(isOn && cut.mesh.visible);
+      if (!isOn || !cut.mesh.visible) continue;
+      this.plane.projectPoint(center, cut.cap.position);
+      cut.cap.scale.setScalar(size);
+      cut.cap.lookAt(cut.cap.position.clone().sub(this.plane.normal));
+      cut.outline.geometry.setAttribute(
+        "position",
+        new BufferAttribute(cutSegments(cut.mesh, this.plane), 3),
+      );
+    }
+  }
+}

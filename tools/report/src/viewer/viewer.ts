@@ -1,0 +1,266 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+
+// The canvas: one pane a run, beside each other, or above each other where it
+// is narrow. Draws only when something has changed.
+
+import {
+  Box3,
+  DirectionalLight,
+  Plane,
+  Raycaster,
+  Sphere,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+
+import { PageData } from "../data/run";
+import { Moment } from "../data/timeline";
+import { State, Store } from "../state";
+import { LinkedCamera } from "./camera";
+import { VertexScale, vertexScale } from "./coloring";
+import { RunScene } from "./run_scene";
+
+// While playing, pictures that take longer than this are drawn coarser.
+const slowPictureMs = 45;
+const coarsest = 0.5;
+
+interface Pane {
+  left: number;
+  bottom: number;
+  width: number;
+  height: number;
+}
+
+export interface Picked {
+  name: string;
+  text: string;
+}
+
+export class Viewer {
+  readonly camera: LinkedCamera;
+  readonly scenes: RunScene[];
+  private readonly renderer: WebGLRenderer;
+  private readonly planes: Plane[] = [];
+  private readonly plane = new Plane(new Vector3(1, 0, 0), 0);
+  private readonly lights: DirectionalLight[];
+  private readonly bounds: Sphere; // of everything in all poses
+  private readonly muscleBounds: Sphere;
+  private state: State;
+  private scale: VertexScale | null = null;
+  private isPending = false;
+  private isStale = true; // the scenes, not only the view
+  private coarseness = 1;
+  private lastPicture = 0;
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly data: PageData,
+    private readonly timeline: Moment[],
+    colors: Map<string, string>,
+    store: Store,
+  ) {
+    this.state = store.state;
+    this.renderer = new WebGLRenderer({
+      canvas,
+      antialias: true,
+      alpha: true,
+      stencil: true,
+    });
+    this.renderer.localClippingEnabled = true;
+    this.renderer.autoClear = false;
+    this.scenes = data.runs.map(
+      (run) =>
+        new RunScene(run, colors, this.planes, this.plane, this.renderer),
+    );
+    this.lights = this.scenes.map((scene) => {
+      const light = new DirectionalLight("#ffffff", 1.8);
+      scene.addHeadlight(light);
+      return light;
+    });
+    [this.bounds, this.muscleBounds] = this.measure();
+    this.camera = new LinkedCamera(canvas, data.views, () => this.request());
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
+    this.resize();
+    this.reset(false);
+    store.subscribe((state) => {
+      if (this.state.playing && !state.playing) this.coarseness = 1;
+      this.state = state;
+      this.isStale = true;
+      this.request();
+    });
+  }
+
+  reset(fly = true): void {
+    this.view("lateral", fly);
+  }
+
+  view(name: string, fly = true): void {
+    this.camera.showFrom(name, this.muscleBounds, fly);
+  }
+
+  request(): void {
+    if (this.isPending) return;
+    this.isPending = true;
+    requestAnimationFrame((now) => this.draw(now));
+  }
+
+  // What is under a point of the canvas (CSS pixels), if anything.
+  pick(x: number, y: number): Picked | null {
+    const panes = this.panes();
+    const { width, height } = this.canvas.getBoundingClientRect();
+    const at = new Vector2(x / width, 1 - y / height);
+    const i = panes.findIndex(
+      (pane) =>
+        at.x >= pane.left &&
+        at.x <= pane.left + pane.width &&
+        at.y >= pane.bottom &&
+        at.y <= pane.bottom + pane.height,
+    );
+    const pose = this.timeline[this.state.moment].poses[i];
+    if (i < 0 || pose === null) return null;
+    const pane = panes[i];
+    const caster = new Raycaster();
+    caster.setFromCamera(
+      new Vector2(
+        (2 * (at.x - pane.left)) / pane.width - 1,
+        (2 * (at.y - pane.bottom)) / pane.height - 1,
+      ),
+      this.camera.camera,
+    );
+    const { muscles, bones } = this.scenes[i];
+    const meshes = [...muscles, ...bones].map((surface) => surface.mesh);
+    const hit = caster
+      .intersectObjects(
+        meshes.filter((mesh) => mesh.visible && mesh.parent!.visible),
+        false,
+      )
+      .find(
+        ({ point }) =>
+          this.planes.length === 0 || this.plane.distanceToPoint(point) >= 0,
+      );
+    if (!hit) return null;
+    const muscle = muscles.find((surface) => surface.mesh === hit.object);
+    const text =
+      muscle && this.scale && hit.face
+        ? this.scale.say(this.scale.values(muscle.muscle, pose)[hit.face.a])
+        : "";
+    return { name: hit.object.name, text };
+  }
+
+  // By run: parts of the canvas, from its lower left corner.
+  panes(): Pane[] {
+    const count = this.scenes.length;
+    const { clientWidth, clientHeight } = this.canvas;
+    const isWide = clientWidth >= clientHeight;
+    return this.scenes.map((_, i) =>
+      isWide
+        ? { left: i / count, bottom: 0, width: 1 / count, height: 1 }
+        : { left: 0, bottom: 1 - (i + 1) / count, width: 1, height: 1 / count },
+    );
+  }
+
+  private measure(): [Sphere, Sphere] {
+    const all = new Box3();
+    const muscles = new Box3();
+    for (const { poses } of this.timeline) {
+      poses.forEach((pose, i) => {
+        if (pose === null) return;
+        const scene = this.scenes[i];
+        for (const bone of scene.bones) bone.setPose(pose);
+        all.union(scene.box(pose));
+        for (const { muscle } of scene.muscles) {
+          muscles.union(new Box3().setFromArray(muscle.pointsAt(pose)));
+        }
+      });
+    }
+    // A sphere around a box has room to spare at its faces.
+    const close = muscles.getBoundingSphere(new Sphere());
+    close.radius *= 0.85;
+    return [all.getBoundingSphere(new Sphere()), close];
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas.parentElement!;
+    this.renderer.setPixelRatio(
+      Math.min(devicePixelRatio, 2) * this.coarseness,
+    );
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    const [pane] = this.panes();
+    this.camera.setAspect(
+      (clientWidth * pane.width) / Math.max(1, clientHeight * pane.height),
+    );
+    this.request();
+  }
+
+  private draw(now: number): void {
+    this.isPending = false;
+    this.adaptCoarseness(now);
+    if (this.isStale) this.updateScenes();
+    this.isStale = false;
+    const isFlying = this.camera.advance(now);
+    this.camera.enclose(this.bounds);
+    this.placeLights();
+
+    const { renderer } = this;
+    const size = renderer.getSize(new Vector2());
+    renderer.setScissorTest(false);
+    renderer.clear();
+    renderer.setScissorTest(true);
+    this.panes().forEach((pane, i) => {
+      const rectangle = [
+        pane.left * size.x,
+        pane.bottom * size.y,
+        pane.width * size.x,
+        pane.height * size.y,
+      ] as const;
+      renderer.setViewport(...rectangle);
+      renderer.setScissor(...rectangle);
+      renderer.render(this.scenes[i].scene, this.camera.camera);
+    });
+    if (isFlying) this.request();
+  }
+
+  private updateScenes(): void {
+    this.placePlane();
+    this.scale = vertexScale(this.state.coloring, this.data.runs);
+    const { poses } = this.timeline[this.state.moment];
+    this.scenes.forEach((scene, i) =>
+      scene.update(this.state, poses[i], this.scale),
+    );
+  }
+
+  private placePlane(): void {
+    const { section, sectionPlace, sectionFlipped } = this.state;
+    this.planes.length = 0;
+    if (section === "off") return;
+    const { center, radius } = this.bounds;
+    const toward = new Vector3(...this.data.views[section].toward_viewer);
+    const height = toward.dot(center) + radius * (2 * sectionPlace - 1);
+    // What is on the viewer's side is cut away.
+    this.plane.set(toward.negate(), height);
+    if (sectionFlipped) this.plane.negate();
+    this.planes.push(this.plane);
+  }
+
+  private placeLights(): void {
+    const { camera } = this.camera;
+    const side = new Vector3(-0.4, 0.5, 1).applyQuaternion(camera.quaternion);
+    for (const light of this.lights) light.position.copy(side);
+  }
+
+  // Without a graphics card pictures may come too late to play.
+  private adaptCoarseness(now: number): void {
+    const elapsed = now - this.lastPicture;
+    this.lastPicture = now;
+    const wanted =
+      this.state.playing && elapsed > slowPictureMs && elapsed < 1000
+        ? Math.max(coarsest, this.coarseness * 0.85)
+        : this.coarseness;
+    const ratio = Math.min(devicePixelRatio, 2) * wanted;
+    this.coarseness = wanted;
+    if (this.renderer.getPixelRatio() === ratio) return;
+    this.renderer.setPixelRatio(ratio);
+  }
+}
