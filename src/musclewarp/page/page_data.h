@@ -12,7 +12,7 @@ namespace musclewarp {
 
 struct PageOptions {
   // Bones are shown with at most about so many triangles each.
-  int max_bone_triangles = 10000;
+  int max_bone_triangles = 6000;
   // How the axes of the meshes lie in the body, and the side of it that
   // "lateral" is on (see ParseView); empty: as the scene of the first run says.
   std::string axes;

@@ -39,9 +39,9 @@ export class Player {
     const { playing, framesPerSecond, moment } = this.store.state;
     if (!playing) return;
     const pause = 1000 / framesPerSecond;
-    // Half a display frame early is nearer than half a one late.
-    if (now - this.lastStep >= pause - 8) {
-      this.lastStep = now;
+    if (now - this.lastStep >= pause) {
+      // Keeps the rate on average, but does not catch up what was missed.
+      this.lastStep = Math.max(this.lastStep + pause, now - pause);
       this.store.set({ moment: moment + 1 < this.moments ? moment + 1 : 1 });
     }
     requestAnimationFrame((next) => this.tick(next));

@@ -82,6 +82,9 @@ function nonZero(figures: Record<string, number | boolean>): string {
 
 function repairs(meshes: MeshReport[]): HTMLElement {
   return element(
+    "div",
+    { class: "scrolls" },
+    element(
     "table",
     { class: "repairs" },
     element(
@@ -111,6 +114,7 @@ function repairs(meshes: MeshReport[]): HTMLElement {
           element("td", {}, nonZero(repairs) || "none"),
         );
       }),
+    ),
     ),
   );
 }

@@ -18,11 +18,13 @@ import {
 import { Muscle } from "../data/run";
 import { crossingColor } from "../palette";
 import { VertexScale, colorize } from "./coloring";
+import { crossingOrder } from "./render_order";
 
 export class MuscleSurface {
   readonly group = new Group();
   readonly mesh: Mesh<BufferGeometry, MeshLambertMaterial>;
   private readonly red: Mesh[];
+  private readonly crossing: BufferAttribute;
   private readonly points: BufferAttribute;
   private readonly colors: BufferAttribute;
 
@@ -49,6 +51,12 @@ export class MuscleSurface {
     // Drawn on the surface, and faintly through whatever hides it.
     const redGeometry = new BufferGeometry();
     redGeometry.setAttribute("position", this.points);
+    this.crossing = new BufferAttribute(
+      new Uint32Array(muscle.triangles.length),
+      1,
+    );
+    this.crossing.setUsage(DynamicDrawUsage);
+    redGeometry.setIndex(this.crossing);
     const look = { color: crossingColor, side: DoubleSide, clippingPlanes };
     this.red = [
       new Mesh(
@@ -71,7 +79,7 @@ export class MuscleSurface {
         }),
       ),
     ];
-    this.red[1].renderOrder = 10;
+    this.red[1].renderOrder = crossingOrder;
     this.group.add(this.mesh, ...this.red);
     // Bounds would have to follow every pose; there is little to cull.
     this.group.traverse((object) => (object.frustumCulled = false));
@@ -81,7 +89,7 @@ export class MuscleSurface {
     this.points.copyArray(this.muscle.pointsAt(pose));
     this.points.needsUpdate = true;
     this.mesh.geometry.computeVertexNormals();
-    this.mesh.geometry.computeBoundingSphere();
+    this.mesh.geometry.boundingSphere = null; // made anew when picked
   }
 
   // Null: in the colour of its name.
@@ -106,13 +114,16 @@ export class MuscleSurface {
 
   // The triangles to show in red, by number.
   setCrossing(triangles: Set<number>): void {
-    const index = new Uint32Array(3 * triangles.size);
-    let at = 0;
+    let corners = 0;
     for (const t of triangles) {
-      index.set(this.muscle.triangles.subarray(3 * t, 3 * t + 3), at);
-      at += 3;
+      for (let k = 0; k < 3; ++k) {
+        this.crossing.setX(corners++, this.muscle.triangles[3 * t + k]);
+      }
     }
-    for (const mesh of this.red) mesh.visible = triangles.size > 0;
-    this.red[0].geometry.setIndex(new BufferAttribute(index, 1));
+    this.crossing.clearUpdateRanges();
+    this.crossing.addUpdateRange(0, corners);
+    this.crossing.needsUpdate = true;
+    this.red[0].geometry.setDrawRange(0, corners);
+    for (const mesh of this.red) mesh.visible = corners > 0;
   }
 }

@@ -3,12 +3,13 @@
 
 // Lines of action and fibres.
 
-import { Plane } from "three";
+import { Group, Plane } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 
 import { Polylines } from "../data/run";
+import { lineOrder } from "./render_order";
 
 // Points of polylines, doubled where two segments meet.
 function segments(polylines: Polylines, pose: number): Float32Array {
@@ -29,26 +30,39 @@ function segments(polylines: Polylines, pose: number): Float32Array {
 export interface LineLook {
   color: string;
   width: number; // pixels
-  isOnTop: boolean; // seen through what is in front
+  // Seen through what is in front, with a light rim to stand out from it.
+  isOnTop: boolean;
 }
 
+const rimColor = "#ffffff";
+const rimWidth = 1.5;
+
 export class PolylineObject {
-  readonly object: LineSegments2;
+  readonly object = new Group();
+  private readonly geometry = new LineSegmentsGeometry();
 
   constructor(
     private readonly polylines: Polylines,
     look: LineLook,
     clippingPlanes: Plane[],
   ) {
-    const material = new LineMaterial({
-      color: look.color,
-      linewidth: look.width,
-      depthTest: !look.isOnTop,
-      clippingPlanes,
-    });
-    this.object = new LineSegments2(new LineSegmentsGeometry(), material);
-    this.object.frustumCulled = false;
-    this.object.renderOrder = look.isOnTop ? 20 : 0;
+    const add = (color: string, linewidth: number, renderOrder: number) => {
+      const line = new LineSegments2(
+        this.geometry,
+        new LineMaterial({
+          color,
+          linewidth,
+          transparent: look.isOnTop,
+          depthTest: !look.isOnTop,
+          clippingPlanes,
+        }),
+      );
+      line.frustumCulled = false;
+      line.renderOrder = renderOrder;
+      this.object.add(line);
+    };
+    if (look.isOnTop) add(rimColor, look.width + 2 * rimWidth, lineOrder);
+    add(look.color, look.width, look.isOnTop ? lineOrder + 1 : 0);
   }
 
   get isEmpty(): boolean {
@@ -57,6 +71,6 @@ export class PolylineObject {
 
   setPose(pose: number): void {
     if (this.isEmpty) return;
-    this.object.geometry.setPositions(segments(this.polylines, pose));
+    this.geometry.setPositions(segments(this.polylines, pose));
   }
 }

@@ -11,7 +11,7 @@ import {
   HemisphereLight,
   Plane,
   Scene,
-  Vector3,
+  Sphere,
   WebGLRenderer,
 } from "three";
 
@@ -56,7 +56,7 @@ export class RunScene {
       (muscle) =>
         new PolylineObject(
           muscle.lines,
-          { color: "#202020", width: 2.5, isOnTop: true },
+          { color: "#202020", width: 2, isOnTop: true },
           planes,
         ),
     );
@@ -96,8 +96,14 @@ export class RunScene {
     this.scene.add(light, light.target);
   }
 
-  // Null: the run has no such frame, and nothing is shown.
-  update(state: State, pose: number | null, scale: VertexScale | null): void {
+  // Null: the run has no such frame, and nothing is shown. The bounds are of
+  // everything in all poses.
+  update(
+    state: State,
+    pose: number | null,
+    scale: VertexScale | null,
+    bounds: Sphere,
+  ): void {
     this.content.visible = pose !== null;
     if (pose === null) return;
     const moved = pose !== this.pose;
@@ -127,13 +133,7 @@ export class RunScene {
       }
     });
     this.content.updateMatrixWorld(true);
-    const box = this.box(pose);
-    const size = box.getSize(new Vector3()).length();
-    this.section.update(
-      this.planes.length > 0,
-      box.getCenter(new Vector3()),
-      2 * size,
-    );
+    this.section.update(this.planes.length > 0, bounds);
   }
 
   // Of muscles and bones in a pose.

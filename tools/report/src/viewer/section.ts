@@ -24,6 +24,7 @@ import {
   Plane,
   PlaneGeometry,
   ReplaceStencilOp,
+  Sphere,
   Vector3,
   WebGLRenderer,
 } from "three";
@@ -143,22 +144,21 @@ export class Section {
     meshes: { mesh: Mesh; color: string }[],
     renderer: WebGLRenderer,
   ) {
-    // Above the order of all else that is transparent but crossings and lines.
+    // One after the other: each cap clears the counts it was cut out by.
     this.cuts = meshes.map(
-      ({ mesh, color }, i) =>
-        new Cut(mesh, color, 1 + i / meshes.length, plane, renderer),
+      ({ mesh, color }, i) => new Cut(mesh, color, i + 1, plane, renderer),
     );
     for (const cut of this.cuts) this.group.add(cut.cap, cut.outline);
   }
 
-  // Follows the plane and the meshes; `size` is more than the scene's.
-  update(isOn: boolean, center: Vector3, size: number): void {
+  // Follows the plane and the meshes.
+  update(isOn: boolean, bounds: Sphere): void {
     this.group.visible = isOn;
     for (const cut of this.cuts) {
       cut.setVisible(isOn && cut.mesh.visible);
       if (!isOn || !cut.mesh.visible) continue;
-      this.plane.projectPoint(center, cut.cap.position);
-      cut.cap.scale.setScalar(size);
+      this.plane.projectPoint(bounds.center, cut.cap.position);
+      cut.cap.scale.setScalar(2 * bounds.radius);
       cut.cap.lookAt(cut.cap.position.clone().sub(this.plane.normal));
       cut.outline.geometry.setAttribute(
         "position",

@@ -20,11 +20,9 @@ import { Moment } from "../data/timeline";
 import { State, Store } from "../state";
 import { LinkedCamera } from "./camera";
 import { VertexScale, vertexScale } from "./coloring";
+import { Resolution } from "./resolution";
 import { RunScene } from "./run_scene";
 
-// While playing, pictures that take longer than this are drawn coarser.
-const slowPictureMs = 45;
-const coarsest = 0.5;
 
 interface Pane {
   left: number;
@@ -51,8 +49,7 @@ export class Viewer {
   private scale: VertexScale | null = null;
   private isPending = false;
   private isStale = true; // the scenes, not only the view
-  private coarseness = 1;
-  private lastPicture = 0;
+  private readonly resolution = new Resolution(() => this.request());
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -64,7 +61,7 @@ export class Viewer {
     this.state = store.state;
     this.renderer = new WebGLRenderer({
       canvas,
-      antialias: true,
+      antialias: !this.resolution.isSoftware,
       alpha: true,
       stencil: true,
     });
@@ -85,7 +82,6 @@ export class Viewer {
     this.resize();
     this.reset(false);
     store.subscribe((state) => {
-      if (this.state.playing && !state.playing) this.coarseness = 1;
       this.state = state;
       this.isStale = true;
       this.request();
@@ -183,9 +179,6 @@ export class Viewer {
 
   private resize(): void {
     const { clientWidth, clientHeight } = this.canvas.parentElement!;
-    this.renderer.setPixelRatio(
-      Math.min(devicePixelRatio, 2) * this.coarseness,
-    );
     this.renderer.setSize(clientWidth, clientHeight, false);
     const [pane] = this.panes();
     this.camera.setAspect(
@@ -196,7 +189,11 @@ export class Viewer {
 
   private draw(now: number): void {
     this.isPending = false;
-    this.adaptCoarseness(now);
+    const pixelRatio = this.resolution.next(now, this.state.playing);
+    // Sets the size anew, which costs, even to what it is.
+    if (this.renderer.getPixelRatio() !== pixelRatio) {
+      this.renderer.setPixelRatio(pixelRatio);
+    }
     if (this.isStale) this.updateScenes();
     this.isStale = false;
     const isFlying = this.camera.advance(now);
@@ -227,7 +224,7 @@ export class Viewer {
     this.scale = vertexScale(this.state.coloring, this.data.runs);
     const { poses } = this.timeline[this.state.moment];
     this.scenes.forEach((scene, i) =>
-      scene.update(this.state, poses[i], this.scale),
+      scene.update(this.state, poses[i], this.scale, this.bounds),
     );
   }
 
@@ -248,19 +245,5 @@ export class Viewer {
     const { camera } = this.camera;
     const side = new Vector3(-0.4, 0.5, 1).applyQuaternion(camera.quaternion);
     for (const light of this.lights) light.position.copy(side);
-  }
-
-  // Without a graphics card pictures may come too late to play.
-  private adaptCoarseness(now: number): void {
-    const elapsed = now - this.lastPicture;
-    this.lastPicture = now;
-    const wanted =
-      this.state.playing && elapsed > slowPictureMs && elapsed < 1000
-        ? Math.max(coarsest, this.coarseness * 0.85)
-        : this.coarseness;
-    const ratio = Math.min(devicePixelRatio, 2) * wanted;
-    this.coarseness = wanted;
-    if (this.renderer.getPixelRatio() === ratio) return;
-    this.renderer.setPixelRatio(ratio);
   }
 }
