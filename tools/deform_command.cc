@@ -268,15 +268,21 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   } catch (const std::exception& error) {
     run.stopped = error.what();
   }
-  writer.Write(run);
-  if (run.finished) log.Finish();
-  PrintFrames(run, screen);
-  screen << "report: " << report << "\n";
-  if (options.html) WriteRunPage(options.out, screen);
   if (!run.finished) {
     screen << "stopped after " << run.frames.size() << " of "
            << run.frames_planned << " frames: " << run.stopped
            << "\n--resume goes on from there\n";
+  }
+  // Frames are there: what fails now is no bad input.
+  try {
+    writer.Write(run);
+    if (run.finished) log.Finish();
+    PrintFrames(run, screen);
+    screen << "report: " << report << "\n";
+    if (options.html) WriteRunPage(options.out, screen);
+  } catch (const InputError& error) {
+    screen << error.what() << "\n";
+    return kExitNotUsable;
   }
   return run.finished && TotalsOf(run).usable ? kExitUsable : kExitNotUsable;
 }

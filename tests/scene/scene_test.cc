@@ -116,6 +116,9 @@ TEST(Scene, RefusesUnknownMissingAndRepeatedKeys) {
 TEST(Scene, RefusesWrongTypesAndValues) {
   ExpectRefused(With("/name", 5), {"name", "5"});
   ExpectRefused(With("/units", "m"), {"units", "\"m\"", "mm"});
+  ExpectRefused(With("/axes", "LPX"), {"axes", "\"LPX\"", "LPS"});
+  ExpectRefused(With("/axes", "LRS"), {"axes", "\"LRS\""});
+  ExpectRefused(With("/side", "up"), {"side", "\"up\"", "left"});
   ExpectRefused(With("/muscles", Json::object()), {"muscles", "array"});
   ExpectRefused(With("/muscles", Json::array()), {"muscles", "empty"});
   ExpectRefused(With("/poses", Json::array()), {"pose"});

@@ -214,7 +214,10 @@ std::map<std::string, std::string> Contents(const std::string& dir) {
 
 // The report without what depends on the machine's mood and the command line.
 Json WithoutTimes(Json report) {
-  if (report.is_object()) report.erase("command");
+  if (report.is_object()) {
+    report.erase("command");
+    report.erase("options");
+  }
   if (report.is_structured()) {
     for (auto item = report.begin(); item != report.end();) {
       const bool is_time =

@@ -13,10 +13,10 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/page/run_files.h"
 #include "musclewarp/render/picture.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
-#include "tools/run_files.h"
 
 namespace musclewarp {
 namespace {

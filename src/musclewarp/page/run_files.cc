@@ -87,6 +87,10 @@ void ReadReport(const std::string& path,
 }  // namespace
 
 MeshFiles MeshFilesIn(const std::string& dir) {
+  if (!fs::is_directory(dir)) {
+    throw InputError(
+        dir, "there is no such folder", "run musclewarp-deform again");
+  }
   MeshFiles files;
   for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
     const fs::path& path = entry.path();

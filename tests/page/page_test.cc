@@ -1,0 +1,82 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/page/page.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "page/written_run.h"
+#include "support/input_errors.h"
+#include "support/temp_dir.h"
+
+namespace musclewarp {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+RecordedRun Read(const std::string& dir) {
+  std::ostringstream log;
+  return ReadRecordedRun(dir, log);
+}
+
+// The text of a script of the page.
+std::string ScriptText(const std::string& html, const std::string& id) {
+  const std::size_t begin = html.find('>', html.find("id=\"" + id + "\"")) + 1;
+  return html.substr(begin, html.find("</script>", begin) - begin);
+}
+
+TEST(Page, HoldsTheRun) {
+  const WrittenRun written = WriteRun(TestTempDir());
+  const std::string html = PageHtml({Read(written.dir)}, {});
+  EXPECT_THAT(html, HasSubstr("<!doctype html>"));
+  EXPECT_THAT(html, Not(HasSubstr("musclewarp:data")));
+  const Json data = Json::parse(ScriptText(html, "runs"));
+  const Json& run = data["runs"][0];
+  EXPECT_EQ(run["muscles"][0]["name"], "muscle");
+  EXPECT_EQ(run["muscles"][0]["vertices"], written.muscle.points.rows());
+  EXPECT_EQ(run["bones"][0]["poses"].size(), 3u);
+  EXPECT_EQ(run["frames"].size(), 2u);
+  EXPECT_EQ(run["crossings"][2][0]["triangle_pairs"], written.pairs);
+  EXPECT_FALSE(ScriptText(html, "numbers").empty());
+}
+
+TEST(Page, NamesCannotEndTheScript) {
+  const std::string name = "<img src=x onerror=alert(1)><!--<script>";
+  const std::string html =
+      PageHtml({Read(WriteRun(TestTempDir(), name).dir)}, {});
+  EXPECT_THAT(html, Not(HasSubstr("<img src=x")));
+  EXPECT_EQ(Json::parse(ScriptText(html, "runs"))["runs"][0]["muscles"][0]
+                       ["name"],
+            name);
+}
+
+TEST(Page, ViewsFollowTheAxesOfTheScene) {
+  const WrittenRun written = WriteRun(TestTempDir());
+  const auto lateral = [&](const PageOptions& options) {
+    const Json data = Json::parse(
+        ScriptText(PageHtml({Read(written.dir)}, options), "runs"));
+    return data["views"]["lateral"]["toward_viewer"];
+  };
+  // The scene has z to the right and is of a left leg.
+  EXPECT_EQ(lateral({}), Json({0.0, 0.0, -1.0}));
+  PageOptions options;
+  options.axes = "LPS";
+  EXPECT_EQ(lateral(options), Json({1.0, 0.0, 0.0}));
+  options.side = "right";
+  EXPECT_EQ(lateral(options), Json({-1.0, 0.0, 0.0}));
+  options.axes = "LPP";
+  ExpectInputError([&] { lateral(options); }, {"--axes", "LPP"});
+}
+
+TEST(Page, IsTheSameForTheSameRun) {
+  const WrittenRun written = WriteRun(TestTempDir());
+  EXPECT_EQ(PageHtml({Read(written.dir)}, {}),
+            PageHtml({Read(written.dir)}, {}));
+}
+
+}  // namespace
+}  // namespace musclewarp
