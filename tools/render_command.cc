@@ -242,10 +242,9 @@ void Render(const RenderRequest& request, std::ostream& log) {
   const RunFiles run = request.in.empty()
                            ? FilesAsRun(request.files)
                            : FindRunFiles(request.in, request.frames);
-  const View view =
-      ParseView(request.view,
-                request.axes.empty() ? run.axes : request.axes,
-                request.side.empty() ? run.side : request.side);
+  const View view = ParseView(request.view,
+                              request.axes.empty() ? run.axes : request.axes,
+                              request.side.empty() ? run.side : request.side);
   const std::map<std::string, PictureMesh> looks =
       Looks(request, run, &options);
   const std::vector<PicturePanel> panels =

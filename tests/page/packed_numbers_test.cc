@@ -57,8 +57,8 @@ std::vector<int> Unpacked(const std::string& bytes,
     }
     const auto half = static_cast<std::int64_t>(code >> 1);
     const std::int64_t difference = code & 1 ? -half - 1 : half;
-    numbers.push_back(static_cast<int>(
-        difference + (i < stride ? 0 : numbers[i - stride])));
+    numbers.push_back(
+        static_cast<int>(difference + (i < stride ? 0 : numbers[i - stride])));
   }
   return numbers;
 }
@@ -88,7 +88,8 @@ TEST(PackedNumbers, WhatDoesNotMoveCostsAByteANumber) {
   PackedNumbers packed;
   const std::vector<int> pose = {100000, -200000, 300000};
   std::vector<int> poses;
-  for (int i = 0; i < 10; ++i) poses.insert(poses.end(), pose.begin(), pose.end());
+  for (int i = 0; i < 10; ++i)
+    poses.insert(poses.end(), pose.begin(), pose.end());
   packed.Add(poses, 3);
   const auto next = packed.Add(std::vector<int>{7}, 1);
   EXPECT_EQ(next["at"], 3 * 3 + 9 * 3);

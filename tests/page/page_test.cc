@@ -49,16 +49,16 @@ TEST(Page, NamesCannotEndTheScript) {
   const std::string html =
       PageHtml({Read(WriteRun(TestTempDir(), name).dir)}, {});
   EXPECT_THAT(html, Not(HasSubstr("<img src=x")));
-  EXPECT_EQ(Json::parse(ScriptText(html, "runs"))["runs"][0]["muscles"][0]
-                       ["name"],
-            name);
+  EXPECT_EQ(
+      Json::parse(ScriptText(html, "runs"))["runs"][0]["muscles"][0]["name"],
+      name);
 }
 
 TEST(Page, ViewsFollowTheAxesOfTheScene) {
   const WrittenRun written = WriteRun(TestTempDir());
   const auto lateral = [&](const PageOptions& options) {
-    const Json data = Json::parse(
-        ScriptText(PageHtml({Read(written.dir)}, options), "runs"));
+    const Json data =
+        Json::parse(ScriptText(PageHtml({Read(written.dir)}, options), "runs"));
     return data["views"]["lateral"]["toward_viewer"];
   };
   // The scene has z to the right and is of a left leg.

@@ -71,8 +71,7 @@ TEST(RecordedRun, SaysWhereTheReportIsAnother) {
   WrittenRun written = WriteRun(TestTempDir());
   written.report["frames"][1]["intersections"]["triangle_pairs"] = 3;
   written.WriteReport();
-  EXPECT_THAT(Read(written.dir).warnings,
-              ElementsAre(HasSubstr("frame_0001")));
+  EXPECT_THAT(Read(written.dir).warnings, ElementsAre(HasSubstr("frame_0001")));
 }
 
 TEST(RecordedRun, IsReadAsFarAsItCame) {
@@ -99,8 +98,7 @@ TEST(RecordedRun, DamagedReportsAreNamed) {
   const auto refused = [&](const std::vector<std::string>& words) {
     ExpectInputError([&] { Read(dir); }, words);
   };
-  WriteTextAtomically(dir + "/report.json",
-                      good.report.dump().substr(0, 900));
+  WriteTextAtomically(dir + "/report.json", good.report.dump().substr(0, 900));
   refused({"report.json", "is not JSON", "line 1"});
   for (const auto& key : good.report.items()) {
     WrittenRun bad = good;

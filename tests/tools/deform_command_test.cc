@@ -84,8 +84,7 @@ Json SummaryAfter(const DeformOptions& options,
 
 TEST(DeformCommand, AnInterruptedRunSaysSoAndGoesOn) {
   DeformOptions options = SmallRun();
-  const Json summary =
-      SummaryAfter(options, [] { std::raise(SIGTERM); });
+  const Json summary = SummaryAfter(options, [] { std::raise(SIGTERM); });
   EXPECT_THAT(summary["stopped"], HasSubstr("SIGTERM"));
   const std::string page = FileText(options.out + "/report.html");
   EXPECT_THAT(page, HasSubstr("interrupted by SIGTERM"));

@@ -89,8 +89,7 @@ std::vector<MuscleLines> NamedLines(const PreparedScene& scene,
     const MuscleModel& model = scene.muscles[i].model;
     MuscleLines lines{model.name, {}, frame.muscles[i].fibres};
     for (size_t k = 0; k < model.lines.size(); ++k) {
-      lines.lines.push_back(
-          {model.lines[k].name, frame.muscles[i].lines[k]});
+      lines.lines.push_back({model.lines[k].name, frame.muscles[i].lines[k]});
     }
     muscles.push_back(std::move(lines));
   }

@@ -61,8 +61,8 @@ Json MuscleJson(const RecordedMuscle& muscle,
     for (const double gap : muscle.gaps[pose]) {
       // Rounded away from zero: what is inside stays inside.
       const double steps = gap / kGapStep;
-      gaps.push_back(static_cast<int>(std::max(
-          -100.0, steps < 0 ? std::floor(steps) : std::ceil(steps))));
+      gaps.push_back(static_cast<int>(
+          std::max(-100.0, steps < 0 ? std::floor(steps) : std::ceil(steps))));
     }
     lines.emplace_back();
     for (const NamedLine& line : muscle.lines[pose].lines) {
@@ -183,12 +183,8 @@ Json ViewsJson(const RecordedRun& run, const PageOptions& options) {
   const std::string axes = chosen(options.axes, "axes");
   const std::string side = chosen(options.side, "side");
   Json views;
-  for (const char* name : {"anterior",
-                           "posterior",
-                           "lateral",
-                           "medial",
-                           "superior",
-                           "inferior"}) {
+  for (const char* name :
+       {"anterior", "posterior", "lateral", "medial", "superior", "inferior"}) {
     const View view = ParseView(name, axes, side);
     views[name] = {{"toward_viewer", ToJson(view.toward_viewer)},
                    {"up", ToJson(view.up)}};
@@ -202,7 +198,8 @@ PageData PageDataOf(const std::vector<RecordedRun>& runs,
                     const PageOptions& options) {
   PackedNumbers packed;
   PageData data;
-  data.json = {{"views", ViewsJson(runs.at(0), options)}, {"runs", Json::array()}};
+  data.json = {{"views", ViewsJson(runs.at(0), options)},
+               {"runs", Json::array()}};
   for (const RecordedRun& run : runs) {
     data.json["runs"].push_back(RunJson(run, options, &packed));
   }

@@ -50,9 +50,8 @@ void CheckReport(const JsonField& report) {
     report.At(key).AsString();
   }
   // Throws if that is not what it should be.
-  ParseView("anterior",
-            report.At("axes").AsString(),
-            report.At("side").AsString());
+  ParseView(
+      "anterior", report.At("axes").AsString(), report.At("side").AsString());
   report.At("machine").At("processor").AsString();
   report.At("machine").At("cores").AsNumber();
   const JsonField prepare = report.At("prepare");
@@ -182,22 +181,21 @@ class PoseReader {
       RecordedMuscle& muscle = run_->muscles[i];
       const std::string file = MeshOf(files, folder, muscle.name);
       muscle.points.push_back(Moved(file, meshes_[i].get()));
-      if (!muscle.lines.empty() &&
-          !HaveSameSizes(muscle.lines[0], lines[i])) {
-        throw InputError((fs::path(folder) / kLinesFile).string(),
-                         "has other lines of \"" + muscle.name +
-                             "\" than at rest",
-                         kRunAgain);
+      if (!muscle.lines.empty() && !HaveSameSizes(muscle.lines[0], lines[i])) {
+        throw InputError(
+            (fs::path(folder) / kLinesFile).string(),
+            "has other lines of \"" + muscle.name + "\" than at rest",
+            kRunAgain);
       }
       muscle.lines.push_back(std::move(lines[i]));
     }
     for (std::size_t i = 0; i < run_->bones.size(); ++i) {
       RecordedBone& bone = run_->bones[i];
       const std::string file = MeshOf(files, folder, bone.name);
-      bone.from_rest.push_back(RigidMotion(
-          file,
-          bone.rest.points,
-          Moved(file, meshes_[muscles_.size() + i].get())));
+      bone.from_rest.push_back(
+          RigidMotion(file,
+                      bone.rest.points,
+                      Moved(file, meshes_[muscles_.size() + i].get())));
     }
     Measure();
   }

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/geometry/view.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/render/image.h"
-#include "musclewarp/geometry/view.h"
 
 namespace musclewarp {
 

@@ -16,7 +16,7 @@ namespace musclewarp {
 // What a run did, for report.json (docs/report.md describes the keys).
 struct RunRecord {
   std::string solver;
-  std::string command;      // that runs it again
+  std::string command;                         // that runs it again
   std::map<std::string, std::string> options;  // all flags by name
   std::string inputs_hash;  // of all files read and options that matter
   const PreparedScene* scene = nullptr;
