@@ -1,32 +1,31 @@
 # musclewarp_page_bundle(<file.cc>) makes a source file that holds the page of
 # tools/report (see page/page.h). Node.js bundles the page; without it the page
 # that a source package brings along is taken (scripts/package.sh).
-set(MUSCLEWARP_REPORT_PAGE "" CACHE FILEPATH
-    "A page.html to embed, instead of making it with Node.js")
+option(MUSCLEWARP_WITH_NODE "Make the report page, with Node.js" ON)
+if(MUSCLEWARP_WITH_NODE)
+  find_program(MUSCLEWARP_NODE NAMES node nodejs)
+  find_program(MUSCLEWARP_NPM npm)
+endif()
 
 function(musclewarp_page_bundle OUTPUT)
   set(SOURCES ${PROJECT_SOURCE_DIR}/tools/report)
   set(PACKAGED ${SOURCES}/packaged/page.html)
-  find_program(MUSCLEWARP_NODE NAMES node nodejs)
-  find_program(MUSCLEWARP_NPM npm)
-  if(MUSCLEWARP_REPORT_PAGE)
-    message(STATUS "Report page: ${MUSCLEWARP_REPORT_PAGE}")
-    set(PAGE ${MUSCLEWARP_REPORT_PAGE})
-  elseif(MUSCLEWARP_NODE AND MUSCLEWARP_NPM)
+  if(MUSCLEWARP_WITH_NODE
+     AND MUSCLEWARP_NODE
+     AND MUSCLEWARP_NPM)
     message(STATUS "Report page: made with ${MUSCLEWARP_NODE}")
     set(PAGE ${PROJECT_BINARY_DIR}/report/page.html)
     _musclewarp_build_page(${SOURCES} ${PAGE})
   elseif(EXISTS ${PACKAGED})
-    message(STATUS "Report page: the one of this package, since there is no "
-                   "Node.js with npm to make it anew")
+    message(STATUS "Report page: the one that came with this package; to make "
+                   "it anew, install Node.js with npm")
     set(PAGE ${PACKAGED})
   else()
     message(
       FATAL_ERROR
-        "The report page needs Node.js 18 or newer and npm (Debian: nodejs, "
-        "npm). Install them, or build from a source package, which has the "
-        "page (scripts/package.sh makes one), or name a page with "
-        "-DMUSCLEWARP_REPORT_PAGE=FILE.")
+        "The report page is made with Node.js 18 or newer and npm (Debian: "
+        "nodejs, npm), and they are not here. Install them, or build from a "
+        "source package, which brings the page (scripts/package.sh makes one).")
   endif()
   set(EMBED ${PROJECT_SOURCE_DIR}/cmake/EmbedPage.cmake)
   add_custom_command(

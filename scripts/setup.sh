@@ -17,8 +17,12 @@ packages="
   libopenmesh-dev libcgal-dev nlohmann-json3-dev libpugixml-dev
   libvtk9-dev libegl-dev libgl1-mesa-dri
   libgtest-dev libgmock-dev libbenchmark-dev
-  clang-format-14
+  clang-format-14 chromium
 "
+# Node.js may have come another way than from Debian, which its npm would not
+# go with.
+command -v node >/dev/null && command -v npm >/dev/null ||
+  packages="$packages nodejs npm"
 
 die() {
   echo "setup: $*" >&2

@@ -15,7 +15,9 @@ import * as esbuild from "esbuild";
 const output = process.argv[2];
 if (!output) throw new Error("usage: node build.mjs OUTPUT.html");
 const target = resolve(output);
-process.chdir(import.meta.dirname ?? dirname(new URL(import.meta.url).pathname));
+process.chdir(
+  import.meta.dirname ?? dirname(new URL(import.meta.url).pathname),
+);
 
 async function bundle(entry) {
   const result = await esbuild.build({
@@ -51,8 +53,7 @@ function licenceOf(folder) {
   return `${name} ${version} (${license})\n\n${readFileSync(file, "utf8").trim()}\n`;
 }
 
-const escaped = (text) =>
-  text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 
 const script = await bundle("src/main.ts");
 const style = await bundle("src/style.css");

@@ -37,6 +37,7 @@ function header(runs: Run[], controls: HTMLElement[]): HTMLElement {
 
 // What the visitor must know before looking.
 function notices(runs: Run[]): HTMLElement[] {
+  const prefix = (run: Run) => (runs.length > 1 ? `${run.folder}: ` : "");
   return runs.flatMap((run) => {
     const texts: string[] = [];
     if (!run.report.summary.finished) texts.push(endOf(run));
@@ -50,7 +51,7 @@ function notices(runs: Run[]): HTMLElement[] {
     }
     texts.push(...run.warnings);
     return texts.map((text) =>
-      element("p", { class: "notice", role: "status" }, `${run.folder}: ${text}`),
+      element("p", { class: "notice", role: "status" }, prefix(run) + text),
     );
   });
 }
@@ -85,9 +86,13 @@ function sayWhatIsClicked(
     from = [event.clientX, event.clientY];
   });
   canvas.addEventListener("click", (event) => {
-    if (Math.hypot(event.clientX - from[0], event.clientY - from[1]) > 4) return;
+    if (Math.hypot(event.clientX - from[0], event.clientY - from[1]) > 4)
+      return;
     const box = canvas.getBoundingClientRect();
-    const picked = viewer.pick(event.clientX - box.left, event.clientY - box.top);
+    const picked = viewer.pick(
+      event.clientX - box.left,
+      event.clientY - box.top,
+    );
     label.textContent = picked
       ? readable(picked.name) + (picked.text ? `: ${picked.text}` : "")
       : "";
@@ -162,14 +167,16 @@ function build(data: PageData): void {
 
 function showError(error: unknown): void {
   const text = error instanceof Error ? error.message : String(error);
-  document.getElementById("page")!.replaceChildren(
-    element(
-      "p",
-      { class: "notice", role: "alert" },
-      `This page cannot be shown: ${text} ` +
-        "Write it again with musclewarp-report, and open it in a current browser with WebGL.",
-    ),
-  );
+  document
+    .getElementById("page")!
+    .replaceChildren(
+      element(
+        "p",
+        { class: "notice", role: "alert" },
+        `This page cannot be shown: ${text} ` +
+          "Write it again with musclewarp-report, and open it in a current browser with WebGL.",
+      ),
+    );
 }
 
 readPageData()

@@ -10,7 +10,8 @@ import { Abscissa, Figure, Series } from "./series";
 // Quoted where commas, quotes or line ends would be taken for others; what a
 // spreadsheet would take for a formula is given as text.
 function csvField(value: string | number): string {
-  if (typeof value === "number") return Number.isFinite(value) ? String(value) : "";
+  if (typeof value === "number")
+    return Number.isFinite(value) ? String(value) : "";
   const text = /^[=+\-@\t]/.test(value) ? `'${value}` : value;
   return /[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
@@ -66,7 +67,11 @@ export function svgText(svg: SVGSVGElement, title: string): string {
   return new XMLSerializer().serializeToString(copy);
 }
 
-export function downloadFigure(name: string, type: "svg" | "csv", text: string) {
+export function downloadFigure(
+  name: string,
+  type: "svg" | "csv",
+  text: string,
+) {
   const mime = type === "svg" ? "image/svg+xml" : "text/csv";
   download(`${name}.${type}`, `${mime};charset=utf-8`, text);
 }

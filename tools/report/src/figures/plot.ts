@@ -160,7 +160,8 @@ function nearest(
   const box = svg.getBoundingClientRect();
   const at =
     ((event.clientX - box.left) / box.width) * svg.viewBox.baseVal.width;
-  const distance = (point: Point) => Math.abs(Number(scale.apply(point.x)) - at);
+  const distance = (point: Point) =>
+    Math.abs(Number(scale.apply(point.x)) - at);
   return points.reduce<Point | null>(
     (best, point) => (!best || distance(point) < distance(best) ? point : best),
     null,

@@ -76,11 +76,17 @@ export function crossingsPanel(
   viewer: () => Viewer | null,
 ): HTMLElement {
   const content = element("div", {});
+  const names = runs.flatMap((run) =>
+    [...run.muscles, ...run.bones].map(({ name }) => name),
+  );
   const go = (place: CrossingPlace) => {
+    // What is in front would hide it.
+    const opacity = Object.fromEntries(names.map((name) => [name, 0.15]));
     store.set({
       playing: false,
       crossings: true,
       hidden: { ...store.state.hidden, [place.a]: false, [place.b]: false },
+      opacity: { ...opacity, [place.a]: 1, [place.b]: 0.4 },
     });
     const view = viewer();
     if (view) fly(place, view);

@@ -103,7 +103,9 @@ export function viewButtons(
     ...viewNames
       .filter((name) => name in data.views)
       .map((name, i) =>
-        button(name, `View from ${name} (${i + 1})`, () => viewer()?.view(name)),
+        button(name, `View from ${name} (${i + 1})`, () =>
+          viewer()?.view(name),
+        ),
       ),
     button("reset", "Reset the view (R)", () => viewer()?.reset()),
   );

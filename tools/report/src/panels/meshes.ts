@@ -81,7 +81,9 @@ export function meshesPanel(
   colors: Map<string, string>,
   store: Store,
 ): HTMLElement {
-  const muscles = new Set(runs.flatMap((run) => run.muscles.map((m) => m.name)));
+  const muscles = new Set(
+    runs.flatMap((run) => run.muscles.map((m) => m.name)),
+  );
   const bones = new Map(
     runs.flatMap((run) =>
       run.bones.map((bone) => {
@@ -107,12 +109,20 @@ export function meshesPanel(
   return section(
     "Meshes",
     "meshes",
-    group("Muscles", [...muscles], row(() => ""), store),
+    group(
+      "Muscles",
+      [...muscles],
+      row(() => ""),
+      store,
+    ),
     group(
       "Bones",
       [...bones.keys()],
       row((name) => bones.get(name)!),
       store,
+    ),
+    button("all opaque", "Take back all fading", () =>
+      store.set({ opacity: {} }),
     ),
     element(
       "p",

@@ -44,7 +44,8 @@ export function endOf(run: Run): string {
   const planned = frames_planned ? ` of ${frames_planned}` : "";
   return (
     `stopped after ${run.frames.length}${planned} frames: ` +
-    (stopped ?? "the program ended without saying why (killed, or still running)")
+    (stopped ??
+      "the program ended without saying why (killed, or still running)")
   );
 }
 
@@ -85,36 +86,36 @@ function repairs(meshes: MeshReport[]): HTMLElement {
     "div",
     { class: "scrolls" },
     element(
-    "table",
-    { class: "repairs" },
-    element(
-      "thead",
-      {},
+      "table",
+      { class: "repairs" },
       element(
-        "tr",
+        "thead",
         {},
-        ...["mesh", "as delivered", "repairs"].map((title) =>
-          element("th", { scope: "col" }, title),
-        ),
-      ),
-    ),
-    element(
-      "tbody",
-      {},
-      ...meshes.map(({ name, defects, repairs }) => {
-        const { components, ...others } = defects;
-        const found = nonZero(
-          Number(components) > 1 ? { ...others, components } : others,
-        );
-        return element(
+        element(
           "tr",
           {},
-          element("th", { scope: "row" }, readable(name)),
-          element("td", {}, found || "nothing wrong"),
-          element("td", {}, nonZero(repairs) || "none"),
-        );
-      }),
-    ),
+          ...["mesh", "as delivered", "repairs"].map((title) =>
+            element("th", { scope: "col" }, title),
+          ),
+        ),
+      ),
+      element(
+        "tbody",
+        {},
+        ...meshes.map(({ name, defects, repairs }) => {
+          const { components, ...others } = defects;
+          const found = nonZero(
+            Number(components) > 1 ? { ...others, components } : others,
+          );
+          return element(
+            "tr",
+            {},
+            element("th", { scope: "row" }, readable(name)),
+            element("td", {}, found || "nothing wrong"),
+            element("td", {}, nonZero(repairs) || "none"),
+          );
+        }),
+      ),
     ),
   );
 }

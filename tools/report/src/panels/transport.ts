@@ -11,7 +11,11 @@ import { Store } from "../state";
 import { certificateLegend, certificateStrip } from "./certificate";
 
 // "frame 3 of 36 · t=0.03 · hip_flexion_r -4 degrees"
-export function momentText(runs: Run[], timeline: Moment[], at: number): string {
+export function momentText(
+  runs: Run[],
+  timeline: Moment[],
+  at: number,
+): string {
   const { frame, name } = timeline[at];
   if (!frame) return "rest, as the meshes came";
   const coordinates = runs
@@ -72,9 +76,14 @@ export function transport(
       button(icon("first"), "Rest (Home)", () => player.goTo(0)),
       button(icon("back"), "Frame before (left arrow)", () => player.step(-1)),
       play,
-      button(icon("forward"), "Next frame (right arrow)", () => player.step(1), {
-        id: "next",
-      }),
+      button(
+        icon("forward"),
+        "Next frame (right arrow)",
+        () => player.step(1),
+        {
+          id: "next",
+        },
+      ),
       button(icon("last"), "Last frame (End)", () =>
         player.goTo(timeline.length - 1),
       ),

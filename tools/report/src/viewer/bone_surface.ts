@@ -37,11 +37,23 @@ export class BoneSurface {
     const rows = this.bone.poses[pose];
     this.mesh.matrix.set(
       ...(rows as [
-        number, number, number, number,
-        number, number, number, number,
-        number, number, number, number,
+        number,
+        number,
+        number,
+        number,
+        number,
+        number,
+        number,
+        number,
+        number,
+        number,
+        number,
+        number,
       ]),
-      0, 0, 0, 1,
+      0,
+      0,
+      0,
+      1,
     );
     this.mesh.updateMatrixWorld(true);
   }

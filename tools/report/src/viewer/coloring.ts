@@ -45,7 +45,11 @@ function areasAround(muscle: Muscle, points: Float32Array): Float32Array {
   const areas = new Float32Array(muscle.vertices);
   const { triangles } = muscle;
   for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
+    const [a, b, c] = [
+      3 * triangles[t],
+      3 * triangles[t + 1],
+      3 * triangles[t + 2],
+    ];
     const ux = points[b] - points[a];
     const uy = points[b + 1] - points[a + 1];
     const uz = points[b + 2] - points[a + 2];

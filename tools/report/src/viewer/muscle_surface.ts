@@ -97,12 +97,7 @@ export class MuscleSurface {
     const { material } = this.mesh;
     const byVertex = scale !== null;
     if (byVertex) {
-      colorize(
-        scale,
-        this.muscle,
-        pose,
-        this.colors.array as Float32Array,
-      );
+      colorize(scale, this.muscle, pose, this.colors.array as Float32Array);
       this.colors.needsUpdate = true;
     }
     if (material.vertexColors !== byVertex) {

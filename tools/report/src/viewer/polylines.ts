@@ -14,7 +14,10 @@ import { lineOrder } from "./render_order";
 // Points of polylines, doubled where two segments meet.
 function segments(polylines: Polylines, pose: number): Float32Array {
   const points = polylines.at(pose);
-  const pieces = polylines.counts.reduce((sum, n) => sum + Math.max(0, n - 1), 0);
+  const pieces = polylines.counts.reduce(
+    (sum, n) => sum + Math.max(0, n - 1),
+    0,
+  );
   const ends = new Float32Array(6 * pieces);
   let from = 0;
   let to = 0;

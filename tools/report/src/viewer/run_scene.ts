@@ -148,11 +148,7 @@ export class RunScene {
     return box;
   }
 
-  private show(
-    mesh: BoneSurface["mesh"],
-    state: State,
-    factor: number,
-  ): void {
+  private show(mesh: BoneSurface["mesh"], state: State, factor: number): void {
     const opacity = factor * (state.opacity[mesh.name] ?? 1);
     mesh.visible = !state.hidden[mesh.name] && opacity > 0;
     mesh.material.opacity = opacity;
@@ -177,4 +173,3 @@ export class RunScene {
     return byMuscle;
   }
 }
-

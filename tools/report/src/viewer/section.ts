@@ -76,7 +76,9 @@ export function cutSegments(mesh: Mesh, plane: Plane): Float32Array {
       if (heights[a] >= 0 === heights[b] >= 0) continue;
       const part = heights[a] / (heights[a] - heights[b]);
       for (let c = 0; c < 3; ++c) {
-        ends.push(world[3 * a + c] + part * (world[3 * b + c] - world[3 * a + c]));
+        ends.push(
+          world[3 * a + c] + part * (world[3 * b + c] - world[3 * a + c]),
+        );
       }
     }
   }

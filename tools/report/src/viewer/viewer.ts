@@ -23,7 +23,6 @@ import { VertexScale, vertexScale } from "./coloring";
 import { Resolution } from "./resolution";
 import { RunScene } from "./run_scene";
 
-
 interface Pane {
   left: number;
   bottom: number;

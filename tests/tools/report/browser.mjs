@@ -1,0 +1,161 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+
+// A headless browser, and what can be seen in its pictures.
+
+import { mkdirSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+
+const require = createRequire(
+  new URL("../../../tools/report/package.json", import.meta.url),
+);
+const { chromium } = require("playwright-core");
+
+const screenshots = process.env.MUSCLEWARP_SCREENSHOTS;
+
+export class Browser {
+  static async launch() {
+    const made = new Browser();
+    made.browser = await chromium.launch({
+      executablePath: process.env.MUSCLEWARP_CHROMIUM,
+      args: [
+        "--no-sandbox", // tests may run as root
+        "--disable-gpu",
+        "--enable-unsafe-swiftshader", // WebGL without a graphics card
+        "--no-first-run",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+      ],
+    });
+    // Decodes pictures.
+    made.eye = await made.browser.newPage();
+    made.contexts = [];
+    return made;
+  }
+
+  async closePages() {
+    await Promise.all(this.contexts.splice(0).map((each) => each.close()));
+  }
+
+  close() {
+    return this.browser.close();
+  }
+
+  // Opens a page from disk. What it says on the console, throws or asks the
+  // network for is in `complaints`.
+  async open(file, options = {}) {
+    const context = await this.browser.newContext({
+      viewport: { width: 1280, height: 800 },
+      reducedMotion: "reduce",
+      acceptDownloads: true,
+      ...options,
+    });
+    this.contexts.push(context);
+    const page = await context.newPage();
+    page.complaints = [];
+    page.on("console", (message) => {
+      // Drivers complain of pictures being read, which only tests do.
+      const isOurs = !message.text().includes("GL Driver Message");
+      if (["error", "warning"].includes(message.type()) && isOurs) {
+        page.complaints.push(message.text());
+      }
+    });
+    page.on("pageerror", (error) => page.complaints.push(String(error)));
+    page.on("request", (request) => {
+      const url = request.url();
+      if (url !== `file://${file}` && !/^(data|blob):/.test(url)) {
+        page.complaints.push(`request of ${url}`);
+      }
+    });
+    page.on("dialog", (dialog) => {
+      page.complaints.push(`dialog ${dialog.message()}`);
+      void dialog.dismiss();
+    });
+    await page.goto(`file://${file}`);
+    return page;
+  }
+
+  // The same, ready to be used.
+  async openReady(file, options = {}) {
+    const page = await this.open(file, options);
+    await page.waitForSelector("html[data-ready]");
+    await this.settle(page);
+    return page;
+  }
+
+  // Until the last picture is drawn, in its final resolution.
+  async settle(page) {
+    await page.waitForTimeout(500);
+  }
+
+  async keep(page, name, options = {}) {
+    if (!screenshots) return;
+    mkdirSync(screenshots, { recursive: true });
+    await page.screenshot({
+      path: join(screenshots, `${name}.png`),
+      ...options,
+    });
+  }
+
+  // The canvas as { width, height, data: RGBA }.
+  async look(page) {
+    await this.settle(page);
+    const png = await page.locator("#view").screenshot();
+    const { width, height, data } = await this.eye.evaluate(async (base64) => {
+      const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes]));
+      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+      const context = canvas.getContext("2d");
+      context.drawImage(bitmap, 0, 0);
+      const image = context.getImageData(0, 0, bitmap.width, bitmap.height);
+      let text = "";
+      for (let i = 0; i < image.data.length; i += 8192) {
+        text += String.fromCharCode(...image.data.subarray(i, i + 8192));
+      }
+      return { width: bitmap.width, height: bitmap.height, data: btoa(text) };
+    }, png.toString("base64"));
+    return { width, height, data: Buffer.from(data, "base64") };
+  }
+}
+
+// Pixels that are the colour [r, g, b] in more or less light: shading scales
+// the three alike.
+export function countOf(picture, color) {
+  const largest = Math.max(...color);
+  const { data } = picture;
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    const brightest = Math.max(data[i], data[i + 1], data[i + 2]);
+    if (brightest < 60) continue;
+    const isAlike = [0, 1, 2].every(
+      (k) => Math.abs(data[i + k] / brightest - color[k] / largest) < 0.06,
+    );
+    if (isAlike) ++count;
+  }
+  return count;
+}
+
+// The red of crossing triangles, where nothing shines through.
+export const countRed = (picture) => countOf(picture, [255, 0, 0]);
+
+export function differentPixels(a, b) {
+  let count = 0;
+  for (let i = 0; i < a.data.length; i += 4) {
+    if ([0, 1, 2].some((k) => Math.abs(a.data[i + k] - b.data[i + k]) > 8)) {
+      ++count;
+    }
+  }
+  return count;
+}
+
+// A part of a picture, as large as the part of a pane.
+export function cut(picture, left, top, width, height) {
+  const data = Buffer.alloc(4 * width * height);
+  for (let y = 0; y < height; ++y) {
+    const from = 4 * ((top + y) * picture.width + left);
+    picture.data.copy(data, 4 * y * width, from, from + 4 * width);
+  }
+  return { width, height, data };
+}

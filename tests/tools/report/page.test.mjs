@@ -1,0 +1,592 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+
+// The page in a browser: the embedded scene.
+
+import assert from "node:assert/strict";
+import { cpSync, readFileSync, renameSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, afterEach, before, describe, test } from "node:test";
+
+import {
+  Browser,
+  countOf,
+  countRed,
+  cut,
+  differentPixels,
+} from "./browser.mjs";
+import {
+  dataDir,
+  deform,
+  readReport,
+  workDir,
+  writePage,
+  writeReport,
+} from "./programs.mjs";
+
+const run = join(workDir, "motion");
+const html = join(run, "report.html");
+let browser;
+
+before(async () => {
+  const scene = join(dataDir, "phantom", "motion.json");
+  assert.equal(
+    deform(`--scene=${scene}`, `--out=${run}`, "--fibres=20", "--html"),
+    0,
+  );
+  browser = await Browser.launch();
+});
+
+after(() => browser?.close());
+afterEach(() => browser?.closePages());
+
+// Without what is drawn over the surfaces.
+async function openPlain(file = html, options = {}) {
+  const page = await browser.openReady(file, options);
+  await page.locator("#show-lines").uncheck();
+  await page.locator("#show-crossings").uncheck();
+  return page;
+}
+
+// By name: the colour the list of meshes gives.
+function swatches(page) {
+  return page.$$eval("#meshes li", (items) =>
+    Object.fromEntries(
+      items.map((item) => [
+        item.dataset.mesh,
+        getComputedStyle(item.querySelector(".swatch"))
+          .backgroundColor.match(/\d+/g)
+          .slice(0, 3)
+          .map(Number),
+      ]),
+    ),
+  );
+}
+
+const frameShown = async (page) => Number(await page.inputValue("#slider"));
+
+// Waits for a text, however the page breaks its lines.
+function hasText(page, text) {
+  return page.waitForFunction(
+    (wanted) => document.body.innerText.includes(wanted),
+    text,
+  );
+}
+
+describe("the page", () => {
+  test("opens from disk without complaint or request", async () => {
+    const page = await browser.openReady(html);
+    await browser.keep(page, "embedded");
+    await browser.keep(page, "embedded_whole", { fullPage: true });
+    assert.deepEqual(page.complaints, []);
+    assert.equal(await page.title(), "hip_motion: musclewarp");
+  });
+
+  test("shows every muscle and bone in its colour", async () => {
+    const page = await openPlain();
+    const colors = await swatches(page);
+    assert.equal(Object.keys(colors).length, 5);
+    const picture = await browser.look(page);
+    for (const [name, color] of Object.entries(colors)) {
+      assert.ok(countOf(picture, color) > 200, `${name} is not seen`);
+    }
+  });
+
+  test("hides and fades a muscle", async () => {
+    const page = await openPlain();
+    const color = (await swatches(page)).gluteus_medius_r;
+    const shown = countOf(await browser.look(page), color);
+    const item = page.locator('[data-mesh="gluteus_medius_r"]');
+    await item.locator("input[type=checkbox]").uncheck();
+    assert.equal(countOf(await browser.look(page), color), 0);
+    await item.locator("input[type=checkbox]").check();
+    assert.equal(countOf(await browser.look(page), color), shown);
+    await item.locator("input[type=range]").fill("0.2");
+    assert.ok(countOf(await browser.look(page), color) < shown / 2);
+  });
+
+  test("plays, steps and scrubs", async () => {
+    const page = await openPlain();
+    await page.locator("#slider").fill("0");
+    const rest = await browser.look(page);
+    await page.locator("#next").click();
+    assert.equal(await frameShown(page), 1);
+    assert.ok(differentPixels(rest, await browser.look(page)) > 100);
+    await page.locator("#play").click();
+    await page.waitForFunction(
+      () => Number(document.querySelector("#slider").value) >= 4,
+    );
+    await page.locator("#play").click();
+    const paused = await frameShown(page);
+    await browser.settle(page);
+    assert.equal(await frameShown(page), paused);
+    await page.locator("#slider").fill("15");
+    await hasText(page, "hip_flexion_r 60.00 degrees");
+  });
+
+  test("goes round when it plays to the end", async () => {
+    const page = await openPlain();
+    await page.locator("#slider").fill("15");
+    await page.locator("#play").click();
+    await page.waitForFunction(() => {
+      const frame = Number(document.querySelector("#slider").value);
+      return frame >= 1 && frame < 15; // rest is no part of the motion
+    });
+  });
+
+  test("a click on a plot moves the slider", async () => {
+    const page = await browser.openReady(html);
+    const plot = page.locator("#figure-line-lengths svg[viewBox]").first();
+    await plot.scrollIntoViewIfNeeded();
+    const box = await plot.boundingBox();
+    // The right end of the axis is the last frame, its left end the first.
+    await page.mouse.click(box.x + box.width - 20, box.y + box.height / 2);
+    assert.equal(await frameShown(page), 15);
+    await page.mouse.click(box.x + 62, box.y + box.height / 2);
+    assert.equal(await frameShown(page), 1);
+    const mark = await page.$eval("#figure-line-lengths .cursor", (line) =>
+      Number(line.getAttribute("x1")),
+    );
+    assert.ok(Math.abs(mark - 62) < 1);
+  });
+
+  test("every figure is there, with its curves", async () => {
+    const page = await browser.openReady(html);
+    const figures = await page.$$eval(".figure", (all) =>
+      all.map((figure) => figure.id),
+    );
+    assert.deepEqual(figures, [
+      "figure-volume-ratio",
+      "figure-crossing-pairs",
+      "figure-gap",
+      "figure-line-lengths",
+      "figure-moment-arms-hip_flexion_r",
+      "figure-time",
+    ]);
+    const curves = () =>
+      page.locator("#figure-line-lengths [aria-label=line] path").count();
+    assert.equal(await curves(), 7);
+    await page.locator(".chips label").nth(2).click(); // the psoas, one line
+    assert.equal(await curves(), 6);
+  });
+
+  test("the certificate equals report.json", async () => {
+    // Frames of every kind, by hand: the page must tell what the report says.
+    const other = join(workDir, "verdicts");
+    cpSync(run, other, { recursive: true });
+    const report = readReport(other);
+    const nothing = { triangle_pairs: 0, vertices_inside: 0, pairs: [] };
+    for (const i of [2, 3, 7]) {
+      Object.assign(report.frames[i].intersections, nothing);
+    }
+    report.frames[5].usable = false;
+    writeReport(other, report);
+    const page = await browser.openReady(
+      writePage(other, join(workDir, "verdicts.html")),
+    );
+    const verdicts = await page.$$eval(".strip .mark", (marks) =>
+      marks.map((mark) => mark.dataset.verdict),
+    );
+    const isClean = ({ triangle_pairs, vertices_inside }) =>
+      triangle_pairs === 0 && vertices_inside === 0;
+    const expected = [
+      isClean(report.rest.intersections) ? "clean" : "crossing",
+      ...report.frames.map((frame) =>
+        !frame.usable
+          ? "unusable"
+          : isClean(frame.intersections)
+            ? "clean"
+            : "crossing",
+      ),
+    ];
+    assert.deepEqual(verdicts, expected);
+    assert.ok(expected.includes("clean") && expected.includes("unusable"));
+    await page.locator(".strip .mark").nth(8).click();
+    assert.equal(await frameShown(page), 8);
+    // What the files say otherwise is told.
+    await hasText(page, "report.json says 0");
+    await browser.keep(page, "verdicts");
+  });
+
+  test("crossing triangles are red, and the list flies there", async () => {
+    const page = await browser.openReady(html);
+    await page.getByRole("button", { name: "Hide all bones" }).click();
+    const before = await browser.look(page);
+    assert.ok(countRed(before) > 100);
+    await page.locator(".place").first().click();
+    const there = await browser.look(page);
+    assert.ok(differentPixels(before, there) > 10000);
+    assert.ok(countRed(there) > 100);
+    await browser.keep(page, "crossing");
+    await page.locator("#show-crossings").uncheck();
+    assert.equal(countRed(await browser.look(page)), 0);
+    const report = readReport(run);
+    const { triangle_pairs } = report.frames[0].intersections;
+    await hasText(page, `${triangle_pairs} crossing triangle pairs`);
+  });
+
+  test("colours muscles by figures, with legend and unit", async () => {
+    const page = await openPlain();
+    const { gluteus_medius_r } = await swatches(page);
+    for (const [coloring, words] of [
+      ["displacement", "displacement from rest, mm"],
+      ["stretch", "area, to that at rest"],
+      ["gap", "gap to the nearest mesh, mm"],
+      ["contact", "contact"],
+    ]) {
+      await page.locator("#coloring").selectOption(coloring);
+      await page.locator("#slider").fill("15");
+      const picture = await browser.look(page);
+      assert.equal(await page.locator(".legend figcaption").innerText(), words);
+      assert.ok(countOf(picture, gluteus_medius_r) < 200, coloring);
+      await browser.keep(page, `colour_${coloring}`);
+    }
+    // Parts of the embedded muscles are inside bones: orange.
+    await page.getByRole("button", { name: "Hide all bones" }).click();
+    assert.ok(countOf(await browser.look(page), [255, 140, 26]) > 50);
+    await page.locator("#coloring").selectOption("name");
+    assert.ok(await page.locator(".legend").isHidden());
+  });
+
+  test("a click says what is there", async () => {
+    const page = await openPlain();
+    await page.locator("#coloring").selectOption("gap");
+    const box = await page.locator("#view").boundingBox();
+    await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    assert.match(
+      await page.locator(".picked").innerText(),
+      /^(gluteus medius r: .* mm|pelvis|femur r)/,
+    );
+    await page.mouse.click(box.x + 5, box.y + 5);
+    assert.equal(await page.locator(".picked").textContent(), "");
+  });
+
+  test("shows action lines and fibres", async () => {
+    const page = await openPlain();
+    const plain = await browser.look(page);
+    await page.locator("#show-lines").check();
+    assert.ok(differentPixels(plain, await browser.look(page)) > 300);
+    await page.locator("#show-lines").uncheck();
+    await page.locator("#show-fibres").check();
+    assert.ok(differentPixels(plain, await browser.look(page)) > 300);
+    await browser.keep(page, "fibres");
+  });
+
+  test("a section shows what is cut, filled", async () => {
+    const page = await openPlain();
+    await page.getByRole("button", { name: /from superior/ }).click();
+    await page.locator("#section-axis").selectOption("superior");
+    const colors = await swatches(page);
+    await page.locator("#section-place").fill("0.55");
+    const high = await browser.look(page);
+    await browser.keep(page, "section");
+    await page.locator("#section-place").fill("0.45");
+    assert.ok(differentPixels(high, await browser.look(page)) > 300);
+    // Above everything nothing is cut; flipped, all of it is.
+    await page.locator("#section-place").fill("1");
+    assert.ok(countOf(await browser.look(page), colors.gluteus_medius_r) > 100);
+    await page.getByRole("button", { name: "Keep the other side" }).click();
+    assert.equal(countOf(await browser.look(page), colors.gluteus_medius_r), 0);
+  });
+
+  test("views, turning and resetting", async () => {
+    const page = await openPlain();
+    const start = await browser.look(page);
+    const pictures = [];
+    for (const name of ["anterior", "posterior", "medial", "superior"]) {
+      await page.getByRole("button", { name: `View from ${name}` }).click();
+      pictures.push(await browser.look(page));
+    }
+    pictures.reduce((before, now) => {
+      assert.ok(differentPixels(before, now) > 1000);
+      return now;
+    }, start);
+    const box = await page.locator("#view").boundingBox();
+    const center = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(...center);
+    await page.mouse.down();
+    await page.mouse.move(center[0] + 100, center[1] + 30);
+    await page.mouse.up();
+    const turned = await browser.look(page);
+    assert.ok(differentPixels(pictures.at(-1), turned) > 1000);
+    await page.mouse.wheel(0, -300);
+    assert.ok(differentPixels(turned, await browser.look(page)) > 1000);
+    await page.getByRole("button", { name: /Reset/ }).click();
+    assert.ok(differentPixels(start, await browser.look(page)) < 50);
+  });
+
+  test("is used by keyboard", async () => {
+    const page = await browser.openReady(html);
+    const press = (key) => page.keyboard.press(key);
+    await press("Home");
+    assert.equal(await frameShown(page), 0);
+    await press("ArrowRight");
+    await press("ArrowRight");
+    assert.equal(await frameShown(page), 2);
+    await press("ArrowLeft");
+    assert.equal(await frameShown(page), 1);
+    await press("End");
+    assert.equal(await frameShown(page), 15);
+    await press("c");
+    assert.equal(await page.inputValue("#coloring"), "displacement");
+    await press("p");
+    assert.equal(await page.inputValue("#section-axis"), "anterior");
+    await press("x");
+    assert.equal(await page.isChecked("#show-crossings"), false);
+    const before = await browser.look(page);
+    await press("2");
+    assert.ok(differentPixels(before, await browser.look(page)) > 1000);
+    await press(" ");
+    await page.waitForFunction(
+      () => document.querySelector("#play").title === "Pause (space)",
+    );
+    await press(" ");
+    await press("?");
+    assert.ok(await page.locator("dialog").isVisible());
+    await press("Escape");
+    assert.ok(await page.locator("dialog").isHidden());
+  });
+
+  test("figures are downloaded as SVG and CSV", async () => {
+    const page = await browser.openReady(html);
+    const get = async (type) => {
+      const [download] = await Promise.all([
+        page.waitForEvent("download"),
+        page.locator("#figure-line-lengths").getByText(type).click(),
+      ]);
+      return readFileSync(await download.path(), "utf8");
+    };
+    const rows = (await get("CSV")).trim().split("\n");
+    const report = readReport(run);
+    assert.equal(rows.length, 1 + report.frames.length);
+    const fields = (row) => row.match(/"[^"]*"|[^,]+/g);
+    const columns = fields(rows[0]);
+    const last = report.frames.at(-1);
+    for (const { line_lengths_mm } of last.muscles) {
+      for (const [line, length] of Object.entries(line_lengths_mm)) {
+        const at = columns.indexOf(line);
+        assert.equal(Number(fields(rows.at(-1))[at]), length);
+      }
+    }
+    const svg = await get("SVG");
+    assert.match(svg, /^<svg/);
+    assert.match(svg, /Line lengths/);
+    assert.doesNotMatch(svg, /var\(--(?!plot)/);
+    const drawn = await browser.open(
+      (writeFileSync(join(workDir, "lengths.svg"), svg),
+      join(workDir, "lengths.svg")),
+    );
+    assert.deepEqual(drawn.complaints, []);
+  });
+
+  test("the summary has what a reader asks for", async () => {
+    const page = await browser.openReady(html);
+    const report = readReport(run);
+    for (const text of [
+      report.command,
+      report.inputs_hash,
+      report.machine.processor,
+      "converged: 15 frames",
+      "merged points",
+      "finished, 15 frames",
+    ]) {
+      await hasText(page, text);
+    }
+    await page.locator("#licences summary").click();
+    for (const name of ["three", "@observablehq/plot", "d3-scale"]) {
+      assert.match(
+        await page.locator("#licences pre").innerText(),
+        new RegExp(`^${name} [0-9.]+ \\(`, "m"),
+      );
+    }
+  });
+
+  test("all controls have names", async () => {
+    const page = await browser.openReady(html);
+    const session = await page.context().newCDPSession(page);
+    const { nodes } = await session.send("Accessibility.getFullAXTree");
+    const roles = ["button", "checkbox", "slider", "combobox", "Canvas"];
+    const controls = nodes.filter(
+      ({ ignored, role }) => !ignored && roles.includes(role?.value),
+    );
+    assert.ok(controls.length > 40);
+    const nameless = controls.filter(({ name }) => !name?.value);
+    assert.deepEqual(nameless, []);
+  });
+
+  test("fits a phone, light and dark", async () => {
+    for (const colorScheme of ["light", "dark"]) {
+      const page = await browser.openReady(html, {
+        viewport: { width: 390, height: 844 },
+        isMobile: true,
+        hasTouch: true,
+        colorScheme,
+      });
+      const { wide, background } = await page.evaluate(() => ({
+        wide: document.documentElement.scrollWidth,
+        background: getComputedStyle(document.body).backgroundColor,
+      }));
+      assert.ok(wide <= 390, `${wide} pixels wide`);
+      const light = background.match(/\d+/g).map(Number)[0] > 128;
+      assert.equal(light, colorScheme === "light");
+      assert.ok(await page.locator("#play").isVisible());
+      await browser.keep(page, `phone_${colorScheme}`);
+      await page.locator("#theme").tap();
+      assert.notEqual(
+        await page.evaluate(
+          () => getComputedStyle(document.body).backgroundColor,
+        ),
+        background,
+      );
+      assert.deepEqual(page.complaints, []);
+    }
+  });
+});
+
+describe("two runs", () => {
+  test("stand beside each other under one camera", async () => {
+    const other = join(workDir, "copy");
+    cpSync(run, other, { recursive: true });
+    const page = await openPlain(
+      writePage(run, join(workDir, "both.html"), `--compare=${other}`),
+    );
+    assert.deepEqual(page.complaints, []);
+    const halves = async () => {
+      const picture = await browser.look(page);
+      const half = picture.width >> 1;
+      return [0, picture.width - half].map((left) =>
+        cut(picture, left, 30, half, picture.height - 30),
+      );
+    };
+    const compare = async () => {
+      const [left, right] = await halves();
+      const seen = countOf(left, (await swatches(page)).gluteus_medius_r);
+      assert.ok(seen > 100);
+      // The same run twice; the middle of a pixel may lie elsewhere.
+      assert.ok(differentPixels(left, right) < 0.01 * left.width * left.height);
+      return left;
+    };
+    const first = await compare();
+    const box = await page.locator("#view").boundingBox();
+    await page.mouse.move(box.x + 200, box.y + 200);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 320, box.y + 220);
+    await page.mouse.up();
+    const turned = await compare();
+    assert.ok(differentPixels(first, turned) > 1000);
+    assert.equal(await page.locator(".strip").count(), 2);
+    await browser.keep(page, "two_runs");
+  });
+
+  test("may have frames that the other lacks", async () => {
+    const few = join(workDir, "few");
+    const scene = join(dataDir, "phantom", "motion.json");
+    deform(`--scene=${scene}`, `--out=${few}`, "--frames=0:2");
+    const page = await browser.openReady(
+      writePage(run, join(workDir, "uneven.html"), `--compare=${few}`),
+    );
+    await page.locator("#slider").fill("9");
+    await hasText(page, "This run has no such frame.");
+    const verdicts = await page.$$eval(".strip", (strips) =>
+      strips.map((strip) => strip.children[9].dataset.verdict),
+    );
+    assert.equal(verdicts[1], "missing");
+    assert.deepEqual(page.complaints, []);
+  });
+});
+
+describe("what went wrong", () => {
+  test("a run that stopped half way says why and shows what is there", async () => {
+    const stopped = join(workDir, "stopped");
+    cpSync(run, stopped, { recursive: true });
+    const report = readReport(stopped);
+    report.frames.length = 6;
+    Object.assign(report.summary, {
+      finished: false,
+      stopped: "interrupted by SIGINT (Ctrl-C)",
+    });
+    report.frames[5].usable = false;
+    report.frames[5].stop_reason = "iteration limit (psoas_major_r)";
+    writeReport(stopped, report);
+    const page = await browser.openReady(
+      writePage(stopped, join(workDir, "stopped.html")),
+    );
+    const notices = await page.locator(".notice").allInnerTexts();
+    assert.match(
+      notices.join("\n"),
+      /stopped after 6 of 15 frames: interrupted by SIGINT/,
+    );
+    assert.match(notices.join("\n"), /iteration limit \(psoas_major_r\)/);
+    await page.locator("#slider").fill("6");
+    await hasText(page, "frame 6 of 6");
+    assert.deepEqual(page.complaints, []);
+    await browser.keep(page, "stopped");
+  });
+
+  test("a run without a frame shows rest", async () => {
+    const empty = join(workDir, "empty");
+    cpSync(run, empty, { recursive: true });
+    const report = readReport(empty);
+    report.frames = [];
+    report.summary.finished = false;
+    delete report.summary.stopped;
+    writeReport(empty, report);
+    const page = await browser.openReady(
+      writePage(empty, join(workDir, "empty.html")),
+    );
+    assert.match(
+      (await page.locator(".notice").allInnerTexts()).join(),
+      /stopped after 0 of 15 frames: the program ended without saying why/,
+    );
+    const colors = await swatches(page);
+    assert.ok(countOf(await browser.look(page), colors.pelvis) > 200);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  test("names are text wherever they stand", async () => {
+    const evil = join(workDir, "evil");
+    cpSync(join(dataDir, "phantom"), evil, { recursive: true });
+    const name = "<img src=x onerror=alert(1)>";
+    const scene = JSON.parse(readFileSync(join(evil, "scene.json"), "utf8"));
+    scene.name = "</script><script>alert(2)</script>";
+    scene.muscles[0].name = name;
+    scene.muscles[0].lines[0].name = "<b onclick=alert(3)>line</b>";
+    scene.poses[0].name = "'\"><svg onload=alert(4)>";
+    scene.poses.length = 2;
+    writeFileSync(join(evil, "scene.json"), JSON.stringify(scene));
+    const out = join(evil, "out");
+    assert.equal(
+      deform(`--scene=${join(evil, "scene.json")}`, `--out=${out}`, "--html"),
+      0,
+    );
+    const page = await browser.openReady(join(out, "report.html"));
+    await hasText(page, name);
+    await hasText(page, scene.name);
+    await page.locator(".place").first().click();
+    await page.locator("#figure-line-lengths svg[viewBox]").hover();
+    assert.equal(await page.locator("img, svg[onload], b").count(), 0);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  test("a page that was cut short says so", async () => {
+    const text = readFileSync(html, "utf8");
+    const damage = {
+      "no data": text.replace(
+        /<script type="application\/json".*?<\/script>/s,
+        "",
+      ),
+      "cut numbers": text.replace(
+        /(id="numbers">.{1000}).*?<\/script>/s,
+        (_, start) => start + "</script>",
+      ),
+    };
+    for (const [kind, damaged] of Object.entries(damage)) {
+      const file = join(workDir, "damaged.html");
+      writeFileSync(file, damaged);
+      const page = await browser.open(file);
+      const alert = page.locator("[role=alert]");
+      await alert.waitFor();
+      assert.match(await alert.innerText(), /cannot be shown/, kind);
+    }
+  });
+});
