@@ -9,18 +9,18 @@
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
 
 import * as esbuild from "esbuild";
 
 const output = process.argv[2];
 if (!output) throw new Error("usage: node build.mjs OUTPUT.html");
 const target = resolve(output);
-process.chdir(
-  import.meta.dirname ?? dirname(new URL(import.meta.url).pathname),
-);
+const here = dirname(fileURLToPath(import.meta.url));
 
 async function bundle(entry) {
   const result = await esbuild.build({
+    absWorkingDir: here,
     entryPoints: [entry],
     bundle: true,
     minify: true,
@@ -44,10 +44,10 @@ function packagesIn(metafile) {
 
 function licenceOf(folder) {
   const { name, version, license } = JSON.parse(
-    readFileSync(join(folder, "package.json"), "utf8"),
+    readFileSync(join(here, folder, "package.json"), "utf8"),
   );
   const file = ["LICENSE", "LICENSE.md", "LICENSE.txt", "LICENCE"]
-    .map((each) => join(folder, each))
+    .map((each) => join(here, folder, each))
     .find(existsSync);
   if (!file) throw new Error(`${folder} has no licence file`);
   return `${name} ${version} (${license})\n\n${readFileSync(file, "utf8").trim()}\n`;
@@ -67,7 +67,7 @@ const parts = {
   licences: escaped(licences),
   script: script.text,
 };
-const page = readFileSync("src/page.html", "utf8").replace(
+const page = readFileSync(join(here, "src/page.html"), "utf8").replace(
   /\{\{([a-z-]+)\}\}/g,
   (_, name) => parts[name],
 );
