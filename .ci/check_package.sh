@@ -16,5 +16,5 @@ said=$(cmake -S . -B build -G Ninja -DMUSCLEWARP_WITH_NODE=OFF)
 grep "Report page: the one that came with this package" <<<"$said"
 bundle=src/musclewarp/page/CMakeFiles/musclewarp_page.dir/page_bundle.cc.o
 cmake --build build --target "$bundle" >/dev/null
-strings -n 30 "build/$bundle" | grep -q "Licences of what this page is made of"
+grep -qa "Licences of what this page is made of" "build/$bundle"
 echo "package: configures and embeds its page without Node.js"
