@@ -15,23 +15,18 @@ out=out/demo
 scripts/setup.sh
 scripts/build.sh release musclewarp_programs
 
-flags=(--scene=data/phantom/motion.json --out="$out" --format=ply,vtp)
+flags=(--scene=data/phantom/motion.json --out="$out" --format=ply,vtp
+  --fibres=30 --html)
 echo "demo: $bin/musclewarp-deform ${flags[*]}"
 status=0
 "$bin/musclewarp-deform" "${flags[@]}" "$@" || status=$?
 if ((status > 1)); then exit "$status"; fi
 
 echo
+echo "To look at it, open $PWD/$out/report.html in a browser."
 echo "The meshes of every frame are in $PWD/$out/frame_*/;"
 echo "lengths and moment arms in $PWD/$out/*.sto, all figures in report.json."
 if [[ -f $out/motion.pvd ]]; then
-  echo "To see the motion: paraview $PWD/$out/motion.pvd"
-else
-  echo "To see a frame: open its files in ParaView, MeshLab or Blender."
+  echo "ParaView plays $PWD/$out/motion.pvd."
 fi
-for program in report render; do
-  if [[ -x $bin/musclewarp-$program ]]; then
-    echo "More: $bin/musclewarp-$program --help"
-  fi
-done
 exit "$status"
