@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+#
+# Makes the pictures of the README from the LHDL data set, with the programs in
+# build/release. Needs Chromium, and img2webp (Debian: webp).
+#
+# usage: scripts/pictures.sh DATA
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+data=${1:?usage: scripts/pictures.sh DATA}
+bin=build/release/tools
+out=out/pictures
+MUSCLEWARP_CHROMIUM=$(command -v chromium || command -v google-chrome)
+export MUSCLEWARP_CHROMIUM
+
+for contact in none paper; do
+  "$bin/musclewarp-deform" --scene=data/scenes/lhdl_hip_motion.json \
+    --data_root="$data" --contact=$contact --out="$out/flexion_$contact"
+done
+"$bin/musclewarp-report" --in="$out/flexion_none" \
+  --compare="$out/flexion_paper" --out="$out/both.html"
+"$bin/musclewarp-report" --in="$out/flexion_paper" --out="$out/flexion.html"
+
+node scripts/pictures.mjs page "$out/both.html" docs/pictures/report.png
+node scripts/pictures.mjs frames "$out/flexion.html" "$out/frames"
+# To the end and back, at 15 frames a second.
+forth=("$out"/frames/*.png)
+mapfile -t back < <(printf '%s\n' "${forth[@]}" | sort -r)
+img2webp -loop 0 -lossy -q 60 -m 6 -d 66 "${forth[@]}" "${back[@]}" \
+  -o docs/pictures/flexion.webp
