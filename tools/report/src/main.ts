@@ -17,7 +17,7 @@ import { endOf, summarySection } from "./panels/summary";
 import { transport } from "./panels/transport";
 import { Player } from "./player";
 import { Store, initialState } from "./state";
-import { toggleTheme } from "./theme";
+import { startTheme, toggleTheme } from "./theme";
 import { Viewer } from "./viewer/viewer";
 
 function runTitle(run: Run): string {
@@ -179,6 +179,7 @@ function showError(error: unknown): void {
     );
 }
 
+startTheme();
 readPageData()
   .then(build)
   .then(() => (document.documentElement.dataset.ready = ""))

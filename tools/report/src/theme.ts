@@ -3,13 +3,20 @@
 
 // Light or dark: as the system has it, until the visitor chooses.
 
-export function isDark(): boolean {
-  const chosen = document.documentElement.dataset.theme;
-  return chosen
-    ? chosen === "dark"
-    : matchMedia("(prefers-color-scheme: dark)").matches;
+const system = matchMedia("(prefers-color-scheme: dark)");
+const { dataset } = document.documentElement;
+let isChosen = false;
+
+function followSystem(): void {
+  if (!isChosen) dataset.theme = system.matches ? "dark" : "light";
+}
+
+export function startTheme(): void {
+  followSystem();
+  system.addEventListener("change", followSystem);
 }
 
 export function toggleTheme(): void {
-  document.documentElement.dataset.theme = isDark() ? "light" : "dark";
+  isChosen = true;
+  dataset.theme = dataset.theme === "dark" ? "light" : "dark";
 }

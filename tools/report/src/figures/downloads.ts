@@ -16,6 +16,21 @@ function csvField(value: string | number): string {
   return /[",\n\r]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
+// The curves of a figure that runs have in common, named apart.
+function columnsOf(
+  series: Series[],
+): (Pick<Series, "muscle" | "name"> & { label: string })[] {
+  const first = series.filter(
+    ({ muscle, name }, i) =>
+      i ===
+      series.findIndex((each) => each.muscle === muscle && each.name === name),
+  );
+  return first.map(({ muscle, name }) => {
+    const isOnlyOne = first.filter((each) => each.name === name).length === 1;
+    return { muscle, name, label: isOnlyOne ? name : `${muscle} ${name}` };
+  });
+}
+
 // A row a frame; columns are the abscissas, then the curves that are shown.
 export function csvOf(
   figure: Figure,
@@ -24,31 +39,31 @@ export function csvOf(
   isShown: (series: Series) => boolean,
 ): string {
   const series = figure.series.filter(isShown);
-  const rows = [
-    [
-      "run",
-      "name",
-      ...abscissas.map(({ label }) => label),
-      ...new Set(series.map(({ name }) => name)),
-    ] as (string | number)[],
+  const columns = columnsOf(series);
+  const header = [
+    "run",
+    "name",
+    ...abscissas.map(({ label }) => label),
+    ...columns.map(({ label }) => label),
   ];
-  const names = [...new Set(series.map(({ name }) => name))];
-  runs.forEach((run, i) =>
-    run.frames.forEach((frame, at) =>
-      rows.push([
-        run.folder,
-        frame.name,
-        ...abscissas.map(({ value }) => value(frame, at)),
-        ...names.map(
-          (name) =>
-            series.find((each) => each.run === i && each.name === name)?.values[
-              at
-            ] ?? NaN,
-        ),
-      ]),
-    ),
+  const rows = runs.flatMap((run, i) =>
+    run.frames.map((frame, at) => [
+      run.folder,
+      frame.name,
+      ...abscissas.map(({ value }) => value(frame, at)),
+      ...columns.map(({ muscle, name }) => {
+        const curve = series.find(
+          (each) =>
+            each.run === i && each.muscle === muscle && each.name === name,
+        );
+        return curve?.values[at] ?? NaN;
+      }),
+    ]),
   );
-  return rows.map((row) => row.map(csvField).join(",")).join("\n") + "\n";
+  return (
+    [header, ...rows].map((row) => row.map(csvField).join(",")).join("\n") +
+    "\n"
+  );
 }
 
 // The colours of the page do not go with the file.

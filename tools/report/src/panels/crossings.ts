@@ -3,7 +3,7 @@
 
 // Where meshes cross in the frame shown; a click flies there.
 
-import { Sphere, Vector3 } from "three";
+import { Box3, Vector3 } from "three";
 
 import { CrossingPlace, crossingPlaces } from "../crossing_places";
 import { Run } from "../data/run";
@@ -17,8 +17,12 @@ const mostPlaces = 40;
 
 function fly(place: CrossingPlace, viewer: Viewer): void {
   const normal = new Vector3(...place.normal);
+  const size = 2 * Math.max(8, 1.2 * place.radius);
   viewer.camera.flyTo(
-    new Sphere(new Vector3(...place.center), Math.max(12, 1.6 * place.radius)),
+    new Box3().setFromCenterAndSize(
+      new Vector3(...place.center),
+      new Vector3(size, size, size),
+    ),
     normal.length() > 0 ? normal.normalize() : undefined,
   );
 }

@@ -34,27 +34,8 @@ export class BoneSurface {
   }
 
   setPose(pose: number): void {
-    const rows = this.bone.poses[pose];
-    this.mesh.matrix.set(
-      ...(rows as [
-        number,
-        number,
-        number,
-        number,
-        number,
-        number,
-        number,
-        number,
-        number,
-        number,
-        number,
-        number,
-      ]),
-      0,
-      0,
-      0,
-      1,
-    );
+    const rows = [...this.bone.poses[pose], 0, 0, 0, 1];
+    this.mesh.matrix.fromArray(rows).transpose(); // three.js has columns
     this.mesh.updateMatrixWorld(true);
   }
 }

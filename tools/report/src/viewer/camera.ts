@@ -3,12 +3,14 @@
 
 // The camera of all panes, so that they always show the same view.
 
-import { PerspectiveCamera, Sphere, Vector3 } from "three";
+import { Box3, PerspectiveCamera, Sphere, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 import { View } from "../data/run";
 
 const flightMs = 400;
+// Of what is shown, to the edge of the picture.
+const margin = 1.05;
 
 interface Place {
   position: Vector3;
@@ -36,20 +38,20 @@ export class LinkedCamera {
     this.camera.updateProjectionMatrix();
   }
 
-  // Shows the sphere from one of the views.
-  showFrom(view: string, sphere: Sphere, fly: boolean): void {
+  // Shows the box from one of the views.
+  showFrom(view: string, box: Box3, fly: boolean): void {
     const { toward_viewer, up } = this.views[view];
     // Straight along the axis it turns around, the controls would not know
     // which way is up.
     const direction = new Vector3(...toward_viewer)
       .addScaledVector(new Vector3(...up), -1e-3)
       .normalize();
-    this.show(sphere, direction, fly);
+    this.show(box, direction, fly);
   }
 
   // Flies to a place, seen from `direction` or from where the camera is now.
-  flyTo(sphere: Sphere, direction?: Vector3): void {
-    this.show(sphere, direction ?? this.direction(), true);
+  flyTo(box: Box3, direction?: Vector3): void {
+    this.show(box, direction ?? this.direction(), true);
   }
 
   // To be called before each picture; true while a flight goes on.
@@ -83,13 +85,36 @@ export class LinkedCamera {
     return this.camera.position.clone().sub(this.controls.target).normalize();
   }
 
-  private show(sphere: Sphere, direction: Vector3, fly: boolean): void {
-    const half = (this.camera.fov / 2) * (Math.PI / 180);
-    const narrow = Math.min(1, this.camera.aspect);
-    const distance = sphere.radius / (Math.sin(half) * narrow);
+  // From there all corners of the box are in the picture.
+  private distanceTo(box: Box3, direction: Vector3): number {
+    const center = box.getCenter(new Vector3());
+    const right = new Vector3()
+      .crossVectors(this.camera.up, direction)
+      .normalize();
+    const up = new Vector3().crossVectors(direction, right);
+    const slope = Math.tan((this.camera.fov / 2) * (Math.PI / 180));
+    let distance = 0;
+    for (let i = 0; i < 8; ++i) {
+      const corner = new Vector3(
+        (i & 1 ? box.max : box.min).x,
+        (i & 2 ? box.max : box.min).y,
+        (i & 4 ? box.max : box.min).z,
+      ).sub(center);
+      const aside = Math.max(
+        Math.abs(corner.dot(up)),
+        Math.abs(corner.dot(right)) / this.camera.aspect,
+      );
+      distance = Math.max(distance, aside / slope + corner.dot(direction));
+    }
+    return distance;
+  }
+
+  private show(box: Box3, direction: Vector3, fly: boolean): void {
+    const center = box.getCenter(new Vector3());
+    const distance = margin * this.distanceTo(box, direction);
     const to = {
-      position: sphere.center.clone().addScaledVector(direction, distance),
-      target: sphere.center.clone(),
+      position: center.clone().addScaledVector(direction, distance),
+      target: center,
     };
     const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     if (fly && !calm) {

@@ -43,7 +43,7 @@ export class Viewer {
   private readonly plane = new Plane(new Vector3(1, 0, 0), 0);
   private readonly lights: DirectionalLight[];
   private readonly bounds: Sphere; // of everything in all poses
-  private readonly muscleBounds: Sphere;
+  private readonly muscleBox: Box3; // the same of the muscles
   private state: State;
   private scale: VertexScale | null = null;
   private isPending = false;
@@ -75,7 +75,7 @@ export class Viewer {
       scene.addHeadlight(light);
       return light;
     });
-    [this.bounds, this.muscleBounds] = this.measure();
+    [this.bounds, this.muscleBox] = this.measure();
     this.camera = new LinkedCamera(canvas, data.views, () => this.request());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
     this.resize();
@@ -92,7 +92,7 @@ export class Viewer {
   }
 
   view(name: string, fly = true): void {
-    this.camera.showFrom(name, this.muscleBounds, fly);
+    this.camera.showFrom(name, this.muscleBox, fly);
   }
 
   request(): void {
@@ -156,7 +156,7 @@ export class Viewer {
     );
   }
 
-  private measure(): [Sphere, Sphere] {
+  private measure(): [Sphere, Box3] {
     const all = new Box3();
     const muscles = new Box3();
     for (const { poses } of this.timeline) {
@@ -170,10 +170,7 @@ export class Viewer {
         }
       });
     }
-    // A sphere around a box has room to spare at its faces.
-    const close = muscles.getBoundingSphere(new Sphere());
-    close.radius *= 0.85;
-    return [all.getBoundingSphere(new Sphere()), close];
+    return [all.getBoundingSphere(new Sphere()), muscles];
   }
 
   private resize(): void {
