@@ -17,18 +17,18 @@ if (!["page", "frames"].includes(what) || !out) {
 }
 
 const browser = await Browser.launch();
-const viewport = { width: 1280, height: 800 };
+const viewport = { width: 1280, height: 1120 };
 const page = await browser.openReady(resolve(file), { viewport });
 const last = await page.locator("#slider").getAttribute("max");
 if (what === "page") {
+  // As it is in a lower window, with more below it.
+  await page.addStyleTag({
+    content: `.stage { height: 512px !important; }`,
+  });
   await page.locator("#slider").fill(last);
   await page.evaluate(() => document.activeElement.blur());
   await browser.settle(page);
-  await page.screenshot({
-    path: out,
-    fullPage: true,
-    clip: { x: 0, y: 0, width: 1280, height: 1120 },
-  });
+  await page.screenshot({ path: out });
 } else {
   mkdirSync(out, { recursive: true });
   await page.locator("#show-crossings").uncheck();

@@ -25,8 +25,7 @@ done
 
 node scripts/pictures.mjs page "$out/both.html" docs/pictures/report.png
 node scripts/pictures.mjs frames "$out/flexion.html" "$out/frames"
-# To the end and back, at 15 frames a second.
-forth=("$out"/frames/*.png)
-mapfile -t back < <(printf '%s\n' "${forth[@]}" | sort -r)
-img2webp -loop 0 -lossy -q 60 -m 6 -d 66 "${forth[@]}" "${back[@]}" \
-  -o docs/pictures/flexion.webp
+# At 15 frames a second, with a rest at the end.
+frames=("$out"/frames/*.png)
+img2webp -loop 0 -lossy -q 75 -m 6 -d 66 "${frames[@]::${#frames[@]}-1}" \
+  -d 1000 "${frames[-1]}" -o docs/pictures/flexion.webp
