@@ -34,7 +34,7 @@ async function framesPerSecond(browser, file) {
   const page = await browser.openReady(file, { viewport });
   await page.getByLabel("Frames per second").selectOption("30");
   await page.locator("#play").click();
-  await browser.settle(page);
+  await page.waitForTimeout(500);
   const shown = await page.evaluate(async (milliseconds) => {
     const slider = document.querySelector("#slider");
     const start = performance.now();

@@ -72,6 +72,23 @@ TEST(Page, ViewsFollowTheAxesOfTheScene) {
   ExpectInputError([&] { lateral(options); }, {"--axes", "LPP"});
 }
 
+TEST(Page, RunsAreNamedApart) {
+  const std::string dir = TestTempDir();
+  const auto labels = [&](const std::string& a, const std::string& b) {
+    const Json data =
+        Json::parse(ScriptText(PageHtml({Read(a), Read(b)}, {}), "runs"));
+    return std::vector<std::string>{data["runs"][0]["folder"],
+                                    data["runs"][1]["folder"]};
+  };
+  for (const std::string name : {"/a/run", "/a/other", "/b/run"}) {
+    WriteRun(dir + name);
+  }
+  EXPECT_EQ(labels(dir + "/a/run/", dir + "/a/other"),
+            (std::vector<std::string>{"run", "other"}));
+  EXPECT_EQ(labels(dir + "/a/run", dir + "/b/run"),
+            (std::vector<std::string>{dir + "/a/run", dir + "/b/run"}));
+}
+
 TEST(Page, IsTheSameForTheSameRun) {
   const WrittenRun written = WriteRun(TestTempDir());
   EXPECT_EQ(PageHtml({Read(written.dir)}, {}),

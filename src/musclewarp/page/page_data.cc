@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/motion/frame_files.h"
@@ -144,7 +145,20 @@ std::string LastPart(const std::string& dir) {
   return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
+// By which the page names the runs: the last part of the folder, or all of it
+// where that is not enough.
+std::vector<std::string> Labels(const std::vector<RecordedRun>& runs) {
+  std::vector<std::string> labels;
+  for (const RecordedRun& run : runs) labels.push_back(LastPart(run.dir));
+  if (std::set<std::string>(labels.begin(), labels.end()).size() <
+      labels.size()) {
+    for (std::size_t i = 0; i < runs.size(); ++i) labels[i] = runs[i].dir;
+  }
+  return labels;
+}
+
 Json RunJson(const RecordedRun& run,
+             const std::string& label,
              const PageOptions& options,
              PackedNumbers* packed) {
   const double step = RoundingStep(run);
@@ -160,7 +174,7 @@ Json RunJson(const RecordedRun& run,
   }
   Json report = run.report;
   report.erase("frames");
-  return {{"folder", LastPart(run.dir)},
+  return {{"folder", label},
           {"report", report},
           {"frames", frames},
           {"step_mm", step},
@@ -200,8 +214,9 @@ PageData PageDataOf(const std::vector<RecordedRun>& runs,
   PageData data;
   data.json = {{"views", ViewsJson(runs.at(0), options)},
                {"runs", Json::array()}};
-  for (const RecordedRun& run : runs) {
-    data.json["runs"].push_back(RunJson(run, options, &packed));
+  const std::vector<std::string> labels = Labels(runs);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    data.json["runs"].push_back(RunJson(runs[i], labels[i], options, &packed));
   }
   data.numbers = packed.Base64();
   return data;

@@ -87,7 +87,8 @@ export class Browser {
 
   // Until the last picture is drawn, in its final resolution.
   async settle(page) {
-    await page.waitForTimeout(500);
+    await page.waitForSelector("#view[data-still]");
+    await page.evaluate(() => new Promise(requestAnimationFrame));
   }
 
   async keep(page, name, options = {}) {

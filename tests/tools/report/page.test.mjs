@@ -118,7 +118,7 @@ describe("the page", () => {
     );
     await page.locator("#play").click();
     const paused = await frameShown(page);
-    await browser.settle(page);
+    await page.waitForTimeout(300);
     assert.equal(await frameShown(page), paused);
     await page.locator("#slider").fill("15");
     await hasText(page, "hip_flexion_r 60.00 degrees");

@@ -24,11 +24,14 @@ export class Resolution {
   private last = 0;
   private timer = 0;
   private isStill = false;
+  // The last picture is as fine as it will be.
+  isFinal = false;
 
   constructor(private readonly request: () => void) {}
 
   // Pixels to a CSS pixel for the picture that is drawn now.
   next(now: number, isPlaying: boolean): number {
+    this.isFinal = !this.isSoftware || this.isStill;
     if (!this.isSoftware) return Math.min(devicePixelRatio, finest);
     if (this.isStill) {
       this.isStill = false;

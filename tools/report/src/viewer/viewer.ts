@@ -78,6 +78,10 @@ export class Viewer {
     [this.bounds, this.muscleBox] = this.measure();
     this.camera = new LinkedCamera(canvas, data.views, () => this.request());
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.isStale = true;
+      this.request();
+    });
     this.resize();
     this.reset(false);
     store.subscribe((state) => {
@@ -96,6 +100,7 @@ export class Viewer {
   }
 
   request(): void {
+    delete this.canvas.dataset.still;
     if (this.isPending) return;
     this.isPending = true;
     requestAnimationFrame((now) => this.draw(now));
@@ -213,6 +218,9 @@ export class Viewer {
       renderer.render(this.scenes[i].scene, this.camera.camera);
     });
     if (isFlying) this.request();
+    // For those who take pictures: this one stays.
+    const isStill = this.resolution.isFinal && !this.isPending;
+    if (isStill) this.canvas.dataset.still = "";
   }
 
   private updateScenes(): void {
