@@ -14,7 +14,7 @@ tar -x -C "$work" -f "$work"/musclewarp-*.tar.gz
 cd "$work"/musclewarp-*/
 said=$(cmake -S . -B build -G Ninja -DMUSCLEWARP_WITH_NODE=OFF)
 grep "Report page: the one that came with this package" <<<"$said"
-bundle=src/musclewarp/page/CMakeFiles/musclewarp_page.dir/page_bundle.cc.o
+bundle=src/musclewarp/page/page_bundle.cc
 cmake --build build --target "$bundle" >/dev/null
 grep -qa "Licences of what this page is made of" "build/$bundle"
 echo "package: configures and embeds its page without Node.js"
