@@ -72,6 +72,18 @@ TEST(Page, ViewsFollowTheAxesOfTheScene) {
   ExpectInputError([&] { lateral(options); }, {"--axes", "LPP"});
 }
 
+TEST(Page, HasMomentArmsOfCarriedLines) {
+  const WrittenRun written = WriteRun(TestTempDir());
+  const Json data =
+      Json::parse(ScriptText(PageHtml({Read(written.dir)}, {}), "runs"));
+  const Json& arms = data["runs"][0]["carried_moment_arms_mm"];
+  EXPECT_EQ(arms["coordinate"], "hip");
+  // Lengths of 100 and 101 mm, 10 degrees apart.
+  for (const double arm : arms["muscles"]["muscle"]["l"]) {
+    EXPECT_NEAR(arm, -1 / (10 * M_PI / 180), 1e-12);
+  }
+}
+
 TEST(Page, RunsAreNamedApart) {
   const std::string dir = TestTempDir();
   const auto labels = [&](const std::string& a, const std::string& b) {

@@ -75,6 +75,7 @@ WrittenRun WriteRun(const std::string& dir, const std::string& muscle_name) {
     WritePose(run, FrameFolder(i), muscle_name, muscle, bone);
     FrameRecord record = SomeRecord(i);
     record.muscles[0].name = muscle_name;
+    record.coordinates = {{"hip", 10.0 * i}};
     const MeshIntersection found =
         IntersectMeshes(TriangleSoup{muscle, run.muscle.triangles},
                         TriangleSoup{bone, run.bone.triangles});
@@ -91,6 +92,9 @@ WrittenRun WriteRun(const std::string& dir, const std::string& muscle_name) {
                 {"version", "0"},
                 {"command", "musclewarp-deform"},
                 {"inputs_hash", "0123"},
+                {"motion",
+                 {{"coordinates",
+                   {{{"name", "hip"}, {"unit", "degrees"}, {"moves", true}}}}}},
                 {"machine", {{"processor", "p"}, {"cores", 2}}},
                 {"prepare",
                  {{"wall_ms", 1.0},

@@ -11,6 +11,7 @@
 #include "musclewarp/motion/frame_files.h"
 #include "musclewarp/page/packed_numbers.h"
 #include "musclewarp/page/view_mesh.h"
+#include "musclewarp/report/motion_tables.h"
 
 namespace musclewarp {
 namespace {
@@ -139,6 +140,38 @@ Json CrossingsJson(const RecordedRun& run, PackedNumbers* packed) {
   return poses;
 }
 
+// The moment arms of the lines as carried, over the frames, mm (mm/m): where
+// one coordinate moves, as in moment_arms.sto; else null.
+Json CarriedMomentArmsJson(const RecordedRun& run) {
+  const Json motion = run.report.value("motion", Json());
+  if (motion.is_null()) return nullptr;
+  std::vector<Json> moving;
+  for (const Json& coordinate : motion.at("coordinates")) {
+    if (coordinate.at("moves").get<bool>()) moving.push_back(coordinate);
+  }
+  if (moving.size() != 1 || run.frames.size() < 2) return nullptr;
+  const std::string name = moving[0].at("name");
+  const double unit = moving[0].at("unit") == "degrees" ? M_PI / 180 : 1;
+  std::vector<double> values;
+  for (const FrameRecord& frame : run.frames) {
+    const auto value = frame.coordinates.find(name);
+    if (value == frame.coordinates.end()) return nullptr;
+    values.push_back(unit * value->second);
+  }
+  Json arms;
+  for (std::size_t m = 0; m < run.frames[0].muscles.size(); ++m) {
+    const MuscleRecord& muscle = run.frames[0].muscles[m];
+    for (const auto& item : muscle.line_lengths_mm) {
+      std::vector<double> lengths;
+      for (const FrameRecord& frame : run.frames) {
+        lengths.push_back(frame.muscles.at(m).line_lengths_mm.at(item.first));
+      }
+      arms[muscle.name][item.first] = SeriesMomentArms(lengths, values);
+    }
+  }
+  return {{"coordinate", name}, {"muscles", arms}};
+}
+
 // "flexion" of "out/flexion/".
 std::string LastPart(const std::string& dir) {
   const auto path = std::filesystem::absolute(dir).lexically_normal();
@@ -183,6 +216,7 @@ Json RunJson(const RecordedRun& run,
           {"muscles", muscles},
           {"bones", bones},
           {"crossings", CrossingsJson(run, packed)},
+          {"carried_moment_arms_mm", CarriedMomentArmsJson(run)},
           {"warnings", run.warnings}};
 }
 

@@ -161,6 +161,7 @@ describe("the page", () => {
       "figure-gap",
       "figure-line-lengths",
       "figure-moment-arms-hip_flexion_r",
+      "figure-carried-moment-arms-hip_flexion_r",
       "figure-time",
     ]);
     const curves = () =>

@@ -44,6 +44,13 @@ interface CrossingJson extends PairRecord {
   b_triangles?: NumbersRef;
 }
 
+// Over the frames, by muscle and line: -dl/dq of the lines as carried, where
+// one coordinate moves.
+export interface CarriedMomentArms {
+  coordinate: string;
+  muscles: Record<string, Record<string, number[]>>;
+}
+
 interface RunJson {
   folder: string;
   report: Report;
@@ -54,6 +61,7 @@ interface RunJson {
   muscles: MuscleJson[];
   bones: BoneJson[];
   crossings: CrossingJson[][];
+  carried_moment_arms_mm: CarriedMomentArms | null;
   warnings: string[];
 }
 
@@ -104,6 +112,7 @@ export interface Run {
   muscles: Muscle[];
   bones: Bone[];
   crossings: Crossing[][];
+  carriedMomentArms: CarriedMomentArms | null;
   warnings: string[];
 }
 
@@ -180,6 +189,7 @@ function runFrom(json: RunJson, packed: PackedNumbers): Run {
         trianglesOfB: pair.b_triangles && packed.at(pair.b_triangles),
       })),
     ),
+    carriedMomentArms: json.carried_moment_arms_mm,
     warnings: json.warnings,
   };
 }

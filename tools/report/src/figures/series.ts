@@ -42,7 +42,12 @@ function byMuscle(runs: Run[], value: Value): Series[] {
 // A curve for each action line.
 function byLine(
   runs: Run[],
-  value: (line: string, ...rest: Parameters<Value>) => number | undefined,
+  value: (
+    line: string,
+    muscle: MuscleRecord,
+    frame: FrameRecord,
+    place: { run: Run; at: number },
+  ) => number | undefined,
 ): Series[] {
   return runs.flatMap((run, i) =>
     run.muscles.flatMap((muscle) =>
@@ -50,9 +55,9 @@ function byLine(
         name: line,
         muscle: muscle.name,
         run: i,
-        values: run.frames.map((frame) => {
+        values: run.frames.map((frame, at) => {
           const record = frame.muscles.find(({ name }) => name === muscle.name);
-          return (record && value(line, record, frame)) ?? NaN;
+          return (record && value(line, record, frame, { run, at })) ?? NaN;
         }),
       })),
     ),
@@ -95,6 +100,25 @@ function momentArms(runs: Run[]): Figure[] {
   }));
 }
 
+function carriedMomentArms(runs: Run[]): Figure[] {
+  const coordinate = runs.find((run) => run.carriedMomentArms)
+    ?.carriedMomentArms?.coordinate;
+  if (!coordinate) return [];
+  return [
+    {
+      id: `carried-moment-arms-${coordinate}`,
+      title: `Moment arms as carried, ${coordinate}`,
+      label: "mm",
+      note: "−dl/dq of the lines as the muscles carry them, over the frames",
+      series: byLine(
+        runs,
+        (line, muscle, _, { run, at }) =>
+          run.carriedMomentArms?.muscles[muscle.name]?.[line]?.[at],
+      ),
+    },
+  ];
+}
+
 export function figuresOf(runs: Run[]): Figure[] {
   const figures: Figure[] = [
     {
@@ -133,6 +157,7 @@ export function figuresOf(runs: Run[]): Figure[] {
       series: byLine(runs, (line, muscle) => muscle.line_lengths_mm[line]),
     },
     ...momentArms(runs),
+    ...carriedMomentArms(runs),
     {
       id: "time",
       title: "Time per frame",
