@@ -98,7 +98,15 @@ export function drawPlot(
     style: { background: "transparent", color: "inherit", fontSize: "12px" },
     ariaLabel: figure.title,
     ariaDescription: figure.note,
-    x: { label: options.abscissa.label, ticks: 6 },
+    x: {
+      label: options.abscissa.label,
+      ticks: 6,
+      // There is no frame one and a half.
+      tickFormat: (value: number) =>
+        options.abscissa.id === "frame" && !Number.isInteger(value)
+          ? ""
+          : figureText(value),
+    },
     y: {
       label: figure.label,
       grid: true,
