@@ -130,8 +130,7 @@ Eigen::Matrix4d RigidMotion(const std::string& file,
       file, "is not the bone at rest, moved and turned", kRunAgain);
 }
 
-// Lines of old runs may not be there; those of a pose have the names and
-// numbers of points of rest.
+// Those of a pose, by muscle. Throws InputError.
 std::vector<MuscleLines> LinesIn(const std::string& folder,
                                  const std::vector<std::string>& muscles) {
   const std::string file = (fs::path(folder) / kLinesFile).string();
