@@ -5,8 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "page/written_run.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
@@ -18,11 +16,6 @@ using Json = nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-RecordedRun Read(const std::string& dir) {
-  std::ostringstream log;
-  return ReadRecordedRun(dir, log);
-}
-
 // The text of a script of the page.
 std::string ScriptText(const std::string& html, const std::string& id) {
   const std::size_t begin = html.find('>', html.find("id=\"" + id + "\"")) + 1;
@@ -31,7 +24,7 @@ std::string ScriptText(const std::string& html, const std::string& id) {
 
 TEST(Page, HoldsTheRun) {
   const WrittenRun written = WriteRun(TestTempDir());
-  const std::string html = PageHtml({Read(written.dir)}, {});
+  const std::string html = PageHtml({ReadQuietly(written.dir)}, {});
   EXPECT_THAT(html, HasSubstr("<!doctype html>"));
   EXPECT_THAT(html, Not(HasSubstr("musclewarp:data")));
   const Json data = Json::parse(ScriptText(html, "runs"));
@@ -47,7 +40,7 @@ TEST(Page, HoldsTheRun) {
 TEST(Page, NamesCannotEndTheScript) {
   const std::string name = "<img src=x onerror=alert(1)><!--<script>";
   const std::string html =
-      PageHtml({Read(WriteRun(TestTempDir(), name).dir)}, {});
+      PageHtml({ReadQuietly(WriteRun(TestTempDir(), name).dir)}, {});
   EXPECT_THAT(html, Not(HasSubstr("<img src=x")));
   EXPECT_EQ(
       Json::parse(ScriptText(html, "runs"))["runs"][0]["muscles"][0]["name"],
@@ -57,8 +50,8 @@ TEST(Page, NamesCannotEndTheScript) {
 TEST(Page, ViewsFollowTheAxesOfTheScene) {
   const WrittenRun written = WriteRun(TestTempDir());
   const auto lateral = [&](const PageOptions& options) {
-    const Json data =
-        Json::parse(ScriptText(PageHtml({Read(written.dir)}, options), "runs"));
+    const Json data = Json::parse(
+        ScriptText(PageHtml({ReadQuietly(written.dir)}, options), "runs"));
     return data["views"]["lateral"]["toward_viewer"];
   };
   // The scene has z to the right and is of a left leg.
@@ -75,7 +68,7 @@ TEST(Page, ViewsFollowTheAxesOfTheScene) {
 TEST(Page, HasMomentArmsOfCarriedLines) {
   const WrittenRun written = WriteRun(TestTempDir());
   const Json data =
-      Json::parse(ScriptText(PageHtml({Read(written.dir)}, {}), "runs"));
+      Json::parse(ScriptText(PageHtml({ReadQuietly(written.dir)}, {}), "runs"));
   const Json& arms = data["runs"][0]["carried_moment_arms_mm"];
   EXPECT_EQ(arms["coordinate"], "hip");
   // Lengths of 100 and 101 mm, 10 degrees apart.
@@ -87,8 +80,8 @@ TEST(Page, HasMomentArmsOfCarriedLines) {
 TEST(Page, RunsAreNamedApart) {
   const std::string dir = TestTempDir();
   const auto labels = [&](const std::string& a, const std::string& b) {
-    const Json data =
-        Json::parse(ScriptText(PageHtml({Read(a), Read(b)}, {}), "runs"));
+    const Json data = Json::parse(
+        ScriptText(PageHtml({ReadQuietly(a), ReadQuietly(b)}, {}), "runs"));
     return std::vector<std::string>{data["runs"][0]["folder"],
                                     data["runs"][1]["folder"]};
   };
@@ -103,8 +96,8 @@ TEST(Page, RunsAreNamedApart) {
 
 TEST(Page, IsTheSameForTheSameRun) {
   const WrittenRun written = WriteRun(TestTempDir());
-  EXPECT_EQ(PageHtml({Read(written.dir)}, {}),
-            PageHtml({Read(written.dir)}, {}));
+  EXPECT_EQ(PageHtml({ReadQuietly(written.dir)}, {}),
+            PageHtml({ReadQuietly(written.dir)}, {}));
 }
 
 }  // namespace

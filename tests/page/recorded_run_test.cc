@@ -6,8 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <sstream>
-
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh/mesh_io.h"
 #include "musclewarp/mesh/transformed.h"
@@ -23,14 +21,9 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-RecordedRun Read(const std::string& dir) {
-  std::ostringstream log;
-  return ReadRecordedRun(dir, log);
-}
-
 TEST(RecordedRun, IsWhatWasWritten) {
   const WrittenRun written = WriteRun(TestTempDir());
-  const RecordedRun run = Read(written.dir);
+  const RecordedRun run = ReadQuietly(written.dir);
   EXPECT_THAT(run.warnings, IsEmpty());
   ASSERT_EQ(run.frames.size(), 2u);
   ASSERT_EQ(run.muscles.size(), 1u);
@@ -55,7 +48,7 @@ TEST(RecordedRun, IsWhatWasWritten) {
 
 TEST(RecordedRun, MeasuresGapsAndCrossings) {
   const WrittenRun written = WriteRun(TestTempDir());
-  const RecordedRun run = Read(written.dir);
+  const RecordedRun run = ReadQuietly(written.dir);
   ASSERT_EQ(run.intersections.size(), 3u);
   EXPECT_TRUE(run.intersections[0].IsClean());
   EXPECT_GT(written.pairs, 0);
@@ -71,13 +64,14 @@ TEST(RecordedRun, SaysWhereTheReportIsAnother) {
   WrittenRun written = WriteRun(TestTempDir());
   written.report["frames"][1]["intersections"]["triangle_pairs"] = 3;
   written.WriteReport();
-  EXPECT_THAT(Read(written.dir).warnings, ElementsAre(HasSubstr("frame_0001")));
+  EXPECT_THAT(ReadQuietly(written.dir).warnings,
+              ElementsAre(HasSubstr("frame_0001")));
 }
 
 TEST(RecordedRun, IsReadAsFarAsItCame) {
   const WrittenRun written = WriteRun(TestTempDir());
   fs::remove_all(written.dir + "/frame_0001");
-  const RecordedRun run = Read(written.dir);
+  const RecordedRun run = ReadQuietly(written.dir);
   EXPECT_EQ(run.frames.size(), 1u);
   EXPECT_THAT(run.warnings, ElementsAre(HasSubstr("frame_0001")));
   EXPECT_EQ(run.muscles[0].points.size(), 2u);
@@ -87,7 +81,7 @@ TEST(RecordedRun, MayHaveNoFrameYet) {
   WrittenRun written = WriteRun(TestTempDir());
   written.report["frames"] = nlohmann::ordered_json::array();
   written.WriteReport();
-  const RecordedRun run = Read(written.dir);
+  const RecordedRun run = ReadQuietly(written.dir);
   EXPECT_TRUE(run.frames.empty());
   EXPECT_EQ(run.muscles[0].points.size(), 1u);
 }
@@ -96,7 +90,7 @@ TEST(RecordedRun, DamagedReportsAreNamed) {
   const std::string dir = TestTempDir();
   const WrittenRun good = WriteRun(dir);
   const auto refused = [&](const std::vector<std::string>& words) {
-    ExpectInputError([&] { Read(dir); }, words);
+    ExpectInputError([&] { ReadQuietly(dir); }, words);
   };
   WriteTextAtomically(dir + "/report.json", good.report.dump().substr(0, 900));
   refused({"report.json", "is not JSON", "line 1"});
@@ -132,7 +126,7 @@ TEST(RecordedRun, DamagedReportsAreNamed) {
 TEST(RecordedRun, DamagedMeshesAreNamed) {
   const std::string dir = TestTempDir();
   const auto refused = [&](const std::vector<std::string>& words) {
-    ExpectInputError([&] { Read(dir); }, words);
+    ExpectInputError([&] { ReadQuietly(dir); }, words);
     WriteRun(dir);
   };
   const WrittenRun good = WriteRun(dir);

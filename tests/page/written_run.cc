@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <sstream>
 
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/geometry/mesh_intersection.h"
@@ -52,6 +53,11 @@ nlohmann::ordered_json MeshReport(const std::string& name) {
 
 void WrittenRun::WriteReport() const {
   WriteTextAtomically(dir + "/report.json", report.dump(2));
+}
+
+RecordedRun ReadQuietly(const std::string& dir) {
+  std::ostringstream log;
+  return ReadRecordedRun(dir, log);
 }
 
 WrittenRun WriteRun(const std::string& dir, const std::string& muscle_name) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/page/recorded_run.h"
 
 namespace musclewarp {
 
@@ -26,5 +27,8 @@ struct WrittenRun {
 
 WrittenRun WriteRun(const std::string& dir,
                     const std::string& muscle_name = "muscle");
+
+// Reads a run, silently.
+RecordedRun ReadQuietly(const std::string& dir);
 
 }  // namespace musclewarp

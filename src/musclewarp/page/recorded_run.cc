@@ -169,19 +169,23 @@ class PoseReader {
              RecordedRun* run)
       : muscle_names_(muscles), run_(run) {
     const MeshFiles files = MeshFilesIn(rest);
-    for (const std::string& name : muscles) {
+    std::vector<MuscleLines> lines = LinesIn(rest, muscles);
+    for (std::size_t i = 0; i < muscles.size(); ++i) {
+      const std::string& name = muscles[i];
       TriangleSoup soup = ReadTriangleSoup(MeshOf(files, rest, name));
-      run->muscles.push_back({name, soup.triangles, {}, {}, {}});
+      run->muscles.push_back(
+          {name, soup.triangles, {soup.points}, {std::move(lines[i])}, {}});
       muscles_.push_back(Add(name, std::move(soup)));
     }
     for (const std::string& name : bones) {
       TriangleSoup soup = ReadTriangleSoup(MeshOf(files, rest, name));
-      run->bones.push_back({name, soup, {}});
+      run->bones.push_back({name, soup, {Eigen::Matrix4d::Identity()}});
       bones_.push_back(Add(name, std::move(soup)));
     }
-    ReadPose(rest);
+    Measure();
   }
 
+  // Reads a frame.
   void ReadPose(const std::string& folder) {
     const MeshFiles files = MeshFilesIn(folder);
     std::vector<MuscleLines> lines = LinesIn(folder, muscle_names_);
@@ -189,7 +193,7 @@ class PoseReader {
       RecordedMuscle& muscle = run_->muscles[i];
       const std::string file = MeshOf(files, folder, muscle.name);
       muscle.points.push_back(Moved(file, meshes_[i].get()));
-      if (!muscle.lines.empty() && !HaveSameSizes(muscle.lines[0], lines[i])) {
+      if (!HaveSameSizes(muscle.lines[0], lines[i])) {
         throw InputError(
             (fs::path(folder) / kLinesFile).string(),
             "has other lines of \"" + muscle.name + "\" than at rest",
