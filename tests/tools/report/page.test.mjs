@@ -350,10 +350,10 @@ describe("the page", () => {
 
   test("figures are downloaded as SVG and CSV", async () => {
     const page = await browser.openReady(html);
-    const get = async (type) => {
+    const get = async (type, figure = "line-lengths") => {
       const [download] = await Promise.all([
         page.waitForEvent("download"),
-        page.locator("#figure-line-lengths").getByText(type).click(),
+        page.locator(`#figure-${figure}`).getByText(type).click(),
       ]);
       return readFileSync(await download.path(), "utf8");
     };
@@ -373,6 +373,7 @@ describe("the page", () => {
     assert.match(svg, /^<svg/);
     assert.match(svg, /Line lengths/);
     assert.doesNotMatch(svg, /var\(--(?!plot)/);
+    assert.doesNotMatch(await get("SVG", "crossing-pairs"), /var\(--(?!plot)/);
     const drawn = await browser.open(
       (writeFileSync(join(workDir, "lengths.svg"), svg),
       join(workDir, "lengths.svg")),

@@ -75,11 +75,13 @@ export function svgText(svg: SVGSVGElement, title: string): string {
   copy.setAttribute("font-family", "sans-serif");
   copy.style.color = "#222";
   copy.style.background = "#fff";
-  copy.style.setProperty("--text", "#222");
   const name = document.createElementNS(copy.namespaceURI, "title");
   name.textContent = title;
   copy.prepend(name);
-  return new XMLSerializer().serializeToString(copy);
+  // Few other programs know the page's variables.
+  return new XMLSerializer()
+    .serializeToString(copy)
+    .replaceAll("var(--text)", "#222");
 }
 
 export function downloadFigure(
