@@ -17,7 +17,8 @@ export MUSCLEWARP_CHROMIUM
 
 for contact in none paper; do
   "$bin/musclewarp-deform" --scene=data/scenes/lhdl_hip_motion.json \
-    --data_root="$data" --contact=$contact --out="$out/flexion_$contact"
+    --data_root="$data" --contact=$contact --fibres=100 \
+    --out="$out/flexion_$contact"
 done
 "$bin/musclewarp-report" --in="$out/flexion_none" \
   --compare="$out/flexion_paper" --out="$out/both.html"
