@@ -16,6 +16,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/motion/certified_frame.h"
 #include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/frame_files.h"
 #include "musclewarp/report/motion_tables.h"
@@ -107,19 +108,29 @@ void ComputeFrames(const DeformOptions& options,
   if (done > 0) {
     screen << "resumed after frame " << done << "\n";
     state->pose = scene.scene.poses[selected[done - 1]];
+  } else if (run->certified) {
+    *state = run->certified->rest;
   } else if (is_motion) {
     *state = StartState(scene, run->contact, options.frame, solver);
   }
   Progress progress(done, total, options.is_terminal, &screen);
   for (int i = done; i < total; ++i) {
     ThrowIfInterrupted();
-    const Frame frame = SolveFrame(scene,
-                                   run->contact,
-                                   selected[i],
-                                   options.frame,
-                                   solver,
-                                   meshes,
-                                   is_motion ? state : nullptr);
+    SceneState* start = is_motion ? state : nullptr;
+    const Frame frame = run->certified ? SolveCertifiedFrame(scene,
+                                                             *run->certified,
+                                                             selected[i],
+                                                             options.frame,
+                                                             solver,
+                                                             meshes,
+                                                             start)
+                                       : SolveFrame(scene,
+                                                    run->contact,
+                                                    selected[i],
+                                                    options.frame,
+                                                    solver,
+                                                    meshes,
+                                                    start);
     WriteFrame(scene, frame, options.formats, options.out);
     run->frames.push_back(RecordOf(scene, frame));
     log.FrameDone(run->frames.back(), state->muscles);
@@ -141,9 +152,10 @@ SolverConfiguration ParseSolver(const std::string& text) {
 DeformContact ParseDeformContact(const std::string& text) {
   if (text == "none") return DeformContact::kNone;
   if (text == "paper") return DeformContact::kPaper;
+  if (text == "certified") return DeformContact::kCertified;
   throw InputError("--contact=" + text,
-                   "is not something this version does",
-                   "allowed: none, paper");
+                   "is not a kind of contact",
+                   "allowed: certified, paper, none");
 }
 
 ContactLevel ParseContactLevel(const std::string& text) {
@@ -174,7 +186,8 @@ void CheckSceneOptions(const DeformOptions& options) {
   std::string error;
   if (!options.prepare.IsValid(&error) || !options.solver.IsValid(&error) ||
       !options.frame.IsValid(&error) ||
-      !options.scene_contact.IsValid(&error)) {
+      !options.scene_contact.IsValid(&error) ||
+      !options.certified_contact.IsValid(&error)) {
     throw InputError("flags", error, "see --help");
   }
   if (options.scene.empty()) {
@@ -243,6 +256,10 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   if (options.contact == DeformContact::kPaper) {
     contact = PrepareContact(prepared, options.scene_contact);
   }
+  std::optional<CertifiedContact> certified;
+  if (options.contact == DeformContact::kCertified) {
+    certified = PrepareCertifiedContact(prepared, options.certified_contact);
+  }
   PrintPreparation(prepared, screen);
 
   MakeFolder(options.out);
@@ -256,6 +273,11 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   if (contact) {
     run.contact = &*contact;
     run.rest_after_fix = RestIntersectionsAfterFix(prepared, *contact, &meshes);
+  }
+  if (certified) {
+    run.certified = &*certified;
+    run.rest_after_fix =
+        CertifiedRestIntersections(prepared, *certified, &meshes);
   }
   ReportWriter writer(report);
   try {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/motion/certified_contact.h"
 #include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_contact.h"
@@ -14,7 +15,7 @@
 
 namespace musclewarp {
 
-enum class DeformContact { kNone, kPaper };
+enum class DeformContact { kNone, kPaper, kCertified };
 
 struct DeformOptions {
   std::string scene;
@@ -37,7 +38,8 @@ struct DeformOptions {
 
   PrepareOptions prepare;
   FrameOptions frame;
-  SceneContactOptions scene_contact;
+  SceneContactOptions scene_contact;  // the paper's
+  CertifiedContactOptions certified_contact;
 };
 
 // Names of flags to values; InputError names the flag and what is allowed.

@@ -58,6 +58,7 @@ void AddPair(const NamedMesh& a,
 
 void SceneIntersections::DropLists() {
   inside_of_muscles.clear();
+  self_pairs_of_muscles.clear();
   for (PairIntersection& pair : pairs) {
     pair.triangles_of_a.clear();
     pair.triangles_of_b.clear();
@@ -75,11 +76,31 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
     for (const NamedMesh& bone : bones) {
       AddPair(muscles[a], bone, &inside[a], nullptr, &sum);
     }
-    sum.self_pairs +=
-        static_cast<int>(SelfIntersections(muscles[a].mesh->bvh()).size());
+    sum.self_pairs_of_muscles.push_back(
+        static_cast<int>(SelfIntersections(muscles[a].mesh->bvh()).size()));
+    sum.self_pairs += sum.self_pairs_of_muscles.back();
   }
   sum.inside_of_muscles = std::move(inside);
   return sum;
+}
+
+std::vector<double> PenetrationDepths(const std::vector<NamedMesh>& muscles,
+                                      const std::vector<NamedMesh>& bones) {
+  std::vector<double> depths(muscles.size(), 0);
+  for (size_t a = 0; a < muscles.size(); ++a) {
+    for (size_t b = a + 1; b < muscles.size(); ++b) {
+      const double depth =
+          IntersectMeshes(*muscles[a].mesh, *muscles[b].mesh).max_depth_mm;
+      depths[a] = std::max(depths[a], depth);
+      depths[b] = std::max(depths[b], depth);
+    }
+    for (const NamedMesh& bone : bones) {
+      depths[a] =
+          std::max(depths[a],
+                   IntersectMeshes(*muscles[a].mesh, *bone.mesh).max_depth_mm);
+    }
+  }
+  return depths;
 }
 
 Eigen::VectorXd VertexGaps(size_t muscle,

@@ -27,7 +27,8 @@ struct SceneIntersections {
   int triangle_pairs = 0;
   int vertices_inside = 0;
   double max_depth_mm = 0;
-  int self_pairs = 0;                   // of the muscles, each with itself
+  int self_pairs = 0;  // of the muscles, each with itself
+  std::vector<int> self_pairs_of_muscles;
   std::vector<PairIntersection> pairs;  // those that touch, in scene order
   // By muscle: its vertices inside any other mesh, rising.
   std::vector<std::vector<int>> inside_of_muscles;
@@ -46,6 +47,11 @@ struct NamedMesh {
 // Bones are not tested against each other, nor with themselves.
 SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                                   const std::vector<NamedMesh>& bones);
+
+// By muscle: the depth of the deepest vertex of it in another mesh, or of
+// another mesh in it, mm.
+std::vector<double> PenetrationDepths(const std::vector<NamedMesh>& muscles,
+                                      const std::vector<NamedMesh>& bones);
 
 // For each vertex of muscle `muscle`: the distance to the nearest other mesh,
 // mm, negative inside one (`inside`, from IntersectScene); `limit` where

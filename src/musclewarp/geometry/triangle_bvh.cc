@@ -189,34 +189,20 @@ std::vector<TriangleBvh::NodePair> TriangleBvh::SelfPairs() const {
 TriangleBvh::Closest TriangleBvh::ClosestPoint(const RowVector3d& point,
                                                double max_distance) const {
   Closest closest;
-  if (nodes_.empty()) return closest;
   double least = max_distance * max_distance;
-  std::array<std::pair<double, int>, 64> stack;  // squared distance, node
-  int size = 0;
-  stack[size++] = {nodes_[0].box.SquaredDistance(point), 0};
-  while (size > 0) {
-    const auto [distance, index] = stack[--size];
-    if (distance > least) continue;
-    const Node& node = nodes_[index];
-    if (!node.IsLeaf()) {
-      std::pair<double, int> near = {
-          nodes_[index + 1].box.SquaredDistance(point), index + 1};
-      std::pair<double, int> far = {
-          nodes_[node.second].box.SquaredDistance(point), node.second};
-      if (far.first < near.first) std::swap(near, far);
-      if (far.first <= least) stack[size++] = far;
-      if (near.first <= least) stack[size++] = near;
-      continue;
-    }
-    const RowVector3d candidate =
-        ClosestPointOfTriangle(point, corners_[node.triangle]);
-    const double square = (point - candidate).squaredNorm();
-    if (square < least || (square == least && closest.triangle < 0)) {
-      least = square;
-      closest.triangle = node.triangle;
-      closest.point = candidate;
-    }
-  }
+  TraverseNearestFirst(
+      [&](const Box3& box) { return box.SquaredDistance(point); },
+      [&](int triangle) {
+        const RowVector3d candidate =
+            ClosestPointOfTriangle(point, corners_[triangle]);
+        const double square = (point - candidate).squaredNorm();
+        if (square < least || (square == least && closest.triangle < 0)) {
+          least = square;
+          closest.triangle = triangle;
+          closest.point = candidate;
+        }
+      },
+      &least);
   if (closest.triangle >= 0) closest.distance = std::sqrt(least);
   return closest;
 }

@@ -81,6 +81,13 @@ class TriangleBvh {
   template <typename Enter, typename Visit>
   void Traverse(const Enter& enter, const Visit& visit) const;
 
+  // Calls visit(triangle) for triangles below nodes with bound(box) <= limit,
+  // of two nodes that of the smaller bound first. `visit` may lower *limit.
+  template <typename Bound, typename Visit>
+  void TraverseNearestFirst(const Bound& bound,
+                            const Visit& visit,
+                            const double* limit) const;
+
   // The closest point of any triangle, at most max_distance away.
   Closest ClosestPoint(
       const Eigen::RowVector3d& point,
@@ -178,6 +185,30 @@ void TriangleBvh::Traverse(const Enter& enter, const Visit& visit) const {
       stack[size++] = node.second;
       stack[size++] = index + 1;
     }
+  }
+}
+
+template <typename Bound, typename Visit>
+void TriangleBvh::TraverseNearestFirst(const Bound& bound,
+                                       const Visit& visit,
+                                       const double* limit) const {
+  if (nodes_.empty()) return;
+  std::array<std::pair<double, int>, 64> stack;  // bound, node
+  int size = 0;
+  stack[size++] = {bound(nodes_[0].box), 0};
+  while (size > 0) {
+    const auto [distance, index] = stack[--size];
+    if (distance > *limit) continue;
+    const Node& node = nodes_[index];
+    if (node.IsLeaf()) {
+      visit(node.triangle);
+      continue;
+    }
+    std::pair<double, int> near = {bound(nodes_[index + 1].box), index + 1};
+    std::pair<double, int> far = {bound(nodes_[node.second].box), node.second};
+    if (far.first < near.first) std::swap(near, far);
+    if (far.first <= *limit) stack[size++] = far;
+    if (near.first <= *limit) stack[size++] = near;
   }
 }
 

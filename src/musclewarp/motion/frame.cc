@@ -57,6 +57,8 @@ void Certify(SceneMeshes* meshes, Frame* frame) {
   meshes->MoveTo(muscles, frame->bones);
   frame->intersections = IntersectScene(meshes->muscles(), meshes->bones());
   for (size_t i = 0; i < frame->muscles.size(); ++i) {
+    frame->muscles[i].self_pairs =
+        frame->intersections.self_pairs_of_muscles[i];
     frame->muscles[i].gaps =
         VertexGaps(i,
                    meshes->muscles(),
@@ -64,60 +66,6 @@ void Certify(SceneMeshes* meshes, Frame* frame) {
                    frame->intersections.inside_of_muscles[i],
                    kGapLimit);
   }
-}
-
-struct SolvedPose {
-  std::vector<MuscleState> states;
-  std::vector<SolverSummary> summaries;
-  double solve_ms = 0;
-};
-
-// Moves the muscles to one pose; `state` as for SolveFrame, not changed.
-SolvedPose SolvePose(const PreparedScene& scene,
-                     const SceneContact* contact,
-                     const ScenePose& pose,
-                     const PreRotationOptions& pre_rotation,
-                     const GroupSolver& solver,
-                     const SceneState* state) {
-  std::vector<const MuscleModel*> models;
-  std::vector<MuscleTarget> targets;
-  SolvedPose solved;
-  for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    const MuscleModel& model = scene.muscles[i].model;
-    models.push_back(&model);
-    targets.push_back(TargetOf(model, pose, pre_rotation));
-    MuscleState start;
-    if (state) {
-      start = state->muscles[i];
-      start.coarse += UnconstrainedMinimizer(model, targets.back()) -
-                      UnconstrainedMinimizer(
-                          model, TargetOf(model, state->pose, pre_rotation));
-    } else if (contact) {
-      start.coarse = UnconstrainedMinimizer(model, targets.back());
-    } else {
-      start.coarse = model.coarse_rest;
-    }
-    solved.states.push_back(std::move(start));
-  }
-  std::optional<GroupContact> group_contact;
-  if (contact) group_contact = ContactInPose(scene, *contact, pose);
-  if (contact && state) {
-    std::vector<Eigen::Matrix4d> now_from_before;
-    for (const PreparedBone& bone : scene.bones) {
-      now_from_before.push_back(
-          BodyTransform(pose, bone.body) *
-          BodyTransform(state->pose, bone.body).inverse());
-    }
-    group_contact->FollowOn(state->muscles, std::move(now_from_before));
-  }
-  const Stopwatch solving;
-  solver(models,
-         targets,
-         group_contact ? &*group_contact : nullptr,
-         &solved.states,
-         &solved.summaries);
-  solved.solve_ms = solving.Milliseconds();
-  return solved;
 }
 
 // What the next pose starts from. Offsets of the fine vertices are part of it
@@ -162,6 +110,7 @@ std::string Frame::stop_reason(const PreparedScene& scene) const {
 }
 
 bool Frame::IsUsable() const {
+  if (!shortcomings.empty()) return false;
   for (const MuscleFrame& muscle : muscles) {
     if (!muscle.solver.IsSolutionUsable()) return false;
   }
@@ -230,23 +179,36 @@ Frame SolveFrame(const PreparedScene& scene,
   }
   SolvedPose solved = solve(pose);
   if (state) *state = StateOf(pose, contact, solved.states);
-  for (const PreparedBone& bone : scene.bones) {
-    frame.bones.push_back(
-        Transformed(bone.rest.points, BodyTransform(pose, bone.body)));
-  }
   frame.wall_ms = moving.Milliseconds();
-
   const Stopwatch certifying;
-  for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    frame.muscles.push_back(FrameOf(scene.muscles[i],
-                                    pose,
-                                    solved.states[i],
-                                    std::move(solved.summaries[i])));
-  }
-  frame.path_moment_arms = PathMomentArms(scene.scene, pose);
-  Certify(meshes, &frame);
+  MeasureFrame(
+      scene, pose, solved.states, std::move(solved.summaries), meshes, &frame);
   frame.certify_ms = certifying.Milliseconds();
   return frame;
+}
+
+void MeasureFrame(const PreparedScene& scene,
+                  const ScenePose& pose,
+                  const std::vector<MuscleState>& states,
+                  std::vector<SolverSummary> summaries,
+                  SceneMeshes* meshes,
+                  Frame* frame) {
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    frame->muscles.push_back(
+        FrameOf(scene.muscles[i], pose, states[i], std::move(summaries[i])));
+  }
+  frame->bones = BonesIn(scene, pose);
+  frame->path_moment_arms = PathMomentArms(scene.scene, pose);
+  Certify(meshes, frame);
+}
+
+std::vector<Points> BonesIn(const PreparedScene& scene, const ScenePose& pose) {
+  std::vector<Points> bones;
+  for (const PreparedBone& bone : scene.bones) {
+    bones.push_back(
+        Transformed(bone.rest.points, BodyTransform(pose, bone.body)));
+  }
+  return bones;
 }
 
 SceneState StartState(const PreparedScene& scene,

@@ -12,6 +12,7 @@
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_contact.h"
 #include "musclewarp/motion/scene_meshes.h"
+#include "musclewarp/motion/solved_pose.h"
 #include "musclewarp/solver/muscle_target.h"
 #include "musclewarp/solver/solver_summary.h"
 
@@ -29,6 +30,13 @@ struct MuscleFrame {
   double max_displacement = 0;  // of a fine vertex from rest, mm
   // n: to the nearest other mesh, mm, negative inside one; at most kGapLimit.
   Eigen::VectorXd gaps;
+  int self_pairs = 0;  // of triangles that cross each other
+  // With certified contact: how far contact moved a fine vertex, and how deep
+  // the deepest vertex is in another mesh, or of another in this one, without
+  // contact, mm.
+  double max_contact_displacement = 0;
+  double mean_contact_displacement = 0;
+  double depth_without_contact = 0;
   // The action lines, sampled, and the fibres, as the muscle carries them.
   std::vector<Points> lines;
   std::vector<Points> fibres;
@@ -45,7 +53,9 @@ struct Frame {
   // Of the straight lines, by line and coordinate, mm/rad (or mm/m).
   std::map<std::string, std::map<std::string, double>> path_moment_arms;
   SceneIntersections intersections;
-  int pose_steps = 1;     // solves on the way from the frame before
+  int pose_steps = 1;  // solves on the way from the frame before
+  // What a certified frame must hold and this one does not; see Shortcomings().
+  std::vector<std::string> shortcomings;
   double wall_ms = 0;     // moving the scene to the pose
   double solve_ms = 0;    // of that, in the solver
   double certify_ms = 0;  // counting intersections and folded triangles
@@ -54,12 +64,6 @@ struct Frame {
   // "converged", or the reason and the muscle that did not.
   std::string stop_reason(const PreparedScene& scene) const;
   bool IsUsable() const;
-};
-
-// Where a frame of a motion starts: the muscles in the frame before.
-struct SceneState {
-  ScenePose pose;
-  std::vector<MuscleState> muscles;
 };
 
 struct FrameOptions {
@@ -101,6 +105,18 @@ SceneState StartState(const PreparedScene& scene,
                       const SceneContact* contact,
                       const FrameOptions& options,
                       const GroupSolver& solver);
+
+// Fills in everything of a frame but the times and `pose_steps`, which are of
+// the way there.
+void MeasureFrame(const PreparedScene& scene,
+                  const ScenePose& pose,
+                  const std::vector<MuscleState>& states,
+                  std::vector<SolverSummary> summaries,
+                  SceneMeshes* meshes,
+                  Frame* frame);
+
+// The bones of a scene in a pose, #V x 3, mm.
+std::vector<Points> BonesIn(const PreparedScene& scene, const ScenePose& pose);
 
 // The scene with every mesh where it came.
 Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes);

@@ -21,6 +21,10 @@ MuscleRecord RecordOf(const MuscleModel& model, const MuscleFrame& frame) {
   record.max_displacement_mm = frame.max_displacement;
   record.min_gap_mm = frame.gaps.size() ? frame.gaps.minCoeff() : kGapLimit;
   record.folded_triangles = frame.folded_triangles;
+  record.self_pairs = frame.self_pairs;
+  record.max_contact_displacement_mm = frame.max_contact_displacement;
+  record.mean_contact_displacement_mm = frame.mean_contact_displacement;
+  record.depth_without_contact_mm = frame.depth_without_contact;
   record.iterations = frame.solver.iterations;
   record.solve_ms = frame.solver.wall_ms;
   record.initial_energy_mm2 = frame.solver.initial_energy;
@@ -45,6 +49,10 @@ Json ToJson(const MuscleRecord& record) {
           {"max_displacement_mm", record.max_displacement_mm},
           {"min_gap_mm", record.min_gap_mm},
           {"folded_triangles", record.folded_triangles},
+          {"self_pairs", record.self_pairs},
+          {"max_contact_displacement_mm", record.max_contact_displacement_mm},
+          {"mean_contact_displacement_mm", record.mean_contact_displacement_mm},
+          {"depth_without_contact_mm", record.depth_without_contact_mm},
           {"iterations", record.iterations},
           {"solve_ms", record.solve_ms},
           {"initial_energy_mm2", record.initial_energy_mm2},
@@ -64,6 +72,12 @@ MuscleRecord MuscleRecordFromJson(const Json& json) {
   json.at("max_displacement_mm").get_to(record.max_displacement_mm);
   json.at("min_gap_mm").get_to(record.min_gap_mm);
   json.at("folded_triangles").get_to(record.folded_triangles);
+  json.at("self_pairs").get_to(record.self_pairs);
+  json.at("max_contact_displacement_mm")
+      .get_to(record.max_contact_displacement_mm);
+  json.at("mean_contact_displacement_mm")
+      .get_to(record.mean_contact_displacement_mm);
+  json.at("depth_without_contact_mm").get_to(record.depth_without_contact_mm);
   json.at("iterations").get_to(record.iterations);
   json.at("solve_ms").get_to(record.solve_ms);
   json.at("initial_energy_mm2").get_to(record.initial_energy_mm2);
@@ -122,6 +136,7 @@ FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame) {
   record.iterations = frame.iterations();
   record.stop_reason = frame.stop_reason(scene);
   record.usable = frame.IsUsable();
+  record.shortcomings = frame.shortcomings;
   for (size_t i = 0; i < frame.muscles.size(); ++i) {
     record.muscles.push_back(
         RecordOf(scene.muscles[i].model, frame.muscles[i]));
@@ -164,6 +179,7 @@ Json ToJson(const FrameRecord& record) {
           {"iterations", record.iterations},
           {"stop_reason", record.stop_reason},
           {"usable", record.usable},
+          {"shortcomings", record.shortcomings},
           {"muscles", muscles},
           {"path_moment_arms_mm", record.path_moment_arms_mm},
           {"intersections", ToJson(record.intersections)}};
@@ -182,6 +198,7 @@ FrameRecord FrameRecordFromJson(const Json& json) {
   json.at("iterations").get_to(record.iterations);
   json.at("stop_reason").get_to(record.stop_reason);
   json.at("usable").get_to(record.usable);
+  json.at("shortcomings").get_to(record.shortcomings);
   for (const Json& muscle : json.at("muscles")) {
     record.muscles.push_back(MuscleRecordFromJson(muscle));
   }

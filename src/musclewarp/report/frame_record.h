@@ -21,6 +21,11 @@ struct MuscleRecord {
   double max_displacement_mm = 0;
   double min_gap_mm = 0;
   int folded_triangles = 0;
+  int self_pairs = 0;
+  // With certified contact.
+  double max_contact_displacement_mm = 0;
+  double mean_contact_displacement_mm = 0;
+  double depth_without_contact_mm = 0;
   int iterations = 0;
   double solve_ms = 0;
   double initial_energy_mm2 = 0;
@@ -44,6 +49,7 @@ struct FrameRecord {
   int iterations = 0;
   std::string stop_reason;
   bool usable = false;
+  std::vector<std::string> shortcomings;
   std::vector<MuscleRecord> muscles;
   // By line and coordinate, mm/rad (or mm/m), of straight paths.
   std::map<std::string, std::map<std::string, double>> path_moment_arms_mm;

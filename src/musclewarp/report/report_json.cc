@@ -150,6 +150,12 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
     contact_options = {{"level", ToString(options.level)},
                        {"seed", options.paper.seed}};
   }
+  if (run.certified) {
+    prepare["contact_ms"] = run.certified->wall_ms;
+    rest["after_initial_fix"] = ToJson(run.rest_after_fix);
+    const CertifiedContactOptions& options = run.certified->options;
+    contact_options = {{"gap_mm", options.step.relaxation.gap}};
+  }
   const RunTotals totals = TotalsOf(run);
   Json frames = Json::array();
   for (const FrameRecord& frame : run.frames) frames.push_back(ToJson(frame));
@@ -157,7 +163,10 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
           {"axes", run.scene->scene.axes},
           {"side", run.scene->scene.side},
           {"solver", run.solver},
-          {"contact", run.contact ? "paper" : "none"},
+          {"contact",
+           run.contact     ? "paper"
+           : run.certified ? "certified"
+                           : "none"},
           {"contact_options", contact_options},
           {"machine", MachineJson()},
           {"version", MUSCLEWARP_VERSION},

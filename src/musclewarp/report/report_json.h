@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/motion/certified_contact.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_contact.h"
 #include "musclewarp/report/frame_record.h"
@@ -20,7 +21,9 @@ struct RunRecord {
   std::map<std::string, std::string> options;  // all flags by name
   std::string inputs_hash;  // of all files read and options that matter
   const PreparedScene* scene = nullptr;
-  const SceneContact* contact = nullptr;  // null: without
+  // One of them at most is not null.
+  const SceneContact* contact = nullptr;  // the paper's
+  const CertifiedContact* certified = nullptr;
   SceneIntersections rest;
   SceneIntersections rest_after_fix;  // with contact
   std::vector<FrameRecord> frames;

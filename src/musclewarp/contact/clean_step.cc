@@ -1,0 +1,45 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/contact/clean_step.h"
+
+namespace musclewarp {
+
+bool CleanStepOptions::IsValid(std::string* error) const {
+  if (max_rounds < 1 || !(least_gap > 0 && least_gap < 1)) {
+    *error =
+        "CleanStepOptions: allowed are max_rounds above 0 and 0 < least_gap < "
+        "1";
+    return false;
+  }
+  return relaxation.IsValid(error);
+}
+
+CleanStepSummary StepCleanly(const CleanStepOptions& options,
+                             const std::vector<ContactMesh>& muscles,
+                             const std::vector<const TriangleBvh*>& rest_bones,
+                             ContactState* next,
+                             ContactState* state) {
+  CleanStepSummary summary;
+  ContactRelaxation relaxation(
+      options.relaxation, muscles, rest_bones, *state, *next);
+  // Two muscles share a gap.
+  const double allowed = (1 - options.least_gap) / 2 * options.relaxation.gap;
+  while (!summary.is_clean && summary.rounds < options.max_rounds) {
+    ++summary.rounds;
+    relaxation.Sweep();
+    summary.volume_error = relaxation.RestoreVolumes();
+    summary.violation = relaxation.WorstViolation();
+    const StateDefects defects = relaxation.AddDefects();
+    summary.crossing_pairs = defects.crossing_pairs;
+    summary.is_clean =
+        defects.crossing_pairs == 0 && summary.violation <= allowed;
+    // Worth another round, but no reason to give up a step.
+    if (defects.self_pairs + defects.folded == 0) continue;
+    if (summary.rounds < options.max_rounds) summary.is_clean = false;
+  }
+  next->points = relaxation.points();
+  if (summary.is_clean) *state = *next;
+  return summary;
+}
+
+}  // namespace musclewarp

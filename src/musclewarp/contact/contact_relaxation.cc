@@ -1,0 +1,514 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/contact/contact_relaxation.h"
+
+#include <glog/logging.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/geometry/triangle_distance.h"
+#include "musclewarp/geometry/triangle_intersection.h"
+#include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh/transformed.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+using Eigen::RowVector3i;
+
+// A push goes no farther than this many times the reach.
+constexpr double kFarthestPush = 5;
+
+// Two sheets of a muscle keep this part of the distance they have.
+constexpr double kSheetRoom = 0.5;
+
+// Of the room that a muscle was given by another one that it does not need any
+// more, what is left after a sweep.
+constexpr double kBiasDecay = 0.97;
+
+// A triangle that folded keeps this part of the height its target has.
+constexpr double kUnfoldedHeight = 0.1;
+
+Corners CornersOf(const Points& points, const RowVector3i& triangle) {
+  Corners corners;
+  for (int k = 0; k < 3; ++k) corners.row(k) = points.row(triangle[k]);
+  return corners;
+}
+
+// The normal of a triangle, as long as twice its area.
+RowVector3d AreaVector(const Corners& t) {
+  return RowVector3d(t.row(1) - t.row(0))
+      .cross(RowVector3d(t.row(2) - t.row(0)));
+}
+
+// The turn of a triangle from `a` to `b`, as a matrix for row vectors.
+Eigen::Matrix3d TurnOf(const Corners& a, const Corners& b) {
+  const auto frame = [](const Corners& t) {
+    Eigen::Matrix3d axes;
+    const RowVector3d e = (t.row(1) - t.row(0)).normalized();
+    const RowVector3d n =
+        e.cross(RowVector3d(t.row(2) - t.row(0))).normalized();
+    axes << e, n, e.cross(n);
+    return axes;
+  };
+  return frame(a).transpose() * frame(b);
+}
+
+}  // namespace
+
+bool ContactRelaxationOptions::IsValid(std::string* error) const {
+  if (gap > 0 && smoothing_length > 0 && reach > gap && sweeps > 0 &&
+      volume_tolerance > 0) {
+    return true;
+  }
+  *error =
+      "ContactRelaxationOptions: allowed are gap, smoothing_length, sweeps and "
+      "volume_tolerance above 0 and reach above gap";
+  return false;
+}
+
+ContactRelaxation::ContactRelaxation(
+    const ContactRelaxationOptions& options,
+    const std::vector<ContactMesh>& muscles,
+    const std::vector<const TriangleBvh*>& rest_bones,
+    const ContactState& clean,
+    const ContactState& next)
+    : options_(options),
+      muscles_(muscles),
+      rest_bones_(rest_bones),
+      bones_before_(clean.bones_from_rest),
+      bones_(next.bones_from_rest),
+      clean_(clean.points),
+      targets_(next.targets),
+      sides_(muscles.size()),
+      first_sides_(muscles.size()) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+  CHECK_EQ(bones_.size(), bones_before_.size());
+  for (int i = 0; i < num_muscles(); ++i) {
+    carried_.push_back(clean_[i] + next.targets[i] - clean.targets[i]);
+    clean_trees_.push_back(
+        std::make_unique<TriangleBvh>(clean_[i], muscles_[i].triangles));
+    trees_.push_back(std::make_unique<TriangleBvh>(*clean_trees_.back()));
+    trees_.back()->Refit(carried_[i]);
+  }
+  points_ = carried_;
+  wishes_ = carried_;
+  for (size_t bone = 0; bone < bones_.size(); ++bone) {
+    FindBonePlanes(static_cast<int>(bone));
+  }
+  for (int a = 0; a < num_muscles(); ++a) {
+    for (int b = a + 1; b < num_muscles(); ++b) FindMusclePlanes(a, b);
+  }
+  SortSides();
+}
+
+void ContactRelaxation::AddBonePlane(int muscle,
+                                     int triangle,
+                                     int bone,
+                                     const HalfSpace& space) {
+  // From the rest pose of the bone to its new place.
+  HalfSpace moved;
+  moved.normal = space.normal * bones_[bone].topLeftCorner<3, 3>().transpose();
+  moved.level =
+      space.level + moved.normal.dot(bones_[bone].topRightCorner<3, 1>());
+  for (int k = 0; k < 3; ++k) {
+    const int v = muscles_[muscle].triangles(triangle, k);
+    if (moved.normal.dot(carried_[muscle].row(v)) - moved.level <=
+        kFarthestPush * options_.reach) {
+      sides_[muscle].push_back({v, -1, 1, moved});
+    }
+  }
+}
+
+void ContactRelaxation::FindBonePlanes(int bone) {
+  const Eigen::Matrix4d rest_from_before = RigidInverse(bones_before_[bone]);
+  const Eigen::Matrix4d now_from_before = bones_[bone] * rest_from_before;
+  for (int i = 0; i < num_muscles(); ++i) {
+    const Points at_rest = Transformed(clean_[i], rest_from_before);
+    const Eigen::VectorXd moves =
+        (Transformed(clean_[i], now_from_before) - carried_[i])
+            .rowwise()
+            .norm();
+    const Triangles& triangles = muscles_[i].triangles;
+    std::vector<std::vector<HalfSpace>> found(triangles.rows());
+#pragma omp parallel for schedule(dynamic, 64)
+    for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+      const double move = std::max({moves[triangles(f, 0)],
+                                    moves[triangles(f, 1)],
+                                    moves[triangles(f, 2)]});
+      const double radius =
+          options_.gap + options_.reach +
+          std::min(1.5 * move, 2 * kFarthestPush * options_.reach);
+      PartFromObstacles(CornersOf(at_rest, triangles.row(f)),
+                        *rest_bones_[bone],
+                        radius,
+                        options_.gap,
+                        &found[f]);
+    }
+    for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+      for (const HalfSpace& space : found[f]) {
+        AddBonePlane(i, static_cast<int>(f), bone, space);
+      }
+    }
+  }
+}
+
+void ContactRelaxation::AddMusclePlane(int a, int b, const PartedPair& pair) {
+  const RowVector3i corners_a = muscles_[a].triangles.row(pair.a);
+  const RowVector3i corners_b = muscles_[b].triangles.row(pair.b);
+  const Eigen::Matrix3d turn = TurnOf(CornersOf(clean_[a], corners_a),
+                                      CornersOf(carried_[a], corners_a)) +
+                               TurnOf(CornersOf(clean_[b], corners_b),
+                                      CornersOf(carried_[b], corners_b));
+  RowVector3d normal = pair.normal * turn;
+  // Triangles without area have no turn.
+  normal = normal.norm() > 0.5 ? normal.normalized() : pair.normal;
+  const double gap = a == b ? std::min(options_.gap, kSheetRoom * pair.distance)
+                            : options_.gap;
+  AddPlane({a, b, corners_a, corners_b, normal, gap / 2});
+}
+
+void ContactRelaxation::AddPlane(const Plane& plane) {
+  const int index = static_cast<int>(planes_.size());
+  planes_.push_back(plane);
+  for (int k = 0; k < 3; ++k) {
+    sides_[plane.muscle_a].push_back({plane.a[k], index, 1, {plane.normal, 0}});
+    sides_[plane.muscle_b].push_back(
+        {plane.b[k], index, -1, {-plane.normal, 0}});
+  }
+}
+
+void ContactRelaxation::FindMusclePlanes(int a, int b) {
+  for (const PartedPair& pair :
+       PartedPairs(*clean_trees_[a],
+                   *clean_trees_[b],
+                   *trees_[a],
+                   *trees_[b],
+                   options_.gap + 2 * options_.reach)) {
+    AddMusclePlane(a, b, pair);
+  }
+}
+
+void ContactRelaxation::SortSides() {
+  for (int i = 0; i < num_muscles(); ++i) {
+    std::vector<int>& first = first_sides_[i];
+    first.assign(muscles_[i].num_vertices() + 1, 0);
+    for (const Side& side : sides_[i]) ++first[side.vertex + 1];
+    for (size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+    std::vector<Side> sorted(sides_[i].size());
+    std::vector<int> next = first;
+    for (const Side& side : sides_[i]) sorted[next[side.vertex]++] = side;
+    sides_[i] = std::move(sorted);
+  }
+}
+
+double ContactRelaxation::Level(const Side& side) const {
+  if (side.plane < 0) return side.space.level;
+  const Plane& plane = planes_[side.plane];
+  return side.sign * plane.level + plane.half_gap;
+}
+
+RowVector3d ContactRelaxation::Projected(int muscle,
+                                         int vertex,
+                                         const RowVector3d& point) const {
+  // Hildreth's method: the nearest point in all half-spaces.
+  constexpr int kMost = 512;
+  constexpr double kTolerance = 1e-4;  // mm
+  const int begin = first_sides_[muscle][vertex];
+  const int count = std::min(kMost, first_sides_[muscle][vertex + 1] - begin);
+  const Side* sides = sides_[muscle].data() + begin;
+  std::array<double, kMost> level;
+  bool is_inside = true;
+  for (int i = 0; i < count; ++i) {
+    level[i] = Level(sides[i]);
+    is_inside &= sides[i].space.normal.dot(point) >= level[i];
+  }
+  if (is_inside) return point;
+  std::array<double, kMost> multiplier;
+  std::fill(multiplier.begin(), multiplier.begin() + count, 0.0);
+  RowVector3d moved = point;
+  const auto pass = [&](bool bones_only) {
+    double change = 0;
+    for (int i = 0; i < count; ++i) {
+      if (bones_only && sides[i].plane >= 0) continue;
+      const double step =
+          std::max(level[i] - sides[i].space.normal.dot(moved), -multiplier[i]);
+      if (step == 0) continue;
+      multiplier[i] += step;
+      moved += step * sides[i].space.normal;
+      change = std::max(change, std::abs(step));
+    }
+    return change;
+  };
+  for (int i = 0; i < 10; ++i) {
+    if (pass(false) < kTolerance) return moved;
+  }
+  // There may be no such point. Then another muscle has to give way, by
+  // SetLevels; a bone does not.
+  for (int i = 0; i < 20; ++i) {
+    if (pass(true) < kTolerance) break;
+  }
+  const RowVector3d push = moved - carried_[muscle].row(vertex);
+  const double farthest = kFarthestPush * options_.reach;
+  if (push.norm() <= farthest) return moved;
+  return carried_[muscle].row(vertex) + farthest / push.norm() * push;
+}
+
+void ContactRelaxation::SetLevels(bool is_first) {
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < planes_.size(); ++i) {
+    Plane& plane = planes_[i];
+    // The lowest corner of a and the highest of b.
+    const auto lowest = [&](const std::vector<Points>& points) {
+      double least = std::numeric_limits<double>::infinity();
+      for (int k = 0; k < 3; ++k) {
+        least = std::min(
+            least, plane.normal.dot(points[plane.muscle_a].row(plane.a[k])));
+      }
+      return least;
+    };
+    const auto highest = [&](const std::vector<Points>& points) {
+      double most = -std::numeric_limits<double>::infinity();
+      for (int k = 0; k < 3; ++k) {
+        most = std::max(
+            most, plane.normal.dot(points[plane.muscle_b].row(plane.b[k])));
+      }
+      return most;
+    };
+    if (!is_first) {
+      // Who could not come to the side that is his is held by something else:
+      // the other one has to go farther.
+      const double down =
+          std::max(0.0, plane.level + plane.half_gap - lowest(points_));
+      const double up =
+          std::max(0.0, highest(points_) - plane.level + plane.half_gap);
+      if (down + up < 1e-3) plane.bias *= kBiasDecay;
+      plane.bias += up - down;
+    }
+    plane.level = (lowest(wishes_) + highest(wishes_)) / 2 + plane.bias;
+  }
+}
+
+void ContactRelaxation::SweepMuscle(int muscle) {
+  const ContactMesh& mesh = muscles_[muscle];
+  const Points& target = targets_[muscle];
+  const Points& carried = carried_[muscle];
+  Points& points = points_[muscle];
+  const double decay =
+      1 / (options_.smoothing_length * options_.smoothing_length);
+  for (int v = 0; v < mesh.num_vertices(); ++v) {
+    RowVector3d sum = RowVector3d::Zero();
+    double weights = decay * mesh.areas[v];
+    for (int e = mesh.first[v]; e < mesh.first[v + 1]; ++e) {
+      const int u = mesh.neighbours[e];
+      sum += mesh.weights[e] * (points.row(u) - target.row(u));
+      weights += mesh.weights[e];
+    }
+    RowVector3d wish = target.row(v) + sum / weights;
+    const RowVector3d beyond = wish - carried.row(v);
+    const double far = beyond.norm();
+    if (far > options_.reach) {
+      wish = carried.row(v) + options_.reach / far * beyond;
+    }
+    wishes_[muscle].row(v) = wish;
+    points.row(v) = Projected(muscle, v, wish);
+  }
+}
+
+void ContactRelaxation::Sweep() {
+  for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
+    SetLevels(sweep == 0);
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int i = 0; i < num_muscles(); ++i) SweepMuscle(i);
+  }
+}
+
+double ContactRelaxation::RestoreVolume(int muscle) {
+  constexpr int kSteps = 12;
+  constexpr int kSmoothing = 3;
+  const ContactMesh& mesh = muscles_[muscle];
+  Points& points = points_[muscle];
+  const int count = mesh.num_vertices();
+  // How far a vertex takes part: not where a plane holds it, and little beside.
+  Eigen::VectorXd share(count);
+  for (int v = 0; v < count; ++v) {
+    share[v] = points.row(v) == wishes_[muscle].row(v);
+  }
+  for (int pass = 0; pass < kSmoothing; ++pass) {
+    Eigen::VectorXd smooth = share;
+    for (int v = 0; v < count; ++v) {
+      if (share[v] == 0) continue;
+      double sum = 0, weights = 0;
+      for (int e = mesh.first[v]; e < mesh.first[v + 1]; ++e) {
+        sum += mesh.weights[e] * share[mesh.neighbours[e]];
+        weights += mesh.weights[e];
+      }
+      if (weights > 0) smooth[v] = (share[v] + sum / weights) / 2;
+    }
+    share = smooth;
+  }
+  double error = 0;
+  for (int step = 0;; ++step) {
+    error = SignedVolume(points, mesh.triangles) - mesh.volume;
+    if (step == kSteps ||
+        std::abs(error) <= options_.volume_tolerance * mesh.volume) {
+      break;
+    }
+    Points normals = Points::Zero(count, 3);
+    for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+      const Corners t = CornersOf(points, mesh.triangles.row(f));
+      const RowVector3d sixth = AreaVector(t) / 6;
+      for (int k = 0; k < 3; ++k) normals.row(mesh.triangles(f, k)) += sixth;
+    }
+    const Eigen::VectorXd lengths = normals.rowwise().norm();
+    const double slope = share.dot(lengths);
+    if (!(slope > 0)) break;
+    const double move =
+        std::clamp(-error / slope, -options_.reach, options_.reach);
+    for (int v = 0; v < count; ++v) {
+      if (share[v] == 0 || lengths[v] == 0) continue;
+      points.row(v) = Projected(
+          muscle,
+          v,
+          points.row(v) + share[v] * move / lengths[v] * normals.row(v));
+    }
+  }
+  return std::abs(error) / mesh.volume;
+}
+
+double ContactRelaxation::RestoreVolumes() {
+  double worst = 0;
+#pragma omp parallel for schedule(dynamic, 1) reduction(max : worst)
+  for (int i = 0; i < num_muscles(); ++i) {
+    worst = std::max(worst, RestoreVolume(i));
+  }
+  return worst;
+}
+
+int ContactRelaxation::AddMuscleCrossings(int a, int b) {
+  const bool within_one = a == b;
+  const auto pairs = within_one ? SelfIntersections(*trees_[a])
+                                : IntersectingTriangles(*trees_[a], *trees_[b]);
+  const int count = static_cast<int>(pairs.size());
+  if (within_one && count <= muscles_[a].self_pairs) return 0;
+  int parted = 0;
+  for (const auto& [f, g] : pairs) {
+    PartedPair pair;
+    if (!Part(
+            clean_trees_[a]->corners(f), clean_trees_[b]->corners(g), &pair)) {
+      continue;
+    }
+    pair.a = f;
+    pair.b = g;
+    AddMusclePlane(a, b, pair);
+    ++parted;
+  }
+  return within_one ? parted : count;
+}
+
+int ContactRelaxation::AddBoneCrossings(int bone) {
+  const Eigen::Matrix4d rest_from_before = RigidInverse(bones_before_[bone]);
+  const Eigen::Matrix4d rest_from_now = RigidInverse(bones_[bone]);
+  int count = 0;
+  for (int i = 0; i < num_muscles(); ++i) {
+    trees_[i]->Refit(Transformed(points_[i], rest_from_now));
+    for (const auto& [f, g] :
+         IntersectingTriangles(*trees_[i], *rest_bones_[bone])) {
+      ++count;
+      const Corners at_rest = Transformed(
+          CornersOf(clean_[i], muscles_[i].triangles.row(f)), rest_from_before);
+      PartedPair pair;
+      const Corners& obstacle = rest_bones_[bone]->corners(g);
+      if (!Part(at_rest, obstacle, &pair)) continue;
+      const double level = (obstacle * pair.normal.transpose()).maxCoeff();
+      AddBonePlane(i, f, bone, {pair.normal, level + options_.gap});
+    }
+  }
+  return count;
+}
+
+int ContactRelaxation::AddFolded(int muscle) {
+  const Triangles& triangles = muscles_[muscle].triangles;
+  std::vector<int> folded;
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    const Corners now = CornersOf(points_[muscle], triangles.row(f));
+    const Corners target = CornersOf(targets_[muscle], triangles.row(f));
+    if (AreaVector(now).dot(AreaVector(target)) < 0) {
+      folded.push_back(static_cast<int>(f));
+    }
+  }
+  const auto count = static_cast<double>(triangles.rows());
+  if (static_cast<double>(folded.size()) <= options_.max_folded_share * count) {
+    return 0;
+  }
+  for (const int f : folded) {
+    // Over its longest edge a triangle is lowest, and folds.
+    const RowVector3i corners = triangles.row(f);
+    const Corners target = CornersOf(targets_[muscle], corners);
+    int top = 0;
+    double longest = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double length =
+          (target.row((k + 1) % 3) - target.row((k + 2) % 3)).norm();
+      if (length > longest) {
+        longest = length;
+        top = k;
+      }
+    }
+    const RowVector3d area = AreaVector(target);
+    const int u = (top + 1) % 3, v = (top + 2) % 3;
+    const RowVector3d inward =
+        area.cross(RowVector3d(target.row(v) - target.row(u)));
+    if (!(inward.norm() > 0)) continue;
+    const double height = area.norm() / longest;
+    AddPlane({muscle,
+              muscle,
+              RowVector3i::Constant(corners[top]),
+              RowVector3i(corners[u], corners[v], corners[v]),
+              inward.normalized(),
+              kUnfoldedHeight * height / 2});
+  }
+  return static_cast<int>(folded.size());
+}
+
+StateDefects ContactRelaxation::AddDefects() {
+  StateDefects found;
+  const size_t planes = planes_.size();
+  for (int i = 0; i < num_muscles(); ++i) {
+    trees_[i]->Refit(points_[i]);
+    found.folded += AddFolded(i);
+  }
+  for (int a = 0; a < num_muscles(); ++a) {
+    found.self_pairs += AddMuscleCrossings(a, a);
+    for (int b = a + 1; b < num_muscles(); ++b) {
+      found.crossing_pairs += AddMuscleCrossings(a, b);
+    }
+  }
+  for (size_t bone = 0; bone < bones_.size(); ++bone) {
+    found.crossing_pairs += AddBoneCrossings(static_cast<int>(bone));
+  }
+  if (planes_.size() > planes || found.crossing_pairs > 0) SortSides();
+  return found;
+}
+
+double ContactRelaxation::WorstViolation() const {
+  double worst = 0;
+  for (int i = 0; i < num_muscles(); ++i) {
+    for (const Side& side : sides_[i]) {
+      if (side.plane >= 0 && planes_[side.plane].IsWithinOne()) continue;
+      worst = std::max(
+          worst,
+          Level(side) - side.space.normal.dot(points_[i].row(side.vertex)));
+    }
+  }
+  return worst;
+}
+
+}  // namespace musclewarp

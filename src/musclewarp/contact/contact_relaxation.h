@@ -1,0 +1,152 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "musclewarp/contact/contact_mesh.h"
+#include "musclewarp/contact/separation.h"
+#include "musclewarp/geometry/triangle_bvh.h"
+#include "musclewarp/mesh/triangle_soup.h"
+
+namespace musclewarp {
+
+struct ContactRelaxationOptions {
+  // Kept between two surfaces, mm.
+  double gap = 0.1;
+  // How fast an offset dies away from where contact asks for it, mm.
+  double smoothing_length = 8;
+  // How far a vertex may go in one step from where it is carried to without
+  // being pushed, mm. What is nearer than that is looked at.
+  double reach = 1;
+  // Sweeps over all vertices.
+  int sweeps = 30;
+  // Of the volume, relative.
+  double volume_tolerance = 1e-8;
+  // Of the triangles of a muscle; more are unfolded.
+  double max_folded_share = 5e-4;
+
+  bool IsValid(std::string* error) const;
+};
+
+// Where muscles and bones are, and where the muscles would be without contact.
+struct ContactState {
+  std::vector<Points> points;   // of the muscles, #V x 3, mm
+  std::vector<Points> targets;  // the same without contact
+  std::vector<Eigen::Matrix4d> bones_from_rest;
+};
+
+// What is wrong with a state.
+struct StateDefects {
+  int crossing_pairs = 0;  // of triangles of two meshes
+  // Of triangles of one muscle, if it has more than at rest and they did not
+  // cross before.
+  int self_pairs = 0;
+  // Triangles turned over against their targets, if a muscle has too many.
+  int folded = 0;
+};
+
+// One step of contact: from a clean state, in which no triangles cross, to
+// another one nearby, where bones and targets are elsewhere.
+//
+// A plane that parts two triangles now is a side for each of them to stay on:
+// a triangle lies beyond a plane if its corners do. So contact becomes a few
+// half-spaces for each vertex by itself. Planes against bones move as the bone
+// does. In the frame of the bone the plane stands still and, half-spaces being
+// convex, the straight way of a vertex from here to there stays in it: no
+// muscle passes through a bone between the two states. Planes between two
+// muscles (or two sheets of one) turn with them and lie where both want to go
+// equally far beyond them.
+//
+// In their half-spaces the vertices take the places p = target + offset that
+// minimise
+//
+//   1/2 sum_edges w |o_i - o_j|^2 + 1/2 sum_vertices area / length^2 |o_i|^2,
+//
+// by projected Gauss-Seidel sweeps: an obstacle problem, whose solution is as
+// small and smooth as contact lets it be, and zero where there is none.
+//
+// Muscles are treated alike: nothing depends on their order but rounding.
+class ContactRelaxation {
+ public:
+  // Keeps references to the meshes. `clean` and `next` have the same muscles
+  // and bones; the points of `next` are not used. Precondition (CHECKed): the
+  // options are valid.
+  ContactRelaxation(const ContactRelaxationOptions& options,
+                    const std::vector<ContactMesh>& muscles,
+                    const std::vector<const TriangleBvh*>& rest_bones,
+                    const ContactState& clean,
+                    const ContactState& next);
+
+  void Sweep();
+
+  // Moves vertices that no plane holds along their normals, until volumes are
+  // as they should be (paper section 3.3: what is in contact takes no part).
+  // Returns the largest relative error left.
+  double RestoreVolumes();
+
+  // Looks for triangles that cross all the same, by an exact test, or are
+  // folded, and adds planes for them: the next Sweep() will set them right.
+  StateDefects AddDefects();
+
+  // By how much a vertex is on the wrong side of a plane against another mesh,
+  // at most, mm.
+  double WorstViolation() const;
+
+  const std::vector<Points>& points() const { return points_; }
+
+ private:
+  // A plane between two muscles, or within one: a is above it, b below. In a
+  // triangle that must not fold a is a corner and b the edge opposite to it.
+  struct Plane {
+    int muscle_a, muscle_b;
+    Eigen::RowVector3i a, b;  // vertices
+    Eigen::RowVector3d normal;
+    double half_gap;
+    double level = 0;
+    double bias = 0;
+
+    bool IsWithinOne() const { return muscle_a == muscle_b; }
+  };
+  // A side for a vertex to stay on: sign * normal . p >= level. That of a
+  // plane of planes_ has its normal and level.
+  struct Side {
+    int vertex;
+    int plane;  // -1: a bone's
+    double sign;
+    HalfSpace space;
+  };
+
+  int num_muscles() const { return static_cast<int>(muscles_.size()); }
+  void FindBonePlanes(int bone);
+  void AddBonePlane(int muscle, int triangle, int bone, const HalfSpace& space);
+  void FindMusclePlanes(int a, int b);
+  void AddMusclePlane(int a, int b, const PartedPair& pair);
+  void AddPlane(const Plane& plane);
+  int AddMuscleCrossings(int a, int b);
+  int AddBoneCrossings(int bone);
+  int AddFolded(int muscle);
+  void SortSides();
+  void SetLevels(bool is_first);
+  void SweepMuscle(int muscle);
+  double RestoreVolume(int muscle);
+  double Level(const Side& side) const;
+  Eigen::RowVector3d Projected(int muscle,
+                               int vertex,
+                               const Eigen::RowVector3d& point) const;
+
+  const ContactRelaxationOptions options_;
+  const std::vector<ContactMesh>& muscles_;
+  const std::vector<const TriangleBvh*>& rest_bones_;
+  const std::vector<Eigen::Matrix4d> bones_before_, bones_;
+  std::vector<Points> clean_, carried_, targets_, points_, wishes_;
+  std::vector<std::unique_ptr<TriangleBvh>> clean_trees_, trees_;
+  std::vector<Plane> planes_;
+  std::vector<std::vector<Side>> sides_;       // by muscle, by vertex
+  std::vector<std::vector<int>> first_sides_;  // of a vertex
+};
+
+}  // namespace musclewarp

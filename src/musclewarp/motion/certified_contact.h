@@ -1,0 +1,68 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "musclewarp/contact/clean_step.h"
+#include "musclewarp/contact/initial_separation.h"
+#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/motion/scene_meshes.h"
+#include "musclewarp/motion/solved_pose.h"
+
+namespace musclewarp {
+
+struct CertifiedContactOptions {
+  InitialSeparationOptions separation;
+  CleanStepOptions step;
+
+  // The separated rest pose is relaxed in at most so many steps, until no
+  // vertex moves by more than the tolerance in one.
+  int max_rest_steps = 20;
+  double rest_tolerance = 0.05;  // mm
+
+  // A pose is reached in steps in which no body turns by more than this and no
+  // point of a line moves by more than this. A step after which something still
+  // crosses is halved, so many times.
+  double max_turn = 2.5 * M_PI / 180;  // rad
+  double max_move = 10;                // mm
+  int max_halvings = 4;
+
+  bool IsValid(std::string* error) const;
+};
+
+// The meshes of a scene as certified contact sees them, and the state without
+// crossings that every motion starts from. Constant from then on.
+struct CertifiedContact {
+  CertifiedContactOptions options;
+  std::vector<ContactMesh> muscles;
+  std::vector<std::unique_ptr<TriangleBvh>> bones;  // at rest
+  SceneState rest;
+  int separation_rounds = 0;
+  int crossing_pairs = 0;  // left at rest
+  double wall_ms = 0;
+};
+
+// Precondition (CHECKed): the options are valid.
+CertifiedContact PrepareCertifiedContact(
+    const PreparedScene& scene, const CertifiedContactOptions& options);
+
+// How a pose was reached.
+struct CertifiedWay {
+  SolvedPose solved;  // without contact, of the pose itself
+  int steps = 0;      // of the pose, those given up included
+  int rounds = 0;     // of contact
+  bool is_clean = false;
+};
+
+// Moves `state` to a pose. If it is clean it stays so, if there is a way.
+CertifiedWay MoveCertified(const PreparedScene& scene,
+                           const CertifiedContact& contact,
+                           const ScenePose& pose,
+                           const PreRotationOptions& pre_rotation,
+                           const GroupSolver& solver,
+                           SceneState* state);
+
+}  // namespace musclewarp

@@ -1,0 +1,144 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/certified_frame.h"
+
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "musclewarp/base/stopwatch.h"
+#include "musclewarp/contact/scene_intersections.h"
+
+namespace musclewarp {
+namespace {
+
+std::vector<Points> WithoutOffsets(const PreparedScene& scene,
+                                   const SceneState& state) {
+  std::vector<Points> points;
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    points.push_back(
+        FinePoints(scene.muscles[i].model, {state.muscles[i].coarse, {}}));
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<std::string> Shortcomings(const PreparedScene& scene,
+                                      const CertifiedContact& contact,
+                                      const Frame& frame) {
+  std::vector<std::string> shortcomings;
+  const auto say = [&](const auto&... words) {
+    std::ostringstream text;
+    text.precision(3);
+    (text << ... << words);
+    shortcomings.push_back(text.str());
+  };
+  for (const PairIntersection& pair : frame.intersections.pairs) {
+    say(pair.a,
+        " x ",
+        pair.b,
+        ": ",
+        pair.triangle_pairs,
+        " crossing triangle pairs, ",
+        pair.vertices_inside,
+        " vertices inside, ",
+        pair.max_depth_mm,
+        " mm deep");
+  }
+  for (size_t i = 0; i < frame.muscles.size(); ++i) {
+    const MuscleFrame& muscle = frame.muscles[i];
+    const MuscleModel& model = scene.muscles[i].model;
+    const double error = std::abs(muscle.volume_ratio - 1);
+    if (!(error <= kMaxVolumeError)) {
+      say(model.name, ": volume off by ", error, ", allowed ", kMaxVolumeError);
+    }
+    const int self_pairs = contact.muscles[i].self_pairs;
+    if (muscle.self_pairs > self_pairs) {
+      say(model.name,
+          ": ",
+          muscle.self_pairs,
+          " self-intersecting triangle pairs, at rest ",
+          self_pairs);
+    }
+    const auto most_folded = static_cast<int>(
+        kMaxFoldedShare * static_cast<double>(model.fine_triangles.rows()));
+    if (muscle.folded_triangles > most_folded) {
+      say(model.name,
+          ": ",
+          muscle.folded_triangles,
+          " folded triangles, allowed ",
+          most_folded);
+    }
+    const double farthest =
+        kDisplacementPerDepth * muscle.depth_without_contact +
+        kDisplacementAllowance;
+    if (!(muscle.max_contact_displacement <= farthest)) {
+      say(model.name,
+          ": moved by ",
+          muscle.max_contact_displacement,
+          " mm by contact, allowed ",
+          farthest,
+          " (",
+          muscle.depth_without_contact,
+          " mm deep without)");
+    }
+  }
+  return shortcomings;
+}
+
+Frame SolveCertifiedFrame(const PreparedScene& scene,
+                          const CertifiedContact& contact,
+                          int index,
+                          const FrameOptions& options,
+                          const GroupSolver& solver,
+                          SceneMeshes* meshes,
+                          SceneState* state) {
+  const Stopwatch moving;
+  Frame frame;
+  frame.index = index;
+  frame.pose = &scene.scene.poses[index];
+  SceneState reached = state ? *state : contact.rest;
+  CertifiedWay way = MoveCertified(
+      scene, contact, *frame.pose, options.pre_rotation, solver, &reached);
+  frame.pose_steps = way.steps;
+  frame.solve_ms = way.solved.solve_ms;
+  frame.wall_ms = moving.Milliseconds();
+
+  const Stopwatch certifying;
+  const std::vector<Points> targets = WithoutOffsets(scene, reached);
+  meshes->MoveTo(targets, BonesIn(scene, *frame.pose));
+  const std::vector<double> depths =
+      PenetrationDepths(meshes->muscles(), meshes->bones());
+  MeasureFrame(scene,
+               *frame.pose,
+               reached.muscles,
+               std::move(way.solved.summaries),
+               meshes,
+               &frame);
+  for (size_t i = 0; i < frame.muscles.size(); ++i) {
+    MuscleFrame& muscle = frame.muscles[i];
+    const Eigen::VectorXd moves = (muscle.fine - targets[i]).rowwise().norm();
+    muscle.max_contact_displacement = moves.maxCoeff();
+    muscle.mean_contact_displacement = moves.mean();
+    muscle.depth_without_contact = depths[i];
+  }
+  frame.shortcomings = Shortcomings(scene, contact, frame);
+  frame.certify_ms = certifying.Milliseconds();
+  if (state) *state = std::move(reached);
+  return frame;
+}
+
+SceneIntersections CertifiedRestIntersections(const PreparedScene& scene,
+                                              const CertifiedContact& contact,
+                                              SceneMeshes* meshes) {
+  std::vector<Points> muscles;
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    muscles.push_back(
+        FinePoints(scene.muscles[i].model, contact.rest.muscles[i]));
+  }
+  meshes->MoveTo(muscles, BonesIn(scene, contact.rest.pose));
+  return IntersectScene(meshes->muscles(), meshes->bones());
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,41 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "musclewarp/motion/group_solver.h"
+#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/motion/scene_contact.h"
+#include "musclewarp/solver/muscle_state.h"
+#include "musclewarp/solver/muscle_target.h"
+#include "musclewarp/solver/solver_summary.h"
+
+namespace musclewarp {
+
+// Where a frame of a motion starts: the muscles in the frame before.
+struct SceneState {
+  ScenePose pose;
+  std::vector<MuscleState> muscles;
+};
+
+// The muscles of a scene, solved for one pose.
+struct SolvedPose {
+  std::vector<MuscleState> states;
+  std::vector<SolverSummary> summaries;
+  double solve_ms = 0;
+};
+
+// Moves the muscles to one pose. Without `state` they start from rest, on their
+// own; or with `contact` (null: without) together, from the shape they have
+// without contact and volume constraint: bones do not pass through their rest
+// pose on the way. With `state` they start from there, moved on as the
+// unconstrained shapes move.
+SolvedPose SolvePose(const PreparedScene& scene,
+                     const SceneContact* contact,
+                     const ScenePose& pose,
+                     const PreRotationOptions& pre_rotation,
+                     const GroupSolver& solver,
+                     const SceneState* state);
+
+}  // namespace musclewarp
