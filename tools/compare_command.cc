@@ -12,6 +12,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/motion/certified_frame.h"
 #include "musclewarp/report/screen_report.h"
 #include "tools/comparison.h"
 #include "tools/frame_selection.h"
@@ -23,22 +24,46 @@ namespace {
 
 std::string NameOf(DeformContact contact, const DeformOptions& options) {
   if (contact == DeformContact::kNone) return "none";
+  if (contact == DeformContact::kCertified) return "certified";
   return "paper/" + ToString(options.scene_contact.group.level);
 }
 
+// What the contacts that are compared need.
+struct Contacts {
+  std::optional<SceneContact> paper;
+  std::optional<CertifiedContact> certified;
+};
+
 // The frame of a configuration, with the median time of the repeats.
 Frame SolveRepeatedly(const PreparedScene& scene,
-                      const SceneContact* contact,
+                      const Contacts& contacts,
+                      DeformContact contact,
                       int index,
                       const CompareOptions& options,
                       const SolverConfiguration& configuration,
                       SceneMeshes* meshes) {
-  const GroupSolver solver = SolverOf(configuration, contact != nullptr);
+  const bool is_paper = contact == DeformContact::kPaper;
+  const GroupSolver solver = SolverOf(configuration, is_paper);
+  const auto solve = [&] {
+    if (contact == DeformContact::kCertified) {
+      return SolveCertifiedFrame(scene,
+                                 *contacts.certified,
+                                 index,
+                                 options.deform.frame,
+                                 solver,
+                                 meshes);
+    }
+    return SolveFrame(scene,
+                      is_paper ? &*contacts.paper : nullptr,
+                      index,
+                      options.deform.frame,
+                      solver,
+                      meshes);
+  };
   std::vector<double> times;
   std::optional<Frame> frame;
   for (int k = 0; k < options.repeat; ++k) {
-    frame =
-        SolveFrame(scene, contact, index, options.deform.frame, solver, meshes);
+    frame = solve();
     times.push_back(frame->solve_ms);
   }
   std::nth_element(
@@ -90,7 +115,9 @@ std::vector<DeformContact> ParseContacts(const std::string& text) {
     contacts.push_back(ParseDeformContact(word));
   }
   if (contacts.empty()) {
-    throw InputError("--contact", "is empty", "allowed: none, paper, or both");
+    throw InputError("--contact",
+                     "is empty",
+                     "allowed: none, paper, certified, or several with commas");
   }
   return contacts;
 }
@@ -108,19 +135,31 @@ int CompareCommand(const CompareOptions& options, std::ostream& screen) {
   const Scene scene = ReadScene(deform.scene, deform.data_root, deform.motion);
   const std::vector<int> selected = SelectFrames(deform.frames, scene.poses);
   const PreparedScene prepared = PrepareScene(scene, deform.prepare);
-  std::optional<SceneContact> scene_contact;
-  if (std::count(options.contacts.begin(),
-                 options.contacts.end(),
-                 DeformContact::kPaper)) {
-    scene_contact = PrepareContact(prepared, deform.scene_contact);
+  const auto compares = [&](DeformContact contact) {
+    return std::count(
+               options.contacts.begin(), options.contacts.end(), contact) > 0;
+  };
+  Contacts contacts;
+  if (compares(DeformContact::kPaper)) {
+    contacts.paper = PrepareContact(prepared, deform.scene_contact);
+  }
+  if (compares(DeformContact::kCertified)) {
+    contacts.certified =
+        PrepareCertifiedContact(prepared, deform.certified_contact);
   }
   PrintPreparation(prepared, screen);
 
   SceneMeshes meshes(prepared);
   std::vector<ComparisonRow> rows;
   for (const int index : selected) {
+    const SolverConfiguration plain = SolverConfigurationNamed("ceres");
+    const Frame without_contact = SolveFrame(prepared,
+                                             nullptr,
+                                             index,
+                                             deform.frame,
+                                             SolverOf(plain, false),
+                                             &meshes);
     for (const DeformContact contact : options.contacts) {
-      const bool with_contact = contact == DeformContact::kPaper;
       std::optional<Frame> reference;
       for (const SolverConfiguration& configuration : options.configurations) {
         std::string error;
@@ -128,20 +167,21 @@ int CompareCommand(const CompareOptions& options, std::ostream& screen) {
         if (!configuration.IsValid(&error)) {
           row = RowOfFailure(prepared.scene.poses[index], index, error);
         } else {
-          Frame frame =
-              SolveRepeatedly(prepared,
-                              with_contact ? &*scene_contact : nullptr,
-                              index,
-                              options,
-                              configuration,
-                              &meshes);
+          Frame frame = SolveRepeatedly(prepared,
+                                        contacts,
+                                        contact,
+                                        index,
+                                        options,
+                                        configuration,
+                                        &meshes);
           const bool is_reference = configuration.is_reference && !reference;
           row = RowOf(frame,
                       is_reference ? &frame
                       : reference  ? &*reference
                                    : nullptr,
+                      &without_contact,
                       prepared,
-                      with_contact);
+                      contact == DeformContact::kPaper);
           if (is_reference) reference = std::move(frame);
         }
         row.configuration = configuration.name;

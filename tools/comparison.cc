@@ -34,6 +34,16 @@ double LargestDistance(const Frame& frame, const Frame& reference) {
   return distance;
 }
 
+double MeanDistance(const Frame& frame, const Frame& reference) {
+  double sum = 0, count = 0;
+  for (size_t i = 0; i < frame.muscles.size(); ++i) {
+    const Points& points = frame.muscles[i].fine;
+    sum += (points - reference.muscles[i].fine).rowwise().norm().sum();
+    count += static_cast<double>(points.rows());
+  }
+  return sum / count;
+}
+
 size_t Widest(const std::vector<ComparisonRow>& rows,
               std::string ComparisonRow::*text,
               size_t at_least) {
@@ -89,7 +99,10 @@ Json ToJson(const ComparisonRow& row, const PreparedScene& scene) {
                {"cost_ratio", row.cost_ratio},
                {"volume_ratio", row.volume_ratio},
                {"distance_to_reference_mm", row.distance},
+               {"largest_contact_move_mm", row.largest_contact_move},
+               {"mean_contact_move_mm", row.mean_contact_move},
                {"folded_triangles", row.folded_triangles},
+               {"self_pairs", row.intersections.self_pairs},
                {"triangle_pairs", row.intersections.triangle_pairs},
                {"vertices_inside", row.intersections.vertices_inside},
                {"max_depth_mm", row.intersections.max_depth_mm},
@@ -101,15 +114,16 @@ Json ToJson(const ComparisonRow& row, const PreparedScene& scene) {
 
 ComparisonRow RowOf(const Frame& frame,
                     const Frame* reference,
+                    const Frame* without_contact,
                     const PreparedScene& scene,
-                    bool with_contact) {
+                    bool counts_together) {
   ComparisonRow row;
   row.frame = frame.index;
   row.pose = frame.pose->name;
   row.was_run = true;
   row.stop_reason = frame.stop_reason(scene);
   row.iterations =
-      with_contact ? frame.muscles[0].solver.iterations : frame.iterations();
+      counts_together ? frame.muscles[0].solver.iterations : frame.iterations();
   row.ms = frame.solve_ms;
   row.ms_per_iteration = row.ms / std::max(1, row.iterations);
   row.final_cost = CostOf(frame);
@@ -122,6 +136,10 @@ ComparisonRow RowOf(const Frame& frame,
     row.muscles.push_back(muscle.solver);
   }
   row.intersections = frame.intersections;
+  if (without_contact) {
+    row.largest_contact_move = LargestDistance(frame, *without_contact);
+    row.mean_contact_move = MeanDistance(frame, *without_contact);
+  }
   if (reference) {
     row.time_ratio = row.ms / reference->solve_ms;
     // Both are rounding in the rest pose.
@@ -147,7 +165,8 @@ void PrintComparison(const std::vector<ComparisonRow>& rows,
   text("configuration", name);
   text("contact", contact);
   out << "iterations        ms  ms/iter  x time    cost mm^2    x cost"
-         "  volume ratio    dist mm  folded   pairs  inside  depth mm  stop\n";
+         "  volume ratio    dist mm  folded    self   pairs  inside  depth mm"
+         "   moved    mean  stop\n";
   for (const ComparisonRow& row : rows) {
     text(row.pose, pose);
     text(row.configuration, name);
@@ -162,9 +181,12 @@ void PrintComparison(const std::vector<ComparisonRow>& rows,
           << row.volume_ratio << std::scientific << std::setw(11)
           << std::setprecision(1) << row.distance << std::fixed << std::setw(8)
           << row.folded_triangles << std::setw(8)
+          << row.intersections.self_pairs << std::setw(8)
           << row.intersections.triangle_pairs << std::setw(8)
           << row.intersections.vertices_inside << std::setw(10)
-          << std::setprecision(2) << row.intersections.max_depth_mm << "  ";
+          << std::setprecision(2) << row.intersections.max_depth_mm
+          << std::setw(8) << row.largest_contact_move << std::setw(8)
+          << std::setprecision(3) << row.mean_contact_move << "  ";
     }
     out << row.stop_reason << "\n";
   }
@@ -175,8 +197,9 @@ std::string ComparisonCsv(const std::vector<ComparisonRow>& rows) {
   csv << std::setprecision(12)
       << "frame,pose,configuration,contact,iterations,ms,ms_per_iteration,"
          "time_ratio,final_cost_mm2,cost_ratio,volume_ratio,"
-         "distance_to_reference_mm,folded_triangles,triangle_pairs,"
-         "vertices_inside,max_depth_mm,stop_reason\n";
+         "distance_to_reference_mm,folded_triangles,self_pairs,"
+         "triangle_pairs,vertices_inside,max_depth_mm,"
+         "largest_contact_move_mm,mean_contact_move_mm,stop_reason\n";
   for (const ComparisonRow& row : rows) {
     csv << row.frame << "," << Quoted(row.pose) << "," << row.configuration
         << "," << row.contact << ",";
@@ -184,12 +207,13 @@ std::string ComparisonCsv(const std::vector<ComparisonRow>& rows) {
       csv << row.iterations << "," << row.ms << "," << row.ms_per_iteration
           << "," << row.time_ratio << "," << row.final_cost << ","
           << row.cost_ratio << "," << row.volume_ratio << "," << row.distance
-          << "," << row.folded_triangles << ","
-          << row.intersections.triangle_pairs << ","
+          << "," << row.folded_triangles << "," << row.intersections.self_pairs
+          << "," << row.intersections.triangle_pairs << ","
           << row.intersections.vertices_inside << ","
-          << row.intersections.max_depth_mm << ",";
+          << row.intersections.max_depth_mm << "," << row.largest_contact_move
+          << "," << row.mean_contact_move << ",";
     } else {
-      csv << std::string(12, ',');
+      csv << std::string(15, ',');
     }
     csv << Quoted(row.stop_reason) << "\n";
   }

@@ -30,17 +30,22 @@ struct ComparisonRow {
   double cost_ratio = 0;    // to the reference with the same contact
   double volume_ratio = 0;  // of the muscle that is farthest from 1
   double distance = 0;      // to the reference, largest of a fine vertex, mm
+  // To the shape without contact, of a fine vertex, mm.
+  double largest_contact_move = 0;
+  double mean_contact_move = 0;
   int folded_triangles = 0;
   SceneIntersections intersections;
   std::vector<SolverSummary> muscles;
 };
 
 // A solver's result beside that of the reference in the same pose and with the
-// same contact; null if there is none.
+// same contact, and beside that without contact; null if there is none.
+// `counts_together`: every muscle counts the iterations of all.
 ComparisonRow RowOf(const Frame& frame,
                     const Frame* reference,
+                    const Frame* without_contact,
                     const PreparedScene& scene,
-                    bool with_contact);
+                    bool counts_together);
 
 void PrintComparison(const std::vector<ComparisonRow>& rows, std::ostream& out);
 

@@ -14,7 +14,9 @@ DEFINE_string(configurations,
               "(whitened unknowns), and plain blocks with "
               "ceres_dense_cholesky, ceres_sparse_cholesky, ceres_cgnr, "
               "ceres_dogleg");
-DEFINE_string(contact, "none", "none, paper, or none,paper");
+DEFINE_string(contact,
+              "none",
+              "none, paper, certified, or several with commas");
 DEFINE_string(out,
               "",
               "folder for comparison.csv, comparison.json and history.csv; "

@@ -98,7 +98,7 @@ TEST(CompareProgram, RefusesBadFlags) {
   };
   expect_refused("--configurations=newton", "ceres_cgnr");
   expect_refused("--configurations=", "--configurations");
-  expect_refused("--contact=some", "allowed: none, paper");
+  expect_refused("--contact=some", "certified, paper, none");
   expect_refused("--contact_level=medium", "coarse, fine");
   expect_refused("--repeat=0", "--repeat");
   expect_refused("--max_iterations=0", "--max_iterations");

@@ -26,7 +26,8 @@ CleanStepSummary StepCleanly(const CleanStepOptions& options,
   const double allowed = (1 - options.least_gap) / 2 * options.relaxation.gap;
   while (!summary.is_clean && summary.rounds < options.max_rounds) {
     ++summary.rounds;
-    relaxation.Sweep();
+    relaxation.Sweep(summary.rounds == 1 ? options.relaxation.sweeps
+                                         : options.relaxation.repair_sweeps);
     summary.volume_error = relaxation.RestoreVolumes();
     summary.violation = relaxation.WorstViolation();
     const StateDefects defects = relaxation.AddDefects();

@@ -64,12 +64,12 @@ Eigen::Matrix3d TurnOf(const Corners& a, const Corners& b) {
 
 bool ContactRelaxationOptions::IsValid(std::string* error) const {
   if (gap > 0 && smoothing_length > 0 && reach > gap && sweeps > 0 &&
-      volume_tolerance > 0) {
+      repair_sweeps > 0 && volume_tolerance > 0) {
     return true;
   }
   *error =
-      "ContactRelaxationOptions: allowed are gap, smoothing_length, sweeps and "
-      "volume_tolerance above 0 and reach above gap";
+      "ContactRelaxationOptions: allowed are gap, smoothing_length, sweeps, "
+      "repair_sweeps and volume_tolerance above 0 and reach above gap";
   return false;
 }
 
@@ -322,8 +322,8 @@ void ContactRelaxation::SweepMuscle(int muscle) {
   }
 }
 
-void ContactRelaxation::Sweep() {
-  for (int sweep = 0; sweep < options_.sweeps; ++sweep) {
+void ContactRelaxation::Sweep(int sweeps) {
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
     SetLevels(sweep == 0);
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < num_muscles(); ++i) SweepMuscle(i);

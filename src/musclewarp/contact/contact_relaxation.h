@@ -22,8 +22,9 @@ struct ContactRelaxationOptions {
   // How far a vertex may go in one step from where it is carried to without
   // being pushed, mm. What is nearer than that is looked at.
   double reach = 1;
-  // Sweeps over all vertices.
+  // Sweeps over all vertices; after defects were found.
   int sweeps = 30;
+  int repair_sweeps = 10;
   // Of the volume, relative.
   double volume_tolerance = 1e-8;
   // Of the triangles of a muscle; more are unfolded.
@@ -81,7 +82,7 @@ class ContactRelaxation {
                     const ContactState& clean,
                     const ContactState& next);
 
-  void Sweep();
+  void Sweep(int sweeps);
 
   // Moves vertices that no plane holds along their normals, until volumes are
   // as they should be (paper section 3.3: what is in contact takes no part).

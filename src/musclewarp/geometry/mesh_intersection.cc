@@ -14,28 +14,30 @@ namespace {
 
 using PairList = std::vector<std::pair<int, int>>;
 
-std::vector<bool> UsedPoints(const SearchableMesh& mesh) {
-  std::vector<bool> is_used(mesh.points().rows(), false);
-  for (Eigen::Index i = 0; i < mesh.triangles().size(); ++i) {
-    is_used[mesh.triangles().data()[i]] = true;
+std::vector<char> UsedPoints(const TriangleSoup& soup) {
+  std::vector<char> is_used(soup.points.rows(), false);
+  for (Eigen::Index i = 0; i < soup.triangles.size(); ++i) {
+    is_used[soup.triangles.data()[i]] = true;
   }
   return is_used;
 }
 
-// #V: a vertex that is reached over triangles which are not `crossing`.
-std::vector<int> Representatives(const SearchableMesh& mesh,
-                                 const std::vector<bool>& crossing) {
-  std::vector<int> parent(mesh.points().rows());
+// #V: a vertex that is reached over triangles which are `passable` (#F).
+template <typename IsPassable>
+std::vector<int> Representatives(const Triangles& triangles,
+                                 Eigen::Index vertices,
+                                 const IsPassable& is_passable) {
+  std::vector<int> parent(vertices);
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int v) {
     while (parent[v] != v) v = parent[v] = parent[parent[v]];
     return v;
   };
-  for (int f = 0; f < mesh.triangles().rows(); ++f) {
-    if (crossing[f]) continue;
+  for (int f = 0; f < triangles.rows(); ++f) {
+    if (!is_passable(f)) continue;
     for (int corner = 1; corner < 3; ++corner) {
-      const int a = root(mesh.triangles()(f, 0));
-      const int b = root(mesh.triangles()(f, corner));
+      const int a = root(triangles(f, 0));
+      const int b = root(triangles(f, corner));
       parent[std::max(a, b)] = std::min(a, b);
     }
   }
@@ -43,31 +45,41 @@ std::vector<int> Representatives(const SearchableMesh& mesh,
   return parent;
 }
 
-// The used vertices of `mesh` inside `other`. Over triangles that do not cross
-// a closed surface nothing changes, so there one vertex speaks for all it
+// The used vertices of `mesh` inside `other`, which cross in the triangles
+// `crossing` (#F of mesh; empty: nowhere). Over triangles that do not cross a
+// closed surface nothing changes, so there one vertex speaks for all it
 // reaches.
 std::vector<int> VerticesInside(const SearchableMesh& mesh,
                                 const SearchableMesh& other,
                                 const std::vector<bool>& crossing) {
   const int count = static_cast<int>(mesh.points().rows());
   if (other.bvh().num_triangles() == 0) return {};
-  const std::vector<bool> is_used = UsedPoints(mesh);
-  std::vector<int> representative(count);
-  if (other.winding().IsClosed()) {
-    representative = Representatives(mesh, crossing);
-  } else {
+  const Box3& box = other.bvh().box();
+  std::vector<char> is_near(count);
+  for (int v = 0; v < count; ++v) {
+    is_near[v] = mesh.is_used()[v] && box.Contains(mesh.points().row(v));
+  }
+  std::vector<int> representative;
+  if (!other.winding().IsClosed()) {
+    representative.resize(count);
     std::iota(representative.begin(), representative.end(), 0);
+  } else if (crossing.empty()) {
+    representative = mesh.components();
+  } else {
+    representative = Representatives(mesh.triangles(), count, [&](int f) {
+      const auto t = mesh.triangles().row(f);
+      return !crossing[f] && is_near[t[0]] && is_near[t[1]] && is_near[t[2]];
+    });
   }
   std::vector<char> is_inside(count, 0);
 #pragma omp parallel for schedule(dynamic, 64)
   for (int v = 0; v < count; ++v) {
-    if (representative[v] != v || !is_used[v]) continue;
-    const Eigen::RowVector3d p = mesh.points().row(v);
-    is_inside[v] = other.bvh().box().Contains(p) && other.winding().IsInside(p);
+    if (representative[v] != v || !is_near[v]) continue;
+    is_inside[v] = other.winding().IsInside(mesh.points().row(v));
   }
   std::vector<int> inside;
   for (int v = 0; v < count; ++v) {
-    if (is_used[v] && is_inside[representative[v]]) inside.push_back(v);
+    if (is_near[v] && is_inside[representative[v]]) inside.push_back(v);
   }
   return inside;
 }
@@ -89,7 +101,10 @@ double Depth(const Points& points,
 SearchableMesh::SearchableMesh(TriangleSoup soup)
     : soup_(std::move(soup)),
       bvh_(soup_.points, soup_.triangles),
-      winding_(&bvh_, soup_.triangles) {}
+      winding_(&bvh_, soup_.triangles),
+      is_used_(UsedPoints(soup_)),
+      components_(Representatives(
+          soup_.triangles, soup_.points.rows(), [](int) { return true; })) {}
 
 void SearchableMesh::Refit(const Points& points) {
   CHECK_EQ(points.rows(), soup_.points.rows());
@@ -101,8 +116,11 @@ MeshIntersection IntersectMeshes(const SearchableMesh& a,
                                  const SearchableMesh& b) {
   MeshIntersection result;
   result.triangle_pairs = IntersectingTriangles(a.bvh(), b.bvh());
-  std::vector<bool> crossing_a(a.triangles().rows(), false);
-  std::vector<bool> crossing_b(b.triangles().rows(), false);
+  std::vector<bool> crossing_a, crossing_b;
+  if (!result.triangle_pairs.empty()) {
+    crossing_a.resize(a.triangles().rows(), false);
+    crossing_b.resize(b.triangles().rows(), false);
+  }
   for (const auto& [f, g] : result.triangle_pairs) {
     crossing_a[f] = true;
     crossing_b[g] = true;

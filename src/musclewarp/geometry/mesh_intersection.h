@@ -27,10 +27,16 @@ class SearchableMesh {
   const TriangleBvh& bvh() const { return bvh_; }
   const WindingNumber& winding() const { return winding_; }
 
+  // #V: whether a triangle has the point; a point of the same component.
+  const std::vector<char>& is_used() const { return is_used_; }
+  const std::vector<int>& components() const { return components_; }
+
  private:
   TriangleSoup soup_;
   TriangleBvh bvh_;
   WindingNumber winding_;
+  std::vector<char> is_used_;
+  std::vector<int> components_;
 };
 
 // How two meshes intersect. "Inside" is a generalized winding number above 1/2,

@@ -143,6 +143,20 @@ bool IsSurelyOffPlane(const Corners& a, const Corners& b) {
   return false;
 }
 
+// Triangles with one corner in common are apart but for it where the other two
+// corners of b surely lie on one side of the plane of a.
+bool IsSurelyBesideButForACorner(const Corners& a, const Corners& b) {
+  int side = 0;
+  for (int j = 0; j < 3; ++j) {
+    const RowVector3d q = b.row(j);
+    if (q == a.row(0) || q == a.row(1) || q == a.row(2)) continue;
+    const int this_side = Orientation(a.row(0), a.row(1), a.row(2), q);
+    if (this_side == 0 || this_side == -side) return false;
+    side = this_side;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool TrianglesIntersect(const Corners& a, const Corners& b) {
@@ -166,6 +180,12 @@ bool TrianglesIntersectBeyondCommon(const Corners& a, const Corners& b) {
   switch (CommonCorners(a, b)) {
     case 0:
       return TrianglesIntersect(a, b);
+    case 1:
+      if (IsSurelyBesideButForACorner(a, b) ||
+          IsSurelyBesideButForACorner(b, a)) {
+        return false;
+      }
+      break;
     case 2:
       if (IsSurelyOffPlane(a, b)) return false;
       break;
