@@ -67,5 +67,59 @@ TEST(PoseBetween, EndsAreThePoses) {
   }
 }
 
+// About an axis through `centre`.
+Eigen::Matrix4d TurnAbout(const Eigen::Vector3d& centre, double angle) {
+  Eigen::Matrix4d turn = Turn(angle);
+  turn.topRightCorner<3, 1>() = centre - turn.topLeftCorner<3, 3>() * centre;
+  return turn;
+}
+
+TEST(PoseBetween, JointsFarFromTheOriginStayWhereTheyAre) {
+  const Scene scene = OneLine();
+  const Eigen::Vector3d joint(-80, -90, 820);
+  ScenePose from, to;
+  from.bodies["b"] = TurnAbout(joint, 0.3);
+  to.bodies["b"] = TurnAbout(joint, 1.1);
+  for (const double part : {0.2, 0.5, 0.9}) {
+    const Eigen::Matrix4d between =
+        PoseBetween(scene, from, to, part).bodies.at("b");
+    // Rounding of places 800 mm from the origin.
+    EXPECT_LT((between - TurnAbout(joint, 0.3 + 0.8 * part)).norm(), 1e-11);
+  }
+}
+
+TEST(PoseBetween, PointsWithAShareOfATurnGoAlongIt) {
+  Scene scene = OneLine();
+  const Eigen::Vector3d joint(-80, -90, 820);
+  const Points rest = scene.muscles[0].lines[0].rest;
+  ScenePose from, to;
+  to.bodies["b"] = TurnAbout(joint, 0.8);
+  const auto moved = [&](double share) {
+    Points points(2, 3);  // the first with half of the turn
+    for (int k = 0; k < 2; ++k) {
+      const Eigen::Matrix4d turn =
+          TurnAbout(joint, (k == 0 ? 0.5 : 1.0) * share * 0.8);
+      points.row(k) = (turn.topLeftCorner<3, 3>() * rest.row(k).transpose() +
+                       turn.topRightCorner<3, 1>())
+                          .transpose();
+    }
+    return points;
+  };
+  to.lines["given"] = moved(1);
+  const ScenePose between = PoseBetween(scene, from, to, 0.4);
+  // The share is found to the root of rounding.
+  EXPECT_LT((between.lines.at("given") - moved(0.4)).norm(), 1e-4);
+}
+
+TEST(PoseBetween, MovesWithoutATurnAreStraight) {
+  const Scene scene = OneLine();
+  ScenePose from, to;
+  to.bodies["b"] = Eigen::Matrix4d::Identity();
+  to.bodies["b"].topRightCorner<3, 1>() << 1, 2, 3;
+  const Eigen::Matrix4d between =
+      PoseBetween(scene, from, to, 0.5).bodies.at("b");
+  EXPECT_EQ((between.topRightCorner<3, 1>()), Eigen::Vector3d(0.5, 1, 1.5));
+}
+
 }  // namespace
 }  // namespace musclewarp

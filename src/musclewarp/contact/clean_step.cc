@@ -32,11 +32,14 @@ CleanStepSummary StepCleanly(const CleanStepOptions& options,
     summary.violation = relaxation.WorstViolation();
     const StateDefects defects = relaxation.AddDefects();
     summary.crossing_pairs = defects.crossing_pairs;
+    // Planes on the wrong side of which a vertex is, triangles of one muscle
+    // that cross and folded ones are worth another round, but no reason to give
+    // up a step.
+    const bool is_better_possible =
+        summary.violation > allowed || defects.self_pairs + defects.folded > 0;
     summary.is_clean =
-        defects.crossing_pairs == 0 && summary.violation <= allowed;
-    // Worth another round, but no reason to give up a step.
-    if (defects.self_pairs + defects.folded == 0) continue;
-    if (summary.rounds < options.max_rounds) summary.is_clean = false;
+        defects.crossing_pairs == 0 &&
+        (!is_better_possible || summary.rounds == options.max_rounds);
   }
   next->points = relaxation.points();
   if (summary.is_clean) *state = *next;

@@ -1,23 +1,68 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include <Eigen/Geometry>
+#include <map>
 #include <set>
+#include <string>
 
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/scene/scene.h"
+#include "musclewarp/scene/screw_motion.h"
 
 namespace musclewarp {
 namespace {
 
-// Turned evenly about one axis, moved evenly along a line.
-Eigen::Matrix4d Between(const Eigen::Matrix4d& from,
-                        const Eigen::Matrix4d& to,
-                        double part) {
-  const Eigen::Quaterniond turn_0(Eigen::Matrix3d(from.topLeftCorner<3, 3>()));
-  const Eigen::Quaterniond turn_1(Eigen::Matrix3d(to.topLeftCorner<3, 3>()));
-  Eigen::Matrix4d between = (1 - part) * from + part * to;
-  between.topLeftCorner<3, 3>() =
-      turn_0.slerp(part, turn_1).normalized().toRotationMatrix();
+// The motions of the bodies from one pose to another, in target space.
+std::map<std::string, ScrewMotion> MotionsOf(const ScenePose& from,
+                                             const ScenePose& to) {
+  std::set<std::string> bodies;
+  for (const auto& item : from.bodies) bodies.insert(item.first);
+  for (const auto& item : to.bodies) bodies.insert(item.first);
+  std::map<std::string, ScrewMotion> motions;
+  for (const std::string& body : bodies) {
+    motions.emplace(body,
+                    ScrewMotion(BodyTransform(to, body) *
+                                RigidInverse(BodyTransform(from, body))));
+  }
+  return motions;
+}
+
+Eigen::Vector3d Moved(const Eigen::Matrix4d& motion, const Eigen::Vector3d& p) {
+  return motion.topLeftCorner<3, 3>() * p + motion.topRightCorner<3, 1>();
+}
+
+// The share of a motion that brings p nearest to q.
+double ShareOf(const ScrewMotion& motion,
+               const Eigen::Vector3d& p,
+               const Eigen::Vector3d& q) {
+  const auto miss = [&](double share) {
+    return (Moved(motion.Part(share), p) - q).squaredNorm();
+  };
+  // Turns of less than half a circle have one minimum.
+  double low = 0, high = 1;
+  for (int step = 0; step < 60; ++step) {
+    const double a = low + (high - low) / 3;
+    const double b = high - (high - low) / 3;
+    (miss(a) < miss(b) ? high : low) = miss(a) < miss(b) ? b : a;
+  }
+  return (low + high) / 2;
+}
+
+// A point on its way from p to q: along with the body of whose motion it has a
+// share, as a point beside a joint has half of its turn; else straight.
+Eigen::Vector3d PointBetween(const std::map<std::string, ScrewMotion>& motions,
+                             const Eigen::Vector3d& p,
+                             const Eigen::Vector3d& q,
+                             double part) {
+  constexpr double kAllowedMiss = 0.1;  // of the way
+  double least = kAllowedMiss * (q - p).norm();
+  Eigen::Vector3d between = (1 - part) * p + part * q;
+  for (const auto& [body, motion] : motions) {
+    const double share = ShareOf(motion, p, q);
+    const Eigen::Vector3d rest = q - Moved(motion.Part(share), p);
+    if (rest.norm() >= least) continue;
+    least = rest.norm();
+    between = Moved(motion.Part(part * share), p) + part * rest;
+  }
   return between;
 }
 
@@ -36,12 +81,9 @@ ScenePose PoseBetween(const Scene& scene,
     return PoseAt(*scene.model, values);
   }
   ScenePose pose;
-  std::set<std::string> bodies;
-  for (const auto& item : from.bodies) bodies.insert(item.first);
-  for (const auto& item : to.bodies) bodies.insert(item.first);
-  for (const std::string& body : bodies) {
-    pose.bodies[body] =
-        Between(BodyTransform(from, body), BodyTransform(to, body), part);
+  const std::map<std::string, ScrewMotion> motions = MotionsOf(from, to);
+  for (const auto& [body, motion] : motions) {
+    pose.bodies[body] = motion.Part(part) * BodyTransform(from, body);
   }
   // Lines that neither pose names move with their bodies.
   for (const SceneMuscle& muscle : scene.muscles) {
@@ -50,8 +92,16 @@ ScenePose PoseBetween(const Scene& scene,
     for (size_t i = 0; i < muscle.lines.size(); ++i) {
       const std::string& name = muscle.lines[i].name;
       if (!from.lines.count(name) && !to.lines.count(name)) continue;
-      pose.lines[name] =
-          (1 - part) * targets_0[i].points + part * targets_1[i].points;
+      const Points& start = targets_0[i].points;
+      const Points& end = targets_1[i].points;
+      Points& between = pose.lines[name];
+      between.resize(start.rows(), 3);
+      for (Eigen::Index k = 0; k < start.rows(); ++k) {
+        between.row(k) =
+            PointBetween(
+                motions, start.row(k).transpose(), end.row(k).transpose(), part)
+                .transpose();
+      }
     }
   }
   return pose;

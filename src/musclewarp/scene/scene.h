@@ -75,8 +75,9 @@ Scene ReadScene(const std::string& path,
                 const std::string& motion = "");
 
 // The pose at a part (0 to 1) of the way from one pose to another: coordinates
-// of the model in between, or bodies turned and moved evenly and lines straight
-// if there is no model.
+// of the model in between. Without a model bodies go along their screw motions,
+// and the points of lines with the body of whose motion they have a share, or
+// straight.
 ScenePose PoseBetween(const Scene& scene,
                       const ScenePose& from,
                       const ScenePose& to,
