@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/triangle_distance.h"
@@ -172,16 +173,17 @@ void ContactRelaxation::AddMusclePlane(int a, int b, const PartedPair& pair) {
   normal = normal.norm() > 0.5 ? normal.normalized() : pair.normal;
   const double gap = a == b ? std::min(options_.gap, kSheetRoom * pair.distance)
                             : options_.gap;
-  AddPlane({a, b, corners_a, corners_b, normal, gap / 2});
+  AddPlane({a, b, corners_a, corners_b, normal, gap / 2, pair.distance});
 }
 
 void ContactRelaxation::AddPlane(const Plane& plane) {
   const int index = static_cast<int>(planes_.size());
   planes_.push_back(plane);
   for (int k = 0; k < 3; ++k) {
-    sides_[plane.muscle_a].push_back({plane.a[k], index, 1, {plane.normal, 0}});
+    sides_[plane.muscle_a].push_back(
+        {plane.a[k], index, 1, {plane.normal, 0}, plane.distance});
     sides_[plane.muscle_b].push_back(
-        {plane.b[k], index, -1, {-plane.normal, 0}});
+        {plane.b[k], index, -1, {-plane.normal, 0}, plane.distance});
   }
 }
 
@@ -197,6 +199,7 @@ void ContactRelaxation::FindMusclePlanes(int a, int b) {
 }
 
 void ContactRelaxation::SortSides() {
+#pragma omp parallel for schedule(dynamic, 1)
   for (int i = 0; i < num_muscles(); ++i) {
     std::vector<int>& first = first_sides_[i];
     first.assign(muscles_[i].num_vertices() + 1, 0);
@@ -205,6 +208,20 @@ void ContactRelaxation::SortSides() {
     std::vector<Side> sorted(sides_[i].size());
     std::vector<int> next = first;
     for (const Side& side : sides_[i]) sorted[next[side.vertex]++] = side;
+    // In an order that is not that of the muscles.
+    const auto comes_first = [](const Side& a, const Side& b) {
+      const auto key = [](const Side& side) {
+        const Eigen::RowVector3d& n = side.space.normal;
+        return std::make_tuple(
+            side.distance, side.space.level, n[0], n[1], n[2]);
+      };
+      return key(a) < key(b);
+    };
+    for (size_t v = 1; v < first.size(); ++v) {
+      std::stable_sort(sorted.begin() + first[v - 1],
+                       sorted.begin() + first[v],
+                       comes_first);
+    }
     sides_[i] = std::move(sorted);
   }
 }
@@ -473,7 +490,8 @@ int ContactRelaxation::AddFolded(int muscle) {
               RowVector3i::Constant(corners[top]),
               RowVector3i(corners[u], corners[v], corners[v]),
               inward.normalized(),
-              kUnfoldedHeight * height / 2});
+              kUnfoldedHeight * height / 2,
+              height});
   }
   return static_cast<int>(folded.size());
 }

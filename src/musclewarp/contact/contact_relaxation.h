@@ -107,6 +107,7 @@ class ContactRelaxation {
     Eigen::RowVector3i a, b;  // vertices
     Eigen::RowVector3d normal;
     double half_gap;
+    double distance;  // before, mm
     double level = 0;
     double bias = 0;
 
@@ -119,6 +120,7 @@ class ContactRelaxation {
     int plane;  // -1: a bone's
     double sign;
     HalfSpace space;
+    double distance = 0;  // of the triangles before, mm
   };
 
   int num_muscles() const { return static_cast<int>(muscles_.size()); }

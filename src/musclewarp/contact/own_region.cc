@@ -209,14 +209,19 @@ Points OwnRegion::Project(const Points& points) const {
     const int nearest = grid.nearest[grid.IndexOf(p)];
     if (nearest < 0) continue;
     const RowVector3d q = grid.Centre(nearest);
-    const bool is_near = (p - q).norm() < 1.8 * grid.cell;
-    if (is_near && Excess(p) <= 0) continue;
-    double in = 0, out = 1;
-    for (int step = 0; step < 16; ++step) {
-      const double middle = (in + out) / 2;
-      (Excess(q + middle * (p - q)) <= 0 ? in : out) = middle;
+    const double excess_p = Excess(p);
+    const double excess_q = Excess(q);
+    if (excess_p <= 0 && IsFree(q, excess_q, p, excess_p)) continue;
+    // From the main part towards p, by as much as is free around, until the
+    // border of the region.
+    constexpr double kNear = 1e-4;  // mm
+    const double way = (p - q).norm();
+    double at = 0;
+    for (double room = -excess_q; room > kNear && at < way;) {
+      at = std::min(way, at + room);
+      room = -Excess(q + at / way * (p - q));
     }
-    projected.row(v) = q + in * (p - q);
+    projected.row(v) = q + at / way * (p - q);
   }
   return projected;
 }

@@ -109,6 +109,13 @@ void PartFromObstacles(const Corners& triangle,
 }
 
 bool Part(const Corners& a, const Corners& b, PartedPair* pair) {
+  // Always in the same order, that rounding may not depend on it.
+  if (std::lexicographical_compare(
+          b.data(), b.data() + 9, a.data(), a.data() + 9)) {
+    const bool are_parted = Part(b, a, pair);
+    pair->normal = -pair->normal;
+    return are_parted;
+  }
   const ClosestPair closest = ClosestPointsOfTriangles(a, b);
   pair->distance = std::sqrt(closest.squared_distance);
   if (pair->distance < kTouching || TrianglesIntersect(a, b)) return false;

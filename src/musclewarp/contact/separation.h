@@ -37,12 +37,12 @@ void PartFromObstacles(const Corners& triangle,
 struct PartedPair {
   int a = -1;
   int b = -1;
-  Eigen::RowVector3d normal;  // from b to a
-  double distance = 0;        // mm
+  Eigen::RowVector3d normal = Eigen::RowVector3d::Zero();  // from b to a
+  double distance = 0;                                     // mm
 };
 
 // How two triangles are parted, but for their numbers; false if they touch or
-// cross.
+// cross. In the other order the same to the bit, with the normal reversed.
 bool Part(const Corners& a, const Corners& b, PartedPair* pair);
 
 // The pairs of a triangle of a and one of b that are not farther from each
