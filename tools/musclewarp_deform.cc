@@ -15,7 +15,8 @@ DEFINE_string(solver,
               "ceres, or reference (Gauss-Newton with Lagrange multiplier)");
 DEFINE_string(contact,
               "none",
-              "none: every muscle deforms on its own; paper: muscles keep out "
+              "none: every muscle deforms on its own; certified: no triangles "
+              "of muscles cross each other or bones; paper: muscles keep out "
               "of each other and of bones as Kellnhofer and Kohout have it");
 DEFINE_string(format, "ply", "mesh files to write: ply, obj, vtp; commas");
 

@@ -70,6 +70,69 @@ class DeformProgram : public ::testing::Test {
   Json scene_;
 };
 
+TEST_F(DeformProgram, CertifiedContactHoldsOnOverlappingMeshes) {
+  TriangleSoup bone = Icosphere(10, 2);
+  bone.points.rowwise() += Eigen::RowVector3d(17, 0, 20);
+  WriteTriangleSoup(dir_ + "/bone.ply", bone);
+  scene_["poses"][1]["lines"]["line"] =
+      Json::parse("[[0,0,-55],[0,0,0],[6,0,54.5]]");
+  const ProgramRun run = Run("--contact=certified");
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
+  const Json report = Json::parse(FileText(out() + "/report.json"));
+  EXPECT_EQ(report["contact"], "certified");
+  EXPECT_GT(report["rest"]["intersections"]["triangle_pairs"], 0);
+  EXPECT_EQ(report["rest"]["after_initial_fix"]["triangle_pairs"], 0);
+  for (const Json& frame : report["frames"]) {
+    EXPECT_TRUE(frame["shortcomings"].empty()) << frame["shortcomings"];
+    EXPECT_EQ(frame["intersections"]["triangle_pairs"], 0);
+    EXPECT_EQ(frame["intersections"]["vertices_inside"], 0);
+    const Json& muscle = frame["muscles"][0];
+    EXPECT_NEAR(muscle["volume_ratio"], 1, 1e-6);
+    EXPECT_GT(muscle["max_contact_displacement_mm"], 0);
+    EXPECT_LE(muscle["max_contact_displacement_mm"],
+              2 * muscle["depth_without_contact_mm"].get<double>() + 1);
+  }
+}
+
+TEST_F(DeformProgram, SaysWhereAMuscleHasNoRoom) {
+  // Two bones that meet in the middle of the muscle.
+  TriangleSoup bone = Icosphere(40, 3);
+  bone.points.rowwise() += Eigen::RowVector3d(60, 0, 0);
+  WriteTriangleSoup(dir_ + "/right.ply", bone);
+  bone.points.rowwise() -= Eigen::RowVector3d(120, 0, 0);
+  WriteTriangleSoup(dir_ + "/left.ply", bone);
+  scene_["bones"] = Json::parse(R"([
+    {"name": "right", "mesh": "right.ply", "body": "right"},
+    {"name": "left", "mesh": "left.ply", "body": "left"}])");
+  scene_["poses"] = Json::parse(R"([{"name": "rest"}, {"name": "squeezed",
+    "bodies": {"right": [[1,0,0,-21],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
+               "left": [[1,0,0,21],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}}])");
+  const ProgramRun run = Run("--contact=certified");
+  EXPECT_EQ(run.exit_code, 1) << run.out << run.errors;
+  const Json report = Json::parse(FileText(out() + "/report.json"));
+  EXPECT_FALSE(report["summary"]["usable"]);
+  EXPECT_TRUE(report["frames"][0]["usable"])
+      << report["frames"][0]["shortcomings"];
+  EXPECT_FALSE(report["frames"][1]["usable"]);
+  const std::string why = report["frames"][1]["shortcomings"].dump();
+  EXPECT_THAT(why, HasSubstr("muscle"));
+}
+
+TEST(DeformEmbeddedScene, CertifiedContactDoesNotDependOnThreads) {
+  const std::string scene = "--scene=" MUSCLEWARP_DATA_DIR
+                            "/phantom/motion.json --contact=certified ";
+  const std::string dir = TestTempDir();
+  const auto positions = [&](const std::string& out) {
+    return ReadTriangleSoup(out + "/frame_0000/gluteus_medius_r.ply").points;
+  };
+  EXPECT_EQ(Deform(scene + "--frames=0 --out=" + dir + "/whole").exit_code, 0);
+  EXPECT_EQ(
+      Deform(scene + "--frames=0 --threads=1 --out=" + dir + "/one_thread")
+          .exit_code,
+      0);
+  EXPECT_EQ(positions(dir + "/whole"), positions(dir + "/one_thread"));
+}
+
 }  // namespace
 
 TEST_F(DeformProgram, WritesFramesAndReport) {

@@ -180,6 +180,75 @@ TEST_F(ProgramsDataTest, PaperContactDoesNotDependOnThreads) {
   }
 }
 
+// Every frame holds what certified contact promises, and musclewarp-check finds
+// nothing that crosses in the files of one of them.
+void ExpectCertified(const Json& report, const std::string& out) {
+  EXPECT_EQ(report["rest"]["after_initial_fix"]["triangle_pairs"], 0);
+  EXPECT_GT(report["rest"]["intersections"]["triangle_pairs"], 1000);
+  EXPECT_EQ(report["summary"]["frames_clean"], report["summary"]["frames"]);
+  for (const Json& frame : report["frames"]) {
+    EXPECT_TRUE(frame["usable"]) << frame["name"] << frame["shortcomings"];
+    EXPECT_EQ(frame["intersections"]["triangle_pairs"], 0) << frame["name"];
+    EXPECT_EQ(frame["intersections"]["vertices_inside"], 0) << frame["name"];
+    for (const Json& muscle : frame["muscles"]) {
+      EXPECT_NEAR(muscle["volume_ratio"], 1, 4e-4) << muscle["name"];
+      EXPECT_LE(muscle["max_contact_displacement_mm"],
+                2 * muscle["depth_without_contact_mm"].get<double>() + 1)
+          << frame["name"] << muscle["name"];
+    }
+  }
+  std::string files;
+  for (const char* kind : {"muscles", "bones"}) {
+    for (const Json& mesh : report["prepare"][kind]) {
+      files += out + "/frame_0002/" + mesh["name"].get<std::string>() + ".ply ";
+    }
+  }
+  const std::string check_file = out + "/check.json";
+  RunCommandLine(MUSCLEWARP_CHECK, "--json=" + check_file + " " + files);
+  const Json check = Json::parse(FileText(check_file));
+  const size_t muscles = report["prepare"]["muscles"].size();
+  std::vector<std::string> bones;
+  for (const Json& bone : report["prepare"]["bones"]) {
+    bones.push_back(bone["name"]);
+  }
+  EXPECT_GE(check["meshes"].size(), muscles + bones.size());
+  int of_muscles = 0;
+  for (const Json& pair : check["pairs"]) {
+    const auto is_bone = [&](const char* key) {
+      const std::string file = pair[key];
+      return std::any_of(
+          bones.begin(), bones.end(), [&](const std::string& name) {
+            return file.find(name + ".ply") != std::string::npos;
+          });
+    };
+    if (is_bone("a") && is_bone("b")) continue;
+    ++of_muscles;
+    EXPECT_EQ(pair["triangle_pairs"], 0) << pair;
+  }
+  EXPECT_GT(of_muscles, 0);
+}
+
+TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheBodyParts3dHip) {
+  const std::string out = TestTempPath();
+  ExpectCertified(
+      Deform("bodyparts3d_hip", "ceres", out, "--contact=certified"), out);
+}
+
+TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheHamstrings) {
+  const std::string out = TestTempPath();
+  ExpectCertified(Deform("bodyparts3d_hamstrings_leg",
+                         "ceres",
+                         out,
+                         "--contact=certified --frames=0:2"),
+                  out);
+}
+
+TEST_F(ProgramsDataTest, CertifiedContactHoldsForLhdlFlexion) {
+  const std::string out = TestTempPath();
+  ExpectCertified(
+      Deform("lhdl_hip_motion", "ceres", out, "--contact=certified"), out);
+}
+
 TEST_F(ProgramsDataTest, CheckCountsWhatTheDataSetSays) {
   const std::string dir = TestTempDir();
   std::string files;
