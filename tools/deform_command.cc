@@ -113,25 +113,27 @@ void ComputeFrames(const DeformOptions& options,
   } else if (is_motion) {
     *state = StartState(scene, run->contact, options.frame, solver);
   }
+  SceneState* start = is_motion ? state : nullptr;
+  const auto solve = [&](int index) {
+    if (run->certified) {
+      return SolveCertifiedFrame(
+          scene, *run->certified, index, options.frame, solver, meshes, start);
+    }
+    return SolveFrame(
+        scene, run->contact, index, options.frame, solver, meshes, start);
+  };
   Progress progress(done, total, options.is_terminal, &screen);
   for (int i = done; i < total; ++i) {
     ThrowIfInterrupted();
-    SceneState* start = is_motion ? state : nullptr;
-    const Frame frame = run->certified ? SolveCertifiedFrame(scene,
-                                                             *run->certified,
-                                                             selected[i],
-                                                             options.frame,
-                                                             solver,
-                                                             meshes,
-                                                             start)
-                                       : SolveFrame(scene,
-                                                    run->contact,
-                                                    selected[i],
-                                                    options.frame,
-                                                    solver,
-                                                    meshes,
-                                                    start);
+    Frame frame = solve(selected[i]);
     WriteFrame(scene, frame, options.formats, options.out);
+    if (run->certified) {
+      // The certificate is that of the files.
+      for (const std::string& file :
+           FilesThatDiffer(scene, frame, options.formats, options.out)) {
+        frame.shortcomings.push_back(file + ": is not as it was counted");
+      }
+    }
     run->frames.push_back(RecordOf(scene, frame));
     log.FrameDone(run->frames.back(), state->muscles);
     writer->WriteNowAndThen(*run);

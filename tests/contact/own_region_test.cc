@@ -42,7 +42,9 @@ TEST(OwnRegion, OfTwoMusclesMeetsAtTheMidSurface) {
   const Points down = below.Project(lower.points());
   for (Eigen::Index v = 0; v < upper.points().rows(); ++v) {
     const RowVector3d p = upper.points().row(v);
-    if (p[2] > 5) EXPECT_EQ(up.row(v), p);
+    if (p[2] > 5) {
+      EXPECT_EQ(up.row(v), p);
+    }
     EXPECT_LE(above.Excess(up.row(v)), 1e-9);
   }
   for (Eigen::Index v = 0; v < lower.points().rows(); ++v) {

@@ -71,7 +71,9 @@ TEST(PartFromObstacles, EveryObstacleInReachIsBehindAPlane) {
     EXPECT_EQ(spaces.empty(), nearest > kRadius);
     for (const HalfSpace& space : spaces) {
       EXPECT_NEAR(space.normal.norm(), 1, 1e-12);
-      if (nearest >= kGap) EXPECT_GE(Lowest(space, t), -kRounding);
+      if (nearest >= kGap) {
+        EXPECT_GE(Lowest(space, t), -kRounding);
+      }
     }
     for (int g = 0; g < bvh.num_triangles(); ++g) {
       if (Distance(t, bvh.corners(g)) > kRadius) continue;

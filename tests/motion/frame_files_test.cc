@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/meshes.h"
+#include "support/temp_dir.h"
 
 namespace musclewarp {
 namespace {
@@ -31,6 +34,30 @@ TEST(AreaStretch, IsOneWhereThereIsNoArea) {
 TEST(FrameFolder, HasFourDigits) {
   EXPECT_EQ(FrameFolder(7), "frame_0007");
   EXPECT_EQ(FrameFolder(12345), "frame_12345");
+}
+
+TEST(FilesThatDiffer, AreThoseThatSomebodyChanged) {
+  const std::string dir = TestTempDir();
+  PreparedScene scene;
+  const TriangleSoup ball = Icosphere(10.0 / 3, 1);
+  scene.muscles.resize(1);
+  scene.muscles[0].model.name = "muscle";
+  scene.muscles[0].model.fine_triangles = ball.triangles;
+  scene.bones.resize(1);
+  scene.bones[0].mesh.name = "bone";
+  scene.bones[0].rest = ball;
+  Frame frame;
+  frame.muscles.resize(1);
+  frame.muscles[0].fine = ball.points / 7;
+  frame.bones = {ball.points};
+  const std::vector<std::string> formats = {"ply", "obj"};
+  WriteFrame(scene, frame, formats, dir);
+  EXPECT_EQ(FilesThatDiffer(scene, frame, formats, dir),
+            std::vector<std::string>());
+  // By one bit of one coordinate.
+  frame.muscles[0].fine(5, 1) = std::nextafter(frame.muscles[0].fine(5, 1), 9);
+  EXPECT_EQ(FilesThatDiffer(scene, frame, {"ply"}, dir),
+            std::vector<std::string>({"frame_0000/muscle.ply"}));
 }
 
 }  // namespace

@@ -166,6 +166,43 @@ void WriteFrame(const PreparedScene& scene,
   WriteFolderAtomically((fs::path(dir) / name).string(), write_all);
 }
 
+std::vector<std::string> FilesThatDiffer(
+    const PreparedScene& scene,
+    const Frame& frame,
+    const std::vector<std::string>& formats,
+    const std::string& dir) {
+  struct Mesh {
+    std::string name;
+    const Points* points;
+    const Triangles* triangles;
+  };
+  std::vector<Mesh> meshes;
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    const MuscleModel& model = scene.muscles[i].model;
+    meshes.push_back(
+        {model.name, &frame.muscles[i].fine, &model.fine_triangles});
+  }
+  for (size_t i = 0; i < scene.bones.size(); ++i) {
+    const PreparedBone& bone = scene.bones[i];
+    meshes.push_back({bone.mesh.name, &frame.bones[i], &bone.rest.triangles});
+  }
+  std::vector<std::string> different;
+  for (const std::string& format : formats) {
+    for (const Mesh& mesh : meshes) {
+      const fs::path file =
+          fs::path(FrameFolder(frame.index)) / (mesh.name + "." + format);
+      const TriangleSoup soup =
+          ReadTriangleSoup((fs::path(dir) / file).string());
+      const bool is_same = soup.points.rows() == mesh.points->rows() &&
+                           soup.triangles.rows() == mesh.triangles->rows() &&
+                           soup.points == *mesh.points &&
+                           soup.triangles == *mesh.triangles;
+      if (!is_same) different.push_back(file.string());
+    }
+  }
+  return different;
+}
+
 void WritePvd(const PreparedScene& scene,
               const std::vector<int>& frames,
               const std::string& dir) {

@@ -29,6 +29,15 @@ void WriteFrame(const PreparedScene& scene,
                 const std::vector<std::string>& formats,
                 const std::string& dir);
 
+// Reads the meshes of a written frame back. Returns the files, within `dir`,
+// that do not hold the frame's points and triangles to the last bit: what was
+// counted on the frame is what the files have where there are none.
+std::vector<std::string> FilesThatDiffer(
+    const PreparedScene& scene,
+    const Frame& frame,
+    const std::vector<std::string>& formats,
+    const std::string& dir);
+
 // A vertex that near to another mesh touches it, mm.
 constexpr double kContactGap = 0.5;
 
