@@ -171,12 +171,12 @@ std::vector<std::string> FilesThatDiffer(
     const Frame& frame,
     const std::vector<std::string>& formats,
     const std::string& dir) {
-  struct Mesh {
+  struct Written {
     std::string name;
     const Points* points;
     const Triangles* triangles;
   };
-  std::vector<Mesh> meshes;
+  std::vector<Written> meshes;
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
     const MuscleModel& model = scene.muscles[i].model;
     meshes.push_back(
@@ -188,7 +188,7 @@ std::vector<std::string> FilesThatDiffer(
   }
   std::vector<std::string> different;
   for (const std::string& format : formats) {
-    for (const Mesh& mesh : meshes) {
+    for (const Written& mesh : meshes) {
       const fs::path file =
           fs::path(FrameFolder(frame.index)) / (mesh.name + "." + format);
       const TriangleSoup soup =
