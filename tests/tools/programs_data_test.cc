@@ -229,13 +229,13 @@ void ExpectCertified(const Json& report, const std::string& out) {
 }
 
 TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheBodyParts3dHip) {
-  const std::string out = TestTempPath();
+  const std::string out = TestTempDir() + "/run";
   ExpectCertified(
       Deform("bodyparts3d_hip", "ceres", out, "--contact=certified"), out);
 }
 
 TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheHamstrings) {
-  const std::string out = TestTempPath();
+  const std::string out = TestTempDir() + "/run";
   ExpectCertified(Deform("bodyparts3d_hamstrings_leg",
                          "ceres",
                          out,
@@ -244,7 +244,7 @@ TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheHamstrings) {
 }
 
 TEST_F(ProgramsDataTest, CertifiedContactHoldsForLhdlFlexion) {
-  const std::string out = TestTempPath();
+  const std::string out = TestTempDir() + "/run";
   ExpectCertified(
       Deform("lhdl_hip_motion", "ceres", out, "--contact=certified"), out);
 }
