@@ -12,7 +12,7 @@ namespace musclewarp {
 struct CleanStepOptions {
   ContactRelaxationOptions relaxation;
   // Rounds of sweeps and exact tests before a step is given up.
-  int max_rounds = 5;
+  int max_rounds = 6;
   // A state is left if a vertex is nearer to a plane than this part of the gap.
   double least_gap = 0.2;
 

@@ -33,6 +33,11 @@ constexpr double kSheetRoom = 0.5;
 // more, what is left after a sweep.
 constexpr double kBiasDecay = 0.97;
 
+// What crosses itself or folds moves more as one piece in the next round, by
+// this factor on the weights of its edges, up to a limit.
+constexpr double kStiffer = 10;
+constexpr double kStiffest = 1e4;
+
 // A triangle that folded keeps this part of the height its target has.
 constexpr double kUnfoldedHeight = 0.1;
 
@@ -59,6 +64,53 @@ Eigen::Matrix3d TurnOf(const Corners& a, const Corners& b) {
     return axes;
   };
   return frame(a).transpose() * frame(b);
+}
+
+// How two triangles of a mesh are parted: the direction from b to a and by how
+// much, mm; by nothing if they are not. Of triangles with a common corner the
+// other corners are parted, by the direction that all edges from there follow
+// best: that to the point nearest to the origin of the hull of the directions
+// of the edges of a and of those of b reversed.
+RowVector3d PartSheets(const Points& points,
+                       const RowVector3i& a,
+                       const RowVector3i& b,
+                       double* distance) {
+  *distance = 0;
+  Eigen::Matrix<double, 4, 3> edges;
+  int common = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (a[i] != b[j]) continue;
+      ++common;
+      for (int k = 0; k < 2; ++k) {
+        const RowVector3d corner = points.row(a[i]);
+        edges.row(k) = points.row(a[(i + 1 + k) % 3]) - corner;
+        edges.row(2 + k) = corner - points.row(b[(j + 1 + k) % 3]);
+      }
+    }
+  }
+  if (common == 0) {
+    PartedPair pair;
+    if (Part(CornersOf(points, a), CornersOf(points, b), &pair)) {
+      *distance = pair.distance;
+    }
+    return pair.normal;
+  }
+  if (common > 1) return RowVector3d::Zero();
+  const Eigen::Matrix<double, 4, 3> directions = edges.rowwise().normalized();
+  RowVector3d nearest = RowVector3d::Constant(1);
+  for (int left_out = 0; left_out < 4; ++left_out) {
+    Corners face;
+    for (int k = 0; k < 3; ++k) {
+      face.row(k) = directions.row((left_out + 1 + k) % 4);
+    }
+    const RowVector3d point =
+        ClosestPointOfTriangle(RowVector3d::Zero(), face);
+    if (point.norm() < nearest.norm()) nearest = point;
+  }
+  const RowVector3d normal = nearest.stableNormalized();
+  *distance = (edges * normal.transpose()).minCoeff();
+  return normal;
 }
 
 }  // namespace
@@ -98,6 +150,9 @@ ContactRelaxation::ContactRelaxation(
         std::make_unique<TriangleBvh>(clean_[i], muscles_[i].triangles));
     trees_.push_back(std::make_unique<TriangleBvh>(*clean_trees_.back()));
     trees_.back()->Refit(carried_[i]);
+  }
+  for (const ContactMesh& mesh : muscles_) {
+    stiffness_.push_back(Eigen::VectorXd::Ones(mesh.num_vertices()));
   }
   points_ = carried_;
   wishes_ = carried_;
@@ -161,19 +216,29 @@ void ContactRelaxation::FindBonePlanes(int bone) {
   }
 }
 
-void ContactRelaxation::AddMusclePlane(int a, int b, const PartedPair& pair) {
-  const RowVector3i corners_a = muscles_[a].triangles.row(pair.a);
-  const RowVector3i corners_b = muscles_[b].triangles.row(pair.b);
-  const Eigen::Matrix3d turn = TurnOf(CornersOf(clean_[a], corners_a),
-                                      CornersOf(carried_[a], corners_a)) +
-                               TurnOf(CornersOf(clean_[b], corners_b),
-                                      CornersOf(carried_[b], corners_b));
-  RowVector3d normal = pair.normal * turn;
+RowVector3d ContactRelaxation::Turned(const Plane& plane,
+                                      const RowVector3d& before) const {
+  const auto turn_of = [&](int muscle, const RowVector3i& corners) {
+    return TurnOf(CornersOf(clean_[muscle], corners),
+                  CornersOf(carried_[muscle], corners));
+  };
+  const Eigen::Matrix3d turn =
+      turn_of(plane.muscle_a, plane.a) + turn_of(plane.muscle_b, plane.b);
+  const RowVector3d turned = before * turn;
   // Triangles without area have no turn.
-  normal = normal.norm() > 0.5 ? normal.normalized() : pair.normal;
-  const double gap = a == b ? std::min(options_.gap, kSheetRoom * pair.distance)
-                            : options_.gap;
-  AddPlane({a, b, corners_a, corners_b, normal, gap / 2, pair.distance});
+  return turned.norm() > 0.5 ? turned.normalized() : before;
+}
+
+void ContactRelaxation::AddMusclePlane(int a, int b, const PartedPair& pair) {
+  Plane plane;
+  plane.muscle_a = a;
+  plane.muscle_b = b;
+  plane.a = muscles_[a].triangles.row(pair.a);
+  plane.b = muscles_[b].triangles.row(pair.b);
+  plane.normal = Turned(plane, pair.normal);
+  plane.half_gap = options_.gap / 2;
+  plane.distance = pair.distance;
+  AddPlane(plane);
 }
 
 void ContactRelaxation::AddPlane(const Plane& plane) {
@@ -299,6 +364,11 @@ void ContactRelaxation::SetLevels(bool is_first) {
       }
       return most;
     };
+    if (plane.corner >= 0) {
+      plane.level =
+          plane.normal.dot(points_[plane.muscle_a].row(plane.corner));
+      continue;
+    }
     if (!is_first) {
       // Who could not come to the side that is his is held by something else:
       // the other one has to go farther.
@@ -317,6 +387,7 @@ void ContactRelaxation::SweepMuscle(int muscle) {
   const ContactMesh& mesh = muscles_[muscle];
   const Points& target = targets_[muscle];
   const Points& carried = carried_[muscle];
+  const Eigen::VectorXd& stiffness = stiffness_[muscle];
   Points& points = points_[muscle];
   const double decay =
       1 / (options_.smoothing_length * options_.smoothing_length);
@@ -325,8 +396,10 @@ void ContactRelaxation::SweepMuscle(int muscle) {
     double weights = decay * mesh.areas[v];
     for (int e = mesh.first[v]; e < mesh.first[v + 1]; ++e) {
       const int u = mesh.neighbours[e];
-      sum += mesh.weights[e] * (points.row(u) - target.row(u));
-      weights += mesh.weights[e];
+      const double weight = std::max(stiffness[u], stiffness[v]) *
+                            mesh.weights[e];
+      sum += weight * (points.row(u) - target.row(u));
+      weights += weight;
     }
     RowVector3d wish = target.row(v) + sum / weights;
     const RowVector3d beyond = wish - carried.row(v);
@@ -409,25 +482,80 @@ double ContactRelaxation::RestoreVolumes() {
   return worst;
 }
 
-int ContactRelaxation::AddMuscleCrossings(int a, int b) {
-  const bool within_one = a == b;
-  const auto pairs = within_one ? SelfIntersections(*trees_[a])
-                                : IntersectingTriangles(*trees_[a], *trees_[b]);
-  const int count = static_cast<int>(pairs.size());
-  if (within_one && count <= muscles_[a].self_pairs) return 0;
+// Two triangles of a muscle that cross: apart as they were before or, if they
+// crossed then, as their targets are.
+bool ContactRelaxation::AddSheetPlane(int muscle, int f, int g) {
+  Plane plane;
+  plane.muscle_a = plane.muscle_b = muscle;
+  plane.a = muscles_[muscle].triangles.row(f);
+  plane.b = muscles_[muscle].triangles.row(g);
+  const RowVector3d before =
+      PartSheets(clean_[muscle], plane.a, plane.b, &plane.distance);
+  if (plane.distance > 0) {
+    plane.normal = Turned(plane, before);
+  } else {
+    plane.normal =
+        PartSheets(targets_[muscle], plane.a, plane.b, &plane.distance);
+    if (!(plane.distance > 0)) return false;
+  }
+  plane.half_gap = std::min(options_.gap, kSheetRoom * plane.distance) / 2;
+  // The common corner stays on the plane.
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (plane.a[i] == plane.b[j]) plane.corner = plane.a[i];
+    }
+  }
+  if (plane.corner >= 0) {
+    for (RowVector3i* corners : {&plane.a, &plane.b}) {
+      const int other = (*corners)[0] == plane.corner ? 1 : 0;
+      for (int k = 0; k < 3; ++k) {
+        if ((*corners)[k] == plane.corner) (*corners)[k] = (*corners)[other];
+      }
+    }
+  }
+  AddPlane(plane);
+  return true;
+}
+
+void ContactRelaxation::Stiffen(int muscle, const std::vector<int>& triangles) {
+  std::vector<bool> is_stiffer(muscles_[muscle].num_vertices(), false);
+  for (const int f : triangles) {
+    for (const int v : muscles_[muscle].triangles.row(f)) is_stiffer[v] = true;
+  }
+  for (int v = 0; v < muscles_[muscle].num_vertices(); ++v) {
+    if (!is_stiffer[v]) continue;
+    stiffness_[muscle][v] =
+        std::min(kStiffer * stiffness_[muscle][v], kStiffest);
+  }
+}
+
+int ContactRelaxation::AddSelfCrossings(int muscle) {
+  const auto pairs = SelfIntersections(*trees_[muscle]);
+  if (static_cast<int>(pairs.size()) <= muscles_[muscle].self_pairs) return 0;
   int parted = 0;
+  std::vector<int> triangles;
+  for (const auto& [f, g] : pairs) {
+    if (!AddSheetPlane(muscle, f, g)) continue;
+    ++parted;
+    triangles.push_back(f);
+    triangles.push_back(g);
+  }
+  Stiffen(muscle, triangles);
+  return parted;
+}
+
+int ContactRelaxation::AddMuscleCrossings(int a, int b) {
+  const auto pairs = IntersectingTriangles(*trees_[a], *trees_[b]);
+  const int count = static_cast<int>(pairs.size());
   for (const auto& [f, g] : pairs) {
     PartedPair pair;
-    if (!Part(
-            clean_trees_[a]->corners(f), clean_trees_[b]->corners(g), &pair)) {
-      continue;
+    if (Part(clean_trees_[a]->corners(f), clean_trees_[b]->corners(g), &pair)) {
+      pair.a = f;
+      pair.b = g;
+      AddMusclePlane(a, b, pair);
     }
-    pair.a = f;
-    pair.b = g;
-    AddMusclePlane(a, b, pair);
-    ++parted;
   }
-  return within_one ? parted : count;
+  return count;
 }
 
 int ContactRelaxation::AddBoneCrossings(int bone) {
@@ -465,6 +593,7 @@ int ContactRelaxation::AddFolded(int muscle) {
   if (static_cast<double>(folded.size()) <= options_.max_folded_share * count) {
     return 0;
   }
+  Stiffen(muscle, folded);
   for (const int f : folded) {
     // Over its longest edge a triangle is lowest, and folds.
     const RowVector3i corners = triangles.row(f);
@@ -485,13 +614,14 @@ int ContactRelaxation::AddFolded(int muscle) {
         area.cross(RowVector3d(target.row(v) - target.row(u)));
     if (!(inward.norm() > 0)) continue;
     const double height = area.norm() / longest;
-    AddPlane({muscle,
-              muscle,
-              RowVector3i::Constant(corners[top]),
-              RowVector3i(corners[u], corners[v], corners[v]),
-              inward.normalized(),
-              kUnfoldedHeight * height / 2,
-              height});
+    Plane plane;
+    plane.muscle_a = plane.muscle_b = muscle;
+    plane.a = RowVector3i::Constant(corners[top]);
+    plane.b = RowVector3i(corners[u], corners[v], corners[v]);
+    plane.normal = inward.normalized();
+    plane.half_gap = kUnfoldedHeight * height / 2;
+    plane.distance = height;
+    AddPlane(plane);
   }
   return static_cast<int>(folded.size());
 }
@@ -504,7 +634,7 @@ StateDefects ContactRelaxation::AddDefects() {
     found.folded += AddFolded(i);
   }
   for (int a = 0; a < num_muscles(); ++a) {
-    found.self_pairs += AddMuscleCrossings(a, a);
+    found.self_pairs += AddSelfCrossings(a);
     for (int b = a + 1; b < num_muscles(); ++b) {
       found.crossing_pairs += AddMuscleCrossings(a, b);
     }

@@ -108,6 +108,7 @@ class ContactRelaxation {
     Eigen::RowVector3d normal;
     double half_gap;
     double distance;  // before, mm
+    int corner = -1;  // a vertex that stays on it
     double level = 0;
     double bias = 0;
 
@@ -128,7 +129,12 @@ class ContactRelaxation {
   void AddBonePlane(int muscle, int triangle, int bone, const HalfSpace& space);
   void FindMusclePlanes(int a, int b);
   void AddMusclePlane(int a, int b, const PartedPair& pair);
+  bool AddSheetPlane(int muscle, int f, int g);
   void AddPlane(const Plane& plane);
+  Eigen::RowVector3d Turned(const Plane& plane,
+                            const Eigen::RowVector3d& before) const;
+  void Stiffen(int muscle, const std::vector<int>& triangles);
+  int AddSelfCrossings(int muscle);
   int AddMuscleCrossings(int a, int b);
   int AddBoneCrossings(int bone);
   int AddFolded(int muscle);
@@ -146,6 +152,7 @@ class ContactRelaxation {
   const std::vector<const TriangleBvh*>& rest_bones_;
   const std::vector<Eigen::Matrix4d> bones_before_, bones_;
   std::vector<Points> clean_, carried_, targets_, points_, wishes_;
+  std::vector<Eigen::VectorXd> stiffness_;  // by muscle, by vertex
   std::vector<std::unique_ptr<TriangleBvh>> clean_trees_, trees_;
   std::vector<Plane> planes_;
   std::vector<std::vector<Side>> sides_;       // by muscle, by vertex

@@ -77,11 +77,12 @@ PreparedMuscle PrepareOne(const std::vector<BodySurface>& bodies,
                           const PrepareOptions& options,
                           SceneMuscle* muscle) {
   PreparedMuscle prepared;
-  const TriangleSoup fine = ReadRepaired(muscle->name,
-                                         muscle->mesh_path,
-                                         Eigen::Matrix4d::Identity(),
-                                         options.repair,
-                                         &prepared.mesh);
+  TriangleSoup fine = ReadRepaired(muscle->name,
+                                   muscle->mesh_path,
+                                   Eigen::Matrix4d::Identity(),
+                                   options.repair,
+                                   &prepared.mesh);
+  prepared.mesh.slivers = RemoveSlivers(options.slivers, &fine);
   if (muscle->lines.empty()) {
     muscle->lines = MakeLines(
         muscle->name, fine, bodies, muscle->attachments, options.auto_lines);

@@ -8,6 +8,7 @@
 
 #include "musclewarp/fibres/fibres.h"
 #include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/geometry/sliver_removal.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/repair.h"
 #include "musclewarp/scene/scene.h"
@@ -19,6 +20,7 @@ namespace musclewarp {
 struct PrepareOptions {
   MuscleModelOptions muscle;
   RepairOptions repair;
+  SliverLimits slivers;  // of muscles
 
   // Lines made for a muscle that has none.
   int auto_lines = 3;
@@ -40,6 +42,7 @@ struct MeshPreparation {
   std::string path;
   MeshDefects defects;
   RepairReport repairs;
+  SliverRemovals slivers;
 };
 
 struct PreparedMuscle {

@@ -12,7 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json ToJson(const RepairReport& repairs) {
+Json ToJson(const MeshPreparation& mesh) {
+  const RepairReport& repairs = mesh.repairs;
   return {{"merged_points", repairs.point_merges.merged},
           {"longest_merge_mm", repairs.point_merges.longest},
           {"degenerate_triangles_removed", repairs.degenerate_triangles},
@@ -32,7 +33,11 @@ Json ToJson(const RepairReport& repairs) {
           {"largest_dropped_area_mm2", repairs.largest_dropped_area},
           {"pulled_points", repairs.pulls.points},
           {"longest_pull_mm", repairs.pulls.longest},
-          {"dropped_points", repairs.dropped_points}};
+          {"dropped_points", repairs.dropped_points},
+          {"sliver_edges_collapsed", mesh.slivers.collapsed_edges},
+          {"sliver_edges_flipped", mesh.slivers.flipped_edges},
+          {"slivers_left", mesh.slivers.slivers_left},
+          {"sliver_deviation_mm", mesh.slivers.largest_deviation}};
 }
 
 Json PrepareJson(const PreparedScene& scene) {
@@ -50,7 +55,7 @@ Json PrepareJson(const PreparedScene& scene) {
                        {"fibres_ms", muscle.fibres_ms},
                        {"attachment_rows", muscle.model.attachment_of.size()},
                        {"defects", DefectsJson(muscle.mesh.defects)},
-                       {"repairs", ToJson(muscle.mesh.repairs)}});
+                       {"repairs", ToJson(muscle.mesh)}});
   }
   Json bones = Json::array();
   for (const PreparedBone& bone : scene.bones) {
@@ -58,7 +63,7 @@ Json PrepareJson(const PreparedScene& scene) {
                      {"mesh", bone.mesh.path},
                      {"vertices", bone.rest.points.rows()},
                      {"defects", DefectsJson(bone.mesh.defects)},
-                     {"repairs", ToJson(bone.mesh.repairs)}});
+                     {"repairs", ToJson(bone.mesh)}});
   }
   return {{"wall_ms", scene.wall_ms},
           {"cached", false},
