@@ -8,7 +8,11 @@
 #include "tools/program.h"
 
 DEFINE_string(out, "", "folder to write to; made if need be");
-DEFINE_string(scene, "hip", "which scene: hip");
+DEFINE_string(scene,
+              "hip",
+              "which scene: hip, or one that is hard on contact: "
+              "stress_attachment, stress_edge, stress_plate, "
+              "stress_resolution, stress_sheet, stress_sweep");
 DEFINE_uint32(seed,
               1,
               "places of the planted defects and bumps of the surfaces");

@@ -38,7 +38,8 @@ CleanStepSummary StepCleanly(const CleanStepOptions& options,
     const bool is_better_possible =
         summary.violation > allowed || defects.self_pairs + defects.folded > 0;
     summary.is_clean =
-        defects.crossing_pairs == 0 && (getenv("STRICT")==nullptr || defects.self_pairs == 0) &&
+        defects.crossing_pairs == 0 &&
+        (getenv("STRICT") == nullptr || defects.self_pairs == 0) &&
         (!is_better_possible || summary.rounds == options.max_rounds);
   }
   next->points = relaxation.points();

@@ -104,8 +104,7 @@ RowVector3d PartSheets(const Points& points,
     for (int k = 0; k < 3; ++k) {
       face.row(k) = directions.row((left_out + 1 + k) % 4);
     }
-    const RowVector3d point =
-        ClosestPointOfTriangle(RowVector3d::Zero(), face);
+    const RowVector3d point = ClosestPointOfTriangle(RowVector3d::Zero(), face);
     if (point.norm() < nearest.norm()) nearest = point;
   }
   const RowVector3d normal = nearest.stableNormalized();
@@ -365,8 +364,7 @@ void ContactRelaxation::SetLevels(bool is_first) {
       return most;
     };
     if (plane.corner >= 0) {
-      plane.level =
-          plane.normal.dot(points_[plane.muscle_a].row(plane.corner));
+      plane.level = plane.normal.dot(points_[plane.muscle_a].row(plane.corner));
       continue;
     }
     if (!is_first) {
@@ -396,8 +394,8 @@ void ContactRelaxation::SweepMuscle(int muscle) {
     double weights = decay * mesh.areas[v];
     for (int e = mesh.first[v]; e < mesh.first[v + 1]; ++e) {
       const int u = mesh.neighbours[e];
-      const double weight = std::max(stiffness[u], stiffness[v]) *
-                            mesh.weights[e];
+      const double weight =
+          std::max(stiffness[u], stiffness[v]) * mesh.weights[e];
       sum += weight * (points.row(u) - target.row(u));
       weights += weight;
     }

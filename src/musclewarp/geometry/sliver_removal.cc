@@ -31,9 +31,12 @@ struct Triangle {
   RowVector3d AreaVector() const { return (b - a).cross(c - a); }
   RowVector3d Normal() const { return AreaVector().stableNormalized(); }
   double LongestEdge() const {
-    return std::sqrt(std::max({(b - a).squaredNorm(),
-                               (c - b).squaredNorm(),
-                               (a - c).squaredNorm()}));
+    return std::sqrt(std::max(
+        {(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+  }
+  double Height() const {
+    const double longest = LongestEdge();
+    return longest > 0 ? AreaVector().norm() / longest : 0;
   }
 };
 
@@ -72,10 +75,10 @@ class SliverRemover {
  private:
   // Below 1 for a sliver.
   double Thickness(const Triangle& t) const {
-    const double longest = t.LongestEdge();
-    if (longest == 0) return 0;
-    const double height = t.AreaVector().norm() / longest;
-    return std::min(height / least_height_, height / longest / limits_.aspect);
+    const double height = t.Height();
+    if (height == 0) return 0;
+    return std::min(height / least_height_,
+                    height / t.LongestEdge() / limits_.aspect);
   }
 
   bool IsLocked(HalfEdge h) const {
@@ -157,8 +160,8 @@ class SliverRemover {
     constexpr double kMaxTurn = 0.7;  // of a triangle that stays, cosine
     if (change.deviation > limits_.max_deviation) return 0;
     const double thickness = WorstThickness(change.after);
-    if (thickness <= std::min(WorstThickness(change.before),
-                              WorstThickness(change.gone))) {
+    if (thickness <=
+        std::min(WorstThickness(change.before), WorstThickness(change.gone))) {
       return 0;
     }
     for (size_t i = 0; i < change.before.size(); ++i) {
@@ -202,9 +205,10 @@ class SliverRemover {
         if (f == left || f == right) continue;
         Triangle t = TriangleOf(out);
         change.before.push_back(t);
-        if (Thickness(t) >= 1) {
-          change.deviation = std::max(change.deviation,
-                                      std::abs(t.Normal().dot(place - t.a)));
+        // One lower than that has no normal to speak of.
+        if (t.Height() > std::min(least_height_, limits_.max_deviation)) {
+          change.deviation =
+              std::max(change.deviation, std::abs(t.Normal().dot(place - t.a)));
         }
         t.a = place;
         change.after.push_back(t);
@@ -254,7 +258,8 @@ class SliverRemover {
 TriangleSoup LeftOf(const Mesh& mesh) {
   TriangleSoup soup;
   soup.points.resize(mesh.n_vertices(), 3);
-  for (const auto v : mesh.all_vertices()) soup.points.row(v.idx()) = At(mesh, v);
+  for (const auto v : mesh.all_vertices())
+    soup.points.row(v.idx()) = At(mesh, v);
   soup.triangles.resize(mesh.n_faces(), 3);
   int kept = 0;
   for (const Face f : mesh.faces()) {

@@ -8,10 +8,10 @@ namespace musclewarp {
 
 // A sliver is a triangle whose smallest height is below one of these.
 struct SliverLimits {
-  double aspect = 0.05;            // of its longest edge; 0: there are none
-  double height = 0.25;            // mm
-  double share_of_edges = 0.1;     // of the mean edge, if that is less than height
-  double max_deviation = 0.1;      // of the surface, mm
+  double aspect = 0.05;         // of its longest edge; 0: there are none
+  double height = 0.25;         // mm
+  double share_of_edges = 0.1;  // of the mean edge, if that is less than height
+  double max_deviation = 0.1;   // of the surface, mm
 };
 
 struct SliverRemovals {
@@ -25,9 +25,10 @@ struct SliverRemovals {
 // is collapsed or flipped, whichever leaves the better triangles, where the
 // surface neither folds nor crosses itself, nor goes farther than allowed from
 // where it was. What
-// deforms smoothly turns slivers over long before their neighbours, and contact,
-// which moves single vertices by fractions of a millimetre, too. Points and
-// triangles that stay keep their order; without slivers nothing changes.
+// deforms smoothly turns slivers over long before their neighbours, and
+// contact, which moves single vertices by fractions of a millimetre, too.
+// Points and triangles that stay keep their order; without slivers nothing
+// changes.
 SliverRemovals RemoveSlivers(const SliverLimits& limits, TriangleSoup* soup);
 
 }  // namespace musclewarp

@@ -8,7 +8,6 @@
 
 #include "musclewarp/phantom/hip_model.h"
 #include "musclewarp/phantom/hip_solids.h"
-#include "musclewarp/phantom/polygonize.h"
 #include "musclewarp/phantom/scene_parts.h"
 
 namespace musclewarp {
@@ -29,21 +28,9 @@ constexpr int kWrapped = 5;
 constexpr int kFlexed60 = 2;  // the pose
 const Eigen::Vector3d kWrappedFlexed(1, 47, 4);
 
-// Bumps of the surfaces, mm.
-constexpr double kRoughness = 0.25;
-constexpr double kRoughnessLength = 14;
-
-struct Solid {
-  std::string name;
-  Field field;
-  Eigen::AlignedBox3d box;
-  double cell;  // mm
-  PlantedDefects defects;
-};
-
 // duplicate points, degenerate triangles, flaps, stray pieces, missing
 // triangles: numbers of the order found in segmented muscles.
-std::vector<Solid> Solids(const Field& pelvis, const Field& femur) {
+std::vector<phantom::Solid> Solids(const Field& pelvis, const Field& femur) {
   const Field bones = phantom::Union(pelvis, femur, 0);
   const Field minimus = phantom::GluteusMinimusField(bones);
   const Field medius = phantom::GluteusMediusField(bones, minimus);
@@ -75,20 +62,6 @@ std::vector<Solid> Solids(const Field& pelvis, const Field& femur) {
        3.3,
        {}},
   };
-}
-
-PhantomMesh MeshOf(const Solid& solid, uint32_t seed) {
-  phantom::PolygonizeOptions options;
-  options.cell = solid.cell;
-  PhantomMesh mesh;
-  mesh.name = solid.name;
-  mesh.surface = phantom::PolygonizeField(
-      phantom::Rough(solid.field, kRoughness, kRoughnessLength, seed),
-      solid.box,
-      options);
-  mesh.defects = solid.defects;
-  mesh.delivered = PlantDefects(mesh.surface, mesh.defects, seed);
-  return mesh;
 }
 
 // A line through the middle of a fan: points by (y, z).
@@ -145,28 +118,7 @@ ActionLine PsoasLine() {
   return line;
 }
 
-SceneMuscle MuscleOf(const PhantomMesh& mesh, std::vector<ActionLine> lines) {
-  SceneMuscle muscle;
-  muscle.name = mesh.name;
-  muscle.mesh_path = mesh.name + ".ply";
-  muscle.lines = std::move(lines);
-  return muscle;
-}
-
-// Where a muscle's surface lies in a bone, away from mere contact at the joint.
-Attachment AttachmentTo(
-    const std::string& body,
-    const PhantomMesh& mesh,
-    const std::function<bool(const Eigen::Vector3d&)>& is_in,
-    int count) {
-  Attachment attachment;
-  attachment.body = body;
-  attachment.points = phantom::SpreadPoints(mesh.surface.points, is_in, count);
-  attachment.radius = 8;
-  return attachment;
-}
-
-void AddMuscles(const std::vector<Solid>& solids,
+void AddMuscles(const std::vector<phantom::Solid>& solids,
                 const std::vector<PhantomMesh>& meshes,
                 const Field& pelvis,
                 const Field& femur,
@@ -181,17 +133,20 @@ void AddMuscles(const std::vector<Solid>& solids,
   };
   // The vertebrae are not in the scene: the upper end stands for them.
   const auto on_spine = [&](const Eigen::Vector3d& p) { return p.z() > 190; };
-  SceneMuscle medius = MuscleOf(meshes[0], MediusLines(solids[0].field));
+  SceneMuscle medius =
+      phantom::MuscleOf(meshes[0], MediusLines(solids[0].field));
   medius.attachments = {
-      AttachmentTo(kPelvis, meshes[0], on_wing, 24),
-      AttachmentTo(kFemur, meshes[0], on_femur_below(-14), 5)};
-  SceneMuscle minimus = MuscleOf(meshes[1], MinimusLines(solids[1].field));
+      phantom::AttachmentTo(kPelvis, meshes[0], on_wing, 24),
+      phantom::AttachmentTo(kFemur, meshes[0], on_femur_below(-14), 5)};
+  SceneMuscle minimus =
+      phantom::MuscleOf(meshes[1], MinimusLines(solids[1].field));
   minimus.attachments = {
-      AttachmentTo(kPelvis, meshes[1], on_wing, 20),
-      AttachmentTo(kFemur, meshes[1], on_femur_below(-14), 4)};
-  SceneMuscle psoas = MuscleOf(meshes[2], {PsoasLine()});
-  psoas.attachments = {AttachmentTo(kPelvis, meshes[2], on_spine, 8),
-                       AttachmentTo(kFemur, meshes[2], on_femur_below(-60), 4)};
+      phantom::AttachmentTo(kPelvis, meshes[1], on_wing, 20),
+      phantom::AttachmentTo(kFemur, meshes[1], on_femur_below(-14), 4)};
+  SceneMuscle psoas = phantom::MuscleOf(meshes[2], {PsoasLine()});
+  psoas.attachments = {
+      phantom::AttachmentTo(kPelvis, meshes[2], on_spine, 8),
+      phantom::AttachmentTo(kFemur, meshes[2], on_femur_below(-60), 4)};
   scene->muscles = {medius, minimus, psoas};
 }
 
@@ -244,14 +199,14 @@ void MoveBy(const Eigen::Vector3d& shift, PhantomScene* hip) {
 PhantomScene MakeHipScene(uint32_t seed) {
   const Field pelvis = phantom::PelvisField();
   const Field femur = phantom::FemurField();
-  const std::vector<Solid> solids = Solids(pelvis, femur);
+  const std::vector<phantom::Solid> solids = Solids(pelvis, femur);
   PhantomScene hip;
   hip.scene.axes = "RAS";
   hip.scene.name = "hip";
   hip.meshes.resize(solids.size());
 #pragma omp parallel for schedule(dynamic)
   for (size_t i = 0; i < solids.size(); ++i) {
-    hip.meshes[i] = MeshOf(solids[i], seed + i);
+    hip.meshes[i] = phantom::MeshOf(solids[i], seed + i);
   }
   AddMuscles(solids, hip.meshes, pelvis, femur, &hip.scene);
   hip.scene.bones = {{kPelvis, "pelvis.ply", kPelvis},

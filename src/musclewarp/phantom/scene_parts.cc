@@ -14,6 +14,41 @@
 
 namespace musclewarp::phantom {
 
+PhantomMesh MeshOf(const Solid& solid, uint32_t seed) {
+  constexpr double kRoughnessLength = 14;  // mm
+  PolygonizeOptions options;
+  options.cell = solid.cell;
+  PhantomMesh mesh;
+  mesh.name = solid.name;
+  mesh.surface = PolygonizeField(
+      Rough(solid.field, solid.roughness, kRoughnessLength, seed),
+      solid.box,
+      options);
+  mesh.defects = solid.defects;
+  mesh.delivered = PlantDefects(mesh.surface, mesh.defects, seed);
+  return mesh;
+}
+
+SceneMuscle MuscleOf(const PhantomMesh& mesh, std::vector<ActionLine> lines) {
+  SceneMuscle muscle;
+  muscle.name = mesh.name;
+  muscle.mesh_path = mesh.name + ".ply";
+  muscle.lines = std::move(lines);
+  return muscle;
+}
+
+Attachment AttachmentTo(
+    const std::string& body,
+    const PhantomMesh& mesh,
+    const std::function<bool(const Eigen::Vector3d&)>& is_in,
+    int count) {
+  Attachment attachment;
+  attachment.body = body;
+  attachment.points = SpreadPoints(mesh.surface.points, is_in, count);
+  attachment.radius = 8;
+  return attachment;
+}
+
 double MiddleAlongX(const Field& field, double y, double z) {
   constexpr double kReach = 200;  // mm
   constexpr double kStep = 0.5;   // mm

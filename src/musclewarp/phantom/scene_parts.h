@@ -3,18 +3,45 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/phantom/field.h"
+#include "musclewarp/phantom/phantom_scene.h"
+#include "musclewarp/phantom/planted_defects.h"
+#include "musclewarp/scene/scene.h"
 #include "musclewarp/skeleton/action_line.h"
 
 namespace musclewarp::phantom {
 
-// Lines, attachments and motions of made-up scenes. All results are rounded so
-// that they are the same on every machine.
+// Meshes, lines, attachments and motions of made-up scenes. All results are
+// rounded so that they are the same on every machine.
+
+struct Solid {
+  std::string name;
+  Field field;
+  Eigen::AlignedBox3d box;
+  double cell;  // mm
+  PlantedDefects defects;
+  double roughness = 0.25;  // height of the bumps of the surface, mm
+};
+
+// The solid's surface with bumps, and with its defects.
+PhantomMesh MeshOf(const Solid& solid, uint32_t seed);
+
+SceneMuscle MuscleOf(const PhantomMesh& mesh, std::vector<ActionLine> lines);
+
+// `count` points of the mesh that `is_in` accepts (SpreadPoints).
+Attachment AttachmentTo(
+    const std::string& body,
+    const PhantomMesh& mesh,
+    const std::function<bool(const Eigen::Vector3d&)>& is_in,
+    int count);
 
 // The middle of the longest stretch of the line (., y, z) inside the field,
 // within 200 mm of x = 0. Precondition (CHECKed): there is one.

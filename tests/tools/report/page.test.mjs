@@ -117,6 +117,7 @@ describe("the page", () => {
       () => Number(document.querySelector("#slider").value) >= 4,
     );
     await page.locator("#play").click();
+    await page.locator('#play[title^="Play"]').waitFor();
     const paused = await frameShown(page);
     await page.waitForTimeout(300);
     assert.equal(await frameShown(page), paused);
