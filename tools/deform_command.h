@@ -22,7 +22,7 @@ struct DeformOptions {
   std::string data_root;  // empty: the folder of the scene
   std::string out;
   SolverConfiguration solver = SolverConfigurationNamed("ceres");
-  DeformContact contact = DeformContact::kNone;
+  DeformContact contact = DeformContact::kCertified;
   std::string frames = "all";  // see SelectFrames
   std::vector<std::string> formats = {"ply"};
   std::string motion;  // in place of the scene's

@@ -13,11 +13,13 @@ DEFINE_string(out, "", "folder for the frames and report.json");
 DEFINE_string(solver,
               "ceres",
               "ceres, or reference (Gauss-Newton with Lagrange multiplier)");
-DEFINE_string(contact,
-              "none",
-              "none: every muscle deforms on its own; certified: no triangles "
-              "of muscles cross each other or bones; paper: muscles keep out "
-              "of each other and of bones as Kellnhofer and Kohout have it");
+DEFINE_string(
+    contact,
+    "certified",
+    "certified: no triangles of muscles cross each other or bones; "
+    "paper: muscles keep out of each other and of bones as "
+    "Kellnhofer and Kohout have it; none: every muscle deforms on its "
+    "own");
 DEFINE_string(format, "ply", "mesh files to write: ply, obj, vtp; commas");
 
 DEFINE_int32(fibres,

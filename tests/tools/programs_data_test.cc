@@ -32,11 +32,12 @@ class ProgramsDataTest : public ::testing::Test {
               const std::string& solver,
               const std::string& out,
               const std::string& flags = "") {
-    const ProgramRun run = RunCommandLine(
-        MUSCLEWARP_DEFORM,
-        "--scene=" MUSCLEWARP_DATA_DIR "/scenes/" + scene +
-            ".json --data_root=" + root_ + " --solver=" + solver +
-            " --out=" + out + " " + flags);
+    const ProgramRun run =
+        RunCommandLine(MUSCLEWARP_DEFORM,
+                       "--scene=" MUSCLEWARP_DATA_DIR "/scenes/" + scene +
+                           ".json --data_root=" + root_ +
+                           " --contact=none --solver=" + solver +
+                           " --out=" + out + " " + flags);
     EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
     return Json::parse(FileText(out + "/report.json"));
   }

@@ -26,12 +26,14 @@ ProgramRun Report(const std::string& arguments) {
 // Two frames of the embedded scene; `flags` for musclewarp-deform.
 std::string EmbeddedRun(const std::string& dir, const std::string& flags = "") {
   const std::string out = dir + "/out";
-  EXPECT_EQ(RunCommandLine(MUSCLEWARP_DEFORM,
-                           std::string("--scene=") + MUSCLEWARP_DATA_DIR +
-                               "/phantom/scene.json --frames=0:2 --out=" + out +
-                               " " + flags)
-                .exit_code,
-            0);
+  EXPECT_EQ(
+      RunCommandLine(MUSCLEWARP_DEFORM,
+                     std::string("--scene=") + MUSCLEWARP_DATA_DIR +
+                         "/phantom/scene.json --frames=0:2 --contact=none "
+                         "--out=" +
+                         out + " " + flags)
+          .exit_code,
+      0);
   return out;
 }
 

@@ -32,14 +32,12 @@ CleanStepSummary StepCleanly(const CleanStepOptions& options,
     summary.violation = relaxation.WorstViolation();
     const StateDefects defects = relaxation.AddDefects();
     summary.crossing_pairs = defects.crossing_pairs;
-    // Planes on the wrong side of which a vertex is, triangles of one muscle
-    // that cross and folded ones are worth another round, but no reason to give
-    // up a step.
+    // Planes on the wrong side of which a vertex is and folded triangles are
+    // worth another round, but no reason to give up a step.
     const bool is_better_possible =
-        summary.violation > allowed || defects.self_pairs + defects.folded > 0;
+        summary.violation > allowed || defects.folded > 0;
     summary.is_clean =
-        defects.crossing_pairs == 0 &&
-        (getenv("STRICT") == nullptr || defects.self_pairs == 0) &&
+        defects.crossing_pairs + defects.self_pairs == 0 &&
         (!is_better_possible || summary.rounds == options.max_rounds);
   }
   next->points = relaxation.points();

@@ -13,7 +13,8 @@ struct CleanStepOptions {
   ContactRelaxationOptions relaxation;
   // Rounds of sweeps and exact tests before a step is given up.
   int max_rounds = 6;
-  // A state is left if a vertex is nearer to a plane than this part of the gap.
+  // Another round is made if a vertex is nearer to an obstacle than this part
+  // of the gap.
   double least_gap = 0.2;
 
   bool IsValid(std::string* error) const;

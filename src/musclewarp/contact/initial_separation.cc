@@ -3,7 +3,6 @@
 #include "musclewarp/contact/initial_separation.h"
 
 #include <Eigen/Geometry>
-#include <iostream>
 #include <memory>
 
 namespace musclewarp {
@@ -86,9 +85,6 @@ InitialSeparation SeparateInitially(
         }
       }
     }
-    if (getenv("V"))
-      std::cout << "  separation round " << result.rounds << " pairs "
-                << result.crossing_pairs << "\n";
     if (result.crossing_pairs == 0 || result.rounds == options.max_rounds) {
       return result;
     }

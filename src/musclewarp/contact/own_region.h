@@ -28,7 +28,7 @@ class OwnRegion {
             std::vector<const SearchableMesh*> bones);
 
   // Above 0: how far `p` is beyond a bone's surface or a mid surface, mm; below
-  // 0 how far it is from them (at most `limit`, 3 mm). The muscle's own surface
+  // 0 how far it is from them (at most 3 mm). The muscle's own surface
   // does not bound it.
   double Excess(const Eigen::RowVector3d& p) const;
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "musclewarp/base/stopwatch.h"
-#include "musclewarp/contact/scene_intersections.h"
+#include "musclewarp/certificate/scene_intersections.h"
 
 namespace musclewarp {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/contact/scene_intersections.h"
+#include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/motion/group_solver.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_contact.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "musclewarp/contact/scene_intersections.h"
+#include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/motion/prepared_scene.h"
 
 namespace musclewarp {

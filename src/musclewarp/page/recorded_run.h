@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/contact/scene_intersections.h"
+#include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/motion/lines_file.h"
 #include "musclewarp/report/frame_record.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/contact/scene_intersections.h"
+#include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/motion/frame.h"
 
 namespace musclewarp {

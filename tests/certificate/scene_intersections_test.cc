@@ -1,16 +1,20 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/contact/scene_intersections.h"
+#include "musclewarp/certificate/scene_intersections.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "contact/contact_cases.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
 namespace {
+
+TriangleSoup MovedBy(TriangleSoup soup, const Eigen::RowVector3d& by) {
+  soup.points.rowwise() += by;
+  return soup;
+}
 
 // Two balls of radius 10, 18 mm apart, and a third 30 mm from the first.
 struct Balls {
@@ -32,6 +36,19 @@ TEST(SceneIntersections, KnowsTheVerticesInside) {
   for (const int v : found.inside_of_muscles[0]) {
     EXPECT_LT((balls.a.points().row(v) - Eigen::RowVector3d(18, 0, 0)).norm(),
               10);
+  }
+}
+
+TEST(SceneIntersections, FindsWhatLiesWhollyInside) {
+  const SearchableMesh ball(Icosphere(10, 3));
+  const SearchableMesh core(MovedBy(Icosphere(2, 2), {3, 0, 0}));
+  for (const bool is_bone : {false, true}) {
+    std::vector<NamedMesh> muscles = {{"ball", &ball}}, bones;
+    (is_bone ? bones : muscles).push_back({"core", &core});
+    const SceneIntersections found = IntersectScene(muscles, bones);
+    EXPECT_EQ(found.triangle_pairs, 0);
+    EXPECT_EQ(found.vertices_inside, core.points().rows());
+    EXPECT_FALSE(found.IsClean());
   }
 }
 

@@ -1,10 +1,13 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/contact/scene_intersections.h"
+#include "musclewarp/certificate/scene_intersections.h"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
+
+#include "musclewarp/certificate/containment.h"
+#include "musclewarp/certificate/crossing_triangles.h"
 
 namespace musclewarp {
 namespace {
@@ -25,29 +28,53 @@ std::vector<int> Distinct(std::vector<int> numbers) {
   return numbers;
 }
 
-// The vertices inside are added to those of the muscles; null for a bone.
-void AddPair(const NamedMesh& a,
-             const NamedMesh& b,
+SurfaceView ViewOf(const SearchableMesh& mesh) {
+  return {&mesh.points(), &mesh.triangles()};
+}
+
+// Whether a component of `mesh`, which does not cross `other`, lies in it.
+bool LiesInside(const SearchableMesh& mesh, const SearchableMesh& other) {
+  if (other.triangles().rows() == 0) return false;
+  const int count = static_cast<int>(mesh.points().rows());
+  bool is_inside = false;
+  for (int v = 0; v < count && !is_inside; ++v) {
+    if (!mesh.is_used()[v] || mesh.components()[v] != v) continue;
+    const Eigen::RowVector3d p = mesh.points().row(v);
+    is_inside = other.winding().IsClosed() ? IsInsideClosed(p, ViewOf(other))
+                                           : other.winding().IsInside(p);
+  }
+  return is_inside;
+}
+
+// Two meshes and their triangles that cross.
+struct MeshPair {
+  const NamedMesh& a;
+  const NamedMesh& b;
+  std::vector<int> triangles_of_a, triangles_of_b;
+};
+
+// Says more of two meshes that cross or contain each other. The vertices inside
+// are added to those of the muscles; null for a bone.
+void AddPair(MeshPair meshes,
              std::vector<int>* inside_of_a,
              std::vector<int>* inside_of_b,
              SceneIntersections* sum) {
-  const MeshIntersection found = IntersectMeshes(*a.mesh, *b.mesh);
-  if (found.IsEmpty()) return;
+  const SearchableMesh &a = *meshes.a.mesh, &b = *meshes.b.mesh;
+  PairIntersection pair;
+  pair.triangle_pairs = static_cast<int>(meshes.triangles_of_a.size());
+  if (pair.triangle_pairs == 0 && !LiesInside(a, b) && !LiesInside(b, a)) {
+    return;
+  }
+  const MeshIntersection found = IntersectMeshes(a, b);
   AddTo(found.a_inside_b, inside_of_a);
   if (inside_of_b) AddTo(found.b_inside_a, inside_of_b);
-  PairIntersection pair;
-  pair.a = a.name;
-  pair.b = b.name;
-  pair.triangle_pairs = static_cast<int>(found.triangle_pairs.size());
+  pair.a = meshes.a.name;
+  pair.b = meshes.b.name;
   pair.vertices_inside =
       static_cast<int>(found.a_inside_b.size() + found.b_inside_a.size());
   pair.max_depth_mm = found.max_depth_mm;
-  for (const auto& [f, g] : found.triangle_pairs) {
-    pair.triangles_of_a.push_back(f);
-    pair.triangles_of_b.push_back(g);
-  }
-  pair.triangles_of_a = Distinct(std::move(pair.triangles_of_a));
-  pair.triangles_of_b = Distinct(std::move(pair.triangles_of_b));
+  pair.triangles_of_a = Distinct(std::move(meshes.triangles_of_a));
+  pair.triangles_of_b = Distinct(std::move(meshes.triangles_of_b));
   sum->triangle_pairs += pair.triangle_pairs;
   sum->vertices_inside += pair.vertices_inside;
   sum->max_depth_mm = std::max(sum->max_depth_mm, pair.max_depth_mm);
@@ -67,18 +94,40 @@ void SceneIntersections::DropLists() {
 
 SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                                   const std::vector<NamedMesh>& bones) {
+  std::vector<SurfaceView> muscle_views, bone_views;
+  for (const NamedMesh& muscle : muscles) {
+    muscle_views.push_back(ViewOf(*muscle.mesh));
+  }
+  for (const NamedMesh& bone : bones) bone_views.push_back(ViewOf(*bone.mesh));
+  const auto pairs = CrossingTriangles(muscle_views, bone_views);
+  // They ascend by a, then b, as the loops below do.
+  auto next = pairs.begin();
+  const auto crossing = [&](size_t a, size_t b) {
+    MeshPair meshes = {
+        muscles[a],
+        b < muscles.size() ? muscles[b] : bones[b - muscles.size()],
+        {},
+        {}};
+    for (; next != pairs.end() && next->a == static_cast<int>(a) &&
+           next->b == static_cast<int>(b);
+         ++next) {
+      meshes.triangles_of_a.push_back(next->f);
+      meshes.triangles_of_b.push_back(next->g);
+    }
+    return meshes;
+  };
   SceneIntersections sum;
   std::vector<std::vector<int>> inside(muscles.size());
   for (size_t a = 0; a < muscles.size(); ++a) {
-    for (size_t b = a + 1; b < muscles.size(); ++b) {
-      AddPair(muscles[a], muscles[b], &inside[a], &inside[b], &sum);
-    }
-    for (const NamedMesh& bone : bones) {
-      AddPair(muscles[a], bone, &inside[a], nullptr, &sum);
-    }
     sum.self_pairs_of_muscles.push_back(
-        static_cast<int>(SelfIntersections(muscles[a].mesh->bvh()).size()));
+        static_cast<int>(crossing(a, a).triangles_of_a.size()));
     sum.self_pairs += sum.self_pairs_of_muscles.back();
+    for (size_t b = a + 1; b < muscles.size() + bones.size(); ++b) {
+      AddPair(crossing(a, b),
+              &inside[a],
+              b < muscles.size() ? &inside[b] : nullptr,
+              &sum);
+    }
   }
   sum.inside_of_muscles = std::move(inside);
   return sum;

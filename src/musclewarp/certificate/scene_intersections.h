@@ -44,7 +44,10 @@ struct NamedMesh {
   const SearchableMesh* mesh = nullptr;
 };
 
-// Bones are not tested against each other, nor with themselves.
+// By code of its own, of which contact uses the exact tests alone
+// (CrossingTriangles, IsInsideClosed); only where meshes do touch it asks
+// IntersectMeshes for vertices and depths. Bones are not tested against each
+// other, nor with themselves.
 SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                                   const std::vector<NamedMesh>& bones);
 

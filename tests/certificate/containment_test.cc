@@ -1,0 +1,58 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certificate/containment.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "support/meshes.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+
+TEST(IsInsideClosed, KnowsABox) {
+  // Corner, edge and face directions meet edges of the triangles.
+  const TriangleSoup box = Box(20, 20, 20);
+  const SurfaceView view = {&box.points, &box.triangles};
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(-15, 15);
+  for (int i = 0; i < 500; ++i) {
+    const RowVector3d p(uniform(random), uniform(random), uniform(random));
+    EXPECT_EQ(IsInsideClosed(p, view), p.cwiseAbs().maxCoeff() < 10) << p;
+  }
+  EXPECT_TRUE(IsInsideClosed(RowVector3d::Zero(), view));
+  EXPECT_TRUE(IsInsideClosed(RowVector3d(10 - 1e-12, 3, 0), view));
+  EXPECT_FALSE(IsInsideClosed(RowVector3d(10 + 1e-12, 3, 0), view));
+}
+
+TEST(IsInsideClosed, WhatIsOnTheSurfaceIsNotInside) {
+  const TriangleSoup box = Box(20, 20, 20);
+  const SurfaceView view = {&box.points, &box.triangles};
+  for (const RowVector3d& p : {RowVector3d(10, 3, 4),
+                               RowVector3d(10, 10, 10),
+                               RowVector3d(-10, 10, 0),
+                               RowVector3d(0, 0, 10)}) {
+    EXPECT_FALSE(IsInsideClosed(p, view)) << p;
+  }
+}
+
+TEST(IsInsideClosed, AHoleInsideIsOutside) {
+  TriangleSoup shell = Icosphere(10, 3);
+  const TriangleSoup hole = Icosphere(5, 2);
+  const Eigen::Index points = shell.points.rows();
+  const Eigen::Index triangles = shell.triangles.rows();
+  shell.points.conservativeResize(points + hole.points.rows(), 3);
+  shell.points.bottomRows(hole.points.rows()) = hole.points;
+  shell.triangles.conservativeResize(triangles + hole.triangles.rows(), 3);
+  shell.triangles.bottomRows(hole.triangles.rows()) =
+      hole.triangles.array() + static_cast<int>(points);
+  const SurfaceView view = {&shell.points, &shell.triangles};
+  EXPECT_FALSE(IsInsideClosed(RowVector3d(1, 0.5, 0), view));
+  EXPECT_TRUE(IsInsideClosed(RowVector3d(7, 0.5, 0), view));
+}
+
+}  // namespace
+}  // namespace musclewarp
