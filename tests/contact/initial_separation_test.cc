@@ -32,7 +32,7 @@ TEST(InitialSeparation, LeavesWhatIsApart) {
   const SearchableMesh a(SphereAt({0, 0, 0}, 10, 3));
   const SearchableMesh b(SphereAt({21, 0, 0}, 10, 3));
   const SearchableMesh bone(Box(1, 1, 1));
-  const InitialSeparation separation = SeparateInitially({&a, &b}, {}, {});
+  const InitialSeparation separation = SeparateInitially({&a, &b}, {}, {}, {});
   EXPECT_EQ(separation.rounds, 0);
   EXPECT_EQ(separation.crossing_pairs, 0);
   EXPECT_EQ(separation.points[0], a.points());
@@ -47,7 +47,8 @@ TEST(InitialSeparation, PartsThreeMusclesOnABoneThatAreTenDeepInEachOther) {
   const std::vector<const SearchableMesh*> muscles = {&a, &b, &c};
   ASSERT_FALSE(IntersectMeshes(a, b).IsEmpty());
   ASSERT_FALSE(IntersectMeshes(c, bone).IsEmpty());
-  const InitialSeparation separation = SeparateInitially(muscles, {&bone}, {});
+  const InitialSeparation separation =
+      SeparateInitially(muscles, {&bone}, {}, {});
   EXPECT_EQ(separation.crossing_pairs, 0);
   for (size_t i = 0; i < muscles.size(); ++i) {
     EXPECT_EQ(
@@ -69,7 +70,7 @@ TEST(InitialSeparation, PutsAMuscleToTheSideOfAThinPlateWhereMostOfItIs) {
   const SearchableMesh muscle(SphereAt({0, 0, 0}, 15, 4));
   const SearchableMesh plate(MovedBy(Box(60, 60, 1), {0, 0, -9.5}));
   const InitialSeparation separation =
-      SeparateInitially({&muscle}, {&plate}, {});
+      SeparateInitially({&muscle}, {&plate}, {}, {});
   EXPECT_EQ(separation.crossing_pairs, 0);
   EXPECT_GT(separation.points[0].col(2).minCoeff(), -9);
 }
@@ -79,8 +80,10 @@ TEST(InitialSeparation, DoesNotDependOnTheOrderOfMuscles) {
   const SearchableMesh b(SphereAt({14, 1, 0}, 10, 4));
   const SearchableMesh c(SphereAt({7, 12, 1}, 10, 3));
   const SearchableMesh bone(SphereAt({7, 4, -12}, 8, 3));
-  const InitialSeparation one = SeparateInitially({&a, &b, &c}, {&bone}, {});
-  const InitialSeparation two = SeparateInitially({&c, &a, &b}, {&bone}, {});
+  const InitialSeparation one =
+      SeparateInitially({&a, &b, &c}, {&bone}, {}, {});
+  const InitialSeparation two =
+      SeparateInitially({&c, &a, &b}, {&bone}, {}, {});
   // Sums of pushes in another order.
   EXPECT_LT((one.points[0] - two.points[1]).norm(), 1e-9);
   EXPECT_LT((one.points[1] - two.points[2]).norm(), 1e-9);

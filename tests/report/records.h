@@ -42,7 +42,8 @@ inline FrameRecord SomeRecord(int index) {
   record.intersections.vertices_inside = 2;
   record.intersections.max_depth_mm = 0.3;
   record.intersections.self_pairs = 1;
-  record.intersections.pairs = {{"m", "b", 9, 2, 0.3, {}, {}}};
+  record.intersections.exempt_pairs = 4;
+  record.intersections.pairs = {{"m", "b", 9, 2, 0.3, 4, {}, {}}};
   return record;
 }
 

@@ -181,6 +181,36 @@ TEST(Scene, RefusesNamesThatClashOrAreUnknown) {
   ExpectRefused(scene, {"\"l\"", "twice"});
 }
 
+TEST(Scene, TakesAreasFromAnAttachmentsFile) {
+  const std::string areas = TestTempDir() + "/areas.json";
+  WriteTextAtomically(areas, R"({"units": "mm", "by": "somebody", "muscles": {
+    "m": {"origin": [{"set": "A", "points": [[1,2,3]]},
+                     {"set": "B", "points": [[4,5,6],[7,8,9]]}],
+          "insertion": [{"points": [[0,0,1]]}], "note": 7},
+    "other": {"origin": [{"points": [[0,0,0]]}]}}})");
+  Json json = GoodScene();
+  json["attachments_file"] = {{"path", "areas.json"},
+                              {"bodies", {{"origin", "p"}}},
+                              {"radius", 4},
+                              {"may_penetrate", true}};
+  const Scene scene = Read(json);
+  const auto& attachments = scene.muscles[0].attachments;
+  ASSERT_EQ(attachments.size(), 3u);  // the scene's own comes first
+  EXPECT_FALSE(attachments[0].may_penetrate);
+  EXPECT_EQ(attachments[2].body, "p");
+  EXPECT_EQ(attachments[2].points.rows(), 2);
+  EXPECT_EQ(attachments[2].radius, 4);
+  EXPECT_TRUE(attachments[2].may_penetrate);
+  EXPECT_THAT(scene.files, ::testing::Contains(areas));
+  json["attachments_file"]["radius"] = 0;
+  ExpectRefused(json, {"attachments_file", "radius", "above 0"});
+  json["attachments_file"]["radius"] = 4;
+  json["attachments_file"]["bodies"]["origin"] = "tail";
+  ExpectRefused(json, {"tail"});
+  WriteTextAtomically(areas, R"({"units": "m", "muscles": {}})");
+  ExpectInputError([&] { Read(json); }, {"areas.json", "units", "mm"});
+}
+
 TEST(Scene, TakesLinesAndPosesFromAPosesFile) {
   const std::string dir = TestTempDir();
   WriteTextAtomically(dir + "/poses.json", R"({"units": "mm", "note": "any",

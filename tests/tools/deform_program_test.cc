@@ -95,6 +95,41 @@ TEST_F(DeformProgram, CertifiedContactHoldsOnOverlappingMeshes) {
   }
 }
 
+TEST_F(DeformProgram, ContactIsCertifiedUnlessSaidOtherwise) {
+  WriteTextAtomically(dir_ + "/scene.json", scene_.dump());
+  const ProgramRun run = RunCommandLine(
+      MUSCLEWARP_DEFORM,
+      "--frames=0 --scene=" + dir_ + "/scene.json --out=" + out());
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
+  EXPECT_EQ(Json::parse(FileText(out() + "/report.json"))["contact"],
+            "certified");
+}
+
+TEST_F(DeformProgram, WhatMayPenetrateIsLeftAndCountedApart) {
+  // The end of the spindle, 8 mm in a bone.
+  TriangleSoup bone = Icosphere(10, 2);
+  bone.points.rowwise() += Eigen::RowVector3d(0, 0, 62);
+  WriteTriangleSoup(dir_ + "/bone.ply", bone);
+  scene_["poses"] = Json::parse(R"([{"name": "rest"}])");
+  scene_["muscles"][0]["attachments"] = Json::parse(
+      R"([{"body": "bone", "points": [[0, 0, 60]], "radius": 14}])");
+  const auto intersections = [&](bool may_penetrate) -> Json {
+    scene_["muscles"][0]["attachments"][0]["may_penetrate"] = may_penetrate;
+    const ProgramRun run = Run("--contact=certified");
+    EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
+    const Json report = Json::parse(FileText(out() + "/report.json"));
+    const Json& frame = report["frames"][0];
+    EXPECT_TRUE(frame["usable"]) << frame["shortcomings"];
+    EXPECT_EQ(frame["intersections"]["triangle_pairs"], 0);
+    EXPECT_EQ(frame["intersections"]["vertices_inside"], 0);
+    return frame["intersections"];
+  };
+  EXPECT_EQ(intersections(false)["exempt_pairs"], 0);
+  const Json exempt = intersections(true);
+  EXPECT_GT(exempt["exempt_pairs"], 10);
+  EXPECT_EQ(exempt["pairs"][0]["exempt_pairs"], exempt["exempt_pairs"]);
+}
+
 TEST_F(DeformProgram, SaysWhereAMuscleHasNoRoom) {
   // Two bones that meet in the middle of the muscle.
   TriangleSoup bone = Icosphere(40, 3);

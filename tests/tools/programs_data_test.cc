@@ -244,10 +244,24 @@ TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheHamstrings) {
                   out);
 }
 
+// Lines and attachments in use.
 TEST_F(ProgramsDataTest, CertifiedContactHoldsForLhdlFlexion) {
   const std::string out = TestTempDir() + "/run";
-  ExpectCertified(
-      Deform("lhdl_hip_motion", "ceres", out, "--contact=certified"), out);
+  ExpectCertified(Deform("lhdl_hip_attached",
+                         "ceres",
+                         out,
+                         "--contact=certified --attachment_weight=1"),
+                  out);
+}
+
+// The repaired originals, with their slivers.
+TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheOriginalHip) {
+  const std::string out = TestTempDir() + "/run";
+  ExpectCertified(Deform("bodyparts3d_hip_original",
+                         "ceres",
+                         out,
+                         "--contact=certified --frames=0,1,3"),
+                  out);
 }
 
 TEST_F(ProgramsDataTest, CheckCountsWhatTheDataSetSays) {

@@ -51,7 +51,16 @@ struct MeshPair {
   const NamedMesh& a;
   const NamedMesh& b;
   std::vector<int> triangles_of_a, triangles_of_b;
+  const ExemptArea* exempt = nullptr;
+  int exempt_pairs = 0;
 };
+
+void DropExempt(const ExemptArea& exempt, std::vector<int>* vertices) {
+  vertices->erase(std::remove_if(vertices->begin(),
+                                 vertices->end(),
+                                 [&](int v) { return exempt.vertices[v]; }),
+                  vertices->end());
+}
 
 // Says more of two meshes that cross or contain each other. The vertices inside
 // are added to those of the muscles; null for a bone.
@@ -62,10 +71,17 @@ void AddPair(MeshPair meshes,
   const SearchableMesh &a = *meshes.a.mesh, &b = *meshes.b.mesh;
   PairIntersection pair;
   pair.triangle_pairs = static_cast<int>(meshes.triangles_of_a.size());
-  if (pair.triangle_pairs == 0 && !LiesInside(a, b) && !LiesInside(b, a)) {
+  pair.exempt_pairs = meshes.exempt_pairs;
+  if (pair.triangle_pairs + pair.exempt_pairs == 0 && !LiesInside(a, b) &&
+      !LiesInside(b, a)) {
     return;
   }
-  const MeshIntersection found = IntersectMeshes(a, b);
+  MeshIntersection found = IntersectMeshes(a, b);
+  if (pair.exempt_pairs > 0 && pair.triangle_pairs == 0) {
+    DropExempt(*meshes.exempt, &found.a_inside_b);
+    found.b_inside_a.clear();
+    if (found.a_inside_b.empty()) found.max_depth_mm = 0;
+  }
   AddTo(found.a_inside_b, inside_of_a);
   if (inside_of_b) AddTo(found.b_inside_a, inside_of_b);
   pair.a = meshes.a.name;
@@ -76,6 +92,7 @@ void AddPair(MeshPair meshes,
   pair.triangles_of_a = Distinct(std::move(meshes.triangles_of_a));
   pair.triangles_of_b = Distinct(std::move(meshes.triangles_of_b));
   sum->triangle_pairs += pair.triangle_pairs;
+  sum->exempt_pairs += pair.exempt_pairs;
   sum->vertices_inside += pair.vertices_inside;
   sum->max_depth_mm = std::max(sum->max_depth_mm, pair.max_depth_mm);
   sum->pairs.push_back(pair);
@@ -93,7 +110,8 @@ void SceneIntersections::DropLists() {
 }
 
 SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
-                                  const std::vector<NamedMesh>& bones) {
+                                  const std::vector<NamedMesh>& bones,
+                                  const std::vector<ExemptArea>& exempt) {
   std::vector<SurfaceView> muscle_views, bone_views;
   for (const NamedMesh& muscle : muscles) {
     muscle_views.push_back(ViewOf(*muscle.mesh));
@@ -108,9 +126,17 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
         b < muscles.size() ? muscles[b] : bones[b - muscles.size()],
         {},
         {}};
+    if (b >= muscles.size()) {
+      meshes.exempt = FindExempt(
+          exempt, static_cast<int>(a), static_cast<int>(b - muscles.size()));
+    }
     for (; next != pairs.end() && next->a == static_cast<int>(a) &&
            next->b == static_cast<int>(b);
          ++next) {
+      if (meshes.exempt && meshes.exempt->triangles[next->f]) {
+        ++meshes.exempt_pairs;
+        continue;
+      }
       meshes.triangles_of_a.push_back(next->f);
       meshes.triangles_of_b.push_back(next->g);
     }

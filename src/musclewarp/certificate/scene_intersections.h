@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/certificate/exempt_area.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 
 namespace musclewarp {
@@ -17,7 +18,8 @@ struct PairIntersection {
   int triangle_pairs = 0;
   int vertices_inside = 0;  // of a in b and of b in a
   double max_depth_mm = 0;
-  // Those that cross, ascending, each once.
+  int exempt_pairs = 0;  // of triangles, beside triangle_pairs
+  // Those that cross, ascending, each once; not the exempt ones.
   std::vector<int> triangles_of_a;
   std::vector<int> triangles_of_b;
 };
@@ -27,7 +29,8 @@ struct SceneIntersections {
   int triangle_pairs = 0;
   int vertices_inside = 0;
   double max_depth_mm = 0;
-  int self_pairs = 0;  // of the muscles, each with itself
+  int self_pairs = 0;    // of the muscles, each with itself
+  int exempt_pairs = 0;  // beside triangle_pairs
   std::vector<int> self_pairs_of_muscles;
   std::vector<PairIntersection> pairs;  // those that touch, in scene order
   // By muscle: its vertices inside any other mesh, rising.
@@ -47,9 +50,11 @@ struct NamedMesh {
 // By code of its own, of which contact uses the exact tests alone
 // (CrossingTriangles, IsInsideClosed); only where meshes do touch it asks
 // IntersectMeshes for vertices and depths. Bones are not tested against each
-// other, nor with themselves.
+// other, nor with themselves. Where nothing but what is exempt crosses, no
+// vertices of the bone count as inside, and none of the muscle's exempt ones.
 SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
-                                  const std::vector<NamedMesh>& bones);
+                                  const std::vector<NamedMesh>& bones,
+                                  const std::vector<ExemptArea>& exempt = {});
 
 // By muscle: the depth of the deepest vertex of it in another mesh, or of
 // another mesh in it, mm.

@@ -15,6 +15,8 @@ struct ContactMesh {
   Triangles triangles;  // closed, outward
   double volume = 0;    // to be kept, mm^3
   int self_pairs = 0;   // of triangles that cross each other at rest
+  // By bone: the triangles (#F) that may be in it; empty where none may.
+  std::vector<std::vector<char>> exempt;
 
   // The neighbours of vertex v are neighbours[first[v]] to
   // neighbours[first[v + 1] - 1].
@@ -32,6 +34,9 @@ struct ContactMesh {
                         double volume);
 
   int num_vertices() const { return static_cast<int>(areas.size()); }
+  bool IsExempt(int bone, Eigen::Index triangle) const {
+    return !exempt.empty() && !exempt[bone].empty() && exempt[bone][triangle];
+  }
 };
 
 }  // namespace musclewarp

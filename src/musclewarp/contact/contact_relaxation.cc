@@ -195,6 +195,7 @@ void ContactRelaxation::FindBonePlanes(int bone) {
     std::vector<std::vector<HalfSpace>> found(triangles.rows());
 #pragma omp parallel for schedule(dynamic, 64)
     for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+      if (muscles_[i].IsExempt(bone, f)) continue;
       const double move = std::max({moves[triangles(f, 0)],
                                     moves[triangles(f, 1)],
                                     moves[triangles(f, 2)]});
@@ -564,6 +565,7 @@ int ContactRelaxation::AddBoneCrossings(int bone) {
     trees_[i]->Refit(Transformed(points_[i], rest_from_now));
     for (const auto& [f, g] :
          IntersectingTriangles(*trees_[i], *rest_bones_[bone])) {
+      if (muscles_[i].IsExempt(bone, f)) continue;
       ++count;
       const Corners at_rest = Transformed(
           CornersOf(clean_[i], muscles_[i].triangles.row(f)), rest_from_before);

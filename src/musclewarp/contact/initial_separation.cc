@@ -32,6 +32,7 @@ struct Pushes {
 InitialSeparation SeparateInitially(
     const std::vector<const SearchableMesh*>& muscles,
     const std::vector<const SearchableMesh*>& bones,
+    const std::vector<ExemptArea>& exempt,
     const InitialSeparationOptions& options) {
   InitialSeparation result;
   const size_t count = muscles.size();
@@ -44,6 +45,13 @@ InitialSeparation SeparateInitially(
     }
     regions.emplace_back(options.region, *muscles[i], others, bones);
     result.points.push_back(regions[i].Project(muscles[i]->points()));
+    for (const ExemptArea& area : exempt) {
+      if (area.muscle != static_cast<int>(i)) continue;
+      for (Eigen::Index v = 0; v < result.points[i].rows(); ++v) {
+        if (!area.vertices[v]) continue;
+        result.points[i].row(v) = muscles[i]->points().row(v);
+      }
+    }
     trees.push_back(std::make_unique<TriangleBvh>(result.points[i],
                                                   muscles[i]->triangles()));
   }
@@ -77,11 +85,14 @@ InitialSeparation SeparateInitially(
           push(j, g, trees[i]->corners(f), &pushes[j]);
         }
       }
-      for (const SearchableMesh* bone : bones) {
+      for (size_t b = 0; b < bones.size(); ++b) {
+        const ExemptArea* area =
+            FindExempt(exempt, static_cast<int>(i), static_cast<int>(b));
         for (const auto& [f, g] :
-             IntersectingTriangles(*trees[i], bone->bvh())) {
+             IntersectingTriangles(*trees[i], bones[b]->bvh())) {
+          if (area && area->triangles[f]) continue;
           ++result.crossing_pairs;
-          push(i, f, bone->bvh().corners(g), &pushes[i]);
+          push(i, f, bones[b]->bvh().corners(g), &pushes[i]);
         }
       }
     }

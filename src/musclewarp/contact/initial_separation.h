@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "musclewarp/certificate/exempt_area.h"
 #include "musclewarp/contact/own_region.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 
@@ -25,10 +26,11 @@ struct InitialSeparation {
 // two muscles, or of a muscle and a bone, cross, to be relaxed from there
 // (Relax). Vertices go into their muscle's own region; triangles that still
 // cross, as their corners do not know of what pokes through between them, go
-// further in, in small steps.
+// further in, in small steps. What is exempt stays where it is.
 InitialSeparation SeparateInitially(
     const std::vector<const SearchableMesh*>& muscles,
     const std::vector<const SearchableMesh*>& bones,
+    const std::vector<ExemptArea>& exempt,
     const InitialSeparationOptions& options);
 
 }  // namespace musclewarp

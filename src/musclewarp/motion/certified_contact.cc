@@ -79,14 +79,21 @@ CertifiedContact PrepareCertifiedContact(
     contact.bones.push_back(
         std::make_unique<TriangleBvh>(bone.rest.points, bone.rest.triangles));
   }
+  for (const ExemptArea& area : scene.exempt) {
+    auto& of_muscle = contact.muscles[area.muscle].exempt;
+    of_muscle.resize(scene.bones.size());
+    of_muscle[area.bone] = area.triangles;
+  }
   const SceneMeshes meshes(scene);
   const auto all = [](const std::vector<NamedMesh>& named) {
     std::vector<const SearchableMesh*> list;
     for (const NamedMesh& mesh : named) list.push_back(mesh.mesh);
     return list;
   };
-  InitialSeparation separation = SeparateInitially(
-      all(meshes.muscles()), all(meshes.bones()), options.separation);
+  InitialSeparation separation = SeparateInitially(all(meshes.muscles()),
+                                                   all(meshes.bones()),
+                                                   scene.exempt,
+                                                   options.separation);
   contact.separation_rounds = separation.rounds;
   contact.crossing_pairs = separation.crossing_pairs;
   ContactState state = ContactStateOf(scene, contact.rest);

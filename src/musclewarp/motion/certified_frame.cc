@@ -35,6 +35,7 @@ std::vector<std::string> Shortcomings(const PreparedScene& scene,
     shortcomings.push_back(text.str());
   };
   for (const PairIntersection& pair : frame.intersections.pairs) {
+    if (pair.triangle_pairs + pair.vertices_inside == 0) continue;  // exempt
     say(pair.a,
         " x ",
         pair.b,
@@ -138,7 +139,7 @@ SceneIntersections CertifiedRestIntersections(const PreparedScene& scene,
         FinePoints(scene.muscles[i].model, contact.rest.muscles[i]));
   }
   meshes->MoveTo(muscles, BonesIn(scene, contact.rest.pose));
-  return IntersectScene(meshes->muscles(), meshes->bones());
+  return IntersectScene(meshes->muscles(), meshes->bones(), scene.exempt);
 }
 
 }  // namespace musclewarp

@@ -49,13 +49,14 @@ std::vector<Points> RestBones(const PreparedScene& scene) {
 }
 
 // Counts intersections and measures gaps.
-void Certify(SceneMeshes* meshes, Frame* frame) {
+void Certify(const PreparedScene& scene, SceneMeshes* meshes, Frame* frame) {
   std::vector<Points> muscles;
   for (const MuscleFrame& muscle : frame->muscles) {
     muscles.push_back(muscle.fine);
   }
   meshes->MoveTo(muscles, frame->bones);
-  frame->intersections = IntersectScene(meshes->muscles(), meshes->bones());
+  frame->intersections =
+      IntersectScene(meshes->muscles(), meshes->bones(), scene.exempt);
   for (size_t i = 0; i < frame->muscles.size(); ++i) {
     frame->muscles[i].self_pairs =
         frame->intersections.self_pairs_of_muscles[i];
@@ -199,7 +200,7 @@ void MeasureFrame(const PreparedScene& scene,
   }
   frame->bones = BonesIn(scene, pose);
   frame->path_moment_arms = PathMomentArms(scene.scene, pose);
-  Certify(meshes, frame);
+  Certify(scene, meshes, frame);
 }
 
 std::vector<Points> BonesIn(const PreparedScene& scene, const ScenePose& pose) {
@@ -243,7 +244,7 @@ Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes) {
     frame.muscles.push_back(std::move(at_rest));
   }
   frame.bones = RestBones(scene);
-  Certify(meshes, &frame);
+  Certify(scene, meshes, &frame);
   return frame;
 }
 
@@ -261,7 +262,7 @@ SceneIntersections RestIntersectionsAfterFix(const PreparedScene& scene,
     muscles.push_back(FinePoints(scene.muscles[i].model, states[i]));
   }
   meshes->MoveTo(muscles, RestBones(scene));
-  return IntersectScene(meshes->muscles(), meshes->bones());
+  return IntersectScene(meshes->muscles(), meshes->bones(), scene.exempt);
 }
 
 }  // namespace musclewarp

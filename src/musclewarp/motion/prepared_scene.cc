@@ -12,6 +12,7 @@
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/scene/attachment_area.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/skeleton/sampling.h"
 
@@ -124,6 +125,38 @@ std::vector<std::string> ScaleWarnings(const std::vector<MeshSize>& sizes,
   return warnings;
 }
 
+// Muscles by bones that an attachment which may penetrate shares a body with.
+std::vector<ExemptArea> ExemptAreas(const PreparedScene& scene) {
+  std::vector<ExemptArea> areas;
+  for (size_t m = 0; m < scene.muscles.size(); ++m) {
+    const MuscleModel& model = scene.muscles[m].model;
+    for (size_t b = 0; b < scene.bones.size(); ++b) {
+      ExemptArea area;
+      area.muscle = static_cast<int>(m);
+      area.bone = static_cast<int>(b);
+      area.vertices.assign(model.fine_rest.rows(), false);
+      bool is_any = false;
+      for (const Attachment& attachment : model.attachments) {
+        if (!attachment.may_penetrate ||
+            attachment.body != scene.bones[b].body) {
+          continue;
+        }
+        for (const int v : VerticesInArea(attachment, model.fine_rest)) {
+          area.vertices[v] = is_any = true;
+        }
+      }
+      if (!is_any) continue;
+      for (Eigen::Index f = 0; f < model.fine_triangles.rows(); ++f) {
+        const auto t = model.fine_triangles.row(f);
+        area.triangles.push_back(area.vertices[t[0]] || area.vertices[t[1]] ||
+                                 area.vertices[t[2]]);
+      }
+      areas.push_back(std::move(area));
+    }
+  }
+  return areas;
+}
+
 }  // namespace
 
 bool PrepareOptions::IsValid(std::string* error) const {
@@ -168,6 +201,7 @@ PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {
         {muscle.name,
          BoundingBoxDiagonal(prepared.muscles.back().model.fine_rest)});
   }
+  prepared.exempt = ExemptAreas(prepared);
   prepared.warnings = scene.warnings;
   for (const PreparedMuscle& muscle : prepared.muscles) {
     if (muscle.fibres.num_lines() >= options.fibres.fibres) continue;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/certificate/exempt_area.h"
 #include "musclewarp/fibres/fibres.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/sliver_removal.h"
@@ -66,6 +67,7 @@ struct PreparedScene {
   Scene scene;
   std::vector<PreparedMuscle> muscles;
   std::vector<PreparedBone> bones;
+  std::vector<ExemptArea> exempt;  // areas of attachment that may penetrate
   std::vector<std::string> warnings;
   double wall_ms = 0;
 };

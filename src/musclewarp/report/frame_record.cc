@@ -95,6 +95,7 @@ SceneIntersections IntersectionsFromJson(const Json& json) {
   json.at("vertices_inside").get_to(intersections.vertices_inside);
   json.at("max_depth_mm").get_to(intersections.max_depth_mm);
   json.at("self_pairs").get_to(intersections.self_pairs);
+  json.at("exempt_pairs").get_to(intersections.exempt_pairs);
   for (const Json& item : json.at("pairs")) {
     PairIntersection pair;
     item.at("a").get_to(pair.a);
@@ -102,6 +103,7 @@ SceneIntersections IntersectionsFromJson(const Json& json) {
     item.at("triangle_pairs").get_to(pair.triangle_pairs);
     item.at("vertices_inside").get_to(pair.vertices_inside);
     item.at("max_depth_mm").get_to(pair.max_depth_mm);
+    item.at("exempt_pairs").get_to(pair.exempt_pairs);
     intersections.pairs.push_back(pair);
   }
   return intersections;
@@ -154,12 +156,14 @@ Json ToJson(const SceneIntersections& intersections) {
                      {"b", pair.b},
                      {"triangle_pairs", pair.triangle_pairs},
                      {"vertices_inside", pair.vertices_inside},
-                     {"max_depth_mm", pair.max_depth_mm}});
+                     {"max_depth_mm", pair.max_depth_mm},
+                     {"exempt_pairs", pair.exempt_pairs}});
   }
   return {{"triangle_pairs", intersections.triangle_pairs},
           {"vertices_inside", intersections.vertices_inside},
           {"max_depth_mm", intersections.max_depth_mm},
           {"self_pairs", intersections.self_pairs},
+          {"exempt_pairs", intersections.exempt_pairs},
           {"pairs", pairs}};
 }
 

@@ -8,6 +8,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/geometry/view.h"
+#include "musclewarp/scene/attachments_file.h"
 #include "musclewarp/scene/json_fields.h"
 #include "musclewarp/scene/model_scene.h"
 #include "musclewarp/scene/poses_file.h"
@@ -65,7 +66,7 @@ ActionLine ReadLine(const JsonField& field, const NamedLines& named) {
 }
 
 Attachment ReadAttachment(const JsonField& field) {
-  field.CheckKeys({"body", "points", "radius"});
+  field.CheckKeys({"body", "points", "radius", "may_penetrate"});
   Attachment attachment;
   attachment.body = field.At("body").AsString();
   attachment.points = field.At("points").AsPoints();
@@ -75,6 +76,9 @@ Attachment ReadAttachment(const JsonField& field) {
   }
   if (attachment.radius <= 0) {
     field.At("radius").Fail("is not above 0", "give the radius in mm");
+  }
+  if (field.Has("may_penetrate")) {
+    attachment.may_penetrate = field.At("may_penetrate").AsBool();
   }
   return attachment;
 }
@@ -155,6 +159,37 @@ PosesFile ReadPosesFileOf(const JsonField& scene, const std::string& root) {
   return ReadPosesFile(Resolve(field.At("path").AsString(), root), body_keys);
 }
 
+// Adds the areas of an attachments_file to the muscles they are named for.
+void AddAttachments(const JsonField& scene_field,
+                    const std::string& root,
+                    Scene* scene) {
+  const JsonField field = scene_field.At("attachments_file");
+  field.CheckKeys({"path", "bodies", "radius", "may_penetrate"});
+  const JsonField bodies_field = field.At("bodies");
+  bodies_field.CheckObject();
+  std::map<std::string, std::string> bodies;
+  for (const auto& item : bodies_field.value().items()) {
+    bodies[item.key()] = bodies_field.At(item.key()).AsString();
+  }
+  const double radius = field.At("radius").AsNumber();
+  if (radius <= 0) {
+    field.At("radius").Fail("is not above 0", "give the radius in mm");
+  }
+  const bool may_penetrate =
+      field.Has("may_penetrate") && field.At("may_penetrate").AsBool();
+  const std::string path = Resolve(field.At("path").AsString(), root);
+  const auto attachments = ReadAttachmentsFile(path, bodies, radius);
+  scene->files.push_back(path);
+  for (SceneMuscle& muscle : scene->muscles) {
+    const auto found = attachments.find(muscle.name);
+    if (found == attachments.end()) continue;
+    for (Attachment attachment : found->second) {
+      attachment.may_penetrate = may_penetrate;
+      muscle.attachments.push_back(std::move(attachment));
+    }
+  }
+}
+
 // Targets of lines that no muscle of the scene uses do not concern it.
 void KeepTargetsInUse(Scene* scene) {
   std::map<std::string, bool> in_use;
@@ -210,6 +245,7 @@ Scene ReadScene(const std::string& path,
                    "bones",
                    "poses",
                    "poses_file",
+                   "attachments_file",
                    "model",
                    "model_rest",
                    "motion"});
@@ -264,6 +300,7 @@ Scene ReadScene(const std::string& path,
     }
   }
   if (scene.muscles.empty()) muscles.Fail("is empty", "add a muscle");
+  if (field.Has("attachments_file")) AddAttachments(field, root, &scene);
   if (has_model) {
     const std::string motion_path =
         motion.empty() ? field.At("motion").AsString() : motion;

@@ -20,6 +20,8 @@ struct Attachment {
   std::string body;
   Points points;
   double radius = 0;
+  // Its triangles may cross bones of the body; they are counted apart.
+  bool may_penetrate = false;
 };
 
 struct SceneMuscle {

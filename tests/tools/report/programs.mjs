@@ -23,11 +23,16 @@ export const dataDir = setting("MUSCLEWARP_DATA_DIR");
 export const workDir = mkdtempSync(join(tmpdir(), "musclewarp_page_"));
 process.on("exit", () => rmSync(workDir, { recursive: true, force: true }));
 
+// Without contact, so that there are crossings to show; flags that come later win.
 export function deform(...flags) {
-  const { status, stderr } = spawnSync(programs.deform, flags, {
-    encoding: "utf8",
-    maxBuffer: 1 << 26,
-  });
+  const { status, stderr } = spawnSync(
+    programs.deform,
+    ["--contact=none", ...flags],
+    {
+      encoding: "utf8",
+      maxBuffer: 1 << 26,
+    },
+  );
   if (status !== 0 && status !== 1) throw new Error(stderr);
   return status;
 }
