@@ -182,7 +182,12 @@ TEST(Scene, RefusesNamesThatClashOrAreUnknown) {
 }
 
 TEST(Scene, TakesAreasFromAnAttachmentsFile) {
-  const std::string areas = TestTempDir() + "/areas.json";
+  const std::string dir = TestTempDir();
+  const std::string areas = dir + "/areas.json";
+  const auto read = [&](const Json& json) {
+    WriteTextAtomically(dir + "/scene.json", json.dump());
+    return ReadScene(dir + "/scene.json", "");
+  };
   WriteTextAtomically(areas, R"({"units": "mm", "by": "somebody", "muscles": {
     "m": {"origin": [{"set": "A", "points": [[1,2,3]]},
                      {"set": "B", "points": [[4,5,6],[7,8,9]]}],
@@ -193,7 +198,7 @@ TEST(Scene, TakesAreasFromAnAttachmentsFile) {
                               {"bodies", {{"origin", "p"}}},
                               {"radius", 4},
                               {"may_penetrate", true}};
-  const Scene scene = Read(json);
+  const Scene scene = read(json);
   const auto& attachments = scene.muscles[0].attachments;
   ASSERT_EQ(attachments.size(), 3u);  // the scene's own comes first
   EXPECT_FALSE(attachments[0].may_penetrate);
@@ -203,12 +208,14 @@ TEST(Scene, TakesAreasFromAnAttachmentsFile) {
   EXPECT_TRUE(attachments[2].may_penetrate);
   EXPECT_THAT(scene.files, ::testing::Contains(areas));
   json["attachments_file"]["radius"] = 0;
-  ExpectRefused(json, {"attachments_file", "radius", "above 0"});
+  ExpectInputError([&] { read(json); },
+                   {"scene.json", "attachments_file", "radius", "above 0"});
   json["attachments_file"]["radius"] = 4;
   json["attachments_file"]["bodies"]["origin"] = "tail";
-  ExpectRefused(json, {"tail"});
+  ExpectInputError([&] { read(json); }, {"scene.json", "tail"});
+  json["attachments_file"]["bodies"]["origin"] = "p";
   WriteTextAtomically(areas, R"({"units": "m", "muscles": {}})");
-  ExpectInputError([&] { Read(json); }, {"areas.json", "units", "mm"});
+  ExpectInputError([&] { read(json); }, {"areas.json", "units", "mm"});
 }
 
 TEST(Scene, TakesLinesAndPosesFromAPosesFile) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "musclewarp/geometry/triangle_intersection.h"
@@ -14,27 +15,51 @@ namespace {
 
 using Index3 = std::array<int, 3>;
 
-struct Entry {
-  Eigen::Array3d lower, upper;
-  Corners corners;
-  int mesh, triangle;
+// A box around a triangle, in single precision and rounded outward.
+struct RoundedBox {
+  std::array<float, 3> lower, upper;
 
-  bool Overlaps(const Entry& other) const {
-    return (lower <= other.upper).all() && (other.lower <= upper).all();
+  bool Overlaps(const RoundedBox& other) const {
+    return lower[0] <= other.upper[0] && other.lower[0] <= upper[0] &&
+           lower[1] <= other.upper[1] && other.lower[1] <= upper[1] &&
+           lower[2] <= other.upper[2] && other.lower[2] <= upper[2];
   }
 };
 
-std::vector<Entry> EntriesOf(const SurfaceView& surface, int mesh) {
-  std::vector<Entry> entries(surface.triangles->rows());
-  for (Eigen::Index f = 0; f < surface.triangles->rows(); ++f) {
-    Entry& entry = entries[f];
-    for (int k = 0; k < 3; ++k) {
-      entry.corners.row(k) = surface.points->row((*surface.triangles)(f, k));
+struct Entry {
+  RoundedBox box;
+  Corners corners;
+  int mesh, triangle;
+};
+
+Entry EntryOf(const SurfaceView& surface, int mesh, Eigen::Index triangle) {
+  Entry entry;
+  for (int k = 0; k < 3; ++k) {
+    entry.corners.row(k) =
+        surface.points->row((*surface.triangles)(triangle, k));
+  }
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    entry.box.lower[k] = std::nextafter(
+        static_cast<float>(entry.corners.col(k).minCoeff()), -kInfinity);
+    entry.box.upper[k] = std::nextafter(
+        static_cast<float>(entry.corners.col(k).maxCoeff()), kInfinity);
+  }
+  entry.mesh = mesh;
+  entry.triangle = static_cast<int>(triangle);
+  return entry;
+}
+
+std::vector<Entry> EntriesOf(const std::vector<SurfaceView>& surfaces) {
+  std::vector<Entry> entries;
+  for (size_t mesh = 0; mesh < surfaces.size(); ++mesh) {
+    const size_t first = entries.size();
+    entries.resize(first + surfaces[mesh].triangles->rows());
+#pragma omp parallel for schedule(static)
+    for (Eigen::Index f = 0; f < surfaces[mesh].triangles->rows(); ++f) {
+      entries[first + f] =
+          EntryOf(surfaces[mesh], static_cast<int>(mesh), f);
     }
-    entry.lower = entry.corners.colwise().minCoeff().transpose();
-    entry.upper = entry.corners.colwise().maxCoeff().transpose();
-    entry.mesh = mesh;
-    entry.triangle = static_cast<int>(f);
   }
   return entries;
 }
@@ -44,12 +69,17 @@ class Grid {
  public:
   explicit Grid(const std::vector<Entry>& entries) : entries_(entries) {
     if (entries.empty()) return;
-    Eigen::Array3d lower = entries[0].lower, upper = entries[0].upper;
+    Eigen::Array3d lower = Eigen::Array3d::Constant(1e30), upper = -lower;
     double size = 0;
     for (const Entry& entry : entries) {
-      lower = lower.min(entry.lower);
-      upper = upper.max(entry.upper);
-      size += (entry.upper - entry.lower).maxCoeff();
+      double longest = 0;
+      for (int k = 0; k < 3; ++k) {
+        lower[k] = std::min<double>(lower[k], entry.box.lower[k]);
+        upper[k] = std::max<double>(upper[k], entry.box.upper[k]);
+        longest = std::max<double>(longest,
+                                   entry.box.upper[k] - entry.box.lower[k]);
+      }
+      size += longest;
     }
     origin_ = lower;
     // Cells about as large as a triangle, and no more of them than four for
@@ -64,14 +94,14 @@ class Grid {
     }
     starts_.assign(counts_[0] * counts_[1] * counts_[2] + 1, 0);
     for (const Entry& entry : entries) {
-      ForEachCell(entry, [&](int cell) { ++starts_[cell + 1]; });
+      ForEachCell(entry.box, [&](int cell) { ++starts_[cell + 1]; });
     }
     for (size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
     items_.resize(starts_.back());
     std::vector<int> next(starts_.begin(), starts_.end() - 1);
     for (size_t i = 0; i < entries.size(); ++i) {
-      ForEachCell(entries[i], [&](int cell) {
-        items_[next[cell]++] = static_cast<int>(i);
+      ForEachCell(entries[i].box, [&](int cell) {
+        items_[next[cell]++] = {entries[i].box, static_cast<int>(i)};
       });
     }
   }
@@ -81,27 +111,31 @@ class Grid {
   template <typename Visit>
   void ForEachOverlap(const Entry& entry, const Visit& visit) const {
     if (entries_.empty()) return;
-    const Index3 first = CellOf(entry.lower);
-    ForEachCell(entry, [&](int cell) {
+    const Index3 first = CellOf(entry.box.lower);
+    ForEachCell(entry.box, [&](int cell) {
       const Index3 at = {cell % counts_[0],
                          cell / counts_[0] % counts_[1],
                          cell / (counts_[0] * counts_[1])};
       for (int i = starts_[cell]; i < starts_[cell + 1]; ++i) {
-        const Entry& other = entries_[items_[i]];
-        if (!entry.Overlaps(other)) continue;
+        if (!entry.box.Overlaps(items_[i].box)) continue;
         // Of the cells that both touch, in the first one only.
-        const Index3 other_first = CellOf(other.lower);
+        const Index3 other_first = CellOf(items_[i].box.lower);
         bool is_first = true;
         for (int k = 0; k < 3; ++k) {
           is_first &= at[k] == std::max(first[k], other_first[k]);
         }
-        if (is_first) visit(other);
+        if (is_first) visit(entries_[items_[i].entry]);
       }
     });
   }
 
  private:
-  Index3 CellOf(const Eigen::Array3d& p) const {
+  struct Item {
+    RoundedBox box;
+    int entry;
+  };
+
+  Index3 CellOf(const std::array<float, 3>& p) const {
     Index3 at;
     for (int k = 0; k < 3; ++k) {
       const double cell = std::floor((p[k] - origin_[k]) / cell_);
@@ -112,14 +146,14 @@ class Grid {
 
   // Nothing for boxes beside the grid.
   template <typename Visit>
-  void ForEachCell(const Entry& entry, const Visit& visit) const {
+  void ForEachCell(const RoundedBox& box, const Visit& visit) const {
     for (int k = 0; k < 3; ++k) {
-      if (entry.upper[k] < origin_[k] ||
-          entry.lower[k] > origin_[k] + cell_ * counts_[k]) {
+      if (box.upper[k] < origin_[k] ||
+          box.lower[k] > origin_[k] + cell_ * counts_[k]) {
         return;
       }
     }
-    const Index3 first = CellOf(entry.lower), last = CellOf(entry.upper);
+    const Index3 first = CellOf(box.lower), last = CellOf(box.upper);
     for (int z = first[2]; z <= last[2]; ++z) {
       for (int y = first[1]; y <= last[1]; ++y) {
         for (int x = first[0]; x <= last[0]; ++x) {
@@ -135,19 +169,23 @@ class Grid {
   Index3 counts_ = {1, 1, 1};
   // Those of cell c are items_[starts_[c]] to items_[starts_[c + 1]].
   std::vector<int> starts_;
-  std::vector<int> items_;  // of entries_
+  std::vector<Item> items_;
 };
 
+// Those of the entries that `entry_of` gives with the muscles', of two muscles'
+// triangles once.
+template <typename EntryOf>
 void AddPairs(const Grid& grid,
-              const std::vector<Entry>& entries,
+              Eigen::Index count,
               bool are_muscles,
+              const EntryOf& entry_of,
               std::vector<CrossingPair>* pairs) {
 #pragma omp parallel
   {
     std::vector<CrossingPair> found;
-#pragma omp for schedule(dynamic, 256) nowait
-    for (size_t i = 0; i < entries.size(); ++i) {
-      const Entry& entry = entries[i];
+#pragma omp for schedule(dynamic, 1024) nowait
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Entry& entry = entry_of(i);
       grid.ForEachOverlap(entry, [&](const Entry& other) {
         if (are_muscles && std::tie(other.mesh, other.triangle) >=
                                std::tie(entry.mesh, entry.triangle)) {
@@ -172,17 +210,24 @@ void AddPairs(const Grid& grid,
 std::vector<CrossingPair> CrossingTriangles(
     const std::vector<SurfaceView>& muscles,
     const std::vector<SurfaceView>& bones) {
-  std::vector<Entry> entries;
-  int mesh = 0;
-  for (const SurfaceView& muscle : muscles) {
-    const std::vector<Entry> more = EntriesOf(muscle, mesh++);
-    entries.insert(entries.end(), more.begin(), more.end());
-  }
+  const std::vector<Entry> entries = EntriesOf(muscles);
   const Grid grid(entries);
   std::vector<CrossingPair> pairs;
-  AddPairs(grid, entries, /*are_muscles=*/true, &pairs);
-  for (const SurfaceView& bone : bones) {
-    AddPairs(grid, EntriesOf(bone, mesh++), /*are_muscles=*/false, &pairs);
+  AddPairs(
+      grid,
+      static_cast<Eigen::Index>(entries.size()),
+      /*are_muscles=*/true,
+      [&](Eigen::Index i) -> const Entry& { return entries[i]; },
+      &pairs);
+  for (size_t b = 0; b < bones.size(); ++b) {
+    AddPairs(
+        grid,
+        bones[b].triangles->rows(),
+        /*are_muscles=*/false,
+        [&](Eigen::Index i) {
+          return EntryOf(bones[b], static_cast<int>(muscles.size() + b), i);
+        },
+        &pairs);
   }
   std::sort(pairs.begin(),
             pairs.end(),

@@ -82,7 +82,8 @@ std::vector<int> FoldedTriangles(const Points& rest,
   CHECK_EQ(rest.rows(), deformed.rows());
   const Matrices covariances = SummedOverNeighbours(
       EdgeCovariances(rest, deformed, triangles), triangles);
-  std::vector<int> folded;
+  std::vector<char> is_folded(triangles.rows(), false);
+#pragma omp parallel for schedule(static)
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
     if (IsNeedle(rest, triangles.row(f))) continue;
     const Eigen::Matrix3d rotation = BestRotation(covariances[triangles(f, 0)] +
@@ -90,9 +91,11 @@ std::vector<int> FoldedTriangles(const Points& rest,
                                                   covariances[triangles(f, 2)]);
     const Eigen::RowVector3d turned =
         Normal(rest, triangles.row(f)) * rotation.transpose();
-    if (Normal(deformed, triangles.row(f)).dot(turned) < 0) {
-      folded.push_back(static_cast<int>(f));
-    }
+    is_folded[f] = Normal(deformed, triangles.row(f)).dot(turned) < 0;
+  }
+  std::vector<int> folded;
+  for (size_t f = 0; f < is_folded.size(); ++f) {
+    if (is_folded[f]) folded.push_back(static_cast<int>(f));
   }
   return folded;
 }

@@ -19,7 +19,7 @@
 namespace musclewarp {
 
 // Gaps to other meshes are looked for up to this distance, mm.
-constexpr double kGapLimit = 20;
+constexpr double kGapLimit = 5;
 
 // A muscle in one pose.
 struct MuscleFrame {
