@@ -67,7 +67,7 @@ TEST(PartFromObstacles, EveryObstacleInReachIsBehindAPlane) {
     }
     if (nearest == 0) continue;
     std::vector<HalfSpace> spaces;
-    PartFromObstacles(t, bvh, kRadius, kGap, &spaces);
+    PartFromObstacles(t, bvh, BoxOf(t, kRadius), kRadius, kGap, &spaces);
     EXPECT_EQ(spaces.empty(), nearest > kRadius);
     for (const HalfSpace& space : spaces) {
       EXPECT_NEAR(space.normal.norm(), 1, 1e-12);
@@ -94,11 +94,24 @@ TEST(PartFromObstacles, NeedsFewPlanesOverAFlatObstacle) {
   Corners t;
   t << 9, 9, 2, 11, 9, 2, 9, 11, 2;
   std::vector<HalfSpace> spaces;
-  PartFromObstacles(t, bvh, 5, kGap, &spaces);
+  PartFromObstacles(t, bvh, BoxOf(t, 5), 5, kGap, &spaces);
   ASSERT_EQ(spaces.size(), 1u);
   EXPECT_LT((spaces[0].normal - RowVector3d(0, 0, 1)).norm(), 1e-12);
   // Half of the room above 1 beyond the gap is left.
   EXPECT_NEAR(spaces[0].level, 1 + kGap + (1 - kGap) / 2, kRounding);
+}
+
+TEST(PartFromObstacles, LeavesOutWhatIsNotWhereItIsAskedFor) {
+  const TriangleSoup box = Box(20, 20, 2);
+  const TriangleBvh bvh(box.points, box.triangles);
+  Corners t;
+  t << 9, 9, 2, 11, 9, 2, 9, 11, 2;
+  std::vector<HalfSpace> spaces;
+  // The triangle, but not the box 1 mm below it.
+  PartFromObstacles(t, bvh, BoxOf(t, 0.9), 5, kGap, &spaces);
+  EXPECT_TRUE(spaces.empty());
+  PartFromObstacles(t, bvh, BoxOf(t, 1.1), 5, kGap, &spaces);
+  EXPECT_EQ(spaces.size(), 1u);
 }
 
 TEST(PartedPairs, AreThoseOfAllPairs) {

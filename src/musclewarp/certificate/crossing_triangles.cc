@@ -57,8 +57,7 @@ std::vector<Entry> EntriesOf(const std::vector<SurfaceView>& surfaces) {
     entries.resize(first + surfaces[mesh].triangles->rows());
 #pragma omp parallel for schedule(static)
     for (Eigen::Index f = 0; f < surfaces[mesh].triangles->rows(); ++f) {
-      entries[first + f] =
-          EntryOf(surfaces[mesh], static_cast<int>(mesh), f);
+      entries[first + f] = EntryOf(surfaces[mesh], static_cast<int>(mesh), f);
     }
   }
   return entries;
@@ -76,8 +75,8 @@ class Grid {
       for (int k = 0; k < 3; ++k) {
         lower[k] = std::min<double>(lower[k], entry.box.lower[k]);
         upper[k] = std::max<double>(upper[k], entry.box.upper[k]);
-        longest = std::max<double>(longest,
-                                   entry.box.upper[k] - entry.box.lower[k]);
+        longest =
+            std::max<double>(longest, entry.box.upper[k] - entry.box.lower[k]);
       }
       size += longest;
     }

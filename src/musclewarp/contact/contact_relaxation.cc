@@ -186,7 +186,9 @@ void ContactRelaxation::FindBonePlanes(int bone) {
   const Eigen::Matrix4d rest_from_before = RigidInverse(bones_before_[bone]);
   const Eigen::Matrix4d now_from_before = bones_[bone] * rest_from_before;
   for (int i = 0; i < num_muscles(); ++i) {
+    // Where it was and where it is carried to, as the bone sees it.
     const Points at_rest = Transformed(clean_[i], rest_from_before);
+    const Points carried = Transformed(carried_[i], RigidInverse(bones_[bone]));
     const Eigen::VectorXd moves =
         (Transformed(clean_[i], now_from_before) - carried_[i])
             .rowwise()
@@ -202,11 +204,13 @@ void ContactRelaxation::FindBonePlanes(int bone) {
       const double radius =
           options_.gap + options_.reach +
           std::min(1.5 * move, 2 * kFarthestPush * options_.reach);
-      PartFromObstacles(CornersOf(at_rest, triangles.row(f)),
-                        *rest_bones_[bone],
-                        radius,
-                        options_.gap,
-                        &found[f]);
+      const Corners from = CornersOf(at_rest, triangles.row(f));
+      const double margin = options_.gap + options_.reach;
+      const Box3 passed =
+          BoxOf(BoxOf(from, margin),
+                BoxOf(CornersOf(carried, triangles.row(f)), margin));
+      PartFromObstacles(
+          from, *rest_bones_[bone], passed, radius, options_.gap, &found[f]);
     }
     for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
       for (const HalfSpace& space : found[f]) {

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
+#include <tuple>
 
 #include "musclewarp/geometry/triangle_distance.h"
 #include "musclewarp/geometry/triangle_intersection.h"
@@ -26,85 +27,74 @@ struct Plane {
     return normal.dot(t.row(0)) <= level && normal.dot(t.row(1)) <= level &&
            normal.dot(t.row(2)) <= level;
   }
-  bool IsBehind(const Box3& box) const {
-    double top = 0;
-    for (int k = 0; k < 3; ++k) {
-      top += normal[k] * (normal[k] > 0 ? box.upper[k] : box.lower[k]);
-    }
-    return top <= level;
-  }
 };
-
-Box3 BoxOf(const Corners& triangle) {
-  Box3 box;
-  for (int k = 0; k < 3; ++k) {
-    box.lower[k] = triangle.col(k).minCoeff();
-    box.upper[k] = triangle.col(k).maxCoeff();
-  }
-  return box;
-}
-
-double SquaredDistance(const Box3& a, const Box3& b) {
-  double sum = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double gap =
-        std::max({a.lower[k] - b.upper[k], b.lower[k] - a.upper[k], 0.0});
-    sum += gap * gap;
-  }
-  return sum;
-}
 
 }  // namespace
 
 void PartFromObstacles(const Corners& triangle,
                        const TriangleBvh& obstacles,
+                       const Box3& where,
                        double radius,
                        double gap,
                        std::vector<HalfSpace>* spaces) {
   constexpr int kMaxPlanes = 24;  // a corner in a rugged pit has fewer
-  const Box3 box = BoxOf(triangle);
-  std::array<Plane, kMaxPlanes> planes;
-  std::array<int, kMaxPlanes> done;  // their triangles, and those that touch
-  int num_planes = 0, num_done = 0;
-  const auto is_behind = [&](const auto& what) {
-    for (int i = 0; i < num_planes; ++i) {
-      if (planes[i].IsBehind(what)) return true;
-    }
-    return false;
-  };
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  while (num_done < kMaxPlanes) {
-    double least = radius * radius;
-    int nearest = -1;
+  // By squared distance: of their boxes first, then, when it is their turn, of
+  // themselves.
+  struct Candidate {
+    double square;
+    int triangle;
+    bool is_exact;
     ClosestPair pair;
-    obstacles.TraverseNearestFirst(
-        [&](const Box3& node) {
-          return is_behind(node) ? kFar : SquaredDistance(node, box);
-        },
-        [&](int g) {
-          const Corners& other = obstacles.corners(g);
-          if (SquaredDistance(BoxOf(other), box) > least) return;
-          if (is_behind(other)) return;
-          if (std::find(done.begin(), done.begin() + num_done, g) !=
-              done.begin() + num_done) {
-            return;
-          }
-          const ClosestPair found = ClosestPointsOfTriangles(triangle, other);
-          if (found.squared_distance > least) return;
-          least = found.squared_distance;
-          nearest = g;
-          pair = found;
-        },
-        &least);
-    if (nearest < 0) return;
-    done[num_done++] = nearest;
-    const double distance = std::sqrt(least);
-    if (distance < kTouching) continue;
-    const RowVector3d normal = (pair.on_a - pair.on_b) / distance;
-    const double level =
-        normal.dot(pair.on_b) + 0.5 * std::max(0.0, distance - gap) + 1e-9;
-    planes[num_planes++] = {normal, level};
-    spaces->push_back({normal, level + gap});
+
+    bool operator>(const Candidate& other) const {
+      return std::tie(square, triangle) >
+             std::tie(other.square, other.triangle);
+    }
+  };
+  const Box3 box = BoxOf(triangle);
+  const double most = radius * radius;
+  std::vector<Candidate> heap;
+  obstacles.Traverse(
+      [&](const Box3& node) {
+        return node.Overlaps(where) && node.SquaredDistance(box) <= most;
+      },
+      [&](int g) {
+        const Box3 other = BoxOf(obstacles.corners(g));
+        const double square = other.SquaredDistance(box);
+        if (other.Overlaps(where) && square <= most) {
+          heap.push_back({square, g, false, {}});
+        }
+      });
+  std::make_heap(heap.begin(), heap.end(), std::greater<>());
+  std::array<Plane, kMaxPlanes> planes;
+  int num_planes = 0;
+  while (!heap.empty() && num_planes < kMaxPlanes) {
+    std::pop_heap(heap.begin(), heap.end(), std::greater<>());
+    Candidate& next = heap.back();
+    const Corners& other = obstacles.corners(next.triangle);
+    bool is_done = false;
+    for (int i = 0; i < num_planes && !is_done; ++i) {
+      is_done = planes[i].IsBehind(other);
+    }
+    if (!is_done && !next.is_exact) {
+      next.pair = ClosestPointsOfTriangles(triangle, other);
+      next.square = next.pair.squared_distance;
+      next.is_exact = true;
+      if (next.square <= most) {
+        std::push_heap(heap.begin(), heap.end(), std::greater<>());
+        continue;
+      }
+      is_done = true;
+    }
+    const double distance = std::sqrt(next.square);
+    if (!is_done && distance >= kTouching) {
+      const RowVector3d normal = (next.pair.on_a - next.pair.on_b) / distance;
+      const double level = normal.dot(next.pair.on_b) +
+                           0.5 * std::max(0.0, distance - gap) + 1e-9;
+      planes[num_planes++] = {normal, level};
+      spaces->push_back({normal, level + gap});
+    }
+    heap.pop_back();
   }
 }
 
@@ -136,9 +126,7 @@ std::vector<PartedPair> PartedPairs(const TriangleBvh& a,
     const auto collect = [&](const Corners& mine, const TriangleBvh& theirs) {
       const Box3 box = BoxOf(mine);
       theirs.Traverse(
-          [&](const Box3& node) {
-            return SquaredDistance(node, box) <= square;
-          },
+          [&](const Box3& node) { return node.SquaredDistance(box) <= square; },
           [&](int g) {
             if (ClosestPointsOfTriangles(mine, theirs.corners(g))
                     .squared_distance <= square) {

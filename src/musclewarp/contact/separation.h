@@ -16,9 +16,10 @@ struct HalfSpace {
 };
 
 // Adds to `spaces` half-spaces whose common part does not meet any triangle of
-// `obstacles` that is within `radius` of `triangle`, from which all of them
-// keep at least `gap`. Where `triangle` is farther away than `gap` from all
-// obstacles it lies in all of them, and they leave it half the room beyond.
+// `obstacles` that is within `radius` of `triangle` and whose box touches
+// `where`; all of them keep at least `gap` from it. Where `triangle` is farther
+// away than `gap` from all obstacles it lies in all of them, and they leave it
+// half the room beyond.
 //
 // Found as in Deits & Tedrake, "Computing large convex regions of obstacle-free
 // space through semidefinite programming", 2014, with a triangle in place of
@@ -29,6 +30,7 @@ struct HalfSpace {
 // touches or crosses nothing is said.
 void PartFromObstacles(const Corners& triangle,
                        const TriangleBvh& obstacles,
+                       const Box3& where,
                        double radius,
                        double gap,
                        std::vector<HalfSpace>* spaces);

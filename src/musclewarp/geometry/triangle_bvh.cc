@@ -14,11 +14,24 @@ namespace {
 
 using Eigen::RowVector3d;
 
-Box3 BoxOf(const Corners& triangle) {
+RowVector3d ClosestPointOfSegment(const RowVector3d& p,
+                                  const RowVector3d& a,
+                                  const RowVector3d& b) {
+  const RowVector3d ab = b - a;
+  const double along = ab.dot(p - a);
+  const double square = ab.squaredNorm();
+  if (!(along > 0)) return a;
+  if (along >= square) return b;
+  return a + along / square * ab;
+}
+
+}  // namespace
+
+Box3 BoxOf(const Corners& triangle, double margin) {
   Box3 box;
   for (int axis = 0; axis < 3; ++axis) {
-    box.lower[axis] = triangle.col(axis).minCoeff();
-    box.upper[axis] = triangle.col(axis).maxCoeff();
+    box.lower[axis] = triangle.col(axis).minCoeff() - margin;
+    box.upper[axis] = triangle.col(axis).maxCoeff() + margin;
   }
   return box;
 }
@@ -32,18 +45,16 @@ Box3 BoxOf(const Box3& a, const Box3& b) {
   return box;
 }
 
-RowVector3d ClosestPointOfSegment(const RowVector3d& p,
-                                  const RowVector3d& a,
-                                  const RowVector3d& b) {
-  const RowVector3d ab = b - a;
-  const double along = ab.dot(p - a);
-  const double square = ab.squaredNorm();
-  if (!(along > 0)) return a;
-  if (along >= square) return b;
-  return a + along / square * ab;
+double Box3::SquaredDistance(const Box3& other) const {
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double gap = std::max({lower[axis] - other.upper[axis],
+                                 other.lower[axis] - upper[axis],
+                                 0.0});
+    sum += gap * gap;
+  }
+  return sum;
 }
-
-}  // namespace
 
 double Box3::SquaredDistance(const RowVector3d& p) const {
   double sum = 0;

@@ -31,6 +31,7 @@ struct Box3 {
            (upper[0] >= p[0]) & (upper[1] >= p[1]) & (upper[2] >= p[2]);
   }
   double SquaredDistance(const Eigen::RowVector3d& p) const;
+  double SquaredDistance(const Box3& other) const;
 };
 
 // A tree of axis-aligned boxes over the triangles of a mesh. The topology is
@@ -135,6 +136,11 @@ class TriangleBvh {
   std::vector<Corners> corners_;  // by triangle
   std::vector<Node> nodes_;
 };
+
+// The boxes around a triangle, and around it and `margin` on all sides; around
+// two boxes.
+Box3 BoxOf(const Corners& triangle, double margin = 0);
+Box3 BoxOf(const Box3& a, const Box3& b);
 
 // The point of a triangle closest to p; any triangle, degenerate ones too.
 Eigen::RowVector3d ClosestPointOfTriangle(const Eigen::RowVector3d& p,

@@ -65,15 +65,6 @@ double PlaceOn(const RowVector3d& p,
   return std::max(0.0, nearest);
 }
 
-Box3 BoxOf(const Corners& corners, double margin) {
-  Box3 box;
-  for (int k = 0; k < 3; ++k) {
-    box.lower[k] = corners.col(k).minCoeff() - margin;
-    box.upper[k] = corners.col(k).maxCoeff() + margin;
-  }
-  return box;
-}
-
 }  // namespace
 
 TriangleGrid::TriangleGrid(const Points& points, const Triangles& triangles) {
