@@ -122,14 +122,14 @@ std::vector<PartedPair> PartedPairs(const TriangleBvh& a,
   std::vector<std::vector<PartedPair>> found(a.num_triangles());
 #pragma omp parallel for schedule(dynamic, 64)
   for (int f = 0; f < a.num_triangles(); ++f) {
+    // Those whose boxes are near first.
     std::vector<int> near;
     const auto collect = [&](const Corners& mine, const TriangleBvh& theirs) {
       const Box3 box = BoxOf(mine);
       theirs.Traverse(
           [&](const Box3& node) { return node.SquaredDistance(box) <= square; },
           [&](int g) {
-            if (ClosestPointsOfTriangles(mine, theirs.corners(g))
-                    .squared_distance <= square) {
+            if (BoxOf(theirs.corners(g)).SquaredDistance(box) <= square) {
               near.push_back(g);
             }
           });
@@ -141,6 +141,11 @@ std::vector<PartedPair> PartedPairs(const TriangleBvh& a,
     for (const int g : near) {
       PartedPair pair;
       if (!Part(a.corners(f), b.corners(g), &pair)) continue;
+      if (pair.distance > radius &&
+          ClosestPointsOfTriangles(moved_a.corners(f), moved_b.corners(g))
+                  .squared_distance > square) {
+        continue;
+      }
       pair.a = f;
       pair.b = g;
       found[f].push_back(pair);
