@@ -17,9 +17,6 @@ class ScrewMotion {
   // The part `share` of the motion; 0 is the identity, 1 the motion.
   Eigen::Matrix4d Part(double share) const;
 
-  // How far it turns, 0 to pi.
-  double angle() const { return angle_; }
-
  private:
   Eigen::Vector3d axis_;    // of unit length
   Eigen::Vector3d centre_;  // on the axis, mm
