@@ -157,10 +157,65 @@ bool IsSurelyBesideButForACorner(const Corners& a, const Corners& b) {
   return true;
 }
 
+enum class Answer { kNo, kYes, kTouching };
+
+// Whether a segment and a triangle share a point, by signs of volumes; not
+// decided where one of them is zero.
+Answer SegmentMeetsTriangle(const RowVector3d& p,
+                            const RowVector3d& q,
+                            const Corners& t) {
+  const RowVector3d a = t.row(0), b = t.row(1), c = t.row(2);
+  const int side_p = Orientation(a, b, c, p);
+  const int side_q = Orientation(a, b, c, q);
+  if (side_p == side_q && side_p != 0) return Answer::kNo;
+  const int ab = Orientation(p, q, a, b);
+  const int bc = Orientation(p, q, b, c);
+  const int ca = Orientation(p, q, c, a);
+  if (std::min({ab, bc, ca}) < 0 && std::max({ab, bc, ca}) > 0) {
+    return Answer::kNo;
+  }
+  const bool is_touching = side_p == 0 || side_q == 0 || ab == 0 || bc == 0 ||
+                           ca == 0;
+  return is_touching ? Answer::kTouching : Answer::kYes;
+}
+
+// The same of the edges of `a` and b; of the one opposite to `corner` only, if
+// that is given.
+Answer EdgesMeetTriangle(const Corners& a, const Corners& b, int corner = -1) {
+  Answer all = Answer::kNo;
+  for (int k = 0; k < 3; ++k) {
+    if (corner >= 0 && k != corner) continue;
+    const Answer one =
+        SegmentMeetsTriangle(a.row((k + 1) % 3), a.row((k + 2) % 3), b);
+    if (one == Answer::kYes) return one;
+    if (one == Answer::kTouching) all = one;
+  }
+  return all;
+}
+
+// Of triangles that do not touch where no volume is zero: those with an edge of
+// one through the other, or nothing in common.
+Answer Both(Answer of_a, Answer of_b) {
+  if (of_a == Answer::kYes || of_b == Answer::kYes) return Answer::kYes;
+  return of_a == Answer::kTouching ? of_a : of_b;
+}
+
+// The corner of `a` that is one of b.
+int CommonCorner(const Corners& a, const Corners& b) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (a.row(i) == b.row(j)) return i;
+    }
+  }
+  return -1;
+}
+
 }  // namespace
 
 bool TrianglesIntersect(const Corners& a, const Corners& b) {
   if (IsSurelyBeside(a, b) || IsSurelyBeside(b, a)) return false;
+  const Answer answer = Both(EdgesMeetTriangle(a, b), EdgesMeetTriangle(b, a));
+  if (answer != Answer::kTouching) return answer == Answer::kYes;
   return Intersect(SimplexOf(a), SimplexOf(b));
 }
 
@@ -184,6 +239,15 @@ bool TrianglesIntersectBeyondCommon(const Corners& a, const Corners& b) {
       if (IsSurelyBesideButForACorner(a, b) ||
           IsSurelyBesideButForACorner(b, a)) {
         return false;
+      }
+      switch (Both(EdgesMeetTriangle(a, b, CommonCorner(a, b)),
+                   EdgesMeetTriangle(b, a, CommonCorner(b, a)))) {
+        case Answer::kYes:
+          return true;
+        case Answer::kNo:
+          return false;
+        case Answer::kTouching:
+          break;
       }
       break;
     case 2:
