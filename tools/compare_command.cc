@@ -134,11 +134,13 @@ int CompareCommand(const CompareOptions& options, std::ostream& screen) {
   if (deform.threads > 0) omp_set_num_threads(deform.threads);
   const Scene scene = ReadScene(deform.scene, deform.data_root, deform.motion);
   const std::vector<int> selected = SelectFrames(deform.frames, scene.poses);
-  const PreparedScene prepared = PrepareScene(scene, deform.prepare);
   const auto compares = [&](DeformContact contact) {
     return std::count(
                options.contacts.begin(), options.contacts.end(), contact) > 0;
   };
+  PrepareOptions prepare = deform.prepare;
+  prepare.remove_slivers = compares(DeformContact::kCertified);
+  const PreparedScene prepared = PrepareScene(scene, prepare);
   Contacts contacts;
   if (compares(DeformContact::kPaper)) {
     contacts.paper = PrepareContact(prepared, deform.scene_contact);

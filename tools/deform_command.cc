@@ -253,7 +253,9 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
       return ExitCodeOfFinished(report);
     }
   }
-  const PreparedScene prepared = PrepareScene(scene, options.prepare);
+  PrepareOptions prepare = options.prepare;
+  prepare.remove_slivers = options.contact == DeformContact::kCertified;
+  const PreparedScene prepared = PrepareScene(scene, prepare);
   std::optional<SceneContact> contact;
   if (options.contact == DeformContact::kPaper) {
     contact = PrepareContact(prepared, options.scene_contact);

@@ -174,8 +174,8 @@ Answer SegmentMeetsTriangle(const RowVector3d& p,
   if (std::min({ab, bc, ca}) < 0 && std::max({ab, bc, ca}) > 0) {
     return Answer::kNo;
   }
-  const bool is_touching = side_p == 0 || side_q == 0 || ab == 0 || bc == 0 ||
-                           ca == 0;
+  const bool is_touching =
+      side_p == 0 || side_q == 0 || ab == 0 || bc == 0 || ca == 0;
   return is_touching ? Answer::kTouching : Answer::kYes;
 }
 

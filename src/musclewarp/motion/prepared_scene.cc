@@ -83,7 +83,9 @@ PreparedMuscle PrepareOne(const std::vector<BodySurface>& bodies,
                                    Eigen::Matrix4d::Identity(),
                                    options.repair,
                                    &prepared.mesh);
-  prepared.mesh.slivers = RemoveSlivers(options.slivers, &fine);
+  if (options.remove_slivers) {
+    prepared.mesh.slivers = RemoveSlivers(options.slivers, &fine);
+  }
   if (muscle->lines.empty()) {
     muscle->lines = MakeLines(
         muscle->name, fine, bodies, muscle->attachments, options.auto_lines);

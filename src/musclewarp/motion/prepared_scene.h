@@ -21,7 +21,10 @@ namespace musclewarp {
 struct PrepareOptions {
   MuscleModelOptions muscle;
   RepairOptions repair;
-  SliverLimits slivers;  // of muscles
+  // Whether slivers are taken out of muscles. Certified contact needs that;
+  // without, meshes keep their triangles.
+  bool remove_slivers = false;
+  SliverLimits slivers;
 
   // Lines made for a muscle that has none.
   int auto_lines = 3;
