@@ -43,8 +43,8 @@ struct ContactState {
 // What is wrong with a state.
 struct StateDefects {
   int crossing_pairs = 0;  // of triangles of two meshes
-  // Of triangles of one muscle, if it has more than at rest and they did not
-  // cross before.
+  // Of triangles of one muscle, if it has more than at rest: those that are
+  // apart in the state before or in the targets, so that planes can part them.
   int self_pairs = 0;
   // Triangles turned over against their targets, if a muscle has too many.
   int folded = 0;
@@ -91,6 +91,7 @@ class ContactRelaxation {
 
   // Looks for triangles that cross all the same, by an exact test, or are
   // folded, and adds planes for them: the next Sweep() will set them right.
+  // Those of one muscle move more as one piece from then on.
   StateDefects AddDefects();
 
   // By how much a vertex is on the wrong side of a plane against another mesh,
