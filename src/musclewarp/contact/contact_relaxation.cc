@@ -11,6 +11,7 @@
 #include <limits>
 #include <tuple>
 
+#include "musclewarp/contact/half_space_projection.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/triangle_distance.h"
 #include "musclewarp/geometry/triangle_intersection.h"
@@ -22,6 +23,10 @@ namespace {
 
 using Eigen::RowVector3d;
 using Eigen::RowVector3i;
+
+// Every so many sweeps, and in the last one, a vertex looks at all its planes;
+// in the others at those that were nearer than the reach the last time.
+constexpr int kFullSweepEvery = 6;
 
 // A push goes no farther than this many times the reach.
 constexpr double kFarthestPush = 5;
@@ -139,7 +144,9 @@ ContactRelaxation::ContactRelaxation(
       clean_(clean.points),
       targets_(next.targets),
       sides_(muscles.size()),
-      first_sides_(muscles.size()) {
+      first_sides_(muscles.size()),
+      near_sides_(muscles.size()),
+      num_near_sides_(muscles.size()) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   CHECK_EQ(bones_.size(), bones_before_.size());
@@ -291,6 +298,8 @@ void ContactRelaxation::SortSides() {
                        sorted.begin() + first[v],
                        comes_first);
     }
+    near_sides_[i].resize(sorted.size());
+    num_near_sides_[i].assign(muscles_[i].num_vertices(), 0);
     sides_[i] = std::move(sorted);
   }
 }
@@ -301,50 +310,47 @@ double ContactRelaxation::Level(const Side& side) const {
   return side.sign * plane.level + plane.half_gap;
 }
 
+void ContactRelaxation::FindNearSides(int muscle,
+                                      int vertex,
+                                      const RowVector3d& point) {
+  const int begin = first_sides_[muscle][vertex];
+  int* near = near_sides_[muscle].data() + begin;
+  int count = 0;
+  for (int i = begin; i < first_sides_[muscle][vertex + 1]; ++i) {
+    const Side& side = sides_[muscle][i];
+    if (side.space.normal.dot(point) < Level(side) + options_.reach) {
+      near[count++] = i;
+    }
+  }
+  num_near_sides_[muscle][vertex] = count;
+}
+
 RowVector3d ContactRelaxation::Projected(int muscle,
                                          int vertex,
                                          const RowVector3d& point) const {
-  // Hildreth's method: the nearest point in all half-spaces.
   constexpr int kMost = 512;
-  constexpr double kTolerance = 1e-4;  // mm
-  const int begin = first_sides_[muscle][vertex];
-  const int count = std::min(kMost, first_sides_[muscle][vertex + 1] - begin);
-  const Side* sides = sides_[muscle].data() + begin;
-  std::array<double, kMost> level;
+  const int* near = near_sides_[muscle].data() + first_sides_[muscle][vertex];
+  const int count = std::min(kMost, num_near_sides_[muscle][vertex]);
+  std::array<HalfSpace, kMost> spaces;
   bool is_inside = true;
   for (int i = 0; i < count; ++i) {
-    level[i] = Level(sides[i]);
-    is_inside &= sides[i].space.normal.dot(point) >= level[i];
+    const Side& side = sides_[muscle][near[i]];
+    spaces[i] = {side.space.normal, Level(side)};
+    is_inside &= spaces[i].normal.dot(point) >= spaces[i].level;
   }
   if (is_inside) return point;
-  std::array<double, kMost> multiplier;
-  std::fill(multiplier.begin(), multiplier.begin() + count, 0.0);
-  RowVector3d moved = point;
-  const auto pass = [&](bool bones_only) {
-    double change = 0;
-    for (int i = 0; i < count; ++i) {
-      if (bones_only && sides[i].plane >= 0) continue;
-      const double step =
-          std::max(level[i] - sides[i].space.normal.dot(moved), -multiplier[i]);
-      if (step == 0) continue;
-      multiplier[i] += step;
-      moved += step * sides[i].space.normal;
-      change = std::max(change, std::abs(step));
-    }
-    return change;
-  };
-  for (int i = 0; i < 10; ++i) {
-    if (pass(false) < kTolerance) return moved;
-  }
-  // There may be no such point. Then another muscle has to give way, by
-  // SetLevels; a bone does not.
-  for (int i = 0; i < 20; ++i) {
-    if (pass(true) < kTolerance) break;
-  }
-  const RowVector3d push = moved - carried_[muscle].row(vertex);
   const double farthest = kFarthestPush * options_.reach;
-  if (push.norm() <= farthest) return moved;
-  return carried_[muscle].row(vertex) + farthest / push.norm() * push;
+  RowVector3d nearest = point;
+  if (ProjectIntoHalfSpaces(spaces.data(), count, farthest, &nearest)) {
+    return nearest;
+  }
+  // Then another muscle has to give way, by SetLevels; a bone does not.
+  int bones = 0;
+  for (int i = 0; i < count; ++i) {
+    if (sides_[muscle][near[i]].plane < 0) spaces[bones++] = spaces[i];
+  }
+  ProjectIntoHalfSpaces(spaces.data(), bones, farthest, &nearest);
+  return nearest;
 }
 
 void ContactRelaxation::SetLevels(bool is_first) {
@@ -386,7 +392,7 @@ void ContactRelaxation::SetLevels(bool is_first) {
   }
 }
 
-void ContactRelaxation::SweepMuscle(int muscle) {
+void ContactRelaxation::SweepMuscle(int muscle, bool is_full) {
   const ContactMesh& mesh = muscles_[muscle];
   const Points& target = targets_[muscle];
   const Points& carried = carried_[muscle];
@@ -411,6 +417,7 @@ void ContactRelaxation::SweepMuscle(int muscle) {
       wish = carried.row(v) + options_.reach / far * beyond;
     }
     wishes_[muscle].row(v) = wish;
+    if (is_full) FindNearSides(muscle, v, wish);
     points.row(v) = Projected(muscle, v, wish);
   }
 }
@@ -418,8 +425,9 @@ void ContactRelaxation::SweepMuscle(int muscle) {
 void ContactRelaxation::Sweep(int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     SetLevels(sweep == 0);
+    const bool is_full = sweep % kFullSweepEvery == 0 || sweep + 1 == sweeps;
 #pragma omp parallel for schedule(dynamic, 1)
-    for (int i = 0; i < num_muscles(); ++i) SweepMuscle(i);
+    for (int i = 0; i < num_muscles(); ++i) SweepMuscle(i, is_full);
   }
 }
 
@@ -467,10 +475,10 @@ double ContactRelaxation::RestoreVolume(int muscle) {
         std::clamp(-error / slope, -options_.reach, options_.reach);
     for (int v = 0; v < count; ++v) {
       if (share[v] == 0 || lengths[v] == 0) continue;
-      points.row(v) = Projected(
-          muscle,
-          v,
-          points.row(v) + share[v] * move / lengths[v] * normals.row(v));
+      const RowVector3d moved =
+          points.row(v) + share[v] * move / lengths[v] * normals.row(v);
+      FindNearSides(muscle, v, moved);
+      points.row(v) = Projected(muscle, v, moved);
     }
   }
   return std::abs(error) / mesh.volume;

@@ -141,9 +141,11 @@ class ContactRelaxation {
   int AddFolded(int muscle);
   void SortSides();
   void SetLevels(bool is_first);
-  void SweepMuscle(int muscle);
+  void SweepMuscle(int muscle, bool is_full);
   double RestoreVolume(int muscle);
   double Level(const Side& side) const;
+  void FindNearSides(int muscle, int vertex, const Eigen::RowVector3d& point);
+  // The nearest point on the right side of the near ones.
   Eigen::RowVector3d Projected(int muscle,
                                int vertex,
                                const Eigen::RowVector3d& point) const;
@@ -158,6 +160,9 @@ class ContactRelaxation {
   std::vector<Plane> planes_;
   std::vector<std::vector<Side>> sides_;       // by muscle, by vertex
   std::vector<std::vector<int>> first_sides_;  // of a vertex
+  // Of the sides of a vertex those that it may meet next; the first
+  // num_near_sides_ from first_sides_ on.
+  std::vector<std::vector<int>> near_sides_, num_near_sides_;
 };
 
 }  // namespace musclewarp
