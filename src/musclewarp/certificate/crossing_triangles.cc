@@ -91,6 +91,7 @@ class Grid {
       for (int k = 0; k < 3; ++k) counts_[k] = static_cast<int>(counts[k]);
       break;
     }
+    per_cell_ = 1 / cell_;
     starts_.assign(counts_[0] * counts_[1] * counts_[2] + 1, 0);
     for (const Entry& entry : entries) {
       ForEachCell(entry.box, [&](int cell) { ++starts_[cell + 1]; });
@@ -105,10 +106,16 @@ class Grid {
     }
   }
 
-  // Calls visit(entry) for the muscles' triangles whose box overlaps that of
-  // `entry`, each once.
+  Eigen::Index size() const {
+    return static_cast<Eigen::Index>(entries_.size());
+  }
+
+  // Calls visit(entry) for the first `count` of the muscles' triangles whose
+  // box overlaps that of `entry`, each once.
   template <typename Visit>
-  void ForEachOverlap(const Entry& entry, const Visit& visit) const {
+  void ForEachOverlap(const Entry& entry,
+                      Eigen::Index count,
+                      const Visit& visit) const {
     if (entries_.empty()) return;
     const Index3 first = CellOf(entry.box.lower);
     ForEachCell(entry.box, [&](int cell) {
@@ -116,6 +123,7 @@ class Grid {
                          cell / counts_[0] % counts_[1],
                          cell / (counts_[0] * counts_[1])};
       for (int i = starts_[cell]; i < starts_[cell + 1]; ++i) {
+        if (items_[i].entry >= count) break;  // they ascend in a cell
         if (!entry.box.Overlaps(items_[i].box)) continue;
         // Of the cells that both touch, in the first one only.
         const Index3 other_first = CellOf(items_[i].box.lower);
@@ -137,7 +145,7 @@ class Grid {
   Index3 CellOf(const std::array<float, 3>& p) const {
     Index3 at;
     for (int k = 0; k < 3; ++k) {
-      const double cell = std::floor((p[k] - origin_[k]) / cell_);
+      const double cell = std::floor((p[k] - origin_[k]) * per_cell_);
       at[k] = static_cast<int>(std::clamp(cell, 0.0, counts_[k] - 1.0));
     }
     return at;
@@ -164,15 +172,15 @@ class Grid {
 
   const std::vector<Entry>& entries_;
   Eigen::Array3d origin_ = Eigen::Array3d::Zero();
-  double cell_ = 1;  // edge, mm
+  double cell_ = 1, per_cell_ = 1;  // edge, mm, and its inverse
   Index3 counts_ = {1, 1, 1};
   // Those of cell c are items_[starts_[c]] to items_[starts_[c + 1]].
   std::vector<int> starts_;
   std::vector<Item> items_;
 };
 
-// Those of the entries that `entry_of` gives with the muscles', of two muscles'
-// triangles once.
+// Those of the entries that `entry_of` gives with the muscles'; if they are the
+// muscles' themselves, with those before them.
 template <typename EntryOf>
 void AddPairs(const Grid& grid,
               Eigen::Index count,
@@ -185,11 +193,8 @@ void AddPairs(const Grid& grid,
 #pragma omp for schedule(dynamic, 1024) nowait
     for (Eigen::Index i = 0; i < count; ++i) {
       const Entry& entry = entry_of(i);
-      grid.ForEachOverlap(entry, [&](const Entry& other) {
-        if (are_muscles && std::tie(other.mesh, other.triangle) >=
-                               std::tie(entry.mesh, entry.triangle)) {
-          return;
-        }
+      const Eigen::Index others = are_muscles ? i : grid.size();
+      grid.ForEachOverlap(entry, others, [&](const Entry& other) {
         const bool cross =
             entry.mesh == other.mesh
                 ? TrianglesIntersectBeyondCommon(other.corners, entry.corners)

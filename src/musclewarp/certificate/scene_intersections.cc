@@ -161,20 +161,25 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
 
 std::vector<double> PenetrationDepths(const std::vector<NamedMesh>& muscles,
                                       const std::vector<NamedMesh>& bones) {
-  std::vector<double> depths(muscles.size(), 0);
+  const size_t count = muscles.size() + bones.size();
+  std::vector<std::pair<size_t, size_t>> pairs;
   for (size_t a = 0; a < muscles.size(); ++a) {
-    for (size_t b = a + 1; b < muscles.size(); ++b) {
-      const double depth =
-          IntersectMeshes(*muscles[a].mesh, *muscles[b].mesh).max_depth_mm;
-      depths[a] = std::max(depths[a], depth);
-      depths[b] = std::max(depths[b], depth);
-    }
-    for (const NamedMesh& bone : bones) {
-      depths[a] =
-          std::max(depths[a],
-                   IntersectMeshes(*muscles[a].mesh, *bone.mesh).max_depth_mm);
+    for (size_t b = a + 1; b < count; ++b) pairs.emplace_back(a, b);
+  }
+  std::vector<double> depths(count, 0);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    const auto [a, b] = pairs[i];
+    const NamedMesh& other =
+        b < muscles.size() ? muscles[b] : bones[b - muscles.size()];
+    const double depth =
+        IntersectMeshes(*muscles[a].mesh, *other.mesh).max_depth_mm;
+#pragma omp critical
+    for (const size_t mesh : {a, b}) {
+      depths[mesh] = std::max(depths[mesh], depth);
     }
   }
+  depths.resize(muscles.size());
   return depths;
 }
 

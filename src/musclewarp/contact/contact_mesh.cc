@@ -19,8 +19,8 @@ ContactMesh ContactMesh::Of(const Points& rest,
   ContactMesh mesh;
   mesh.triangles = triangles;
   mesh.volume = volume;
-  mesh.self_pairs =
-      static_cast<int>(SelfIntersections(TriangleSoup{rest, triangles}).size());
+  mesh.tree = std::make_shared<TriangleBvh>(rest, triangles);
+  mesh.self_pairs = static_cast<int>(SelfIntersections(*mesh.tree).size());
   mesh.areas = Eigen::VectorXd::Zero(rest.rows());
   std::vector<std::map<int, double>> around(rest.rows());
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
+#include "musclewarp/geometry/triangle_bvh.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
@@ -15,6 +17,7 @@ struct ContactMesh {
   Triangles triangles;  // closed, outward
   double volume = 0;    // to be kept, mm^3
   int self_pairs = 0;   // of triangles that cross each other at rest
+  std::shared_ptr<const TriangleBvh> tree;  // at rest
   // By bone: the triangles (#F) that may be in it; empty where none may.
   std::vector<std::vector<char>> exempt;
 

@@ -71,6 +71,34 @@ Eigen::Matrix3d TurnOf(const Corners& a, const Corners& b) {
   return frame(a).transpose() * frame(b);
 }
 
+// The second numbers of pairs by their first.
+struct Grouped {
+  std::vector<int> starts, items;
+
+  const int* begin(Eigen::Index first) const {
+    return items.data() + starts[first];
+  }
+  int count(Eigen::Index first) const {
+    return starts[first + 1] - starts[first];
+  }
+};
+
+Grouped ByFirst(const std::vector<std::pair<int, int>>& pairs,
+                Eigen::Index count) {
+  Grouped grouped;
+  grouped.starts.assign(count + 1, 0);
+  for (const auto& pair : pairs) ++grouped.starts[pair.first + 1];
+  for (Eigen::Index i = 0; i < count; ++i) {
+    grouped.starts[i + 1] += grouped.starts[i];
+  }
+  std::vector<int> next = grouped.starts;
+  grouped.items.resize(pairs.size());
+  for (const auto& [first, second] : pairs) {
+    grouped.items[next[first]++] = second;
+  }
+  return grouped;
+}
+
 // How two triangles of a mesh are parted: the direction from b to a and by how
 // much, mm; by nothing if they are not. Of triangles with a common corner the
 // other corners are parted, by the direction that all edges from there follow
@@ -150,23 +178,27 @@ ContactRelaxation::ContactRelaxation(
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   CHECK_EQ(bones_.size(), bones_before_.size());
+  carried_.resize(muscles.size());
+  clean_trees_.resize(muscles.size());
+  trees_.resize(muscles.size());
+#pragma omp parallel for schedule(dynamic, 1)
   for (int i = 0; i < num_muscles(); ++i) {
-    carried_.push_back(clean_[i] + next.targets[i] - clean.targets[i]);
-    clean_trees_.push_back(
-        std::make_unique<TriangleBvh>(clean_[i], muscles_[i].triangles));
-    trees_.push_back(std::make_unique<TriangleBvh>(*clean_trees_.back()));
-    trees_.back()->Refit(carried_[i]);
+    carried_[i] = clean_[i] + next.targets[i] - clean.targets[i];
+    clean_trees_[i] = std::make_unique<TriangleBvh>(*muscles_[i].tree);
+    clean_trees_[i]->Refit(clean_[i]);
+    trees_[i] = std::make_unique<TriangleBvh>(*muscles_[i].tree);
+    trees_[i]->Refit(carried_[i]);
   }
   for (const ContactMesh& mesh : muscles_) {
     stiffness_.push_back(Eigen::VectorXd::Ones(mesh.num_vertices()));
   }
   points_ = carried_;
   wishes_ = carried_;
-  for (size_t bone = 0; bone < bones_.size(); ++bone) {
-    FindBonePlanes(static_cast<int>(bone));
-  }
   for (int a = 0; a < num_muscles(); ++a) {
     for (int b = a + 1; b < num_muscles(); ++b) FindMusclePlanes(a, b);
+  }
+  for (size_t bone = 0; bone < bones_.size(); ++bone) {
+    FindBonePlanes(static_cast<int>(bone));
   }
   SortSides();
 }
@@ -201,23 +233,36 @@ void ContactRelaxation::FindBonePlanes(int bone) {
             .rowwise()
             .norm();
     const Triangles& triangles = muscles_[i].triangles;
+    // What a triangle may meet between.
+    const double margin = options_.gap + options_.reach;
+    std::vector<Box3> passed(triangles.rows());
+#pragma omp parallel for schedule(static)
+    for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+      passed[f] = BoxOf(BoxOf(CornersOf(at_rest, triangles.row(f)), margin),
+                        BoxOf(CornersOf(carried, triangles.row(f)), margin));
+    }
+    trees_[i]->RefitBoxes(passed);
+    const Grouped met = ByFirst(
+        trees_[i]->CollectOverlaps(
+            *rest_bones_[bone],
+            [&](int f, int /*g*/) { return !muscles_[i].IsExempt(bone, f); }),
+        triangles.rows());
     std::vector<std::vector<HalfSpace>> found(triangles.rows());
 #pragma omp parallel for schedule(dynamic, 64)
     for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
-      if (muscles_[i].IsExempt(bone, f)) continue;
+      if (met.count(f) == 0) continue;
       const double move = std::max({moves[triangles(f, 0)],
                                     moves[triangles(f, 1)],
                                     moves[triangles(f, 2)]});
       const double radius =
-          options_.gap + options_.reach +
-          std::min(1.5 * move, 2 * kFarthestPush * options_.reach);
-      const Corners from = CornersOf(at_rest, triangles.row(f));
-      const double margin = options_.gap + options_.reach;
-      const Box3 passed =
-          BoxOf(BoxOf(from, margin),
-                BoxOf(CornersOf(carried, triangles.row(f)), margin));
-      PartFromObstacles(
-          from, *rest_bones_[bone], passed, radius, options_.gap, &found[f]);
+          margin + std::min(1.5 * move, 2 * kFarthestPush * options_.reach);
+      PartFromObstacles(CornersOf(at_rest, triangles.row(f)),
+                        *rest_bones_[bone],
+                        met.begin(f),
+                        met.count(f),
+                        radius,
+                        options_.gap,
+                        &found[f]);
     }
     for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
       for (const HalfSpace& space : found[f]) {
@@ -240,7 +285,8 @@ RowVector3d ContactRelaxation::Turned(const Plane& plane,
   return turned.norm() > 0.5 ? turned.normalized() : before;
 }
 
-void ContactRelaxation::AddMusclePlane(int a, int b, const PartedPair& pair) {
+ContactRelaxation::Plane ContactRelaxation::PlaneOf(
+    int a, int b, const PartedPair& pair) const {
   Plane plane;
   plane.muscle_a = a;
   plane.muscle_b = b;
@@ -249,7 +295,7 @@ void ContactRelaxation::AddMusclePlane(int a, int b, const PartedPair& pair) {
   plane.normal = Turned(plane, pair.normal);
   plane.half_gap = options_.gap / 2;
   plane.distance = pair.distance;
-  AddPlane(plane);
+  return plane;
 }
 
 void ContactRelaxation::AddPlane(const Plane& plane) {
@@ -264,14 +310,18 @@ void ContactRelaxation::AddPlane(const Plane& plane) {
 }
 
 void ContactRelaxation::FindMusclePlanes(int a, int b) {
-  for (const PartedPair& pair :
-       PartedPairs(*clean_trees_[a],
-                   *clean_trees_[b],
-                   *trees_[a],
-                   *trees_[b],
-                   options_.gap + 2 * options_.reach)) {
-    AddMusclePlane(a, b, pair);
+  const std::vector<PartedPair> pairs =
+      PartedPairs(*clean_trees_[a],
+                  *clean_trees_[b],
+                  *trees_[a],
+                  *trees_[b],
+                  options_.gap + 2 * options_.reach);
+  std::vector<Plane> planes(pairs.size());
+#pragma omp parallel for schedule(static)
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    planes[i] = PlaneOf(a, b, pairs[i]);
   }
+  for (const Plane& plane : planes) AddPlane(plane);
 }
 
 void ContactRelaxation::SortSides() {
@@ -563,7 +613,7 @@ int ContactRelaxation::AddMuscleCrossings(int a, int b) {
     if (Part(clean_trees_[a]->corners(f), clean_trees_[b]->corners(g), &pair)) {
       pair.a = f;
       pair.b = g;
-      AddMusclePlane(a, b, pair);
+      AddPlane(PlaneOf(a, b, pair));
     }
   }
   return count;

@@ -129,7 +129,7 @@ class ContactRelaxation {
   void FindBonePlanes(int bone);
   void AddBonePlane(int muscle, int triangle, int bone, const HalfSpace& space);
   void FindMusclePlanes(int a, int b);
-  void AddMusclePlane(int a, int b, const PartedPair& pair);
+  Plane PlaneOf(int a, int b, const PartedPair& pair) const;
   bool AddSheetPlane(int muscle, int f, int g);
   void AddPlane(const Plane& plane);
   Eigen::RowVector3d Turned(const Plane& plane,

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <limits>
 #include <tuple>
 
 #include "musclewarp/geometry/triangle_distance.h"
@@ -18,10 +18,14 @@ using Eigen::RowVector3d;
 // Below this, mm, the direction between two triangles is rounding.
 constexpr double kTouching = 1e-7;
 
+// What lies higher than the obstacle that a plane is of by this part of the gap
+// needs no plane of its own.
+constexpr double kShareOfGap = 0.25;
+
 // A plane with triangles behind it: normal . p <= level.
 struct Plane {
-  RowVector3d normal;
-  double level;
+  RowVector3d normal = RowVector3d::Zero();
+  double level = 0;
 
   bool IsBehind(const Corners& t) const {
     return normal.dot(t.row(0)) <= level && normal.dot(t.row(1)) <= level &&
@@ -33,68 +37,58 @@ struct Plane {
 
 void PartFromObstacles(const Corners& triangle,
                        const TriangleBvh& obstacles,
-                       const Box3& where,
+                       const int* near,
+                       int num_near,
                        double radius,
                        double gap,
                        std::vector<HalfSpace>* spaces) {
   constexpr int kMaxPlanes = 24;  // a corner in a rugged pit has fewer
-  // By squared distance: of their boxes first, then, when it is their turn, of
-  // themselves.
   struct Candidate {
-    double square;
+    double square;  // of the distance of the boxes
     int triangle;
-    bool is_exact;
-    ClosestPair pair;
-
-    bool operator>(const Candidate& other) const {
-      return std::tie(square, triangle) >
-             std::tie(other.square, other.triangle);
-    }
+    bool is_done;
   };
   const Box3 box = BoxOf(triangle);
   const double most = radius * radius;
-  std::vector<Candidate> heap;
-  obstacles.Traverse(
-      [&](const Box3& node) {
-        return node.Overlaps(where) && node.SquaredDistance(box) <= most;
-      },
-      [&](int g) {
-        const Box3 other = BoxOf(obstacles.corners(g));
-        const double square = other.SquaredDistance(box);
-        if (other.Overlaps(where) && square <= most) {
-          heap.push_back({square, g, false, {}});
-        }
-      });
-  std::make_heap(heap.begin(), heap.end(), std::greater<>());
-  std::array<Plane, kMaxPlanes> planes;
-  int num_planes = 0;
-  while (!heap.empty() && num_planes < kMaxPlanes) {
-    std::pop_heap(heap.begin(), heap.end(), std::greater<>());
-    Candidate& next = heap.back();
-    const Corners& other = obstacles.corners(next.triangle);
-    bool is_done = false;
-    for (int i = 0; i < num_planes && !is_done; ++i) {
-      is_done = planes[i].IsBehind(other);
+  std::vector<Candidate> left;
+  left.reserve(num_near);
+  for (int i = 0; i < num_near; ++i) {
+    const double square =
+        BoxOf(obstacles.corners(near[i])).SquaredDistance(box);
+    if (square <= most) left.push_back({square, near[i], false});
+  }
+  std::sort(left.begin(), left.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.square, a.triangle) < std::tie(b.square, b.triangle);
+  });
+  for (int planes = 0; planes < kMaxPlanes; ++planes) {
+    // The nearest, but for those that are behind the plane of one nearly as
+    // near.
+    double least = std::numeric_limits<double>::infinity();
+    Plane plane;
+    for (Candidate& next : left) {
+      if (next.square >= least) break;
+      const Corners& other = obstacles.corners(next.triangle);
+      if (least <= most && plane.IsBehind(other)) continue;
+      const ClosestPair pair = ClosestPointsOfTriangles(triangle, other);
+      if (pair.squared_distance >= least) continue;
+      const double distance = std::sqrt(pair.squared_distance);
+      next.is_done = distance > radius || distance < kTouching;
+      if (next.is_done) continue;
+      least = pair.squared_distance;
+      plane.normal = (pair.on_a - pair.on_b) / distance;
+      plane.level = plane.normal.dot(pair.on_b) +
+                    0.5 * std::max(0.0, distance - gap) + kShareOfGap * gap;
     }
-    if (!is_done && !next.is_exact) {
-      next.pair = ClosestPointsOfTriangles(triangle, other);
-      next.square = next.pair.squared_distance;
-      next.is_exact = true;
-      if (next.square <= most) {
-        std::push_heap(heap.begin(), heap.end(), std::greater<>());
-        continue;
-      }
-      is_done = true;
-    }
-    const double distance = std::sqrt(next.square);
-    if (!is_done && distance >= kTouching) {
-      const RowVector3d normal = (next.pair.on_a - next.pair.on_b) / distance;
-      const double level = normal.dot(next.pair.on_b) +
-                           0.5 * std::max(0.0, distance - gap) + 1e-9;
-      planes[num_planes++] = {normal, level};
-      spaces->push_back({normal, level + gap});
-    }
-    heap.pop_back();
+    if (least > most) break;
+    spaces->push_back({plane.normal, plane.level + (1 - kShareOfGap) * gap});
+    left.erase(std::remove_if(left.begin(),
+                              left.end(),
+                              [&](const Candidate& candidate) {
+                                return candidate.is_done ||
+                                       plane.IsBehind(obstacles.corners(
+                                           candidate.triangle));
+                              }),
+               left.end());
   }
 }
 

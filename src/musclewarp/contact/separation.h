@@ -15,22 +15,23 @@ struct HalfSpace {
   double level;
 };
 
-// Adds to `spaces` half-spaces whose common part does not meet any triangle of
-// `obstacles` that is within `radius` of `triangle` and whose box touches
-// `where`; all of them keep at least `gap` from it. Where `triangle` is farther
-// away than `gap` from all obstacles it lies in all of them, and they leave it
-// half the room beyond.
+// Adds to `spaces` half-spaces whose common part does not meet any of the
+// `num_near` triangles `near` of `obstacles` that are within `radius` of
+// `triangle`; all of them keep at least three quarters of `gap` from it. Where
+// `triangle` is farther away than `gap` from all obstacles it lies in all of
+// them, and they leave it half the room beyond.
 //
 // Found as in Deits & Tedrake, "Computing large convex regions of obstacle-free
 // space through semidefinite programming", 2014, with a triangle in place of
 // the ellipsoid: the nearest obstacle gives a plane, and all that lies behind
-// it needs no other.
+// it, or higher by no more than a quarter of the gap, needs no other.
 //
 // Precondition: `triangle` crosses none of the obstacles. Of one that it
 // touches or crosses nothing is said.
 void PartFromObstacles(const Corners& triangle,
                        const TriangleBvh& obstacles,
-                       const Box3& where,
+                       const int* near,
+                       int num_near,
                        double radius,
                        double gap,
                        std::vector<HalfSpace>* spaces);

@@ -90,8 +90,10 @@ double Depth(const Points& points,
   double depth = 0;
 #pragma omp parallel for schedule(dynamic, 64) reduction(max : depth)
   for (size_t i = 0; i < inside.size(); ++i) {
-    depth =
-        std::max(depth, surface.ClosestPoint(points.row(inside[i])).distance);
+    // Few are deeper than all before.
+    const Eigen::RowVector3d p = points.row(inside[i]);
+    if (surface.IsWithin(p, depth)) continue;
+    depth = std::max(depth, surface.ClosestPoint(p).distance);
   }
   return depth;
 }
@@ -115,6 +117,9 @@ void SearchableMesh::Refit(const Points& points) {
 MeshIntersection IntersectMeshes(const SearchableMesh& a,
                                  const SearchableMesh& b) {
   MeshIntersection result;
+  const bool are_empty =
+      a.bvh().num_triangles() == 0 || b.bvh().num_triangles() == 0;
+  if (are_empty || !a.bvh().box().Overlaps(b.bvh().box())) return result;
   result.triangle_pairs = IntersectingTriangles(a.bvh(), b.bvh());
   std::vector<bool> crossing_a, crossing_b;
   if (!result.triangle_pairs.empty()) {

@@ -154,11 +154,21 @@ void TriangleBvh::Refit(const Points& points) {
       corners_[f].row(corner) = points.row(triangles_(f, corner));
     }
   }
+  RefitNodes([&](int triangle) { return BoxOf(corners_[triangle]); });
+}
+
+void TriangleBvh::RefitBoxes(const std::vector<Box3>& boxes) {
+  CHECK_EQ(boxes.size(), corners_.size());
+  RefitNodes([&](int triangle) { return boxes[triangle]; });
+}
+
+template <typename BoxOfTriangle>
+void TriangleBvh::RefitNodes(const BoxOfTriangle& box_of) {
   // Children come after their parents.
   for (int i = static_cast<int>(nodes_.size()) - 1; i >= 0; --i) {
     Node& node = nodes_[i];
     node.box = node.IsLeaf()
-                   ? BoxOf(corners_[node.triangle])
+                   ? box_of(node.triangle)
                    : BoxOf(nodes_[i + 1].box, nodes_[node.second].box);
   }
 }
@@ -216,6 +226,24 @@ TriangleBvh::Closest TriangleBvh::ClosestPoint(const RowVector3d& point,
       &least);
   if (closest.triangle >= 0) closest.distance = std::sqrt(least);
   return closest;
+}
+
+bool TriangleBvh::IsWithin(const RowVector3d& point, double distance) const {
+  if (distance < 0) return false;
+  const double square = distance * distance;
+  bool is_within = false;
+  double limit = square;
+  TraverseNearestFirst(
+      [&](const Box3& box) { return box.SquaredDistance(point); },
+      [&](int triangle) {
+        const RowVector3d candidate =
+            ClosestPointOfTriangle(point, corners_[triangle]);
+        if ((point - candidate).squaredNorm() > square) return;
+        is_within = true;
+        limit = -1;  // the end
+      },
+      &limit);
+  return is_within;
 }
 
 }  // namespace musclewarp

@@ -55,6 +55,10 @@ class TriangleBvh {
   // New positions, same triangles.
   void Refit(const Points& points);
 
+  // Other boxes for the triangles (#F) than those around their corners, until
+  // the next Refit(): to find what is near them, or on their way.
+  void RefitBoxes(const std::vector<Box3>& boxes);
+
   int num_triangles() const { return static_cast<int>(corners_.size()); }
   const Corners& corners(int triangle) const { return corners_[triangle]; }
 
@@ -94,6 +98,9 @@ class TriangleBvh {
       const Eigen::RowVector3d& point,
       double max_distance = std::numeric_limits<double>::infinity()) const;
 
+  // Whether a triangle is at most that far away.
+  bool IsWithin(const Eigen::RowVector3d& point, double distance) const;
+
  private:
   // Depth first: the first child of a node is the next one.
   struct Node {
@@ -105,6 +112,9 @@ class TriangleBvh {
   using NodePair = std::pair<int, int>;
 
   int Build(const Points& centroids, int* begin, int* end);
+
+  template <typename BoxOfTriangle>
+  void RefitNodes(const BoxOfTriangle& box_of);
 
   // Both children of one node of the pair, of the larger if there is a choice.
   static std::array<NodePair, 2> Split(const TriangleBvh& a,
@@ -249,7 +259,7 @@ std::vector<std::pair<int, int>> TriangleBvh::Collect(
     const Keep& keep) {
   const std::vector<NodePair> tasks = Expand(a, b, std::move(roots));
   std::vector<std::vector<std::pair<int, int>>> found(tasks.size());
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 16)
   for (size_t i = 0; i < tasks.size(); ++i) {
     VisitPair(a, b, tasks[i], [&](int mine, int theirs) {
       if (keep(mine, theirs)) found[i].emplace_back(mine, theirs);

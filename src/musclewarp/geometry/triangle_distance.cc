@@ -10,74 +10,92 @@ namespace {
 
 using Eigen::RowVector3d;
 
-double Clamped(double x) { return std::clamp(x, 0.0, 1.0); }
+// Without branches: which way they go cannot be guessed.
+double Clamped(double x) { return std::min(std::max(x, 0.0), 1.0); }
 
-// The places s on the segment p + s d and t on q + t e closest to each other.
-// Degenerate segments are points.
-void ClosestOnSegments(const RowVector3d& p,
-                       const RowVector3d& d,
-                       const RowVector3d& q,
-                       const RowVector3d& e,
-                       double* s,
-                       double* t) {
-  const RowVector3d r = p - q;
-  const double dd = d.squaredNorm();
-  const double ee = e.squaredNorm();
-  const double de = d.dot(e);
-  const double dr = d.dot(r);
-  const double er = e.dot(r);
-  const double determinant = dd * ee - de * de;
-  *s = determinant > 0 ? Clamped((de * er - dr * ee) / determinant) : 0;
-  *t = ee > 0 ? (de * *s + er) / ee : 0;
-  if (*t < 0 || *t > 1 || ee == 0) {
-    *t = Clamped(*t);
-    *s = dd > 0 ? Clamped((de * *t - dr) / dd) : 0;
+// The edges of a triangle, from corner i to the next one.
+struct Edges {
+  RowVector3d from[3], along[3];
+  double square[3], inverse[3];  // of the length squared; 0 of a point
+
+  explicit Edges(const Corners& t) {
+    for (int i = 0; i < 3; ++i) {
+      from[i] = t.row(i);
+      along[i] = t.row((i + 1) % 3) - t.row(i);
+      square[i] = along[i].squaredNorm();
+      inverse[i] = square[i] > 0 ? 1 / square[i] : 0;
+    }
   }
-}
+
+  // The foot of a point with the products `at_first` and `at_last` of its
+  // offset from corner 0 with the edges from there to corners 1 and 2. False if
+  // it is not inside the triangle.
+  bool Foot(double at_first, double at_last, RowVector3d* foot) const {
+    const double mixed = -along[0].dot(along[2]);
+    const double determinant = square[0] * square[2] - mixed * mixed;
+    const double u = at_first * square[2] - at_last * mixed;
+    const double v = at_last * square[0] - at_first * mixed;
+    if (!(u > 0 && v > 0 && u + v < determinant)) return false;
+    *foot = from[0] + u / determinant * along[0] - v / determinant * along[2];
+    return true;
+  }
+};
 
 }  // namespace
 
 ClosestPair ClosestPointsOfTriangles(const Corners& a, const Corners& b) {
+  const Edges d(a), e(b);
+  // Products of edges and of the offsets r_ij = a_i - b_j with them.
+  double dr[3][3], er[3][3];
+  // The nearest two edges by products alone, which are off by rounding of the
+  // size of the triangles; the points themselves of those only.
+  double least = std::numeric_limits<double>::infinity();
+  double best_s = 0, best_t = 0;
+  int best_i = 0, best_j = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const RowVector3d r = d.from[i] - e.from[j];
+      const double de = d.along[i].dot(e.along[j]);
+      dr[i][j] = d.along[i].dot(r);
+      er[i][j] = e.along[j].dot(r);
+      // Where the lines are closest, from there to where the segments are;
+      // parallel ones are everywhere.
+      const double determinant = d.square[i] * e.square[j] - de * de;
+      const double inverse = determinant > 0 ? 1 / determinant : 0;
+      const double s_of_lines =
+          Clamped((de * er[i][j] - dr[i][j] * e.square[j]) * inverse);
+      const double t = Clamped((de * s_of_lines + er[i][j]) * e.inverse[j]);
+      const double s = Clamped((de * t - dr[i][j]) * d.inverse[i]);
+      const double square = r.squaredNorm() +
+                            s * (s * d.square[i] + 2 * dr[i][j]) +
+                            t * (t * e.square[j] - 2 * er[i][j] - 2 * s * de);
+      if (square < least) {
+        least = square;
+        best_s = s;
+        best_t = t;
+        best_i = i;
+        best_j = j;
+      }
+    }
+  }
   ClosestPair closest;
   closest.squared_distance = std::numeric_limits<double>::infinity();
   const auto offer = [&](const RowVector3d& on_a, const RowVector3d& on_b) {
     const double square = (on_a - on_b).squaredNorm();
     if (square < closest.squared_distance) closest = {on_a, on_b, square};
   };
-  for (int i = 0; i < 3; ++i) {
-    const RowVector3d p = a.row(i);
-    const RowVector3d d = a.row((i + 1) % 3) - a.row(i);
-    for (int j = 0; j < 3; ++j) {
-      const RowVector3d q = b.row(j);
-      const RowVector3d e = b.row((j + 1) % 3) - b.row(j);
-      double s, t;
-      ClosestOnSegments(p, d, q, e, &s, &t);
-      offer(p + s * d, q + t * e);
-    }
-  }
+  offer(d.from[best_i] + best_s * d.along[best_i],
+        e.from[best_j] + best_t * e.along[best_j]);
   // A corner over the inside of the other triangle; all other places of a
   // corner are on the borders.
-  const auto over_inside = [](const RowVector3d& p,
-                              const Corners& triangle,
-                              RowVector3d* foot) {
-    const RowVector3d u = triangle.row(1) - triangle.row(0);
-    const RowVector3d v = triangle.row(2) - triangle.row(0);
-    const RowVector3d w = p - triangle.row(0);
-    const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v);
-    const double uw = u.dot(w), vw = v.dot(w);
-    const double determinant = uu * vv - uv * uv;
-    const double at_u = uw * vv - vw * uv;
-    const double at_v = vw * uu - uw * uv;
-    if (!(at_u > 0 && at_v > 0 && at_u + at_v < determinant)) return false;
-    *foot = triangle.row(0) + at_u / determinant * u + at_v / determinant * v;
-    return true;
-  };
   RowVector3d foot;
   for (int i = 0; i < 3; ++i) {
-    const RowVector3d p = a.row(i);
-    const RowVector3d q = b.row(i);
-    if (over_inside(p, b, &foot)) offer(p, foot);
-    if (over_inside(q, a, &foot)) offer(foot, q);
+    if (e.Foot(er[i][0], e.square[2] - er[i][2], &foot)) {
+      offer(d.from[i], foot);
+    }
+    if (d.Foot(-dr[0][i], d.square[2] + dr[2][i], &foot)) {
+      offer(foot, e.from[i]);
+    }
   }
   return closest;
 }

@@ -19,9 +19,12 @@ using Point = Kernel::Point_3;
 using Segment = Kernel::Segment_3;
 using Triangle = Kernel::Triangle_3;
 
-// True only if all corners of b surely lie strictly on one side of the plane of
-// a. Rounding: with e = 2^-53, a normal component is off by 4 e of the sum of
-// its absolute products, the dot product adds 4 e: 10 e is on the safe side.
+// Whether b touches the plane of a surely nowhere, or with `common` only in
+// corners that are a's as well: all others lie strictly on one side of it.
+//
+// Rounding: with e = 2^-53, a normal component is off by 4 e of the sum of its
+// absolute products, the dot product adds 4 e: 10 e is on the safe side.
+template <bool common>
 bool IsSurelyBeside(const Corners& a, const Corners& b) {
   constexpr double kBound = 10 * 0x1p-53;
   const double ux = a(1, 0) - a(0, 0), uy = a(1, 1) - a(0, 1),
@@ -35,21 +38,24 @@ bool IsSurelyBeside(const Corners& a, const Corners& b) {
                mz = std::abs(ux * vy) + std::abs(uy * vx);
   int side = 0;
   for (int i = 0; i < 3; ++i) {
+    if constexpr (common) {
+      const auto is_same = [&](int j) {
+        return a(j, 0) == b(i, 0) && a(j, 1) == b(i, 1) && a(j, 2) == b(i, 2);
+      };
+      if (is_same(0) || is_same(1) || is_same(2)) continue;
+    }
     const double wx = b(i, 0) - a(0, 0), wy = b(i, 1) - a(0, 1),
                  wz = b(i, 2) - a(0, 2);
     const double height = nx * wx + ny * wy + nz * wz;
     const double bound =
         kBound * (mx * std::abs(wx) + my * std::abs(wy) + mz * std::abs(wz)) +
         internal::kUnderflow;
-    if (height > bound) {
-      ++side;
-    } else if (height < -bound) {
-      --side;
-    } else {
-      return false;
-    }
+    if (!(std::abs(height) > bound)) return false;
+    const int this_side = height > 0 ? 1 : -1;
+    if (this_side == -side) return false;
+    side = this_side;
   }
-  return side == 3 || side == -3;
+  return side != 0;
 }
 
 // The corners that span a triangle: three, or the ends of a segment, or a
@@ -132,31 +138,6 @@ int CommonCorners(const Corners& a, const Corners& b) {
   return count;
 }
 
-// Triangles (u, v, p) and (u, v, q) are apart but for the edge where q surely
-// lies off the plane of (u, v, p); the same for b.
-bool IsSurelyOffPlane(const Corners& a, const Corners& b) {
-  for (int j = 0; j < 3; ++j) {
-    const RowVector3d q = b.row(j);
-    if (q == a.row(0) || q == a.row(1) || q == a.row(2)) continue;
-    return Orientation(a.row(0), a.row(1), a.row(2), q) != 0;
-  }
-  return false;
-}
-
-// Triangles with one corner in common are apart but for it where the other two
-// corners of b surely lie on one side of the plane of a.
-bool IsSurelyBesideButForACorner(const Corners& a, const Corners& b) {
-  int side = 0;
-  for (int j = 0; j < 3; ++j) {
-    const RowVector3d q = b.row(j);
-    if (q == a.row(0) || q == a.row(1) || q == a.row(2)) continue;
-    const int this_side = Orientation(a.row(0), a.row(1), a.row(2), q);
-    if (this_side == 0 || this_side == -side) return false;
-    side = this_side;
-  }
-  return true;
-}
-
 enum class Answer { kNo, kYes, kTouching };
 
 // Whether a segment and a triangle share a point, by signs of volumes; not
@@ -213,7 +194,7 @@ int CommonCorner(const Corners& a, const Corners& b) {
 }  // namespace
 
 bool TrianglesIntersect(const Corners& a, const Corners& b) {
-  if (IsSurelyBeside(a, b) || IsSurelyBeside(b, a)) return false;
+  if (IsSurelyBeside<false>(a, b) || IsSurelyBeside<false>(b, a)) return false;
   const Answer answer = Both(EdgesMeetTriangle(a, b), EdgesMeetTriangle(b, a));
   if (answer != Answer::kTouching) return answer == Answer::kYes;
   return Intersect(SimplexOf(a), SimplexOf(b));
@@ -232,27 +213,13 @@ bool TrianglesIntersect(const RowVector3d& a0,
 }
 
 bool TrianglesIntersectBeyondCommon(const Corners& a, const Corners& b) {
-  switch (CommonCorners(a, b)) {
-    case 0:
-      return TrianglesIntersect(a, b);
-    case 1:
-      if (IsSurelyBesideButForACorner(a, b) ||
-          IsSurelyBesideButForACorner(b, a)) {
-        return false;
-      }
-      switch (Both(EdgesMeetTriangle(a, b, CommonCorner(a, b)),
-                   EdgesMeetTriangle(b, a, CommonCorner(b, a)))) {
-        case Answer::kYes:
-          return true;
-        case Answer::kNo:
-          return false;
-        case Answer::kTouching:
-          break;
-      }
-      break;
-    case 2:
-      if (IsSurelyOffPlane(a, b)) return false;
-      break;
+  if (IsSurelyBeside<true>(a, b) || IsSurelyBeside<true>(b, a)) return false;
+  const int common = CommonCorners(a, b);
+  if (common == 0) return TrianglesIntersect(a, b);
+  if (common == 1) {
+    const Answer answer = Both(EdgesMeetTriangle(a, b, CommonCorner(a, b)),
+                               EdgesMeetTriangle(b, a, CommonCorner(b, a)));
+    if (answer != Answer::kTouching) return answer == Answer::kYes;
   }
   return IntersectBeyondCommon(SimplexOf(a), SimplexOf(b));
 }

@@ -194,9 +194,11 @@ void MeasureFrame(const PreparedScene& scene,
                   std::vector<SolverSummary> summaries,
                   SceneMeshes* meshes,
                   Frame* frame) {
+  frame->muscles.resize(scene.muscles.size());
+#pragma omp parallel for schedule(dynamic, 1)
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    frame->muscles.push_back(
-        FrameOf(scene.muscles[i], pose, states[i], std::move(summaries[i])));
+    frame->muscles[i] =
+        FrameOf(scene.muscles[i], pose, states[i], std::move(summaries[i]));
   }
   frame->bones = BonesIn(scene, pose);
   frame->path_moment_arms = PathMomentArms(scene.scene, pose);
