@@ -38,12 +38,14 @@ Entry EntryOf(const SurfaceView& surface, int mesh, Eigen::Index triangle) {
     entry.corners.row(k) =
         surface.points->row((*surface.triangles)(triangle, k));
   }
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  // A float is off by 2^-24 of its size at most.
+  constexpr float kRounding = 0x1p-22f;
   for (int k = 0; k < 3; ++k) {
-    entry.box.lower[k] = std::nextafter(
-        static_cast<float>(entry.corners.col(k).minCoeff()), -kInfinity);
-    entry.box.upper[k] = std::nextafter(
-        static_cast<float>(entry.corners.col(k).maxCoeff()), kInfinity);
+    const auto lower = static_cast<float>(entry.corners.col(k).minCoeff());
+    const auto upper = static_cast<float>(entry.corners.col(k).maxCoeff());
+    constexpr float kLeast = std::numeric_limits<float>::min();
+    entry.box.lower[k] = lower - (kRounding * std::abs(lower) + kLeast);
+    entry.box.upper[k] = upper + (kRounding * std::abs(upper) + kLeast);
   }
   entry.mesh = mesh;
   entry.triangle = static_cast<int>(triangle);

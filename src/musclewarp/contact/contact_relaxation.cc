@@ -28,7 +28,11 @@ using Eigen::RowVector3i;
 // in the others at those that were nearer than the reach the last time.
 constexpr int kFullSweepEvery = 6;
 
-// A push goes no farther than this many times the reach.
+// Planes are looked for as far away as this part of what two surfaces may go
+// towards each other. They rarely do, and are found later where they do.
+constexpr double kLookedAt = 0.7;
+
+// A push goes no farther than this, mm.
 constexpr double kFarthestPush = 5;
 
 // Two sheets of a muscle keep this part of the distance they have.
@@ -179,6 +183,7 @@ ContactRelaxation::ContactRelaxation(
   CHECK(options.IsValid(&error)) << error;
   CHECK_EQ(bones_.size(), bones_before_.size());
   carried_.resize(muscles.size());
+  turns_.resize(muscles.size());
   clean_trees_.resize(muscles.size());
   trees_.resize(muscles.size());
 #pragma omp parallel for schedule(dynamic, 1)
@@ -188,6 +193,11 @@ ContactRelaxation::ContactRelaxation(
     clean_trees_[i]->Refit(clean_[i]);
     trees_[i] = std::make_unique<TriangleBvh>(*muscles_[i].tree);
     trees_[i]->Refit(carried_[i]);
+    turns_[i].resize(muscles[i].triangles.rows());
+    for (Eigen::Index f = 0; f < muscles[i].triangles.rows(); ++f) {
+      turns_[i][f] = TurnOf(clean_trees_[i]->corners(static_cast<int>(f)),
+                            trees_[i]->corners(static_cast<int>(f)));
+    }
   }
   for (const ContactMesh& mesh : muscles_) {
     stiffness_.push_back(Eigen::VectorXd::Ones(mesh.num_vertices()));
@@ -215,7 +225,7 @@ void ContactRelaxation::AddBonePlane(int muscle,
   for (int k = 0; k < 3; ++k) {
     const int v = muscles_[muscle].triangles(triangle, k);
     if (moved.normal.dot(carried_[muscle].row(v)) - moved.level <=
-        kFarthestPush * options_.reach) {
+        kFarthestPush) {
       sides_[muscle].push_back({v, -1, 1, moved});
     }
   }
@@ -234,7 +244,7 @@ void ContactRelaxation::FindBonePlanes(int bone) {
             .norm();
     const Triangles& triangles = muscles_[i].triangles;
     // What a triangle may meet between.
-    const double margin = options_.gap + options_.reach;
+    const double margin = options_.gap + kLookedAt * options_.reach;
     std::vector<Box3> passed(triangles.rows());
 #pragma omp parallel for schedule(static)
     for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
@@ -254,8 +264,7 @@ void ContactRelaxation::FindBonePlanes(int bone) {
       const double move = std::max({moves[triangles(f, 0)],
                                     moves[triangles(f, 1)],
                                     moves[triangles(f, 2)]});
-      const double radius =
-          margin + std::min(1.5 * move, 2 * kFarthestPush * options_.reach);
+      const double radius = margin + std::min(1.5 * move, 2 * kFarthestPush);
       PartFromObstacles(CornersOf(at_rest, triangles.row(f)),
                         *rest_bones_[bone],
                         met.begin(f),
@@ -272,15 +281,9 @@ void ContactRelaxation::FindBonePlanes(int bone) {
   }
 }
 
-RowVector3d ContactRelaxation::Turned(const Plane& plane,
-                                      const RowVector3d& before) const {
-  const auto turn_of = [&](int muscle, const RowVector3i& corners) {
-    return TurnOf(CornersOf(clean_[muscle], corners),
-                  CornersOf(carried_[muscle], corners));
-  };
-  const Eigen::Matrix3d turn =
-      turn_of(plane.muscle_a, plane.a) + turn_of(plane.muscle_b, plane.b);
-  const RowVector3d turned = before * turn;
+RowVector3d ContactRelaxation::Turned(
+    int a, int f, int b, int g, const RowVector3d& before) const {
+  const RowVector3d turned = before * (turns_[a][f] + turns_[b][g]);
   // Triangles without area have no turn.
   return turned.norm() > 0.5 ? turned.normalized() : before;
 }
@@ -292,7 +295,7 @@ ContactRelaxation::Plane ContactRelaxation::PlaneOf(
   plane.muscle_b = b;
   plane.a = muscles_[a].triangles.row(pair.a);
   plane.b = muscles_[b].triangles.row(pair.b);
-  plane.normal = Turned(plane, pair.normal);
+  plane.normal = Turned(a, pair.a, b, pair.b, pair.normal);
   plane.half_gap = options_.gap / 2;
   plane.distance = pair.distance;
   return plane;
@@ -315,7 +318,7 @@ void ContactRelaxation::FindMusclePlanes(int a, int b) {
                   *clean_trees_[b],
                   *trees_[a],
                   *trees_[b],
-                  options_.gap + 2 * options_.reach);
+                  options_.gap + kLookedAt * 2 * options_.reach);
   std::vector<Plane> planes(pairs.size());
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < pairs.size(); ++i) {
@@ -389,18 +392,21 @@ RowVector3d ContactRelaxation::Projected(int muscle,
     is_inside &= spaces[i].normal.dot(point) >= spaces[i].level;
   }
   if (is_inside) return point;
-  const double farthest = kFarthestPush * options_.reach;
   RowVector3d nearest = point;
-  if (ProjectIntoHalfSpaces(spaces.data(), count, farthest, &nearest)) {
+  if (ProjectIntoHalfSpaces(spaces.data(), count, options_.reach, &nearest)) {
     return nearest;
   }
-  // Then another muscle has to give way, by SetLevels; a bone does not.
+  // A place between; another muscle has to give way, by SetLevels, but a bone
+  // does not.
+  ApproachHalfSpaces(spaces.data(), count, 10, &nearest);
   int bones = 0;
   for (int i = 0; i < count; ++i) {
     if (sides_[muscle][near[i]].plane < 0) spaces[bones++] = spaces[i];
   }
-  ProjectIntoHalfSpaces(spaces.data(), bones, farthest, &nearest);
-  return nearest;
+  ApproachHalfSpaces(spaces.data(), bones, 20, &nearest);
+  const RowVector3d push = nearest - carried_[muscle].row(vertex);
+  if (push.norm() <= kFarthestPush) return nearest;
+  return carried_[muscle].row(vertex) + kFarthestPush / push.norm() * push;
 }
 
 void ContactRelaxation::SetLevels(bool is_first) {
@@ -553,7 +559,7 @@ bool ContactRelaxation::AddSheetPlane(int muscle, int f, int g) {
   const RowVector3d before =
       PartSheets(clean_[muscle], plane.a, plane.b, &plane.distance);
   if (plane.distance > 0) {
-    plane.normal = Turned(plane, before);
+    plane.normal = Turned(muscle, f, muscle, g, before);
   } else {
     plane.normal =
         PartSheets(targets_[muscle], plane.a, plane.b, &plane.distance);

@@ -23,7 +23,7 @@ struct ContactRelaxationOptions {
   // being pushed, mm. What is nearer than that is looked at.
   double reach = 1;
   // Sweeps over all vertices; after defects were found.
-  int sweeps = 30;
+  int sweeps = 24;
   int repair_sweeps = 10;
   // Of the volume, relative.
   double volume_tolerance = 1e-8;
@@ -132,8 +132,9 @@ class ContactRelaxation {
   Plane PlaneOf(int a, int b, const PartedPair& pair) const;
   bool AddSheetPlane(int muscle, int f, int g);
   void AddPlane(const Plane& plane);
-  Eigen::RowVector3d Turned(const Plane& plane,
-                            const Eigen::RowVector3d& before) const;
+  // A normal between triangle f of muscle a and g of b, as they turn.
+  Eigen::RowVector3d Turned(
+      int a, int f, int b, int g, const Eigen::RowVector3d& before) const;
   void Stiffen(int muscle, const std::vector<int>& triangles);
   int AddSelfCrossings(int muscle);
   int AddMuscleCrossings(int a, int b);
@@ -155,6 +156,8 @@ class ContactRelaxation {
   const std::vector<const TriangleBvh*>& rest_bones_;
   const std::vector<Eigen::Matrix4d> bones_before_, bones_;
   std::vector<Points> clean_, carried_, targets_, points_, wishes_;
+  // By muscle, by triangle: from clean_ to carried_, for row vectors.
+  std::vector<std::vector<Eigen::Matrix3d>> turns_;
   std::vector<Eigen::VectorXd> stiffness_;  // by muscle, by vertex
   std::vector<std::unique_ptr<TriangleBvh>> clean_trees_, trees_;
   std::vector<Plane> planes_;

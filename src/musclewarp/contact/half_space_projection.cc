@@ -5,7 +5,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 namespace musclewarp {
 namespace {
@@ -113,6 +115,25 @@ bool ProjectIntoHalfSpaces(const HalfSpace* spaces,
     }
   }
   return false;
+}
+
+void ApproachHalfSpaces(const HalfSpace* spaces,
+                        int count,
+                        int turns,
+                        RowVector3d* point) {
+  constexpr double kTolerance = 1e-4;  // mm
+  std::vector<double> pushes(count, 0);
+  for (int turn = 0; turn < turns; ++turn) {
+    double change = 0;
+    for (int i = 0; i < count; ++i) {
+      const double step =
+          std::max(spaces[i].level - spaces[i].normal.dot(*point), -pushes[i]);
+      pushes[i] += step;
+      *point += step * spaces[i].normal;
+      change = std::max(change, std::abs(step));
+    }
+    if (change < kTolerance) return;
+  }
 }
 
 }  // namespace musclewarp

@@ -21,4 +21,11 @@ bool ProjectIntoHalfSpaces(const HalfSpace* spaces,
                            double farthest,
                            Eigen::RowVector3d* point);
 
+// Moves `point` towards the half-spaces, by some turns of Hildreth's method
+// (1957): to a place between them where they have no point in common.
+void ApproachHalfSpaces(const HalfSpace* spaces,
+                        int count,
+                        int turns,
+                        Eigen::RowVector3d* point);
+
 }  // namespace musclewarp

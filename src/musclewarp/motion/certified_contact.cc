@@ -22,10 +22,17 @@ std::vector<const TriangleBvh*> BoneTrees(const CertifiedContact& contact) {
 ContactState ContactStateOf(const PreparedScene& scene,
                             const SceneState& state) {
   ContactState contact;
+  contact.points.resize(scene.muscles.size());
+  contact.targets.resize(scene.muscles.size());
+#pragma omp parallel for schedule(dynamic, 1)
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
     const MuscleModel& model = scene.muscles[i].model;
-    contact.points.push_back(FinePoints(model, state.muscles[i]));
-    contact.targets.push_back(FinePoints(model, {state.muscles[i].coarse, {}}));
+    const MuscleState& muscle = state.muscles[i];
+    contact.targets[i] = FinePoints(model, {muscle.coarse, {}});
+    contact.points[i] = contact.targets[i];
+    if (muscle.contact.fine_offset.rows() > 0) {
+      contact.points[i] += muscle.contact.fine_offset;
+    }
   }
   for (const PreparedBone& bone : scene.bones) {
     contact.bones_from_rest.push_back(BodyTransform(state.pose, bone.body));
@@ -58,7 +65,9 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
         "be above 0, max_rest_steps and max_halvings not below";
     return false;
   }
-  return step.IsValid(error);
+  CleanStepOptions at_rest = step;
+  at_rest.relaxation.reach = rest_reach;
+  return step.IsValid(error) && at_rest.IsValid(error);
 }
 
 CertifiedContact PrepareCertifiedContact(
@@ -99,11 +108,13 @@ CertifiedContact PrepareCertifiedContact(
   ContactState state = ContactStateOf(scene, contact.rest);
   state.points = std::move(separation.points);
   const std::vector<const TriangleBvh*> bones = BoneTrees(contact);
+  CleanStepOptions step_options = options.step;
+  step_options.relaxation.reach = options.rest_reach;
   for (int step = 0; step < options.max_rest_steps; ++step) {
     ContactState next = state;
     const std::vector<Points> before = state.points;
     const CleanStepSummary summary =
-        StepCleanly(options.step, contact.muscles, bones, &next, &state);
+        StepCleanly(step_options, contact.muscles, bones, &next, &state);
     if (!summary.is_clean && summary.crossing_pairs == 0) state = next;
     contact.crossing_pairs = summary.crossing_pairs;
     if (LargestMove(before, state.points) < options.rest_tolerance) break;

@@ -19,8 +19,10 @@ struct CertifiedContactOptions {
   CleanStepOptions step;
 
   // The separated rest pose is relaxed in at most so many steps, until no
-  // vertex moves by more than the tolerance in one.
+  // vertex moves by more than the tolerance in one. It has far to go, so that
+  // its steps have a reach of their own, mm.
   int max_rest_steps = 20;
+  double rest_reach = 1;
   double rest_tolerance = 0.05;  // mm
 
   // A pose is reached in steps in which no body turns by more than this and no

@@ -10,19 +10,7 @@
 #include "musclewarp/certificate/scene_intersections.h"
 
 namespace musclewarp {
-namespace {
-
-std::vector<Points> WithoutOffsets(const PreparedScene& scene,
-                                   const SceneState& state) {
-  std::vector<Points> points;
-  for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    points.push_back(
-        FinePoints(scene.muscles[i].model, {state.muscles[i].coarse, {}}));
-  }
-  return points;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<std::string> Shortcomings(const PreparedScene& scene,
                                       const CertifiedContact& contact,
@@ -107,19 +95,24 @@ Frame SolveCertifiedFrame(const PreparedScene& scene,
   frame.solve_ms = frame.wall_ms;
 
   const Stopwatch certifying;
-  const std::vector<Points> targets = WithoutOffsets(scene, reached);
-  meshes->MoveTo(targets, BonesIn(scene, *frame.pose));
-  const std::vector<double> depths =
-      PenetrationDepths(meshes->muscles(), meshes->bones());
   MeasureFrame(scene,
                *frame.pose,
                reached.muscles,
                std::move(way.solved.summaries),
                meshes,
                &frame);
+  std::vector<Points> without_contact;
+  for (size_t i = 0; i < frame.muscles.size(); ++i) {
+    without_contact.push_back(frame.muscles[i].fine -
+                              reached.muscles[i].contact.fine_offset);
+  }
+  meshes->MoveTo(without_contact, frame.bones);
+  const std::vector<double> depths =
+      PenetrationDepths(meshes->muscles(), meshes->bones());
   for (size_t i = 0; i < frame.muscles.size(); ++i) {
     MuscleFrame& muscle = frame.muscles[i];
-    const Eigen::VectorXd moves = (muscle.fine - targets[i]).rowwise().norm();
+    const Eigen::VectorXd moves =
+        reached.muscles[i].contact.fine_offset.rowwise().norm();
     muscle.max_contact_displacement = moves.maxCoeff();
     muscle.mean_contact_displacement = moves.mean();
     muscle.depth_without_contact = depths[i];
