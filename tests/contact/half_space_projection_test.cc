@@ -111,5 +111,25 @@ TEST(ProjectIntoHalfSpaces, GoesNoFartherThanAllowed) {
   EXPECT_EQ(point, RowVector3d(2, 1, 0));
 }
 
+// Between two that have no point in common; a third one is not in the way.
+TEST(ApproachHalfSpaces, EndsBetweenThoseWithoutACommonPoint) {
+  const std::vector<HalfSpace> spaces = {{RowVector3d(1, 0, 0), 1},
+                                         {RowVector3d(-1, 0, 0), 1},
+                                         {RowVector3d(0, 1, 0), -4}};
+  RowVector3d point(0.3, 2, 0);
+  ApproachHalfSpaces(spaces.data(), 3, 10, &point);
+  EXPECT_LE(std::abs(point[0]), 1 + 1e-12);
+  EXPECT_EQ(point[1], 2);
+  EXPECT_EQ(point[2], 0);
+}
+
+TEST(ApproachHalfSpaces, ReachesACommonPoint) {
+  const std::vector<HalfSpace> spaces = {{RowVector3d(1, 0, 0), 1},
+                                         {RowVector3d(0, 1, 0), 2}};
+  RowVector3d point(0, 0, 7);
+  ApproachHalfSpaces(spaces.data(), 2, 3, &point);
+  EXPECT_EQ(point, RowVector3d(1, 2, 7));
+}
+
 }  // namespace
 }  // namespace musclewarp

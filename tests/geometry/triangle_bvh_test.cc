@@ -110,6 +110,32 @@ TEST(TriangleBvh, FindsEveryOverlapOnceAlsoAfterARefit) {
   ExpectAllOverlapsFound(moving, still);
 }
 
+// Boxes given instead of those around the corners, until the next refit.
+TEST(TriangleBvh, FindsOverlapsOfOtherBoxes) {
+  const TriangleSoup a = Icosphere(1, 1);
+  TriangleSoup b = Icosphere(1, 1);
+  b.points.rowwise() += RowVector3d(2.5, 0, 0);
+  TriangleBvh tree_a(a.points, a.triangles);
+  const TriangleBvh tree_b(b.points, b.triangles);
+  EXPECT_TRUE(Overlaps(tree_a, tree_b).empty());
+  constexpr double kMargin = 0.7;
+  std::vector<Box3> boxes;
+  Pairs expected;
+  for (int f = 0; f < tree_a.num_triangles(); ++f) {
+    boxes.push_back(BoxOf(tree_a.corners(f), kMargin));
+    for (int g = 0; g < tree_b.num_triangles(); ++g) {
+      if (boxes[f].Overlaps(BoxOf(tree_b.corners(g)))) expected.emplace(f, g);
+    }
+  }
+  tree_a.RefitBoxes(boxes);
+  const PairList found = Overlaps(tree_a, tree_b);
+  EXPECT_EQ(Pairs(found.begin(), found.end()), expected);
+  EXPECT_FALSE(found.empty());
+  EXPECT_LT(found.size(), 80u * 80u);
+  tree_a.Refit(a.points);
+  EXPECT_TRUE(Overlaps(tree_a, tree_b).empty());
+}
+
 TEST(TriangleBvh, FindsEveryPairOfItsOwnOnce) {
   const TriangleSoup soup = Spindle(4, 15, 1);
   const TriangleBvh bvh(soup.points, soup.triangles);
@@ -219,6 +245,16 @@ TEST(TriangleBvh, NothingIsCloseOutsideTheRadius) {
   EXPECT_EQ(closest.distance, bvh.ClosestPoint(p).distance);
   // The radius itself counts.
   EXPECT_EQ(bvh.ClosestPoint(p, closest.distance).distance, closest.distance);
+}
+
+TEST(TriangleBvh, TellsWhatIsWithinADistance) {
+  const TriangleSoup box = Box(2, 2, 2);
+  const TriangleBvh bvh(box.points, box.triangles);
+  const RowVector3d above(0.3, 0.2, 4);
+  EXPECT_TRUE(bvh.IsWithin(above, 3));
+  EXPECT_FALSE(bvh.IsWithin(above, 2.999));
+  EXPECT_TRUE(bvh.IsWithin({0.3, 0.2, 1}, 0)) << "on the surface";
+  EXPECT_FALSE(bvh.IsWithin({0.3, 0.2, 1}, -1));
 }
 
 TEST(TriangleBvh, CoincidentTrianglesAreToldApart) {

@@ -27,6 +27,17 @@ RowVector3d ClosestPointOfSegment(const RowVector3d& p,
 
 }  // namespace
 
+Corners CornersOf(const Points& points, const Eigen::RowVector3i& triangle) {
+  Corners corners;
+  for (int k = 0; k < 3; ++k) corners.row(k) = points.row(triangle[k]);
+  return corners;
+}
+
+RowVector3d AreaVector(const Corners& t) {
+  return RowVector3d(t.row(1) - t.row(0))
+      .cross(RowVector3d(t.row(2) - t.row(0)));
+}
+
 Box3 BoxOf(const Corners& triangle, double margin) {
   Box3 box;
   for (int axis = 0; axis < 3; ++axis) {

@@ -147,6 +147,12 @@ class TriangleBvh {
   std::vector<Node> nodes_;
 };
 
+// The corners of a triangle of three vertices.
+Corners CornersOf(const Points& points, const Eigen::RowVector3i& triangle);
+
+// The normal of a triangle, as long as twice its area.
+Eigen::RowVector3d AreaVector(const Corners& triangle);
+
 // The boxes around a triangle, and around it and `margin` on all sides; around
 // two boxes.
 Box3 BoxOf(const Corners& triangle, double margin = 0);

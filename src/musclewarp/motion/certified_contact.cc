@@ -13,6 +13,9 @@
 namespace musclewarp {
 namespace {
 
+// Of a step at rest that is tried again.
+constexpr double kWiderReach = 1.5;
+
 std::vector<const TriangleBvh*> BoneTrees(const CertifiedContact& contact) {
   std::vector<const TriangleBvh*> trees;
   for (const auto& bone : contact.bones) trees.push_back(bone.get());
@@ -58,16 +61,16 @@ double LargestMove(const std::vector<Points>& a, const std::vector<Points>& b) {
 }  // namespace
 
 bool CertifiedContactOptions::IsValid(std::string* error) const {
-  if (max_rest_steps < 0 || max_halvings < 0 ||
-      !(rest_tolerance > 0 && max_turn > 0 && max_move > 0)) {
+  if (max_rest_steps < 0 || rest_sweeps < 1 || max_halvings < 0 ||
+      !(max_rest_reach > 0 && rest_tolerance > 0 && max_turn > 0 &&
+        max_move > 0)) {
     *error =
-        "CertifiedContactOptions: rest_tolerance, max_turn and max_move must "
-        "be above 0, max_rest_steps and max_halvings not below";
+        "CertifiedContactOptions: rest_sweeps, max_rest_reach, "
+        "rest_tolerance, max_turn and max_move must be above 0, "
+        "max_rest_steps and max_halvings not below";
     return false;
   }
-  CleanStepOptions at_rest = step;
-  at_rest.relaxation.reach = rest_reach;
-  return step.IsValid(error) && at_rest.IsValid(error);
+  return step.IsValid(error);
 }
 
 CertifiedContact PrepareCertifiedContact(
@@ -109,14 +112,21 @@ CertifiedContact PrepareCertifiedContact(
   state.points = std::move(separation.points);
   const std::vector<const TriangleBvh*> bones = BoneTrees(contact);
   CleanStepOptions step_options = options.step;
-  step_options.relaxation.reach = options.rest_reach;
+  step_options.relaxation.sweeps = options.rest_sweeps;
+  double& reach = step_options.relaxation.reach;
   for (int step = 0; step < options.max_rest_steps; ++step) {
     ContactState next = state;
     const std::vector<Points> before = state.points;
     const CleanStepSummary summary =
         StepCleanly(step_options, contact.muscles, bones, &next, &state);
-    if (!summary.is_clean && summary.crossing_pairs == 0) state = next;
     contact.crossing_pairs = summary.crossing_pairs;
+    if (summary.crossing_pairs > 0) {
+      if (reach >= options.max_rest_reach) break;
+      reach = std::min(kWiderReach * reach, options.max_rest_reach);
+      continue;
+    }
+    reach = options.step.relaxation.reach;
+    if (!summary.is_clean) state = next;
     if (LargestMove(before, state.points) < options.rest_tolerance) break;
   }
   SetOffsets(state, &contact.rest);

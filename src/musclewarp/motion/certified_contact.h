@@ -20,9 +20,11 @@ struct CertifiedContactOptions {
 
   // The separated rest pose is relaxed in at most so many steps, until no
   // vertex moves by more than the tolerance in one. It has far to go, so that
-  // its steps have a reach of their own, mm.
+  // its steps have more sweeps; one that leads to crossings is tried again with
+  // more reach, from where it started.
   int max_rest_steps = 20;
-  double rest_reach = 1;
+  int rest_sweeps = 30;
+  double max_rest_reach = 4;     // mm
   double rest_tolerance = 0.05;  // mm
 
   // A pose is reached in steps in which no body turns by more than this and no
