@@ -56,6 +56,36 @@ Eigen::Matrix3d BestRotation(const Eigen::Matrix3d& covariance) {
   return svd.matrixV() * signs.asDiagonal() * svd.matrixU().transpose();
 }
 
+// The same from a rotation nearby, by Newton's method on trace(exp([w]) R C).
+// This has no maximum on the rotations but the best one, so that a stationary
+// point with a negative definite second derivative is it.
+Eigen::Matrix3d BestRotation(const Eigen::Matrix3d& covariance,
+                             const Eigen::Matrix3d& nearby) {
+  constexpr int kMaxSteps = 8;
+  constexpr double kTolerance = 1e-6;  // rad; the error is its square
+  Eigen::Matrix3d rotation = nearby;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const Eigen::Matrix3d m = rotation * covariance;
+    const Eigen::Vector3d slope(
+        m(1, 2) - m(2, 1), m(2, 0) - m(0, 2), m(0, 1) - m(1, 0));
+    const Eigen::Matrix3d curvature =
+        m.trace() * Eigen::Matrix3d::Identity() - (m + m.transpose()) / 2;
+    const bool is_definite =
+        curvature(0, 0) > 0 &&
+        curvature.topLeftCorner<2, 2>().determinant() > 0 &&
+        curvature.determinant() > 0;
+    if (!is_definite) break;
+    const Eigen::Vector3d turn = curvature.inverse() * slope;
+    const double angle = turn.norm();
+    if (!(angle < 1)) break;
+    if (angle > 0) {
+      rotation = Eigen::AngleAxisd(angle, turn / angle) * rotation;
+    }
+    if (angle < kTolerance) return rotation;
+  }
+  return BestRotation(covariance);
+}
+
 Eigen::RowVector3d Normal(const Points& points, const Eigen::RowVector3i& f) {
   const Eigen::RowVector3d a = points.row(f[0]);
   return (points.row(f[1]) - a).cross(points.row(f[2]) - a);
@@ -83,15 +113,22 @@ std::vector<int> FoldedTriangles(const Points& rest,
   const Matrices covariances = SummedOverNeighbours(
       EdgeCovariances(rest, deformed, triangles), triangles);
   std::vector<char> is_folded(triangles.rows(), false);
+  // Neighbours in number are mostly neighbours in place, and turn alike.
+  constexpr Eigen::Index kBlock = 128;
 #pragma omp parallel for schedule(static)
-  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
-    if (IsNeedle(rest, triangles.row(f))) continue;
-    const Eigen::Matrix3d rotation = BestRotation(covariances[triangles(f, 0)] +
-                                                  covariances[triangles(f, 1)] +
-                                                  covariances[triangles(f, 2)]);
-    const Eigen::RowVector3d turned =
-        Normal(rest, triangles.row(f)) * rotation.transpose();
-    is_folded[f] = Normal(deformed, triangles.row(f)).dot(turned) < 0;
+  for (Eigen::Index begin = 0; begin < triangles.rows(); begin += kBlock) {
+    const Eigen::Index end = std::min(begin + kBlock, triangles.rows());
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    for (Eigen::Index f = begin; f < end; ++f) {
+      if (IsNeedle(rest, triangles.row(f))) continue;
+      rotation = BestRotation(covariances[triangles(f, 0)] +
+                                  covariances[triangles(f, 1)] +
+                                  covariances[triangles(f, 2)],
+                              rotation);
+      const Eigen::RowVector3d turned =
+          Normal(rest, triangles.row(f)) * rotation.transpose();
+      is_folded[f] = Normal(deformed, triangles.row(f)).dot(turned) < 0;
+    }
   }
   std::vector<int> folded;
   for (size_t f = 0; f < is_folded.size(); ++f) {
