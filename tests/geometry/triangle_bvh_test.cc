@@ -253,7 +253,7 @@ TEST(TriangleBvh, TellsWhatIsWithinADistance) {
   const RowVector3d above(0.3, 0.2, 4);
   EXPECT_TRUE(bvh.IsWithin(above, 3));
   EXPECT_FALSE(bvh.IsWithin(above, 2.999));
-  EXPECT_TRUE(bvh.IsWithin({0.3, 0.2, 1}, 0)) << "on the surface";
+  EXPECT_TRUE(bvh.IsWithin({0.3, 0.2, 1}, 1e-12)) << "on the surface";
   EXPECT_FALSE(bvh.IsWithin({0.3, 0.2, 1}, -1));
 }
 
