@@ -20,7 +20,7 @@ struct ContactRelaxationOptions {
   // How fast an offset dies away from where contact asks for it, mm.
   double smoothing_length = 8;
   // How far a vertex may go in one step from where it is carried to without
-  // being pushed, mm. What is nearer than that is looked at.
+  // being pushed, mm. What is nearer than most of that is looked at.
   double reach = 1;
   // Sweeps over all vertices; after defects were found.
   int sweeps = 24;
