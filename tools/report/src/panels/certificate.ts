@@ -16,7 +16,7 @@ type Verdict = "clean" | "crossing" | "unusable" | "missing";
 const verdictTexts: Record<Verdict, string> = {
   clean: "nothing crosses",
   crossing: "meshes cross",
-  unusable: "not usable: a solve did not converge",
+  unusable: "not usable: report.json says why",
   missing: "not in this run",
 };
 

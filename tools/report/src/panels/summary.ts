@@ -139,7 +139,7 @@ function runSummary(run: Run): HTMLElement {
   );
   const rows: Row[] = [
     ["Ended", endOf(run)],
-    ["Usable", report.summary.usable ? "yes" : "no: a solve did not converge"],
+    ["Usable", report.summary.usable ? "yes" : "no: report.json says why"],
     ["Frames without crossings", `${clean.length} of ${run.frames.length}`],
     ["Stop reasons", list(stopReasons(run))],
   ];
