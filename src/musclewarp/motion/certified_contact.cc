@@ -5,6 +5,7 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/motion/frame.h"
@@ -22,19 +23,29 @@ std::vector<const TriangleBvh*> BoneTrees(const CertifiedContact& contact) {
   return trees;
 }
 
+std::vector<int> OrderOfNames(const PreparedScene& scene) {
+  std::vector<int> order(scene.muscles.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return scene.muscles[a].model.name < scene.muscles[b].model.name;
+  });
+  return order;
+}
+
 ContactState ContactStateOf(const PreparedScene& scene,
+                            const std::vector<int>& order,
                             const SceneState& state) {
   ContactState contact;
-  contact.points.resize(scene.muscles.size());
-  contact.targets.resize(scene.muscles.size());
+  contact.points.resize(order.size());
+  contact.targets.resize(order.size());
 #pragma omp parallel for schedule(dynamic, 1)
-  for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    const MuscleModel& model = scene.muscles[i].model;
-    const MuscleState& muscle = state.muscles[i];
-    contact.targets[i] = FinePoints(model, {muscle.coarse, {}});
-    contact.points[i] = contact.targets[i];
+  for (size_t k = 0; k < order.size(); ++k) {
+    const MuscleModel& model = scene.muscles[order[k]].model;
+    const MuscleState& muscle = state.muscles[order[k]];
+    contact.targets[k] = FinePoints(model, {muscle.coarse, {}});
+    contact.points[k] = contact.targets[k];
     if (muscle.contact.fine_offset.rows() > 0) {
-      contact.points[i] += muscle.contact.fine_offset;
+      contact.points[k] += muscle.contact.fine_offset;
     }
   }
   for (const PreparedBone& bone : scene.bones) {
@@ -43,10 +54,12 @@ ContactState ContactStateOf(const PreparedScene& scene,
   return contact;
 }
 
-void SetOffsets(const ContactState& contact, SceneState* state) {
-  for (size_t i = 0; i < contact.points.size(); ++i) {
-    state->muscles[i].contact.fine_offset =
-        contact.points[i] - contact.targets[i];
+void SetOffsets(const std::vector<int>& order,
+                const ContactState& contact,
+                SceneState* state) {
+  for (size_t k = 0; k < order.size(); ++k) {
+    state->muscles[order[k]].contact.fine_offset =
+        contact.points[k] - contact.targets[k];
   }
 }
 
@@ -81,34 +94,41 @@ CertifiedContact PrepareCertifiedContact(
   CertifiedContact contact;
   contact.options = options;
   contact.rest.pose = RestPose(scene.scene);
+  contact.order = OrderOfNames(scene);
   for (const PreparedMuscle& muscle : scene.muscles) {
-    contact.muscles.push_back(ContactMesh::Of(muscle.model.fine_rest,
-                                              muscle.model.fine_triangles,
-                                              muscle.model.rest_volume));
     contact.rest.muscles.push_back({muscle.model.coarse_rest, {}});
+  }
+  for (const int i : contact.order) {
+    const MuscleModel& model = scene.muscles[i].model;
+    contact.muscles.push_back(ContactMesh::Of(
+        model.fine_rest, model.fine_triangles, model.rest_volume));
   }
   for (const PreparedBone& bone : scene.bones) {
     contact.bones.push_back(
         std::make_unique<TriangleBvh>(bone.rest.points, bone.rest.triangles));
   }
-  for (const ExemptArea& area : scene.exempt) {
+  std::vector<ExemptArea> exempt = scene.exempt;
+  for (ExemptArea& area : exempt) {
+    const auto place =
+        std::find(contact.order.begin(), contact.order.end(), area.muscle);
+    area.muscle = static_cast<int>(place - contact.order.begin());
     auto& of_muscle = contact.muscles[area.muscle].exempt;
     of_muscle.resize(scene.bones.size());
     of_muscle[area.bone] = area.triangles;
   }
   const SceneMeshes meshes(scene);
-  const auto all = [](const std::vector<NamedMesh>& named) {
-    std::vector<const SearchableMesh*> list;
-    for (const NamedMesh& mesh : named) list.push_back(mesh.mesh);
-    return list;
-  };
-  InitialSeparation separation = SeparateInitially(all(meshes.muscles()),
-                                                   all(meshes.bones()),
-                                                   scene.exempt,
-                                                   options.separation);
+  std::vector<const SearchableMesh*> muscles, bones_at_rest;
+  for (const int i : contact.order) {
+    muscles.push_back(meshes.muscles()[i].mesh);
+  }
+  for (const NamedMesh& bone : meshes.bones()) {
+    bones_at_rest.push_back(bone.mesh);
+  }
+  InitialSeparation separation = SeparateInitially(
+      muscles, bones_at_rest, exempt, options.separation);
   contact.separation_rounds = separation.rounds;
   contact.crossing_pairs = separation.crossing_pairs;
-  ContactState state = ContactStateOf(scene, contact.rest);
+  ContactState state = ContactStateOf(scene, contact.order, contact.rest);
   state.points = std::move(separation.points);
   const std::vector<const TriangleBvh*> bones = BoneTrees(contact);
   CleanStepOptions step_options = options.step;
@@ -129,7 +149,7 @@ CertifiedContact PrepareCertifiedContact(
     if (!summary.is_clean) state = next;
     if (LargestMove(before, state.points) < options.rest_tolerance) break;
   }
-  SetOffsets(state, &contact.rest);
+  SetOffsets(contact.order, state, &contact.rest);
   contact.wall_ms = preparing.Milliseconds();
   return contact;
 }
@@ -147,7 +167,7 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
   const double longest = 1.0 / StepsBetween(scene.scene, from, pose, limits);
   const double shortest = longest / (1 << contact.options.max_halvings);
   const std::vector<const TriangleBvh*> bones = BoneTrees(contact);
-  ContactState current = ContactStateOf(scene, *state);
+  ContactState current = ContactStateOf(scene, contact.order, *state);
   CertifiedWay way;
   way.is_clean = true;
   double at = 0, step = longest;
@@ -163,7 +183,7 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
     for (const MuscleState& muscle : solved.states) {
       reached.muscles.push_back({muscle.coarse, {}});
     }
-    ContactState next = ContactStateOf(scene, reached);
+    ContactState next = ContactStateOf(scene, contact.order, reached);
     const CleanStepSummary summary = StepCleanly(
         contact.options.step, contact.muscles, bones, &next, &current);
     ++way.steps;
@@ -181,7 +201,7 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
     } else {
       step = std::min(longest, 2 * step);
     }
-    SetOffsets(current, &reached);
+    SetOffsets(contact.order, current, &reached);
     *state = std::move(reached);
     at = to;
     way.solved.solve_ms += solved.solve_ms;

@@ -41,7 +41,10 @@ struct CertifiedContactOptions {
 // crossings that every motion starts from. Constant from then on.
 struct CertifiedContact {
   CertifiedContactOptions options;
-  std::vector<ContactMesh> muscles;
+  // Muscles are taken in the order of their names: rounding must not see that
+  // of the scene either. Of the first, the second, ... the index in the scene.
+  std::vector<int> order;
+  std::vector<ContactMesh> muscles;  // in that order
   std::vector<std::unique_ptr<TriangleBvh>> bones;  // at rest
   SceneState rest;
   int separation_rounds = 0;

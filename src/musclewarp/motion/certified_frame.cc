@@ -10,7 +10,6 @@
 #include "musclewarp/certificate/scene_intersections.h"
 
 namespace musclewarp {
-namespace {}  // namespace
 
 std::vector<std::string> Shortcomings(const PreparedScene& scene,
                                       const CertifiedContact& contact,
@@ -35,14 +34,15 @@ std::vector<std::string> Shortcomings(const PreparedScene& scene,
         pair.max_depth_mm,
         " mm deep");
   }
-  for (size_t i = 0; i < frame.muscles.size(); ++i) {
+  for (size_t k = 0; k < contact.order.size(); ++k) {
+    const int i = contact.order[k];
     const MuscleFrame& muscle = frame.muscles[i];
     const MuscleModel& model = scene.muscles[i].model;
     const double error = std::abs(muscle.volume_ratio - 1);
     if (!(error <= kMaxVolumeError)) {
       say(model.name, ": volume off by ", error, ", allowed ", kMaxVolumeError);
     }
-    const int self_pairs = contact.muscles[i].self_pairs;
+    const int self_pairs = contact.muscles[k].self_pairs;
     if (muscle.self_pairs > self_pairs) {
       say(model.name,
           ": ",
