@@ -23,9 +23,21 @@ const Points& MuscleUnknowns::CoarseOf(const Points& values) const {
   return last_coarse_;
 }
 
+const Points& MuscleUnknowns::CoarseOf(double const* const* blocks) const {
+  Points values(num_blocks(), 3);
+  for (int j = 0; j < num_blocks(); ++j) {
+    values.row(j) = Eigen::Map<const Eigen::RowVector3d>(blocks[j]);
+  }
+  return CoarseOf(values);
+}
+
 Points MuscleUnknowns::GradientOf(const Points& coarse_gradient) const {
   return whitening_ ? whitening_->WhitenedGradient(coarse_gradient)
                     : coarse_gradient;
+}
+
+RowMajorMatrix MuscleUnknowns::RowsOf(const RowMajorMatrix& coarse_rows) const {
+  return whitening_ ? whitening_->WhitenedRows(coarse_rows) : coarse_rows;
 }
 
 void MuscleUnknowns::SetCoarse(const Points& coarse) {

@@ -36,13 +36,18 @@ class MuscleUnknowns {
   // same place more than once; valid until the next call. Not for use from
   // several threads.
   const Points& CoarseOf(const Points& values) const;
+  // Of parameter blocks.
+  const Points& CoarseOf(double const* const* blocks) const;
 
   // dg/d(values) of a function with the gradient dg/dX.
   Points GradientOf(const Points& coarse_gradient) const;
+  // Rows that give points from values, of those that give them from X (k x N).
+  RowMajorMatrix RowsOf(const RowMajorMatrix& coarse_rows) const;
 
   bool IsWhitened() const { return whitening_.has_value(); }
   double* data() { return values_.data(); }
   int size() const { return static_cast<int>(values_.size()); }
+  int num_blocks() const { return static_cast<int>(values_.rows()); }
   std::vector<double*> Blocks();
 
  private:

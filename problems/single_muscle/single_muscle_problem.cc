@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "problems/single_muscle/contact_term.h"
 #include "problems/single_muscle/coordinates_term.h"
 #include "problems/single_muscle/laplacian_term.h"
 #include "problems/single_muscle/volume_term.h"
@@ -62,6 +63,10 @@ void AddMuscle(const MuscleModel& model,
     AddLaplacianTerms(model, target, blocks, problem);
     AddCoordinatesTerms(model.skeleton, target.skeleton, blocks, problem);
     AddCoordinatesTerms(model.attachment, target.attachment, blocks, problem);
+  }
+  if (target.contact.size() > 0) {
+    problem->AddResidualBlock(
+        new ContactTerm(model, &target.contact, unknowns), nullptr, blocks);
   }
   problem->AddResidualBlock(
       new VolumeTerm(unknowns, volume, &constraint), nullptr, blocks);

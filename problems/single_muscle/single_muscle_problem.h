@@ -20,10 +20,9 @@ namespace musclewarp {
 // every block, which makes its normal matrix dense.
 //
 // In whitened unknowns the same energy is a WhitenedLinearTerm per unknown and
-// a VolumeTerm.
+// a VolumeTerm. In both, a ContactTerm if the target has contact rows.
 //
-// `volume` is that of the model. All arguments but the target must outlive the
-// problem.
+// `volume` is that of the model. All arguments must outlive the problem.
 void AddMuscle(const MuscleModel& model,
                const MuscleTarget& target,
                const HardConstraint& constraint,

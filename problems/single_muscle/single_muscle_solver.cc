@@ -73,11 +73,8 @@ void SolveSingleMuscle(const MuscleModel& model,
   near.violation_tolerance = near.step_tolerance =
       options.fine_volume_threshold;
   const SolverSummary approach = solve(VolumeMesh::kCoarse, near);
-  *summary = solve(VolumeMesh::kFine, options.hard_constraint);
-  summary->iterations += approach.iterations;
-  summary->history.insert(summary->history.begin(),
-                          approach.history.begin(),
-                          approach.history.end());
+  *summary =
+      Following(approach, solve(VolumeMesh::kFine, options.hard_constraint));
   summary->initial_energy = LinearEnergy(model, target, *coarse);
   *coarse = unknowns.Coarse();
   SummarizeSolution(model, target, MuscleState{*coarse, {}}, summary);

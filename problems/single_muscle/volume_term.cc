@@ -19,11 +19,7 @@ bool VolumeTerm::Evaluate(double const* const* parameters,
                           double* residual,
                           double** jacobians) const {
   const double area = evaluator_.model().rest_area;
-  Points values(parameter_block_sizes().size(), 3);
-  for (Eigen::Index j = 0; j < values.rows(); ++j) {
-    values.row(j) = Eigen::Map<const Eigen::RowVector3d>(parameters[j]);
-  }
-  const Points& coarse = unknowns_.CoarseOf(values);
+  const Points& coarse = unknowns_.CoarseOf(parameters);
   residual[0] = constraint_.Residual(evaluator_.Error(coarse) / area);
   if (jacobians) {
     const double root = std::sqrt(constraint_.penalty);

@@ -19,4 +19,11 @@ Points Whitening::WhitenedGradient(const Points& coarse_gradient) const {
   return model_.normal_matrix.matrixL().solve(coarse_gradient);
 }
 
+RowMajorMatrix Whitening::WhitenedRows(
+    const RowMajorMatrix& coarse_rows) const {
+  return model_.normal_matrix.matrixL()
+      .solve(coarse_rows.transpose())
+      .transpose();
+}
+
 }  // namespace musclewarp

@@ -24,6 +24,8 @@ class Whitening {
   Points CoarseFromWhitened(const Points& whitened) const;
   // dg/dY = U^-T dg/dX.
   Points WhitenedGradient(const Points& coarse_gradient) const;
+  // Of rows that give points p = R X (k x N) those with p = R U^-1 Y + R X*.
+  RowMajorMatrix WhitenedRows(const RowMajorMatrix& coarse_rows) const;
 
  private:
   const MuscleModel& model_;

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 #include "contact/contact_cases.h"
 #include "musclewarp/geometry/mesh_intersection.h"
@@ -61,7 +62,7 @@ struct Group {
   }
 
   CleanStepSummary StepTo(ContactState* next) {
-    return StepCleanly({}, muscles, bones, next, &state);
+    return StepCleanly({}, muscles, bones, nullptr, next, &state);
   }
 
   int CrossingPairs() const {
@@ -103,6 +104,49 @@ Group SpheresOverABone() {
 }
 
 }  // namespace
+
+// The coarse meshes see the planes that vertices have to stay beyond; where
+// they bring all vertices then is where the rest of the step takes them.
+TEST(CleanStep, AsksTheCoarseMeshesToMakeWay) {
+  Group group = SpheresOverABone();
+  ContactState next = group.state;
+  next.targets[0].rowwise() += RowVector3d(0, 0, -0.8);
+  const Points free = next.targets[0];
+  std::vector<int> all(free.rows());
+  std::iota(all.begin(), all.end(), 0);
+  int asked = 0;
+  const CoarseContact lift = [&](const ContactRelaxation& relaxation) {
+    ++asked;
+    double deepest = 0;
+    for (const VertexPlane& plane : relaxation.TightestPlanes(0, all)) {
+      const RowVector3d& normal = plane.space.normal;
+      EXPECT_NEAR(normal.norm(), 1, 1e-12);
+      const double depth =
+          plane.space.level - normal.dot(free.row(plane.vertex));
+      if (depth <= deepest) continue;
+      deepest = depth;
+      // The bone is below, its upper side at 0, the muscle was at 0.5.
+      EXPECT_NEAR(normal[2], 1, 1e-6);
+      EXPECT_GT(plane.space.level, 0);
+      EXPECT_LT(plane.space.level, 0.5);
+    }
+    EXPECT_GT(deepest, 0.3);
+    std::vector<Points> lifted = next.targets;
+    lifted[0].col(2).array() += deepest;
+    return lifted;
+  };
+  CleanStepOptions options;
+  options.relaxation.sweeps = 1000;  // until nothing changes
+  const CleanStepSummary summary = StepCleanly(
+      options, group.muscles, group.bones, lift, &next, &group.state);
+  EXPECT_TRUE(summary.is_clean);
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(group.CrossingPairs(), 0);
+  // Nothing is left for single vertices.
+  const Points offset = group.state.points[0] - next.targets[0];
+  EXPECT_LT(offset.rowwise().norm().maxCoeff(), 1e-6);
+  EXPECT_GT((next.targets[0] - free).rowwise().norm().minCoeff(), 0.3);
+}
 
 TEST(CleanStep, GoesToTheTargetsWhereNothingIsInTheWay) {
   Group group = SpheresOverABone();

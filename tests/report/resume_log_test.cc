@@ -17,6 +17,7 @@ namespace {
 std::vector<MuscleState> SomeStates(int seed) {
   MuscleState with_offset;
   with_offset.coarse = Points::Constant(4, 3, 1.0 / (seed + 3));
+  with_offset.contact.free_coarse = Points::Constant(4, 3, 1.0 / seed);
   with_offset.contact.fine_offset = Points::Constant(5, 3, 1e-17);
   MuscleState without;
   without.coarse = Points::Constant(2, 3, -seed);
@@ -28,6 +29,9 @@ void ExpectStates(const std::vector<MuscleState>& states,
   ASSERT_EQ(states.size(), expected.size());
   for (size_t i = 0; i < states.size(); ++i) {
     EXPECT_EQ(states[i].coarse, expected[i].coarse);
+    ASSERT_EQ(states[i].contact.free_coarse.rows(),
+              expected[i].contact.free_coarse.rows());
+    EXPECT_EQ(states[i].contact.free_coarse, expected[i].contact.free_coarse);
     ASSERT_EQ(states[i].contact.fine_offset.rows(),
               expected[i].contact.fine_offset.rows());
     EXPECT_EQ(states[i].contact.fine_offset, expected[i].contact.fine_offset);

@@ -17,16 +17,24 @@ bool CleanStepOptions::IsValid(std::string* error) const {
 CleanStepSummary StepCleanly(const CleanStepOptions& options,
                              const std::vector<ContactMesh>& muscles,
                              const std::vector<const TriangleBvh*>& rest_bones,
+                             const CoarseContact& coarse_contact,
                              ContactState* next,
                              ContactState* state) {
   CleanStepSummary summary;
   ContactRelaxation relaxation(
       options.relaxation, muscles, rest_bones, *state, *next);
+  int sweeps = options.relaxation.sweeps;
+  if (coarse_contact) {
+    relaxation.Sweep(sweeps / 2);
+    sweeps -= sweeps / 2;
+    next->targets = coarse_contact(relaxation);
+    relaxation.SetTargets(next->targets);
+  }
   // Two muscles share a gap.
   const double allowed = (1 - options.least_gap) / 2 * options.relaxation.gap;
   while (!summary.is_clean && summary.rounds < options.max_rounds) {
     ++summary.rounds;
-    relaxation.Sweep(summary.rounds == 1 ? options.relaxation.sweeps
+    relaxation.Sweep(summary.rounds == 1 ? sweeps
                                          : options.relaxation.repair_sweeps);
     summary.volume_error = relaxation.RestoreVolumes();
     summary.violation = relaxation.WorstViolation();

@@ -2,12 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "musclewarp/contact/contact_relaxation.h"
 
 namespace musclewarp {
+
+// Lets the coarse meshes make way for what vertices meet in a relaxation.
+// Returns where they bring all vertices, the targets of what is left to single
+// ones: by muscle, #V x 3.
+using CoarseContact =
+    std::function<std::vector<Points>(const ContactRelaxation& relaxation)>;
 
 struct CleanStepOptions {
   ContactRelaxationOptions relaxation;
@@ -31,10 +38,11 @@ struct CleanStepSummary {
 // Moves `state`, which is clean, to where `next` has bones and targets, so that
 // it is clean there (ContactRelaxation). If it is not, the step was too far, or
 // there is no room: what was reached is in `next.points`, and `state` is as it
-// was.
+// was. Without `coarse_contact` the targets are as they are.
 CleanStepSummary StepCleanly(const CleanStepOptions& options,
                              const std::vector<ContactMesh>& muscles,
                              const std::vector<const TriangleBvh*>& rest_bones,
+                             const CoarseContact& coarse_contact,
                              ContactState* next,
                              ContactState* state);
 

@@ -29,6 +29,9 @@ constexpr int kFullSweepEvery = 6;
 // towards each other. They rarely do, and are found later where they do.
 constexpr double kLookedAt = 0.7;
 
+// A plane is near to a vertex that is nearer than this, mm.
+constexpr double kNear = 0.5;
+
 // A push goes no farther than this, mm.
 constexpr double kFarthestPush = 5;
 
@@ -475,6 +478,28 @@ double ContactRelaxation::RestoreVolumes() {
     worst = std::max(worst, RestoreVolume(i));
   }
   return worst;
+}
+
+std::vector<VertexPlane> ContactRelaxation::TightestPlanes(
+    int muscle, const std::vector<int>& vertices) const {
+  std::vector<VertexPlane> planes;
+  for (const int v : vertices) {
+    double depth = -std::numeric_limits<double>::infinity();
+    VertexPlane tightest;
+    for (int i = first_sides_[muscle][v]; i < first_sides_[muscle][v + 1];
+         ++i) {
+      const Side& side = sides_[muscle][i];
+      const RowVector3d& normal = side.space.normal;
+      const double level = Level(side);
+      if (normal.dot(points_[muscle].row(v)) > level + kNear) continue;
+      const double depth_here = level - normal.dot(targets_[muscle].row(v));
+      if (depth_here <= depth) continue;
+      depth = depth_here;
+      tightest = {v, {normal, level}};
+    }
+    if (std::isfinite(depth)) planes.push_back(tightest);
+  }
+  return planes;
 }
 
 double ContactRelaxation::WorstViolation() const {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "musclewarp/contact/contact_mesh.h"
@@ -38,6 +39,12 @@ struct ContactState {
   std::vector<Points> points;   // of the muscles, #V x 3, mm
   std::vector<Points> targets;  // the same without contact
   std::vector<Eigen::Matrix4d> bones_from_rest;
+};
+
+// A plane that a vertex has to stay beyond.
+struct VertexPlane {
+  int vertex;
+  HalfSpace space;
 };
 
 // What is wrong with a state.
@@ -83,6 +90,17 @@ class ContactRelaxation {
                     const ContactState& next);
 
   void Sweep(int sweeps);
+
+  // Of those of the vertices that are near planes, each with the one of these
+  // on the wrong side of which its target is farthest, or that it is nearest
+  // to.
+  std::vector<VertexPlane> TightestPlanes(
+      int muscle, const std::vector<int>& vertices) const;
+
+  // From now on offsets are those from `targets` (#V x 3 each).
+  void SetTargets(std::vector<Points> targets) {
+    targets_ = std::move(targets);
+  }
 
   // Moves vertices that no plane holds along their normals, until volumes are
   // as they should be (paper section 3.3: what is in contact takes no part).

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "musclewarp/base/stopwatch.h"
+#include "musclewarp/geometry/spread_points.h"
 #include "musclewarp/motion/frame.h"
 #include "musclewarp/scene/line_targets.h"
 
@@ -32,26 +33,25 @@ std::vector<int> OrderOfNames(const PreparedScene& scene) {
   return order;
 }
 
-ContactState ContactStateOf(const PreparedScene& scene,
-                            const std::vector<int>& order,
-                            const SceneState& state) {
-  ContactState contact;
-  contact.points.resize(order.size());
-  contact.targets.resize(order.size());
+// In the order of contact.
+std::vector<Points> FineMeshes(const PreparedScene& scene,
+                               const std::vector<int>& order,
+                               const std::vector<MuscleState>& muscles) {
+  std::vector<Points> meshes(order.size());
 #pragma omp parallel for schedule(dynamic, 1)
   for (size_t k = 0; k < order.size(); ++k) {
-    const MuscleModel& model = scene.muscles[order[k]].model;
-    const MuscleState& muscle = state.muscles[order[k]];
-    contact.targets[k] = FinePoints(model, {muscle.coarse, {}});
-    contact.points[k] = contact.targets[k];
-    if (muscle.contact.fine_offset.rows() > 0) {
-      contact.points[k] += muscle.contact.fine_offset;
-    }
+    meshes[k] = FinePoints(scene.muscles[order[k]].model, muscles[order[k]]);
   }
+  return meshes;
+}
+
+std::vector<Eigen::Matrix4d> BonesFromRest(const PreparedScene& scene,
+                                           const ScenePose& pose) {
+  std::vector<Eigen::Matrix4d> transforms;
   for (const PreparedBone& bone : scene.bones) {
-    contact.bones_from_rest.push_back(BodyTransform(state.pose, bone.body));
+    transforms.push_back(BodyTransform(pose, bone.body));
   }
-  return contact;
+  return transforms;
 }
 
 void SetOffsets(const std::vector<int>& order,
@@ -61,6 +61,23 @@ void SetOffsets(const std::vector<int>& order,
     state->muscles[order[k]].contact.fine_offset =
         contact.points[k] - contact.targets[k];
   }
+}
+
+std::vector<MuscleState> CoarseAlone(const std::vector<MuscleState>& muscles) {
+  std::vector<MuscleState> coarse;
+  for (const MuscleState& muscle : muscles) {
+    coarse.push_back({muscle.coarse, {}});
+  }
+  return coarse;
+}
+
+SceneState WithoutContact(const SceneState& state) {
+  SceneState free;
+  free.pose = state.pose;
+  for (const MuscleState& muscle : state.muscles) {
+    free.muscles.push_back({FreeCoarse(muscle), {}});
+  }
+  return free;
 }
 
 double LargestMove(const std::vector<Points>& a, const std::vector<Points>& b) {
@@ -75,12 +92,14 @@ double LargestMove(const std::vector<Points>& a, const std::vector<Points>& b) {
 
 bool CertifiedContactOptions::IsValid(std::string* error) const {
   if (max_rest_steps < 0 || rest_sweeps < 1 || max_halvings < 0 ||
-      !(max_rest_reach > 0 && rest_tolerance > 0 && max_turn > 0 &&
+      !(samples_per_coarse_vertex > 0 && coarse_weight >= 0 &&
+        max_rest_reach > 0 && rest_tolerance > 0 && max_turn > 0 &&
         max_move > 0)) {
     *error =
-        "CertifiedContactOptions: rest_sweeps, max_rest_reach, "
+        "CertifiedContactOptions: samples_per_coarse_vertex, rest_sweeps, "
+        "max_rest_reach, "
         "rest_tolerance, max_turn and max_move must be above 0, "
-        "max_rest_steps and max_halvings not below";
+        "coarse_weight, max_rest_steps and max_halvings not below";
     return false;
   }
   return step.IsValid(error);
@@ -102,6 +121,10 @@ CertifiedContact PrepareCertifiedContact(
     const MuscleModel& model = scene.muscles[i].model;
     contact.muscles.push_back(ContactMesh::Of(
         model.fine_rest, model.fine_triangles, model.rest_volume));
+    contact.samples.push_back(SpreadPoints(
+        model.fine_rest,
+        static_cast<int>(options.samples_per_coarse_vertex *
+                         static_cast<double>(model.coarse_rest.rows()))));
   }
   for (const PreparedBone& bone : scene.bones) {
     contact.bones.push_back(
@@ -124,12 +147,14 @@ CertifiedContact PrepareCertifiedContact(
   for (const NamedMesh& bone : meshes.bones()) {
     bones_at_rest.push_back(bone.mesh);
   }
-  InitialSeparation separation = SeparateInitially(
-      muscles, bones_at_rest, exempt, options.separation);
+  InitialSeparation separation =
+      SeparateInitially(muscles, bones_at_rest, exempt, options.separation);
   contact.separation_rounds = separation.rounds;
   contact.crossing_pairs = separation.crossing_pairs;
-  ContactState state = ContactStateOf(scene, contact.order, contact.rest);
+  ContactState state;
   state.points = std::move(separation.points);
+  state.targets = FineMeshes(scene, contact.order, contact.rest.muscles);
+  state.bones_from_rest = BonesFromRest(scene, contact.rest.pose);
   const std::vector<const TriangleBvh*> bones = BoneTrees(contact);
   CleanStepOptions step_options = options.step;
   step_options.relaxation.sweeps = options.rest_sweeps;
@@ -137,8 +162,8 @@ CertifiedContact PrepareCertifiedContact(
   for (int step = 0; step < options.max_rest_steps; ++step) {
     ContactState next = state;
     const std::vector<Points> before = state.points;
-    const CleanStepSummary summary =
-        StepCleanly(step_options, contact.muscles, bones, &next, &state);
+    const CleanStepSummary summary = StepCleanly(
+        step_options, contact.muscles, bones, nullptr, &next, &state);
     contact.crossing_pairs = summary.crossing_pairs;
     if (summary.crossing_pairs > 0) {
       if (reach >= options.max_rest_reach) break;
@@ -167,7 +192,11 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
   const double longest = 1.0 / StepsBetween(scene.scene, from, pose, limits);
   const double shortest = longest / (1 << contact.options.max_halvings);
   const std::vector<const TriangleBvh*> bones = BoneTrees(contact);
-  ContactState current = ContactStateOf(scene, contact.order, *state);
+  ContactState current;
+  current.points = FineMeshes(scene, contact.order, state->muscles);
+  current.targets =
+      FineMeshes(scene, contact.order, CoarseAlone(state->muscles));
+  current.bones_from_rest = BonesFromRest(scene, state->pose);
   CertifiedWay way;
   way.is_clean = true;
   double at = 0, step = longest;
@@ -176,16 +205,41 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
     const double to = at + 1.01 * step >= 1 ? 1 : at + step;
     const ScenePose next_pose =
         to == 1 ? pose : PoseBetween(scene.scene, from, pose, to);
-    SolvedPose solved =
-        SolvePose(scene, nullptr, next_pose, pre_rotation, solver, state);
-    SceneState reached;
-    reached.pose = next_pose;
-    for (const MuscleState& muscle : solved.states) {
-      reached.muscles.push_back({muscle.coarse, {}});
+    const SceneState before = WithoutContact(*state);
+    const SolvedPose free =
+        SolvePose(scene, nullptr, next_pose, pre_rotation, solver, &before);
+    // What contact has moved the coarse meshes by goes along.
+    SolvedPose solved = free;
+    for (size_t i = 0; i < scene.muscles.size(); ++i) {
+      solved.states[i].coarse +=
+          state->muscles[i].coarse - before.muscles[i].coarse;
     }
-    ContactState next = ContactStateOf(scene, contact.order, reached);
-    const CleanStepSummary summary = StepCleanly(
-        contact.options.step, contact.muscles, bones, &next, &current);
+    ContactState next;
+    next.targets = FineMeshes(scene, contact.order, solved.states);
+    next.bones_from_rest = BonesFromRest(scene, next_pose);
+    const CoarseContact make_way = [&](const ContactRelaxation& relaxation) {
+      std::vector<ContactRows> rows(scene.muscles.size());
+      for (size_t k = 0; k < contact.order.size(); ++k) {
+        rows[contact.order[k]] = ContactRowsOf(
+            relaxation.TightestPlanes(static_cast<int>(k), contact.samples[k]),
+            contact.options.coarse_weight);
+      }
+      solved = SolveWithContactRows(scene,
+                                    free,
+                                    next_pose,
+                                    pre_rotation,
+                                    solver,
+                                    std::move(rows),
+                                    std::move(solved.states));
+      return FineMeshes(scene, contact.order, solved.states);
+    };
+    const CleanStepSummary summary =
+        StepCleanly(contact.options.step,
+                    contact.muscles,
+                    bones,
+                    contact.options.coarse_weight > 0 ? make_way : nullptr,
+                    &next,
+                    &current);
     ++way.steps;
     way.rounds += summary.rounds;
     const bool is_shortest = step <= shortest * 1.01;
@@ -201,12 +255,13 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
     } else {
       step = std::min(longest, 2 * step);
     }
-    SetOffsets(contact.order, current, &reached);
-    *state = std::move(reached);
+    *state = {next_pose, std::move(solved.states)};
+    for (size_t i = 0; i < state->muscles.size(); ++i) {
+      state->muscles[i].contact.free_coarse = free.states[i].coarse;
+    }
+    SetOffsets(contact.order, current, state);
+    way.summaries = std::move(solved.summaries);
     at = to;
-    way.solved.solve_ms += solved.solve_ms;
-    way.solved.states = state->muscles;
-    way.solved.summaries = std::move(solved.summaries);
   }
   return way;
 }

@@ -18,6 +18,12 @@ struct CertifiedContactOptions {
   InitialSeparationOptions separation;
   CleanStepOptions step;
 
+  // How the coarse meshes make way (ContactRows): how many fine vertices of a
+  // muscle they heed, for each of their own, and the weight of a row. What that
+  // leaves, as the shape resists, is for single vertices. Weight 0: all of it.
+  double samples_per_coarse_vertex = 3;
+  double coarse_weight = 0.3;
+
   // The separated rest pose is relaxed in at most so many steps, until no
   // vertex moves by more than the tolerance in one. It has far to go, so that
   // its steps have more sweeps; one that leads to crossings is tried again with
@@ -45,6 +51,8 @@ struct CertifiedContact {
   // of the scene either. Of the first, the second, ... the index in the scene.
   std::vector<int> order;
   std::vector<ContactMesh> muscles;  // in that order
+  // The fine vertices of each that the coarse meshes heed.
+  std::vector<std::vector<int>> samples;
   std::vector<std::unique_ptr<TriangleBvh>> bones;  // at rest
   SceneState rest;
   int separation_rounds = 0;
@@ -58,9 +66,9 @@ CertifiedContact PrepareCertifiedContact(
 
 // How a pose was reached.
 struct CertifiedWay {
-  SolvedPose solved;  // without contact, of the pose itself
-  int steps = 0;      // of the pose, those given up included
-  int rounds = 0;     // of contact
+  std::vector<SolverSummary> summaries;  // of the last step
+  int steps = 0;                         // of the pose, those given up included
+  int rounds = 0;                        // of contact
   bool is_clean = false;
 };
 

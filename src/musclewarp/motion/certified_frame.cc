@@ -98,13 +98,13 @@ Frame SolveCertifiedFrame(const PreparedScene& scene,
   MeasureFrame(scene,
                *frame.pose,
                reached.muscles,
-               std::move(way.solved.summaries),
+               std::move(way.summaries),
                meshes,
                &frame);
   std::vector<Points> without_contact;
   for (size_t i = 0; i < frame.muscles.size(); ++i) {
-    without_contact.push_back(frame.muscles[i].fine -
-                              reached.muscles[i].contact.fine_offset);
+    without_contact.push_back(FinePoints(scene.muscles[i].model,
+                                         {FreeCoarse(reached.muscles[i]), {}}));
   }
   meshes->MoveTo(without_contact, frame.bones);
   const std::vector<double> depths =
@@ -112,7 +112,7 @@ Frame SolveCertifiedFrame(const PreparedScene& scene,
   for (size_t i = 0; i < frame.muscles.size(); ++i) {
     MuscleFrame& muscle = frame.muscles[i];
     const Eigen::VectorXd moves =
-        reached.muscles[i].contact.fine_offset.rowwise().norm();
+        (muscle.fine - without_contact[i]).rowwise().norm();
     muscle.max_contact_displacement = moves.maxCoeff();
     muscle.mean_contact_displacement = moves.mean();
     muscle.depth_without_contact = depths[i];

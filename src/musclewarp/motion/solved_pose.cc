@@ -58,4 +58,36 @@ SolvedPose SolvePose(const PreparedScene& scene,
   return solved;
 }
 
+SolvedPose SolveWithContactRows(const PreparedScene& scene,
+                                const SolvedPose& free,
+                                const ScenePose& pose,
+                                const PreRotationOptions& pre_rotation,
+                                const GroupSolver& solver,
+                                std::vector<ContactRows> rows,
+                                std::vector<MuscleState> start) {
+  std::vector<size_t> in_contact;
+  std::vector<const MuscleModel*> models;
+  std::vector<MuscleTarget> targets;
+  std::vector<MuscleState> states;
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    if (rows[i].size() == 0) continue;
+    in_contact.push_back(i);
+    models.push_back(&scene.muscles[i].model);
+    targets.push_back(TargetOf(*models.back(), pose, pre_rotation));
+    targets.back().contact = std::move(rows[i]);
+    states.push_back(std::move(start[i]));
+  }
+  SolvedPose solved = free;
+  std::vector<SolverSummary> summaries;
+  const Stopwatch solving;
+  solver(models, targets, nullptr, &states, &summaries);
+  solved.solve_ms += solving.Milliseconds();
+  for (size_t k = 0; k < in_contact.size(); ++k) {
+    solved.states[in_contact[k]] = std::move(states[k]);
+    SolverSummary& summary = solved.summaries[in_contact[k]];
+    summary = Following(summary, std::move(summaries[k]));
+  }
+  return solved;
+}
+
 }  // namespace musclewarp

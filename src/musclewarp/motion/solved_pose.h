@@ -7,6 +7,7 @@
 #include "musclewarp/motion/group_solver.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_contact.h"
+#include "musclewarp/solver/contact_rows.h"
 #include "musclewarp/solver/muscle_state.h"
 #include "musclewarp/solver/muscle_target.h"
 #include "musclewarp/solver/solver_summary.h"
@@ -37,5 +38,16 @@ SolvedPose SolvePose(const PreparedScene& scene,
                      const PreRotationOptions& pre_rotation,
                      const GroupSolver& solver,
                      const SceneState* state);
+
+// The muscles in one pose with contact rows, one set each: from what they are
+// without, `free`, and from `start` (N x 3 each). Of the two summaries of a
+// muscle iterations and times are added up.
+SolvedPose SolveWithContactRows(const PreparedScene& scene,
+                                const SolvedPose& free,
+                                const ScenePose& pose,
+                                const PreRotationOptions& pre_rotation,
+                                const GroupSolver& solver,
+                                std::vector<ContactRows> rows,
+                                std::vector<MuscleState> start);
 
 }  // namespace musclewarp

@@ -7,9 +7,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
+#include "musclewarp/geometry/spread_points.h"
 #include "musclewarp/phantom/polygonize.h"
 
 namespace musclewarp::phantom {
@@ -44,7 +44,16 @@ Attachment AttachmentTo(
     int count) {
   Attachment attachment;
   attachment.body = body;
-  attachment.points = SpreadPoints(mesh.surface.points, is_in, count);
+  std::vector<int> accepted;
+  for (Eigen::Index i = 0; i < mesh.surface.points.rows(); ++i) {
+    if (is_in(mesh.surface.points.row(i).transpose())) {
+      accepted.push_back(static_cast<int>(i));
+    }
+  }
+  const Points points = mesh.surface.points(accepted, Eigen::all);
+  const std::vector<int> spread = SpreadPoints(points, count);
+  CHECK_EQ(static_cast<int>(spread.size()), count);
+  attachment.points = points(spread, Eigen::all);
   attachment.radius = 8;
   return attachment;
 }
@@ -64,31 +73,6 @@ double MiddleAlongX(const Field& field, double y, double z) {
   }
   CHECK_GT(best_length, 0) << "nothing at y = " << y << ", z = " << z;
   return best_middle;
-}
-
-Points SpreadPoints(const Points& points,
-                    const std::function<bool(const Eigen::Vector3d&)>& is_in,
-                    int count) {
-  std::vector<Eigen::RowVector3d> accepted;
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    if (is_in(points.row(i).transpose())) accepted.push_back(points.row(i));
-  }
-  CHECK_GE(static_cast<int>(accepted.size()), count);
-  std::vector<double> distances(accepted.size(),
-                                std::numeric_limits<double>::infinity());
-  Points spread(count, 3);
-  size_t next = 0;
-  for (int k = 0; k < count; ++k) {
-    spread.row(k) = accepted[next];
-    const Eigen::RowVector3d taken = accepted[next];
-    for (size_t i = 0; i < accepted.size(); ++i) {
-      distances[i] =
-          std::min(distances[i], (accepted[i] - taken).squaredNorm());
-    }
-    next = std::max_element(distances.begin(), distances.end()) -
-           distances.begin();
-  }
-  return spread;
 }
 
 Eigen::Matrix4d RotationAbout(const Eigen::Vector3d& centre,

@@ -37,6 +37,7 @@ PhantomMesh MeshOf(const Solid& solid, uint32_t seed);
 SceneMuscle MuscleOf(const PhantomMesh& mesh, std::vector<ActionLine> lines);
 
 // `count` points of the mesh that `is_in` accepts (SpreadPoints).
+// Precondition (CHECKed): there are so many.
 Attachment AttachmentTo(
     const std::string& body,
     const PhantomMesh& mesh,
@@ -46,13 +47,6 @@ Attachment AttachmentTo(
 // The middle of the longest stretch of the line (., y, z) inside the field,
 // within 200 mm of x = 0. Precondition (CHECKed): there is one.
 double MiddleAlongX(const Field& field, double y, double z);
-
-// `count` of the points that `is_in` accepts, far from each other: each next
-// one is the farthest from those taken, the first is the first accepted.
-// Precondition (CHECKed): there are so many.
-Points SpreadPoints(const Points& points,
-                    const std::function<bool(const Eigen::Vector3d&)>& is_in,
-                    int count);
 
 // target_from_rest of a turn about an axis (unit length) through `centre`, by
 // the right-hand rule.

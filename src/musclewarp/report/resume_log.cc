@@ -60,6 +60,7 @@ std::vector<FrameRecord> ResumeLog::Continue(
     for (const Json& muscle : json.at("muscles")) {
       MuscleState state;
       state.coarse = PointsFromJson(muscle.at("coarse"));
+      state.contact.free_coarse = PointsFromJson(muscle.at("free_coarse"));
       state.contact.fine_offset = PointsFromJson(muscle.at("fine_offset"));
       muscles->push_back(std::move(state));
     }
@@ -78,6 +79,7 @@ void ResumeLog::FrameDone(const FrameRecord& record,
   Json states = Json::array();
   for (const MuscleState& muscle : muscles) {
     states.push_back({{"coarse", ToJson(muscle.coarse)},
+                      {"free_coarse", ToJson(muscle.contact.free_coarse)},
                       {"fine_offset", ToJson(muscle.contact.fine_offset)}});
   }
   const auto bytes = Json::to_cbor(

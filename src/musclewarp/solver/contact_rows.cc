@@ -6,31 +6,16 @@
 
 namespace musclewarp {
 
-ContactRows ContactRowsOf(const MuscleModel& model,
-                          const Points& free,
-                          const Points& pushed,
-                          const std::vector<char>& is_held,
+ContactRows ContactRowsOf(const std::vector<VertexPlane>& planes,
                           double weight) {
-  std::vector<int> farthest(model.coarse_rest.rows(), -1);
-  const auto length = [&](int v) { return (pushed.row(v) - free.row(v)).norm(); };
-  for (int v = 0; v < static_cast<int>(is_held.size()); ++v) {
-    if (!is_held[v] || length(v) == 0) continue;
-    Eigen::Index followed;
-    model.fine_from_coarse.row(v).maxCoeff(&followed);
-    int& chosen = farthest[followed];
-    if (chosen < 0 || length(v) > length(chosen)) chosen = v;
-  }
   ContactRows rows;
   rows.weight = weight;
-  for (const int v : farthest) {
-    if (v >= 0) rows.vertices.push_back(v);
-  }
-  rows.normals.resize(rows.size(), 3);
-  rows.levels.resize(rows.size());
-  for (int k = 0; k < rows.size(); ++k) {
-    const int v = rows.vertices[k];
-    rows.normals.row(k) = (pushed.row(v) - free.row(v)).normalized();
-    rows.levels[k] = rows.normals.row(k).dot(pushed.row(v));
+  rows.normals.resize(planes.size(), 3);
+  rows.levels.resize(planes.size());
+  for (const VertexPlane& plane : planes) {
+    rows.normals.row(rows.size()) = plane.space.normal;
+    rows.levels[rows.size()] = plane.space.level;
+    rows.vertices.push_back(plane.vertex);
   }
   return rows;
 }
@@ -58,11 +43,11 @@ void ContactSystem::SetPlace(const Points& coarse) {
   for (int k = 0; k < rows_.size(); ++k) {
     if (depths_[k] > 0) active_.push_back(k);
   }
+  if (active_.empty()) return;
   const Points normals = rows_.normals(active_, Eigen::all);
-  Eigen::MatrixXd matrix =
-      (fine_from_coarse_(active_, Eigen::all) *
-       compliance_(Eigen::all, active_))
-          .cwiseProduct(normals * normals.transpose());
+  Eigen::MatrixXd matrix = (fine_from_coarse_(active_, Eigen::all) *
+                            compliance_(Eigen::all, active_))
+                               .cwiseProduct(normals * normals.transpose());
   matrix.diagonal().array() += 1 / (rows_.weight * rows_.weight);
   active_matrix_.compute(matrix);
 }
@@ -71,16 +56,15 @@ Points ContactSystem::Corrected(Points solved) const {
   if (active_.empty()) return solved;
   const Points normals = rows_.normals(active_, Eigen::all);
   const Points moves = fine_from_coarse_(active_, Eigen::all) * solved;
-  const Eigen::VectorXd forces = active_matrix_.solve(
-      normals.cwiseProduct(moves).rowwise().sum().eval());
+  const Eigen::VectorXd forces =
+      active_matrix_.solve(normals.cwiseProduct(moves).rowwise().sum().eval());
   solved -= compliance_(Eigen::all, active_) * (forces.asDiagonal() * normals);
   return solved;
 }
 
 Points ContactSystem::StepOf(const Points& step_without) const {
   if (active_.empty()) return step_without;
-  const Eigen::VectorXd forces =
-      rows_.weight * rows_.weight * depths_(active_);
+  const Eigen::VectorXd forces = rows_.weight * rows_.weight * depths_(active_);
   const Points normals = rows_.normals(active_, Eigen::all);
   return Corrected(step_without + compliance_(Eigen::all, active_) *
                                       (forces.asDiagonal() * normals));

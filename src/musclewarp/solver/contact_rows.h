@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "musclewarp/contact/contact_relaxation.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/solver/muscle_model.h"
 
@@ -25,14 +26,7 @@ struct ContactRows {
   int size() const { return static_cast<int>(vertices.size()); }
 };
 
-// The rows that ask for the pushes of contact: from `free` to `pushed` (both
-// n x 3, mm), of the vertices that are held (n). As the coarse mesh can follow
-// no more, there is one row for each coarse vertex: of the fine vertices that
-// follow it most, the one that is pushed farthest.
-ContactRows ContactRowsOf(const MuscleModel& model,
-                          const Points& free,
-                          const Points& pushed,
-                          const std::vector<char>& is_held,
+ContactRows ContactRowsOf(const std::vector<VertexPlane>& planes,
                           double weight);
 
 // The rows of W of the vertices, K x N.

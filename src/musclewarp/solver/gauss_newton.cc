@@ -29,6 +29,7 @@ class GaussNewton {
       : model_(model),
         options_(options),
         minimizer_(UnconstrainedMinimizer(model, target)),
+        contact_(model, target.contact),
         state_(*state),
         summary_(*summary) {}
 
@@ -59,7 +60,7 @@ class GaussNewton {
   // X <- X + alpha h. False if the step cannot be computed.
   bool Step(double alpha, bool is_fine) {
     const GaussNewtonStep step =
-        StepFrom(model_, minimizer_, state_, alpha, is_fine);
+        StepFrom(model_, minimizer_, state_, alpha, is_fine, &contact_);
     if (!step.is_finite) {
       Finish(StopReason::kFailed, "the volume gradient vanished");
       return false;
@@ -99,6 +100,7 @@ class GaussNewton {
   const MuscleModel& model_;
   const GaussNewtonOptions& options_;
   const Points minimizer_;  // X*
+  ContactSystem contact_;
   MuscleState& state_;
   SolverSummary& summary_;
 };

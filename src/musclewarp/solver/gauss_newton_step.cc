@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/solver/gauss_newton_step.h"
 
+#include <utility>
+
 #include "musclewarp/solver/volume_constraint.h"
 
 namespace musclewarp {
@@ -10,13 +12,19 @@ GaussNewtonStep StepFrom(const MuscleModel& model,
                          const Points& minimizer,
                          const MuscleState& state,
                          double alpha,
-                         bool is_fine_volume) {
+                         bool is_fine_volume,
+                         ContactSystem* contact) {
   const FineVolume volume =
       is_fine_volume ? EvaluateFineVolume(model, state.coarse, state.contact)
                      : EvaluateCoarseVolume(model, state.coarse, state.contact);
   // -A^-1 J_f^T f = X* - X, because f is linear.
-  const Points to_minimizer = minimizer - state.coarse;
-  const Points inverse_gradient = model.normal_matrix.solve(volume.gradient);
+  Points to_minimizer = minimizer - state.coarse;
+  Points inverse_gradient = model.normal_matrix.solve(volume.gradient);
+  if (contact) {
+    contact->SetPlace(state.coarse);
+    to_minimizer = contact->StepOf(to_minimizer);
+    inverse_gradient = contact->Corrected(std::move(inverse_gradient));
+  }
   const double denominator =
       volume.gradient.cwiseProduct(inverse_gradient).sum();
   const double lambda = (volume.error / alpha +

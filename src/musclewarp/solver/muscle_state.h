@@ -29,6 +29,8 @@ struct HeldVertices {
 
 // What contact adds to a muscle.
 struct MuscleContact {
+  // X as it would be without, N x 3, mm; no rows: as it is.
+  Points free_coarse;
   // Moves of the fine vertices beside W X, n x 3, mm; no rows: none.
   Points fine_offset;
   HeldVertices held_coarse;
@@ -40,6 +42,9 @@ struct MuscleState {
   Points coarse;  // N x 3, mm: X
   MuscleContact contact;
 };
+
+// X without contact, N x 3, mm.
+const Points& FreeCoarse(const MuscleState& state);
 
 // The fine mesh of a state, W X + offset, n x 3, mm.
 Points FinePoints(const MuscleModel& model, const MuscleState& state);

@@ -6,15 +6,18 @@
 
 #include "musclewarp/scene/scene.h"
 #include "musclewarp/skeleton/action_line.h"
+#include "musclewarp/solver/contact_rows.h"
 #include "musclewarp/solver/muscle_model.h"
 
 namespace musclewarp {
 
-// What a pose asks of one muscle: the right-hand side of f(X) in MuscleModel.
+// What a pose asks of one muscle: the right-hand side of f(X) in MuscleModel,
+// and what contact asks beside it.
 struct MuscleTarget {
   Points laplacian;   // N x 3: delta, pre-rotated
   Points skeleton;    // m x 3: s', times the weight
   Points attachment;  // k x 3: b', times the weights
+  ContactRows contact;
 };
 
 struct PreRotationOptions {
@@ -33,7 +36,7 @@ Points LinearDescent(const MuscleModel& model,
                      const MuscleTarget& target,
                      const Points& coarse);
 
-// 1/2 |f(X)|^2, mm^2.
+// 1/2 |f(X)|^2, mm^2. Without contact, as all of these.
 double LinearEnergy(const MuscleModel& model,
                     const MuscleTarget& target,
                     const Points& coarse);

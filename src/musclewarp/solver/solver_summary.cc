@@ -49,4 +49,13 @@ std::string SolverSummary::FullReport() const {
   return report.str();
 }
 
+SolverSummary Following(const SolverSummary& first, SolverSummary second) {
+  second.iterations += first.iterations;
+  second.wall_ms += first.wall_ms;
+  second.initial_energy = first.initial_energy;
+  second.history.insert(
+      second.history.begin(), first.history.begin(), first.history.end());
+  return second;
+}
+
 }  // namespace musclewarp

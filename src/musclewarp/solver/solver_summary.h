@@ -43,4 +43,8 @@ struct SolverSummary {
   std::string FullReport() const;
 };
 
+// Of a solve that goes on from where the first one came: iterations and times
+// added up.
+SolverSummary Following(const SolverSummary& first, SolverSummary second);
+
 }  // namespace musclewarp
