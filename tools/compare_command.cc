@@ -141,20 +141,22 @@ int CompareCommand(const CompareOptions& options, std::ostream& screen) {
   PrepareOptions prepare = deform.prepare;
   prepare.remove_slivers = compares(DeformContact::kCertified);
   const PreparedScene prepared = PrepareScene(scene, prepare);
+  const SolverConfiguration plain = SolverConfigurationNamed("ceres");
   Contacts contacts;
   if (compares(DeformContact::kPaper)) {
     contacts.paper = PrepareContact(prepared, deform.scene_contact);
   }
   if (compares(DeformContact::kCertified)) {
-    contacts.certified =
-        PrepareCertifiedContact(prepared, deform.certified_contact);
+    contacts.certified = PrepareCertifiedContact(prepared,
+                                                 deform.certified_contact,
+                                                 deform.frame.pre_rotation,
+                                                 SolverOf(plain, false));
   }
   PrintPreparation(prepared, screen);
 
   SceneMeshes meshes(prepared);
   std::vector<ComparisonRow> rows;
   for (const int index : selected) {
-    const SolverConfiguration plain = SolverConfigurationNamed("ceres");
     const Frame without_contact = SolveFrame(prepared,
                                              nullptr,
                                              index,

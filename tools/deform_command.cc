@@ -262,7 +262,10 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   }
   std::optional<CertifiedContact> certified;
   if (options.contact == DeformContact::kCertified) {
-    certified = PrepareCertifiedContact(prepared, options.certified_contact);
+    certified = PrepareCertifiedContact(prepared,
+                                        options.certified_contact,
+                                        options.frame.pre_rotation,
+                                        SolverOf(options.solver, false));
   }
   PrintPreparation(prepared, screen);
 

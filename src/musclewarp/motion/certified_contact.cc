@@ -54,13 +54,20 @@ std::vector<Eigen::Matrix4d> BonesFromRest(const PreparedScene& scene,
   return transforms;
 }
 
-void SetOffsets(const std::vector<int>& order,
-                const ContactState& contact,
-                SceneState* state) {
+// The states of muscles that are `free` without contact, of which the coarse
+// meshes are where they are `solved` and the fine ones where `contact` has
+// them.
+std::vector<MuscleState> StatesOf(const std::vector<int>& order,
+                                  const SolvedPose& free,
+                                  const SolvedPose& solved,
+                                  const ContactState& contact) {
+  std::vector<MuscleState> muscles = solved.states;
   for (size_t k = 0; k < order.size(); ++k) {
-    state->muscles[order[k]].contact.fine_offset =
-        contact.points[k] - contact.targets[k];
+    MuscleContact& part = muscles[order[k]].contact;
+    part.free_coarse = free.states[order[k]].coarse;
+    part.fine_offset = contact.points[k] - contact.targets[k];
   }
+  return muscles;
 }
 
 std::vector<MuscleState> CoarseAlone(const std::vector<MuscleState>& muscles) {
@@ -80,6 +87,36 @@ SceneState WithoutContact(const SceneState& state) {
   return free;
 }
 
+// Solves the muscles of a pose, which are `free` without contact, for the
+// planes of a relaxation. `solved` is start and result.
+CoarseContact CoarseContactIn(const PreparedScene& scene,
+                              const CertifiedContact& contact,
+                              const ScenePose& pose,
+                              const PreRotationOptions& pre_rotation,
+                              const GroupSolver& solver,
+                              const SolvedPose& free,
+                              SolvedPose* solved) {
+  const double weight = contact.options.coarse_weight;
+  if (weight == 0) return nullptr;
+  return [=, &scene, &contact, &pose, &solver, &free](
+             const ContactRelaxation& relaxation) {
+    std::vector<ContactRows> rows(scene.muscles.size());
+    for (size_t k = 0; k < contact.order.size(); ++k) {
+      rows[contact.order[k]] = ContactRowsOf(
+          relaxation.TightestPlanes(static_cast<int>(k), contact.samples[k]),
+          weight);
+    }
+    *solved = SolveWithContactRows(scene,
+                                   free,
+                                   pose,
+                                   pre_rotation,
+                                   solver,
+                                   std::move(rows),
+                                   std::move(solved->states));
+    return FineMeshes(scene, contact.order, solved->states);
+  };
+}
+
 double LargestMove(const std::vector<Points>& a, const std::vector<Points>& b) {
   double most = 0;
   for (size_t i = 0; i < a.size(); ++i) {
@@ -97,16 +134,18 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
         max_move > 0)) {
     *error =
         "CertifiedContactOptions: samples_per_coarse_vertex, rest_sweeps, "
-        "max_rest_reach, "
-        "rest_tolerance, max_turn and max_move must be above 0, "
+        "max_rest_reach, rest_tolerance, max_turn and max_move must be above "
+        "0, "
         "coarse_weight, max_rest_steps and max_halvings not below";
     return false;
   }
   return step.IsValid(error);
 }
 
-CertifiedContact PrepareCertifiedContact(
-    const PreparedScene& scene, const CertifiedContactOptions& options) {
+CertifiedContact PrepareCertifiedContact(const PreparedScene& scene,
+                                         const CertifiedContactOptions& options,
+                                         const PreRotationOptions& pre_rotation,
+                                         const GroupSolver& solver) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   const Stopwatch preparing;
@@ -159,11 +198,27 @@ CertifiedContact PrepareCertifiedContact(
   CleanStepOptions step_options = options.step;
   step_options.relaxation.sweeps = options.rest_sweeps;
   double& reach = step_options.relaxation.reach;
+  SolvedPose free;
+  free.states = contact.rest.muscles;
+  free.summaries.resize(scene.muscles.size());
+  SolvedPose solved = free;
   for (int step = 0; step < options.max_rest_steps; ++step) {
     ContactState next = state;
     const std::vector<Points> before = state.points;
-    const CleanStepSummary summary = StepCleanly(
-        step_options, contact.muscles, bones, nullptr, &next, &state);
+    SolvedPose tried = solved;
+    const CleanStepSummary summary =
+        StepCleanly(step_options,
+                    contact.muscles,
+                    bones,
+                    CoarseContactIn(scene,
+                                    contact,
+                                    contact.rest.pose,
+                                    pre_rotation,
+                                    solver,
+                                    free,
+                                    &tried),
+                    &next,
+                    &state);
     contact.crossing_pairs = summary.crossing_pairs;
     if (summary.crossing_pairs > 0) {
       if (reach >= options.max_rest_reach) break;
@@ -171,10 +226,11 @@ CertifiedContact PrepareCertifiedContact(
       continue;
     }
     reach = options.step.relaxation.reach;
+    solved = std::move(tried);
     if (!summary.is_clean) state = next;
     if (LargestMove(before, state.points) < options.rest_tolerance) break;
   }
-  SetOffsets(contact.order, state, &contact.rest);
+  contact.rest.muscles = StatesOf(contact.order, free, solved, state);
   contact.wall_ms = preparing.Milliseconds();
   return contact;
 }
@@ -217,29 +273,14 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
     ContactState next;
     next.targets = FineMeshes(scene, contact.order, solved.states);
     next.bones_from_rest = BonesFromRest(scene, next_pose);
-    const CoarseContact make_way = [&](const ContactRelaxation& relaxation) {
-      std::vector<ContactRows> rows(scene.muscles.size());
-      for (size_t k = 0; k < contact.order.size(); ++k) {
-        rows[contact.order[k]] = ContactRowsOf(
-            relaxation.TightestPlanes(static_cast<int>(k), contact.samples[k]),
-            contact.options.coarse_weight);
-      }
-      solved = SolveWithContactRows(scene,
-                                    free,
-                                    next_pose,
-                                    pre_rotation,
-                                    solver,
-                                    std::move(rows),
-                                    std::move(solved.states));
-      return FineMeshes(scene, contact.order, solved.states);
-    };
-    const CleanStepSummary summary =
-        StepCleanly(contact.options.step,
-                    contact.muscles,
-                    bones,
-                    contact.options.coarse_weight > 0 ? make_way : nullptr,
-                    &next,
-                    &current);
+    const CoarseContact make_way = CoarseContactIn(
+        scene, contact, next_pose, pre_rotation, solver, free, &solved);
+    const CleanStepSummary summary = StepCleanly(contact.options.step,
+                                                 contact.muscles,
+                                                 bones,
+                                                 make_way,
+                                                 &next,
+                                                 &current);
     ++way.steps;
     way.rounds += summary.rounds;
     const bool is_shortest = step <= shortest * 1.01;
@@ -255,11 +296,7 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
     } else {
       step = std::min(longest, 2 * step);
     }
-    *state = {next_pose, std::move(solved.states)};
-    for (size_t i = 0; i < state->muscles.size(); ++i) {
-      state->muscles[i].contact.free_coarse = free.states[i].coarse;
-    }
-    SetOffsets(contact.order, current, state);
+    *state = {next_pose, StatesOf(contact.order, free, solved, current)};
     way.summaries = std::move(solved.summaries);
     at = to;
   }

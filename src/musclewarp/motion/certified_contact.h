@@ -61,8 +61,10 @@ struct CertifiedContact {
 };
 
 // Precondition (CHECKed): the options are valid.
-CertifiedContact PrepareCertifiedContact(
-    const PreparedScene& scene, const CertifiedContactOptions& options);
+CertifiedContact PrepareCertifiedContact(const PreparedScene& scene,
+                                         const CertifiedContactOptions& options,
+                                         const PreRotationOptions& pre_rotation,
+                                         const GroupSolver& solver);
 
 // How a pose was reached.
 struct CertifiedWay {
