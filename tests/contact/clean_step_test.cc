@@ -142,9 +142,10 @@ TEST(CleanStep, AsksTheCoarseMeshesToMakeWay) {
   EXPECT_TRUE(summary.is_clean);
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(group.CrossingPairs(), 0);
-  // Nothing is left for single vertices.
+  // Next to nothing is left for single vertices: other planes than the deepest
+  // may ask for a little more.
   const Points offset = group.state.points[0] - next.targets[0];
-  EXPECT_LT(offset.rowwise().norm().maxCoeff(), 1e-6);
+  EXPECT_LT(offset.rowwise().norm().maxCoeff(), 1e-3);
   EXPECT_GT((next.targets[0] - free).rowwise().norm().minCoeff(), 0.3);
 }
 

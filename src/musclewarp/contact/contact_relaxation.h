@@ -34,10 +34,11 @@ struct ContactRelaxationOptions {
   bool IsValid(std::string* error) const;
 };
 
-// Where muscles and bones are, and where the muscles would be without contact.
+// Where muscles and bones are, and where the muscles would be without what
+// contact does to single vertices: where their coarse meshes have them.
 struct ContactState {
   std::vector<Points> points;   // of the muscles, #V x 3, mm
-  std::vector<Points> targets;  // the same without contact
+  std::vector<Points> targets;  // #V x 3, mm
   std::vector<Eigen::Matrix4d> bones_from_rest;
 };
 

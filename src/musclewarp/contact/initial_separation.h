@@ -13,7 +13,7 @@ namespace musclewarp {
 struct InitialSeparationOptions {
   OwnRegionOptions region;
   double step = 0.3;  // of a vertex of a crossing triangle in a round, mm
-  int max_rounds = 60;
+  int max_rounds = 400;
 };
 
 struct InitialSeparation {
