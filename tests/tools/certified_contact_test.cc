@@ -18,11 +18,10 @@ using Json = nlohmann::json;
 
 // The scene of musclewarp-phantom in dir/scene.
 std::string PhantomScene(const std::string& name, const std::string& dir) {
-  EXPECT_EQ(
-      RunCommandLine(MUSCLEWARP_PHANTOM,
-                     "--scene=" + name + " --out=" + dir + "/scene")
-          .exit_code,
-      0);
+  EXPECT_EQ(RunCommandLine(MUSCLEWARP_PHANTOM,
+                           "--scene=" + name + " --out=" + dir + "/scene")
+                .exit_code,
+            0);
   return dir + "/scene/scene.json";
 }
 
@@ -49,7 +48,8 @@ TEST(CertifiedContact, DoesNotDependOnTheOrderOfMuscles) {
     for (const char* frame : {"/frame_0000/", "/frame_0001/"}) {
       const std::string file =
           frame + muscle["name"].get<std::string>() + ".ply";
-      EXPECT_EQ(FileText(dir + "/out" + file), FileText(dir + "/reversed" + file))
+      EXPECT_EQ(FileText(dir + "/out" + file),
+                FileText(dir + "/reversed" + file))
           << file;
     }
   }
@@ -63,9 +63,8 @@ TEST(CertifiedContact, MovesTheLinesThatAreCarried) {
   const auto lines = [&](const std::string& contact) {
     const std::string out = dir + "/" + contact;
     Deform(scene, "--frames=3 --contact=" + contact, out);
-    return Json::parse(FileText(out + "/frame_0003/lines.json"))["muscles"][0]
-                                                                ["lines"][0]
-                                                                ["points"];
+    return Json::parse(FileText(
+        out + "/frame_0003/lines.json"))["muscles"][0]["lines"][0]["points"];
   };
   const Json free = lines("none");
   const Json bent = lines("certified");

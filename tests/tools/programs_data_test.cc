@@ -244,6 +244,15 @@ TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheHamstrings) {
                   out);
 }
 
+TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheOriginalHamstrings) {
+  const std::string out = TestTempDir() + "/run";
+  ExpectCertified(Deform("bodyparts3d_hamstrings_leg_original",
+                         "ceres",
+                         out,
+                         "--contact=certified --frames=0:2"),
+                  out);
+}
+
 // Lines and attachments in use.
 TEST_F(ProgramsDataTest, CertifiedContactHoldsForLhdlFlexion) {
   const std::string out = TestTempDir() + "/run";

@@ -419,7 +419,7 @@ void ContactRelaxation::Sweep(int sweeps) {
 }
 
 double ContactRelaxation::RestoreVolume(int muscle) {
-  constexpr int kSteps = 12;
+  constexpr int kSteps = 40;
   constexpr int kSmoothing = 3;
   const ContactMesh& mesh = muscles_[muscle];
   Points& points = points_[muscle];
