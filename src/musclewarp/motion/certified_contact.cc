@@ -249,9 +249,13 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
   const double shortest = longest / (1 << contact.options.max_halvings);
   const std::vector<const TriangleBvh*> bones = BoneTrees(contact);
   ContactState current;
-  current.points = FineMeshes(scene, contact.order, state->muscles);
   current.targets =
       FineMeshes(scene, contact.order, CoarseAlone(state->muscles));
+  current.points = current.targets;
+  for (size_t k = 0; k < contact.order.size(); ++k) {
+    current.points[k] +=
+        state->muscles[contact.order[k]].contact.fine_offset;
+  }
   current.bones_from_rest = BonesFromRest(scene, state->pose);
   CertifiedWay way;
   way.is_clean = true;

@@ -101,10 +101,11 @@ Frame SolveCertifiedFrame(const PreparedScene& scene,
                std::move(way.summaries),
                meshes,
                &frame);
-  std::vector<Points> without_contact;
+  std::vector<Points> without_contact(frame.muscles.size());
+#pragma omp parallel for schedule(dynamic, 1)
   for (size_t i = 0; i < frame.muscles.size(); ++i) {
-    without_contact.push_back(FinePoints(scene.muscles[i].model,
-                                         {FreeCoarse(reached.muscles[i]), {}}));
+    without_contact[i] = FinePoints(scene.muscles[i].model,
+                                    {FreeCoarse(reached.muscles[i]), {}});
   }
   meshes->MoveTo(without_contact, frame.bones);
   const std::vector<double> depths =
