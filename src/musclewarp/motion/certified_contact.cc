@@ -253,8 +253,7 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
       FineMeshes(scene, contact.order, CoarseAlone(state->muscles));
   current.points = current.targets;
   for (size_t k = 0; k < contact.order.size(); ++k) {
-    current.points[k] +=
-        state->muscles[contact.order[k]].contact.fine_offset;
+    current.points[k] += state->muscles[contact.order[k]].contact.fine_offset;
   }
   current.bones_from_rest = BonesFromRest(scene, state->pose);
   CertifiedWay way;
