@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <string>
 
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh/mesh_io.h"
@@ -152,6 +154,15 @@ TEST_F(DeformProgram, SaysWhereAMuscleHasNoRoom) {
   EXPECT_FALSE(report["frames"][1]["usable"]);
   const std::string why = report["frames"][1]["shortcomings"].dump();
   EXPECT_THAT(why, HasSubstr("muscle"));
+  // Where they meet.
+  std::smatch place;
+  ASSERT_TRUE(std::regex_search(
+      why,
+      place,
+      std::regex(
+          R"(triangle pairs around \(([-0-9.]+), ([-0-9.]+), ([-0-9.]+)\))")))
+      << why;
+  for (int k = 1; k <= 3; ++k) EXPECT_LT(std::abs(std::stod(place[k])), 5);
 }
 
 TEST(DeformEmbeddedScene, CertifiedContactDoesNotDependOnThreads) {

@@ -10,6 +10,32 @@
 #include "musclewarp/certificate/scene_intersections.h"
 
 namespace musclewarp {
+namespace {
+
+// " around (x, y, z)", the middle of the triangles of the muscle that cross.
+std::string WhereCrossing(const PreparedScene& scene,
+                          const Frame& frame,
+                          const PairIntersection& pair) {
+  for (size_t i = 0; i < frame.muscles.size(); ++i) {
+    const MuscleModel& model = scene.muscles[i].model;
+    if (model.name != pair.a || pair.triangles_of_a.empty()) continue;
+    Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+    for (const int f : pair.triangles_of_a) {
+      for (const int v : model.fine_triangles.row(f)) {
+        middle += frame.muscles[i].fine.row(v);
+      }
+    }
+    middle /= 3 * static_cast<double>(pair.triangles_of_a.size());
+    std::ostringstream text;
+    text.precision(1);
+    text << std::fixed << " around (" << middle[0] << ", " << middle[1] << ", "
+         << middle[2] << ")";
+    return text.str();
+  }
+  return "";
+}
+
+}  // namespace
 
 std::vector<std::string> Shortcomings(const PreparedScene& scene,
                                       const CertifiedContact& contact,
@@ -28,7 +54,9 @@ std::vector<std::string> Shortcomings(const PreparedScene& scene,
         pair.b,
         ": ",
         pair.triangle_pairs,
-        " crossing triangle pairs, ",
+        " crossing triangle pairs",
+        WhereCrossing(scene, frame, pair),
+        ", ",
         pair.vertices_inside,
         " vertices inside, ",
         pair.max_depth_mm,

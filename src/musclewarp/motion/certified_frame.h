@@ -16,9 +16,9 @@ constexpr double kMaxFoldedShare = 1e-3;      // of the triangles of a muscle
 constexpr double kDisplacementPerDepth = 2;   // of the depth without contact
 constexpr double kDisplacementAllowance = 1;  // mm, beside that
 
-// What a frame does not hold of it, a sentence each: triangles that cross,
-// vertices inside another mesh, volume, self-intersections (no more than at
-// rest), folded triangles, displacement.
+// What a frame does not hold of it, a sentence each: triangles that cross (how
+// many, where, how deep), vertices inside another mesh, volume,
+// self-intersections (no more than at rest), folded triangles, displacement.
 std::vector<std::string> Shortcomings(const PreparedScene& scene,
                                       const CertifiedContact& contact,
                                       const Frame& frame);
