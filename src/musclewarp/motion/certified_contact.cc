@@ -188,8 +188,6 @@ CertifiedContact PrepareCertifiedContact(const PreparedScene& scene,
   }
   InitialSeparation separation =
       SeparateInitially(muscles, bones_at_rest, exempt, options.separation);
-  contact.separation_rounds = separation.rounds;
-  contact.crossing_pairs = separation.crossing_pairs;
   ContactState state;
   state.points = std::move(separation.points);
   state.targets = FineMeshes(scene, contact.order, contact.rest.muscles);
@@ -219,7 +217,6 @@ CertifiedContact PrepareCertifiedContact(const PreparedScene& scene,
                                     &tried),
                     &next,
                     &state);
-    contact.crossing_pairs = summary.crossing_pairs;
     if (summary.crossing_pairs > 0) {
       if (reach >= options.max_rest_reach) break;
       reach = std::min(kWiderReach * reach, options.max_rest_reach);
@@ -257,7 +254,6 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
   }
   current.bones_from_rest = BonesFromRest(scene, state->pose);
   CertifiedWay way;
-  way.is_clean = true;
   double at = 0, step = longest;
   while (at < 1) {
     // Rounding must not leave a last step of nothing.
@@ -285,7 +281,6 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
                                                  &next,
                                                  &current);
     ++way.steps;
-    way.rounds += summary.rounds;
     const bool is_shortest = step <= shortest * 1.01;
     if (!summary.is_clean && !is_shortest) {
       step /= 2;
@@ -295,7 +290,6 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
       // Nothing crosses, but some are nearer to each other than they should
       // be; or there is no way, and what follows may find out again.
       current = next;
-      way.is_clean = way.is_clean && summary.crossing_pairs == 0;
     } else {
       step = std::min(longest, 2 * step);
     }

@@ -55,8 +55,6 @@ struct CertifiedContact {
   std::vector<std::vector<int>> samples;
   std::vector<std::unique_ptr<TriangleBvh>> bones;  // at rest
   SceneState rest;
-  int separation_rounds = 0;
-  int crossing_pairs = 0;  // left at rest
   double wall_ms = 0;
 };
 
@@ -70,8 +68,6 @@ CertifiedContact PrepareCertifiedContact(const PreparedScene& scene,
 struct CertifiedWay {
   std::vector<SolverSummary> summaries;  // of the last step
   int steps = 0;                         // of the pose, those given up included
-  int rounds = 0;                        // of contact
-  bool is_clean = false;
 };
 
 // Moves `state` to a pose. If it is clean it stays so, if there is a way.

@@ -84,8 +84,13 @@ SolvedPose SolveWithContactRows(const PreparedScene& scene,
   solved.solve_ms += solving.Milliseconds();
   for (size_t k = 0; k < in_contact.size(); ++k) {
     solved.states[in_contact[k]] = std::move(states[k]);
+    const SolverSummary& without = free.summaries[in_contact[k]];
     SolverSummary& summary = solved.summaries[in_contact[k]];
-    summary = Following(summary, std::move(summaries[k]));
+    summary = Following(without, std::move(summaries[k]));
+    if (!without.IsSolutionUsable()) {
+      summary.stop_reason = without.stop_reason;
+      summary.message = without.message;
+    }
   }
   return solved;
 }

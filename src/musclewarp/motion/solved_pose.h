@@ -40,8 +40,9 @@ SolvedPose SolvePose(const PreparedScene& scene,
                      const SceneState* state);
 
 // The muscles in one pose with contact rows, one set each: from what they are
-// without, `free`, and from `start` (N x 3 each). Of the two summaries of a
-// muscle iterations and times are added up.
+// without, `free`, and from `start`. Of the two summaries of a muscle
+// iterations and times are added up; a solve that failed without contact counts
+// as failed, as displacement by contact is measured against it.
 SolvedPose SolveWithContactRows(const PreparedScene& scene,
                                 const SolvedPose& free,
                                 const ScenePose& pose,
