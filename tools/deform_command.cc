@@ -15,7 +15,7 @@
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/motion/certified_frame.h"
 #include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/frame_files.h"
@@ -135,7 +135,7 @@ void ComputeFrames(const DeformOptions& options,
       }
     }
     run->frames.push_back(RecordOf(scene, frame));
-    log.FrameDone(run->frames.back(), state->muscles);
+    log.FrameDone(run->frames.back(), *state);
     writer->WriteNowAndThen(*run);
     progress.FrameDone(run->frames.back());
   }
@@ -246,7 +246,7 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   const ResumeLog log(options.out, run.inputs_hash);
   SceneState state;
   if (options.resume) {
-    run.frames = log.Continue(selected, &state.muscles);
+    run.frames = log.Continue(selected, &state);
     if (IsFinished(options.out, run.inputs_hash)) {
       screen << "finished already: " << report << "\n";
       if (options.html) WriteRunPage(options.out, screen);

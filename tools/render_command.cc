@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/page/run_files.h"
 #include "musclewarp/render/palette.h"
 #include "musclewarp/render/picture.h"

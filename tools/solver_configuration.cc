@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "musclewarp/solver/gauss_newton_group.h"
+#include "musclewarp/paper_contact/gauss_newton_group.h"
 
 namespace musclewarp {
 namespace {

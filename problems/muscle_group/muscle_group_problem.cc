@@ -28,7 +28,7 @@ MuscleGroupProblem::MuscleGroupProblem(
   for (size_t i = 0; i < models.size(); ++i) {
     constraints.push_back(std::make_unique<HardConstraint>());
     volumes.push_back(
-        std::make_unique<VolumeEvaluator>(*models[i], &states[i].contact));
+        std::make_unique<VolumeEvaluator>(*models[i], &states[i].corrections));
     unknowns.push_back(std::make_unique<MuscleUnknowns>(
         *models[i], targets[i], formulation, states[i].coarse));
     AddMuscle(*models[i],

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/solver/group_contact.h"
-#include "musclewarp/solver/group_progress.h"
+#include "musclewarp/paper_contact/group_contact.h"
+#include "musclewarp/paper_contact/group_progress.h"
 #include "musclewarp/solver/muscle_model.h"
 #include "musclewarp/solver/muscle_state.h"
 #include "musclewarp/solver/muscle_target.h"

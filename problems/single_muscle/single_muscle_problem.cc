@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "problems/single_muscle/contact_term.h"
 #include "problems/single_muscle/coordinates_term.h"
 #include "problems/single_muscle/laplacian_term.h"
+#include "problems/single_muscle/one_sided_term.h"
 #include "problems/single_muscle/volume_term.h"
 #include "problems/single_muscle/whitened_linear_term.h"
 
@@ -64,9 +64,9 @@ void AddMuscle(const MuscleModel& model,
     AddCoordinatesTerms(model.skeleton, target.skeleton, blocks, problem);
     AddCoordinatesTerms(model.attachment, target.attachment, blocks, problem);
   }
-  if (target.contact.size() > 0) {
+  if (target.one_sided.size() > 0) {
     problem->AddResidualBlock(
-        new ContactTerm(model, &target.contact, unknowns), nullptr, blocks);
+        new OneSidedTerm(model, &target.one_sided, unknowns), nullptr, blocks);
   }
   problem->AddResidualBlock(
       new VolumeTerm(unknowns, volume, &constraint), nullptr, blocks);

@@ -20,7 +20,7 @@ namespace musclewarp {
 // every block, which makes its normal matrix dense.
 //
 // In whitened unknowns the same energy is a WhitenedLinearTerm per unknown and
-// a VolumeTerm. In both, a ContactTerm if the target has contact rows.
+// a VolumeTerm. In both, a OneSidedTerm if the target has contact rows.
 //
 // `volume` is that of the model. All arguments must outlive the problem.
 void AddMuscle(const MuscleModel& model,

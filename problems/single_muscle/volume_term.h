@@ -24,8 +24,8 @@ namespace musclewarp {
 // all blocks, automatic differentiation would cost N times as much.
 class VolumeTerm : public ceres::CostFunction {
  public:
-  // Keeps pointers to all three. The vertices that contact holds have zero rows
-  // in the Jacobian.
+  // Keeps pointers to all three. The vertices that corrections holds have zero
+  // rows in the Jacobian.
   VolumeTerm(const MuscleUnknowns* unknowns,
              VolumeEvaluator* evaluator,
              const HardConstraint* constraint);

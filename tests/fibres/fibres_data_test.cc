@@ -9,7 +9,7 @@
 
 #include "musclewarp/fibres/fibres.h"
 #include "musclewarp/geometry/inside_test.h"
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp {

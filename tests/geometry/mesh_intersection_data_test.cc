@@ -10,7 +10,7 @@
 #include <string>
 
 #include "musclewarp/geometry/mesh_intersection.h"
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 
 namespace musclewarp {
 

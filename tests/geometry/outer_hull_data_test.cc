@@ -8,7 +8,7 @@
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 
 namespace musclewarp {
 

@@ -7,8 +7,8 @@
 
 #include <filesystem>
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/mesh/mesh_io.h"
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "page/written_run.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"

@@ -8,8 +8,8 @@
 
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/geometry/mesh_intersection.h"
-#include "musclewarp/mesh/mesh_io.h"
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/motion/frame_files.h"
 #include "musclewarp/motion/lines_file.h"
 #include "report/records.h"

@@ -10,7 +10,7 @@
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
-#include "musclewarp/mesh/repair.h"
+#include "musclewarp/mesh_repair/repair.h"
 #include "musclewarp/phantom/phantom_scene.h"
 
 namespace musclewarp {

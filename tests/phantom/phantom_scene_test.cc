@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "musclewarp/mesh/defects.h"
-#include "musclewarp/mesh/repair.h"
+#include "musclewarp/mesh_repair/repair.h"
 #include "support/meshes.h"
 
 namespace musclewarp {

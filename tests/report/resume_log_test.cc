@@ -14,75 +14,75 @@
 namespace musclewarp {
 namespace {
 
-std::vector<MuscleState> SomeStates(int seed) {
+SceneState SomeState(int seed) {
   MuscleState with_offset;
   with_offset.coarse = Points::Constant(4, 3, 1.0 / (seed + 3));
-  with_offset.contact.free_coarse = Points::Constant(4, 3, 1.0 / seed);
-  with_offset.contact.fine_offset = Points::Constant(5, 3, 1e-17);
+  with_offset.corrections.fine_offset = Points::Constant(5, 3, 1e-17);
   MuscleState without;
   without.coarse = Points::Constant(2, 3, -seed);
-  return {with_offset, without};
+  SceneState state;
+  state.muscles = {with_offset, without};
+  state.free_coarse = {Points::Constant(4, 3, 1.0 / (seed + 1))};
+  return state;
 }
 
-void ExpectStates(const std::vector<MuscleState>& states,
-                  const std::vector<MuscleState>& expected) {
-  ASSERT_EQ(states.size(), expected.size());
-  for (size_t i = 0; i < states.size(); ++i) {
-    EXPECT_EQ(states[i].coarse, expected[i].coarse);
-    ASSERT_EQ(states[i].contact.free_coarse.rows(),
-              expected[i].contact.free_coarse.rows());
-    EXPECT_EQ(states[i].contact.free_coarse, expected[i].contact.free_coarse);
-    ASSERT_EQ(states[i].contact.fine_offset.rows(),
-              expected[i].contact.fine_offset.rows());
-    EXPECT_EQ(states[i].contact.fine_offset, expected[i].contact.fine_offset);
+void ExpectStates(const SceneState& state, const SceneState& expected) {
+  ASSERT_EQ(state.muscles.size(), expected.muscles.size());
+  for (size_t i = 0; i < state.muscles.size(); ++i) {
+    const MuscleState &a = state.muscles[i], &b = expected.muscles[i];
+    EXPECT_EQ(a.coarse, b.coarse);
+    ASSERT_EQ(a.corrections.fine_offset.rows(),
+              b.corrections.fine_offset.rows());
+    EXPECT_EQ(a.corrections.fine_offset, b.corrections.fine_offset);
   }
+  EXPECT_EQ(state.free_coarse, expected.free_coarse);
 }
 
 TEST(ResumeLog, GivesBackWhatIsThereWithoutAGap) {
   const std::string dir = TestTempDir();
   const ResumeLog log(dir, "hash");
   log.StartAnew();
-  std::vector<MuscleState> states;
-  EXPECT_TRUE(log.Continue({0, 5, 9}, &states).empty());
-  log.FrameDone(SomeRecord(0), SomeStates(0));
-  log.FrameDone(SomeRecord(5), SomeStates(5));
-  const auto records = log.Continue({0, 5, 9}, &states);
+  SceneState state;
+  EXPECT_TRUE(log.Continue({0, 5, 9}, &state).empty());
+  log.FrameDone(SomeRecord(0), SomeState(0));
+  log.FrameDone(SomeRecord(5), SomeState(5));
+  const auto records = log.Continue({0, 5, 9}, &state);
   ASSERT_EQ(records.size(), 2u);
   EXPECT_EQ(ToJson(records[1]), ToJson(SomeRecord(5)));
-  ExpectStates(states, SomeStates(5));
+  ExpectStates(state, SomeState(5));
   // Frame 4 is missing between: what comes after does not count.
-  EXPECT_EQ(log.Continue({0, 4, 5}, &states).size(), 1u);
-  ExpectStates(states, SomeStates(0));
+  EXPECT_EQ(log.Continue({0, 4, 5}, &state).size(), 1u);
+  ExpectStates(state, SomeState(0));
 }
 
 TEST(ResumeLog, IsOfOneInput) {
   const std::string dir = TestTempDir();
   ResumeLog(dir, "hash").StartAnew();
-  std::vector<MuscleState> states;
-  EXPECT_THROW(ResumeLog(dir, "other").Continue({0}, &states), InputError);
+  SceneState state;
+  EXPECT_THROW(ResumeLog(dir, "other").Continue({0}, &state), InputError);
 }
 
 TEST(ResumeLog, ForgetsWhenFinishedOrStartedAnew) {
   const std::string dir = TestTempDir();
   const ResumeLog log(dir, "hash");
   log.StartAnew();
-  log.FrameDone(SomeRecord(0), SomeStates(0));
+  log.FrameDone(SomeRecord(0), SomeState(0));
   log.StartAnew();
-  std::vector<MuscleState> states;
-  EXPECT_TRUE(log.Continue({0}, &states).empty());
+  SceneState state;
+  EXPECT_TRUE(log.Continue({0}, &state).empty());
   log.Finish();
   EXPECT_TRUE(std::filesystem::is_empty(dir));
-  EXPECT_TRUE(log.Continue({0}, &states).empty());
+  EXPECT_TRUE(log.Continue({0}, &state).empty());
 }
 
 TEST(ResumeLog, RefusesADamagedFile) {
   const std::string dir = TestTempDir();
   const ResumeLog log(dir, "hash");
   log.StartAnew();
-  log.FrameDone(SomeRecord(0), SomeStates(0));
+  log.FrameDone(SomeRecord(0), SomeState(0));
   WriteTextAtomically(dir + "/.resume/frame_0000.cbor", "not cbor");
-  std::vector<MuscleState> states;
-  EXPECT_THROW(log.Continue({0}, &states), InputError);
+  SceneState state;
+  EXPECT_THROW(log.Continue({0}, &state), InputError);
 }
 
 }  // namespace

@@ -10,58 +10,58 @@ namespace musclewarp {
 namespace {
 
 // Every third vertex is held a little off, the fine mesh is shaken.
-MuscleContact SomeContact(const MuscleModel& model) {
-  MuscleContact contact;
-  contact.fine_offset = Points::Random(model.fine_rest.rows(), 3);
+VertexCorrections SomeContact(const MuscleModel& model) {
+  VertexCorrections corrections;
+  corrections.fine_offset = Points::Random(model.fine_rest.rows(), 3);
   std::vector<char> coarse(model.coarse_rest.rows(), 0);
   for (size_t i = 0; i < coarse.size(); i += 3) coarse[i] = 1;
   std::vector<char> fine(model.fine_rest.rows(), 0);
   for (size_t i = 0; i < fine.size(); i += 3) fine[i] = 1;
-  contact.held_coarse =
+  corrections.held_coarse =
       HeldVertices::Of(model.coarse_rest.array() + 0.5, coarse);
-  contact.held_fine = HeldVertices::Of(model.fine_rest.array() - 0.5, fine);
-  return contact;
+  corrections.held_fine = HeldVertices::Of(model.fine_rest.array() - 0.5, fine);
+  return corrections;
 }
 
 }  // namespace
 
 TEST(VolumeEvaluator, RemembersRight) {
   const MuscleModel model = SpindleModel();
-  const MuscleContact contact = SomeContact(model);
-  VolumeEvaluator one(model, &contact);
+  const VertexCorrections corrections = SomeContact(model);
+  VolumeEvaluator one(model, &corrections);
   const Points a = model.coarse_rest + Points::Random(162, 3);
   const Points b = model.coarse_rest + Points::Random(162, 3);
   // Whatever was asked before, the answer is that of a fresh one.
   for (const Points* x : {&a, &b, &b, &a, &a}) {
-    VolumeEvaluator fresh(model, &contact);
+    VolumeEvaluator fresh(model, &corrections);
     EXPECT_EQ(one.Error(*x), fresh.Error(*x));
     EXPECT_EQ(one.Gradient(*x), fresh.Gradient(*x));
   }
   one.SetMesh(VolumeMesh::kCoarse);
-  VolumeEvaluator coarse(model, &contact);
+  VolumeEvaluator coarse(model, &corrections);
   coarse.SetMesh(VolumeMesh::kCoarse);
   EXPECT_EQ(one.Gradient(a), coarse.Gradient(a));
-  EXPECT_NE(one.Error(a), VolumeEvaluator(model, &contact).Error(a));
+  EXPECT_NE(one.Error(a), VolumeEvaluator(model, &corrections).Error(a));
 }
 
 TEST(VolumeEvaluator, SeesChangedContactWhenToldSo) {
   const MuscleModel model = SpindleModel();
-  MuscleContact contact;
-  VolumeEvaluator volume(model, &contact);
+  VertexCorrections corrections;
+  VolumeEvaluator volume(model, &corrections);
   const double before = volume.Error(model.coarse_rest);
-  contact = SomeContact(model);
+  corrections = SomeContact(model);
   volume.Forget();
   EXPECT_EQ(volume.Error(model.coarse_rest),
-            VolumeEvaluator(model, &contact).Error(model.coarse_rest));
+            VolumeEvaluator(model, &corrections).Error(model.coarse_rest));
   EXPECT_NE(volume.Error(model.coarse_rest), before);
 }
 
 TEST(VolumeEvaluator, HasTheGradientOfItsError) {
   const MuscleModel model = SpindleModel();
-  const MuscleContact contact = SomeContact(model);
+  const VertexCorrections corrections = SomeContact(model);
   const Points x = model.coarse_rest + Points::Random(162, 3);
   for (const VolumeMesh mesh : {VolumeMesh::kCoarse, VolumeMesh::kFine}) {
-    VolumeEvaluator volume(model, &contact);
+    VolumeEvaluator volume(model, &corrections);
     volume.SetMesh(mesh);
     const Points gradient = volume.Gradient(x);
     for (const int v : {0, 1, 2, 50, 100, 161}) {
@@ -77,7 +77,7 @@ TEST(VolumeEvaluator, HasTheGradientOfItsError) {
         EXPECT_NEAR(gradient(v, k), (plus - minus) / (2 * kStep), 1e-5);
       }
     }
-    for (const int v : contact.held_coarse.vertices) {
+    for (const int v : corrections.held_coarse.vertices) {
       EXPECT_TRUE(gradient.row(v).isZero(0));
     }
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
+
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
@@ -21,5 +23,14 @@ TriangleSoup Icosphere(double radius, int levels);
 // An icosphere stretched along z with half axes (radius, radius, half_length):
 // the plainest muscle.
 TriangleSoup Spindle(double radius, double half_length, int levels);
+
+// The box [0, nx] x [0, ny] x [0, nz] with a lattice of points a unit apart on
+// its sides, so that several vertices of a side may be inside another body.
+TriangleSoup LatticeBox(int nx, int ny, int nz);
+
+inline TriangleSoup MovedBy(TriangleSoup soup, const Eigen::RowVector3d& by) {
+  soup.points.rowwise() += by;
+  return soup;
+}
 
 }  // namespace musclewarp

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "musclewarp/solver/group_contact.h"
+#include "musclewarp/paper_contact/group_contact.h"
 #include "musclewarp/solver/muscle_model.h"
 #include "musclewarp/solver/muscle_target.h"
 #include "musclewarp/solver/volume_constraint.h"

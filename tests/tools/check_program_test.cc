@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
 #include "tools/run_program.h"

@@ -13,7 +13,7 @@
 #include <sstream>
 
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
 #include "tools/program.h"

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
 #include "tools/run_program.h"

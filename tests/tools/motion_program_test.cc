@@ -24,7 +24,7 @@
 #endif
 
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/opensim/storage_table.h"
 #include "support/meshes.h"
 #include "support/osim_models.h"

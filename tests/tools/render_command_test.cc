@@ -12,7 +12,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/page/run_files.h"
 #include "musclewarp/render/picture.h"
 #include "support/meshes.h"

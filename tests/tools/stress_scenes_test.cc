@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "support/temp_dir.h"
 #include "tools/run_program.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/certificate/exempt_area.h"
 #include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/scene/exempt_area.h"
 
 namespace musclewarp {
 

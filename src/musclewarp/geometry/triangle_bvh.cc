@@ -9,111 +9,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "musclewarp/geometry/triangle_distance.h"
+
 namespace musclewarp {
-namespace {
 
 using Eigen::RowVector3d;
-
-RowVector3d ClosestPointOfSegment(const RowVector3d& p,
-                                  const RowVector3d& a,
-                                  const RowVector3d& b) {
-  const RowVector3d ab = b - a;
-  const double along = ab.dot(p - a);
-  const double square = ab.squaredNorm();
-  if (!(along > 0)) return a;
-  if (along >= square) return b;
-  return a + along / square * ab;
-}
-
-}  // namespace
-
-Corners CornersOf(const Points& points, const Eigen::RowVector3i& triangle) {
-  Corners corners;
-  for (int k = 0; k < 3; ++k) corners.row(k) = points.row(triangle[k]);
-  return corners;
-}
-
-RowVector3d AreaVector(const Corners& t) {
-  return RowVector3d(t.row(1) - t.row(0))
-      .cross(RowVector3d(t.row(2) - t.row(0)));
-}
-
-Box3 BoxOf(const Corners& triangle, double margin) {
-  Box3 box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.lower[axis] = triangle.col(axis).minCoeff() - margin;
-    box.upper[axis] = triangle.col(axis).maxCoeff() + margin;
-  }
-  return box;
-}
-
-Box3 BoxOf(const Box3& a, const Box3& b) {
-  Box3 box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.lower[axis] = std::min(a.lower[axis], b.lower[axis]);
-    box.upper[axis] = std::max(a.upper[axis], b.upper[axis]);
-  }
-  return box;
-}
-
-double Box3::SquaredDistance(const Box3& other) const {
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double gap = std::max({lower[axis] - other.upper[axis],
-                                 other.lower[axis] - upper[axis],
-                                 0.0});
-    sum += gap * gap;
-  }
-  return sum;
-}
-
-double Box3::SquaredDistance(const RowVector3d& p) const {
-  double sum = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double gap =
-        std::max({lower[axis] - p[axis], p[axis] - upper[axis], 0.0});
-    sum += gap * gap;
-  }
-  return sum;
-}
-
-RowVector3d ClosestPointOfTriangle(const RowVector3d& p,
-                                   const Corners& triangle) {
-  const RowVector3d a = triangle.row(0);
-  const RowVector3d b = triangle.row(1);
-  const RowVector3d c = triangle.row(2);
-  // Barycentric coordinates of the foot of p on the plane, times |n|^2.
-  const RowVector3d n = (b - a).cross(c - a);
-  const double at_b = n.dot((p - a).cross(c - a));
-  const double at_c = n.dot((b - a).cross(p - a));
-  const double square = n.squaredNorm();
-  const double at_a = square - at_b - at_c;
-  const bool is_above = at_a > 0 && at_b > 0 && at_c > 0;
-  const RowVector3d foot =
-      is_above
-          ? RowVector3d(a + at_b / square * (b - a) + at_c / square * (c - a))
-          : RowVector3d(RowVector3d::Constant(
-                std::numeric_limits<double>::quiet_NaN()));
-  // With a sine below 1e-6 the foot may lie in the triangle and yet not be the
-  // closest point; one of the edges has a point as close then.
-  const bool is_needle =
-      square < 1e-12 * (b - a).squaredNorm() * (c - a).squaredNorm();
-  if (is_above && !is_needle) return foot;
-
-  RowVector3d closest = ClosestPointOfSegment(p, a, b);
-  double least = (p - closest).squaredNorm();
-  const auto offer = [&](const RowVector3d& candidate) {
-    const double distance = (p - candidate).squaredNorm();
-    if (distance < least) {
-      least = distance;
-      closest = candidate;
-    }
-  };
-  offer(ClosestPointOfSegment(p, b, c));
-  offer(ClosestPointOfSegment(p, c, a));
-  if (is_above) offer(foot);
-  return closest;
-}
 
 TriangleBvh::TriangleBvh(const Points& points, const Triangles& triangles)
     : triangles_(triangles), corners_(triangles.rows()) {

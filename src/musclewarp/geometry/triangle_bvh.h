@@ -8,31 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "musclewarp/mesh/box.h"
+#include "musclewarp/mesh/triangle.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
-
-// The corners of a triangle, one a row.
-using Corners = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-
-// An axis-aligned box, mm; closed.
-struct Box3 {
-  std::array<double, 3> lower;
-  std::array<double, 3> upper;
-
-  bool Overlaps(const Box3& other) const {
-    // Without short cuts: six comparisons are cheaper than wrong guesses.
-    return (lower[0] <= other.upper[0]) & (lower[1] <= other.upper[1]) &
-           (lower[2] <= other.upper[2]) & (upper[0] >= other.lower[0]) &
-           (upper[1] >= other.lower[1]) & (upper[2] >= other.lower[2]);
-  }
-  bool Contains(const Eigen::RowVector3d& p) const {
-    return (lower[0] <= p[0]) & (lower[1] <= p[1]) & (lower[2] <= p[2]) &
-           (upper[0] >= p[0]) & (upper[1] >= p[1]) & (upper[2] >= p[2]);
-  }
-  double SquaredDistance(const Eigen::RowVector3d& p) const;
-  double SquaredDistance(const Box3& other) const;
-};
 
 // A tree of axis-aligned boxes over the triangles of a mesh. The topology is
 // built once from the rest pose; Refit() follows moving vertices in linear
@@ -146,21 +126,6 @@ class TriangleBvh {
   std::vector<Corners> corners_;  // by triangle
   std::vector<Node> nodes_;
 };
-
-// The corners of a triangle of three vertices.
-Corners CornersOf(const Points& points, const Eigen::RowVector3i& triangle);
-
-// The normal of a triangle, as long as twice its area.
-Eigen::RowVector3d AreaVector(const Corners& triangle);
-
-// The boxes around a triangle, and around it and `margin` on all sides; around
-// two boxes.
-Box3 BoxOf(const Corners& triangle, double margin = 0);
-Box3 BoxOf(const Box3& a, const Box3& b);
-
-// The point of a triangle closest to p; any triangle, degenerate ones too.
-Eigen::RowVector3d ClosestPointOfTriangle(const Eigen::RowVector3d& p,
-                                          const Corners& triangle);
 
 template <typename Visit>
 void TriangleBvh::ForEachOverlap(const TriangleBvh& other,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/geometry/triangle_distance.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
@@ -12,6 +13,17 @@ using Eigen::RowVector3d;
 
 // Without branches: which way they go cannot be guessed.
 double Clamped(double x) { return std::min(std::max(x, 0.0), 1.0); }
+
+RowVector3d ClosestPointOfSegment(const RowVector3d& p,
+                                  const RowVector3d& a,
+                                  const RowVector3d& b) {
+  const RowVector3d ab = b - a;
+  const double along = ab.dot(p - a);
+  const double square = ab.squaredNorm();
+  if (!(along > 0)) return a;
+  if (along >= square) return b;
+  return a + along / square * ab;
+}
 
 // The edges of a triangle, from corner i to the next one.
 struct Edges {
@@ -42,6 +54,44 @@ struct Edges {
 };
 
 }  // namespace
+
+RowVector3d ClosestPointOfTriangle(const RowVector3d& p,
+                                   const Corners& triangle) {
+  const RowVector3d a = triangle.row(0);
+  const RowVector3d b = triangle.row(1);
+  const RowVector3d c = triangle.row(2);
+  // Barycentric coordinates of the foot of p on the plane, times |n|^2.
+  const RowVector3d n = (b - a).cross(c - a);
+  const double at_b = n.dot((p - a).cross(c - a));
+  const double at_c = n.dot((b - a).cross(p - a));
+  const double square = n.squaredNorm();
+  const double at_a = square - at_b - at_c;
+  const bool is_above = at_a > 0 && at_b > 0 && at_c > 0;
+  const RowVector3d foot =
+      is_above
+          ? RowVector3d(a + at_b / square * (b - a) + at_c / square * (c - a))
+          : RowVector3d(RowVector3d::Constant(
+                std::numeric_limits<double>::quiet_NaN()));
+  // With a sine below 1e-6 the foot may lie in the triangle and yet not be the
+  // closest point; one of the edges has a point as close then.
+  const bool is_needle =
+      square < 1e-12 * (b - a).squaredNorm() * (c - a).squaredNorm();
+  if (is_above && !is_needle) return foot;
+
+  RowVector3d closest = ClosestPointOfSegment(p, a, b);
+  double least = (p - closest).squaredNorm();
+  const auto offer = [&](const RowVector3d& candidate) {
+    const double distance = (p - candidate).squaredNorm();
+    if (distance < least) {
+      least = distance;
+      closest = candidate;
+    }
+  };
+  offer(ClosestPointOfSegment(p, b, c));
+  offer(ClosestPointOfSegment(p, c, a));
+  if (is_above) offer(foot);
+  return closest;
+}
 
 ClosestPair ClosestPointsOfTriangles(const Corners& a, const Corners& b) {
   const Edges d(a), e(b);

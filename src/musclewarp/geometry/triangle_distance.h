@@ -4,9 +4,14 @@
 
 #include <Eigen/Core>
 
-#include "musclewarp/geometry/triangle_bvh.h"
+#include "musclewarp/mesh/triangle.h"
 
 namespace musclewarp {
+
+// Returns the point of a triangle that is closest to `p`. Any triangle will do,
+// degenerate ones too.
+Eigen::RowVector3d ClosestPointOfTriangle(const Eigen::RowVector3d& p,
+                                          const Corners& triangle);
 
 // The two points of two triangles that are closest to each other.
 struct ClosestPair {

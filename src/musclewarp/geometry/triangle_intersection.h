@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "musclewarp/geometry/triangle_bvh.h"
+#include "musclewarp/mesh/triangle.h"
 
 namespace musclewarp {
 

@@ -54,20 +54,25 @@ std::vector<Eigen::Matrix4d> BonesFromRest(const PreparedScene& scene,
   return transforms;
 }
 
-// The states of muscles that are `free` without contact, of which the coarse
-// meshes are where they are `solved` and the fine ones where `contact` has
-// them.
-std::vector<MuscleState> StatesOf(const std::vector<int>& order,
-                                  const SolvedPose& free,
-                                  const SolvedPose& solved,
-                                  const ContactState& contact) {
-  std::vector<MuscleState> muscles = solved.states;
-  for (size_t k = 0; k < order.size(); ++k) {
-    MuscleContact& part = muscles[order[k]].contact;
-    part.free_coarse = free.states[order[k]].coarse;
-    part.fine_offset = contact.points[k] - contact.targets[k];
+// The state of a scene in `pose` of which the muscles are `free` without
+// contact, the coarse meshes are where they are `solved` and the fine ones
+// where `contact` has them.
+SceneState StateOf(const ScenePose& pose,
+                   const std::vector<int>& order,
+                   const SolvedPose& free,
+                   const SolvedPose& solved,
+                   const ContactState& contact) {
+  SceneState state;
+  state.pose = pose;
+  state.muscles = solved.states;
+  for (const MuscleState& muscle : free.states) {
+    state.free_coarse.push_back(muscle.coarse);
   }
-  return muscles;
+  for (size_t k = 0; k < order.size(); ++k) {
+    state.muscles[order[k]].corrections.fine_offset =
+        contact.points[k] - contact.targets[k];
+  }
+  return state;
 }
 
 std::vector<MuscleState> CoarseAlone(const std::vector<MuscleState>& muscles) {
@@ -81,8 +86,8 @@ std::vector<MuscleState> CoarseAlone(const std::vector<MuscleState>& muscles) {
 SceneState WithoutContact(const SceneState& state) {
   SceneState free;
   free.pose = state.pose;
-  for (const MuscleState& muscle : state.muscles) {
-    free.muscles.push_back({FreeCoarse(muscle), {}});
+  for (const Points& coarse : state.free_coarse) {
+    free.muscles.push_back({coarse, {}});
   }
   return free;
 }
@@ -100,9 +105,9 @@ CoarseContact CoarseContactIn(const PreparedScene& scene,
   if (weight == 0) return nullptr;
   return [=, &scene, &contact, &pose, &solver, &free](
              const ContactRelaxation& relaxation) {
-    std::vector<ContactRows> rows(scene.muscles.size());
+    std::vector<OneSidedRows> rows(scene.muscles.size());
     for (size_t k = 0; k < contact.order.size(); ++k) {
-      rows[contact.order[k]] = ContactRowsOf(
+      rows[contact.order[k]] = OneSidedRowsOf(
           relaxation.TightestPlanes(static_cast<int>(k), contact.samples[k]),
           weight);
     }
@@ -227,7 +232,7 @@ CertifiedContact PrepareCertifiedContact(const PreparedScene& scene,
     if (!summary.is_clean) state = next;
     if (LargestMove(before, state.points) < options.rest_tolerance) break;
   }
-  contact.rest.muscles = StatesOf(contact.order, free, solved, state);
+  contact.rest = StateOf(contact.rest.pose, contact.order, free, solved, state);
   contact.wall_ms = preparing.Milliseconds();
   return contact;
 }
@@ -250,7 +255,8 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
       FineMeshes(scene, contact.order, CoarseAlone(state->muscles));
   current.points = current.targets;
   for (size_t k = 0; k < contact.order.size(); ++k) {
-    current.points[k] += state->muscles[contact.order[k]].contact.fine_offset;
+    current.points[k] +=
+        state->muscles[contact.order[k]].corrections.fine_offset;
   }
   current.bones_from_rest = BonesFromRest(scene, state->pose);
   CertifiedWay way;
@@ -293,7 +299,7 @@ CertifiedWay MoveCertified(const PreparedScene& scene,
     } else {
       step = std::min(longest, 2 * step);
     }
-    *state = {next_pose, StatesOf(contact.order, free, solved, current)};
+    *state = StateOf(next_pose, contact.order, free, solved, current);
     way.summaries = std::move(solved.summaries);
     at = to;
   }

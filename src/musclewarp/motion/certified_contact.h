@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/contact/clean_step.h"
-#include "musclewarp/contact/initial_separation.h"
+#include "musclewarp/certified_contact/clean_step.h"
+#include "musclewarp/certified_contact/initial_separation.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_meshes.h"
 #include "musclewarp/motion/solved_pose.h"
@@ -18,7 +18,7 @@ struct CertifiedContactOptions {
   InitialSeparationOptions separation;
   CleanStepOptions step;
 
-  // How the coarse meshes make way (ContactRows): how many fine vertices of a
+  // How the coarse meshes make way (OneSidedRows): how many fine vertices of a
   // muscle they heed, for each of their own, and the weight of a row. What that
   // leaves, as the shape resists, is for single vertices. Weight 0: all of it.
   double samples_per_coarse_vertex = 3;

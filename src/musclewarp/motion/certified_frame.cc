@@ -132,8 +132,8 @@ Frame SolveCertifiedFrame(const PreparedScene& scene,
   std::vector<Points> without_contact(frame.muscles.size());
 #pragma omp parallel for schedule(dynamic, 1)
   for (size_t i = 0; i < frame.muscles.size(); ++i) {
-    without_contact[i] = FinePoints(scene.muscles[i].model,
-                                    {FreeCoarse(reached.muscles[i]), {}});
+    without_contact[i] =
+        FinePoints(scene.muscles[i].model, {reached.free_coarse[i], {}});
   }
   meshes->MoveTo(without_contact, frame.bones);
   const std::vector<double> depths =

@@ -81,7 +81,8 @@ SceneState StateOf(const ScenePose& pose,
   for (const MuscleState& muscle : states) {
     MuscleState kept;
     kept.coarse = muscle.coarse;
-    if (keeps_offset) kept.contact.fine_offset = muscle.contact.fine_offset;
+    if (keeps_offset)
+      kept.corrections.fine_offset = muscle.corrections.fine_offset;
     state.muscles.push_back(std::move(kept));
   }
   return state;

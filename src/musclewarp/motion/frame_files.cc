@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/mesh/mesh_io.h"
-#include "musclewarp/mesh/vtp_writer.h"
+#include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/mesh_files/vtp_writer.h"
 #include "musclewarp/motion/lines_file.h"
 #include "musclewarp/skeleton/polyline.h"
 

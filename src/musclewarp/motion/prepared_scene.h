@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/certificate/exempt_area.h"
 #include "musclewarp/fibres/fibres.h"
 #include "musclewarp/geometry/mesh_intersection.h"
-#include "musclewarp/geometry/sliver_removal.h"
 #include "musclewarp/mesh/defects.h"
-#include "musclewarp/mesh/repair.h"
+#include "musclewarp/mesh_repair/repair.h"
+#include "musclewarp/mesh_repair/sliver_removal.h"
+#include "musclewarp/scene/exempt_area.h"
 #include "musclewarp/scene/scene.h"
 #include "musclewarp/solver/carried_lines.h"
 #include "musclewarp/solver/muscle_model.h"

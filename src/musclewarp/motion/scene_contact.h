@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/contact/contact_body.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/paper_contact/contact_body.h"
+#include "musclewarp/paper_contact/group_contact.h"
 #include "musclewarp/scene/scene.h"
-#include "musclewarp/solver/group_contact.h"
 
 namespace musclewarp {
 

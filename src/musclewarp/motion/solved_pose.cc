@@ -63,7 +63,7 @@ SolvedPose SolveWithContactRows(const PreparedScene& scene,
                                 const ScenePose& pose,
                                 const PreRotationOptions& pre_rotation,
                                 const GroupSolver& solver,
-                                std::vector<ContactRows> rows,
+                                std::vector<OneSidedRows> rows,
                                 std::vector<MuscleState> start) {
   std::vector<size_t> in_contact;
   std::vector<const MuscleModel*> models;
@@ -74,7 +74,7 @@ SolvedPose SolveWithContactRows(const PreparedScene& scene,
     in_contact.push_back(i);
     models.push_back(&scene.muscles[i].model);
     targets.push_back(TargetOf(*models.back(), pose, pre_rotation));
-    targets.back().contact = std::move(rows[i]);
+    targets.back().one_sided = std::move(rows[i]);
     states.push_back(std::move(start[i]));
   }
   SolvedPose solved = free;

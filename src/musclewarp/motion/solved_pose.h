@@ -7,17 +7,20 @@
 #include "musclewarp/motion/group_solver.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_contact.h"
-#include "musclewarp/solver/contact_rows.h"
 #include "musclewarp/solver/muscle_state.h"
 #include "musclewarp/solver/muscle_target.h"
+#include "musclewarp/solver/one_sided_rows.h"
 #include "musclewarp/solver/solver_summary.h"
 
 namespace musclewarp {
 
-// Where a frame of a motion starts: the muscles in the frame before.
+// The muscles of a scene in a pose: where the next frame of a motion starts.
 struct SceneState {
   ScenePose pose;
   std::vector<MuscleState> muscles;
+  // With certified contact, the coarse vertices of each muscle as they would be
+  // without contact, N x 3, mm. Else there are none.
+  std::vector<Points> free_coarse;
 };
 
 // The muscles of a scene, solved for one pose.
@@ -48,7 +51,7 @@ SolvedPose SolveWithContactRows(const PreparedScene& scene,
                                 const ScenePose& pose,
                                 const PreRotationOptions& pre_rotation,
                                 const GroupSolver& solver,
-                                std::vector<ContactRows> rows,
+                                std::vector<OneSidedRows> rows,
                                 std::vector<MuscleState> start);
 
 }  // namespace musclewarp

@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "musclewarp/mesh/text_cursor.h"
+#include "musclewarp/mesh_files/text_cursor.h"
 #include "musclewarp/opensim/function_reader.h"
 
 namespace musclewarp {

@@ -9,7 +9,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
-#include "musclewarp/mesh/text_cursor.h"
+#include "musclewarp/mesh_files/text_cursor.h"
 
 namespace musclewarp {
 namespace {

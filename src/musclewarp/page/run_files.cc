@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/scene/json_fields.h"
 
 namespace musclewarp {

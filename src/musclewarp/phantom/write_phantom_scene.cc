@@ -6,7 +6,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/mesh/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/phantom/phantom_scene.h"
 
 namespace musclewarp {

@@ -39,8 +39,8 @@ std::string ResumeLog::FrameFile(int index) const {
   return (fs::path(folder_) / (FrameFolder(index) + ".cbor")).string();
 }
 
-std::vector<FrameRecord> ResumeLog::Continue(
-    const std::vector<int>& selected, std::vector<MuscleState>* muscles) const {
+std::vector<FrameRecord> ResumeLog::Continue(const std::vector<int>& selected,
+                                             SceneState* state) const {
   std::vector<FrameRecord> records;
   if (!fs::exists(KeyFile())) return records;
   if (ReadFile(KeyFile()) != inputs_hash_) {
@@ -56,13 +56,15 @@ std::vector<FrameRecord> ResumeLog::Continue(
       throw InputError(FrameFile(index), "is damaged", "run without --resume");
     }
     records.push_back(FrameRecordFromJson(json.at("record")));
-    muscles->clear();
-    for (const Json& muscle : json.at("muscles")) {
-      MuscleState state;
-      state.coarse = PointsFromJson(muscle.at("coarse"));
-      state.contact.free_coarse = PointsFromJson(muscle.at("free_coarse"));
-      state.contact.fine_offset = PointsFromJson(muscle.at("fine_offset"));
-      muscles->push_back(std::move(state));
+    *state = SceneState();
+    for (const Json& item : json.at("muscles")) {
+      MuscleState muscle;
+      muscle.coarse = PointsFromJson(item.at("coarse"));
+      muscle.corrections.fine_offset = PointsFromJson(item.at("fine_offset"));
+      state->muscles.push_back(std::move(muscle));
+    }
+    for (const Json& coarse : json.at("free_coarse")) {
+      state->free_coarse.push_back(PointsFromJson(coarse));
     }
   }
   return records;
@@ -75,15 +77,19 @@ void ResumeLog::StartAnew() const {
 }
 
 void ResumeLog::FrameDone(const FrameRecord& record,
-                          const std::vector<MuscleState>& muscles) const {
-  Json states = Json::array();
-  for (const MuscleState& muscle : muscles) {
-    states.push_back({{"coarse", ToJson(muscle.coarse)},
-                      {"free_coarse", ToJson(muscle.contact.free_coarse)},
-                      {"fine_offset", ToJson(muscle.contact.fine_offset)}});
+                          const SceneState& state) const {
+  Json muscles = Json::array(), free_coarse = Json::array();
+  for (const MuscleState& muscle : state.muscles) {
+    muscles.push_back(
+        {{"coarse", ToJson(muscle.coarse)},
+         {"fine_offset", ToJson(muscle.corrections.fine_offset)}});
   }
-  const auto bytes = Json::to_cbor(
-      Json{{"record", musclewarp::ToJson(record)}, {"muscles", states}});
+  for (const Points& coarse : state.free_coarse) {
+    free_coarse.push_back(ToJson(coarse));
+  }
+  const auto bytes = Json::to_cbor(Json{{"record", musclewarp::ToJson(record)},
+                                        {"muscles", muscles},
+                                        {"free_coarse", free_coarse}});
   WriteTextAtomically(FrameFile(record.index),
                       std::string(bytes.begin(), bytes.end()));
 }

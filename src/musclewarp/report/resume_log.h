@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/motion/solved_pose.h"
 #include "musclewarp/report/frame_record.h"
-#include "musclewarp/solver/muscle_state.h"
 
 namespace musclewarp {
 
@@ -18,18 +18,17 @@ class ResumeLog {
   ResumeLog(const std::string& dir, const std::string& inputs_hash);
 
   // The frames of an interrupted run of the same input, from the first of
-  // `selected` on without a gap. `muscles` becomes the state of the last of
-  // them, if there is one. Throws InputError if DIR holds an interrupted run of
-  // other input or options.
+  // `selected` on without a gap. `state` becomes that of the last of them, but
+  // for its pose, if there is one. Throws InputError if DIR holds an
+  // interrupted run of other input or options.
   std::vector<FrameRecord> Continue(const std::vector<int>& selected,
-                                    std::vector<MuscleState>* muscles) const;
+                                    SceneState* state) const;
 
   // Forgets an interrupted run.
   void StartAnew() const;
 
   // To call once the files of the frame are complete.
-  void FrameDone(const FrameRecord& record,
-                 const std::vector<MuscleState>& muscles) const;
+  void FrameDone(const FrameRecord& record, const SceneState& state) const;
 
   // The run is complete.
   void Finish() const;

@@ -29,7 +29,7 @@ class GaussNewton {
       : model_(model),
         options_(options),
         minimizer_(UnconstrainedMinimizer(model, target)),
-        contact_(model, target.contact),
+        one_sided_(model, target.one_sided),
         state_(*state),
         summary_(*summary) {}
 
@@ -60,7 +60,7 @@ class GaussNewton {
   // X <- X + alpha h. False if the step cannot be computed.
   bool Step(double alpha, bool is_fine) {
     const GaussNewtonStep step =
-        StepFrom(model_, minimizer_, state_, alpha, is_fine, &contact_);
+        StepFrom(model_, minimizer_, state_, alpha, is_fine, &one_sided_);
     if (!step.is_finite) {
       Finish(StopReason::kFailed, "the volume gradient vanished");
       return false;
@@ -100,7 +100,7 @@ class GaussNewton {
   const MuscleModel& model_;
   const GaussNewtonOptions& options_;
   const Points minimizer_;  // X*
-  ContactSystem contact_;
+  OneSidedSystem one_sided_;
   MuscleState& state_;
   SolverSummary& summary_;
 };

@@ -13,17 +13,18 @@ GaussNewtonStep StepFrom(const MuscleModel& model,
                          const MuscleState& state,
                          double alpha,
                          bool is_fine_volume,
-                         ContactSystem* contact) {
+                         OneSidedSystem* one_sided) {
   const FineVolume volume =
-      is_fine_volume ? EvaluateFineVolume(model, state.coarse, state.contact)
-                     : EvaluateCoarseVolume(model, state.coarse, state.contact);
+      is_fine_volume
+          ? EvaluateFineVolume(model, state.coarse, state.corrections)
+          : EvaluateCoarseVolume(model, state.coarse, state.corrections);
   // -A^-1 J_f^T f = X* - X, because f is linear.
   Points to_minimizer = minimizer - state.coarse;
   Points inverse_gradient = model.normal_matrix.solve(volume.gradient);
-  if (contact) {
-    contact->SetPlace(state.coarse);
-    to_minimizer = contact->StepOf(to_minimizer);
-    inverse_gradient = contact->Corrected(std::move(inverse_gradient));
+  if (one_sided) {
+    one_sided->SetPlace(state.coarse);
+    to_minimizer = one_sided->StepOf(to_minimizer);
+    inverse_gradient = one_sided->Corrected(std::move(inverse_gradient));
   }
   const double denominator =
       volume.gradient.cwiseProduct(inverse_gradient).sum();

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "musclewarp/solver/contact_rows.h"
 #include "musclewarp/solver/muscle_model.h"
 #include "musclewarp/solver/muscle_state.h"
+#include "musclewarp/solver/one_sided_rows.h"
 
 namespace musclewarp {
 
@@ -21,12 +21,12 @@ struct GaussNewtonStep {
 //
 // so that J_g (alpha h) = -dV. `minimizer` is X*; dV is taken from the fine
 // mesh, or from the coarse mesh and scaled. Held vertices have no rows in J_g.
-// With `contact` A and f have the rows that are active at the state.
+// With `one_sided` A and f have the rows that are active at the state.
 GaussNewtonStep StepFrom(const MuscleModel& model,
                          const Points& minimizer,
                          const MuscleState& state,
                          double alpha,
                          bool is_fine_volume,
-                         ContactSystem* contact = nullptr);
+                         OneSidedSystem* one_sided = nullptr);
 
 }  // namespace musclewarp

@@ -29,14 +29,10 @@ void HeldVertices::ClearRows(Points* gradient) const {
   for (const int v : vertices) gradient->row(v).setZero();
 }
 
-const Points& FreeCoarse(const MuscleState& state) {
-  const Points& free = state.contact.free_coarse;
-  return free.rows() > 0 ? free : state.coarse;
-}
-
 Points FinePoints(const MuscleModel& model, const MuscleState& state) {
   Points fine = Product(model.fine_from_coarse, state.coarse);
-  if (state.contact.fine_offset.rows() > 0) fine += state.contact.fine_offset;
+  if (state.corrections.fine_offset.rows() > 0)
+    fine += state.corrections.fine_offset;
   return fine;
 }
 

@@ -9,8 +9,9 @@
 
 namespace musclewarp {
 
-// Vertices that contact holds in place: they take no part in the volume
-// correction, which is to say their rows of J_g are zero (paper section 3.3).
+// Vertices that something other than the muscle's energy holds in place. They
+// take no part in the volume correction: their rows of J_g are zero (paper
+// section 3.3).
 struct HeldVertices {
   std::vector<int> vertices;  // rising
   Points positions;           // #vertices x 3, mm
@@ -27,26 +28,21 @@ struct HeldVertices {
                          const std::vector<char>& is_held);
 };
 
-// What contact adds to a muscle.
-struct MuscleContact {
-  // X as it would be without, N x 3, mm; no rows: as it is.
-  Points free_coarse;
-  // Moves of the fine vertices beside W X, n x 3, mm; no rows: none.
+// What places single vertices of a muscle elsewhere than its energy does.
+struct VertexCorrections {
+  // Added to W X, n x 3, mm. No rows stand for zeros.
   Points fine_offset;
   HeldVertices held_coarse;
   HeldVertices held_fine;
 };
 
-// Where a muscle is; the only thing of it that moves.
+// Where a muscle is: all of it that changes from pose to pose.
 struct MuscleState {
   Points coarse;  // N x 3, mm: X
-  MuscleContact contact;
+  VertexCorrections corrections;
 };
 
-// X without contact, N x 3, mm.
-const Points& FreeCoarse(const MuscleState& state);
-
-// The fine mesh of a state, W X + offset, n x 3, mm.
+// Returns the fine vertices of a state, W X + offset, n x 3, mm.
 Points FinePoints(const MuscleModel& model, const MuscleState& state);
 
 }  // namespace musclewarp

@@ -6,18 +6,18 @@
 
 #include "musclewarp/scene/scene.h"
 #include "musclewarp/skeleton/action_line.h"
-#include "musclewarp/solver/contact_rows.h"
 #include "musclewarp/solver/muscle_model.h"
+#include "musclewarp/solver/one_sided_rows.h"
 
 namespace musclewarp {
 
 // What a pose asks of one muscle: the right-hand side of f(X) in MuscleModel,
-// and what contact asks beside it.
+// and one-sided rows beside it.
 struct MuscleTarget {
-  Points laplacian;   // N x 3: delta, pre-rotated
-  Points skeleton;    // m x 3: s', times the weight
-  Points attachment;  // k x 3: b', times the weights
-  ContactRows contact;
+  Points laplacian;        // N x 3: delta, pre-rotated
+  Points skeleton;         // m x 3: s', times the weight
+  Points attachment;       // k x 3: b', times the weights
+  OneSidedRows one_sided;  // rows beside those of the linear energy
 };
 
 struct PreRotationOptions {
@@ -36,7 +36,7 @@ Points LinearDescent(const MuscleModel& model,
                      const MuscleTarget& target,
                      const Points& coarse);
 
-// 1/2 |f(X)|^2, mm^2. Without contact, as all of these.
+// 1/2 |f(X)|^2, mm^2. One-sided rows are left out, here and below.
 double LinearEnergy(const MuscleModel& model,
                     const MuscleTarget& target,
                     const Points& coarse);

@@ -8,22 +8,22 @@
 namespace musclewarp {
 FineVolume EvaluateFineVolume(const MuscleModel& model,
                               const Points& coarse,
-                              const MuscleContact& contact) {
-  VolumeEvaluator evaluator(model, &contact);
+                              const VertexCorrections& corrections) {
+  VolumeEvaluator evaluator(model, &corrections);
   const double error = evaluator.Error(coarse);
   return {error, evaluator.Gradient(coarse)};
 }
 
 double FineVolumeError(const MuscleModel& model,
                        const Points& coarse,
-                       const MuscleContact& contact) {
-  return VolumeEvaluator(model, &contact).Error(coarse);
+                       const VertexCorrections& corrections) {
+  return VolumeEvaluator(model, &corrections).Error(coarse);
 }
 
 FineVolume EvaluateCoarseVolume(const MuscleModel& model,
                                 const Points& coarse,
-                                const MuscleContact& contact) {
-  VolumeEvaluator evaluator(model, &contact);
+                                const VertexCorrections& corrections) {
+  VolumeEvaluator evaluator(model, &corrections);
   evaluator.SetMesh(VolumeMesh::kCoarse);
   const double error = evaluator.Error(coarse);
   return {error,

@@ -11,7 +11,7 @@
 namespace musclewarp {
 
 // The volume of the fine mesh as a function of the coarse vertices,
-// g(X) = V(W X) - V_hat (paper eq. 2.6, 2.7, 2.9). With `contact`, the fine
+// g(X) = V(W X) - V_hat (paper eq. 2.6, 2.7, 2.9). With `corrections`, the fine
 // mesh is W X + offset, and held vertices stay where they are held whatever X
 // is, so that their rows of the gradient are zero.
 struct FineVolume {
@@ -21,18 +21,18 @@ struct FineVolume {
 
 FineVolume EvaluateFineVolume(const MuscleModel& model,
                               const Points& coarse,
-                              const MuscleContact& contact = {});
+                              const VertexCorrections& corrections = {});
 
 // g alone, at half the cost.
 double FineVolumeError(const MuscleModel& model,
                        const Points& coarse,
-                       const MuscleContact& contact = {});
+                       const VertexCorrections& corrections = {});
 
 // What the paper uses far from the solution: the error of the coarse mesh,
 // scaled to the fine one, but the gradient of the coarse mesh as it is.
 FineVolume EvaluateCoarseVolume(const MuscleModel& model,
                                 const Points& coarse,
-                                const MuscleContact& contact = {});
+                                const VertexCorrections& corrections = {});
 
 // Fills in the final energy and the volume ratio.
 void SummarizeSolution(const MuscleModel& model,

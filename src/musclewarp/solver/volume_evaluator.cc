@@ -8,8 +8,8 @@
 namespace musclewarp {
 
 VolumeEvaluator::VolumeEvaluator(const MuscleModel& model,
-                                 const MuscleContact* contact)
-    : model_(model), contact_(contact) {}
+                                 const VertexCorrections* corrections)
+    : model_(model), corrections_(corrections) {}
 
 void VolumeEvaluator::SetMesh(VolumeMesh mesh) {
   mesh_ = mesh;
@@ -21,7 +21,7 @@ double VolumeEvaluator::Error(const Points& coarse) {
   coarse_ = coarse;
   gradient_.resize(0, 3);
   moved_ = coarse;
-  if (contact_) contact_->held_coarse.PutBack(&moved_);
+  if (corrections_) corrections_->held_coarse.PutBack(&moved_);
   if (mesh_ == VolumeMesh::kCoarse) {
     error_ = (SignedVolume(moved_, model_.coarse_triangles) -
               model_.coarse_rest_volume) *
@@ -29,9 +29,10 @@ double VolumeEvaluator::Error(const Points& coarse) {
     return error_;
   }
   moved_ = Product(model_.fine_from_coarse, moved_);
-  if (contact_) {
-    if (contact_->fine_offset.rows() > 0) moved_ += contact_->fine_offset;
-    contact_->held_fine.PutBack(&moved_);
+  if (corrections_) {
+    if (corrections_->fine_offset.rows() > 0)
+      moved_ += corrections_->fine_offset;
+    corrections_->held_fine.PutBack(&moved_);
   }
   error_ = SignedVolume(moved_, model_.fine_triangles) - model_.rest_volume;
   return error_;
@@ -45,10 +46,10 @@ const Points& VolumeEvaluator::Gradient(const Points& coarse) {
                 VolumeGradient(moved_, model_.coarse_triangles);
   } else {
     Points fine_gradient = VolumeGradient(moved_, model_.fine_triangles);
-    if (contact_) contact_->held_fine.ClearRows(&fine_gradient);
+    if (corrections_) corrections_->held_fine.ClearRows(&fine_gradient);
     gradient_ = TransposedProduct(model_.fine_from_coarse, fine_gradient);
   }
-  if (contact_) contact_->held_coarse.ClearRows(&gradient_);
+  if (corrections_) corrections_->held_coarse.ClearRows(&gradient_);
   return gradient_;
 }
 

@@ -18,8 +18,9 @@ enum class VolumeMesh { kCoarse, kFine };
 // costs one pass over W. Not for use from several threads.
 class VolumeEvaluator {
  public:
-  // Keeps both; `contact` may be null.
-  VolumeEvaluator(const MuscleModel& model, const MuscleContact* contact);
+  // Keeps both; `corrections` may be null.
+  VolumeEvaluator(const MuscleModel& model,
+                  const VertexCorrections* corrections);
 
   const MuscleModel& model() const { return model_; }
 
@@ -32,12 +33,12 @@ class VolumeEvaluator {
   // J_g^T, N x 3, mm^2.
   const Points& Gradient(const Points& coarse);
 
-  // To be called when `contact` has changed.
+  // To be called when `corrections` has changed.
   void Forget() { coarse_.resize(0, 3); }
 
  private:
   const MuscleModel& model_;
-  const MuscleContact* contact_;
+  const VertexCorrections* corrections_;
   VolumeMesh mesh_ = VolumeMesh::kFine;
   Points coarse_;  // the last place; no rows: none
   Points moved_;  // the same with held vertices, of the mesh whose volume it is

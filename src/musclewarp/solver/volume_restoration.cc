@@ -16,10 +16,10 @@ constexpr double kVolumeTolerance = 1e-10;
 // Chooses the offsets of held fine vertices so that they are where they are
 // held.
 void PinHeldVertices(const MuscleModel& model, MuscleState* state) {
-  const HeldVertices& held = state->contact.held_fine;
+  const HeldVertices& held = state->corrections.held_fine;
   if (held.IsEmpty()) return;
   const Points followed = Product(model.fine_from_coarse, state->coarse);
-  Points& offset = state->contact.fine_offset;
+  Points& offset = state->corrections.fine_offset;
   if (offset.rows() == 0) offset.setZero(followed.rows(), 3);
   for (size_t k = 0; k < held.vertices.size(); ++k) {
     const int v = held.vertices[k];
@@ -30,7 +30,7 @@ void PinHeldVertices(const MuscleModel& model, MuscleState* state) {
 }  // namespace
 
 double RestoreVolume(const MuscleModel& model, MuscleState* state) {
-  VolumeEvaluator volume(model, &state->contact);
+  VolumeEvaluator volume(model, &state->corrections);
   double relative_error = INFINITY;
   for (int step = 0; step < kMaxSteps; ++step) {
     const double error = volume.Error(state->coarse);

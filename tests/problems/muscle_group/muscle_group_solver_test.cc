@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-#include "musclewarp/solver/gauss_newton_group.h"
+#include "musclewarp/paper_contact/gauss_newton_group.h"
 #include "problems/muscle_group/muscle_group_problem.h"
 #include "support/muscle_groups.h"
 #include "support/muscles.h"
@@ -75,7 +75,7 @@ TEST_P(MuscleGroup, IsTheSameToTheBitForEveryNumberOfThreads) {
   for (size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].coarse, four[i].coarse);
     EXPECT_EQ(one[i].coarse, again[i].coarse);
-    EXPECT_EQ(one[i].contact.fine_offset, four[i].contact.fine_offset);
+    EXPECT_EQ(one[i].corrections.fine_offset, four[i].corrections.fine_offset);
   }
 }
 
@@ -139,17 +139,18 @@ TEST_P(AfterContact, CeresSeesTheRolledBackStateAndNoMaskedRow) {
     // d/dX = U^T d/dY
     slope = model.normal_matrix.matrixL() * slope;
   }
-  ASSERT_FALSE(states[0].contact.held_coarse.IsEmpty());
-  for (const int v : states[0].contact.held_coarse.vertices) {
+  ASSERT_FALSE(states[0].corrections.held_coarse.IsEmpty());
+  for (const int v : states[0].corrections.held_coarse.vertices) {
     // Exact for plain blocks; what whitening rounds.
     EXPECT_LT(slope.row(v).norm(), 1e-12 * slope.norm());
   }
   EXPECT_GT(slope.norm(), 0);
-  EXPECT_NEAR(residuals[row],
-              group.constraints[0]->Residual(
-                  FineVolumeError(model, states[0].coarse, states[0].contact) /
-                  model.rest_area),
-              1e-9);
+  EXPECT_NEAR(
+      residuals[row],
+      group.constraints[0]->Residual(
+          FineVolumeError(model, states[0].coarse, states[0].corrections) /
+          model.rest_area),
+      1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formulations,

@@ -43,15 +43,15 @@ double Distance(const Points& a, const Points& b) {
 
 // Rows that ask the vertices of the upper half of the muscle to go by `depth`
 // along -x from `free`, those of the lower half along x.
-ContactRows RowsFromBothSides(const MuscleModel& model,
-                              const Points& free,
-                              double depth) {
-  std::vector<VertexPlane> planes;
+OneSidedRows RowsFromBothSides(const MuscleModel& model,
+                               const Points& free,
+                               double depth) {
+  std::vector<VertexHalfSpace> planes;
   for (int v = 0; v < free.rows(); v += 3) {
     const double sign = model.fine_rest(v, 2) > 0 ? -1 : 1;
     planes.push_back({v, {{sign, 0, 0}, sign * free(v, 0) + depth}});
   }
-  return ContactRowsOf(planes, 0.5);
+  return OneSidedRowsOf(planes, 0.5);
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ TEST(SingleMuscleSolver, AllFindOneMinimumWithContact) {
   for (const double angle : {0.0, 0.5, 1.0}) {
     MuscleTarget target = TargetOf(model, BentPose(angle), {});
     const Points free = SolveWithReference(model, target);
-    target.contact = RowsFromBothSides(model, free, 4);
+    target.one_sided = RowsFromBothSides(model, free, 4);
     const Points reference = SolveWithReference(model, target);
     EXPECT_GT(Distance(reference, free), 1);
     for (const auto formulation :
@@ -118,8 +118,8 @@ TEST(SingleMuscleSolver, PlanesThatAreFarAwayChangeNothing) {
   const MuscleModel model = SpindleModel();
   MuscleTarget target = TargetOf(model, BentPose(0.5), {});
   const Points free = SolveWithReference(model, target);
-  target.contact = RowsFromBothSides(model, free, 4);
-  target.contact.levels.array() -= 5;
+  target.one_sided = RowsFromBothSides(model, free, 4);
+  target.one_sided.levels.array() -= 5;
   EXPECT_LT(Distance(SolveWithReference(model, target), free), kSameMinimum);
   EXPECT_LT(
       Distance(SolveWithCeres(model, target, MuscleFormulation::kWhitened),

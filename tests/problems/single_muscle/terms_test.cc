@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "problems/single_muscle/contact_term.h"
 #include "problems/single_muscle/coordinates_term.h"
 #include "problems/single_muscle/laplacian_term.h"
+#include "problems/single_muscle/one_sided_term.h"
 #include "problems/single_muscle/volume_term.h"
 #include "problems/single_muscle/whitened_linear_term.h"
 #include "problems/single_muscle/whitening.h"
@@ -61,8 +61,8 @@ Eigen::VectorXd Residuals(const ceres::CostFunction& term,
 }
 
 // Rows for vertices all over the mesh, with depths of both signs.
-ContactRows RowsAllOver(const MuscleModel& model) {
-  ContactRows rows;
+OneSidedRows RowsAllOver(const MuscleModel& model) {
+  OneSidedRows rows;
   rows.weight = 0.7;
   for (int v = 0; v < model.fine_rest.rows(); v += 20) {
     rows.vertices.push_back(v);
@@ -109,12 +109,12 @@ TEST(WhitenedLinearTerm, IsItsUnknown) {
   ExpectRightDerivative(*term, y);
 }
 
-TEST(ContactTerm, IsTheDepthOnTheWrongSideOfAPlane) {
+TEST(OneSidedTerm, IsTheDepthOnTheWrongSideOfAPlane) {
   const MuscleModel model = SpindleModel();
-  const ContactRows rows = RowsAllOver(model);
+  const OneSidedRows rows = RowsAllOver(model);
   const MuscleUnknowns unknowns(
       model, MuscleTarget(), MuscleFormulation::kBlocks, model.coarse_rest);
-  const ContactTerm term(model, &rows, &unknowns);
+  const OneSidedTerm term(model, &rows, &unknowns);
   const Eigen::VectorXd residuals = Residuals(term, model.coarse_rest);
   for (int k = 0; k < rows.size(); ++k) {
     EXPECT_NEAR(residuals[k], k % 2 ? 0.7 * 30 : 0, 1e-9);
@@ -123,14 +123,14 @@ TEST(ContactTerm, IsTheDepthOnTheWrongSideOfAPlane) {
 
 // Between its kinks the term is linear, so that differences are exact, and as
 // a whole: single derivatives are as small as 1e-9.
-TEST(ContactTerm, HasTheRightDerivativeInBothFormulations) {
+TEST(OneSidedTerm, HasTheRightDerivativeInBothFormulations) {
   const MuscleModel model = SpindleModel();
-  const ContactRows rows = RowsAllOver(model);
+  const OneSidedRows rows = RowsAllOver(model);
   const MuscleTarget target = TargetOf(model, BentPose(0.1), {});
   for (const auto formulation :
        {MuscleFormulation::kWhitened, MuscleFormulation::kBlocks}) {
     MuscleUnknowns unknowns(model, target, formulation, model.coarse_rest);
-    const ContactTerm term(model, &rows, &unknowns);
+    const OneSidedTerm term(model, &rows, &unknowns);
     const int count = unknowns.num_blocks();
     const Points place = Eigen::Map<const Points>(unknowns.data(), count, 3);
     const Points step = 0.01 * RandomPoints(count);

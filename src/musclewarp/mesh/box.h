@@ -1,0 +1,73 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+
+#include "musclewarp/mesh/triangle.h"
+
+namespace musclewarp {
+
+// A closed box whose faces are parallel to the axes, mm.
+struct Box3 {
+  std::array<double, 3> lower;
+  std::array<double, 3> upper;
+
+  // True if the boxes share a point.
+  bool Overlaps(const Box3& other) const {
+    // Without short cuts: six comparisons are cheaper than wrong guesses.
+    return (lower[0] <= other.upper[0]) & (lower[1] <= other.upper[1]) &
+           (lower[2] <= other.upper[2]) & (upper[0] >= other.lower[0]) &
+           (upper[1] >= other.lower[1]) & (upper[2] >= other.lower[2]);
+  }
+  bool Contains(const Eigen::RowVector3d& p) const {
+    return (lower[0] <= p[0]) & (lower[1] <= p[1]) & (lower[2] <= p[2]) &
+           (upper[0] >= p[0]) & (upper[1] >= p[1]) & (upper[2] >= p[2]);
+  }
+
+  // The squared distance to a point or another box, mm^2; zero if they share a
+  // point.
+  double SquaredDistance(const Eigen::RowVector3d& p) const {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double gap =
+          std::max({lower[axis] - p[axis], p[axis] - upper[axis], 0.0});
+      sum += gap * gap;
+    }
+    return sum;
+  }
+  double SquaredDistance(const Box3& other) const {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double gap = std::max({lower[axis] - other.upper[axis],
+                                   other.lower[axis] - upper[axis],
+                                   0.0});
+      sum += gap * gap;
+    }
+    return sum;
+  }
+};
+
+// Returns the box around a triangle, wider by `margin` (mm) on all sides.
+inline Box3 BoxOf(const Corners& triangle, double margin = 0) {
+  Box3 box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.lower[axis] = triangle.col(axis).minCoeff() - margin;
+    box.upper[axis] = triangle.col(axis).maxCoeff() + margin;
+  }
+  return box;
+}
+
+// Returns the smallest box that contains two others.
+inline Box3 BoxOf(const Box3& a, const Box3& b) {
+  Box3 box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.lower[axis] = std::min(a.lower[axis], b.lower[axis]);
+    box.upper[axis] = std::max(a.upper[axis], b.upper[axis]);
+  }
+  return box;
+}
+
+}  // namespace musclewarp

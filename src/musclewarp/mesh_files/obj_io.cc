@@ -1,0 +1,134 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/mesh_files/obj_io.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh_files/soup_builder.h"
+#include "musclewarp/mesh_files/text_cursor.h"
+
+namespace musclewarp {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+// Statements of the format that do not bear on points and faces.
+bool IsSkipped(std::string_view statement) {
+  static const std::set<std::string_view> kSkipped = {
+      "vt",       "vn",        "vp",         "g",      "o",      "s",
+      "mg",       "usemtl",    "mtllib",     "usemap", "maplib", "l",
+      "p",        "lod",       "cstype",     "deg",    "bmat",   "step",
+      "curv",     "curv2",     "surf",       "parm",   "trim",   "hole",
+      "scrv",     "sp",        "end",        "con",    "bevel",  "c_interp",
+      "d_interp", "trace_obj", "shadow_obj", "ctech",  "stech",  "call",
+      "csh"};
+  return kSkipped.count(statement) > 0;
+}
+
+// The words of the next statement; a backslash continues it on the next line.
+bool NextStatement(TextCursor* cursor, Words* statement) {
+  if (!cursor->NextWords(statement)) return false;
+  Words more;
+  while (!statement->empty() && statement->back().back() == '\\') {
+    statement->back().remove_suffix(1);
+    if (statement->back().empty()) statement->pop_back();
+    if (!cursor->NextWords(&more)) break;
+    statement->insert(statement->end(), more.begin(), more.end());
+  }
+  return true;
+}
+
+void AddPoint(const TextCursor& cursor,
+              const Words& words,
+              SoupBuilder* builder) {
+  // x y z, then perhaps a weight or a colour.
+  if (words.size() < 4) {
+    throw InputError(cursor.Where(),
+                     "has " + std::to_string(words.size() - 1) +
+                         " coordinates, a vertex has 3",
+                     "export the mesh again");
+  }
+  Eigen::Vector3d point;
+  for (int i = 0; i < 3; ++i) {
+    point[i] = cursor.Real(words[i + 1], "a coordinate");
+  }
+  builder->AddPoint(point, cursor.line());
+}
+
+// "v", "v/vt", "v//vn" or "v/vt/vn": v, counted from 0.
+std::int64_t CornerFromWord(const TextCursor& cursor,
+                            std::string_view word,
+                            std::int64_t num_points) {
+  const std::size_t slash = word.find('/');
+  const std::int64_t index =
+      cursor.Integer(word.substr(0, slash), "a vertex index");
+  if (slash != std::string_view::npos) {
+    const std::size_t stray =
+        word.substr(slash).find_first_not_of("/-+0123456789");
+    if (stray != std::string_view::npos) {
+      cursor.Integer(word.substr(slash + 1), "a texture or normal index");
+    }
+  }
+  // Negative indices count back from the vertices so far.
+  const std::int64_t vertex = index > 0 ? index - 1 : num_points + index;
+  if (index == 0 || vertex < 0) {
+    throw InputError(cursor.Where(),
+                     "names vertex " + std::to_string(index) +
+                         ", vertices count from 1, or from -1 back to -" +
+                         std::to_string(num_points),
+                     "export the mesh again");
+  }
+  return vertex;
+}
+
+}  // namespace
+
+TriangleSoup ReadObj(const std::string& path, std::string_view bytes) {
+  TextCursor cursor(path, bytes, '#');
+  SoupBuilder builder(path, 1);
+  Words words;
+  std::vector<std::int64_t> corners;
+  while (NextStatement(&cursor, &words)) {
+    if (words.empty()) continue;
+    if (words[0] == "v") {
+      AddPoint(cursor, words, &builder);
+    } else if (words[0] == "f") {
+      corners.clear();
+      for (std::size_t i = 1; i < words.size(); ++i) {
+        corners.push_back(
+            CornerFromWord(cursor, words[i], builder.num_points()));
+      }
+      builder.AddPolygon(corners, cursor.line());
+    } else if (!IsSkipped(words[0])) {
+      throw InputError(cursor.Where(),
+                       Quoted(words[0]) + " is no OBJ statement",
+                       "check that this is an OBJ file, or export it again");
+    }
+  }
+  return builder.Build();
+}
+
+std::string ObjBytes(const TriangleSoup& soup) {
+  std::string out;
+  for (Eigen::Index i = 0; i < soup.points.rows(); ++i) {
+    out += 'v';
+    for (const double x : soup.points.row(i)) {
+      out += ' ';
+      AppendReal(x, &out);
+    }
+    out += '\n';
+  }
+  for (Eigen::Index f = 0; f < soup.triangles.rows(); ++f) {
+    out += 'f';
+    for (const int v : soup.triangles.row(f)) {
+      out += ' ' + std::to_string(v + 1);
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+}  // namespace musclewarp

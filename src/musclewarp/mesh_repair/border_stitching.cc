@@ -1,0 +1,300 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/mesh_repair/border_stitching.h"
+
+#include <glog/logging.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <unordered_map>
+#include <vector>
+
+namespace musclewarp {
+namespace {
+
+using Corners = std::array<int, 3>;
+
+// A consistently oriented soup that is being stitched: every directed edge has
+// at most one triangle, on an edge of a border the opposite has none.
+class Borders {
+ public:
+  explicit Borders(const TriangleSoup& soup);
+
+  // Border edges, directed as their triangle runs, ascending.
+  std::vector<std::array<int, 2>> Edges() const;
+
+  bool IsBorderEdge(int a, int b) const {
+    return HasDirectedEdge(a, b) && !HasDirectedEdge(b, a);
+  }
+
+  // Whether a border edge starts in v.
+  bool IsOnBorder(int v) const;
+
+  // Point `from` becomes point `to`. False and nothing done if that would
+  // crowd an edge or collapse a triangle.
+  bool Merge(int from, int to);
+
+  // Splits the border edge a b of a triangle at point v. False and nothing done
+  // if that would crowd an edge.
+  bool Insert(int v, int a, int b);
+
+  Triangles ToTriangles() const;
+
+ private:
+  static uint64_t Key(int a, int b) {
+    return static_cast<uint64_t>(a) << 32 | static_cast<uint32_t>(b);
+  }
+  bool HasDirectedEdge(int a, int b) const {
+    return triangle_of_edge_.count(Key(a, b)) > 0;
+  }
+  void Link(int f);
+  void Unlink(int f);
+
+  std::vector<Corners> triangles_;
+  std::vector<std::vector<int>> triangles_of_point_;
+  std::unordered_map<uint64_t, int> triangle_of_edge_;
+};
+
+Borders::Borders(const TriangleSoup& soup)
+    : triangles_of_point_(soup.points.rows()) {
+  for (int f = 0; f < soup.triangles.rows(); ++f) {
+    triangles_.push_back(
+        {soup.triangles(f, 0), soup.triangles(f, 1), soup.triangles(f, 2)});
+    Link(f);
+  }
+}
+
+void Borders::Link(int f) {
+  for (int c = 0; c < 3; ++c) {
+    const int a = triangles_[f][c];
+    triangles_of_point_[a].push_back(f);
+    const uint64_t key = Key(a, triangles_[f][(c + 1) % 3]);
+    CHECK(triangle_of_edge_.emplace(key, f).second)
+        << "two triangles run the same way along an edge of triangle " << f;
+  }
+}
+
+void Borders::Unlink(int f) {
+  for (int c = 0; c < 3; ++c) {
+    const int a = triangles_[f][c];
+    auto& around = triangles_of_point_[a];
+    around.erase(std::find(around.begin(), around.end(), f));
+    triangle_of_edge_.erase(Key(a, triangles_[f][(c + 1) % 3]));
+  }
+}
+
+std::vector<std::array<int, 2>> Borders::Edges() const {
+  std::vector<std::array<int, 2>> edges;
+  for (const Corners& corners : triangles_) {
+    for (int c = 0; c < 3; ++c) {
+      const int a = corners[c];
+      const int b = corners[(c + 1) % 3];
+      if (!HasDirectedEdge(b, a)) edges.push_back({a, b});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+bool Borders::IsOnBorder(int v) const {
+  for (const int f : triangles_of_point_[v]) {
+    const Corners& corners = triangles_[f];
+    const int c =
+        std::find(corners.begin(), corners.end(), v) - corners.begin();
+    if (!HasDirectedEdge(corners[(c + 1) % 3], v)) return true;
+  }
+  return false;
+}
+
+bool Borders::Merge(int from, int to) {
+  for (const int f : triangles_of_point_[from]) {
+    const Corners& corners = triangles_[f];
+    const int c =
+        std::find(corners.begin(), corners.end(), from) - corners.begin();
+    const int next = corners[(c + 1) % 3];
+    const int last = corners[(c + 2) % 3];
+    if (next == to || last == to) return false;
+    if (HasDirectedEdge(to, next) || HasDirectedEdge(last, to)) return false;
+    // Two triangles back to back would enclose nothing.
+    const auto opposite = triangle_of_edge_.find(Key(last, next));
+    if (opposite != triangle_of_edge_.end()) {
+      const Corners& other = triangles_[opposite->second];
+      if (std::find(other.begin(), other.end(), to) != other.end()) {
+        return false;
+      }
+    }
+  }
+  const std::vector<int> moved = triangles_of_point_[from];
+  for (const int f : moved) {
+    Unlink(f);
+    std::replace(triangles_[f].begin(), triangles_[f].end(), from, to);
+    Link(f);
+  }
+  return true;
+}
+
+bool Borders::Insert(int v, int a, int b) {
+  if (!IsBorderEdge(a, b)) return false;
+  const int f = triangle_of_edge_.at(Key(a, b));
+  const Corners corners = triangles_[f];
+  int c = corners[0];
+  for (const int corner : corners) {
+    if (corner != a && corner != b) c = corner;
+  }
+  if (v == a || v == b || v == c) return false;
+  if (HasDirectedEdge(a, v) || HasDirectedEdge(v, b) || HasDirectedEdge(v, c) ||
+      HasDirectedEdge(c, v)) {
+    return false;
+  }
+  Unlink(f);
+  Corners first = corners;
+  std::replace(first.begin(), first.end(), b, v);
+  Corners second = corners;
+  std::replace(second.begin(), second.end(), a, v);
+  triangles_[f] = first;
+  Link(f);
+  triangles_.push_back(second);
+  Link(static_cast<int>(triangles_.size()) - 1);
+  return true;
+}
+
+Triangles Borders::ToTriangles() const {
+  Triangles triangles(triangles_.size(), 3);
+  for (size_t f = 0; f < triangles_.size(); ++f) {
+    triangles.row(f) << triangles_[f][0], triangles_[f][1], triangles_[f][2];
+  }
+  return triangles;
+}
+
+struct Candidate {
+  double distance;
+  int v;
+  int a;
+  int b;  // v belongs onto edge a b, or onto a if b < 0
+};
+
+bool operator<(const Candidate& x, const Candidate& y) {
+  return std::tie(x.distance, x.v, x.a, x.b) <
+         std::tie(y.distance, y.v, y.a, y.b);
+}
+
+// Border points in the order of their first coordinate.
+std::vector<int> PointsByX(const std::vector<std::array<int, 2>>& edges,
+                           const Points& points) {
+  std::vector<int> sorted;
+  for (const auto& [a, b] : edges) sorted.insert(sorted.end(), {a, b});
+  std::sort(sorted.begin(), sorted.end(), [&](int a, int b) {
+    return points(a, 0) != points(b, 0) ? points(a, 0) < points(b, 0) : a < b;
+  });
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  return sorted;
+}
+
+std::vector<Candidate> PointsBesidePoints(const std::vector<int>& by_x,
+                                          const Points& points,
+                                          double tolerance) {
+  std::vector<Candidate> candidates;
+  for (size_t i = 0; i < by_x.size(); ++i) {
+    for (size_t j = i + 1; j < by_x.size(); ++j) {
+      if (points(by_x[j], 0) - points(by_x[i], 0) > tolerance) break;
+      const double distance =
+          (points.row(by_x[j]) - points.row(by_x[i])).norm();
+      if (distance > tolerance) continue;
+      const auto [low, high] = std::minmax({by_x[i], by_x[j]});
+      candidates.push_back({distance, high, low, -1});
+    }
+  }
+  std::sort(candidates.begin(), candidates.end());
+  return candidates;
+}
+
+std::vector<Candidate> PointsBesideEdges(
+    const std::vector<std::array<int, 2>>& edges,
+    const std::vector<int>& by_x,
+    const Points& points,
+    double tolerance) {
+  std::vector<Candidate> candidates;
+  for (const auto& [a, b] : edges) {
+    const Eigen::RowVector3d start = points.row(a);
+    const Eigen::RowVector3d along = points.row(b) - points.row(a);
+    const double x_min = std::min(points(a, 0), points(b, 0)) - tolerance;
+    const double x_max = std::max(points(a, 0), points(b, 0)) + tolerance;
+    auto v = std::lower_bound(
+        by_x.begin(), by_x.end(), x_min, [&](int point, double x) {
+          return points(point, 0) < x;
+        });
+    for (; v != by_x.end() && points(*v, 0) <= x_max; ++v) {
+      if (*v == a || *v == b) continue;
+      const Eigen::RowVector3d arm = points.row(*v) - start;
+      const double t = arm.dot(along) / along.squaredNorm();
+      if (!(t > 0 && t < 1)) continue;
+      const double distance = (arm - t * along).norm();
+      if (distance <= tolerance) candidates.push_back({distance, *v, a, b});
+    }
+  }
+  std::sort(candidates.begin(), candidates.end());
+  return candidates;
+}
+
+// Merges border points with border points, closest first.
+void MergeBorderPoints(double tolerance,
+                       const Points& points,
+                       Borders* borders,
+                       Stitches* stitches) {
+  const auto by_x = PointsByX(borders->Edges(), points);
+  for (const Candidate& candidate :
+       PointsBesidePoints(by_x, points, tolerance)) {
+    if (!borders->IsOnBorder(candidate.v) ||
+        !borders->IsOnBorder(candidate.a) ||
+        !borders->Merge(candidate.v, candidate.a)) {
+      continue;
+    }
+    ++stitches->merged_points;
+    stitches->longest = std::max(stitches->longest, candidate.distance);
+  }
+}
+
+// Splits border edges at border points beside them, closest first.
+void InsertBorderPoints(double tolerance,
+                        const Points& points,
+                        Borders* borders,
+                        Stitches* stitches) {
+  const auto edges = borders->Edges();
+  const auto by_x = PointsByX(edges, points);
+  for (const Candidate& candidate :
+       PointsBesideEdges(edges, by_x, points, tolerance)) {
+    if (!borders->IsOnBorder(candidate.v) ||
+        !borders->Insert(candidate.v, candidate.a, candidate.b)) {
+      continue;
+    }
+    ++stitches->inserted_points;
+    stitches->longest = std::max(stitches->longest, candidate.distance);
+  }
+}
+
+}  // namespace
+
+Stitches StitchBorders(double tolerance, TriangleSoup* soup) {
+  // Shares of the tolerance for points beside edges. Points beside points have
+  // all of it from the start: an edge split beside one of its ends leaves a
+  // needle, and needles cross each other.
+  constexpr double kSteps[] = {0, 1e-3, 0.03, 0.1, 0.3, 1};
+  constexpr int kMaxRounds = 50;
+  Stitches stitches;
+  Borders borders(*soup);
+  for (const double step : kSteps) {
+    for (int round = 0; round < kMaxRounds; ++round) {
+      const int before = stitches.merged_points + stitches.inserted_points;
+      MergeBorderPoints(tolerance, soup->points, &borders, &stitches);
+      InsertBorderPoints(step * tolerance, soup->points, &borders, &stitches);
+      if (stitches.merged_points + stitches.inserted_points == before) break;
+    }
+  }
+  soup->triangles = borders.ToTriangles();
+  return stitches;
+}
+
+}  // namespace musclewarp

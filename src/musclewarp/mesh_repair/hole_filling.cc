@@ -1,0 +1,240 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/mesh_repair/hole_filling.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "musclewarp/mesh/connectivity.h"
+#include "musclewarp/mesh/measures.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+using Edges = std::set<std::pair<int, int>>;  // lower, higher point
+
+Edges AllEdges(const Triangles& triangles) {
+  Edges edges;
+  for (int h = 0; h < triangles.size(); ++h) {
+    edges.insert(std::minmax({OriginOf(triangles, h), TargetOf(triangles, h)}));
+  }
+  return edges;
+}
+
+// The triangulation of a loop with least area, by the dynamic programme of
+// Barequet and Sharir, "Filling gaps in the boundary of a polyhedron" (1995).
+class LoopTriangulation {
+ public:
+  LoopTriangulation(const BorderLoop& loop,
+                    const Points& points,
+                    const Edges& taken);
+
+  // Infinite if every triangulation needs a chord that is taken.
+  double Area() const { return Best(0, size_ - 1); }
+  std::vector<std::array<int, 3>> Triangles() const;
+
+ private:
+  double Best(int i, int j) const { return best_[i * size_ + j]; }
+  void Solve(int i, int j, const Points& points);
+
+  const BorderLoop& loop_;
+  int size_;
+  std::vector<double> best_;  // least area of the part between i and j
+  std::vector<int> apex_;     // its triangle on the chord i j
+};
+
+LoopTriangulation::LoopTriangulation(const BorderLoop& loop,
+                                     const Points& points,
+                                     const Edges& taken)
+    : loop_(loop),
+      size_(static_cast<int>(loop.size())),
+      best_(size_ * size_, 0),
+      apex_(size_ * size_, -1) {
+  for (int width = 2; width < size_; ++width) {
+    for (int i = 0; i + width < size_; ++i) {
+      const int j = i + width;
+      const bool is_chord = width < size_ - 1;
+      if (is_chord && taken.count(std::minmax({loop[i], loop[j]}))) {
+        best_[i * size_ + j] = kInfinity;
+      } else {
+        Solve(i, j, points);
+      }
+    }
+  }
+}
+
+void LoopTriangulation::Solve(int i, int j, const Points& points) {
+  // A triangle of no area is worse than any sliver, but better than a hole.
+  constexpr double kPenalty = 1e12;
+  const Eigen::RowVector3d start = points.row(loop_[i]);
+  const Eigen::RowVector3d chord = points.row(loop_[j]) - points.row(loop_[i]);
+  double best = kInfinity;
+  for (int k = i + 1; k < j; ++k) {
+    const double parts = Best(i, k) + Best(k, j);
+    if (parts >= best) continue;
+    const Eigen::RowVector3d arm = points.row(loop_[k]) - start;
+    const double area = arm.cross(chord).norm() / 2;
+    const double total = parts + (area > 0 ? area : kPenalty);
+    if (total >= best) continue;
+    best = total;
+    apex_[i * size_ + j] = k;
+  }
+  best_[i * size_ + j] = best;
+}
+
+std::vector<std::array<int, 3>> LoopTriangulation::Triangles() const {
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::pair<int, int>> open = {{0, size_ - 1}};
+  while (!open.empty()) {
+    const auto [i, j] = open.back();
+    open.pop_back();
+    if (j - i < 2) continue;
+    const int k = apex_[i * size_ + j];
+    triangles.push_back({loop_[i], loop_[k], loop_[j]});
+    open.push_back({i, k});
+    open.push_back({k, j});
+  }
+  return triangles;
+}
+
+Triangles ToTriangles(const std::vector<std::array<int, 3>>& corners) {
+  Triangles triangles(corners.size(), 3);
+  for (size_t f = 0; f < corners.size(); ++f) {
+    triangles.row(f) << corners[f][0], corners[f][1], corners[f][2];
+  }
+  return triangles;
+}
+
+void Append(const Triangles& added, Triangles* triangles) {
+  triangles->conservativeResize(triangles->rows() + added.rows(), 3);
+  triangles->bottomRows(added.rows()) = added;
+}
+
+// Gives every chord of a filling that is an edge already a point in its middle,
+// a little towards the corners beside it so as not to lie on that edge.
+void SplitTakenChords(const Edges& taken,
+                      std::vector<std::array<int, 3>>* filling,
+                      Points* points) {
+  constexpr double kAside = 0.01;
+  std::map<std::pair<int, int>, std::vector<size_t>> triangles_of_chord;
+  for (size_t f = 0; f < filling->size(); ++f) {
+    for (int c = 0; c < 3; ++c) {
+      const auto edge =
+          std::minmax({(*filling)[f][c], (*filling)[f][(c + 1) % 3]});
+      triangles_of_chord[edge].push_back(f);
+    }
+  }
+  for (const auto& [chord, around] : triangles_of_chord) {
+    if (around.size() < 2 || taken.count(chord) == 0) continue;
+    const auto [a, b] = chord;
+    const int middle = static_cast<int>(points->rows());
+    Eigen::RowVector3d position =
+        (0.5 - kAside) * (points->row(a) + points->row(b));
+    // Earlier splits may have moved the chord to a later triangle.
+    const size_t old_size = filling->size();
+    for (size_t f = 0; f < old_size; ++f) {
+      auto& corners = (*filling)[f];
+      const auto at_a = std::find(corners.begin(), corners.end(), a);
+      const auto at_b = std::find(corners.begin(), corners.end(), b);
+      if (at_a == corners.end() || at_b == corners.end()) continue;
+      for (const int corner : corners) {
+        if (corner != a && corner != b)
+          position += kAside * points->row(corner);
+      }
+      auto other = corners;
+      *at_b = middle;
+      std::replace(other.begin(), other.end(), a, middle);
+      filling->push_back(other);
+    }
+    points->conservativeResize(middle + 1, 3);
+    points->row(middle) = position;
+  }
+}
+
+// The filling of least area, if need be with new points instead of second
+// edges: a detour that avoids taken chords may leave the hole altogether.
+Triangles FillLoop(const BorderLoop& loop, const Edges& taken, Points* points) {
+  constexpr double kWorstDetour = 2;
+  const LoopTriangulation direct(loop, *points, Edges());
+  const LoopTriangulation detour(loop, *points, taken);
+  if (detour.Area() <= kWorstDetour * direct.Area()) {
+    return ToTriangles(detour.Triangles());
+  }
+  auto filling = direct.Triangles();
+  SplitTakenChords(taken, &filling, points);
+  return ToTriangles(filling);
+}
+
+}  // namespace
+
+std::vector<BorderLoop> FindBorderLoops(const Triangles& triangles) {
+  std::set<std::pair<int, int>> open;
+  for (const auto& uses : UsesOfEdges(triangles)) {
+    if (uses.size() != 1) continue;
+    open.emplace(TargetOf(triangles, uses[0]), OriginOf(triangles, uses[0]));
+  }
+  std::vector<BorderLoop> loops;
+  while (!open.empty()) {
+    // Walk on until a point comes again; what lies between is a loop.
+    BorderLoop walk = {open.begin()->first};
+    while (!walk.empty()) {
+      const auto edge = open.lower_bound({walk.back(), -1});
+      if (edge == open.end() || edge->first != walk.back()) break;
+      const int next = edge->second;
+      open.erase(edge);
+      const auto again = std::find(walk.begin(), walk.end(), next);
+      if (again == walk.end()) {
+        walk.push_back(next);
+        continue;
+      }
+      loops.emplace_back(again, walk.end());
+      walk.erase(again + 1, walk.end());
+    }
+  }
+  return loops;
+}
+
+double LoopLength(const BorderLoop& loop, const Points& points) {
+  double length = 0;
+  for (size_t i = 0; i < loop.size(); ++i) {
+    length +=
+        (points.row(loop[(i + 1) % loop.size()]) - points.row(loop[i])).norm();
+  }
+  return length;
+}
+
+Fillings FillHoles(const HoleLimits& limits, TriangleSoup* soup) {
+  Fillings fillings;
+  const auto loops = FindBorderLoops(soup->triangles);
+  if (loops.empty()) return fillings;
+  Edges edges = AllEdges(soup->triangles);
+  for (const BorderLoop& loop : loops) {
+    if (static_cast<int>(loop.size()) > limits.max_edges) continue;
+    const int old_points = static_cast<int>(soup->points.rows());
+    const Triangles patch = FillLoop(loop, edges, &soup->points);
+    const double length = LoopLength(loop, soup->points);
+    const double area = SurfaceArea(soup->points, patch);
+    if (length > limits.max_perimeter &&
+        area > limits.max_slit_ratio * length * length) {
+      soup->points.conservativeResize(old_points, 3);
+      continue;
+    }
+    Append(patch, &soup->triangles);
+    edges.merge(AllEdges(patch));
+    ++fillings.holes;
+    fillings.triangles += static_cast<int>(patch.rows());
+    fillings.points += static_cast<int>(soup->points.rows()) - old_points;
+    fillings.area += area;
+    fillings.longest = std::max(fillings.longest, length);
+  }
+  return fillings;
+}
+
+}  // namespace musclewarp

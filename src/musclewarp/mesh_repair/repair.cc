@@ -1,0 +1,172 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/mesh_repair/repair.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+#include <vector>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh/connectivity.h"
+#include "musclewarp/mesh/defects.h"
+#include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh_repair/orientation.h"
+
+namespace musclewarp {
+namespace {
+
+std::string At(const Eigen::RowVector3d& point) {
+  std::ostringstream text;
+  text.precision(5);
+  text << "(" << point.x() << ", " << point.y() << ", " << point.z() << ")";
+  return text.str();
+}
+
+// Drops the components for which `keep` of their area and label is false.
+template <typename Keep>
+void DropComponents(const Keep& keep,
+                    TriangleSoup* soup,
+                    RepairReport* report) {
+  const Components components = ConnectedComponents(
+      soup->triangles, UsesOfEdges(soup->triangles), soup->triangles.size());
+  std::vector<double> area(components.count, 0);
+  for (int f = 0; f < soup->triangles.rows(); ++f) {
+    area[components.label[f]] +=
+        SurfaceArea(soup->points, soup->triangles.row(f));
+  }
+  std::vector<bool> keep_component(components.count);
+  for (int label = 0; label < components.count; ++label) {
+    keep_component[label] = keep(area, label);
+    if (keep_component[label]) continue;
+    ++report->dropped_components;
+    report->dropped_area += area[label];
+    report->largest_dropped_area =
+        std::max(report->largest_dropped_area, area[label]);
+  }
+  std::vector<bool> keep_triangle(soup->triangles.rows());
+  for (size_t f = 0; f < keep_triangle.size(); ++f) {
+    keep_triangle[f] = keep_component[components.label[f]];
+    report->dropped_triangles += !keep_triangle[f];
+  }
+  KeepTriangles(keep_triangle, &soup->triangles);
+}
+
+void DropStrayPieces(double share, TriangleSoup* soup, RepairReport* report) {
+  const double least = share * SurfaceArea(soup->points, soup->triangles);
+  DropComponents([&](const std::vector<double>& area,
+                     int label) { return area[label] >= least; },
+                 soup,
+                 report);
+}
+
+void KeepLargestPiece(TriangleSoup* soup, RepairReport* report) {
+  DropComponents(
+      [](const std::vector<double>& area, int label) {
+        return std::max_element(area.begin(), area.end()) - area.begin() ==
+               label;
+      },
+      soup,
+      report);
+}
+
+void PullApartUntilClear(TriangleSoup* soup, RepairReport* report) {
+  constexpr int kMaxRounds = 5;  // a pull may land on another point
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const Pulls pulls = PullApart(soup);
+    if (pulls.points == 0) return;
+    report->pulls.points += pulls.points;
+    report->pulls.longest = std::max(report->pulls.longest, pulls.longest);
+  }
+}
+
+void CheckTwoSided(const Flips& flips, const std::string& name) {
+  if (flips.conflicts == 0) return;
+  throw InputError(
+      name,
+      "the surface has one side only (" + std::to_string(flips.conflicts) +
+          " edges contradict each other, one at " + At(flips.conflict) + ")",
+      "cut the twisted strip out of the mesh");
+}
+
+void CheckClosed(const TriangleSoup& soup,
+                 const HoleLimits& limits,
+                 const std::string& name) {
+  const auto loops = FindBorderLoops(soup.triangles);
+  if (loops.empty()) return;
+  const auto longest = *std::max_element(
+      loops.begin(), loops.end(), [&](const auto& a, const auto& b) {
+        return LoopLength(a, soup.points) < LoopLength(b, soup.points);
+      });
+  Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();
+  for (const int v : longest) centre += soup.points.row(v) / longest.size();
+  std::ostringstream problem;
+  problem << std::fixed << std::setprecision(1) << "an open border of "
+          << longest.size() << " edges, " << LoopLength(longest, soup.points)
+          << " mm long, around " << At(centre) << " remains";
+  if (loops.size() > 1) problem << " and " << loops.size() - 1 << " smaller";
+  problem << "; allowed: holes of up to " << limits.max_perimeter << " mm and "
+          << limits.max_edges << " edges, or narrow slits";
+  throw InputError(name,
+                   problem.str(),
+                   "close the surface, or allow longer holes (--max_hole)");
+}
+
+void CheckClean(const TriangleSoup& soup, const std::string& name) {
+  const MeshDefects defects = CountDefects(soup);
+  if (defects.IsClean()) return;
+  std::ostringstream problem;
+  problem << "no closed surface could be made of it: " << soup.triangles.rows()
+          << " triangles are left, with " << defects.non_manifold_edges
+          << " non-manifold edges, " << defects.non_manifold_vertices
+          << " non-manifold vertices, " << defects.duplicate_triangles
+          << " duplicate and " << defects.degenerate_triangles
+          << " degenerate triangles, " << defects.duplicate_points
+          << " points on others";
+  throw InputError(name, problem.str(), "repair the mesh in a mesh editor");
+}
+
+}  // namespace
+
+bool RepairReport::AnythingDone() const {
+  return point_merges.merged + degenerate_triangles + duplicate_triangles +
+             flipped_triangles + separation.edges + separation.copies +
+             stitches.merged_points + stitches.inserted_points +
+             fillings.holes + separated_vertices + dropped_components +
+             pulls.points + dropped_points >
+         0;
+}
+
+Mesh RepairMesh(const TriangleSoup& soup,
+                const std::string& name,
+                const RepairOptions& options,
+                RepairReport* report) {
+  RepairReport unused;
+  if (report == nullptr) report = &unused;
+  *report = RepairReport();
+  if (CountDefects(soup).IsClean()) return MeshFromSoup(soup);
+
+  TriangleSoup work = soup;
+  report->point_merges = MergePoints(
+      options.merge_tolerance * BoundingBoxDiagonal(work.points), &work);
+  report->degenerate_triangles = RemoveDegenerateTriangles(&work);
+  report->duplicate_triangles = RemoveDuplicateTriangles(&work.triangles);
+  const Flips flips = OrientConsistently(&work);
+  CheckTwoSided(flips, name);
+  report->flipped_triangles = flips.flipped;
+  report->separation = SeparateAtNonManifoldEdges(&work);
+  report->stitches = StitchBorders(options.stitch_tolerance, &work);
+  DropStrayPieces(options.stray_area, &work, report);
+  report->fillings = FillHoles(options.holes, &work);
+  report->separated_vertices = SeparateAtNonManifoldVertices(&work);
+  KeepLargestPiece(&work, report);
+  CheckClosed(work, options.holes, name);
+  // By now closed pieces are turned as a whole or not at all.
+  report->flipped_triangles += OrientConsistently(&work).flipped;
+  report->dropped_points = DropUnreferencedPoints(&work);
+  PullApartUntilClear(&work, report);
+  CheckClean(work, name);
+  return MeshFromSoup(work);
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,100 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/paper_contact/initial_fix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "musclewarp/mesh/measures.h"
+#include "musclewarp/paper_contact/regions.h"
+
+namespace musclewarp {
+namespace {
+
+// Moves a region inside `other` along one direction, `share` of each vertex's
+// way to the surface.
+void MoveRegion(const Region& region,
+                const Eigen::RowVector3d& direction,
+                double share,
+                double clearance,
+                const ContactBody& other,
+                Points* points) {
+  const double length = direction.norm();
+  if (!(length > 0)) return;
+  const Eigen::RowVector3d unit = direction / length;
+  for (const int v : region.vertices) {
+    const double way = other.DistanceAlong(points->row(v), unit);
+    if (std::isfinite(way)) points->row(v) += (share * way + clearance) * unit;
+  }
+}
+
+// Outward; its length does not matter. The volume gradient at a vertex is a
+// third of the area around it times its normal, so large triangles count more.
+Eigen::RowVector3d MeanNormal(const Region& region,
+                              const Points& volume_gradient) {
+  Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+  for (const int v : region.vertices) sum += volume_gradient.row(v);
+  return sum;
+}
+
+// The new points of `body`, whose regions are inside `other`.
+// `direction_of[i]` is the way of a paired region, zero for the others.
+Points MovedOut(const std::vector<Region>& regions,
+                const std::vector<Eigen::RowVector3d>& direction_of,
+                const PaperContactOptions& options,
+                const ContactBody& body,
+                const ContactBody& other) {
+  const double paired_share =
+      other.is_deformable() ? options.deformable_share : 1;
+  const Points outward = VolumeGradient(body.points(), body.shape().triangles);
+  Points points = body.points();
+  for (size_t i = 0; i < regions.size(); ++i) {
+    const bool is_paired = !direction_of[i].isZero(0);
+    MoveRegion(regions[i],
+               is_paired ? direction_of[i] : -MeanNormal(regions[i], outward),
+               is_paired ? paired_share : 1,
+               options.clearance,
+               other,
+               &points);
+  }
+  return points;
+}
+
+}  // namespace
+
+bool FixInitialIntersections(const PaperContactOptions& options,
+                             ContactBody* a,
+                             ContactBody* b) {
+  const std::vector<Region> regions_a = ConnectedRegions(
+      b->Inside(a->points()), a->points(), a->shape().triangles);
+  const std::vector<Region> regions_b = ConnectedRegions(
+      a->Inside(b->points()), b->points(), b->shape().triangles);
+  if (regions_a.empty() && regions_b.empty()) return false;
+
+  const double radius =
+      std::min(a->shape().bounding_radius, b->shape().bounding_radius);
+  using Directions = std::vector<Eigen::RowVector3d>;
+  Directions direction_a(regions_a.size(), Eigen::RowVector3d::Zero());
+  Directions direction_b(regions_b.size(), Eigen::RowVector3d::Zero());
+  for (const auto& [i, j] :
+       PairRegions(regions_a, regions_b, options.pairing_share * radius)) {
+    direction_a[i] = regions_b[j].centre - regions_a[i].centre;
+    direction_b[j] = -direction_a[i];
+  }
+
+  // Both ways are measured before either moves.
+  Points moved_a, moved_b;
+  if (a->is_deformable()) {
+    moved_a = MovedOut(regions_a, direction_a, options, *a, *b);
+  }
+  if (b->is_deformable()) {
+    moved_b = MovedOut(regions_b, direction_b, options, *b, *a);
+  }
+  if (a->is_deformable()) a->MoveTo(std::move(moved_a));
+  if (b->is_deformable()) b->MoveTo(std::move(moved_b));
+  return true;
+}
+
+}  // namespace musclewarp

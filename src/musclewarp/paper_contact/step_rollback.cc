@@ -1,0 +1,74 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/paper_contact/step_rollback.h"
+
+#include <utility>
+
+namespace musclewarp {
+namespace {
+
+// Steps below this are rounding and have no direction, mm.
+constexpr double kNoStep = 1e-12;
+
+double LongestStep(const Points& before, const ContactBody& body) {
+  if (!body.is_deformable()) return 0;
+  return (body.points() - before).rowwise().norm().maxCoeff();
+}
+
+// How far back out is looked for, over the longest steps of the two bodies:
+// each may have come to the other. Farther away is no way back, but through the
+// other's far side or along its surface.
+constexpr double kReachPerStep = 1;
+
+Points RolledBack(const PaperContactOptions& options,
+                  double reach,
+                  const Points& before,
+                  const std::vector<int>& inside,
+                  const ContactBody& body,
+                  const ContactBody& other) {
+  const double share = other.is_deformable() ? options.deformable_share : 1;
+  Points points = body.points();
+  for (const int v : inside) {
+    const Eigen::RowVector3d back = before.row(v) - points.row(v);
+    const double step = back.norm();
+    if (step < kNoStep) continue;
+    const Eigen::RowVector3d unit = back / step;
+    const double way = other.DistanceAlong(points.row(v), unit);
+    if (way <= reach) {
+      points.row(v) += (share * way + options.clearance) * unit;
+    } else {
+      points.row(v) = before.row(v);
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+void RollBackStep(const PaperContactOptions& options,
+                  const Points& before_a,
+                  const Points& before_b,
+                  ContactBody* a,
+                  ContactBody* b,
+                  std::vector<char>* found_a,
+                  std::vector<char>* found_b) {
+  const double reach =
+      kReachPerStep * (LongestStep(before_a, *a) + LongestStep(before_b, *b));
+  // Both are tested before either moves.
+  std::vector<int> inside_a, inside_b;
+  if (a->is_deformable()) inside_a = b->Inside(a->points());
+  if (b->is_deformable()) inside_b = a->Inside(b->points());
+  Points moved_a, moved_b;
+  if (!inside_a.empty()) {
+    moved_a = RolledBack(options, reach, before_a, inside_a, *a, *b);
+  }
+  if (!inside_b.empty()) {
+    moved_b = RolledBack(options, reach, before_b, inside_b, *b, *a);
+  }
+  if (!inside_a.empty()) a->MoveTo(std::move(moved_a));
+  if (!inside_b.empty()) b->MoveTo(std::move(moved_b));
+  for (const int v : inside_a) (*found_a)[v] = true;
+  for (const int v : inside_b) (*found_b)[v] = true;
+}
+
+}  // namespace musclewarp

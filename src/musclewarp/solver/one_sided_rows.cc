@@ -1,0 +1,74 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/solver/one_sided_rows.h"
+
+#include <utility>
+
+namespace musclewarp {
+
+OneSidedRows OneSidedRowsOf(const std::vector<VertexHalfSpace>& planes,
+                            double weight) {
+  OneSidedRows rows;
+  rows.weight = weight;
+  rows.normals.resize(planes.size(), 3);
+  rows.levels.resize(planes.size());
+  for (const VertexHalfSpace& plane : planes) {
+    rows.normals.row(rows.size()) = plane.space.normal;
+    rows.levels[rows.size()] = plane.space.level;
+    rows.vertices.push_back(plane.vertex);
+  }
+  return rows;
+}
+
+RowMajorMatrix FineFromCoarse(const MuscleModel& model,
+                              const OneSidedRows& rows) {
+  return model.fine_from_coarse(rows.vertices, Eigen::all);
+}
+
+Eigen::VectorXd OneSidedDepths(const OneSidedRows& rows,
+                               const RowMajorMatrix& fine_from_coarse,
+                               const Points& coarse) {
+  const Points places = fine_from_coarse * coarse;
+  return rows.levels - rows.normals.cwiseProduct(places).rowwise().sum();
+}
+
+OneSidedSystem::OneSidedSystem(const MuscleModel& model,
+                               const OneSidedRows& rows)
+    : rows_(rows),
+      fine_from_coarse_(FineFromCoarse(model, rows)),
+      compliance_(model.normal_matrix.solve(fine_from_coarse_.transpose())) {}
+
+void OneSidedSystem::SetPlace(const Points& coarse) {
+  depths_ = OneSidedDepths(rows_, fine_from_coarse_, coarse);
+  active_.clear();
+  for (int k = 0; k < rows_.size(); ++k) {
+    if (depths_[k] > 0) active_.push_back(k);
+  }
+  if (active_.empty()) return;
+  const Points normals = rows_.normals(active_, Eigen::all);
+  Eigen::MatrixXd matrix = (fine_from_coarse_(active_, Eigen::all) *
+                            compliance_(Eigen::all, active_))
+                               .cwiseProduct(normals * normals.transpose());
+  matrix.diagonal().array() += 1 / (rows_.weight * rows_.weight);
+  active_matrix_.compute(matrix);
+}
+
+Points OneSidedSystem::Corrected(Points solved) const {
+  if (active_.empty()) return solved;
+  const Points normals = rows_.normals(active_, Eigen::all);
+  const Points moves = fine_from_coarse_(active_, Eigen::all) * solved;
+  const Eigen::VectorXd forces =
+      active_matrix_.solve(normals.cwiseProduct(moves).rowwise().sum().eval());
+  solved -= compliance_(Eigen::all, active_) * (forces.asDiagonal() * normals);
+  return solved;
+}
+
+Points OneSidedSystem::StepOf(const Points& step_without) const {
+  if (active_.empty()) return step_without;
+  const Eigen::VectorXd forces = rows_.weight * rows_.weight * depths_(active_);
+  const Points normals = rows_.normals(active_, Eigen::all);
+  return Corrected(step_without + compliance_(Eigen::all, active_) *
+                                      (forces.asDiagonal() * normals));
+}
+
+}  // namespace musclewarp

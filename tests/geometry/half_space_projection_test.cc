@@ -1,0 +1,135 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/geometry/half_space_projection.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+
+constexpr double kAnywhere = 1e6;  // mm
+
+bool Project(const std::vector<HalfSpace>& spaces,
+             double farthest,
+             RowVector3d* point) {
+  return ProjectIntoHalfSpaces(
+      spaces.data(), static_cast<int>(spaces.size()), farthest, point);
+}
+
+bool IsIn(const std::vector<HalfSpace>& spaces, const RowVector3d& point) {
+  for (const HalfSpace& space : spaces) {
+    if (space.normal.dot(point) < space.level - 1e-7) return false;
+  }
+  return true;
+}
+
+// The distance to the nearest point in all, by every choice of at most three
+// borders that may hold it.
+double LeastDistance(const std::vector<HalfSpace>& spaces,
+                     const RowVector3d& point) {
+  double least = INFINITY;
+  const int count = static_cast<int>(spaces.size());
+  const auto offer = [&](const std::vector<int>& chosen) {
+    const Eigen::Index k = static_cast<Eigen::Index>(chosen.size());
+    Eigen::MatrixXd normals(k, 3);
+    Eigen::VectorXd missing(k);
+    for (Eigen::Index i = 0; i < k; ++i) {
+      const HalfSpace& space = spaces[chosen[i]];
+      normals.row(i) = space.normal;
+      missing[i] = space.level - space.normal.dot(point);
+    }
+    const Eigen::FullPivLU<Eigen::MatrixXd> gram(normals * normals.transpose());
+    if (!gram.isInvertible()) return;
+    const RowVector3d move = gram.solve(missing).transpose() * normals;
+    if (IsIn(spaces, point + move)) least = std::min(least, move.norm());
+  };
+  if (IsIn(spaces, point)) return 0;
+  for (int i = 0; i < count; ++i) {
+    offer({i});
+    for (int j = 0; j < i; ++j) {
+      offer({i, j});
+      for (int k = 0; k < j; ++k) offer({i, j, k});
+    }
+  }
+  return least;
+}
+
+TEST(ProjectIntoHalfSpaces, FindsTheNearestPoint) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  int found = 0, missing = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::vector<HalfSpace> spaces(trial % 14);
+    for (HalfSpace& space : spaces) {
+      space.normal = RowVector3d(normal(random), normal(random), normal(random))
+                         .normalized();
+      space.level = normal(random);
+    }
+    const RowVector3d point(normal(random), normal(random), normal(random));
+    RowVector3d nearest = point;
+    const double expected = LeastDistance(spaces, point);
+    const bool is_found = Project(spaces, kAnywhere, &nearest);
+    ASSERT_EQ(is_found, std::isfinite(expected)) << "trial " << trial;
+    if (is_found) {
+      ++found;
+      EXPECT_TRUE(IsIn(spaces, nearest)) << "trial " << trial;
+      EXPECT_NEAR((nearest - point).norm(), expected, 1e-7)
+          << "trial " << trial;
+    } else {
+      ++missing;
+      EXPECT_EQ(nearest, point) << "trial " << trial;
+    }
+  }
+  EXPECT_GT(found, 500);
+  EXPECT_GT(missing, 500);
+}
+
+// What simple projections take hundreds of turns for.
+TEST(ProjectIntoHalfSpaces, ReachesTheEdgeOfANarrowWedge) {
+  const double angle = 0.01;  // rad
+  const std::vector<HalfSpace> spaces = {
+      {RowVector3d(std::sin(angle), std::cos(angle), 0), 0},
+      {RowVector3d(std::sin(angle), -std::cos(angle), 0), 0}};
+  RowVector3d point(-3, 0.001, 5);
+  ASSERT_TRUE(Project(spaces, kAnywhere, &point));
+  EXPECT_LT((point - RowVector3d(0, 0, 5)).norm(), 1e-6);
+}
+
+TEST(ProjectIntoHalfSpaces, GoesNoFartherThanAllowed) {
+  const std::vector<HalfSpace> spaces = {{RowVector3d(1, 0, 0), 2}};
+  RowVector3d point(0, 1, 0);
+  EXPECT_FALSE(Project(spaces, 1.9, &point));
+  EXPECT_EQ(point, RowVector3d(0, 1, 0));
+  EXPECT_TRUE(Project(spaces, 2.1, &point));
+  EXPECT_EQ(point, RowVector3d(2, 1, 0));
+}
+
+// Between two that have no point in common; a third one is not in the way.
+TEST(ApproachHalfSpaces, EndsBetweenThoseWithoutACommonPoint) {
+  const std::vector<HalfSpace> spaces = {{RowVector3d(1, 0, 0), 1},
+                                         {RowVector3d(-1, 0, 0), 1},
+                                         {RowVector3d(0, 1, 0), -4}};
+  RowVector3d point(0.3, 2, 0);
+  ApproachHalfSpaces(spaces.data(), 3, 10, &point);
+  EXPECT_LE(std::abs(point[0]), 1 + 1e-12);
+  EXPECT_EQ(point[1], 2);
+  EXPECT_EQ(point[2], 0);
+}
+
+TEST(ApproachHalfSpaces, ReachesACommonPoint) {
+  const std::vector<HalfSpace> spaces = {{RowVector3d(1, 0, 0), 1},
+                                         {RowVector3d(0, 1, 0), 2}};
+  RowVector3d point(0, 0, 7);
+  ApproachHalfSpaces(spaces.data(), 2, 3, &point);
+  EXPECT_EQ(point, RowVector3d(1, 2, 7));
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,365 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/mesh_repair/repair.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh/defects.h"
+#include "musclewarp/mesh/measures.h"
+#include "support/meshes.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+// A volume of 4e3 mm^3 summed in another order from 1280 terms.
+constexpr double kRounding = 1e-9;
+constexpr double kRadius = 10;
+
+TriangleSoup Sphere() { return Icosphere(kRadius, 3); }
+
+double Volume(const TriangleSoup& soup) {
+  return SignedVolume(soup.points, soup.triangles);
+}
+
+int AddPoint(const Eigen::RowVector3d& point, TriangleSoup* soup) {
+  soup->points.conservativeResize(soup->points.rows() + 1, 3);
+  soup->points.bottomRows<1>() = point;
+  return static_cast<int>(soup->points.rows()) - 1;
+}
+
+void AddTriangle(int a, int b, int c, TriangleSoup* soup) {
+  soup->triangles.conservativeResize(soup->triangles.rows() + 1, 3);
+  soup->triangles.bottomRows<1>() << a, b, c;
+}
+
+void AddSoup(const TriangleSoup& added, TriangleSoup* soup) {
+  const int offset = static_cast<int>(soup->points.rows());
+  for (int v = 0; v < added.points.rows(); ++v) {
+    AddPoint(added.points.row(v), soup);
+  }
+  for (int f = 0; f < added.triangles.rows(); ++f) {
+    AddTriangle(offset + added.triangles(f, 0),
+                offset + added.triangles(f, 1),
+                offset + added.triangles(f, 2),
+                soup);
+  }
+}
+
+Eigen::RowVector3d Middle(const TriangleSoup& soup, int f) {
+  return (soup.points.row(soup.triangles(f, 0)) +
+          soup.points.row(soup.triangles(f, 1)) +
+          soup.points.row(soup.triangles(f, 2))) /
+         3;
+}
+
+// Removes the triangles whose middle is above z.
+void CutOff(double z, TriangleSoup* soup) {
+  int kept = 0;
+  for (int f = 0; f < soup->triangles.rows(); ++f) {
+    if (Middle(*soup, f).z() > z) continue;
+    soup->triangles.row(kept++) = soup->triangles.row(f).eval();
+  }
+  soup->triangles.conservativeResize(kept, 3);
+}
+
+// The triangles above z get points of their own.
+void TearOpen(double z, TriangleSoup* soup) {
+  std::vector<int> copy(soup->points.rows(), -1);
+  for (int f = 0; f < soup->triangles.rows(); ++f) {
+    if (Middle(*soup, f).z() <= z) continue;
+    for (int c = 0; c < 3; ++c) {
+      const int v = soup->triangles(f, c);
+      if (copy[v] < 0) copy[v] = AddPoint(soup->points.row(v).eval(), soup);
+      soup->triangles(f, c) = copy[v];
+    }
+  }
+}
+
+// Splits triangle f alone at a point beside the middle of its first edge;
+// returns the point.
+int AddTJunction(int f, const Eigen::RowVector3d& beside, TriangleSoup* soup) {
+  const int a = soup->triangles(f, 0);
+  const int b = soup->triangles(f, 1);
+  const int c = soup->triangles(f, 2);
+  const int middle =
+      AddPoint((soup->points.row(a) + soup->points.row(b)) / 2 + beside, soup);
+  soup->triangles(f, 1) = middle;
+  AddTriangle(middle, b, c, soup);
+  return middle;
+}
+
+TriangleSoup Repaired(const TriangleSoup& soup, RepairReport* report) {
+  const TriangleSoup repaired =
+      SoupFromMesh(RepairMesh(soup, "muscle.ply", RepairOptions(), report));
+  EXPECT_TRUE(CountDefects(repaired).IsClean());
+  return repaired;
+}
+
+std::string Refusal(const TriangleSoup& soup, const RepairOptions& options) {
+  try {
+    RepairMesh(soup, "muscle.ply", options, nullptr);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A sphere with one of nearly everything.
+TriangleSoup BatteredSphere() {
+  TriangleSoup soup = Sphere();
+  TearOpen(3, &soup);
+  AddTJunction(40, {0.05, 0, 0}, &soup);
+  AddTJunction(700, {0, 0.01, 0}, &soup);
+  soup.triangles.row(123).reverseInPlace();
+  AddTriangle(soup.triangles(77, 1),
+              soup.triangles(77, 2),
+              soup.triangles(77, 0),
+              &soup);
+  const int tip = AddPoint({15, 0, 0}, &soup);
+  AddTriangle(soup.triangles(200, 0), soup.triangles(200, 1), tip, &soup);
+  TriangleSoup island = Icosphere(0.5, 1);
+  island.points.col(0).array() += 20;
+  AddSoup(island, &soup);
+  soup.triangles.row(500) = soup.triangles.row(501).eval();
+  return soup;
+}
+
+TEST(RepairMesh, ACleanMeshComesBackBitByBit) {
+  RepairReport report;
+  const TriangleSoup sphere = Sphere();
+  const TriangleSoup repaired = Repaired(sphere, &report);
+  EXPECT_EQ(repaired.points, sphere.points);
+  EXPECT_EQ(repaired.triangles, sphere.triangles);
+  EXPECT_FALSE(report.AnythingDone());
+}
+
+TEST(RepairMesh, ASeamOfDuplicatePointsIsMerged) {
+  TriangleSoup soup = Sphere();
+  TearOpen(3, &soup);
+  const int duplicates = CountDefects(soup).duplicate_points;
+  ASSERT_GT(CountDefects(soup).border_edges, 20);
+  RepairReport report;
+  const TriangleSoup repaired = Repaired(soup, &report);
+  EXPECT_EQ(report.point_merges.merged, duplicates);
+  EXPECT_EQ(report.point_merges.longest, 0);
+  EXPECT_EQ(repaired.points, Sphere().points);
+  EXPECT_EQ(repaired.triangles, Sphere().triangles);
+}
+
+TEST(RepairMesh, ATJunctionIsStitchedAndNothingElseMoves) {
+  constexpr double kWidth = 0.1;
+  TriangleSoup soup = Sphere();
+  const double volume = Volume(soup);
+  AddTJunction(300, Middle(soup, 300).normalized() * kWidth, &soup);
+  RepairReport report;
+  const TriangleSoup repaired = Repaired(soup, &report);
+  EXPECT_EQ(report.stitches.inserted_points, 1);
+  EXPECT_NEAR(report.stitches.longest, kWidth, 0.01 * kWidth);
+  EXPECT_EQ(repaired.points, soup.points);
+  EXPECT_EQ(repaired.triangles.rows(), Sphere().triangles.rows() + 2);
+  // The bent edge lifts two triangles of about 1 mm^2 by a third of the width.
+  EXPECT_NEAR(Volume(repaired), volume, kWidth);
+}
+
+TEST(RepairMesh, ACrackBetweenTwoBordersIsZipped) {
+  constexpr double kWidth = 0.02;
+  TriangleSoup soup = Sphere();
+  const double volume = Volume(soup);
+  const auto num_points = soup.points.rows();
+  TearOpen(3, &soup);
+  soup.points.bottomRows(soup.points.rows() - num_points).col(2).array() +=
+      kWidth;
+  RepairReport report;
+  const TriangleSoup repaired = Repaired(soup, &report);
+  EXPECT_GT(report.stitches.merged_points, 20);
+  EXPECT_NEAR(report.stitches.longest, kWidth, 1e-12);
+  EXPECT_EQ(repaired.points.rows(), num_points);
+  // The cap lies a crack's width higher over a disc of at most pi r^2.
+  EXPECT_NEAR(Volume(repaired), volume, kWidth * M_PI * kRadius * kRadius);
+}
+
+TEST(RepairMesh, ASliverOfNoAreaGoesAndLeavesNoCrack) {
+  TriangleSoup soup = Box(2, 3, 4);
+  const int a = soup.triangles(0, 0);
+  const int b = soup.triangles(0, 1);
+  const int middle = AddTJunction(0, {0, 0, 0}, &soup);
+  AddTriangle(a, b, middle, &soup);
+  ASSERT_TRUE(CountDefects(soup).is_closed_manifold);
+  ASSERT_EQ(CountDefects(soup).degenerate_triangles, 1);
+  RepairReport report;
+  const TriangleSoup repaired = Repaired(soup, &report);
+  EXPECT_EQ(report.degenerate_triangles, 1);
+  EXPECT_EQ(report.stitches.inserted_points, 1);
+  EXPECT_EQ(report.stitches.longest, 0);
+  EXPECT_EQ(repaired.points, soup.points);
+  EXPECT_NEAR(Volume(repaired), 24, kRounding);
+}
+
+TEST(RepairMesh, AFlippedPatchIsTurned) {
+  TriangleSoup soup = Sphere();
+  int flipped = 0;
+  for (int f = 0; f < soup.triangles.rows(); ++f) {
+    if (Middle(soup, f).z() < 5) continue;
+    soup.triangles.row(f).reverseInPlace();
+    ++flipped;
+  }
+  RepairReport report;
+  EXPECT_NEAR(Volume(Repaired(soup, &report)), Volume(Sphere()), kRounding);
+  EXPECT_EQ(report.flipped_triangles, flipped);
+}
+
+TEST(RepairMesh, AnInsideOutMeshIsTurned) {
+  TriangleSoup soup = Sphere();
+  soup.triangles.col(1).swap(soup.triangles.col(2));
+  RepairReport report;
+  const TriangleSoup repaired = Repaired(soup, &report);
+  EXPECT_EQ(repaired.triangles, Sphere().triangles);
+  EXPECT_EQ(report.flipped_triangles, soup.triangles.rows());
+}
+
+TEST(RepairMesh, ADoubledTriangleGoesWhicheverWayItFaces) {
+  for (const bool reversed : {false, true}) {
+    TriangleSoup soup = Sphere();
+    AddTriangle(soup.triangles(9, reversed ? 2 : 0),
+                soup.triangles(9, 1),
+                soup.triangles(9, reversed ? 0 : 2),
+                &soup);
+    RepairReport report;
+    EXPECT_EQ(Repaired(soup, &report).triangles, Sphere().triangles);
+    EXPECT_EQ(report.duplicate_triangles, 1);
+  }
+}
+
+TEST(RepairMesh, AFinIsCutOff) {
+  for (const double radius : {0.8 * kRadius, 1.2 * kRadius}) {
+    TriangleSoup soup = Sphere();
+    const int tip = AddPoint(Middle(soup, 50).normalized() * radius, &soup);
+    AddTriangle(soup.triangles(50, 0), soup.triangles(50, 1), tip, &soup);
+    RepairReport report;
+    const TriangleSoup repaired = Repaired(soup, &report);
+    EXPECT_EQ(repaired.points, Sphere().points);
+    EXPECT_EQ(repaired.triangles, Sphere().triangles);
+    EXPECT_EQ(report.separation.edges, 1);
+    EXPECT_EQ(report.dropped_triangles, 1);
+  }
+}
+
+TEST(RepairMesh, IslandsAreDroppedAndReported) {
+  TriangleSoup soup = Sphere();
+  TriangleSoup island = Icosphere(3, 1);
+  island.points.col(0).array() += 20;
+  AddSoup(island, &soup);
+  RepairReport report;
+  EXPECT_EQ(Repaired(soup, &report).points, Sphere().points);
+  EXPECT_EQ(report.dropped_components, 1);
+  EXPECT_EQ(report.dropped_triangles, island.triangles.rows());
+  EXPECT_NEAR(report.dropped_area,
+              SurfaceArea(island.points, island.triangles),
+              kRounding);
+  EXPECT_EQ(report.largest_dropped_area, report.dropped_area);
+}
+
+TEST(RepairMesh, AMissingTriangleIsPutBack) {
+  TriangleSoup soup = Sphere();
+  soup.triangles.conservativeResize(soup.triangles.rows() - 1, 3);
+  RepairReport report;
+  const TriangleSoup repaired = Repaired(soup, &report);
+  EXPECT_EQ(report.fillings.holes, 1);
+  EXPECT_EQ(report.fillings.triangles, 1);
+  EXPECT_NEAR(Volume(repaired), Volume(Sphere()), kRounding);
+}
+
+TEST(RepairMesh, AMissingCapIsRefusedWithThePlace) {
+  TriangleSoup soup = Sphere();
+  CutOff(6, &soup);
+  const MeshDefects defects = CountDefects(soup);
+  const std::string refusal = Refusal(soup, RepairOptions());
+  EXPECT_THAT(refusal,
+              AllOf(HasSubstr("muscle.ply"),
+                    HasSubstr("an open border of " +
+                              std::to_string(defects.border_edges) + " edges"),
+                    HasSubstr("mm long, around ("),
+                    HasSubstr("allowed: holes of up to 30.0 mm")));
+  RepairOptions options;
+  options.holes.max_perimeter = 60;
+  EXPECT_EQ(Refusal(soup, options), "");
+}
+
+TEST(RepairMesh, AMoebiusStripIsRefused) {
+  constexpr int kSections = 20;
+  TriangleSoup soup;
+  for (int i = 0; i < kSections; ++i) {
+    const double angle = 2 * M_PI * i / kSections;
+    const Eigen::RowVector3d out(std::cos(angle), std::sin(angle), 0);
+    const Eigen::RowVector3d across =
+        std::cos(angle / 2) * out +
+        std::sin(angle / 2) * Eigen::RowVector3d(0, 0, 1);
+    AddPoint(10 * out + across, &soup);
+    AddPoint(10 * out - across, &soup);
+  }
+  for (int i = 0; i < kSections; ++i) {
+    const int a = 2 * i;
+    int c = 2 * (i + 1) % (2 * kSections);
+    int d = c + 1;
+    if (c == 0) std::swap(c, d);
+    AddTriangle(a, c, a + 1, &soup);
+    AddTriangle(a + 1, c, d, &soup);
+  }
+  EXPECT_THAT(Refusal(soup, RepairOptions()), HasSubstr("one side only"));
+}
+
+TEST(RepairMesh, NoTrianglesAreRefused) {
+  EXPECT_THAT(Refusal(TriangleSoup(), RepairOptions()),
+              HasSubstr("no closed surface"));
+}
+
+TEST(RepairMesh, RepairingTwiceChangesNothingMore) {
+  RepairReport report;
+  const TriangleSoup once = Repaired(BatteredSphere(), &report);
+  EXPECT_TRUE(report.AnythingDone());
+  const TriangleSoup twice = Repaired(once, &report);
+  EXPECT_FALSE(report.AnythingDone());
+  EXPECT_EQ(twice.points, once.points);
+  EXPECT_EQ(twice.triangles, once.triangles);
+}
+
+TEST(RepairMesh, TheOrderOfTrianglesDoesNotMatter) {
+  const TriangleSoup soup = BatteredSphere();
+  RepairReport report;
+  const double volume = Volume(Repaired(soup, &report));
+  std::mt19937 random(5);
+  std::vector<int> order(soup.triangles.rows());
+  std::iota(order.begin(), order.end(), 0);
+  for (int trial = 0; trial < 5; ++trial) {
+    std::shuffle(order.begin(), order.end(), random);
+    TriangleSoup shuffled = soup;
+    for (size_t f = 0; f < order.size(); ++f) {
+      shuffled.triangles.row(f) = soup.triangles.row(order[f]);
+    }
+    const MeshDefects before = CountDefects(soup);
+    const MeshDefects after = CountDefects(shuffled);
+    EXPECT_EQ(before.border_edges, after.border_edges);
+    EXPECT_EQ(before.non_manifold_edges, after.non_manifold_edges);
+    EXPECT_EQ(before.non_manifold_vertices, after.non_manifold_vertices);
+    EXPECT_EQ(before.misoriented_edges, after.misoriented_edges);
+    EXPECT_EQ(before.components, after.components);
+    RepairReport again;
+    EXPECT_NEAR(Volume(Repaired(shuffled, &again)), volume, kRounding);
+    EXPECT_EQ(again.stitches.inserted_points, report.stitches.inserted_points);
+    EXPECT_EQ(again.dropped_triangles, report.dropped_triangles);
+    EXPECT_EQ(again.fillings.holes, report.fillings.holes);
+  }
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,173 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/paper_contact/paper_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "support/meshes.h"
+
+namespace musclewarp {
+namespace {
+
+// Shapes live as long as the contact.
+struct Scene {
+  Scene(const std::vector<TriangleSoup>& muscles,
+        const std::vector<TriangleSoup>& bones) {
+    std::vector<ContactBody> muscle_bodies, bone_bodies;
+    for (const TriangleSoup& soup : muscles) {
+      shapes.push_back(std::make_unique<ContactShape>("muscle", soup, 1));
+      muscle_bodies.push_back(ContactBody::Deformable(*shapes.back(), 1));
+    }
+    for (const TriangleSoup& soup : bones) {
+      shapes.push_back(std::make_unique<ContactShape>("bone", soup, 1));
+      bone_bodies.push_back(
+          ContactBody::Obstacle(*shapes.back(), Eigen::Matrix4d::Identity()));
+    }
+    contact = std::make_unique<PaperContact>(PaperContactOptions(),
+                                             std::move(muscle_bodies),
+                                             std::move(bone_bodies));
+  }
+  std::vector<Points> AllPoints() const {
+    std::vector<Points> points;
+    for (int i = 0; i < contact->num_muscles(); ++i) {
+      points.push_back(contact->muscle(i).points());
+    }
+    return points;
+  }
+  std::vector<std::unique_ptr<ContactShape>> shapes;
+  std::unique_ptr<PaperContact> contact;
+};
+
+TriangleSoup Ball(double x) { return MovedBy(Icosphere(10, 2), {x, 0, 0}); }
+
+void ExpectFinite(const Scene& scene) {
+  for (const Points& points : scene.AllPoints()) {
+    EXPECT_TRUE(points.allFinite());
+  }
+}
+
+// All of it, whatever comes in, and then again.
+void RunAll(Scene* scene) {
+  const std::vector<Points> before = scene->AllPoints();
+  scene->contact->FixInitial();
+  ExpectFinite(*scene);
+  for (int i = 0; i < scene->contact->num_muscles(); ++i) {
+    scene->contact->MoveMuscle(i,
+                               scene->contact->muscle(i).points().rowwise() +
+                                   Eigen::RowVector3d(0.1, 0, 0));
+  }
+  scene->contact->RollBack(before);
+  ExpectFinite(*scene);
+  for (int round = 0; round < 3; ++round) scene->contact->FixRemaining();
+  ExpectFinite(*scene);
+}
+
+}  // namespace
+
+TEST(PaperContact, LeavesWhatIsApart) {
+  Scene scene({Ball(0), Ball(30)}, {Ball(60)});
+  const auto before = scene.AllPoints();
+  EXPECT_FALSE(scene.contact->FixInitial());
+  scene.contact->RollBack(before);
+  EXPECT_FALSE(scene.contact->FixRemaining());
+  EXPECT_EQ(scene.AllPoints(), before);
+}
+
+TEST(PaperContact, LaterPairsSeeWhatEarlierOnesDid) {
+  // Three in a row: the one in the middle gives way to both.
+  Scene together({Ball(0), Ball(18), Ball(36)}, {});
+  EXPECT_TRUE(together.contact->FixInitial());
+  Scene first({Ball(0), Ball(18)}, {});
+  EXPECT_TRUE(first.contact->FixInitial());
+  EXPECT_EQ(together.AllPoints()[0], first.AllPoints()[0]);
+  EXPECT_NE(together.AllPoints()[1], first.AllPoints()[1]);
+  Scene second({MovedBy(Ball(18), {0, 0, 0}), Ball(36)}, {});
+  second.contact->MoveMuscle(0, first.AllPoints()[1]);
+  EXPECT_TRUE(second.contact->FixInitial());
+  EXPECT_EQ(together.AllPoints()[1], second.AllPoints()[0]);
+  EXPECT_EQ(together.AllPoints()[2], second.AllPoints()[1]);
+}
+
+TEST(PaperContact, SaysWhichVerticesItFound) {
+  Scene scene({Ball(0), Ball(40)}, {Ball(21)});
+  const auto before = scene.AllPoints();
+  scene.contact->MoveMuscle(0,
+                            before[0].rowwise() + Eigen::RowVector3d(2, 0, 0));
+  const auto inside =
+      ContactBody::Obstacle(*scene.shapes[2], Eigen::Matrix4d::Identity())
+          .Inside(scene.AllPoints()[0]);
+  ASSERT_FALSE(inside.empty());
+  scene.contact->RollBack(before);
+  std::vector<int> found;
+  for (size_t v = 0; v < scene.contact->found_inside()[0].size(); ++v) {
+    if (scene.contact->found_inside()[0][v]) found.push_back(v);
+  }
+  EXPECT_EQ(found, inside);
+  const auto& other = scene.contact->found_inside()[1];
+  // The second muscle overlaps the bone at rest, but did not step.
+  EXPECT_EQ(scene.AllPoints()[1], before[1]);
+  EXPECT_GT(std::count(other.begin(), other.end(), 1), 0);
+}
+
+TEST(PaperContact, AnswersForABoneInsideAMuscle) {
+  Scene scene({Ball(0)}, {Icosphere(3, 1)});
+  RunAll(&scene);
+}
+
+TEST(PaperContact, AnswersForAMuscleInsideAnother) {
+  Scene scene({Ball(0), Icosphere(3, 2)}, {});
+  RunAll(&scene);
+}
+
+TEST(PaperContact, AnswersForAMuscleInsideABone) {
+  Scene scene({Icosphere(3, 2)}, {Ball(0)});
+  RunAll(&scene);
+}
+
+TEST(PaperContact, IdenticalMeshesHaveNothingInside) {
+  Scene scene({Ball(0), Ball(0)}, {Ball(0)});
+  EXPECT_FALSE(scene.contact->FixInitial());
+  RunAll(&scene);
+}
+
+TEST(PaperContact, AnswersForAnObstacleThatIsNotClosed) {
+  TriangleSoup open = Ball(15);
+  open.triangles = open.triangles.topRows(300).eval();
+  Scene scene({Ball(0)}, {open});
+  EXPECT_TRUE(scene.contact->FixInitial());
+  RunAll(&scene);
+}
+
+// A bone that moves through a standing muscle: seen from the bone the muscle
+// came to it, so its vertices go out on the side they were on.
+TEST(PaperContact, MovedBonesPushVerticesAheadOfThem) {
+  // The bone stood 12 mm to the left and has come into the ball.
+  Scene scene({Ball(0)}, {Ball(-14)});
+  Eigen::Matrix4d now_from_before = Eigen::Matrix4d::Identity();
+  now_from_before(0, 3) = 12;
+  const std::vector<Points> before = scene.AllPoints();
+  scene.contact->RollBack(before, {now_from_before});
+  const Points& after = scene.contact->muscle(0).points();
+  int moved = 0;
+  for (Eigen::Index v = 0; v < after.rows(); ++v) {
+    const Eigen::RowVector3d move = after.row(v) - before[0].row(v);
+    if (move.norm() == 0) continue;
+    ++moved;
+    // Along the way of the bone, and no farther.
+    EXPECT_GT(move[0], 0);
+    EXPECT_LT(move.tail<2>().norm(), 1e-12);
+    EXPECT_LT(move[0], 12.01);
+    EXPECT_TRUE(scene.contact->found_inside()[0][v]);
+  }
+  EXPECT_GT(moved, 5);
+  const ContactShape bone("bone", Ball(-14), 1);
+  EXPECT_TRUE(ContactBody::Obstacle(bone, Eigen::Matrix4d::Identity())
+                  .Inside(after)
+                  .empty());
+}
+
+}  // namespace musclewarp
