@@ -11,11 +11,6 @@
 namespace musclewarp {
 namespace {
 
-TriangleSoup MovedBy(TriangleSoup soup, const Eigen::RowVector3d& by) {
-  soup.points.rowwise() += by;
-  return soup;
-}
-
 // Two balls of radius 10, 18 mm apart, and a third 30 mm from the first.
 struct Balls {
   SearchableMesh a{Icosphere(10, 3)};

@@ -1,6 +1,7 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/geometry/triangle_bvh.h"
+#include "musclewarp/geometry/triangle_distance.h"
 
 #include <gtest/gtest.h>
 #include <omp.h>
