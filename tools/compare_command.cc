@@ -6,13 +6,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/motion/certified_frame.h"
+#include "musclewarp/deformer/deformer.h"
 #include "musclewarp/report/screen_report.h"
 #include "tools/comparison.h"
 #include "tools/frame_selection.h"
@@ -22,54 +22,28 @@
 namespace musclewarp {
 namespace {
 
-std::string NameOf(DeformContact contact, const DeformOptions& options) {
-  if (contact == DeformContact::kNone) return "none";
-  if (contact == DeformContact::kCertified) return "certified";
-  return "paper/" + ToString(options.scene_contact.group.level);
+std::string NameOf(ContactKind contact, const DeformOptions& options) {
+  if (contact != ContactKind::kPaper) return ToString(contact);
+  return ToString(contact) + "/" +
+         ToString(options.deformer.frames.paper.group.level);
 }
 
-// What the contacts that are compared need.
-struct Contacts {
-  std::optional<SceneContact> paper;
-  std::optional<CertifiedContact> certified;
-};
-
 // The frame of a configuration, with the median time of the repeats.
-Frame SolveRepeatedly(const PreparedScene& scene,
-                      const Contacts& contacts,
-                      DeformContact contact,
-                      int index,
-                      const CompareOptions& options,
+Frame SolveRepeatedly(FrameSolver* frame_solver,
                       const SolverConfiguration& configuration,
-                      SceneMeshes* meshes) {
-  const bool is_paper = contact == DeformContact::kPaper;
-  const GroupSolver solver = SolverOf(configuration, is_paper);
-  const auto solve = [&] {
-    if (contact == DeformContact::kCertified) {
-      return SolveCertifiedFrame(scene,
-                                 *contacts.certified,
-                                 index,
-                                 options.deform.frame,
-                                 solver,
-                                 meshes);
-    }
-    return SolveFrame(scene,
-                      is_paper ? &*contacts.paper : nullptr,
-                      index,
-                      options.deform.frame,
-                      solver,
-                      meshes);
-  };
+                      const ScenePose& pose,
+                      int repeat) {
+  const MuscleSolvers solvers = SolversOf(configuration);
   std::vector<double> times;
-  std::optional<Frame> frame;
-  for (int k = 0; k < options.repeat; ++k) {
-    frame = solve();
-    times.push_back(frame->solve_ms);
+  Frame frame;
+  for (int k = 0; k < repeat; ++k) {
+    frame = frame_solver->Solve(solvers, pose, nullptr, {}).frame;
+    times.push_back(frame.solve_ms);
   }
   std::nth_element(
       times.begin(), times.begin() + times.size() / 2, times.end());
-  frame->solve_ms = times[times.size() / 2];
-  return std::move(*frame);
+  frame.solve_ms = times[times.size() / 2];
+  return frame;
 }
 
 ComparisonRow RowOfFailure(const ScenePose& pose,
@@ -80,6 +54,85 @@ ComparisonRow RowOfFailure(const ScenePose& pose,
   row.pose = pose.name;
   row.stop_reason = "failed: " + why;
   return row;
+}
+
+// A frame solver for each kind of contact that is compared, in their order.
+std::vector<std::unique_ptr<FrameSolver>> FrameSolversOf(
+    const CompareOptions& options,
+    const PreparedScene& scene,
+    const std::shared_ptr<SceneMeshes>& meshes) {
+  std::vector<std::unique_ptr<FrameSolver>> solvers;
+  for (const ContactKind contact : options.contacts) {
+    FrameSolverOptions frames = options.deform.deformer.frames;
+    frames.contact = contact;
+    solvers.push_back(MakeFrameSolver(
+        scene, frames, SolversOf(SolverConfiguration()), meshes));
+  }
+  return solvers;
+}
+
+// The rows of one pose and one kind of contact. Moves by contact are measured
+// against `without_contact`.
+std::vector<ComparisonRow> RowsOf(const CompareOptions& options,
+                                  const PreparedScene& scene,
+                                  int index,
+                                  FrameSolver* frame_solver,
+                                  const Frame& without_contact) {
+  const ContactKind contact = frame_solver->contact().kind;
+  std::vector<ComparisonRow> rows;
+  std::optional<Frame> reference;
+  for (const SolverConfiguration& configuration : options.configurations) {
+    const ScenePose& pose = scene.scene.poses[index];
+    std::string error;
+    ComparisonRow row;
+    if (!configuration.IsValid(&error)) {
+      row = RowOfFailure(pose, index, error);
+    } else {
+      Frame frame =
+          SolveRepeatedly(frame_solver, configuration, pose, options.repeat);
+      frame.index = index;
+      const bool is_reference = configuration.is_reference && !reference;
+      row = RowOf(frame,
+                  is_reference ? &frame
+                  : reference  ? &*reference
+                               : nullptr,
+                  &without_contact,
+                  scene,
+                  contact == ContactKind::kPaper);
+      if (is_reference) reference = std::move(frame);
+    }
+    row.configuration = configuration.name;
+    row.contact = NameOf(contact, options.deform);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<ComparisonRow> CompareFrames(const CompareOptions& options,
+                                         const PreparedScene& scene,
+                                         const std::vector<int>& selected,
+                                         std::ostream& screen) {
+  const auto meshes = std::make_shared<SceneMeshes>(scene);
+  const auto frame_solvers = FrameSolversOf(options, scene, meshes);
+  PrintPreparation(scene, frame_solvers.back()->contact(), screen);
+  FrameSolverOptions free = options.deform.deformer.frames;
+  free.contact = ContactKind::kNone;
+  const auto free_solver =
+      MakeFrameSolver(scene, free, SolversOf(SolverConfiguration()), meshes);
+  std::vector<ComparisonRow> rows;
+  for (const int index : selected) {
+    const Frame without_contact = SolveRepeatedly(free_solver.get(),
+                                                  SolverConfiguration(),
+                                                  scene.scene.poses[index],
+                                                  /*repeat=*/1);
+    for (const auto& frame_solver : frame_solvers) {
+      for (ComparisonRow& row :
+           RowsOf(options, scene, index, frame_solver.get(), without_contact)) {
+        rows.push_back(std::move(row));
+      }
+    }
+  }
+  return rows;
 }
 
 }  // namespace
@@ -109,10 +162,10 @@ std::vector<SolverConfiguration> ParseConfigurations(const std::string& text) {
   return configurations;
 }
 
-std::vector<DeformContact> ParseContacts(const std::string& text) {
-  std::vector<DeformContact> contacts;
+std::vector<ContactKind> ParseContacts(const std::string& text) {
+  std::vector<ContactKind> contacts;
   for (const std::string& word : Split(text, ',')) {
-    contacts.push_back(ParseDeformContact(word));
+    contacts.push_back(ParseContact(word));
   }
   if (contacts.empty()) {
     throw InputError("--contact",
@@ -134,66 +187,15 @@ int CompareCommand(const CompareOptions& options, std::ostream& screen) {
   if (deform.threads > 0) omp_set_num_threads(deform.threads);
   const Scene scene = ReadScene(deform.scene, deform.data_root, deform.motion);
   const std::vector<int> selected = SelectFrames(deform.frames, scene.poses);
-  const auto compares = [&](DeformContact contact) {
+  const auto compares = [&](ContactKind contact) {
     return std::count(
                options.contacts.begin(), options.contacts.end(), contact) > 0;
   };
-  PrepareOptions prepare = deform.prepare;
-  prepare.remove_slivers = compares(DeformContact::kCertified);
+  PrepareOptions prepare = deform.deformer.prepare;
+  prepare.remove_slivers = compares(ContactKind::kCertified);
   const PreparedScene prepared = PrepareScene(scene, prepare);
-  const SolverConfiguration plain = SolverConfigurationNamed("ceres");
-  Contacts contacts;
-  if (compares(DeformContact::kPaper)) {
-    contacts.paper = PrepareContact(prepared, deform.scene_contact);
-  }
-  if (compares(DeformContact::kCertified)) {
-    contacts.certified = PrepareCertifiedContact(prepared,
-                                                 deform.certified_contact,
-                                                 deform.frame.pre_rotation,
-                                                 SolverOf(plain, false));
-  }
-  PrintPreparation(prepared, screen);
-
-  SceneMeshes meshes(prepared);
-  std::vector<ComparisonRow> rows;
-  for (const int index : selected) {
-    const Frame without_contact = SolveFrame(prepared,
-                                             nullptr,
-                                             index,
-                                             deform.frame,
-                                             SolverOf(plain, false),
-                                             &meshes);
-    for (const DeformContact contact : options.contacts) {
-      std::optional<Frame> reference;
-      for (const SolverConfiguration& configuration : options.configurations) {
-        std::string error;
-        ComparisonRow row;
-        if (!configuration.IsValid(&error)) {
-          row = RowOfFailure(prepared.scene.poses[index], index, error);
-        } else {
-          Frame frame = SolveRepeatedly(prepared,
-                                        contacts,
-                                        contact,
-                                        index,
-                                        options,
-                                        configuration,
-                                        &meshes);
-          const bool is_reference = configuration.is_reference && !reference;
-          row = RowOf(frame,
-                      is_reference ? &frame
-                      : reference  ? &*reference
-                                   : nullptr,
-                      &without_contact,
-                      prepared,
-                      contact == DeformContact::kPaper);
-          if (is_reference) reference = std::move(frame);
-        }
-        row.configuration = configuration.name;
-        row.contact = NameOf(contact, deform);
-        rows.push_back(std::move(row));
-      }
-    }
-  }
+  const std::vector<ComparisonRow> rows =
+      CompareFrames(options, prepared, selected, screen);
   PrintComparison(rows, screen);
   if (!deform.out.empty()) {
     MakeFolder(deform.out);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tools/deform_command.h"
-#include "tools/solver_configuration.h"
+#include "musclewarp/deformer/solver_configuration.h"
 
 namespace musclewarp {
 
@@ -16,13 +16,13 @@ struct CompareOptions {
   // used.
   DeformOptions deform;
   std::vector<SolverConfiguration> configurations;
-  std::vector<DeformContact> contacts = {DeformContact::kNone};
+  std::vector<ContactKind> contacts = {ContactKind::kNone};
   int repeat = 1;  // runs of each, of which the median time is given
 };
 
 // "all" or names with commas; InputError names what is allowed.
 std::vector<SolverConfiguration> ParseConfigurations(const std::string& text);
-std::vector<DeformContact> ParseContacts(const std::string& text);
+std::vector<ContactKind> ParseContacts(const std::string& text);
 
 // Solves the poses of a scene with every configuration, with and without
 // contact, and prints a table; with an output folder also writes

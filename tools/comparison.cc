@@ -26,7 +26,7 @@ double LargestDistance(const Frame& frame, const Frame& reference) {
   double distance = 0;
   for (size_t i = 0; i < frame.muscles.size(); ++i) {
     distance = std::max(distance,
-                        (frame.muscles[i].fine - reference.muscles[i].fine)
+                        (frame.muscles[i].points - reference.muscles[i].points)
                             .rowwise()
                             .norm()
                             .maxCoeff());
@@ -37,8 +37,8 @@ double LargestDistance(const Frame& frame, const Frame& reference) {
 double MeanDistance(const Frame& frame, const Frame& reference) {
   double sum = 0, count = 0;
   for (size_t i = 0; i < frame.muscles.size(); ++i) {
-    const Points& points = frame.muscles[i].fine;
-    sum += (points - reference.muscles[i].fine).rowwise().norm().sum();
+    const Points& points = frame.muscles[i].points;
+    sum += (points - reference.muscles[i].points).rowwise().norm().sum();
     count += static_cast<double>(points.rows());
   }
   return sum / count;
@@ -119,9 +119,9 @@ ComparisonRow RowOf(const Frame& frame,
                     bool counts_together) {
   ComparisonRow row;
   row.frame = frame.index;
-  row.pose = frame.pose->name;
+  row.pose = frame.name;
   row.was_run = true;
-  row.stop_reason = frame.stop_reason(scene);
+  row.stop_reason = frame.stop_reason();
   row.iterations =
       counts_together ? frame.muscles[0].solver.iterations : frame.iterations();
   row.ms = frame.solve_ms;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -16,13 +17,11 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/mesh_files/mesh_io.h"
-#include "musclewarp/motion/certified_frame.h"
-#include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/frame_files.h"
 #include "musclewarp/report/motion_tables.h"
-#include "musclewarp/report/progress.h"
 #include "musclewarp/report/report_json.h"
 #include "musclewarp/report/resume_log.h"
+#include "musclewarp/report/screen_progress.h"
 #include "musclewarp/report/screen_report.h"
 #include "musclewarp/scene/json_fields.h"
 #include "tools/frame_selection.h"
@@ -90,56 +89,186 @@ bool HasFormat(const DeformOptions& options, const std::string& format) {
   return std::count(options.formats.begin(), options.formats.end(), format) > 0;
 }
 
-// Solves, writes and records the selected frames that the run does not have
-// yet; `state` is that of the last it has.
-void ComputeFrames(const DeformOptions& options,
-                   const std::vector<int>& selected,
-                   const ResumeLog& log,
-                   SceneState* state,
-                   SceneMeshes* meshes,
-                   ReportWriter* writer,
-                   RunRecord* run,
-                   std::ostream& screen) {
-  const PreparedScene& scene = *run->scene;
-  const bool is_motion = scene.scene.is_motion;
-  const GroupSolver solver = SolverOf(options.solver, run->contact != nullptr);
-  const int done = static_cast<int>(run->frames.size());
-  const int total = run->frames_planned;
-  if (done > 0) {
-    screen << "resumed after frame " << done << "\n";
-    state->pose = scene.scene.poses[selected[done - 1]];
-  } else if (run->certified) {
-    *state = run->certified->rest;
-  } else if (is_motion) {
-    *state = StartState(scene, run->contact, options.frame, solver);
-  }
-  SceneState* start = is_motion ? state : nullptr;
-  const auto solve = [&](int index) {
-    if (run->certified) {
-      return SolveCertifiedFrame(
-          scene, *run->certified, index, options.frame, solver, meshes, start);
-    }
-    return SolveFrame(
-        scene, run->contact, index, options.frame, solver, meshes, start);
-  };
-  Progress progress(done, total, options.is_terminal, &screen);
-  for (int i = done; i < total; ++i) {
-    ThrowIfInterrupted();
-    Frame frame = solve(selected[i]);
-    WriteFrame(scene, frame, options.formats, options.out);
-    if (run->certified) {
-      // The certificate is that of the files.
-      for (const std::string& file :
-           FilesThatDiffer(scene, frame, options.formats, options.out)) {
-        frame.shortcomings.push_back(file + ": is not as it was counted");
+// Everything of a run but its options: what DeformCommand does, step by step.
+class DeformRun {
+ public:
+  DeformRun(const DeformOptions& options, std::ostream& screen)
+      : options_(options),
+        screen_(screen),
+        report_((fs::path(options.out) / "report.json").string()),
+        writer_(report_),
+        progress_(options.is_terminal, &screen) {}
+
+  int Execute() {
+    const InterruptionScope interruption(
+        [this](const std::string& reason) { GiveUp(reason); });
+    const Scene scene =
+        ReadScene(options_.scene, options_.data_root, options_.motion);
+    selected_ = SelectFrames(options_.frames, scene.poses);
+    run_.solver = options_.deformer.solver.name;
+    run_.command = options_.command;
+    run_.options = options_.all_flags;
+    run_.inputs_hash = InputsHash(scene, options_);
+    run_.frames_planned = static_cast<int>(selected_.size());
+    log_.emplace(options_.out, run_.inputs_hash);
+    SceneState state;
+    if (options_.resume) {
+      run_.frames = log_->Continue(selected_, &state);
+      if (IsFinished(options_.out, run_.inputs_hash)) {
+        screen_ << "finished already: " << report_ << "\n";
+        if (options_.html) WriteRunPage(options_.out, screen_);
+        return ExitCodeOfFinished(report_);
       }
     }
-    run->frames.push_back(RecordOf(scene, frame));
-    log.FrameDone(run->frames.back(), *state);
-    writer->WriteNowAndThen(*run);
-    progress.FrameDone(run->frames.back());
+    try {
+      Prepare(scene);
+    } catch (const Interrupted& interrupted) {
+      screen_ << interrupted.what() << " before the first frame; nothing was "
+              << "written\n";
+      return kExitNotUsable;
+    }
+    Start(std::move(state));
+    try {
+      ComputeFrames();
+      if (HasFormat(options_, "vtp")) {
+        WritePvd(deformer_->scene(), selected_, options_.out);
+      }
+      if (scene.is_motion) WriteMotionTables(run_.frames, scene, options_.out);
+      run_.finished = true;
+    } catch (const std::exception& error) {
+      run_.stopped = error.what();
+    }
+    return Finish();
   }
-}
+
+ private:
+  void Prepare(const Scene& scene) {
+    DeformerOptions options = options_.deformer;
+    options.on_progress = [this](const Progress& progress) {
+      ThrowIfInterrupted();
+      progress_.Say(progress);
+    };
+    deformer_.emplace(scene, options);
+    progress_.Clear();
+    PrintPreparation(deformer_->scene(), deformer_->contact(), screen_);
+  }
+
+  // Makes the folder of the results, and puts the muscles where the next frame
+  // starts.
+  void Start(SceneState state) {
+    const Frame& rest = deformer_->RestFrame();
+    MakeFolder(options_.out);
+    RemovePartialOutput(options_.out);
+    if (run_.frames.empty()) log_->StartAnew();
+    WriteFrame(deformer_->scene(), rest, options_.formats, options_.out);
+    run_.scene = &deformer_->scene();
+    run_.contact = deformer_->contact();
+    run_.rest = rest.intersections;
+    if (run_.frames.empty()) return;
+    screen_ << "resumed after frame " << run_.frames.size() << "\n";
+    state.pose = poses()[selected_[run_.frames.size() - 1]];
+    deformer_->set_state(std::move(state));
+  }
+
+  // The number of steps that each frame which is not there yet will take.
+  std::vector<double> ExpectedWork() const {
+    std::vector<double> work;
+    const ScenePose rest = RestPose(deformer_->scene().scene);
+    for (size_t i = run_.frames.size(); i < selected_.size(); ++i) {
+      const ScenePose* from = nullptr;
+      if (is_motion()) from = i == 0 ? &rest : &poses()[selected_[i - 1]];
+      work.push_back(deformer_->ExpectedSteps(from, poses()[selected_[i]]));
+    }
+    return work;
+  }
+
+  // Solves, writes and records the frames that the run does not have yet.
+  void ComputeFrames() {
+    progress_.StartFrames(static_cast<int>(run_.frames.size()), ExpectedWork());
+    for (size_t i = run_.frames.size(); i < selected_.size(); ++i) {
+      ThrowIfInterrupted();
+      const ScenePose& pose = poses()[selected_[i]];
+      Frame frame =
+          is_motion() ? deformer_->MoveTo(pose) : deformer_->SolveAlone(pose);
+      frame.index = selected_[i];
+      WriteFrame(deformer_->scene(), frame, options_.formats, options_.out);
+      if (run_.contact.kind == ContactKind::kCertified) CompareFiles(&frame);
+      const std::lock_guard<std::mutex> lock(mutex_);
+      run_.frames.push_back(RecordOf(deformer_->scene(), frame));
+      log_->FrameDone(run_.frames.back(), deformer_->state());
+      writer_.WriteNowAndThen(run_);
+      progress_.FrameDone(run_.frames.back());
+    }
+  }
+
+  // The certificate is that of the files: they are read back.
+  void CompareFiles(Frame* frame) const {
+    for (const std::string& file : FilesThatDiffer(
+             deformer_->scene(), *frame, options_.formats, options_.out)) {
+      frame->shortcomings.push_back(file + ": differs from what was certified");
+    }
+  }
+
+  // Writes the report. Frames are there: what fails now is no bad input.
+  int Finish() {
+    if (!run_.finished) SayStopped();
+    try {
+      writer_.Write(run_);
+      if (run_.finished) log_->Finish();
+      PrintFrames(run_, screen_);
+      screen_ << "report: " << report_ << "\n";
+      if (options_.html) WriteRunPage(options_.out, screen_);
+    } catch (const InputError& error) {
+      screen_ << error.what() << "\n";
+      return kExitNotUsable;
+    }
+    return run_.finished && TotalsOf(run_).usable ? kExitUsable
+                                                  : kExitNotUsable;
+  }
+
+  void SayStopped() {
+    progress_.Clear();
+    screen_ << "stopped after " << run_.frames.size() << " of "
+            << run_.frames_planned << " frames: " << run_.stopped
+            << "\n--resume goes on from there\n";
+  }
+
+  // On another thread, while a frame is computed that takes too long to wait
+  // for: saves the frames before it.
+  void GiveUp(const std::string& reason) {
+    // A frame that is being recorded will be recorded in a moment.
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!run_.scene) {
+      screen_ << reason << " before the first frame; nothing was written"
+              << std::endl;
+      return;
+    }
+    run_.stopped = reason;
+    SayStopped();
+    try {
+      writer_.Write(run_);
+    } catch (const InputError& error) {
+      screen_ << error.what() << "\n";
+    }
+    screen_ << std::flush;
+  }
+
+  bool is_motion() const { return deformer_->scene().scene.is_motion; }
+  const std::vector<ScenePose>& poses() const {
+    return deformer_->scene().scene.poses;
+  }
+
+  const DeformOptions& options_;
+  std::ostream& screen_;
+  const std::string report_;
+  ReportWriter writer_;
+  ScreenProgress progress_;
+  std::vector<int> selected_;
+  std::optional<ResumeLog> log_;
+  std::optional<Deformer> deformer_;
+  std::mutex mutex_;  // of what GiveUp() reads
+  RunRecord run_;
+};
 
 }  // namespace
 
@@ -151,10 +280,11 @@ SolverConfiguration ParseSolver(const std::string& text) {
   return SolverConfigurationNamed(text);
 }
 
-DeformContact ParseDeformContact(const std::string& text) {
-  if (text == "none") return DeformContact::kNone;
-  if (text == "paper") return DeformContact::kPaper;
-  if (text == "certified") return DeformContact::kCertified;
+ContactKind ParseContact(const std::string& text) {
+  for (const ContactKind kind :
+       {ContactKind::kNone, ContactKind::kPaper, ContactKind::kCertified}) {
+    if (text == ToString(kind)) return kind;
+  }
   throw InputError("--contact=" + text,
                    "is not a kind of contact",
                    "allowed: certified, paper, none");
@@ -186,10 +316,7 @@ std::vector<std::string> ParseFormats(const std::string& text) {
 
 void CheckSceneOptions(const DeformOptions& options) {
   std::string error;
-  if (!options.prepare.IsValid(&error) || !options.solver.IsValid(&error) ||
-      !options.frame.IsValid(&error) ||
-      !options.scene_contact.IsValid(&error) ||
-      !options.certified_contact.IsValid(&error)) {
+  if (!options.deformer.IsValid(&error)) {
     throw InputError("flags", error, "see --help");
   }
   if (options.scene.empty()) {
@@ -233,87 +360,7 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   CheckSceneOptions(options);
   CheckWritable(options.out);
   if (options.threads > 0) omp_set_num_threads(options.threads);
-  const Scene scene =
-      ReadScene(options.scene, options.data_root, options.motion);
-  const std::vector<int> selected = SelectFrames(options.frames, scene.poses);
-  const std::string report = (fs::path(options.out) / "report.json").string();
-  RunRecord run;
-  run.solver = options.solver.name;
-  run.command = options.command;
-  run.options = options.all_flags;
-  run.inputs_hash = InputsHash(scene, options);
-  run.frames_planned = static_cast<int>(selected.size());
-  const ResumeLog log(options.out, run.inputs_hash);
-  SceneState state;
-  if (options.resume) {
-    run.frames = log.Continue(selected, &state);
-    if (IsFinished(options.out, run.inputs_hash)) {
-      screen << "finished already: " << report << "\n";
-      if (options.html) WriteRunPage(options.out, screen);
-      return ExitCodeOfFinished(report);
-    }
-  }
-  PrepareOptions prepare = options.prepare;
-  prepare.remove_slivers = options.contact == DeformContact::kCertified;
-  const PreparedScene prepared = PrepareScene(scene, prepare);
-  std::optional<SceneContact> contact;
-  if (options.contact == DeformContact::kPaper) {
-    contact = PrepareContact(prepared, options.scene_contact);
-  }
-  std::optional<CertifiedContact> certified;
-  if (options.contact == DeformContact::kCertified) {
-    certified = PrepareCertifiedContact(prepared,
-                                        options.certified_contact,
-                                        options.frame.pre_rotation,
-                                        SolverOf(options.solver, false));
-  }
-  PrintPreparation(prepared, screen);
-
-  MakeFolder(options.out);
-  RemovePartialOutput(options.out);
-  if (run.frames.empty()) log.StartAnew();
-  SceneMeshes meshes(prepared);
-  run.scene = &prepared;
-  const Frame rest = RestFrame(prepared, &meshes);
-  WriteFrame(prepared, rest, options.formats, options.out);
-  run.rest = rest.intersections;
-  if (contact) {
-    run.contact = &*contact;
-    run.rest_after_fix = RestIntersectionsAfterFix(prepared, *contact, &meshes);
-  }
-  if (certified) {
-    run.certified = &*certified;
-    run.rest_after_fix =
-        CertifiedRestIntersections(prepared, *certified, &meshes);
-  }
-  ReportWriter writer(report);
-  try {
-    const InterruptionScope interruption;
-    ComputeFrames(
-        options, selected, log, &state, &meshes, &writer, &run, screen);
-    if (HasFormat(options, "vtp")) WritePvd(prepared, selected, options.out);
-    if (scene.is_motion) WriteMotionTables(run.frames, scene, options.out);
-    run.finished = true;
-  } catch (const std::exception& error) {
-    run.stopped = error.what();
-  }
-  if (!run.finished) {
-    screen << "stopped after " << run.frames.size() << " of "
-           << run.frames_planned << " frames: " << run.stopped
-           << "\n--resume goes on from there\n";
-  }
-  // Frames are there: what fails now is no bad input.
-  try {
-    writer.Write(run);
-    if (run.finished) log.Finish();
-    PrintFrames(run, screen);
-    screen << "report: " << report << "\n";
-    if (options.html) WriteRunPage(options.out, screen);
-  } catch (const InputError& error) {
-    screen << error.what() << "\n";
-    return kExitNotUsable;
-  }
-  return run.finished && TotalsOf(run).usable ? kExitUsable : kExitNotUsable;
+  return DeformRun(options, screen).Execute();
 }
 
 }  // namespace musclewarp

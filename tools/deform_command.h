@@ -7,22 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/motion/certified_contact.h"
-#include "musclewarp/motion/frame.h"
-#include "musclewarp/motion/prepared_scene.h"
-#include "musclewarp/motion/scene_contact.h"
-#include "tools/solver_configuration.h"
+#include "musclewarp/deformer/deformer.h"
 
 namespace musclewarp {
-
-enum class DeformContact { kNone, kPaper, kCertified };
 
 struct DeformOptions {
   std::string scene;
   std::string data_root;  // empty: the folder of the scene
   std::string out;
-  SolverConfiguration solver = SolverConfigurationNamed("ceres");
-  DeformContact contact = DeformContact::kCertified;
+  DeformerOptions deformer;
   std::string frames = "all";  // see SelectFrames
   std::vector<std::string> formats = {"ply"};
   std::string motion;  // in place of the scene's
@@ -35,16 +28,11 @@ struct DeformOptions {
   std::string result_flags;
   std::string command;
   std::map<std::string, std::string> all_flags;  // defaults too
-
-  PrepareOptions prepare;
-  FrameOptions frame;
-  SceneContactOptions scene_contact;  // the paper's
-  CertifiedContactOptions certified_contact;
 };
 
 // Names of flags to values; InputError names the flag and what is allowed.
 SolverConfiguration ParseSolver(const std::string& text);
-DeformContact ParseDeformContact(const std::string& text);
+ContactKind ParseContact(const std::string& text);
 ContactLevel ParseContactLevel(const std::string& text);
 std::vector<std::string> ParseFormats(const std::string& text);
 

@@ -39,11 +39,11 @@ namespace {
 DeformOptions OptionsFromFlags() {
   DeformOptions options = SceneOptionsFromFlags();
   options.out = FLAGS_out;
-  options.solver = ParseSolver(FLAGS_solver);
-  SetIterationLimit(&options.solver);
-  options.contact = ParseDeformContact(FLAGS_contact);
+  options.deformer.solver = ParseSolver(FLAGS_solver);
+  SetIterationLimit(&options.deformer.solver);
+  options.deformer.frames.contact = ParseContact(FLAGS_contact);
   options.formats = ParseFormats(FLAGS_format);
-  options.prepare.fibres.fibres = FLAGS_fibres;
+  options.deformer.prepare.fibres.fibres = FLAGS_fibres;
   options.resume = FLAGS_resume;
   options.html = FLAGS_html;
   options.is_terminal = isatty(STDOUT_FILENO);

@@ -101,13 +101,15 @@ DeformOptions SceneOptionsFromFlags() {
   options.motion = FLAGS_motion;
   options.frames = FLAGS_frames;
   options.threads = FLAGS_threads;
-  options.scene_contact.group.level = ParseContactLevel(FLAGS_contact_level);
-  options.scene_contact.group.paper.seed = FLAGS_seed;
-  options.scene_contact.bone_hull.coarse_vertices = FLAGS_bone_coarse_vertices;
-  options.prepare.muscle.hull.coarse_vertices = FLAGS_coarse_vertices;
-  options.prepare.muscle.sample_spacing = FLAGS_sample_spacing;
-  options.prepare.muscle.skeleton_weight = FLAGS_skeleton_weight;
-  options.prepare.muscle.attachment_weight = FLAGS_attachment_weight;
+  options.deformer.frames.paper.group.level =
+      ParseContactLevel(FLAGS_contact_level);
+  options.deformer.frames.paper.group.paper.seed = FLAGS_seed;
+  options.deformer.frames.paper.bone_hull.coarse_vertices =
+      FLAGS_bone_coarse_vertices;
+  options.deformer.prepare.muscle.hull.coarse_vertices = FLAGS_coarse_vertices;
+  options.deformer.prepare.muscle.sample_spacing = FLAGS_sample_spacing;
+  options.deformer.prepare.muscle.skeleton_weight = FLAGS_skeleton_weight;
+  options.deformer.prepare.muscle.attachment_weight = FLAGS_attachment_weight;
   options.command =
       std::string(gflags::ProgramInvocationShortName()) + SetFlags({"resume"});
   // Files count by their contents, threads make no difference.
@@ -116,9 +118,9 @@ DeformOptions SceneOptionsFromFlags() {
   for (const auto& flag : OwnFlags()) {
     options.all_flags[flag.name] = flag.current_value;
   }
-  options.prepare.repair.holes.max_perimeter = FLAGS_max_hole;
-  options.prepare.auto_lines = FLAGS_auto_lines;
-  options.frame.pre_rotation.use_body_twist = FLAGS_body_twist;
+  options.deformer.prepare.repair.holes.max_perimeter = FLAGS_max_hole;
+  options.deformer.prepare.auto_lines = FLAGS_auto_lines;
+  options.deformer.frames.pre_rotation.use_body_twist = FLAGS_body_twist;
   return options;
 }
 

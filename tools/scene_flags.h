@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "musclewarp/deformer/solver_configuration.h"
 #include "tools/deform_command.h"
-#include "tools/solver_configuration.h"
 
 namespace musclewarp {
 

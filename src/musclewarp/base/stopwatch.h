@@ -14,9 +14,12 @@ class Stopwatch {
         .count();
   }
 
+  // Starts again at zero.
+  void Restart() { start_ = Clock::now(); }
+
  private:
   using Clock = std::chrono::steady_clock;
-  const Clock::time_point start_ = Clock::now();
+  Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace musclewarp

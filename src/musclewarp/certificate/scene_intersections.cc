@@ -91,6 +91,12 @@ void AddPair(MeshPair meshes,
   pair.max_depth_mm = found.max_depth_mm;
   pair.triangles_of_a = Distinct(std::move(meshes.triangles_of_a));
   pair.triangles_of_b = Distinct(std::move(meshes.triangles_of_b));
+  for (const int f : pair.triangles_of_a) {
+    for (const int v : a.triangles().row(f)) pair.place += a.points().row(v);
+  }
+  if (!pair.triangles_of_a.empty()) {
+    pair.place /= 3 * static_cast<double>(pair.triangles_of_a.size());
+  }
   sum->triangle_pairs += pair.triangle_pairs;
   sum->exempt_pairs += pair.exempt_pairs;
   sum->vertices_inside += pair.vertices_inside;

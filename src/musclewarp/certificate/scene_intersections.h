@@ -19,6 +19,8 @@ struct PairIntersection {
   int vertices_inside = 0;  // of a in b and of b in a
   double max_depth_mm = 0;
   int exempt_pairs = 0;  // of triangles, beside triangle_pairs
+  // The mean of the corners of triangles_of_a, mm: where to look.
+  Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
   // Those that cross, ascending, each once; not the exempt ones.
   std::vector<int> triangles_of_a;
   std::vector<int> triangles_of_b;

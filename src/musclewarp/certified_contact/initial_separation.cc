@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/certified_contact/initial_separation.h"
 
+#include <glog/logging.h>
+
 #include <Eigen/Geometry>
-#include <memory>
+#include <algorithm>
+#include <utility>
+
+#include "musclewarp/base/option_check.h"
 
 namespace musclewarp {
 namespace {
@@ -11,8 +16,7 @@ namespace {
 using Eigen::RowVector3d;
 
 RowVector3d UnitNormal(const Corners& t) {
-  const RowVector3d n =
-      RowVector3d(t.row(1) - t.row(0)).cross(RowVector3d(t.row(2) - t.row(0)));
+  const RowVector3d n = AreaVector(t);
   const double norm = n.norm();
   return norm > 0 ? RowVector3d(n / norm) : RowVector3d::Zero();
 }
@@ -27,106 +31,155 @@ struct Pushes {
         count(Eigen::VectorXd::Zero(vertices)) {}
 };
 
-}  // namespace
+// The muscles while they are separated.
+class Separator {
+ public:
+  Separator(const std::vector<const SearchableMesh*>& muscles,
+            const std::vector<const SearchableMesh*>& bones,
+            const std::vector<ExemptArea>& exempt,
+            const InitialSeparationOptions& options)
+      : muscles_(muscles), bones_(bones), exempt_(exempt), options_(options) {}
 
-InitialSeparation SeparateInitially(
-    const std::vector<const SearchableMesh*>& muscles,
-    const std::vector<const SearchableMesh*>& bones,
-    const std::vector<ExemptArea>& exempt,
-    const InitialSeparationOptions& options) {
-  InitialSeparation result;
-  const size_t count = muscles.size();
-  std::vector<OwnRegion> regions;
-  std::vector<std::unique_ptr<TriangleBvh>> trees;
-  for (size_t i = 0; i < count; ++i) {
+  // Brings the vertices of a muscle into its medial cell.
+  void AddMuscle(size_t i) {
     std::vector<const SearchableMesh*> others;
-    for (size_t j = 0; j < count; ++j) {
-      if (j != i) others.push_back(muscles[j]);
+    for (size_t j = 0; j < muscles_.size(); ++j) {
+      if (j != i) others.push_back(muscles_[j]);
     }
-    regions.emplace_back(options.region, *muscles[i], others, bones);
-    result.points.push_back(regions[i].Project(muscles[i]->points()));
-    for (const ExemptArea& area : exempt) {
+    cells_.emplace_back(options_.cell, *muscles_[i], others, bones_);
+    const Points& rest = muscles_[i]->points();
+    Points points = cells_[i].Project(rest);
+    for (const ExemptArea& area : exempt_) {
       if (area.muscle != static_cast<int>(i)) continue;
-      for (Eigen::Index v = 0; v < result.points[i].rows(); ++v) {
-        if (!area.vertices[v]) continue;
-        result.points[i].row(v) = muscles[i]->points().row(v);
+      for (Eigen::Index v = 0; v < points.rows(); ++v) {
+        if (area.vertices[v]) points.row(v) = rest.row(v);
       }
     }
-    trees.push_back(std::make_unique<TriangleBvh>(result.points[i],
-                                                  muscles[i]->triangles()));
+    trees_.emplace_back(points, muscles_[i]->triangles());
+    points_.push_back(std::move(points));
   }
-  // The triangle f of muscle i crosses `other`.
-  const auto push = [&](size_t i, int f, const Corners& other, Pushes* pushes) {
+
+  // Finds the pairs of triangles that cross, and pushes for them.
+  int FindPushes(std::vector<Pushes>* pushes) const {
+    pushes->clear();
+    for (const Points& points : points_) pushes->emplace_back(points.rows());
+    int crossing_pairs = 0;
+    for (size_t i = 0; i < muscles_.size(); ++i) {
+      for (size_t j = i + 1; j < muscles_.size(); ++j) {
+        for (const auto& [f, g] : IntersectingTriangles(trees_[i], trees_[j])) {
+          ++crossing_pairs;
+          Push(i, f, trees_[j].corners(g), &(*pushes)[i]);
+          Push(j, g, trees_[i].corners(f), &(*pushes)[j]);
+        }
+      }
+      for (size_t b = 0; b < bones_.size(); ++b) {
+        const ExemptArea* area =
+            FindExempt(exempt_, static_cast<int>(i), static_cast<int>(b));
+        for (const auto& [f, g] :
+             IntersectingTriangles(trees_[i], bones_[b]->bvh())) {
+          if (area && area->triangles[f]) continue;
+          ++crossing_pairs;
+          Push(i, f, bones_[b]->bvh().corners(g), &(*pushes)[i]);
+        }
+      }
+    }
+    return crossing_pairs;
+  }
+
+  // Moves pushed vertices by a step, and those near them along with them.
+  void Apply(const Pushes& pushes, size_t muscle) {
+    Points& points = points_[muscle];
+    std::vector<int> pushed;
+    for (Eigen::Index v = 0; v < points.rows(); ++v) {
+      if (pushes.count[v] > 0) pushed.push_back(static_cast<int>(v));
+    }
+    const double radius = options_.carry_radius;
+    Points moves = Points::Zero(points.rows(), 3);
+#pragma omp parallel for schedule(dynamic, 256)
+    for (Eigen::Index v = 0; v < points.rows(); ++v) {
+      RowVector3d sum = RowVector3d::Zero();
+      double weights = 0, most = 0;
+      for (const int u : pushed) {
+        const double d = (points.row(u) - points.row(v)).norm();
+        if (d >= radius) continue;
+        const double w = (1 - d / radius) * (1 - d / radius);
+        sum += w * pushes.sum.row(u) / pushes.count[u];
+        weights += w;
+        most = std::max(most, 1 - d / radius);
+      }
+      if (weights > 0) moves.row(v) = options_.step * most / weights * sum;
+    }
+    points += moves;
+    trees_[muscle].Refit(points);
+  }
+
+  std::vector<Points> TakePoints() { return std::move(points_); }
+
+ private:
+  // Pushes the corners of triangle f of a muscle, which crosses `other`.
+  void Push(size_t i, int f, const Corners& other, Pushes* pushes) const {
     RowVector3d inward = RowVector3d::Zero();
-    const auto t = muscles[i]->triangles().row(f);
+    const auto t = muscles_[i]->triangles().row(f);
     for (int k = 0; k < 3; ++k) {
-      inward += regions[i].Inward(result.points[i].row(t[k]));
+      inward += cells_[i].Inward(points_[i].row(t[k]));
     }
     const RowVector3d normal = UnitNormal(other);
-    RowVector3d direction = normal.dot(inward) > 0.2 ? normal : inward;
+    RowVector3d direction =
+        normal.dot(inward) > options_.min_agreement ? normal : inward;
     if (direction.norm() == 0) direction = normal;
     direction.normalize();
     for (int k = 0; k < 3; ++k) {
       pushes->sum.row(t[k]) += direction;
       pushes->count[t[k]] += 1;
     }
-  };
-  for (;; ++result.rounds) {
-    result.crossing_pairs = 0;
-    std::vector<Pushes> pushes;
-    for (size_t i = 0; i < count; ++i) {
-      pushes.emplace_back(result.points[i].rows());
-    }
-    for (size_t i = 0; i < count; ++i) {
-      for (size_t j = i + 1; j < count; ++j) {
-        for (const auto& [f, g] : IntersectingTriangles(*trees[i], *trees[j])) {
-          ++result.crossing_pairs;
-          push(i, f, trees[j]->corners(g), &pushes[i]);
-          push(j, g, trees[i]->corners(f), &pushes[j]);
-        }
-      }
-      for (size_t b = 0; b < bones.size(); ++b) {
-        const ExemptArea* area =
-            FindExempt(exempt, static_cast<int>(i), static_cast<int>(b));
-        for (const auto& [f, g] :
-             IntersectingTriangles(*trees[i], bones[b]->bvh())) {
-          if (area && area->triangles[f]) continue;
-          ++result.crossing_pairs;
-          push(i, f, bones[b]->bvh().corners(g), &pushes[i]);
-        }
-      }
-    }
-    if (result.crossing_pairs == 0 || result.rounds == options.max_rounds) {
-      return result;
-    }
-    for (size_t i = 0; i < count; ++i) {
-      Points& points = result.points[i];
-      std::vector<int> pushed;
-      for (Eigen::Index v = 0; v < points.rows(); ++v) {
-        if (pushes[i].count[v] > 0) pushed.push_back(static_cast<int>(v));
-      }
-      // What lies near goes along, or thin parts would be pushed through
-      // themselves.
-      const double reach = 3;
-      Points moves = Points::Zero(points.rows(), 3);
-#pragma omp parallel for schedule(dynamic, 256)
-      for (Eigen::Index v = 0; v < points.rows(); ++v) {
-        RowVector3d sum = RowVector3d::Zero();
-        double weights = 0, most = 0;
-        for (const int u : pushed) {
-          const double d = (points.row(u) - points.row(v)).norm();
-          if (d >= reach) continue;
-          const double w = (1 - d / reach) * (1 - d / reach);
-          sum += w * pushes[i].sum.row(u) / pushes[i].count[u];
-          weights += w;
-          most = std::max(most, 1 - d / reach);
-        }
-        if (weights > 0) moves.row(v) = options.step * most / weights * sum;
-      }
-      points += moves;
-      trees[i]->Refit(points);
-    }
   }
+
+  const std::vector<const SearchableMesh*>& muscles_;
+  const std::vector<const SearchableMesh*>& bones_;
+  const std::vector<ExemptArea>& exempt_;
+  const InitialSeparationOptions& options_;
+  std::vector<MedialCell> cells_;
+  std::vector<Points> points_;
+  std::vector<TriangleBvh> trees_;
+};
+
+}  // namespace
+
+bool InitialSeparationOptions::IsValid(std::string* error) const {
+  return OptionCheck("InitialSeparationOptions", error)
+             .IsAbove("step", step, 0)
+             .IsAbove("carry_radius", carry_radius, 0)
+             .IsWithin("min_agreement", min_agreement, -1, 1)
+             .IsAtLeast("max_rounds", max_rounds, 0)
+             .is_valid() &&
+         cell.IsValid(error);
+}
+
+InitialSeparation SeparateInitially(
+    const std::vector<const SearchableMesh*>& muscles,
+    const std::vector<const SearchableMesh*>& bones,
+    const std::vector<ExemptArea>& exempt,
+    const InitialSeparationOptions& options,
+    const std::function<void(int round, int crossing_pairs)>& on_round) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+  Separator separator(muscles, bones, exempt, options);
+  for (size_t i = 0; i < muscles.size(); ++i) {
+    if (on_round) on_round(0, 0);
+    separator.AddMuscle(i);
+  }
+  InitialSeparation result;
+  std::vector<Pushes> pushes;
+  for (;; ++result.rounds) {
+    result.crossing_pairs = separator.FindPushes(&pushes);
+    if (result.crossing_pairs == 0 || result.rounds == options.max_rounds) {
+      break;
+    }
+    if (on_round) on_round(result.rounds, result.crossing_pairs);
+    for (size_t i = 0; i < muscles.size(); ++i) separator.Apply(pushes[i], i);
+  }
+  result.points = separator.TakePoints();
+  return result;
 }
 
 }  // namespace musclewarp

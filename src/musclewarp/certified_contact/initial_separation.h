@@ -2,35 +2,60 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
-#include "musclewarp/certified_contact/own_region.h"
+#include "musclewarp/certified_contact/medial_cell.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/scene/exempt_area.h"
 
 namespace musclewarp {
 
 struct InitialSeparationOptions {
-  OwnRegionOptions region;
-  double step = 0.3;  // of a vertex of a crossing triangle in a round, mm
+  MedialCellOptions cell;
+
+  // How far a vertex of a crossing triangle moves in a round, mm.
+  double step = 0.3;
+
+  // Vertices nearer than this to one that is pushed go along with it, the less
+  // the farther they are, mm. Without it thin parts would be pushed through
+  // themselves.
+  double carry_radius = 3;
+
+  // A vertex is pushed along the normal of the triangle that its own crosses if
+  // the cosine between that and the way into the medial cell is above this, and
+  // else along that way.
+  double min_agreement = 0.2;
+
+  // Rounds before what still crosses is left. The tendon of psoas that wraps
+  // around a bone of BodyParts3D takes 150.
   int max_rounds = 400;
+
+  bool IsValid(std::string* error) const;
 };
 
 struct InitialSeparation {
-  std::vector<Points> points;  // by muscle, #V x 3
+  std::vector<Points> points;  // by muscle, #V x 3, mm
   int rounds = 0;
-  int crossing_pairs = 0;  // left
+  int crossing_pairs = 0;  // that are left
 };
 
-// Parts meshes that overlap as the data come: a state in which no triangles of
-// two muscles, or of a muscle and a bone, cross, to be relaxed from there
-// (Relax). Vertices go into their muscle's own region; triangles that still
-// cross, as their corners do not know of what pokes through between them, go
-// further in, in small steps. What is exempt stays where it is.
+// Separates meshes that overlap as they are delivered: returns positions in
+// which no triangles of two muscles, or of a muscle and a bone, cross, from
+// which the rest pose can be relaxed (step.h). First the vertices of each
+// muscle go into its medial cell. Then only details that poke through triangles
+// between their corners still cross: those triangles are pushed farther into
+// their cells, in small steps. Exempt areas stay where they are.
+//
+// `on_round`, if given, is called before each round with its number and the
+// pairs of triangles that cross; it may throw to stop. Precondition (CHECKed):
+// the options are valid.
 InitialSeparation SeparateInitially(
     const std::vector<const SearchableMesh*>& muscles,
     const std::vector<const SearchableMesh*>& bones,
     const std::vector<ExemptArea>& exempt,
-    const InitialSeparationOptions& options);
+    const InitialSeparationOptions& options,
+    const std::function<void(int round, int crossing_pairs)>& on_round = {});
 
 }  // namespace musclewarp

@@ -52,13 +52,13 @@ void WriteMuscleVtp(const PreparedMuscle& muscle,
   const Eigen::VectorXd contact =
       (frame.gaps.array() <= kContactGap).cast<double>();
   const std::vector<NamedField> fields = {
-      {"displacement", frame.fine - model.fine_rest},
+      {"displacement", frame.points - model.fine_rest},
       {"area_stretch",
-       AreaStretch(model.fine_rest, frame.fine, model.fine_triangles)},
+       AreaStretch(model.fine_rest, frame.points, model.fine_triangles)},
       {"gap", frame.gaps},
       {"contact", contact}};
   WriteTextAtomically((folder / (model.name + ".vtp")).string(),
-                      VtpOfMesh({frame.fine, model.fine_triangles}, fields));
+                      VtpOfMesh({frame.points, model.fine_triangles}, fields));
 }
 
 void WriteLinesVtp(const std::vector<Points>& lines, const fs::path& path) {
@@ -151,7 +151,7 @@ void WriteFrame(const PreparedScene& scene,
           WriteLinesVtp(moved.fibres, path(kFibres + name, format));
         } else {
           WriteTriangleSoup(path(name, format),
-                            {moved.fine, muscle.model.fine_triangles});
+                            {moved.points, muscle.model.fine_triangles});
         }
       }
       for (size_t i = 0; i < scene.bones.size(); ++i) {
@@ -180,7 +180,7 @@ std::vector<std::string> FilesThatDiffer(
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
     const MuscleModel& model = scene.muscles[i].model;
     meshes.push_back(
-        {model.name, &frame.muscles[i].fine, &model.fine_triangles});
+        {model.name, &frame.muscles[i].points, &model.fine_triangles});
   }
   for (size_t i = 0; i < scene.bones.size(); ++i) {
     const PreparedBone& bone = scene.bones[i];

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "musclewarp/motion/frame.h"
+#include "musclewarp/motion/prepared_scene.h"
 
 namespace musclewarp {
 

@@ -19,21 +19,24 @@
 namespace musclewarp {
 namespace {
 
-// Reads and repairs the mesh of a muscle or bone.
-TriangleSoup ReadRepaired(const std::string& name,
-                          const std::string& path,
-                          const Eigen::Matrix4d& rest_from_file,
-                          const RepairOptions& options,
-                          MeshPreparation* preparation) {
-  TriangleSoup delivered = ReadTriangleSoup(path);
-  if (!rest_from_file.isIdentity(0)) {
-    delivered.points = Transformed(delivered.points, rest_from_file);
-  }
+// The mesh of a muscle or bone as it was delivered: in memory, or in a file.
+template <typename MuscleOrBone>
+TriangleSoup DeliveredMesh(const MuscleOrBone& part) {
+  if (part.mesh_path.empty()) return {part.points, part.triangles};
+  return ReadTriangleSoup(part.mesh_path);
+}
+
+// Repairs a mesh. In messages a mesh without a file goes by its name.
+TriangleSoup Repaired(const TriangleSoup& delivered,
+                      const std::string& name,
+                      const std::string& path,
+                      const RepairOptions& options,
+                      MeshPreparation* preparation) {
   preparation->name = name;
   preparation->path = path;
   preparation->defects = CountDefects(delivered);
-  return SoupFromMesh(
-      RepairMesh(delivered, path, options, &preparation->repairs));
+  return SoupFromMesh(RepairMesh(
+      delivered, path.empty() ? name : path, options, &preparation->repairs));
 }
 
 // The action lines at the places of the skeleton samples.
@@ -78,11 +81,11 @@ PreparedMuscle PrepareOne(const std::vector<BodySurface>& bodies,
                           const PrepareOptions& options,
                           SceneMuscle* muscle) {
   PreparedMuscle prepared;
-  TriangleSoup fine = ReadRepaired(muscle->name,
-                                   muscle->mesh_path,
-                                   Eigen::Matrix4d::Identity(),
-                                   options.repair,
-                                   &prepared.mesh);
+  TriangleSoup fine = Repaired(DeliveredMesh(*muscle),
+                               muscle->name,
+                               muscle->mesh_path,
+                               options.repair,
+                               &prepared.mesh);
   if (options.remove_slivers) {
     prepared.mesh.slivers = RemoveSlivers(options.slivers, &fine);
   }
@@ -170,21 +173,32 @@ bool PrepareOptions::IsValid(std::string* error) const {
   return muscle.IsValid(error) && fibres.IsValid(error);
 }
 
-PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {
+PreparedScene PrepareScene(const Scene& scene,
+                           const PrepareOptions& options,
+                           const ProgressCallback& on_progress) {
   const Stopwatch stopwatch;
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   PreparedScene prepared;
   prepared.scene = scene;
   std::vector<MeshSize> sizes;
+  const auto say_progress = [&] {
+    if (!on_progress) return;
+    on_progress(
+        {"preparing",
+         static_cast<int>(prepared.bones.size() + prepared.muscles.size()),
+         static_cast<int>(scene.bones.size() + scene.muscles.size())});
+  };
   // Bones first: reading them is quick, so that bad files are found early.
   for (const SceneBone& bone : scene.bones) {
+    say_progress();
     PreparedBone one;
-    one.rest = ReadRepaired(bone.name,
-                            bone.mesh_path,
-                            bone.rest_from_file,
-                            options.repair,
-                            &one.mesh);
+    TriangleSoup delivered = DeliveredMesh(bone);
+    if (!bone.rest_from_file.isIdentity(0)) {
+      delivered.points = Transformed(delivered.points, bone.rest_from_file);
+    }
+    one.rest = Repaired(
+        delivered, bone.name, bone.mesh_path, options.repair, &one.mesh);
     one.body = bone.body;
     sizes.push_back({bone.name, BoundingBoxDiagonal(one.rest.points)});
     prepared.bones.push_back(std::move(one));
@@ -198,6 +212,7 @@ PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {
   const BodySurfaces surfaces(needs_bodies ? prepared.bones
                                            : std::vector<PreparedBone>());
   for (SceneMuscle& muscle : prepared.scene.muscles) {
+    say_progress();
     prepared.muscles.push_back(PrepareOne(surfaces.bodies(), options, &muscle));
     sizes.push_back(
         {muscle.name,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/progress.h"
 #include "musclewarp/fibres/fibres.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/defects.h"
@@ -75,8 +76,10 @@ struct PreparedScene {
   double wall_ms = 0;
 };
 
-// Throws InputError if a mesh cannot be read or repaired. Precondition
-// (CHECKed): the options are valid.
-PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options);
+// Throws InputError if a mesh cannot be read or repaired. `on_progress` may be
+// empty. Precondition (CHECKed): the options are valid.
+PreparedScene PrepareScene(const Scene& scene,
+                           const PrepareOptions& options,
+                           const ProgressCallback& on_progress = {});
 
 }  // namespace musclewarp

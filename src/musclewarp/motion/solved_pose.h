@@ -4,9 +4,8 @@
 
 #include <vector>
 
-#include "musclewarp/motion/group_solver.h"
+#include "musclewarp/motion/muscle_solvers.h"
 #include "musclewarp/motion/prepared_scene.h"
-#include "musclewarp/motion/scene_contact.h"
 #include "musclewarp/solver/muscle_state.h"
 #include "musclewarp/solver/muscle_target.h"
 #include "musclewarp/solver/one_sided_rows.h"
@@ -30,28 +29,35 @@ struct SolvedPose {
   double solve_ms = 0;
 };
 
-// Moves the muscles to one pose. Without `state` they start from rest, on their
-// own; or with `contact` (null: without) together, from the shape they have
-// without contact and volume constraint: bones do not pass through their rest
-// pose on the way. With `state` they start from there, moved on as the
-// unconstrained shapes move.
+// Returns the state of a scene with every muscle at rest.
+SceneState RestState(const PreparedScene& scene);
+
+// Returns where the muscles are expected in a pose if they were in `before`:
+// they are moved on as their unconstrained shapes move (docs/method.md,
+// "Motions").
+std::vector<MuscleState> Predict(const PreparedScene& scene,
+                                 const SceneState& before,
+                                 const ScenePose& pose,
+                                 const PreRotationOptions& pre_rotation);
+
+// Solves every muscle on its own for one pose, from `start`.
 SolvedPose SolvePose(const PreparedScene& scene,
-                     const SceneContact* contact,
                      const ScenePose& pose,
                      const PreRotationOptions& pre_rotation,
-                     const GroupSolver& solver,
-                     const SceneState* state);
+                     const MuscleSolver& solver,
+                     std::vector<MuscleState> start);
 
-// The muscles in one pose with contact rows, one set each: from what they are
-// without, `free`, and from `start`. Of the two summaries of a muscle
-// iterations and times are added up; a solve that failed without contact counts
-// as failed, as displacement by contact is measured against it.
-SolvedPose SolveWithContactRows(const PreparedScene& scene,
-                                const SolvedPose& free,
-                                const ScenePose& pose,
-                                const PreRotationOptions& pre_rotation,
-                                const GroupSolver& solver,
-                                std::vector<OneSidedRows> rows,
-                                std::vector<MuscleState> start);
+// Solves the muscles that have one-sided rows (one set for each muscle) with
+// them, from `start`; the others are as in `without_rows`. Of the two summaries
+// of a muscle iterations and times are added up. A muscle that could not be
+// solved without rows counts as failed, as its displacement by contact is
+// measured against that solution.
+SolvedPose SolveWithRows(const PreparedScene& scene,
+                         const SolvedPose& without_rows,
+                         const ScenePose& pose,
+                         const PreRotationOptions& pre_rotation,
+                         const MuscleSolver& solver,
+                         std::vector<OneSidedRows> rows,
+                         const std::vector<MuscleState>& start);
 
 }  // namespace musclewarp

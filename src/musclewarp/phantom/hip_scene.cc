@@ -209,8 +209,8 @@ PhantomScene MakeHipScene(uint32_t seed) {
     hip.meshes[i] = phantom::MeshOf(solids[i], seed + i);
   }
   AddMuscles(solids, hip.meshes, pelvis, femur, &hip.scene);
-  hip.scene.bones = {{kPelvis, "pelvis.ply", kPelvis},
-                     {kFemur, "femur_r.ply", kFemur}};
+  hip.scene.bones = {{kPelvis, {}, {}, kPelvis, "pelvis.ply"},
+                     {kFemur, {}, {}, kFemur, "femur_r.ply"}};
   MoveBy(kHipCentre, &hip);
   const ActionLine& psoas = hip.scene.muscles[2].lines[0];
   hip.scene.poses = Poses(psoas);

@@ -80,7 +80,7 @@ class StressScene {
                double roughness = 0.25) {
     made_.meshes.push_back(phantom::MeshOf(
         {name, field, box, cell, {}, roughness}, seed_ + made_.meshes.size()));
-    made_.scene.bones.push_back({name, name + ".ply", body});
+    made_.scene.bones.push_back({name, {}, {}, body, name + ".ply"});
   }
 
   // A ball at the end of a muscle, for it to be attached to.

@@ -128,15 +128,15 @@ int FrameRecord::FoldedTriangles() const {
 FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame) {
   FrameRecord record;
   record.index = frame.index;
-  record.name = frame.pose->name;
-  record.time = frame.pose->time;
-  record.coordinates = frame.pose->coordinates;
+  record.name = frame.name;
+  record.time = frame.time;
+  record.coordinates = frame.coordinates;
   record.wall_ms = frame.wall_ms;
   record.solve_ms = frame.solve_ms;
   record.certify_ms = frame.certify_ms;
   record.pose_steps = frame.pose_steps;
   record.iterations = frame.iterations();
-  record.stop_reason = frame.stop_reason(scene);
+  record.stop_reason = frame.stop_reason();
   record.usable = frame.IsUsable();
   record.shortcomings = frame.shortcomings;
   for (size_t i = 0; i < frame.muscles.size(); ++i) {

@@ -9,6 +9,7 @@
 
 #include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/motion/frame.h"
+#include "musclewarp/motion/prepared_scene.h"
 
 namespace musclewarp {
 

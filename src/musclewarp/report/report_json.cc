@@ -144,22 +144,12 @@ nlohmann::ordered_json MachineJson() {
 nlohmann::ordered_json ReportJson(const RunRecord& run) {
   Json prepare = PrepareJson(*run.scene);
   Json rest = {{"intersections", ToJson(run.rest)}};
-  Json contact_options = nullptr;
-  if (run.contact) {
-    prepare["contact_ms"] = run.contact->wall_ms;
-    for (const std::string& warning : run.contact->warnings) {
+  if (run.contact.rest) {
+    prepare["contact_ms"] = run.contact.prepare_ms;
+    for (const std::string& warning : run.contact.warnings) {
       prepare["warnings"].push_back(warning);
     }
-    rest["after_initial_fix"] = ToJson(run.rest_after_fix);
-    const GroupContactOptions& options = run.contact->options.group;
-    contact_options = {{"level", ToString(options.level)},
-                       {"seed", options.paper.seed}};
-  }
-  if (run.certified) {
-    prepare["contact_ms"] = run.certified->wall_ms;
-    rest["after_initial_fix"] = ToJson(run.rest_after_fix);
-    const CertifiedContactOptions& options = run.certified->options;
-    contact_options = {{"gap_mm", options.step.relaxation.gap}};
+    rest["after_initial_fix"] = ToJson(*run.contact.rest);
   }
   const RunTotals totals = TotalsOf(run);
   Json frames = Json::array();
@@ -168,11 +158,8 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
           {"axes", run.scene->scene.axes},
           {"side", run.scene->scene.side},
           {"solver", run.solver},
-          {"contact",
-           run.contact     ? "paper"
-           : run.certified ? "certified"
-                           : "none"},
-          {"contact_options", contact_options},
+          {"contact", ToString(run.contact.kind)},
+          {"contact_options", run.contact.options},
           {"machine", MachineJson()},
           {"version", MUSCLEWARP_VERSION},
           {"command", run.command},

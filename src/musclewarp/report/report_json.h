@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/motion/certified_contact.h"
+#include "musclewarp/motion/frame_solver.h"
 #include "musclewarp/motion/prepared_scene.h"
-#include "musclewarp/motion/scene_contact.h"
 #include "musclewarp/report/frame_record.h"
 
 namespace musclewarp {
@@ -21,11 +20,8 @@ struct RunRecord {
   std::map<std::string, std::string> options;  // all flags by name
   std::string inputs_hash;  // of all files read and options that matter
   const PreparedScene* scene = nullptr;
-  // One of them at most is not null.
-  const SceneContact* contact = nullptr;  // the paper's
-  const CertifiedContact* certified = nullptr;
-  SceneIntersections rest;
-  SceneIntersections rest_after_fix;  // with contact
+  ContactReport contact;
+  SceneIntersections rest;  // of the meshes as they were delivered
   std::vector<FrameRecord> frames;
   int frames_planned = 0;
   bool finished = false;  // all frames are there

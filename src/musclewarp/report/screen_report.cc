@@ -9,11 +9,43 @@
 
 namespace musclewarp {
 
-void PrintPreparation(const PreparedScene& scene, std::ostream& out) {
+namespace {
+
+// The last column of the table. "converged" is said of the solver alone, and
+// would be wrong beside crossings.
+std::string OutcomeOf(const FrameRecord& frame) {
+  return frame.shortcomings.empty() ? frame.stop_reason : "NOT usable";
+}
+
+void PrintShortcomings(const RunRecord& run, std::ostream& out) {
+  constexpr size_t kMost = 12;  // lines; the rest is in report.json
+  size_t count = 0;
+  for (const FrameRecord& frame : run.frames) {
+    for (const std::string& shortcoming : frame.shortcomings) {
+      if (++count > kMost) continue;
+      out << (count == 1 ? "\nnot usable:\n" : "") << "  " << frame.name << ": "
+          << shortcoming << "\n";
+    }
+  }
+  if (count > kMost) {
+    out << "  ... and " << count - kMost << " more in report.json\n";
+  }
+}
+
+}  // namespace
+
+void PrintPreparation(const PreparedScene& scene,
+                      const ContactReport& contact,
+                      std::ostream& out) {
   out << "scene " << scene.scene.name << ": " << scene.muscles.size()
       << " muscles, " << scene.bones.size() << " bones, "
       << scene.scene.poses.size() << " poses; prepared in " << std::fixed
-      << std::setprecision(0) << scene.wall_ms << " ms\n";
+      << std::setprecision(0) << scene.wall_ms << " ms";
+  if (contact.rest) {
+    out << ", " << ToString(contact.kind) << " contact in "
+        << contact.prepare_ms << " ms";
+  }
+  out << "\n";
   for (const std::string& note : scene.scene.notes) out << "  " << note << "\n";
   for (const PreparedMuscle& muscle : scene.muscles) {
     out << "  " << muscle.model.name << ": " << muscle.model.fine_rest.rows()
@@ -55,8 +87,9 @@ void PrintFrames(const RunRecord& run, std::ostream& out) {
         << std::setw(14) << frame.WorstVolumeError() << std::setw(8)
         << frame.FoldedTriangles();
     print_counts(frame.intersections);
-    out << "  " << frame.stop_reason << "\n";
+    out << "  " << OutcomeOf(frame) << "\n";
   }
+  PrintShortcomings(run, out);
   const RunTotals totals = TotalsOf(run);
   out << "\n"
       << totals.frames << " frames, " << totals.frames_clean

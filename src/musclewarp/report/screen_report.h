@@ -8,8 +8,14 @@
 
 namespace musclewarp {
 
-// The same run for people: a line per muscle, a table of the frames, totals.
-void PrintPreparation(const PreparedScene& scene, std::ostream& out);
+// Prints what was prepared, for people: the scene, how long that took, and a
+// line for each muscle and bone.
+void PrintPreparation(const PreparedScene& scene,
+                      const ContactReport& contact,
+                      std::ostream& out);
+
+// Prints a table of the frames, what those that are not usable lack, and the
+// totals of the run.
 void PrintFrames(const RunRecord& run, std::ostream& out);
 
 }  // namespace musclewarp

@@ -24,24 +24,36 @@ struct Attachment {
   bool may_penetrate = false;
 };
 
+// A muscle of a scene. Its mesh is given by points and triangles, or named by a
+// file.
 struct SceneMuscle {
   std::string name;
-  std::string mesh_path;
+  Points points;                  // #V x 3, mm; none: read from mesh_path
+  Triangles triangles;            // #F x 3
   std::vector<ActionLine> lines;  // none: to be made from the meshes
   std::vector<Attachment> attachments;
+  std::string mesh_path;
 };
 
+// A bone of a scene, with its mesh as that of a muscle.
 struct SceneBone {
   std::string name;
+  Points points;        // #V x 3, mm; none: read from mesh_path
+  Triangles triangles;  // #F x 3
+  std::string body;     // that the bone moves with; empty: named as the bone
   std::string mesh_path;
-  std::string body;
   // What puts the points of the file into the scene: scale and place of meshes
   // that a model names; the identity for those of the scene file.
   Eigen::Matrix4d rest_from_file = Eigen::Matrix4d::Identity();
 };
 
-// Muscles, bones and poses; meshes are named, not yet read. All positions are
-// in the rest pose, in one frame, in millimetres.
+// Muscles, bones and poses. All positions are in the rest pose, in one frame,
+// in millimetres. A scene is read from a file (ReadScene) or put together in
+// memory:
+//
+//   Scene scene;
+//   scene.muscles.push_back({"psoas", psoas_points, psoas_triangles, lines});
+//   scene.bones.push_back({"femur_r", femur_points, femur_triangles});
 struct Scene {
   std::string name;
   std::string path;

@@ -1,0 +1,116 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certificate/shortcomings.h"
+
+#include <glog/logging.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "musclewarp/base/option_check.h"
+
+namespace musclewarp {
+namespace {
+
+template <typename... Words>
+std::string Sentence(const Words&... words) {
+  std::ostringstream text;
+  text.precision(3);
+  (text << ... << words);
+  return text.str();
+}
+
+// " around (x, y, z)", or nothing where no triangles cross.
+std::string PlaceOf(const PairIntersection& pair) {
+  if (pair.triangle_pairs == 0) return "";
+  std::ostringstream text;
+  text.precision(1);
+  text << std::fixed << " around (" << pair.place[0] << ", " << pair.place[1]
+       << ", " << pair.place[2] << ")";
+  return text.str();
+}
+
+void AddShortcomingsOf(const MuscleMeasures& muscle,
+                       const FrameRequirements& requirements,
+                       std::vector<std::string>* shortcomings) {
+  const double error = std::abs(muscle.volume_ratio - 1);
+  if (!(error <= requirements.max_volume_error)) {
+    shortcomings->push_back(Sentence(muscle.name,
+                                     ": volume off by ",
+                                     error,
+                                     ", allowed ",
+                                     requirements.max_volume_error));
+  }
+  if (muscle.self_pairs > muscle.self_pairs_at_rest) {
+    shortcomings->push_back(Sentence(muscle.name,
+                                     ": ",
+                                     muscle.self_pairs,
+                                     " self-intersecting triangle pairs, at "
+                                     "rest ",
+                                     muscle.self_pairs_at_rest));
+  }
+  const auto most_folded =
+      static_cast<int>(requirements.max_folded_share *
+                       static_cast<double>(muscle.num_triangles));
+  if (muscle.folded_triangles > most_folded) {
+    shortcomings->push_back(Sentence(muscle.name,
+                                     ": ",
+                                     muscle.folded_triangles,
+                                     " folded triangles, allowed ",
+                                     most_folded));
+  }
+  const double farthest =
+      requirements.displacement_per_depth * muscle.depth_without_contact +
+      requirements.displacement_allowance;
+  if (!(muscle.max_contact_displacement <= farthest)) {
+    shortcomings->push_back(Sentence(muscle.name,
+                                     ": moved by ",
+                                     muscle.max_contact_displacement,
+                                     " mm by contact, allowed ",
+                                     farthest,
+                                     " (",
+                                     muscle.depth_without_contact,
+                                     " mm deep without)"));
+  }
+}
+
+}  // namespace
+
+bool FrameRequirements::IsValid(std::string* error) const {
+  return OptionCheck("FrameRequirements", error)
+      .IsAtLeast("max_volume_error", max_volume_error, 0)
+      .IsWithin("max_folded_share", max_folded_share, 0, 1)
+      .IsAtLeast("displacement_per_depth", displacement_per_depth, 0)
+      .IsAtLeast("displacement_allowance", displacement_allowance, 0)
+      .is_valid();
+}
+
+std::vector<std::string> Shortcomings(
+    const FrameRequirements& requirements,
+    const SceneIntersections& intersections,
+    const std::vector<MuscleMeasures>& muscles) {
+  std::string error;
+  CHECK(requirements.IsValid(&error)) << error;
+  std::vector<std::string> shortcomings;
+  for (const PairIntersection& pair : intersections.pairs) {
+    if (pair.triangle_pairs + pair.vertices_inside == 0) continue;  // exempt
+    shortcomings.push_back(Sentence(pair.a,
+                                    " x ",
+                                    pair.b,
+                                    ": ",
+                                    pair.triangle_pairs,
+                                    " crossing triangle pairs",
+                                    PlaceOf(pair),
+                                    ", ",
+                                    pair.vertices_inside,
+                                    " vertices inside, ",
+                                    pair.max_depth_mm,
+                                    " mm deep"));
+  }
+  for (const MuscleMeasures& muscle : muscles) {
+    AddShortcomingsOf(muscle, requirements, &shortcomings);
+  }
+  return shortcomings;
+}
+
+}  // namespace musclewarp

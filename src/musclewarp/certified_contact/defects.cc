@@ -1,0 +1,262 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certified_contact/defects.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/mesh/transformed.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+using Eigen::RowVector3i;
+
+std::vector<int> FoldedTriangles(const DefectOptions& options,
+                                 const Triangles& triangles,
+                                 const Points& targets,
+                                 const Points& points) {
+  std::vector<int> folded;
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    const Corners now = CornersOf(points, triangles.row(f));
+    const Corners target = CornersOf(targets, triangles.row(f));
+    if (AreaVector(now).dot(AreaVector(target)) < 0) {
+      folded.push_back(static_cast<int>(f));
+    }
+  }
+  const auto count = static_cast<double>(triangles.rows());
+  if (static_cast<double>(folded.size()) <= options.max_folded_share * count) {
+    folded.clear();
+  }
+  return folded;
+}
+
+// The plane between two triangles of a muscle that cross, nothing if they were
+// never apart.
+std::optional<SeparatingPlane> PlaneBetweenSheets(const StepOptions& options,
+                                                  const ContactStep& step,
+                                                  const Points& targets,
+                                                  int muscle,
+                                                  int f,
+                                                  int g) {
+  const RowVector3i a = step.scene.muscles[muscle].triangles.row(f);
+  const RowVector3i b = step.scene.muscles[muscle].triangles.row(g);
+  auto separation = SeparateSheets(step.before.points[muscle], a, b);
+  const bool were_apart = separation.has_value();
+  if (!were_apart) separation = SeparateSheets(targets, a, b);
+  if (!separation) return std::nullopt;
+  const double half_gap =
+      std::min(options.gap,
+               options.defects.sheet_share * separation->distance) /
+      2;
+  SeparatingPlane plane =
+      PlaneBetween(step, muscle, f, muscle, g, *separation, half_gap);
+  if (!were_apart) plane.normal = separation->normal;
+  for (const int corner : a) {
+    if ((b.array() == corner).any()) plane.shared_corner = corner;
+  }
+  if (plane.shared_corner < 0) return plane;
+  // The shared corner is on the plane; another one stands in for it.
+  for (RowVector3i* corners : {&plane.above, &plane.below}) {
+    const int other = (*corners)[0] == plane.shared_corner ? 1 : 0;
+    for (int k = 0; k < 3; ++k) {
+      if ((*corners)[k] == plane.shared_corner)
+        (*corners)[k] = (*corners)[other];
+    }
+  }
+  return plane;
+}
+
+// The plane that keeps the corner opposite to the longest edge of a triangle
+// above that edge: over its longest edge a triangle is lowest, and folds.
+std::optional<SeparatingPlane> PlaneAgainstFold(const DefectOptions& options,
+                                                const ContactStep& step,
+                                                const Points& targets,
+                                                int muscle,
+                                                int f) {
+  const RowVector3i corners = step.scene.muscles[muscle].triangles.row(f);
+  const Corners target = CornersOf(targets, corners);
+  int top = 0;
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double length =
+        (target.row((k + 1) % 3) - target.row((k + 2) % 3)).norm();
+    if (length > longest) {
+      longest = length;
+      top = k;
+    }
+  }
+  const RowVector3d area = AreaVector(target);
+  const int u = (top + 1) % 3, v = (top + 2) % 3;
+  const RowVector3d inward =
+      area.cross(RowVector3d(target.row(v) - target.row(u)));
+  if (!(inward.norm() > 0)) return std::nullopt;
+  const double height = area.norm() / longest;
+  SeparatingPlane plane;
+  plane.muscle_above = plane.muscle_below = muscle;
+  plane.above = RowVector3i::Constant(corners[top]);
+  plane.below = RowVector3i(corners[u], corners[v], corners[v]);
+  plane.normal = inward.normalized();
+  plane.half_gap = options.unfolded_height * height / 2;
+  plane.distance = height;
+  return plane;
+}
+
+std::optional<SeparatingPlane> PlaneAgainstBone(const StepOptions& options,
+                                                const ContactStep& step,
+                                                const CrossingTriangle& pair) {
+  const Corners at_rest =
+      Transformed(CornersOf(step.before.points[pair.a],
+                            step.scene.muscles[pair.a].triangles.row(pair.f)),
+                  RigidInverse(step.before.bones_from_rest[pair.b]));
+  const Corners& obstacle = step.scene.bones[pair.b]->corners(pair.g);
+  const auto separation = SeparateTriangles(at_rest, obstacle);
+  if (!separation) return std::nullopt;
+  const double level = (obstacle * separation->normal.transpose()).maxCoeff();
+  return PlaneOfBone(
+      step, pair.a, pair.f, pair.b, {separation->normal, level + options.gap});
+}
+
+void AddSelfCrossings(const StepOptions& options,
+                      const ContactStep& step,
+                      const Points& targets,
+                      int muscle,
+                      const TriangleBvh& tree,
+                      StepDefects* defects) {
+  const auto pairs = SelfIntersections(tree);
+  if (static_cast<int>(pairs.size()) <= step.scene.muscles[muscle].self_pairs) {
+    return;
+  }
+  for (const auto& [f, g] : pairs) {
+    if (PlaneBetweenSheets(options, step, targets, muscle, f, g)) {
+      defects->self_crossings.push_back({muscle, f, muscle, g});
+    }
+  }
+}
+
+void AddBoneCrossings(const ContactStep& step,
+                      int bone,
+                      const std::vector<Points>& points,
+                      std::vector<TriangleBvh>* trees,
+                      StepDefects* defects) {
+  const Eigen::Matrix4d rest_from_now =
+      RigidInverse(step.bones_from_rest[bone]);
+  for (int i = 0; i < step.num_muscles(); ++i) {
+    (*trees)[i].Refit(Transformed(points[i], rest_from_now));
+    for (const auto& [f, g] :
+         IntersectingTriangles((*trees)[i], *step.scene.bones[bone])) {
+      if (step.scene.muscles[i].IsExempt(bone, f)) continue;
+      defects->bone_crossings.push_back({i, f, bone, g});
+    }
+  }
+}
+
+void Stiffen(const DefectOptions& options,
+             const Triangles& triangles,
+             const std::vector<int>& stiffer_triangles,
+             Eigen::VectorXd* stiffness) {
+  std::vector<bool> is_stiffer(stiffness->size(), false);
+  for (const int f : stiffer_triangles) {
+    for (const int v : triangles.row(f)) is_stiffer[v] = true;
+  }
+  for (Eigen::Index v = 0; v < stiffness->size(); ++v) {
+    if (!is_stiffer[v]) continue;
+    (*stiffness)[v] =
+        std::min(options.stiffening * (*stiffness)[v], options.max_stiffness);
+  }
+}
+
+}  // namespace
+
+int StepDefects::num_crossings() const {
+  return static_cast<int>(muscle_crossings.size() + bone_crossings.size());
+}
+
+int StepDefects::num_folded() const {
+  size_t count = 0;
+  for (const auto& of_muscle : folded) count += of_muscle.size();
+  return static_cast<int>(count);
+}
+
+StepDefects FindDefects(const StepOptions& options,
+                        const ContactStep& step,
+                        const std::vector<Points>& targets,
+                        const std::vector<Points>& points,
+                        std::vector<TriangleBvh>* trees) {
+  StepDefects defects;
+  for (int i = 0; i < step.num_muscles(); ++i) {
+    (*trees)[i].Refit(points[i]);
+    defects.folded.push_back(FoldedTriangles(options.defects,
+                                             step.scene.muscles[i].triangles,
+                                             targets[i],
+                                             points[i]));
+  }
+  for (int a = 0; a < step.num_muscles(); ++a) {
+    AddSelfCrossings(options, step, targets[a], a, (*trees)[a], &defects);
+    for (int b = a + 1; b < step.num_muscles(); ++b) {
+      for (const auto& [f, g] :
+           IntersectingTriangles((*trees)[a], (*trees)[b])) {
+        defects.muscle_crossings.push_back({a, f, b, g});
+      }
+    }
+  }
+  for (int bone = 0; bone < step.num_bones(); ++bone) {
+    AddBoneCrossings(step, bone, points, trees, &defects);
+  }
+  return defects;
+}
+
+std::vector<SeparatingPlane> PlanesAgainst(const StepDefects& defects,
+                                           const StepOptions& options,
+                                           const ContactStep& step,
+                                           const std::vector<Points>& targets) {
+  std::vector<SeparatingPlane> planes;
+  const auto add = [&](const std::optional<SeparatingPlane>& plane) {
+    if (plane) planes.push_back(*plane);
+  };
+  for (int i = 0; i < static_cast<int>(defects.folded.size()); ++i) {
+    for (const int f : defects.folded[i]) {
+      add(PlaneAgainstFold(options.defects, step, targets[i], i, f));
+    }
+  }
+  for (const CrossingTriangle& pair : defects.self_crossings) {
+    add(PlaneBetweenSheets(
+        options, step, targets[pair.a], pair.a, pair.f, pair.g));
+  }
+  for (const CrossingTriangle& pair : defects.muscle_crossings) {
+    const auto separation =
+        SeparateTriangles(step.trees_before[pair.a].corners(pair.f),
+                          step.trees_before[pair.b].corners(pair.g));
+    if (!separation) continue;
+    planes.push_back(PlaneBetween(
+        step, pair.a, pair.f, pair.b, pair.g, *separation, options.gap / 2));
+  }
+  for (const CrossingTriangle& pair : defects.bone_crossings) {
+    add(PlaneAgainstBone(options, step, pair));
+  }
+  return planes;
+}
+
+Stiffness Stiffened(const StepDefects& defects,
+                    const DefectOptions& options,
+                    const ContactScene& scene,
+                    Stiffness stiffness) {
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    std::vector<int> crossing;
+    for (const CrossingTriangle& pair : defects.self_crossings) {
+      if (pair.a != static_cast<int>(i)) continue;
+      crossing.push_back(pair.f);
+      crossing.push_back(pair.g);
+    }
+    const Triangles& triangles = scene.muscles[i].triangles;
+    Stiffen(options, triangles, defects.folded[i], &stiffness[i]);
+    Stiffen(options, triangles, crossing, &stiffness[i]);
+  }
+  return stiffness;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,261 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certified_contact/medial_cell.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <utility>
+
+#include "musclewarp/base/option_check.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Negative inside. Outside it is exact up to `limit`, inside anywhere.
+double SignedMeshDistance(const SearchableMesh& mesh,
+                          const RowVector3d& p,
+                          double limit) {
+  const bool is_inside =
+      mesh.bvh().box().Contains(p) && mesh.winding().IsInside(p);
+  const double distance =
+      mesh.bvh().ClosestPoint(p, is_inside ? kInfinity : limit).distance;
+  return is_inside ? -distance : std::min(distance, limit);
+}
+
+}  // namespace
+
+// Voxels by their centres; x runs fastest.
+struct MedialCell::VoxelGrid {
+  RowVector3d origin;
+  double voxel_size;
+  std::array<int, 3> size;
+
+  // By voxel: the nearest voxel of the main part, or -1.
+  std::vector<int> nearest;
+
+  VoxelGrid(const Box3& box, double voxel) : voxel_size(voxel) {
+    for (int k = 0; k < 3; ++k) {
+      origin[k] = box.lower[k] - 2 * voxel;
+      size[k] =
+          static_cast<int>(std::ceil((box.upper[k] - box.lower[k]) / voxel)) +
+          5;
+    }
+  }
+
+  int count() const { return size[0] * size[1] * size[2]; }
+  RowVector3d Centre(int index) const {
+    return origin + voxel_size * RowVector3d(index % size[0],
+                                             index / size[0] % size[1],
+                                             index / (size[0] * size[1]));
+  }
+  int IndexOf(const RowVector3d& p) const {
+    std::array<int, 3> at;
+    for (int k = 0; k < 3; ++k) {
+      at[k] = std::clamp(
+          static_cast<int>(std::lround((p[k] - origin[k]) / voxel_size)),
+          0,
+          size[k] - 1);
+    }
+    return (at[2] * size[1] + at[1]) * size[0] + at[0];
+  }
+  template <typename Visit>
+  void ForEachNeighbour(int index, const Visit& visit) const {
+    const int x = index % size[0];
+    const int y = index / size[0] % size[1];
+    const int z = index / (size[0] * size[1]);
+    if (x > 0) visit(index - 1);
+    if (x + 1 < size[0]) visit(index + 1);
+    if (y > 0) visit(index - size[0]);
+    if (y + 1 < size[1]) visit(index + size[0]);
+    if (z > 0) visit(index - size[0] * size[1]);
+    if (z + 1 < size[2]) visit(index + size[0] * size[1]);
+  }
+
+  // The voxels of the largest part of those that are free, in which two
+  // neighbours belong together if are_connected(i, j).
+  template <typename IsFree, typename AreConnected>
+  std::vector<int> LargestPart(const IsFree& is_free,
+                               const AreConnected& are_connected) const {
+    std::vector<char> is_visited(count(), false);
+    std::vector<int> largest;
+    for (int i = 0; i < count(); ++i) {
+      if (!is_free(i) || is_visited[i]) continue;
+      std::vector<int> part = {i};
+      is_visited[i] = true;
+      std::vector<int> front = {i};
+      while (!front.empty()) {
+        const int at = front.back();
+        front.pop_back();
+        ForEachNeighbour(at, [&](int next) {
+          if (!is_free(next) || is_visited[next]) return;
+          if (!are_connected(at, next)) return;
+          is_visited[next] = true;
+          part.push_back(next);
+          front.push_back(next);
+        });
+      }
+      if (part.size() > largest.size()) largest = std::move(part);
+    }
+    std::sort(largest.begin(), largest.end());
+    return largest;
+  }
+
+  // Fills in `nearest` from the voxels `part`, outwards.
+  void SpreadFrom(const std::vector<int>& part) {
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    std::vector<double> distance(count(), kInfinity);
+    nearest.assign(count(), -1);
+    for (const int i : part) {
+      nearest[i] = i;
+      distance[i] = 0;
+      queue.emplace(0, i);
+    }
+    while (!queue.empty()) {
+      const auto [d, at] = queue.top();
+      queue.pop();
+      if (d > distance[at]) continue;
+      ForEachNeighbour(at, [&, at = at](int next) {
+        const double through = (Centre(next) - Centre(nearest[at])).norm();
+        if (through < distance[next] - 1e-9) {
+          distance[next] = through;
+          nearest[next] = nearest[at];
+          queue.emplace(through, next);
+        }
+      });
+    }
+  }
+};
+
+bool MedialCellOptions::IsValid(std::string* error) const {
+  return OptionCheck("MedialCellOptions", error)
+      .IsAtLeast("margin", margin, 0)
+      .IsAbove("voxel_size", voxel_size, 0)
+      .IsAbove("range", range, margin)
+      .IsAbove("thinnest_wall", thinnest_wall, 0)
+      .is_valid();
+}
+
+MedialCell::MedialCell(const MedialCellOptions& options,
+                       const SearchableMesh& muscle,
+                       std::vector<const SearchableMesh*> other_muscles,
+                       std::vector<const SearchableMesh*> bones)
+    : options_(options),
+      muscle_(muscle),
+      other_muscles_(std::move(other_muscles)),
+      bones_(std::move(bones)) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+}
+
+double MedialCell::SignedDistance(const RowVector3d& p) const {
+  const double range = options_.range;
+  double distance = -range;
+  for (const SearchableMesh* bone : bones_) {
+    distance = std::max(
+        distance, options_.margin / 2 - SignedMeshDistance(*bone, p, range));
+  }
+  double own = 0;
+  bool is_own_known = false;
+  for (const SearchableMesh* other : other_muscles_) {
+    const double theirs = SignedMeshDistance(*other, p, range);
+    if (theirs >= range) continue;
+    if (!is_own_known) {
+      own = SignedMeshDistance(muscle_, p, 4 * range);
+      is_own_known = true;
+    }
+    distance = std::max(distance, (own - theirs + options_.margin) / 2);
+  }
+  return distance;
+}
+
+RowVector3d MedialCell::Inward(const RowVector3d& p) const {
+  constexpr double kStep = 0.1;  // mm, of the central differences
+  RowVector3d gradient;
+  for (int k = 0; k < 3; ++k) {
+    RowVector3d step = RowVector3d::Zero();
+    step[k] = kStep;
+    gradient[k] = SignedDistance(p + step) - SignedDistance(p - step);
+  }
+  const double norm = gradient.norm();
+  return norm > 1e-6 ? RowVector3d(-gradient / norm) : RowVector3d::Zero();
+}
+
+bool MedialCell::IsPathFree(const RowVector3d& a,
+                            double distance_a,
+                            const RowVector3d& b,
+                            double distance_b) const {
+  const double length = (b - a).norm();
+  // The signed distance grows by no more than the way.
+  if (distance_a + distance_b <= -length || length < options_.thinnest_wall) {
+    return true;
+  }
+  const RowVector3d middle = (a + b) / 2;
+  const double distance = SignedDistance(middle);
+  return distance <= 0 && IsPathFree(a, distance_a, middle, distance) &&
+         IsPathFree(middle, distance, b, distance_b);
+}
+
+MedialCell::VoxelGrid MedialCell::MainPart() const {
+  VoxelGrid grid(muscle_.bvh().box(), options_.voxel_size);
+  // Parts of the muscle thinner than a voxel are connected by the voxels beside
+  // them.
+  std::vector<double> distance(grid.count(), 1);
+#pragma omp parallel for schedule(dynamic, 256)
+  for (int i = 0; i < grid.count(); ++i) {
+    const RowVector3d p = grid.Centre(i);
+    if (muscle_.winding().IsInside(p) ||
+        muscle_.bvh().ClosestPoint(p, grid.voxel_size).triangle >= 0) {
+      distance[i] = SignedDistance(p);
+    }
+  }
+  grid.SpreadFrom(grid.LargestPart(
+      [&](int i) { return distance[i] <= 0; },
+      [&](int i, int j) {
+        return IsPathFree(
+            grid.Centre(i), distance[i], grid.Centre(j), distance[j]);
+      }));
+  return grid;
+}
+
+RowVector3d MedialCell::Border(const RowVector3d& q,
+                               double distance_q,
+                               const RowVector3d& p) const {
+  // On by as much as is free around, again and again.
+  constexpr double kTolerance = 1e-4;  // mm
+  const double way = (p - q).norm();
+  double at = 0;
+  for (double room = -distance_q; room > kTolerance && at < way;) {
+    at = std::min(way, at + room);
+    room = -SignedDistance(q + at / way * (p - q));
+  }
+  return q + at / way * (p - q);
+}
+
+Points MedialCell::Project(const Points& points) const {
+  const VoxelGrid grid = MainPart();
+  Points projected = points;
+#pragma omp parallel for schedule(dynamic, 64)
+  for (Eigen::Index v = 0; v < points.rows(); ++v) {
+    const RowVector3d p = points.row(v);
+    const int nearest = grid.nearest[grid.IndexOf(p)];
+    if (nearest < 0) continue;
+    const RowVector3d q = grid.Centre(nearest);
+    const double distance_p = SignedDistance(p);
+    const double distance_q = SignedDistance(q);
+    if (distance_p <= 0 && IsPathFree(q, distance_q, p, distance_p)) continue;
+    projected.row(v) = Border(q, distance_q, p);
+  }
+  return projected;
+}
+
+}  // namespace musclewarp

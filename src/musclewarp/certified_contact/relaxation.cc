@@ -1,0 +1,101 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certified_contact/relaxation.h"
+
+#include <algorithm>
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+
+// What stays the same in the sweeps over one muscle.
+struct MuscleSweep {
+  const StepOptions& options;
+  const MuscleSurface& surface;
+  const Points& carried;
+  const Points& targets;
+  const Eigen::VectorXd& stiffness;
+  int muscle;
+};
+
+// Where the energy would put a vertex if its neighbours kept their offsets, but
+// no farther than the reach from where it is carried.
+RowVector3d Unprojected(const MuscleSweep& sweep, int v, const Points& points) {
+  const MuscleSurface& surface = sweep.surface;
+  const double length = sweep.options.relaxation.smoothing_length;
+  RowVector3d sum = RowVector3d::Zero();
+  double weights = 1 / (length * length) * surface.areas[v];
+  for (int e = surface.first[v]; e < surface.first[v + 1]; ++e) {
+    const int u = surface.neighbours[e];
+    const double weight =
+        std::max(sweep.stiffness[u], sweep.stiffness[v]) * surface.weights[e];
+    sum += weight * (points.row(u) - sweep.targets.row(u));
+    weights += weight;
+  }
+  const RowVector3d place = sweep.targets.row(v) + sum / weights;
+  const RowVector3d beyond = place - sweep.carried.row(v);
+  const double far = beyond.norm();
+  const double reach = sweep.options.reach;
+  if (far <= reach) return place;
+  return sweep.carried.row(v) + reach / far * beyond;
+}
+
+void SweepMuscle(const MuscleSweep& sweep,
+                 bool looks_at_all_planes,
+                 PlaneSet* planes,
+                 Points* points,
+                 Points* unprojected) {
+  for (int v = 0; v < sweep.surface.num_vertices(); ++v) {
+    const RowVector3d place = Unprojected(sweep, v, *points);
+    unprojected->row(v) = place;
+    if (looks_at_all_planes) planes->FindNear(sweep.muscle, v, place);
+    points->row(v) = planes->Projected(sweep.muscle, v, place);
+  }
+}
+
+}  // namespace
+
+RelaxedPoints StartOf(const ContactStep& step) {
+  return {step.carried, step.carried};
+}
+
+Stiffness UniformStiffness(const ContactScene& scene) {
+  Stiffness stiffness;
+  for (const MuscleSurface& muscle : scene.muscles) {
+    stiffness.push_back(Eigen::VectorXd::Ones(muscle.num_vertices()));
+  }
+  return stiffness;
+}
+
+RelaxedPoints Relax(const StepOptions& options,
+                    const ContactStep& step,
+                    const std::vector<Points>& targets,
+                    const Stiffness& stiffness,
+                    int sweeps,
+                    PlaneSet* planes,
+                    RelaxedPoints start) {
+  RelaxedPoints relaxed = std::move(start);
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    planes->UpdateLevels(relaxed.unprojected, relaxed.points, sweep == 0);
+    const bool looks_at_all_planes =
+        sweep % options.relaxation.full_sweep_interval == 0 ||
+        sweep + 1 == sweeps;
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int i = 0; i < step.num_muscles(); ++i) {
+      SweepMuscle({options,
+                   step.scene.muscles[i],
+                   step.carried[i],
+                   targets[i],
+                   stiffness[i],
+                   i},
+                  looks_at_all_planes,
+                  planes,
+                  &relaxed.points[i],
+                  &relaxed.unprojected[i]);
+    }
+  }
+  return relaxed;
+}
+
+}  // namespace musclewarp

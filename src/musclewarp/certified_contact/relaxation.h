@@ -1,0 +1,49 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "musclewarp/certified_contact/contact_step.h"
+#include "musclewarp/certified_contact/plane_set.h"
+#include "musclewarp/certified_contact/step_options.h"
+#include "musclewarp/mesh/triangle_soup.h"
+
+namespace musclewarp {
+
+// The vertices of all muscles while a step is relaxed.
+struct RelaxedPoints {
+  std::vector<Points> points;       // #V x 3, mm, in their half-spaces
+  std::vector<Points> unprojected;  // where they would go without planes
+};
+
+// Returns the vertices where the step carries them.
+RelaxedPoints StartOf(const ContactStep& step);
+
+// The stiffness of each vertex, #V: a factor on the weights of its edges.
+using Stiffness = std::vector<Eigen::VectorXd>;
+
+// Returns a stiffness of one for every vertex.
+Stiffness UniformStiffness(const ContactScene& scene);
+
+// Moves the vertices towards the positions p = target + offset that minimise
+//
+//   1/2 sum_edges w |o_i - o_j|^2 + 1/2 sum_vertices area / l^2 |o_i|^2
+//
+// in the half-spaces of the vertices, by `sweeps` projected Gauss-Seidel sweeps
+// over all vertices: an obstacle problem, whose solution is as small and smooth
+// as contact lets it be, and zero where there is no contact. l is the smoothing
+// length, w the weight of an edge times the larger stiffness of its ends.
+//
+// `targets`: #V x 3 each, mm. The planes between muscles follow the sweeps.
+// Muscles are treated alike: nothing depends on their order but rounding.
+RelaxedPoints Relax(const StepOptions& options,
+                    const ContactStep& step,
+                    const std::vector<Points>& targets,
+                    const Stiffness& stiffness,
+                    int sweeps,
+                    PlaneSet* planes,
+                    RelaxedPoints start);
+
+}  // namespace musclewarp

@@ -1,0 +1,68 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "musclewarp/certified_contact/contact_step.h"
+#include "musclewarp/certified_contact/plane_set.h"
+#include "musclewarp/certified_contact/relaxation.h"
+#include "musclewarp/certified_contact/step_options.h"
+
+namespace musclewarp {
+
+struct StepSummary {
+  // No triangles cross, of two meshes or (but for those of rest) of one.
+  bool is_intersection_free = false;
+  int rounds = 0;
+  int crossing_pairs = 0;   // of triangles of two meshes, in the last round
+  double violation = 0;     // of a plane by a vertex, at most, mm
+  double volume_error = 0;  // relative, the worst of all muscles
+};
+
+struct StepResult {
+  ContactState state;  // where the last round ended, whatever the summary says
+  StepSummary summary;
+};
+
+// A step that is under way: its planes, and how far the vertices have come.
+struct OpenStep {
+  PlaneSet planes;
+  RelaxedPoints relaxed;
+  std::vector<TriangleBvh> trees;  // fitted to whatever is searched
+};
+
+// Finds the separating planes of a step and relaxes the vertices between them
+// by `sweeps` sweeps. From there on the planes tell what the coarse meshes
+// should make way for (PlaneSet::MostViolated). Keeps references to the options
+// and the step.
+OpenStep BeginStep(const StepOptions& options,
+                   const ContactStep& step,
+                   const std::vector<Points>& targets,
+                   int sweeps);
+
+// Ends a step: relaxes by `sweeps` sweeps, restores volumes, finds defects, and
+// goes on with planes against these until there are none, at most so many
+// rounds. `targets`: where the coarse meshes have the vertices now, #V x 3
+// each, mm. If the result is not free of intersections, the step was too long
+// or there is no room.
+StepResult FinishStep(const StepOptions& options,
+                      const ContactStep& step,
+                      const std::vector<Points>& targets,
+                      int sweeps,
+                      OpenStep open);
+
+// Moves muscles and bones from `before`, in which no triangles cross, to where
+// the coarse meshes have the vertices at `targets` (#V x 3 each, mm) and the
+// bones are at `bones_from_rest`, so that none cross there: both parts of a
+// step, without a coarse solve between. Precondition (CHECKed): the options are
+// valid.
+StepResult AdvanceWithoutIntersection(
+    const StepOptions& options,
+    const ContactScene& scene,
+    const ContactState& before,
+    const std::vector<Points>& targets,
+    const std::vector<Eigen::Matrix4d>& bones_from_rest);
+
+}  // namespace musclewarp

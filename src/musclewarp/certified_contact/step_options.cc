@@ -1,0 +1,61 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certified_contact/step_options.h"
+
+#include "musclewarp/base/option_check.h"
+
+namespace musclewarp {
+
+bool PlaneSearchOptions::IsValid(std::string* error) const {
+  return OptionCheck("PlaneSearchOptions", error)
+      .IsWithin("search_share", search_share, 0, 1)
+      .IsWithin("overlooked_share", overlooked_share, 0, 1)
+      .IsAtLeast("max_planes_per_triangle", max_planes_per_triangle, 1)
+      .is_valid();
+}
+
+bool RelaxationOptions::IsValid(std::string* error) const {
+  return OptionCheck("RelaxationOptions", error)
+      .IsAbove("smoothing_length", smoothing_length, 0)
+      .IsAtLeast("full_sweep_interval", full_sweep_interval, 1)
+      .IsAbove("max_push", max_push, 0)
+      .IsWithin("room_decay", room_decay, 0, 1)
+      .IsAtLeast("room_tolerance", room_tolerance, 0)
+      .IsAtLeast("compromise_turns", compromise_turns, 1)
+      .IsAtLeast("bone_turns", bone_turns, 1)
+      .IsAtLeast("contact_distance", contact_distance, 0)
+      .is_valid();
+}
+
+bool VolumeOptions::IsValid(std::string* error) const {
+  return OptionCheck("VolumeOptions", error)
+      .IsAbove("tolerance", tolerance, 0)
+      .IsAtLeast("max_steps", max_steps, 1)
+      .IsAtLeast("smoothing_passes", smoothing_passes, 0)
+      .is_valid();
+}
+
+bool DefectOptions::IsValid(std::string* error) const {
+  return OptionCheck("DefectOptions", error)
+      .IsWithin("sheet_share", sheet_share, 0, 1)
+      .IsAtLeast("stiffening", stiffening, 1)
+      .IsAtLeast("max_stiffness", max_stiffness, 1)
+      .IsWithin("unfolded_height", unfolded_height, 0, 1)
+      .IsWithin("max_folded_share", max_folded_share, 0, 1)
+      .is_valid();
+}
+
+bool StepOptions::IsValid(std::string* error) const {
+  return OptionCheck("StepOptions", error)
+             .IsAbove("gap", gap, 0)
+             .IsAbove("reach", reach, gap)
+             .IsAtLeast("sweeps", sweeps, 1)
+             .IsAtLeast("repair_sweeps", repair_sweeps, 1)
+             .IsAtLeast("max_rounds", max_rounds, 1)
+             .IsWithin("least_gap_share", least_gap_share, 0, 1)
+             .is_valid() &&
+         planes.IsValid(error) && relaxation.IsValid(error) &&
+         volume.IsValid(error) && defects.IsValid(error);
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,144 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace musclewarp {
+
+// How separating planes are looked for between two triangles, or a triangle and
+// a bone (FindSeparatingPlanes).
+struct PlaneSearchOptions {
+  // Planes are looked for between surfaces whose distance is at most the gap
+  // plus this part of the way that both may go towards each other (the reach of
+  // each). Few vertices go that far; crossings beyond are found by the exact
+  // test of a step. A larger part finds more planes that hold nothing: 1
+  // instead of 0.7 takes a third more time for the planes of the LHDL hip.
+  double search_share = 0.7;
+
+  // A part of a bone that pokes above the plane of a nearer part by no more
+  // than this share of the gap gets no plane of its own. Larger values make
+  // fewer planes and leave less of the gap there.
+  double overlooked_share = 0.25;
+
+  // The most planes between a triangle and one bone. In a rugged pit of the
+  // pelvis of LHDL a triangle has at most 19.
+  int max_planes_per_triangle = 24;
+
+  bool IsValid(std::string* error) const;
+};
+
+// How the offsets of vertices from their targets are relaxed between the planes
+// (Relax).
+struct RelaxationOptions {
+  // How fast an offset dies away beside the place where contact asks for it,
+  // mm: the length l of the energy in docs/method.md. Longer lengths give
+  // smoother shapes that move more; 8 mm is a quarter of the thickness of a
+  // gluteal muscle.
+  double smoothing_length = 8;
+
+  // Every so many sweeps, and in the last one, a vertex looks at all its
+  // planes; in the sweeps between at those alone that were near the last time.
+  // Looking at all of them in each sweep takes twice as long and changes
+  // nothing that shows.
+  int full_sweep_interval = 6;
+
+  // No vertex is pushed farther than this from where it is carried to, mm; a
+  // step that asks for more is halved. It keeps planes that cannot be satisfied
+  // together from throwing a vertex far away.
+  double max_push = 5;
+
+  // After each sweep, a muscle keeps this share of the room that another one
+  // gave it and that it does not need any more.
+  double room_decay = 0.97;
+
+  // A muscle that reaches less than this far into the other's side of a plane,
+  // mm, does not need that room.
+  double room_tolerance = 1e-3;
+
+  // Turns of Hildreth's method by which a vertex whose half-spaces have no
+  // common point within its reach finds a place between them: against all of
+  // its half-spaces, then against those of bones alone, which do not give way.
+  int compromise_turns = 10;
+  int bone_turns = 20;
+
+  // A vertex nearer to a plane than this, mm, counts as one that the plane
+  // holds when rows for the coarse solve are chosen.
+  double contact_distance = 0.5;
+
+  bool IsValid(std::string* error) const;
+};
+
+// How a step restores the volume of a muscle inside its half-spaces
+// (RestoreVolume).
+struct VolumeOptions {
+  // The volume error that is allowed to remain, relative.
+  double tolerance = 1e-8;
+
+  // Newton steps before the rest of the error is left. Where planes hold most
+  // of a muscle 20 leave 2.5e-5 (hamstrings), 40 reach the tolerance.
+  int max_steps = 40;
+
+  // Rounds of averaging over neighbours by which vertices beside one that is
+  // held take part less.
+  int smoothing_passes = 3;
+
+  bool IsValid(std::string* error) const;
+};
+
+// What a step does about triangles that still cross or that fold (defects.h).
+struct DefectOptions {
+  // Two sheets of a muscle that crossed are kept apart by this share of their
+  // distance before the step, at most by the gap.
+  double sheet_share = 0.5;
+
+  // The edge weights of triangles of one muscle that cross or fold grow by this
+  // factor, up to the limit, so that they move as one piece in the next round.
+  double stiffening = 10;
+  double max_stiffness = 1e4;
+
+  // A triangle that folded is kept at this share of the height that its target
+  // has.
+  double unfolded_height = 0.1;
+
+  // A muscle may have this share of its triangles folded before they are
+  // unfolded. The certificate allows twice as many.
+  double max_folded_share = 5e-4;
+
+  bool IsValid(std::string* error) const;
+};
+
+// All numbers that steer one step of certified contact.
+struct StepOptions {
+  // The distance kept between two surfaces, mm. Half of the mesh size of fine
+  // surfaces at most: larger gaps move muscles more than contact needs.
+  double gap = 0.1;
+
+  // How far a vertex may move in one step beside the way that it is carried
+  // along with its muscle, mm. Surfaces that are farther apart than the gap and
+  // twice the reach get no plane. At 2 mm a step of the LHDL hip takes twice as
+  // long; below 0.5 mm the rest pose takes more steps.
+  double reach = 1;
+
+  // Gauss-Seidel sweeps over all vertices: before the exact test of the first
+  // round, and in each later round.
+  int sweeps = 24;
+  int repair_sweeps = 10;
+
+  // Rounds of sweeps and exact tests before a step is given up. The steps of
+  // the LHDL hip take 1 to 3.
+  int max_rounds = 6;
+
+  // Another round is made while a vertex keeps less than this share of the gap.
+  double least_gap_share = 0.2;
+
+  PlaneSearchOptions planes;
+  RelaxationOptions relaxation;
+  VolumeOptions volume;
+  DefectOptions defects;
+
+  // Also checks the options within.
+  bool IsValid(std::string* error) const;
+};
+
+}  // namespace musclewarp

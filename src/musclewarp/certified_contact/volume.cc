@@ -1,0 +1,112 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certified_contact/volume.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh/triangle.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+
+// How much each vertex takes part, #V: one where no plane holds it, zero where
+// one does, and in between beside such a vertex.
+Eigen::VectorXd SharesOf(const MuscleSurface& surface,
+                         const Points& points,
+                         const Points& unprojected,
+                         int smoothing_passes) {
+  const int count = surface.num_vertices();
+  Eigen::VectorXd shares(count);
+  for (int v = 0; v < count; ++v) {
+    shares[v] = points.row(v) == unprojected.row(v);
+  }
+  for (int pass = 0; pass < smoothing_passes; ++pass) {
+    Eigen::VectorXd smooth = shares;
+    for (int v = 0; v < count; ++v) {
+      if (shares[v] == 0) continue;
+      double sum = 0, weights = 0;
+      for (int e = surface.first[v]; e < surface.first[v + 1]; ++e) {
+        sum += surface.weights[e] * shares[surface.neighbours[e]];
+        weights += surface.weights[e];
+      }
+      if (weights > 0) smooth[v] = (shares[v] + sum / weights) / 2;
+    }
+    shares = smooth;
+  }
+  return shares;
+}
+
+// The gradient of the volume, #V x 3, mm^2.
+Points NormalsOf(const Points& points, const Triangles& triangles) {
+  Points normals = Points::Zero(points.rows(), 3);
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    const Corners t = CornersOf(points, triangles.row(f));
+    const RowVector3d sixth = AreaVector(t) / 6;
+    for (int k = 0; k < 3; ++k) normals.row(triangles(f, k)) += sixth;
+  }
+  return normals;
+}
+
+// Returns the relative error that is left.
+double RestoreVolume(const StepOptions& options,
+                     const MuscleSurface& surface,
+                     int muscle,
+                     const Points& unprojected,
+                     PlaneSet* planes,
+                     Points* points) {
+  const VolumeOptions& limits = options.volume;
+  const Eigen::VectorXd shares =
+      SharesOf(surface, *points, unprojected, limits.smoothing_passes);
+  double error = 0;
+  for (int step = 0;; ++step) {
+    error = SignedVolume(*points, surface.triangles) - surface.volume;
+    if (step == limits.max_steps ||
+        std::abs(error) <= limits.tolerance * surface.volume) {
+      break;
+    }
+    const Points normals = NormalsOf(*points, surface.triangles);
+    const Eigen::VectorXd lengths = normals.rowwise().norm();
+    const double slope = shares.dot(lengths);
+    if (!(slope > 0)) break;
+    const double move =
+        std::clamp(-error / slope, -options.reach, options.reach);
+    for (int v = 0; v < surface.num_vertices(); ++v) {
+      if (shares[v] == 0 || lengths[v] == 0) continue;
+      const RowVector3d moved =
+          points->row(v) + shares[v] * move / lengths[v] * normals.row(v);
+      planes->FindNear(muscle, v, moved);
+      points->row(v) = planes->Projected(muscle, v, moved);
+    }
+  }
+  return std::abs(error) / surface.volume;
+}
+
+}  // namespace
+
+RestoredVolumes RestoreVolumes(const StepOptions& options,
+                               const ContactStep& step,
+                               const RelaxedPoints& relaxed,
+                               PlaneSet* planes) {
+  RestoredVolumes restored;
+  restored.points = relaxed.points;
+  double worst = 0;
+#pragma omp parallel for schedule(dynamic, 1) reduction(max : worst)
+  for (int i = 0; i < step.num_muscles(); ++i) {
+    worst = std::max(worst,
+                     RestoreVolume(options,
+                                   step.scene.muscles[i],
+                                   i,
+                                   relaxed.unprojected[i],
+                                   planes,
+                                   &restored.points[i]));
+  }
+  restored.worst_error = worst;
+  return restored;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,67 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/deformer/deformer.h"
+
+#include <glog/logging.h>
+
+#include <utility>
+
+#include "musclewarp/scene/scene_checks.h"
+
+namespace musclewarp {
+namespace {
+
+// A copy of the options with what follows from the kind of contact.
+DeformerOptions Completed(DeformerOptions options) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+  options.prepare.remove_slivers |=
+      options.frames.contact == ContactKind::kCertified;
+  return options;
+}
+
+Scene Checked(Scene scene) {
+  for (SceneBone& bone : scene.bones) {
+    if (bone.body.empty()) bone.body = bone.name;
+  }
+  CheckScene(scene);
+  return scene;
+}
+
+}  // namespace
+
+bool DeformerOptions::IsValid(std::string* error) const {
+  return prepare.IsValid(error) && frames.IsValid(error) &&
+         solver.IsValid(error);
+}
+
+Deformer::Deformer(Scene scene, DeformerOptions options)
+    : options_(Completed(std::move(options))),
+      solvers_(SolversOf(options_.solver)),
+      scene_(std::make_unique<PreparedScene>(PrepareScene(
+          Checked(std::move(scene)), options_.prepare, options_.on_progress))),
+      frame_solver_(MakeFrameSolver(*scene_,
+                                    options_.frames,
+                                    solvers_,
+                                    std::make_shared<SceneMeshes>(*scene_),
+                                    options_.on_progress)) {
+  // Where a motion starts is found when one does: with the paper's contact that
+  // takes a solve.
+}
+
+Frame Deformer::MoveTo(const ScenePose& pose) {
+  if (state_.muscles.empty()) Reset();
+  SolvedFrame solved =
+      frame_solver_->Solve(solvers_, pose, &state_, options_.on_progress);
+  state_ = std::move(solved.state);
+  return std::move(solved.frame);
+}
+
+Frame Deformer::SolveAlone(const ScenePose& pose) {
+  return frame_solver_->Solve(solvers_, pose, nullptr, options_.on_progress)
+      .frame;
+}
+
+void Deformer::Reset() { state_ = frame_solver_->StartOfMotion(solvers_); }
+
+}  // namespace musclewarp

@@ -1,0 +1,117 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/certified_frame_solver.h"
+
+#include <utility>
+#include <vector>
+
+#include "musclewarp/base/stopwatch.h"
+#include "musclewarp/certificate/shortcomings.h"
+#include "musclewarp/motion/frame_measures.h"
+
+namespace musclewarp {
+
+CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
+                                           const FrameSolverOptions& options,
+                                           const MuscleSolvers& solvers,
+                                           std::shared_ptr<SceneMeshes> meshes,
+                                           const ProgressCallback& on_progress)
+    : FrameSolver(scene, options, std::move(meshes)) {
+  RestFrame();  // moves the meshes to rest, and is the baseline of Judge()
+  certified_ = PrepareCertifiedScene(scene,
+                                     *meshes_,
+                                     options.certified,
+                                     options.pre_rotation,
+                                     solvers.single,
+                                     on_progress);
+  contact_.options = {{"gap_mm", options.certified.step.gap}};
+  contact_.prepare_ms = certified_.wall_ms;
+  contact_.rest =
+      IntersectAtRest(scene, certified_.rest.muscles, meshes_.get());
+}
+
+SceneState CertifiedFrameSolver::StartOfMotion(
+    const MuscleSolvers& /*solvers*/) {
+  return certified_.rest;
+}
+
+int CertifiedFrameSolver::ExpectedSteps(const ScenePose* from,
+                                        const ScenePose& pose) const {
+  return StepsBetween(scene_.scene,
+                      from ? *from : certified_.rest.pose,
+                      pose,
+                      options_.certified.limits);
+}
+
+SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
+                                        const ScenePose& pose,
+                                        const SceneState* before,
+                                        const ProgressCallback& on_progress) {
+  const Stopwatch moving;
+  CertifiedMotion motion = MoveCertified(scene_,
+                                         certified_,
+                                         pose,
+                                         options_.pre_rotation,
+                                         solvers.single,
+                                         before ? *before : certified_.rest,
+                                         on_progress);
+  const double wall_ms = moving.Milliseconds();
+  const Stopwatch certifying;
+  SolvedFrame result;
+  result.frame = MeasureFrame(scene_,
+                              pose,
+                              motion.state.muscles,
+                              std::move(motion.summary.summaries),
+                              meshes_.get());
+  MeasureContact(motion.state, &result.frame);
+  Judge(&result.frame);
+  result.frame.pose_steps = motion.summary.steps;
+  result.frame.wall_ms = wall_ms;
+  result.frame.solve_ms = wall_ms;
+  result.frame.certify_ms = certifying.Milliseconds();
+  result.state = std::move(motion.state);
+  return result;
+}
+
+void CertifiedFrameSolver::MeasureContact(const SceneState& state,
+                                          Frame* frame) {
+  std::vector<Points> without_contact(frame->muscles.size());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (size_t i = 0; i < frame->muscles.size(); ++i) {
+    without_contact[i] =
+        FinePoints(scene_.muscles[i].model, {state.free_coarse[i], {}});
+  }
+  meshes_->MoveTo(without_contact, frame->bones);
+  const std::vector<double> depths =
+      PenetrationDepths(meshes_->muscles(), meshes_->bones());
+  for (size_t i = 0; i < frame->muscles.size(); ++i) {
+    MuscleFrame& muscle = frame->muscles[i];
+    const Eigen::VectorXd moves =
+        (muscle.points - without_contact[i]).rowwise().norm();
+    muscle.max_contact_displacement = moves.maxCoeff();
+    muscle.mean_contact_displacement = moves.mean();
+    muscle.depth_without_contact = depths[i];
+  }
+}
+
+void CertifiedFrameSolver::Judge(Frame* frame) {
+  std::vector<MuscleMeasures> measures;
+  for (size_t i = 0; i < frame->muscles.size(); ++i) {
+    const MuscleFrame& muscle = frame->muscles[i];
+    MuscleMeasures measure;
+    measure.name = muscle.name;
+    measure.volume_ratio = muscle.volume_ratio;
+    measure.num_triangles =
+        static_cast<int>(scene_.muscles[i].model.fine_triangles.rows());
+    measure.folded_triangles = muscle.folded_triangles;
+    measure.self_pairs = muscle.self_pairs;
+    measure.self_pairs_at_rest = RestFrame().muscles[i].self_pairs;
+    measure.max_contact_displacement = muscle.max_contact_displacement;
+    measure.depth_without_contact = muscle.depth_without_contact;
+    measures.push_back(measure);
+  }
+  frame->shortcomings =
+      Shortcomings(options_.requirements, frame->intersections, measures);
+}
+
+}  // namespace musclewarp

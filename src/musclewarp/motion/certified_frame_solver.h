@@ -1,0 +1,41 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "musclewarp/motion/certified_motion.h"
+#include "musclewarp/motion/frame_solver.h"
+
+namespace musclewarp {
+
+// With certified contact: muscles cross neither bones nor each other in any
+// frame, and what a frame does not hold of that is among its shortcomings. A
+// frame on its own starts from the separated rest pose.
+class CertifiedFrameSolver : public FrameSolver {
+ public:
+  CertifiedFrameSolver(const PreparedScene& scene,
+                       const FrameSolverOptions& options,
+                       const MuscleSolvers& solvers,
+                       std::shared_ptr<SceneMeshes> meshes,
+                       const ProgressCallback& on_progress);
+
+  SceneState StartOfMotion(const MuscleSolvers& solvers) override;
+  int ExpectedSteps(const ScenePose* from,
+                    const ScenePose& pose) const override;
+  SolvedFrame Solve(const MuscleSolvers& solvers,
+                    const ScenePose& pose,
+                    const SceneState* before,
+                    const ProgressCallback& on_progress) override;
+
+ private:
+  // Measures what contact has done to the muscles of a frame, against their
+  // shapes without contact.
+  void MeasureContact(const SceneState& state, Frame* frame);
+  // Lists what the frame does not hold of the requirements.
+  void Judge(Frame* frame);
+
+  CertifiedScene certified_;
+};
+
+}  // namespace musclewarp

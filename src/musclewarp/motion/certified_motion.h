@@ -1,0 +1,104 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "musclewarp/base/progress.h"
+#include "musclewarp/certified_contact/initial_separation.h"
+#include "musclewarp/certified_contact/step.h"
+#include "musclewarp/motion/pose_steps.h"
+#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/motion/scene_meshes.h"
+#include "musclewarp/motion/solved_pose.h"
+
+namespace musclewarp {
+
+struct CertifiedContactOptions {
+  MuscleSurfaceOptions surface;
+  InitialSeparationOptions separation;
+  StepOptions step;
+
+  // The coarse solve with contact rows: how many fine vertices of a muscle have
+  // a row for each of its coarse vertices, and the weight of a row against a
+  // Laplacian row. What the rows do not achieve, as the shape resists, is left
+  // to single vertices. Weight 0 leaves out the coarse solve. At weight 1
+  // shapes bend half as much, but muscles move twice as far on average
+  // (docs/method.md).
+  double samples_per_coarse_vertex = 3;
+  double coarse_weight = 0.3;
+
+  // The separated rest pose is relaxed in at most so many steps, until no
+  // vertex moves by more than the tolerance (mm) in one. It has far to go, so
+  // that its steps have more sweeps.
+  int max_rest_steps = 20;
+  int rest_sweeps = 30;
+  double rest_tolerance = 0.05;
+
+  // A step of the rest pose after which triangles cross is tried again with
+  // this many times the reach, up to the limit (mm).
+  double reach_growth = 1.5;
+  double max_rest_reach = 4;
+
+  // A pose is reached in steps within these limits. A step after which
+  // triangles cross is halved, so many times.
+  StepLimits limits = {2.5 * M_PI / 180, 10};
+  int max_halvings = 4;
+
+  // Also checks the options within.
+  bool IsValid(std::string* error) const;
+};
+
+// A scene prepared for certified contact, and the state without crossings that
+// every motion starts from. Constant once it is prepared.
+struct CertifiedScene {
+  CertifiedContactOptions options;
+
+  // Contact takes the muscles in the order of their names, so that not even
+  // rounding depends on their order in the scene: for each, its index there.
+  std::vector<int> order;
+  ContactScene contact;  // muscles in that order
+
+  // The fine vertices of each muscle, in that order, that may have rows in the
+  // coarse solve.
+  std::vector<std::vector<int>> samples;
+
+  SceneState rest;
+  double wall_ms = 0;
+};
+
+// Separates the meshes of a scene and relaxes its rest pose. `meshes` are those
+// of the scene, in the rest pose. `on_progress` may be empty. Precondition
+// (CHECKed): the options are valid.
+CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
+                                     const SceneMeshes& meshes,
+                                     const CertifiedContactOptions& options,
+                                     const PreRotationOptions& pre_rotation,
+                                     const MuscleSolver& solver,
+                                     const ProgressCallback& on_progress);
+
+// How a pose was reached.
+struct MotionSummary {
+  std::vector<SolverSummary> summaries;  // of the last step, by muscle
+  int steps = 0;                         // including those that were given up
+};
+
+struct CertifiedMotion {
+  SceneState state;
+  MotionSummary summary;
+};
+
+// Moves a scene from `before` to a pose, step by step. If no triangles cross in
+// `before`, none do in the result, provided that there is a way. If the
+// shortest step still leads to crossings, it is taken all the same: what
+// follows may resolve them, and the certificate tells.
+CertifiedMotion MoveCertified(const PreparedScene& scene,
+                              const CertifiedScene& certified,
+                              const ScenePose& pose,
+                              const PreRotationOptions& pre_rotation,
+                              const MuscleSolver& solver,
+                              const SceneState& before,
+                              const ProgressCallback& on_progress);
+
+}  // namespace musclewarp

@@ -1,0 +1,127 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/frame_measures.h"
+
+#include <utility>
+
+#include "musclewarp/geometry/folded_triangles.h"
+#include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh/transformed.h"
+#include "musclewarp/scene/line_targets.h"
+#include "musclewarp/scene/path_moment_arms.h"
+
+namespace musclewarp {
+namespace {
+
+MuscleFrame FrameOf(const PreparedMuscle& muscle,
+                    const ScenePose& pose,
+                    const MuscleState& state,
+                    SolverSummary summary) {
+  const MuscleModel& model = muscle.model;
+  MuscleFrame frame;
+  frame.name = model.name;
+  frame.solver = std::move(summary);
+  frame.points = FinePoints(model, state);
+  frame.volume_ratio =
+      SignedVolume(frame.points, model.fine_triangles) / model.rest_volume;
+  frame.max_displacement =
+      (frame.points - model.fine_rest).rowwise().norm().maxCoeff();
+  frame.folded_triangles = static_cast<int>(
+      FoldedTriangles(model.fine_rest, frame.points, model.fine_triangles)
+          .size());
+  frame.lines = LinesAt(muscle.lines, state.coarse);
+  frame.fibres = LinesAt(muscle.fibres, state.coarse);
+  for (const ActionLine& line : model.lines) {
+    frame.path_lengths.push_back(PathLengthIn(pose, line));
+  }
+  return frame;
+}
+
+std::vector<Points> BonesIn(const PreparedScene& scene, const ScenePose& pose) {
+  std::vector<Points> bones;
+  for (const PreparedBone& bone : scene.bones) {
+    bones.push_back(
+        Transformed(bone.rest.points, BodyTransform(pose, bone.body)));
+  }
+  return bones;
+}
+
+// Counts intersections and measures gaps.
+void AddIntersections(const PreparedScene& scene,
+                      SceneMeshes* meshes,
+                      Frame* frame) {
+  std::vector<Points> muscles;
+  for (const MuscleFrame& muscle : frame->muscles) {
+    muscles.push_back(muscle.points);
+  }
+  meshes->MoveTo(muscles, frame->bones);
+  frame->intersections =
+      IntersectScene(meshes->muscles(), meshes->bones(), scene.exempt);
+  for (size_t i = 0; i < frame->muscles.size(); ++i) {
+    frame->muscles[i].self_pairs =
+        frame->intersections.self_pairs_of_muscles[i];
+    frame->muscles[i].gaps =
+        VertexGaps(i,
+                   meshes->muscles(),
+                   meshes->bones(),
+                   frame->intersections.inside_of_muscles[i],
+                   kGapLimit);
+  }
+}
+
+}  // namespace
+
+Frame MeasureFrame(const PreparedScene& scene,
+                   const ScenePose& pose,
+                   const std::vector<MuscleState>& states,
+                   std::vector<SolverSummary> summaries,
+                   SceneMeshes* meshes) {
+  Frame frame;
+  frame.name = pose.name;
+  frame.time = pose.time;
+  frame.coordinates = pose.coordinates;
+  frame.muscles.resize(scene.muscles.size());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    frame.muscles[i] =
+        FrameOf(scene.muscles[i], pose, states[i], std::move(summaries[i]));
+  }
+  frame.bones = BonesIn(scene, pose);
+  frame.path_moment_arms = PathMomentArms(scene.scene, pose);
+  AddIntersections(scene, meshes, &frame);
+  return frame;
+}
+
+Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes) {
+  Frame frame;
+  for (const PreparedMuscle& muscle : scene.muscles) {
+    MuscleFrame at_rest;
+    at_rest.name = muscle.model.name;
+    at_rest.points = muscle.model.fine_rest;
+    at_rest.volume_ratio = 1;
+    at_rest.lines = LinesAt(muscle.lines, muscle.model.coarse_rest);
+    at_rest.fibres = LinesAt(muscle.fibres, muscle.model.coarse_rest);
+    frame.muscles.push_back(std::move(at_rest));
+  }
+  for (const PreparedBone& bone : scene.bones) {
+    frame.bones.push_back(bone.rest.points);
+  }
+  AddIntersections(scene, meshes, &frame);
+  return frame;
+}
+
+SceneIntersections IntersectAtRest(const PreparedScene& scene,
+                                   const std::vector<MuscleState>& states,
+                                   SceneMeshes* meshes) {
+  std::vector<Points> muscles, bones;
+  for (size_t i = 0; i < states.size(); ++i) {
+    muscles.push_back(FinePoints(scene.muscles[i].model, states[i]));
+  }
+  for (const PreparedBone& bone : scene.bones) {
+    bones.push_back(bone.rest.points);
+  }
+  meshes->MoveTo(muscles, bones);
+  return IntersectScene(meshes->muscles(), meshes->bones(), scene.exempt);
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,32 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "musclewarp/motion/frame.h"
+#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/motion/scene_meshes.h"
+#include "musclewarp/solver/muscle_state.h"
+
+namespace musclewarp {
+
+// Returns the frame of muscles that a solver has moved to a pose: their points,
+// volumes, folded triangles, lines and fibres, and everything that crosses. The
+// times, `pose_steps` and what concerns contact are left to the caller.
+// `meshes` are those of the scene and are moved to the pose.
+Frame MeasureFrame(const PreparedScene& scene,
+                   const ScenePose& pose,
+                   const std::vector<MuscleState>& states,
+                   std::vector<SolverSummary> summaries,
+                   SceneMeshes* meshes);
+
+// Returns the frame of a scene with every mesh where it was delivered.
+Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes);
+
+// Counts what crosses with muscles in `states` and bones in the rest pose.
+SceneIntersections IntersectAtRest(const PreparedScene& scene,
+                                   const std::vector<MuscleState>& states,
+                                   SceneMeshes* meshes);
+
+}  // namespace musclewarp

@@ -1,0 +1,51 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/free_frame_solver.h"
+
+#include <utility>
+
+#include "musclewarp/base/stopwatch.h"
+#include "musclewarp/motion/frame_measures.h"
+
+namespace musclewarp {
+
+FreeFrameSolver::FreeFrameSolver(const PreparedScene& scene,
+                                 const FrameSolverOptions& options,
+                                 std::shared_ptr<SceneMeshes> meshes)
+    : FrameSolver(scene, options, std::move(meshes)) {}
+
+SceneState FreeFrameSolver::StartOfMotion(const MuscleSolvers& /*solvers*/) {
+  return RestState(scene_);
+}
+
+int FreeFrameSolver::ExpectedSteps(const ScenePose* /*from*/,
+                                   const ScenePose& /*pose*/) const {
+  return 1;
+}
+
+SolvedFrame FreeFrameSolver::Solve(const MuscleSolvers& solvers,
+                                   const ScenePose& pose,
+                                   const SceneState* before,
+                                   const ProgressCallback& on_progress) {
+  if (on_progress) on_progress({"moving", 0, 1});
+  const Stopwatch moving;
+  SolvedPose solved =
+      SolvePose(scene_,
+                pose,
+                options_.pre_rotation,
+                solvers.single,
+                before ? Predict(scene_, *before, pose, options_.pre_rotation)
+                       : RestState(scene_).muscles);
+  const double wall_ms = moving.Milliseconds();
+  const Stopwatch certifying;
+  SolvedFrame result;
+  result.frame = MeasureFrame(
+      scene_, pose, solved.states, std::move(solved.summaries), meshes_.get());
+  result.frame.wall_ms = wall_ms;
+  result.frame.solve_ms = solved.solve_ms;
+  result.frame.certify_ms = certifying.Milliseconds();
+  result.state = {pose, std::move(solved.states), {}};
+  return result;
+}
+
+}  // namespace musclewarp

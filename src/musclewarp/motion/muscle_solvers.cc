@@ -1,0 +1,20 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/muscle_solvers.h"
+
+namespace musclewarp {
+
+void SolveEachOnItsOwn(const MuscleSolver& solver,
+                       const std::vector<const MuscleModel*>& models,
+                       const std::vector<MuscleTarget>& targets,
+                       std::vector<MuscleState>* states,
+                       std::vector<SolverSummary>* summaries) {
+  summaries->resize(models.size());
+  const int count = static_cast<int>(models.size());
+#pragma omp parallel for schedule(dynamic)
+  for (int i = 0; i < count; ++i) {
+    solver(*models[i], targets[i], &(*states)[i].coarse, &(*summaries)[i]);
+  }
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,48 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "musclewarp/paper_contact/group_contact.h"
+#include "musclewarp/solver/muscle_model.h"
+#include "musclewarp/solver/muscle_state.h"
+#include "musclewarp/solver/muscle_target.h"
+#include "musclewarp/solver/solver_summary.h"
+
+namespace musclewarp {
+
+// Moves the coarse vertices of one muscle (N x 3, mm; the start and the result)
+// to a target.
+using MuscleSolver = std::function<void(const MuscleModel& model,
+                                        const MuscleTarget& target,
+                                        Points* coarse,
+                                        SolverSummary* summary)>;
+
+// Moves all muscles of a scene to their targets together, with the paper's
+// contact between them. The states are the start and the result; there is a
+// summary for each muscle.
+using GroupSolver =
+    std::function<void(const std::vector<const MuscleModel*>& models,
+                       const std::vector<MuscleTarget>& targets,
+                       GroupContact* contact,
+                       std::vector<MuscleState>* states,
+                       std::vector<SolverSummary>* summaries)>;
+
+// What moves the muscles of a scene, whatever the solver: the code of motion/
+// does not know whether that is Ceres or the reference solver.
+struct MuscleSolvers {
+  MuscleSolver single;
+  GroupSolver group;
+};
+
+// Solves every muscle on its own, spread over the threads of OpenMP. The result
+// does not depend on their number.
+void SolveEachOnItsOwn(const MuscleSolver& solver,
+                       const std::vector<const MuscleModel*>& models,
+                       const std::vector<MuscleTarget>& targets,
+                       std::vector<MuscleState>* states,
+                       std::vector<SolverSummary>* summaries);
+
+}  // namespace musclewarp

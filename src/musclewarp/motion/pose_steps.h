@@ -1,0 +1,28 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "musclewarp/scene/scene.h"
+
+namespace musclewarp {
+
+// How far bodies and lines may move in one step from a pose to the next, so
+// that no bone passes through a muscle between two steps.
+struct StepLimits {
+  double max_turn = 5 * M_PI / 180;  // of a body, rad
+  double max_move = 10;              // of a point of a line, mm
+
+  bool IsValid(std::string* error) const;
+};
+
+// Returns the number of steps from one pose to another within the limits; at
+// least 1.
+int StepsBetween(const Scene& scene,
+                 const ScenePose& from,
+                 const ScenePose& to,
+                 const StepLimits& limits);
+
+}  // namespace musclewarp

@@ -1,0 +1,26 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Everything that a program needs to deform muscles with musclewarp:
+//
+//   #include <musclewarp/musclewarp.h>
+//   namespace mw = musclewarp;
+//
+//   mw::Scene scene;  // or mw::ReadScene("hip.json", data_root)
+//   scene.muscles.push_back({"psoas", psoas_points, psoas_triangles, lines});
+//   scene.bones.push_back({"femur_r", femur_points, femur_triangles});
+//   mw::Deformer deformer(scene, mw::DeformerOptions());
+//   for (const mw::ScenePose& pose : poses) {
+//     const mw::Frame frame = deformer.MoveTo(pose);
+//     if (!frame.IsUsable()) LOG(WARNING) << frame.FullReport();
+//     Show(frame.muscles[0].points);
+//   }
+//
+// Lengths are in millimetres, angles in radians. Bad input throws InputError.
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/deformer/deformer.h"
+#include "musclewarp/motion/frame.h"
+#include "musclewarp/motion/frame_files.h"
+#include "musclewarp/scene/scene.h"

@@ -1,0 +1,107 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/report/screen_progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+namespace musclewarp {
+
+ScreenProgress::ScreenProgress(bool is_terminal, std::ostream* out)
+    : is_terminal_(is_terminal), out_(out) {}
+
+void ScreenProgress::Say(const Progress& progress) {
+  constexpr double kPauseOnTerminal = 200, kPauseElsewhere = 10000;  // ms
+  if (since_output_.Milliseconds() <
+      (is_terminal_ ? kPauseOnTerminal : kPauseElsewhere)) {
+    return;
+  }
+  std::ostringstream line;
+  if (!work_.empty()) line << Bar() << " ";
+  line << progress.stage;
+  if (progress.total > 0) {
+    line << " " << progress.done << " of " << progress.total;
+  } else if (progress.done > 0) {
+    line << ", round " << progress.done;
+  }
+  line << " ...";
+  Print(line.str(), false);
+}
+
+void ScreenProgress::Clear() {
+  if (!is_terminal_ || length_ == 0) return;
+  *out_ << "\r" << std::string(length_, ' ') << "\r" << std::flush;
+  length_ = 0;
+}
+
+void ScreenProgress::StartFrames(int done, std::vector<double> work) {
+  done_before_ = done;
+  done_ = 0;
+  work_ = std::move(work);
+  since_frame_.Restart();
+}
+
+double ScreenProgress::MillisecondsLeft() const {
+  const double left = std::accumulate(work_.begin() + done_, work_.end(), 0.0);
+  return recent_work_ > 0 ? left * recent_ms_ / recent_work_ : 0;
+}
+
+std::string ScreenProgress::Bar() const {
+  constexpr int kWidth = 24;
+  const int done = done_before_ + static_cast<int>(done_);
+  const int filled = kWidth * done / std::max(1, total());
+  return is_terminal_ ? "[" + std::string(filled, '=') +
+                            std::string(kWidth - filled, ' ') + "]"
+                      : "frame " + std::to_string(done + 1) + ":";
+}
+
+void ScreenProgress::FrameDone(const FrameRecord& frame) {
+  constexpr double kMemory = 0.8;
+  recent_ms_ = kMemory * recent_ms_ + since_frame_.Milliseconds();
+  recent_work_ = kMemory * recent_work_ + work_[done_];
+  since_frame_.Restart();
+  ++done_;
+  const int done = done_before_ + static_cast<int>(done_);
+  const bool is_last = done == total();
+  std::ostringstream line;
+  line << (is_terminal_ ? Bar() : "frame") << " " << done << " of " << total()
+       << ": " << frame.name << ", " << std::fixed << std::setprecision(0)
+       << frame.wall_ms << " ms, " << frame.intersections.triangle_pairs
+       << " crossing pairs";
+  if (!frame.usable) line << ", NOT usable";
+  if (!is_last) line << ", " << RoundedTime(MillisecondsLeft()) << " left";
+  Print(line.str(), is_last);
+}
+
+void ScreenProgress::Print(const std::string& line, bool is_last) {
+  since_output_.Restart();
+  if (!is_terminal_) {
+    *out_ << line << "\n" << std::flush;
+    return;
+  }
+  // Blanks over the rest of a longer line before.
+  const size_t rest = length_ > line.size() ? length_ - line.size() : 0;
+  *out_ << "\r" << line << std::string(rest, ' ') << (is_last ? "\n" : "")
+        << std::flush;
+  length_ = is_last ? 0 : line.size();
+}
+
+std::string RoundedTime(double milliseconds) {
+  const double seconds = milliseconds / 1000;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0);
+  if (seconds < 99.5) {
+    text << seconds << " s";
+  } else if (seconds < 99.5 * 60) {
+    text << seconds / 60 << " min";
+  } else {
+    text << seconds / 3600 << " h";
+  }
+  return text.str();
+}
+
+}  // namespace musclewarp
