@@ -65,8 +65,14 @@ bool OuterHullOptions::IsValid(std::string* error) const {
              std::to_string(coarse_vertices) + ", allowed: 20 to 5000";
     return false;
   }
-  if (!(count_tolerance > 0) || max_wraps < 1) {
-    *error = "OuterHullOptions: count_tolerance and max_wraps must be above 0";
+  if (!(count_tolerance > 0)) {
+    *error = "OuterHullOptions::count_tolerance is " +
+             std::to_string(count_tolerance) + ", must be above 0";
+    return false;
+  }
+  if (max_wraps < 1) {
+    *error = "OuterHullOptions::max_wraps is " + std::to_string(max_wraps) +
+             ", must be at least 1";
     return false;
   }
   return true;
