@@ -9,9 +9,9 @@ namespace musclewarp {
 // Returns a surface that encloses a triangle soup, however bad the soup is:
 // holes, doubled triangles and self-intersections do no harm. The surface is a
 // closed 2-manifold, oriented outward and free of self-intersections, and all
-// triangles of the soup lie strictly inside it. It does not enter pockets
-// narrower than `alpha` and stays about `offset` away from the soup, both in
-// mm.
+// triangles of the soup lie strictly inside it, except that triangles without
+// area are ignored. The surface does not enter pockets narrower than `alpha`
+// and stays about `offset` away from the soup, both in mm.
 //
 // The algorithm is that of Portaneri et al., "Alpha Wrapping with an Offset"
 // (2022), as CGAL implements it. Preconditions (CHECKed): the soup has

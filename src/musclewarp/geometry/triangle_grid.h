@@ -65,6 +65,10 @@ class TriangleGrid {
                   const Eigen::RowVector3d& direction) const;
 
  private:
+  // Enters every triangle into all cells that its box, enlarged by `margin`
+  // (mm), touches.
+  void SortIntoCells(double margin);
+
   std::array<int, 3> CellOf(const Eigen::RowVector3d& point) const;
   int Index(const std::array<int, 3>& cell) const {
     return (cell[2] * counts_[1] + cell[1]) * counts_[0] + cell[0];
