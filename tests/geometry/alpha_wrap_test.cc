@@ -31,7 +31,7 @@ void ExpectCleanAndAround(const TriangleSoup& wrap, const TriangleSoup& soup) {
 }  // namespace
 
 TEST(AlphaWrap, IsACleanSurfaceAroundAMesh) {
-  const TriangleSoup spindle = Spindle(20, 60, 3);
+  const TriangleSoup spindle = Spindle(10, 30, 3);
   ExpectCleanAndAround(AlphaWrap(spindle, kAlpha, kOffset), spindle);
 }
 
