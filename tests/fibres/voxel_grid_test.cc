@@ -71,8 +71,11 @@ TEST(VoxelGrid, DistancesGoThroughTheMesh) {
     // Steps of 3, 4 and 5 thirds miss the Euclidean distance by at most an
     // eighth, on the long side but for diagonals (4/3 for sqrt 2, 5/3 for
     // sqrt 3).
-    EXPECT_LT(distances[v], 1.13 * straight + 1e-9);
-    EXPECT_GT(distances[v], 0.94 * straight - 1e-9);
+    constexpr double kLongest = 1.13;
+    constexpr double kShortest = 0.94;
+    constexpr double kRounding = 1e-9;  // mm
+    EXPECT_LT(distances[v], kLongest * straight + kRounding);
+    EXPECT_GT(distances[v], kShortest * straight - kRounding);
   }
 }
 

@@ -42,17 +42,22 @@ TEST(BoundingCapsule, ContainsAllPoints) {
 }
 
 TEST(BoundingCapsule, LiesAlongAMuscle) {
+  // The cosine of the angle to the axis, which is known to about the root of
+  // rounding.
+  constexpr double kCosine = 1e-6;
   const Capsule capsule = BoundingCapsule(Spindle(12, 60, 3).points);
   // A capsule of the spindle's thickness, at most as long as the spindle.
   EXPECT_NEAR(capsule.radius, 12, 0.5);
   EXPECT_LE((capsule.end - capsule.start).norm(), 120);
   EXPECT_NEAR(
-      std::abs((capsule.end - capsule.start).normalized().z()), 1, 1e-6);
+      std::abs((capsule.end - capsule.start).normalized().z()), 1, kCosine);
 }
 
 TEST(BoundingCapsule, OfCoincidentPointsIsAPoint) {
   const Capsule capsule = BoundingCapsule(Points::Constant(7, 3, 2.5));
-  EXPECT_NEAR(capsule.radius, 0, 1e-9);
+  // The radius has a margin for rounding.
+  constexpr double kMargin = 1e-9;
+  EXPECT_NEAR(capsule.radius, 0, kMargin);
   EXPECT_TRUE(Overlap(capsule, capsule));
 }
 
@@ -110,9 +115,12 @@ TEST(SegmentDistance, IsTheLeastOfAllPoints) {
             least, (a + 0.01 * i * (b - a) - c - 0.01 * j * (d - c)).norm());
       }
     }
-    EXPECT_LE(distance, least + 1e-12);
-    // Segments are shorter than 3.5: samples are at most 0.035 apart.
-    EXPECT_GE(distance, least - 0.035);
+    // Rounding of coordinates of size 1.
+    constexpr double kRounding = 1e-12;
+    EXPECT_LE(distance, least + kRounding);
+    // Segments are shorter than 3.5, so that samples are at most 0.035 apart.
+    constexpr double kSpacing = 0.035;
+    EXPECT_GE(distance, least - kSpacing);
   }
 }
 

@@ -10,6 +10,13 @@
 
 namespace musclewarp {
 
+namespace {
+
+// Sums of a few weights of size 1.
+constexpr double kRounding = 1e-13;
+
+}  // namespace
+
 TEST(CotangentLaplacian, HasTheWeightsOfTheAnglesAcross) {
   // Every edge of a regular tetrahedron sees two angles of 60 degrees.
   TriangleSoup soup = UnitTetrahedron();
@@ -20,7 +27,7 @@ TEST(CotangentLaplacian, HasTheWeightsOfTheAnglesAcross) {
       CotangentLaplacian(soup.points, soup.triangles, options);
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
-      EXPECT_NEAR(l(i, j), (i == j ? -3 : 1) * 2 / std::sqrt(3.0), 1e-14);
+      EXPECT_NEAR(l(i, j), (i == j ? -3 : 1) * 2 / std::sqrt(3.0), kRounding);
     }
   }
 }
@@ -29,7 +36,8 @@ TEST(CotangentLaplacian, ConstantsAreInTheNullSpace) {
   const TriangleSoup spindle = Spindle(3, 20, 2);
   const SparseMatrix l =
       CotangentLaplacian(spindle.points, spindle.triangles, {});
-  EXPECT_LT((l * Eigen::VectorXd::Ones(l.cols())).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_LT((l * Eigen::VectorXd::Ones(l.cols())).cwiseAbs().maxCoeff(),
+            kRounding);
 }
 
 TEST(CotangentLaplacian, PointsInwardOnAConvexMesh) {
@@ -72,7 +80,7 @@ TEST(CotangentLaplacian, DoesNotDependOnTheOrderOfTriangles) {
   const Triangles reversed = spindle.triangles.colwise().reverse();
   const Eigen::MatrixXd other =
       CotangentLaplacian(spindle.points, reversed, {});
-  EXPECT_LT((l - other).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_LT((l - other).cwiseAbs().maxCoeff(), kRounding);
 }
 
 }  // namespace musclewarp

@@ -16,6 +16,10 @@ using Eigen::RowVector3d;
 
 constexpr double kAnywhere = 1e6;  // mm
 
+// Points count as inside up to 1e-9 mm. Where planes are nearly parallel, the
+// point at which they meet is farther off, mm.
+constexpr double kInside = 1e-7;
+
 bool Project(const std::vector<HalfSpace>& spaces,
              double farthest,
              RowVector3d* point) {
@@ -25,7 +29,7 @@ bool Project(const std::vector<HalfSpace>& spaces,
 
 bool IsIn(const std::vector<HalfSpace>& spaces, const RowVector3d& point) {
   for (const HalfSpace& space : spaces) {
-    if (space.normal.dot(point) < space.level - 1e-7) return false;
+    if (space.normal.dot(point) < space.level - kInside) return false;
   }
   return true;
 }
@@ -80,7 +84,7 @@ TEST(ProjectIntoHalfSpaces, FindsTheNearestPoint) {
     if (is_found) {
       ++found;
       EXPECT_TRUE(IsIn(spaces, nearest)) << "trial " << trial;
-      EXPECT_NEAR((nearest - point).norm(), expected, 1e-7)
+      EXPECT_NEAR((nearest - point).norm(), expected, kInside)
           << "trial " << trial;
     } else {
       ++missing;
@@ -94,12 +98,14 @@ TEST(ProjectIntoHalfSpaces, FindsTheNearestPoint) {
 // What simple projections take hundreds of turns for.
 TEST(ProjectIntoHalfSpaces, ReachesTheEdgeOfANarrowWedge) {
   const double angle = 0.01;  // rad
+  // Planes are reached up to 1e-9 mm, which is 1e-7 mm along the wedge.
+  constexpr double kAlong = 1e-6;
   const std::vector<HalfSpace> spaces = {
       {RowVector3d(std::sin(angle), std::cos(angle), 0), 0},
       {RowVector3d(std::sin(angle), -std::cos(angle), 0), 0}};
   RowVector3d point(-3, 0.001, 5);
   ASSERT_TRUE(Project(spaces, kAnywhere, &point));
-  EXPECT_LT((point - RowVector3d(0, 0, 5)).norm(), 1e-6);
+  EXPECT_LT((point - RowVector3d(0, 0, 5)).norm(), kAlong);
 }
 
 TEST(ProjectIntoHalfSpaces, GoesNoFartherThanAllowed) {
@@ -118,7 +124,8 @@ TEST(ApproachHalfSpaces, EndsBetweenThoseWithoutACommonPoint) {
                                          {RowVector3d(0, 1, 0), -4}};
   RowVector3d point(0.3, 2, 0);
   ApproachHalfSpaces(spaces.data(), 3, 10, &point);
-  EXPECT_LE(std::abs(point[0]), 1 + 1e-12);
+  constexpr double kRounding = 1e-12;
+  EXPECT_LE(std::abs(point[0]), 1 + kRounding);
   EXPECT_EQ(point[1], 2);
   EXPECT_EQ(point[2], 0);
 }

@@ -52,7 +52,9 @@ void ExpectReproduces(const TriangleSoup& cage, const Points& queries) {
   const RowMajorMatrix w =
       MeanValueCoordinates(queries, cage.points, cage.triangles);
   ASSERT_TRUE(w.allFinite());
-  EXPECT_LT((w.rowwise().sum().array() - 1).abs().maxCoeff(), 1e-12);
+  // Sums of some hundred coordinates of size 1.
+  constexpr double kSum = 1e-12;
+  EXPECT_LT((w.rowwise().sum().array() - 1).abs().maxCoeff(), kSum);
   EXPECT_LT((w * cage.points - queries).rowwise().norm().maxCoeff(),
             kLinearPrecision * Size(cage));
 }
@@ -112,12 +114,14 @@ TEST(MeanValueCoordinates, ReproducePointsInsideAndOutside) {
 }
 
 TEST(MeanValueCoordinates, AreTheIdentityAtVertices) {
+  // The coordinates are 0 and 1 before the sum and the query are corrected.
+  constexpr double kCorrection = 1e-12;
   const TriangleSoup cage = DentedCage();
   const RowMajorMatrix w =
       MeanValueCoordinates(cage.points, cage.points, cage.triangles);
   EXPECT_LT(
       (w - RowMajorMatrix::Identity(w.rows(), w.cols())).cwiseAbs().maxCoeff(),
-      1e-12);
+      kCorrection);
 }
 
 TEST(MeanValueCoordinates, AreBarycentricOnFacesAndEdges) {
@@ -135,11 +139,12 @@ TEST(MeanValueCoordinates, AreBarycentricOnFacesAndEdges) {
     query.row(0) = OnFace(cage, face, a, b);
     // The rounding of the query, 1e-13 mm, over the shortest edge, and its
     // logarithm beside an edge.
+    constexpr double kBesideEdge = 1e-10;
     EXPECT_LT(
         (MeanValueCoordinates(query, cage.points, cage.triangles) - expected)
             .cwiseAbs()
             .maxCoeff(),
-        1e-10)
+        kBesideEdge)
         << "face " << face << " a " << a << " b " << b;
   }
 }
@@ -198,7 +203,8 @@ TEST(MeanValueCoordinates, AreContinuousAcrossTheCage) {
         MeanValueCoordinates(near, cage.points, cage.triangles);
     // The slope of the coordinates grows as the logarithm of the distance to an
     // edge: 1e-10 of the size over edges a tenth of it, times 25.
-    EXPECT_LT((w.rowwise() - w.row(0)).cwiseAbs().maxCoeff(), 1e-7);
+    constexpr double kChange = 1e-7;
+    EXPECT_LT((w.rowwise() - w.row(0)).cwiseAbs().maxCoeff(), kChange);
   }
 }
 
@@ -255,6 +261,9 @@ TEST(MeanValueCoordinates, DoNotDependOnPlaceTurnAndScale) {
   for (Eigen::Index i = 0; i < queries.rows(); ++i) {
     queries.row(i) = 8 * random.Vector();
   }
+  // Moved coordinates are rounded by 1e-14 of the size; the worst of the
+  // queries are near the cage and magnify that.
+  constexpr double kSimilarity = 1e-10;
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(1, Eigen::Vector3d(1, 2, 3).normalized())
           .toRotationMatrix();
@@ -268,7 +277,7 @@ TEST(MeanValueCoordinates, DoNotDependOnPlaceTurnAndScale) {
        MeanValueCoordinates(moved(queries), moved(cage.points), cage.triangles))
           .cwiseAbs()
           .maxCoeff(),
-      1e-10);
+      kSimilarity);
 }
 
 TEST(MeanValueCoordinates, DoNotDependOnTheNumberOfThreads) {

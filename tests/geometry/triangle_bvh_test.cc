@@ -172,10 +172,13 @@ TEST(TriangleBvh, ClosestPointOfABox) {
     const TriangleBvh::Closest closest = bvh.ClosestPoint(p);
     ASSERT_GE(closest.triangle, 0);
     // A few roundings of coordinates below 10.
-    EXPECT_NEAR(closest.distance, expected, 1e-13);
-    EXPECT_NEAR((closest.point - p).norm(), closest.distance, 1e-13);
+    constexpr double kRounding = 1e-13;
+    EXPECT_NEAR(closest.distance, expected, kRounding);
+    EXPECT_NEAR((closest.point - p).norm(), closest.distance, kRounding);
+    // Shorter than the distance by more than rounding.
+    constexpr double kShorter = 1 - 1e-9;
     const TriangleBvh::Closest bounded =
-        bvh.ClosestPoint(p, expected * (1 - 1e-9));
+        bvh.ClosestPoint(p, expected * kShorter);
     EXPECT_EQ(bounded.triangle, -1);
   }
 }

@@ -63,6 +63,8 @@ TEST(TriangleDistance, KnowsCornersEdgesAndFaces) {
 }
 
 TEST(TriangleDistance, IsThatOfSamplesAndTheSameBothWays) {
+  // A few roundings of coordinates of size 1.
+  constexpr double kRounding = 1e-14;
   std::mt19937 random(3);
   constexpr int kSteps = 40;
   int compared = 0;
@@ -74,15 +76,17 @@ TEST(TriangleDistance, IsThatOfSamplesAndTheSameBothWays) {
     ++compared;
     const ClosestPair pair = ClosestPointsOfTriangles(a, b);
     const double distance = std::sqrt(pair.squared_distance);
-    EXPECT_NEAR((pair.on_a - pair.on_b).norm(), distance, 1e-14);
-    EXPECT_LT((ClosestPointOfTriangle(pair.on_a, a) - pair.on_a).norm(), 1e-14);
-    EXPECT_LT((ClosestPointOfTriangle(pair.on_b, b) - pair.on_b).norm(), 1e-14);
+    EXPECT_NEAR((pair.on_a - pair.on_b).norm(), distance, kRounding);
+    EXPECT_LT((ClosestPointOfTriangle(pair.on_a, a) - pair.on_a).norm(),
+              kRounding);
+    EXPECT_LT((ClosestPointOfTriangle(pair.on_b, b) - pair.on_b).norm(),
+              kRounding);
     const double sampled = SampledDistance(a, b, kSteps);
-    EXPECT_LE(distance, sampled + 1e-14);
+    EXPECT_LE(distance, sampled + kRounding);
     EXPECT_GE(distance, sampled - 4.0 / kSteps);
     EXPECT_NEAR(ClosestPointsOfTriangles(b, a).squared_distance,
                 pair.squared_distance,
-                1e-14);
+                kRounding);
   }
   EXPECT_GT(compared, 200);
 }

@@ -54,10 +54,11 @@ TEST(TriangleGrid, FindsTheFirstHitOfBruteForce) {
       const double expected = HitOf(p, direction, soup);
       const double hit = grid.FirstHit(p, direction);
       // Both divide numbers of size 1 by determinants above 1e-6.
+      constexpr double kQuotient = 1e-8;
       if (std::isinf(expected)) {
         EXPECT_TRUE(std::isinf(hit));
       } else {
-        EXPECT_NEAR(hit, expected, 1e-8);
+        EXPECT_NEAR(hit, expected, kQuotient);
         ++hits;
       }
     }
@@ -75,7 +76,8 @@ TEST(TriangleGrid, NoRayLeavesAClosedMeshUnseen) {
     for (const RowVector3d& aim : {a, RowVector3d(0.5 * (a + b))}) {
       const double hit = grid.FirstHit(p, (aim - p).normalized());
       // Rounding of the direction may meet the neighbour beside the edge.
-      EXPECT_NEAR(hit, (aim - p).norm(), 1e-9);
+      constexpr double kBesideEdge = 1e-9;
+      EXPECT_NEAR(hit, (aim - p).norm(), kBesideEdge);
     }
   }
 }

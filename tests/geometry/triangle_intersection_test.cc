@@ -17,7 +17,6 @@
 
 #include "geometry/exact_intersection.h"
 #include "geometry/random_meshes.h"
-#include "musclewarp/geometry/exact_predicates.h"
 
 namespace musclewarp {
 namespace {
@@ -317,26 +316,6 @@ TEST(IsOnTriangle, CornersEdgesInsideAndBeside) {
   EXPECT_FALSE(IsOnTriangle(RowVector3d(1, 1, 0x1p-1074), kFlatCorners));
   EXPECT_FALSE(
       IsOnTriangle(RowVector3d(2, std::nextafter(2, 3), 0), kFlatCorners));
-}
-
-TEST(ExactPredicates, SignsOneUlpFromZero) {
-  const RowVector3d a(0, 0, 0), b(1, 1e-3, 0.3), c(0.1, 1, 0.7);
-  for (const double s : {0.1, 0.3, 0.7}) {
-    const RowVector3d d = s * b + s * c;
-    const RealNumber exact =
-        RealNumber(b[0]) * (RealNumber(c[1]) * RealNumber(d[2]) -
-                            RealNumber(c[2]) * RealNumber(d[1])) -
-        RealNumber(b[1]) * (RealNumber(c[0]) * RealNumber(d[2]) -
-                            RealNumber(c[2]) * RealNumber(d[0])) +
-        RealNumber(b[2]) * (RealNumber(c[0]) * RealNumber(d[1]) -
-                            RealNumber(c[1]) * RealNumber(d[0]));
-    EXPECT_EQ(Orientation(a, b, c, d), exact.sign());
-    EXPECT_EQ(Orientation(a, c, b, d), -exact.sign());
-  }
-  const double x = std::nextafter(0.5, 1);
-  EXPECT_EQ(Orientation2d(0, 0, 1, 1, 0.5, 0.5), 0);
-  EXPECT_EQ(Orientation2d(0, 0, 1, 1, 0.5, x), 1);
-  EXPECT_EQ(Orientation2d(0, 0, 1, 1, x, 0.5), -1);
 }
 
 }  // namespace musclewarp

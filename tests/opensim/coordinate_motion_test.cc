@@ -77,7 +77,7 @@ TEST(CoordinateMotion, RefusesTablesThatDoNotFit) {
   table.in_degrees.reset();
   ExpectRefused(table, {"inDegrees=yes"});
   ExpectRefused(Table({"knee", "/jointset/knee_joint/knee"}, {{1, 2}}),
-                {"second time"});
+                {"second one for the coordinate knee"});
   ExpectRefused(Table({"hip"}, {{0}}), {"no column"});
 }
 

@@ -71,7 +71,8 @@ TEST(SimmSpline, PassesItsPointsWithContinuousSlopeAndGoesOnStraight) {
     EXPECT_NEAR(before, after, kSlope) << i;
   }
   const double end = spline->Value({5});
-  EXPECT_NEAR(spline->Value({7}) - end, 2 * (spline->Value({6}) - end), 1e-12);
+  EXPECT_NEAR(
+      spline->Value({7}) - end, 2 * (spline->Value({6}) - end), kRounding);
 }
 
 }  // namespace

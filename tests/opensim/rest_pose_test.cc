@@ -13,6 +13,9 @@ namespace {
 // of the mm that residuals are in.
 constexpr double kTolerance = 1e-6;
 
+// An angle that is off by kTolerance moves a frame 400 mm away by this, mm.
+constexpr double kDistance = 1e-3;
+
 // A leg whose frames lie on each other at the coordinates of the knee's frame
 // on the shank: bodies as a scanner gives them.
 Model Scanned(const std::string& orientation, const std::string& place) {
@@ -31,7 +34,7 @@ TEST(RestPose, IsWhereTheFramesCoincide) {
   EXPECT_NEAR(pose.values[0], 0.1, kTolerance);
   EXPECT_NEAR(pose.values[1], -0.2, kTolerance);
   EXPECT_NEAR(pose.values[2], 0.3, kTolerance);
-  EXPECT_LT(pose.distance, 1e-3);
+  EXPECT_LT(pose.distance, kDistance);
   EXPECT_LT(pose.angle, kTolerance);
 }
 

@@ -59,13 +59,14 @@ TEST(StorageTable, RefusesBadRows) {
   ExpectRefused(start + "1\tinf\t2\n", {"line 11", "\"a\""});
   ExpectRefused(start + "1\t1\tabc\n", {"line 11", "\"b\"", "'abc'"});
   ExpectRefused(start + "1\t1\t2,5\n", {"line 11", "'2,5'"});
-  ExpectRefused(start + "0\t1\t2\n", {"line 11", "times must rise"});
+  ExpectRefused(start + "0\t1\t2\n",
+                {"line 11", "is not after that of the row before"});
 }
 
 TEST(StorageTable, RefusesBadHeaders) {
   ExpectRefused("name\ninDegrees=yes\ntime a\n0 1\n", {"endheader"});
   ExpectRefused("name\nendheader\nt a\n0 1\n", {"line 3", "\"time\""});
-  ExpectRefused("name\nendheader\ntime a a\n0 1 2\n", {"\"a\"", "twice"});
+  ExpectRefused("name\nendheader\ntime a a\n0 1 2\n", {"\"a\"", "two columns"});
   ExpectRefused("name\nendheader\ntime a\n", {"no row"});
   ExpectRefused("name\ninDegrees=maybe\nendheader\ntime a\n0 1\n",
                 {"line 2", "'maybe'", "yes, no"});

@@ -34,13 +34,15 @@ TEST(Sampling, HasEveryPointOfTheLineOnceAndNoWideGap) {
 }
 
 TEST(Sampling, GivesTheTargetTheSameParameters) {
+  // Rounding of coordinates of some ten mm.
+  constexpr double kRounding = 1e-13;
   const ActionLine line = Line();
   Points target = 2 * line.rest;
   target.rowwise() += Eigen::RowVector3d(1, 2, 3);
   for (const SegmentPoint& sample : SampleLines({line}, 3)) {
     const Eigen::RowVector3d expected =
         2 * PointOnSegment(line.rest, sample) + Eigen::RowVector3d(1, 2, 3);
-    EXPECT_LT((PointOnSegment(target, sample) - expected).norm(), 1e-13);
+    EXPECT_LT((PointOnSegment(target, sample) - expected).norm(), kRounding);
   }
 }
 

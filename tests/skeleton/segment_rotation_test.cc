@@ -41,26 +41,32 @@ LineTarget Target(const ActionLine& line,
 }  // namespace
 
 TEST(SmallestRotation, TurnsOneDirectionIntoTheOther) {
+  // Nearly opposite directions lose digits, since their cross product is small.
+  constexpr double kOpposite = 1e-11;
+  // AngleAxis takes an arc cosine, which loses half of the digits near 0 and
+  // pi.
+  constexpr double kArcCosine = 1e-7;
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int i = 0; i < 1000; ++i) {
     const Eigen::Vector3d a(uniform(engine), uniform(engine), uniform(engine));
     const Eigen::Vector3d b(uniform(engine), uniform(engine), uniform(engine));
     const Eigen::Matrix3d r = SmallestRotation(3 * a, b);
-    // Nearly opposite directions lose digits: their cross product is small.
-    EXPECT_LT((r * a.normalized() - b.normalized()).norm(), 1e-11);
+    EXPECT_LT((r * a.normalized() - b.normalized()).norm(), kOpposite);
     EXPECT_TRUE((r.transpose() * r).isIdentity(kRounding));
     // Smallest: its angle is that between the directions.
     EXPECT_NEAR(Eigen::AngleAxisd(r).angle(),
                 std::atan2(a.cross(b).norm(), a.dot(b)),
-                1e-7);  // acos inside AngleAxis, near 0 and pi
+                kArcCosine);
   }
 }
 
 TEST(SmallestRotation, HandlesEqualOppositeAndZero) {
+  // The axis of opposite directions comes from a singular value decomposition.
+  constexpr double kAxis = 1e-7;
   const Eigen::Vector3d a(1, 2, 3);
   EXPECT_TRUE(SmallestRotation(a, 5 * a).isIdentity(kRounding));
-  EXPECT_LT((SmallestRotation(a, -a) * a + a).norm(), 1e-7);
+  EXPECT_LT((SmallestRotation(a, -a) * a + a).norm(), kAxis);
   EXPECT_TRUE(SmallestRotation(a, Eigen::Vector3d::Zero()).isIdentity(0));
 }
 

@@ -17,7 +17,7 @@
 namespace musclewarp {
 namespace {
 
-// Takes the steps of the voxels out of a course, ends kept.
+// Smooths out the steps that voxels leave in a course, and keeps its ends.
 void Smooth(int rounds, Points* line) {
   for (int round = 0; round < rounds; ++round) {
     const Points before = *line;
@@ -28,8 +28,8 @@ void Smooth(int rounds, Points* line) {
   }
 }
 
-// Voxels stick out of the surface by their corners, and smoothing may cut a
-// bend: points outside go towards the centre of their voxel, which is inside.
+// Corners of voxels stick out of the surface, and smoothing may cut a bend. So
+// points outside are moved towards the centre of their voxel, which is inside.
 void PullInside(const VoxelGrid& grid, const InsideTest& inside, Points* line) {
   constexpr double kPart = 0.2;
   for (Eigen::Index i = 0; i < line->rows(); ++i) {
@@ -50,7 +50,7 @@ struct Courses {
   std::vector<Points> lines;
 };
 
-// `count` courses from origin to insertion, of `points` points each.
+// Returns `count` courses from origin to insertion with `points` points each.
 Courses FindCourses(const TriangleSoup& muscle,
                     const std::vector<BodySurface>& bodies,
                     const std::vector<Attachment>& attachments,
@@ -80,9 +80,9 @@ Courses FindCourses(const TriangleSoup& muscle,
   return courses;
 }
 
-// The bodies of the points of a line: those of the origin, perhaps of one
-// between, and of the insertion, in this order, so that each point is as near
-// to its bone as can be.
+// Returns the bodies of the points of a line: first that of the origin, then
+// perhaps one between, then that of the insertion. The sum of the distances of
+// the points from their bodies is as small as it can be.
 std::vector<std::string> BodiesAlong(const Points& line,
                                      const MuscleEnds& ends,
                                      const std::vector<BodySurface>& bodies) {
@@ -121,11 +121,16 @@ std::vector<std::string> BodiesAlong(const Points& line,
 }  // namespace
 
 bool FibreOptions::IsValid(std::string* error) const {
-  if (fibres >= 0 && segments >= 1 && voxels >= 100) return true;
-  *error =
-      "FibreOptions: fibres must not be negative, segments must be above 0 and "
-      "voxels at least 100";
-  return false;
+  const auto fail = [error](const char* field, int value, int least) {
+    *error = std::string("FibreOptions::") + field + " is " +
+             std::to_string(value) + ", must be at least " +
+             std::to_string(least);
+    return false;
+  };
+  if (fibres < 0) return fail("fibres", fibres, 0);
+  if (segments < 1) return fail("segments", segments, 1);
+  if (voxels < 100) return fail("voxels", voxels, 100);
+  return true;
 }
 
 std::vector<Points> MakeFibres(const TriangleSoup& muscle,
@@ -150,9 +155,10 @@ std::vector<ActionLine> MakeLines(const std::string& name,
                                   int count) {
   CHECK_GT(count, 0);
   if (bodies.empty()) {
-    throw InputError("muscle " + name,
-                     "has no lines, and the scene no bones to make them from",
-                     "add \"bones\" or \"lines\"");
+    throw InputError(
+        "muscle " + name,
+        "has no lines, and the scene has no bones to make them from",
+        "add \"bones\" or \"lines\"");
   }
   constexpr int kPoints = 5;
   const Courses courses = FindCourses(
@@ -167,7 +173,7 @@ std::vector<ActionLine> MakeLines(const std::string& name,
   }
   if (lines.empty()) {
     throw InputError("muscle " + name,
-                     "is too thin for lines to be made inside it",
+                     "is too thin to make lines inside it",
                      "give it \"lines\"");
   }
   return lines;

@@ -12,30 +12,48 @@
 
 namespace musclewarp {
 
+// The options of MakeFibres.
 struct FibreOptions {
+  // The number of fibres to make.
   int fibres = 100;
-  int segments = 15;  // of a fibre; Modenese and Kohout (2020) have 15
-  int voxels = 6000;  // of the grid the fibres are found on, about
 
+  // The number of straight segments of a fibre. The default is that of Modenese
+  // and Kohout, "Automated Generation of Three-Dimensional Complex Muscle
+  // Geometries for Use in Personalised Musculoskeletal Models" (2020).
+  int segments = 15;
+
+  // About how many voxels the grid has on which the courses of the fibres are
+  // found. More of them follow thin parts better and take longer.
+  int voxels = 6000;
+
+  // Returns true if the options can be used; otherwise sets *error to a
+  // sentence that names the field and the rule.
   bool IsValid(std::string* error) const;
 };
 
-// Fibres of a muscle at rest: polylines inside the surface from origin to
-// insertion, #segments + 1 points at equal distances each, mm, that do not
-// cross, each for an equal share of the muscle's widest section. Fewer if the
-// section is too small for so many, none in a muscle too thin. Preconditions
-// (CHECKed): the options are valid, the mesh is closed and outward.
+// Returns fibres of a muscle in the rest pose. Each is a polyline inside the
+// surface from the origin to the insertion, with options.segments + 1 points
+// (rows, mm) at equal distances. The fibres do not cross, and each stands for
+// an equal share of the muscle's widest section. There are fewer than asked for
+// if the section is too small, and none if the muscle is too thin.
+//
+// `bodies` and `attachments` say where the muscle begins and ends, as for
+// FindMuscleEnds. Preconditions: the options are valid (CHECKed); the mesh is
+// closed and oriented outward.
 std::vector<Points> MakeFibres(const TriangleSoup& muscle,
                                const std::vector<BodySurface>& bodies,
                                const std::vector<Attachment>& attachments,
                                const FibreOptions& options);
 
-// Lines of action for a muscle that has none, named `name`_1 ...: a centre line
-// (count 1) or a fan of the courses of its fibres, of five points each. The
-// ends follow the bodies of origin and insertion, the points between the bone
-// they are nearest to, in one order along the line. Precondition (CHECKed):
-// count is above 0, the mesh is closed and outward. Throws InputError if there
-// is no bone to follow, or the muscle is too thin.
+// Returns lines of action for a muscle that has none in the scene: its centre
+// line if `count` is 1, else a fan of `count` courses of its fibres. A line has
+// five points and is called `name`_1, `name`_2 and so on.
+//
+// The ends of a line are fixed to the bodies of the origin and the insertion.
+// The points between are fixed to the nearest body, with the bodies in one
+// order along the line. Preconditions: count is above 0 (CHECKed); the mesh is
+// closed and oriented outward. Throws InputError if there is no bone to follow
+// or the muscle is too thin.
 std::vector<ActionLine> MakeLines(const std::string& name,
                                   const TriangleSoup& muscle,
                                   const std::vector<BodySurface>& bodies,

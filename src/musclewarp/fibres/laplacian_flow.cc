@@ -17,14 +17,16 @@ namespace {
 
 using Cell = VoxelGrid::Cell;
 
-// The voxel beyond face `side` (0 below, 1 above) of axis k, -1 if none.
+// Returns the voxel beyond face `side` (0: lower, 1: upper) along axis k, or -1
+// if there is none.
 int Beyond(const VoxelGrid& grid, int voxel, int k, int side) {
   Cell cell = grid.cells[voxel];
   cell[k] += side == 0 ? -1 : 1;
   return grid.At(cell);
 }
 
-// The flow along axis k through the lower and the upper face of a voxel.
+// Returns the flow along axis k through the lower and the upper face of a
+// voxel.
 std::array<double, 2> FaceFlow(const LaplacianFlow& flow, int voxel, int k) {
   const int below = Beyond(*flow.grid, voxel, k, 0);
   const int above = Beyond(*flow.grid, voxel, k, 1);
@@ -32,19 +34,22 @@ std::array<double, 2> FaceFlow(const LaplacianFlow& flow, int voxel, int k) {
           above < 0 ? 0 : flow.potential[above] - flow.potential[voxel]};
 }
 
-// Along one axis of a voxel, where the velocity is linear: the time until a
-// point at `at` (0 to 1) leaves, and by which side. Infinite if it does not.
+// When and by which side a point leaves a voxel along one axis. The time is
+// infinite if it does not leave.
 struct Exit {
   double time = std::numeric_limits<double>::infinity();
   int side = 0;
 };
+
+// Returns the exit of a point at `at` (0 to 1), with a velocity that is linear
+// between the faces.
 Exit ExitAlong(const std::array<double, 2>& face, double at) {
   const double slope = face[1] - face[0];
   const double velocity = face[0] + slope * at;
   Exit exit;
   if (velocity == 0) return exit;
   exit.side = velocity > 0 ? 1 : 0;
-  // A face that is not crossed that way is never reached.
+  // A face through which nothing flows in this direction is never reached.
   const double at_face = face[exit.side];
   if (at_face * velocity <= 0) return exit;
   const double way = (exit.side == 1 ? 1 : 0) - at;
@@ -64,8 +69,8 @@ double MovedAlong(const std::array<double, 2>& face, double at, double time) {
   return std::clamp(at + moved, 0.0, 1.0);
 }
 
-// From a point with the flow (direction 1) or against it (-1), up to a voxel at
-// an end; the point itself is not part of it.
+// Follows the flow from a point (direction 1), or goes against it (-1), up to a
+// voxel of an end. The point itself is not part of the result.
 std::vector<Eigen::RowVector3d> Trace(const LaplacianFlow& flow,
                                       const Eigen::RowVector3d& start,
                                       int direction) {
@@ -79,7 +84,7 @@ std::vector<Eigen::RowVector3d> Trace(const LaplacianFlow& flow,
     at[k] = (start[k] - grid.origin[k]) / grid.size - first_cell[k];
   }
   const double end = direction > 0 ? 1 : 0;
-  // Potential rises at every step, so no voxel comes twice.
+  // The potential rises at every step, so that no voxel is passed twice.
   for (int steps = 0; steps < grid.num_voxels(); ++steps) {
     if (flow.potential[voxel] == end) {
       points.push_back(grid.Center(voxel));
@@ -114,8 +119,8 @@ std::vector<Eigen::RowVector3d> Trace(const LaplacianFlow& flow,
   return points;
 }
 
-// Calls visit(voxel, neighbour, axis) for every two voxels with a common face,
-// the potential of the voxel being the lower.
+// Calls visit(voxel, neighbour, axis) for every two voxels with a common face.
+// The voxel with the lower potential comes first.
 template <typename Visit>
 void ForEachFace(const LaplacianFlow& flow, const Visit& visit) {
   for (int v = 0; v < flow.grid->num_voxels(); ++v) {
@@ -128,7 +133,7 @@ void ForEachFace(const LaplacianFlow& flow, const Visit& visit) {
   }
 }
 
-// The potential at which the section is widest: crosses most faces.
+// Returns the potential of the widest section, the one that crosses most faces.
 double WidestLevel(const LaplacianFlow& flow) {
   constexpr int kLevels = 64;
   std::array<int, kLevels + 1> changes = {};
@@ -153,8 +158,9 @@ double WidestLevel(const LaplacianFlow& flow) {
   return (widest + 0.5) / kLevels;
 }
 
-// Points where the potential has a value: where it does so between the centres
-// of two voxels, four around that place, beside each other on the section.
+// Returns points at which the potential has a given value. Where it has it
+// between the centres of two voxels, there are four points on the section
+// around that place.
 Points SectionPoints(const LaplacianFlow& flow, double level) {
   constexpr double kAside = 0.25;  // of a voxel
   std::vector<Eigen::RowVector3d> points;
@@ -180,7 +186,7 @@ Points SectionPoints(const LaplacianFlow& flow, double level) {
   return all;
 }
 
-// At most `most` of the points, evenly.
+// Returns at most `most` of the points, evenly chosen from their order.
 Points Thinned(const Points& points, Eigen::Index most) {
   if (points.rows() <= most) return points;
   Points thinned(most, 3);
@@ -210,7 +216,7 @@ LaplacianFlow SolveFlow(const VoxelGrid& grid,
   for (int v = 0; v < count; ++v) {
     if (fixed[v] == kFree) row_of[v] = rows++;
   }
-  // What flows in flows out of every voxel that is free.
+  // What flows into a voxel that is in neither end flows out of it again.
   Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(rows, rows);
   matrix.reserve(Eigen::VectorXi::Constant(rows, 7));
   Eigen::VectorXd right = Eigen::VectorXd::Zero(rows);
@@ -236,7 +242,7 @@ LaplacianFlow SolveFlow(const VoxelGrid& grid,
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double, Eigen::RowMajor>,
                            Eigen::Lower | Eigen::Upper>
       solver;
-  // Flow comes from differences of neighbours: about 1e-2 of the whole.
+  // The flow is the difference of neighbours, about 1e-2 of the potential.
   solver.setTolerance(1e-6);
   solver.compute(matrix);
   const Eigen::VectorXd from_origin = DistancesWithin(grid, origin);
@@ -275,7 +281,8 @@ Points SpreadOverSection(const LaplacianFlow& flow, int count) {
   const Eigen::Index size = candidates.rows();
   const Eigen::Index chosen = std::min<Eigen::Index>(count, size);
   if (chosen <= 0) return Points(0, 3);
-  // Farthest points to begin with, then each to the middle of its share.
+  // Begin with points far from each other, then move each to the centre of its
+  // share.
   Points centers(chosen, 3);
   Eigen::VectorXd nearest = (candidates.rowwise() - candidates.colwise().mean())
                                 .rowwise()
@@ -304,7 +311,8 @@ Points SpreadOverSection(const LaplacianFlow& flow, int count) {
       if (shares[c] > 0) centers.row(c) = sums.row(c) / shares[c];
     }
   }
-  // The middle of a bent share may be outside: the nearest candidate is not.
+  // The centre of a bent share may be outside, but the nearest candidate is
+  // not.
   std::vector<char> is_taken(size, 0);
   for (Eigen::Index c = 0; c < chosen; ++c) {
     Eigen::Index best = -1;

@@ -10,33 +10,43 @@
 
 namespace musclewarp {
 
-// The flow through a muscle from its origin to its insertion that follows the
-// gradient of a harmonic potential with no flow through the walls: the course
-// of its fibres (Choi and Blemker, Skeletal Muscle Fascicle Arrangements Can Be
-// Reconstructed Using a Laplacian Vector Field Simulation, PLoS ONE 8, 2013).
-// On voxels, finite volumes; stream lines are exact for velocities linear in
-// each voxel (Pollock, Semianalytical Computation of Path Lines for
-// Finite-Difference Models, Ground Water 26, 1988), so that none leaves the
-// voxels or ends but at the origin or the insertion.
+// A flow through a muscle from its origin to its insertion, whose stream lines
+// are the courses of the muscle's fibres. It follows the gradient of a harmonic
+// potential that has no flow through the walls (Choi and Blemker, "Skeletal
+// Muscle Fascicle Arrangements Can Be Reconstructed Using a Laplacian Vector
+// Field Simulation", PLoS ONE 8, 2013), discretised by finite volumes on the
+// voxels of a grid.
+//
+//   const LaplacianFlow flow = SolveFlow(grid, origin, insertion);
+//   const Points seeds = SpreadOverSection(flow, 100);
+//   const Points course = StreamLine(flow, seeds.row(0));
 struct LaplacianFlow {
+  // The grid must outlive the flow.
   const VoxelGrid* grid = nullptr;
-  Eigen::VectorXd potential;  // by voxel: 0 at the origin, 1 at the insertion
+
+  // The potential in every voxel: 0 at the origin, 1 at the insertion.
+  Eigen::VectorXd potential;
 };
 
-// `origin` and `insertion`: voxels. Keeps a pointer to the grid. Preconditions
-// (CHECKed): neither is empty, no voxel is in both.
+// Computes the flow between two sets of voxels. The result keeps a pointer to
+// the grid. Preconditions (CHECKed): neither set is empty, and no voxel is in
+// both.
 LaplacianFlow SolveFlow(const VoxelGrid& grid,
                         const std::vector<int>& origin,
                         const std::vector<int>& insertion);
 
-// The stream line through a point inside a voxel, from the origin to the
-// insertion, #P x 3, mm: where it passes from voxel to voxel. Precondition
-// (CHECKed): the point is in a voxel.
+// Returns the stream line through a point, from the origin to the insertion:
+// the places where it passes from voxel to voxel, #P x 3, mm. Stream lines are
+// exact for velocities that are linear in each voxel (Pollock, "Semianalytical
+// Computation of Path Lines for Finite-Difference Models", Ground Water 26,
+// 1988). So no stream line leaves the voxels, and none ends before it reaches
+// the origin or the insertion. Precondition (CHECKed): the point is in a voxel.
 Points StreamLine(const LaplacianFlow& flow, const Eigen::RowVector3d& point);
 
-// At most `count` points (#P x 3) spread evenly over the widest section of the
-// muscle along which the potential is constant: each is near the middle of an
-// equal share of it (Lloyd's algorithm).
+// Returns at most `count` points (#P x 3, mm), spread evenly over the widest
+// section of the muscle on which the potential is constant. Each is near the
+// centre of an equal share of the section (Lloyd's algorithm), so that the
+// stream lines through them fill the muscle evenly.
 Points SpreadOverSection(const LaplacianFlow& flow, int count);
 
 }  // namespace musclewarp

@@ -14,15 +14,16 @@
 namespace musclewarp {
 namespace {
 
-// A muscle that comes so near to a bone may be attached to it, mm.
+// A muscle may be attached to a bone that is not farther away than this, mm.
 constexpr double kNear = 10;
-// Its area there is what lies within so much of the nearest point, mm.
+// The area of the attachment is what is farther from the bone than the nearest
+// point by at most this, mm.
 constexpr double kAreaDepth = 3;
-// An end farther than this share of the muscle's length from all areas has lost
-// its bone.
+// If a tip of the muscle is farther from all areas than this share of the
+// muscle's length, its bone is missing.
 constexpr double kLoneEnd = 0.3;
-// Of an area, what is at least this share of the way to its far end from the
-// other area is kept; of a lone end, the same share.
+// Of an area, the part is kept whose distance from the other area is at least
+// this share of the largest such distance. The same holds for a lone tip.
 constexpr double kEndShare = 0.7;
 
 void SortUnique(std::vector<int>* voxels) {
@@ -36,7 +37,7 @@ Points RowsOf(const Points& points, const std::vector<int>& rows) {
   return chosen;
 }
 
-// The voxels next to some points of the surface.
+// Returns the voxels nearest to points of the surface.
 std::vector<int> VoxelsAt(const VoxelGrid& grid, const Points& points) {
   std::vector<int> voxels;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
@@ -55,7 +56,7 @@ double Median(const Eigen::VectorXd& values, const std::vector<int>& at) {
   return *middle;
 }
 
-// Those with at least kEndShare of the largest value.
+// Returns the voxels whose distance is at least kEndShare of the largest.
 std::vector<int> FarPart(const Eigen::VectorXd& distances,
                          const std::vector<int>& voxels) {
   double farthest = 0;
@@ -81,7 +82,7 @@ std::string NearestBody(const std::vector<BodySurface>& bodies,
   return nearest;
 }
 
-// The areas of the attachments.
+// Returns the areas of the attachments.
 std::vector<MuscleEnd> GivenAreas(const TriangleSoup& muscle,
                                   const VoxelGrid& grid,
                                   const std::vector<Attachment>& attachments) {
@@ -90,7 +91,7 @@ std::vector<MuscleEnd> GivenAreas(const TriangleSoup& muscle,
     MuscleEnd area;
     area.body = attachment.body;
     const std::vector<int> vertices = VerticesInArea(attachment, muscle.points);
-    // An area that misses the surface is where its points are.
+    // If no vertex is in the area, its own points stand for it.
     Points points = attachment.points;
     if (!vertices.empty()) points = RowsOf(muscle.points, vertices);
     area.voxels = VoxelsAt(grid, points);
@@ -99,7 +100,7 @@ std::vector<MuscleEnd> GivenAreas(const TriangleSoup& muscle,
   return areas;
 }
 
-// Where the surface lies near bones, by body.
+// Returns the areas in which the surface lies near bones, one for each body.
 std::vector<MuscleEnd> NearAreas(const TriangleSoup& muscle,
                                  const VoxelGrid& grid,
                                  const std::vector<BodySurface>& bodies) {
@@ -135,8 +136,8 @@ std::vector<MuscleEnd> NearAreas(const TriangleSoup& muscle,
   return areas;
 }
 
-// The two ends of the voxels: the farthest from anywhere, and the farthest from
-// that.
+// Returns the two tips of the muscle: the voxel farthest from an arbitrary one,
+// and the voxel farthest from that.
 std::pair<int, int> Tips(const VoxelGrid& grid) {
   Eigen::Index first, second;
   DistancesWithin(grid, {0}).maxCoeff(&first);
@@ -144,7 +145,7 @@ std::pair<int, int> Tips(const VoxelGrid& grid) {
   return {static_cast<int>(first), static_cast<int>(second)};
 }
 
-// An end of the muscle that no area is near to, if there is one.
+// Adds a tip of the muscle as an area if no area is near it.
 void AddLoneEnd(const VoxelGrid& grid,
                 const std::vector<BodySurface>& bodies,
                 std::vector<MuscleEnd>* areas) {
@@ -154,7 +155,7 @@ void AddLoneEnd(const VoxelGrid& grid,
   for (const MuscleEnd& area : *areas) {
     all.insert(all.end(), area.voxels.begin(), area.voxels.end());
   }
-  // Without any area both tips are lone ends.
+  // Without any area, both tips are added.
   const auto add = [&](const Eigen::VectorXd& distances) {
     Eigen::Index farthest;
     const double distance = distances.maxCoeff(&farthest);
@@ -225,7 +226,7 @@ MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
   ends.origin.voxels = FarPart(distances[b], areas[a].voxels);
   ends.insertion.voxels =
       FarPart(DistancesWithin(grid, ends.origin.voxels), areas[b].voxels);
-  // Areas of two bodies may share voxels: these are neither end.
+  // Areas of two bodies may share voxels, which then belong to neither end.
   std::vector<int> shared;
   std::set_intersection(ends.origin.voxels.begin(),
                         ends.origin.voxels.end(),
@@ -241,13 +242,15 @@ MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
                         std::back_inserter(own));
     end->voxels = std::move(own);
   }
-  // Areas that are one place, say, leave no two ends: the tips are some.
+  // If no two ends remain, for example because the areas are the same place,
+  // the tips of the muscle are the ends.
   if (ends.origin.voxels.empty() || ends.insertion.voxels.empty()) {
     const auto [first, second] = Tips(grid);
     ends.origin.voxels = {first};
     ends.insertion.voxels = {second};
   }
-  // The order of the bodies is the scene's, not that of the areas.
+  // Which end is the origin depends on the order of bodies in the scene, not on
+  // that of the areas.
   const auto rank = [&](const std::string& body) {
     size_t i = 0;
     while (i < bodies.size() && bodies[i].body != body) ++i;

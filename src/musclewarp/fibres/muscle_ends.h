@@ -12,33 +12,41 @@
 
 namespace musclewarp {
 
-// The bones of a body, in the rest pose.
+// The surface of a body in the rest pose: that of all bones that move with it.
 struct BodySurface {
-  std::string body;
-  std::vector<const TriangleBvh*> bones;
+  std::string body;                       // its name
+  std::vector<const TriangleBvh*> bones;  // must outlive this object
 
-  double Distance(const Eigen::RowVector3d& point) const;  // mm
+  // Returns the distance (mm) from a point to the nearest bone, or infinity if
+  // there are no bones.
+  double Distance(const Eigen::RowVector3d& point) const;
 };
 
-// An end of a muscle: part of its inside, and the body it is attached to ("" if
-// there are no bones).
+// One end of a muscle: the part of its inside that belongs to it, and the body
+// to which it is attached.
 struct MuscleEnd {
-  std::string body;
-  std::vector<int> voxels;  // rising
+  std::string body;         // empty if there are no bones
+  std::vector<int> voxels;  // ascending
 };
 
+// Both ends of a muscle.
 struct MuscleEnds {
   MuscleEnd origin, insertion;
 };
 
-// Where a muscle begins and ends. With attachments: the areas of the two that
-// are farthest apart. Without: where it lies near its bones, at the two places
-// that are farthest apart by the way through the muscle; an end of the muscle
-// far from all of these places, whose bone is not in the scene, say, counts as
-// one of them and goes to the body next to it. Of areas that run along the
-// muscle only the ends are kept; where that leaves no two, the tips of the
-// muscle. The origin is the end whose body comes first in `bodies`.
-// Precondition: the grid has two voxels.
+// Finds where a muscle begins and ends, which meshes from segmentation do not
+// say. `grid` holds the voxels of the mesh `muscle`, in the rest pose.
+//
+// If there are attachments, the ends are the areas of the two that are farthest
+// apart. Otherwise they are two areas in which the muscle lies near its bones,
+// again those farthest apart by the way through the muscle. A tip of the muscle
+// that is far from all of these areas, for example because its bone is not in
+// the scene, counts as such an area and belongs to the nearest body.
+//
+// Of areas that run along the muscle only the far parts are kept. If no two
+// ends remain, the two tips of the muscle are the ends. The origin is the end
+// whose body comes first in `bodies`. Precondition: the grid has at least two
+// voxels.
 MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
                           const VoxelGrid& grid,
                           const std::vector<BodySurface>& bodies,

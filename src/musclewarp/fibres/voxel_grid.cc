@@ -15,7 +15,7 @@
 namespace musclewarp {
 namespace {
 
-// Twice the area of the triangle of p, a and b seen along z.
+// Returns twice the signed area of the triangle p, a, b as seen along z.
 double Side(const Eigen::RowVector3d& a,
             const Eigen::RowVector3d& b,
             double x,
@@ -23,8 +23,8 @@ double Side(const Eigen::RowVector3d& a,
   return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
 }
 
-// The heights at which the vertical line of each column of cells crosses the
-// mesh.
+// Returns the heights at which the vertical line through the centres of each
+// column of cells crosses the mesh.
 std::vector<std::vector<double>> Crossings(const TriangleSoup& mesh,
                                            const VoxelGrid& grid) {
   std::vector<std::vector<double>> crossings(grid.counts[0] * grid.counts[1]);
@@ -59,8 +59,9 @@ std::vector<std::vector<double>> Crossings(const TriangleSoup& mesh,
   return crossings;
 }
 
-// Whether the centres of cells are inside, by parity along the columns. A
-// column that met an edge twice or not at all has an odd count and is left out.
+// Finds the cells whose centres are inside, by parity along the columns. A
+// column whose line meets an edge, counted twice or not at all, has an odd
+// number of crossings and is left out.
 std::vector<char> InsideCells(const TriangleSoup& mesh, const VoxelGrid& grid) {
   std::vector<char> inside(grid.index_of.size(), 0);
   auto crossings = Crossings(mesh, grid);
@@ -82,7 +83,7 @@ std::vector<char> InsideCells(const TriangleSoup& mesh, const VoxelGrid& grid) {
   return inside;
 }
 
-// Numbers the cells of the largest piece.
+// Numbers the cells of the largest set that is connected over faces.
 void NumberLargestPiece(const std::vector<char>& inside, VoxelGrid* grid) {
   const int strides[3] = {
       1, grid->counts[0], grid->counts[0] * grid->counts[1]};
@@ -93,7 +94,7 @@ void NumberLargestPiece(const std::vector<char>& inside, VoxelGrid* grid) {
     std::vector<int> piece = {static_cast<int>(start)};
     piece_of[start] = static_cast<int>(start);
     for (size_t i = 0; i < piece.size(); ++i) {
-      // The outermost layer of cells is empty, so that neighbours exist.
+      // The outermost layer of cells is empty, so that every neighbour exists.
       for (const int stride : strides) {
         for (const int neighbour : {piece[i] - stride, piece[i] + stride}) {
           if (!inside[neighbour] || piece_of[neighbour] >= 0) continue;
@@ -158,7 +159,8 @@ int VoxelGrid::Nearest(const Eigen::RowVector3d& point) const {
 }
 
 VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted) {
-  // Voxels across the mean thickness of a sheet, and at most so many more.
+  // The number of voxels across the mean thickness of a sheet, and the largest
+  // factor by which there may be more voxels because of it.
   constexpr double kAcross = 3;
   constexpr double kMost = 8;
   const double volume = SignedVolume(mesh.points, mesh.triangles);
@@ -171,7 +173,8 @@ VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted) {
                std::cbrt(volume / (kMost * wanted)));
   const Eigen::RowVector3d lower = mesh.points.colwise().minCoeff();
   const Eigen::RowVector3d upper = mesh.points.colwise().maxCoeff();
-  // Off any round number, so that columns pass beside edges of regular meshes.
+  // These shares are not round, so that columns do not meet edges of regular
+  // meshes.
   const Eigen::RowVector3d shift(0.9271, 0.8817, 0.9043);
   grid.origin = lower - grid.size * (shift + Eigen::RowVector3d::Ones());
   for (int k = 0; k < 3; ++k) {
@@ -187,8 +190,8 @@ VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted) {
 Eigen::VectorXd DistancesWithin(const VoxelGrid& grid,
                                 const std::vector<int>& sources) {
   // Steps to the 26 neighbours count 3, 4 or 5 thirds of an edge (Borgefors,
-  // Distance Transformations in Digital Images, 1986): whole numbers, so that
-  // the queue is a ring of lists, one for each distance at hand.
+  // "Distance Transformations in Digital Images", 1986). Since these are whole
+  // numbers, the queue is a ring of lists, one for each distance that occurs.
   constexpr int kUnit = 3;
   constexpr int kLongest = 5;
   constexpr int kUnknown = std::numeric_limits<int>::max();

@@ -10,33 +10,51 @@
 
 namespace musclewarp {
 
-// The inside of a closed mesh in cubes: those whose centres are inside.
+// The inside of a closed mesh as a set of cubes, the voxels, in a regular grid
+// of cells. A cell is a voxel if its centre is inside the mesh. Distances and
+// flows through a muscle are computed on it.
 struct VoxelGrid {
+  // The position of a cell in the grid along x, y and z, counted from 0.
   using Cell = std::array<int, 3>;
 
-  Eigen::RowVector3d origin;  // corner of cell (0, 0, 0), mm
-  double size = 0;            // edge of a cube, mm
-  Cell counts = {};
-  std::vector<int> index_of;  // by cell, x fastest: index of the voxel, or -1
-  std::vector<Cell> cells;    // by voxel
+  Eigen::RowVector3d origin;  // lowest corner of cell (0, 0, 0), mm
+  double size = 0;            // length of the edges of a cube, mm
+  Cell counts = {};           // number of cells along x, y and z
+
+  // The index of the voxel of every cell, -1 for cells that are none. x changes
+  // fastest, then y.
+  std::vector<int> index_of;
+
+  // The cell of every voxel.
+  std::vector<Cell> cells;
 
   int num_voxels() const { return static_cast<int>(cells.size()); }
+
+  // Returns the centre of a voxel, mm.
   Eigen::RowVector3d Center(int voxel) const;
-  // Index of the voxel of a cell, -1 if it is none or beyond the grid.
+
+  // Returns the index of the voxel of a cell, or -1 if the cell is not a voxel
+  // or is beyond the grid.
   int At(const Cell& cell) const;
+
+  // Returns the cell that contains a point, which may be beyond the grid.
   Cell CellOf(const Eigen::RowVector3d& point) const;
-  // The voxel next to a point, of those at most two cells away; -1 if there is
-  // none.
+
+  // Returns the voxel nearest to a point among those at most two cells away, or
+  // -1 if there is none.
   int Nearest(const Eigen::RowVector3d& point) const;
 };
 
-// About `wanted` voxels, more where the mesh is thin: at least three across its
-// mean thickness, but not eight times as many. Only the largest piece that
-// hangs together over faces is kept; none where the mesh is thinner than all
-// that. Precondition (CHECKed): the mesh holds a volume.
+// Fills a closed mesh with about `wanted` voxels. A thin mesh gets more, so
+// that there are at least three across its mean thickness, but at most eight
+// times as many. Only the largest set of voxels that is connected over faces is
+// kept. The result has no voxels if the mesh is too thin even for that.
+// Precondition (CHECKed): the mesh has a positive volume.
 VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted);
 
-// The way through the voxels from the nearest of `sources` to each voxel, mm.
+// Returns the length (mm) of the shortest way through the voxels from the
+// nearest of the voxels `sources` to every voxel. It is approximate: steps to
+// the 26 neighbours have lengths that are multiples of a third of an edge.
 Eigen::VectorXd DistancesWithin(const VoxelGrid& grid,
                                 const std::vector<int>& sources);
 

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// More than rounding of the coordinates, relative to their size.
+// A bound on the rounding of coordinates, relative to their size.
 constexpr double kRounding = 1e-12;
 
 double PointSegmentDistance(const RowVector3d& p,
@@ -37,7 +37,7 @@ Capsule BoundingCapsule(const Points& points) {
   const Eigen::VectorXd along = centred * axis.transpose();
   const Eigen::VectorXd beside = (centred - along * axis).rowwise().norm();
   capsule.radius = beside.maxCoeff();
-  // Every point is in the half ball around an end, or between the two.
+  // Every point is in the half ball around an end, or between the two ends.
   double low = INFINITY;
   double high = -INFINITY;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
@@ -62,7 +62,7 @@ double SegmentDistance(const RowVector3d& a_start,
                        const RowVector3d& a_end,
                        const RowVector3d& b_start,
                        const RowVector3d& b_end) {
-  // The closest points are inside both segments, or one of them is an end.
+  // Either the closest points are inside both segments, or one is an end.
   double distance = std::min({PointSegmentDistance(a_start, b_start, b_end),
                               PointSegmentDistance(a_end, b_start, b_end),
                               PointSegmentDistance(b_start, a_start, a_end),

@@ -15,7 +15,7 @@
 namespace musclewarp {
 namespace {
 
-// Cotangent of the angle at `apex`, bounded to [-bound, bound].
+// Returns the cotangent of the angle at `apex`, bounded to [-bound, bound].
 double BoundedCotangent(const Eigen::RowVector3d& apex,
                         const Eigen::RowVector3d& a,
                         const Eigen::RowVector3d& b,
@@ -51,7 +51,7 @@ SparseMatrix CotangentLaplacian(const Points& points,
   CHECK(options.IsValid(&error)) << error;
   const double bound = 1 / std::tan(options.min_angle);
 
-  // Both triangles of an edge add their cotangent.
+  // Each triangle of an edge adds the cotangent of the angle opposite to it.
   std::map<std::pair<int, int>, double> edge_weights;
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
     for (int corner = 0; corner < 3; ++corner) {

@@ -7,7 +7,8 @@
 namespace musclewarp {
 namespace {
 
-// Wide registers where the processor has them.
+// The compiler makes a version for processors with wide registers, which is
+// chosen when the program starts.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__)
 #define MUSCLEWARP_WIDE __attribute__((target_clones("avx2,fma", "default")))

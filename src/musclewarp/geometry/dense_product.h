@@ -7,15 +7,18 @@
 
 namespace musclewarp {
 
-// Products of a tall dense matrix (n x N, such as mean value coordinates) with
-// points, the hot spots of every solver. One pass over the matrix each, which
-// is what they cost. On one thread: muscles are what is spread over threads, a
-// product is too short.
+// Products of a tall dense matrix (n x N), such as a matrix of mean value
+// coordinates, with points. The solvers spend most of their time here. Each
+// product reads the matrix once, which is what it costs, and runs on one
+// thread: a single product is too short to be shared, so that callers run
+// muscles on several threads instead.
 
-// matrix * points: n x 3.
+// Returns matrix * points, n x 3. It carries coarse points (N x 3) to the fine
+// mesh.
 Points Product(const RowMajorMatrix& matrix, const Points& points);
 
-// matrix^T * points: N x 3.
+// Returns matrix^T * points, N x 3. It carries gradients with respect to fine
+// points (n x 3) back to the coarse ones.
 Points TransposedProduct(const RowMajorMatrix& matrix, const Points& points);
 
 }  // namespace musclewarp

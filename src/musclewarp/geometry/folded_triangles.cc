@@ -13,7 +13,8 @@ namespace {
 
 using Matrices = std::vector<Eigen::Matrix3d>;
 
-// Sum over the edges at each vertex of (rest edge)^T (deformed edge).
+// Returns for each vertex the sum of (rest edge)^T (deformed edge) over its
+// edges, with one term for each triangle of an edge.
 Matrices EdgeCovariances(const Points& rest,
                          const Points& deformed,
                          const Triangles& triangles) {
@@ -32,7 +33,8 @@ Matrices EdgeCovariances(const Points& rest,
   return covariances;
 }
 
-// Every vertex takes the sum over the triangles around it.
+// Returns for each vertex the sum over the triangles around it of the values of
+// their corners.
 Matrices SummedOverNeighbours(const Matrices& values,
                               const Triangles& triangles) {
   Matrices sums(values.size(), Eigen::Matrix3d::Zero());
@@ -47,7 +49,8 @@ Matrices SummedOverNeighbours(const Matrices& values,
   return sums;
 }
 
-// The rotation R that maximises trace(R C).
+// Returns the rotation R that maximises trace(R C), by a singular value
+// decomposition.
 Eigen::Matrix3d BestRotation(const Eigen::Matrix3d& covariance) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
       covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -56,9 +59,10 @@ Eigen::Matrix3d BestRotation(const Eigen::Matrix3d& covariance) {
   return svd.matrixV() * signs.asDiagonal() * svd.matrixU().transpose();
 }
 
-// The same from a rotation nearby, by Newton's method on trace(exp([w]) R C).
-// This has no maximum on the rotations but the best one, so that a stationary
-// point with a negative definite second derivative is it.
+// Returns the same rotation, found from one nearby by Newton's method on
+// trace(exp([w]) R C). The function has no other local maximum on the
+// rotations, so that a stationary point with a negative definite second
+// derivative is the one.
 Eigen::Matrix3d BestRotation(const Eigen::Matrix3d& covariance,
                              const Eigen::Matrix3d& nearby) {
   constexpr int kMaxSteps = 8;
@@ -91,8 +95,8 @@ Eigen::RowVector3d Normal(const Points& points, const Eigen::RowVector3i& f) {
   return (points.row(f[1]) - a).cross(points.row(f[2]) - a);
 }
 
-// Twice the area over the square of the longest edge, below which the rounding
-// of coordinates decides on which side the normal lies.
+// If twice the area over the square of the longest edge is below this, rounding
+// of the coordinates decides to which side the normal points.
 constexpr double kNeedle = 1e-9;
 
 bool IsNeedle(const Points& points, const Eigen::RowVector3i& f) {
@@ -113,7 +117,9 @@ std::vector<int> FoldedTriangles(const Points& rest,
   const Matrices covariances = SummedOverNeighbours(
       EdgeCovariances(rest, deformed, triangles), triangles);
   std::vector<char> is_folded(triangles.rows(), false);
-  // Neighbours in number are mostly neighbours in place, and turn alike.
+  // Triangles with neighbouring numbers are mostly neighbours on the surface
+  // and have similar rotations, so that each starts from that of the one
+  // before.
   constexpr Eigen::Index kBlock = 128;
 #pragma omp parallel for schedule(static)
   for (Eigen::Index begin = 0; begin < triangles.rows(); begin += kBlock) {

@@ -8,12 +8,19 @@
 
 namespace musclewarp {
 
-// Triangles that a deformation folded over: their normal points against their
-// rest normal turned by the rotation of their surroundings. That rotation is
-// the best fit (Kabsch) of the triangle's vertices and their neighbours up to
-// two edges away, so that one folded triangle does not turn its own reference.
-// Needles too thin for their normal to be more than rounding do not count.
-// Rest and deformed positions are #V x 3.
+// Returns the triangles that a deformation folded over, in ascending order. A
+// fold leaves no trace in the volume and need not make triangles cross, but it
+// ruins the surface for rendering and for later use.
+//
+// A triangle counts as folded if its normal points against its rest normal
+// after that was turned by the rotation of its surroundings. This rotation is
+// the best fit (Kabsch 1976) to the vertices of the triangle and their
+// neighbours up to two edges away, so that a single folded triangle does not
+// turn its own reference. Triangles that are too thin for their normal to be
+// more than rounding error do not count.
+//
+// `rest` and `deformed` are the positions of the same vertices (#V x 3), and
+// `triangles` is #F x 3.
 std::vector<int> FoldedTriangles(const Points& rest,
                                  const Points& deformed,
                                  const Triangles& triangles);

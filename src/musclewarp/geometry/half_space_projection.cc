@@ -15,12 +15,14 @@ namespace {
 using Eigen::RowVector3d;
 using Eigen::Vector3d;
 
-constexpr double kInside = 1e-9;  // mm
+// A point that violates a half-space by less than this is inside it, mm.
+constexpr double kInside = 1e-9;
 
-// Below this the part of a normal across others is rounding.
+// If the part of a unit normal that is orthogonal to others is shorter than
+// this, it is rounding error.
 constexpr double kParallel = 1e-4;
 
-// Borders that push, and how much.
+// The planes that push the point, and their multipliers.
 struct ActiveSet {
   std::array<RowVector3d, 3> normals;
   std::array<double, 3> pushes;
@@ -32,7 +34,8 @@ struct ActiveSet {
     pushes[i] = pushes[size];
   }
 
-  // normal = sum_i shares_i normals_i + across, which is orthogonal to all.
+  // Splits normal = sum_i shares_i normals_i + across, where `across` is
+  // orthogonal to all normals of the set, and returns `across`.
   RowVector3d Split(const RowVector3d& normal, Vector3d* shares) const {
     shares->setZero();
     if (size == 0) return normal;
@@ -43,7 +46,8 @@ struct ActiveSet {
     const RowVector3d& a = normals[0];
     const RowVector3d& b = normals[1];
     const RowVector3d c = size == 3 ? normals[2] : RowVector3d(a.cross(b));
-    // By Cramer's rule; `c` is across a and b if it is not a normal itself.
+    // Solve by Cramer's rule. If there are two normals, c is orthogonal to
+    // both.
     const RowVector3d bc = b.cross(c);
     const double determinant = a.dot(bc);
     (*shares)[0] = normal.dot(bc) / determinant;
@@ -66,7 +70,7 @@ bool ProjectIntoHalfSpaces(const HalfSpace* spaces,
   ActiveSet active;
   RowVector3d moved = *point;
   const HalfSpace* worst = nullptr;
-  double push = 0;  // of the worst one
+  double push = 0;  // the multiplier of the worst one
   for (int change = 0; change < kMostChanges; ++change) {
     if (!worst) {
       double most = kInside;
@@ -86,7 +90,8 @@ bool ProjectIntoHalfSpaces(const HalfSpace* spaces,
     Vector3d shares;
     const RowVector3d across = active.Split(worst->normal, &shares);
     const double slope = across.squaredNorm();
-    // How far until the border is reached; until another one pushes no more.
+    // The step until the plane is reached, and the step until one of the active
+    // planes would have to pull.
     const double to_border =
         slope > kParallel * kParallel
             ? (worst->level - worst->normal.dot(moved)) / slope

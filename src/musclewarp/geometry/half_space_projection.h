@@ -8,21 +8,27 @@
 
 namespace musclewarp {
 
-// Moves `point` to the nearest one that is in all `count` half-spaces, to 1e-9
-// mm. False, and the point as it was, if there is none, or none nearer than
-// `farthest`, mm. Their normals are of unit length.
+// Projects a point into the intersection of half-spaces: moves `point` to the
+// nearest point that is in all of them, up to 1e-9 mm. Returns false and leaves
+// `point` as it was if their intersection is empty, or farther away than
+// `farthest` (mm), or if the method does not end within 60 changes of its
+// active set. `spaces` is an array of `count` half-spaces, in any order.
 //
-// A dual active set method (Goldfarb and Idnani, A numerically stable dual
-// method for solving strictly convex quadratic programs, 1983): at most three
-// borders hold a point, and one that is violated most takes the place of one
-// that does not push any more.
+// The method is the dual active set method of Goldfarb and Idnani, "A
+// numerically stable dual method for solving strictly convex quadratic
+// programs" (1983), for three unknowns. It keeps the at most three planes that
+// push the point and adds the most violated one until none is violated. A plane
+// that would have to pull is dropped.
 bool ProjectIntoHalfSpaces(const HalfSpace* spaces,
                            int count,
                            double farthest,
                            Eigen::RowVector3d* point);
 
-// Moves `point` towards the half-spaces, by some turns of Hildreth's method
-// (1957): to a place between them where they have no point in common.
+// Moves `point` towards the intersection of `count` half-spaces by at most
+// `turns` rounds of Hildreth's method ("A quadratic programming procedure",
+// 1957). If the intersection is empty, the point ends at a compromise between
+// the half-spaces, which ProjectIntoHalfSpaces does not provide. If it is not,
+// the point approaches its projection but may still be outside.
 void ApproachHalfSpaces(const HalfSpace* spaces,
                         int count,
                         int turns,

@@ -13,13 +13,14 @@ namespace {
 
 constexpr int kMaxRays = 4;
 
-// Sides of a cell; zero is what a new array has.
+// The sides of a cell. A new array holds zeros, so kUnknown must be zero.
 constexpr char kUnknown = 0;
 constexpr char kOutside = 1;
 constexpr char kInside = 2;
 
-// Steele, Lea and Flood 2014, "Fast Splittable Pseudorandom Number Generators";
-// the distributions of the standard library differ between implementations.
+// The generator of Steele, Lea and Flood 2014, "Fast Splittable Pseudorandom
+// Number Generators". Distributions of the standard library are not used, since
+// they differ between implementations.
 std::uint64_t SplitMix(std::uint64_t state) {
   state += 0x9E3779B97F4A7C15u;
   state = (state ^ (state >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -27,8 +28,8 @@ std::uint64_t SplitMix(std::uint64_t state) {
   return state ^ (state >> 31);
 }
 
-// Towards the nearest side of the box, so that the ray is short, but never
-// along an axis.
+// Returns a direction towards the nearest side of the box, so that the ray is
+// short. It is never along an axis, in which many meshes have edges.
 Eigen::RowVector3d RandomDirection(const Eigen::RowVector3d& point,
                                    const Box3& box,
                                    unsigned seed,

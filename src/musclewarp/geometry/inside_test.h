@@ -14,37 +14,47 @@
 
 namespace musclewarp {
 
-// Tells points inside a mesh from those outside by the parity of the crossings
-// of a ray in a random direction (Kellnhofer and Kohout, section 3.2). A ray
-// that meets an edge or a corner is replaced by another; if a few of them do,
-// or if the mesh is not closed, so that parity means nothing, the generalized
-// winding number decides. A point on the surface is not inside. Where a closed
-// mesh overlaps itself parity rules: what is inside twice is outside.
+// Decides whether points are inside a mesh, quickly enough for all vertices of
+// a muscle in every iteration.
 //
-// Queries are const, may run on many threads, and depend on the mesh and the
-// seed only.
+//   const InsideTest bone(points, triangles, /*seed=*/1);
+//   if (bone.Contains(vertex)) ...
+//
+// The test counts how often a ray in a random direction crosses the mesh; the
+// point is inside if the number is odd (Kellnhofer and Kohout, section 3.2). A
+// ray that meets an edge or a corner is replaced by another one. The
+// generalized winding number decides if several rays in turn do so, or if the
+// mesh is not closed, since parity means nothing then. A point on the surface
+// is not inside. Where a closed mesh overlaps itself, parity counts: a point
+// that is inside twice is outside.
+//
+// Queries are const and may run on many threads. Their results depend on the
+// mesh and the seed only.
 class InsideTest {
  public:
-  // Any soup. The seed chooses the directions.
+  // Takes any triangle soup, of which it keeps a copy. The seed chooses the
+  // directions of the rays.
   InsideTest(const Points& points, const Triangles& triangles, unsigned seed);
 
-  // New positions, same triangles.
+  // Moves the vertices to new positions (#V x 3); the triangles stay the same.
+  // Costs as much as the constructor without its search for open edges.
   void Refit(const Points& points);
 
+  // Returns true if the point is strictly inside the mesh.
   bool Contains(const Eigen::RowVector3d& point) const;
 
-  // Along a unit direction to the first triangle, mm; infinite if there is
-  // none.
+  // Returns the distance (mm) from `point` along a direction of unit length to
+  // the first triangle, or infinity if there is none.
   double DistanceAlong(const Eigen::RowVector3d& point,
                        const Eigen::RowVector3d& direction) const {
     return grid_.FirstHit(point, direction);
   }
 
-  // Every edge has an even number of triangles.
+  // Returns true if every edge has an even number of triangles.
   bool IsClosed() const { return is_closed_; }
 
  private:
-  // Made when it is first asked.
+  // The mesh with its winding number, built when a query needs it first.
   struct Arbiter {
     std::once_flag once;
     std::unique_ptr<SearchableMesh> mesh;
@@ -57,7 +67,8 @@ class InsideTest {
   unsigned seed_;
   bool is_closed_;
   std::unique_ptr<Arbiter> arbiter_;
-  // Of empty cells of the grid, when a point of theirs has been asked for.
+  // For every cell of the grid that no triangle touches, whether it is inside,
+  // outside, or not known yet: all points of such a cell have the same answer.
   mutable std::vector<std::atomic<char>> cell_sides_;
 };
 

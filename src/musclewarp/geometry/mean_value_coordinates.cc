@@ -16,7 +16,8 @@
 namespace musclewarp {
 namespace {
 
-// A directed edge serves the triangles on both sides, with opposite signs.
+// A triangle of the cage. The two triangles of an edge share what is computed
+// for it, with opposite signs.
 struct CageFace {
   std::array<int, 3> vertices;
   std::array<int, 3> edges;  // edge k runs from vertex k to vertex k + 1
@@ -61,20 +62,22 @@ Cage MakeCage(const Points& points, const Triangles& triangles) {
   return cage;
 }
 
-// A triangle whose directions u span less than this height, the determinant of
-// the three over the largest cross product of two, is seen nearly edge on, or
-// the query nearly touches it: its weights are small differences of large terms
-// and ask for more digits.
+// The directions u from the query to the corners of a triangle span a height,
+// their determinant over the largest cross product of two. If it is below this,
+// the triangle is seen nearly edge on, or the query nearly touches it. Its
+// weights are then small differences of large terms and need more digits.
 constexpr double kThinHeight = 1e-6;
-// With extended precision, the same for good: the query lies on the triangle,
-// or the triangle is a line seen from it and has no weight.
+// If the height is below this in extended precision, the query lies on the
+// triangle, or the triangle is a line as seen from it and has no weight.
 constexpr double kFlatHeight = 1e-12;
-// How far the angles of a triangle around a query on it may miss 2 pi, and how
-// near to a vertex, relative to the size, a query is that vertex.
+// A query lies on a triangle if the sum of the angles of its edges differs from
+// 2 pi by less than kOnFaceAngle, and on a vertex if it is nearer to it than
+// kOnVertexDistance times the size of the cage.
 constexpr double kOnFaceAngle = 1e-9;
 constexpr double kOnVertexDistance = 1e-15;
 
-// Unnormalised weights of one query, in Scalar precision.
+// Computes the weights of one query, before they are normalised, in the
+// precision of Scalar.
 template <typename Scalar>
 class WeightEvaluator {
  public:
@@ -91,7 +94,7 @@ class WeightEvaluator {
 
   const Weights& weights() const { return weights_; }
 
-  // False if the precision does not suffice for `query`.
+  // Returns false if the precision is not sufficient for `query`.
   bool Evaluate(const Eigen::RowVector3d& query) {
     weights_.setZero();
     if (LookAtVertices(query)) return true;
@@ -113,7 +116,7 @@ class WeightEvaluator {
  private:
   enum class FaceResult { kAdded, kQueryIsOnIt, kTooThin };
 
-  // True if the query is a vertex; its weight is then set.
+  // Returns true if the query is a vertex, whose weight is then set.
   bool LookAtVertices(const Eigen::RowVector3d& query) {
     const Vector x = query.transpose().template cast<Scalar>();
     for (Eigen::Index j = 0; j < cage_.points.rows(); ++j) {
@@ -129,8 +132,8 @@ class WeightEvaluator {
     return false;
   }
 
-  // The angle theta of every edge and theta times the unit normal of its plane
-  // with the query.
+  // Computes the angle theta of every edge, and theta times the unit normal of
+  // the plane of the edge and the query.
   void LookAtEdges() {
     for (size_t e = 0; e < cage_.edges.size(); ++e) {
       const Vector& a = directions_[cage_.edges[e][0]];
@@ -194,8 +197,8 @@ class WeightEvaluator {
   Weights weights_;
 };
 
-// Takes rounding out of sum 1 and of the reproduction of the query, by the
-// smallest change of the coordinates.
+// Removes the rounding errors of the sum and of the reproduced query by the
+// smallest change of the coordinates that does so.
 void Polish(const Cage& cage,
             const Eigen::RowVector3d& query,
             Eigen::Ref<Eigen::RowVectorXd> row) {

@@ -8,21 +8,32 @@
 
 namespace musclewarp {
 
-// A dense matrix whose rows are read one after the other.
+// A dense matrix whose rows are contiguous, as the products of
+// dense_product.h read them.
 using RowMajorMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// Mean value coordinates of `queries` (#Q x 3) in a closed triangle mesh, the
-// cage (#V x 3, #F x 3): a #Q x #V matrix whose rows sum to 1 and reproduce the
-// queries, MeanValueCoordinates(q) * cage_points = q, to rounding. Defined and
-// continuous everywhere: inside, outside, and on the cage, where they are the
-// barycentric coordinates of the face. Positive inside convex cages.
+// Returns the mean value coordinates of points in a cage, a closed triangle
+// mesh around or near them. They carry a deformation of the cage to the points:
+// with the matrix W of the rest pose, W * (moved cage points) are the moved
+// points.
 //
-// Ju, Schaefer, Warren: Mean value coordinates for closed triangular meshes,
-// SIGGRAPH 2005; evaluated with one angle per edge instead of one per corner.
+//   const RowMajorMatrix w = MeanValueCoordinates(fine, hull, hull_triangles);
+//   const Points moved_fine = Product(w, moved_hull);
+//
+// The result is #Q x #V for queries (#Q x 3) and a cage of #V vertices. Its
+// rows sum to 1 and reproduce the queries, W * cage_points = queries, up to
+// rounding. The coordinates are defined and continuous everywhere: inside the
+// cage, outside, and on it, where they are the barycentric coordinates of the
+// triangle. They are positive inside convex cages.
+//
+// Source: Ju, Schaefer and Warren, "Mean value coordinates for closed
+// triangular meshes", SIGGRAPH 2005, evaluated with one angle per edge instead
+// of one per corner. Queries near a triangle or its plane are evaluated with
+// more digits.
 //
 // Precondition (CHECKed): the cage has at least four vertices that are not in
-// one plane. Any number of threads gives the same result.
+// one plane. The result does not depend on the number of threads.
 RowMajorMatrix MeanValueCoordinates(const Points& queries,
                                     const Points& cage_points,
                                     const Triangles& cage_triangles);

@@ -34,8 +34,8 @@ TriangleSoup Wrap(const TriangleSoup&, double) {
 }
 #endif
 
-// A stray piece far from the muscle gets a wrap of its own, which no coarse
-// mesh of one muscle can have.
+// A stray piece far from the muscle gets a wrap of its own, which cannot be
+// part of the coarse mesh of one muscle.
 TriangleSoup LargestComponent(TriangleSoup soup) {
   const Components components = ConnectedComponents(
       soup.triangles, UsesOfEdges(soup.triangles), /*max_uses=*/2);
@@ -65,8 +65,14 @@ bool OuterHullOptions::IsValid(std::string* error) const {
              std::to_string(coarse_vertices) + ", allowed: 20 to 5000";
     return false;
   }
-  if (!(count_tolerance > 0) || max_wraps < 1) {
-    *error = "OuterHullOptions: count_tolerance and max_wraps must be above 0";
+  if (!(count_tolerance > 0)) {
+    *error = "OuterHullOptions::count_tolerance is " +
+             std::to_string(count_tolerance) + ", must be above 0";
+    return false;
+  }
+  if (max_wraps < 1) {
+    *error = "OuterHullOptions::max_wraps is " + std::to_string(max_wraps) +
+             ", must be at least 1";
     return false;
   }
   return true;
@@ -76,8 +82,9 @@ TriangleSoup OuterHull(const TriangleSoup& fine,
                        const OuterHullOptions& options) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
-  // Triangles of a wrap have edges near alpha: their number goes with the area
-  // over alpha squared, and there are half as many vertices.
+  // The edges of a wrap are about alpha long. So the number of triangles is
+  // proportional to the area over alpha squared, and there are half as many
+  // vertices.
   double alpha = std::sqrt(2 * SurfaceArea(fine.points, fine.triangles) /
                            options.coarse_vertices);
   TriangleSoup best;
@@ -98,10 +105,10 @@ TriangleSoup OuterHull(const TriangleSoup& fine,
 bool Encloses(const TriangleSoup& hull, const TriangleSoup& fine) {
   if (hull.triangles.rows() == 0) return false;
   const SearchableMesh outer(hull);
-  // Inside of an open mesh is a matter of degree.
+  // The inside of an open mesh is not well defined.
   if (!outer.winding().IsClosed()) return false;
   const MeshIntersection found = IntersectMeshes(outer, SearchableMesh(fine));
-  // Unreferenced points are no part of the surface.
+  // Unreferenced points are not part of the surface.
   const std::set<int> vertices(fine.triangles.data(),
                                fine.triangles.data() + fine.triangles.size());
   return found.triangle_pairs.empty() &&

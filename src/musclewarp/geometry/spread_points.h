@@ -8,10 +8,13 @@
 
 namespace musclewarp {
 
-// `count` of the points (#V x 3), or all if there are fewer, far from each
-// other: each next one is the farthest from those taken, the first is the first
-// of all. Of points at the same place one is taken. In the order in which they
-// are taken.
+// Chooses points that are spread evenly over all points (#V x 3), for use as
+// samples: the first point of all is taken first, and then always the one that
+// is farthest from those taken so far (farthest point sampling). Of several
+// points at the same place only one is taken.
+//
+// Returns the indices of `count` points, or of fewer if there are not so many
+// different ones, in the order in which they are taken.
 std::vector<int> SpreadPoints(const Points& points, int count);
 
 }  // namespace musclewarp

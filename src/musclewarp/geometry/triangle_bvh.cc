@@ -48,7 +48,7 @@ int TriangleBvh::Build(const Points& centroids, int* begin, int* end) {
   int axis;
   (upper - lower).maxCoeff(&axis);
   int* middle = begin + (end - begin) / 2;
-  // Ties by index, or the tree would depend on the standard library.
+  // Ties are broken by index, or the tree would depend on the standard library.
   std::nth_element(begin, middle, end, [&](int f, int g) {
     return std::make_pair(centroids(f, axis), f) <
            std::make_pair(centroids(g, axis), g);

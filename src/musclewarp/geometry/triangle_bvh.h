@@ -14,75 +14,86 @@
 
 namespace musclewarp {
 
-// A tree of axis-aligned boxes over the triangles of a mesh. The topology is
-// built once from the rest pose; Refit() follows moving vertices in linear
-// time. Queries are const and may run on many threads. What they return, and
-// the order, depends on the mesh only.
+// A tree of axis-aligned boxes over the triangles of a mesh (a bounding volume
+// hierarchy), which finds the triangles near a point, a mesh or themselves
+// without looking at all of them. The tree is built once from the rest pose;
+// Refit() follows moving vertices in linear time. Queries are const and may run
+// on many threads. Their results and the order of these depend on the mesh
+// only.
 //
 //   TriangleBvh bvh(points, triangles);
 //   bvh.ForEachOverlap(other, [&](int mine, int theirs) { ... });
 //   const auto hit = bvh.ClosestPoint(p, /*max_distance=*/20);
 class TriangleBvh {
  public:
+  // The closest point of a mesh to a query point.
   struct Closest {
-    int triangle = -1;  // -1: nothing within max_distance
+    int triangle = -1;  // -1 if no triangle is within max_distance
     Eigen::RowVector3d point = Eigen::RowVector3d::Zero();
     double distance = std::numeric_limits<double>::infinity();  // mm
   };
 
+  // Builds the tree over a triangle soup (#V x 3, #F x 3), which may be empty.
   TriangleBvh(const Points& points, const Triangles& triangles);
 
-  // New positions, same triangles.
+  // Moves the vertices to new positions (#V x 3); the triangles stay the same.
   void Refit(const Points& points);
 
-  // Other boxes for the triangles (#F) than those around their corners, until
-  // the next Refit(): to find what is near them, or on their way.
+  // Replaces the boxes of the triangles (#F) until the next Refit(). Larger
+  // boxes find what is near a triangle, or on its way. Precondition (CHECKed):
+  // there is one box per triangle.
   void RefitBoxes(const std::vector<Box3>& boxes);
 
   int num_triangles() const { return static_cast<int>(corners_.size()); }
   const Corners& corners(int triangle) const { return corners_[triangle]; }
 
-  // The box around everything. Precondition: there are triangles.
+  // Returns the box around all triangles. Precondition: there are triangles.
   const Box3& box() const { return nodes_[0].box; }
 
-  // Calls visit(a, b) for every pair of a triangle of this tree and one of
-  // `other` whose boxes overlap (touching counts).
+  // Calls visit(a, b) for every pair of a triangle a of this tree and a
+  // triangle b of `other` whose boxes overlap. Boxes that touch overlap.
   template <typename Visit>
   void ForEachOverlap(const TriangleBvh& other, const Visit& visit) const;
 
-  // The same within this tree, every unordered pair of two triangles once.
+  // Does the same within this tree, once for every unordered pair of two
+  // different triangles.
   template <typename Visit>
   void ForEachSelfOverlap(const Visit& visit) const;
 
-  // The pairs of ForEachOverlap and ForEachSelfOverlap with keep(a, b), which
-  // is called from many threads.
+  // Return the pairs that ForEachOverlap and ForEachSelfOverlap visit and for
+  // which keep(a, b) is true. `keep` is called from several threads.
   template <typename Keep>
   std::vector<std::pair<int, int>> CollectOverlaps(const TriangleBvh& other,
                                                    const Keep& keep) const;
   template <typename Keep>
   std::vector<std::pair<int, int>> CollectSelfOverlaps(const Keep& keep) const;
 
-  // Calls visit(triangle) for every triangle below nodes with enter(box).
+  // Calls visit(triangle) for every triangle for which enter(box) is true of
+  // all boxes that contain it. `enter` must be true of a box if it is true of a
+  // smaller box in it; then no triangle is missed.
   template <typename Enter, typename Visit>
   void Traverse(const Enter& enter, const Visit& visit) const;
 
-  // Calls visit(triangle) for triangles below nodes with bound(box) <= limit,
-  // of two nodes that of the smaller bound first. `visit` may lower *limit.
+  // Calls visit(triangle) for triangles with bound(box) <= *limit, a lower
+  // bound of a quantity that is looked for, such as a distance. Of two nodes
+  // the one with the smaller bound is entered first. `visit` may lower *limit,
+  // so that the rest of the search is shorter.
   template <typename Bound, typename Visit>
   void TraverseNearestFirst(const Bound& bound,
                             const Visit& visit,
                             const double* limit) const;
 
-  // The closest point of any triangle, at most max_distance away.
+  // Returns the point of the mesh that is closest to `point`, if it is at most
+  // max_distance (mm) away.
   Closest ClosestPoint(
       const Eigen::RowVector3d& point,
       double max_distance = std::numeric_limits<double>::infinity()) const;
 
-  // Whether a triangle is at most that far away.
+  // Returns true if a triangle is at most `distance` (mm) away from `point`.
   bool IsWithin(const Eigen::RowVector3d& point, double distance) const;
 
  private:
-  // Depth first: the first child of a node is the next one.
+  // Nodes are stored depth first: the first child of a node follows it.
   struct Node {
     Box3 box;
     int second;    // index of the second child
@@ -96,7 +107,8 @@ class TriangleBvh {
   template <typename BoxOfTriangle>
   void RefitNodes(const BoxOfTriangle& box_of);
 
-  // Both children of one node of the pair, of the larger if there is a choice.
+  // Returns the two pairs that stand for `pair` after one of its nodes, the
+  // larger if there is a choice, has been replaced by its children.
   static std::array<NodePair, 2> Split(const TriangleBvh& a,
                                        const TriangleBvh& b,
                                        NodePair pair);
@@ -107,13 +119,13 @@ class TriangleBvh {
                         NodePair root,
                         const Visit& visit);
 
-  // Overlapping node pairs that together stand for `roots`, enough of them to
-  // keep many threads busy.
+  // Returns overlapping node pairs that together stand for `roots`, enough of
+  // them to keep many threads busy.
   static std::vector<NodePair> Expand(const TriangleBvh& a,
                                       const TriangleBvh& b,
                                       std::vector<NodePair> roots);
 
-  // The pairs of nodes that stand for all pairs of two triangles of this tree.
+  // Returns node pairs that stand for all pairs of two triangles of this tree.
   std::vector<NodePair> SelfPairs() const;
 
   template <typename Keep>
@@ -156,9 +168,8 @@ std::vector<std::pair<int, int>> TriangleBvh::CollectSelfOverlaps(
 
 template <typename Enter, typename Visit>
 void TriangleBvh::Traverse(const Enter& enter, const Visit& visit) const {
-  // In depth first order, skipping is going to where the subtree ends: for a
-  // tree of n leaves that is 2 n - 1 nodes on. A stack of second children does
-  // the same and is as deep as the tree, below 64.
+  // The stack holds at most one node per level, and the tree is less than 64
+  // levels deep.
   std::array<int, 64> stack;
   int size = 0;
   if (!nodes_.empty()) stack[size++] = 0;

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// Without branches: which way they go cannot be guessed.
+// Has no branches, since processors could not predict them.
 double Clamped(double x) { return std::min(std::max(x, 0.0), 1.0); }
 
 RowVector3d ClosestPointOfSegment(const RowVector3d& p,
@@ -28,7 +28,7 @@ RowVector3d ClosestPointOfSegment(const RowVector3d& p,
 // The edges of a triangle, from corner i to the next one.
 struct Edges {
   RowVector3d from[3], along[3];
-  double square[3], inverse[3];  // of the length squared; 0 of a point
+  double square[3], inverse[3];  // squared lengths; 1 over them, or 0
 
   explicit Edges(const Corners& t) {
     for (int i = 0; i < 3; ++i) {
@@ -39,9 +39,10 @@ struct Edges {
     }
   }
 
-  // The foot of a point with the products `at_first` and `at_last` of its
-  // offset from corner 0 with the edges from there to corners 1 and 2. False if
-  // it is not inside the triangle.
+  // Finds the foot of a point on the plane of the triangle. `at_first` and
+  // `at_last` are the products of its offset from corner 0 with the edges from
+  // there to corners 1 and 2. Returns false if the foot is not inside the
+  // triangle.
   bool Foot(double at_first, double at_last, RowVector3d* foot) const {
     const double mixed = -along[0].dot(along[2]);
     const double determinant = square[0] * square[2] - mixed * mixed;
@@ -97,8 +98,8 @@ ClosestPair ClosestPointsOfTriangles(const Corners& a, const Corners& b) {
   const Edges d(a), e(b);
   // Products of edges and of the offsets r_ij = a_i - b_j with them.
   double dr[3][3], er[3][3];
-  // The nearest two edges by products alone, which are off by rounding of the
-  // size of the triangles; the points themselves of those only.
+  // Find the nearest two edges by products alone, whose rounding errors are
+  // relative to the size of the triangles, and the points for these edges only.
   double least = std::numeric_limits<double>::infinity();
   double best_s = 0, best_t = 0;
   int best_i = 0, best_j = 0;
@@ -108,8 +109,8 @@ ClosestPair ClosestPointsOfTriangles(const Corners& a, const Corners& b) {
       const double de = d.along[i].dot(e.along[j]);
       dr[i][j] = d.along[i].dot(r);
       er[i][j] = e.along[j].dot(r);
-      // Where the lines are closest, from there to where the segments are;
-      // parallel ones are everywhere.
+      // Go from where the lines are closest to where the segments are. Parallel
+      // lines are equally close everywhere.
       const double determinant = d.square[i] * e.square[j] - de * de;
       const double inverse = determinant > 0 ? 1 / determinant : 0;
       const double s_of_lines =
@@ -136,8 +137,8 @@ ClosestPair ClosestPointsOfTriangles(const Corners& a, const Corners& b) {
   };
   offer(d.from[best_i] + best_s * d.along[best_i],
         e.from[best_j] + best_t * e.along[best_j]);
-  // A corner over the inside of the other triangle; all other places of a
-  // corner are on the borders.
+  // Or a corner may be closest to a point inside the other triangle. All other
+  // cases are pairs of points on the borders.
   RowVector3d foot;
   for (int i = 0; i < 3; ++i) {
     if (e.Foot(er[i][0], e.square[2] - er[i][2], &foot)) {

@@ -16,16 +16,16 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// Cells there may be for each triangle; a surface fills few of them.
+// The largest number of cells for each triangle. A surface fills few of them.
 constexpr double kCellsPerTriangle = 4;
 
-// Triangles are entered in a slightly larger box, so that a ray that rounding
-// puts into the cell beside still meets them. Relative to the size of numbers.
+// The boxes of triangles are enlarged by this, relative to the size of their
+// coordinates. A ray that rounding puts into the next cell still meets them.
 constexpr double kMargin = 1e-9;
 
 enum class Crossing { kNone, kThrough, kEdge, kStart };
 
-// How the segment from p to q meets a triangle that q is far from.
+// Tells how the segment from p to q meets a triangle that is far from q.
 Crossing CrossingOf(const RowVector3d& p,
                     const RowVector3d& q,
                     const Corners& triangle) {
@@ -40,13 +40,13 @@ Crossing CrossingOf(const RowVector3d& p,
   if (ab * bc < 0) return Crossing::kNone;
   const int ca = Orientation(p, q, c, a);
   if (ab * ca < 0 || bc * ca < 0) return Crossing::kNone;
-  // The line meets the triangle, and the plane in no other point than p.
+  // The line meets the triangle, and it meets its plane in p only.
   if (side_of_p == 0 && side_of_q != 0) return Crossing::kStart;
   return ab == 0 || bc == 0 || ca == 0 ? Crossing::kEdge : Crossing::kThrough;
 }
 
-// Where on the segment, as a share of it, the plane of a triangle that it meets
-// lies.
+// Returns where on a segment, as a share of it, the plane of a triangle lies
+// that the segment meets.
 double PlaceOn(const RowVector3d& p,
                const RowVector3d& q,
                const Corners& triangle) {
@@ -55,7 +55,7 @@ double PlaceOn(const RowVector3d& p,
   const double before = normal.dot(a - p);
   const double along = normal.dot(q - p);
   if (along != 0) return std::clamp(before / along, 0.0, 1.0);
-  // In the plane: the nearest corner is as good as any.
+  // The segment is in the plane; take the nearest corner.
   const RowVector3d way = q - p;
   double nearest = 1;
   for (int k = 0; k < 3; ++k) {
@@ -102,16 +102,20 @@ TriangleGrid::TriangleGrid(const Points& points, const Triangles& triangles) {
     volume *= size;
     longest = std::max(longest, size);
   }
-  // As wide as triangles, but no more cells than are in proportion to them; nor
-  // more along one side, for boxes without much volume.
+  // Cells are as wide as triangles are on average, or wider if there would be
+  // too many of them, in all or, in a box of little volume, along one side.
   cell_ = std::max({extents / static_cast<double>(count),
                     std::cbrt(volume / (kCellsPerTriangle * count)),
                     longest / (16 + std::sqrt(kCellsPerTriangle * count))});
   for (int k = 0; k < 3; ++k) {
     counts_[k] = 1 + static_cast<int>((box_.upper[k] - box_.lower[k]) / cell_);
   }
+  SortIntoCells(margin);
+}
 
-  // Counting sort of (cell, triangle).
+void TriangleGrid::SortIntoCells(double margin) {
+  // The pairs (cell, triangle) are sorted by counting.
+  const Eigen::Index count = static_cast<Eigen::Index>(corners_.size());
   const auto for_each_cell = [&](Eigen::Index f, const auto& visit) {
     const Box3 box = BoxOf(corners_[f], margin);
     const auto low = CellOf({box.lower[0], box.lower[1], box.lower[2]});
@@ -200,7 +204,8 @@ std::array<int, 3> TriangleGrid::CellOf(const RowVector3d& point) const {
   return cell;
 }
 
-// Amanatides and Woo 1987, "A Fast Voxel Traversal Algorithm for Ray Tracing".
+// The algorithm is that of Amanatides and Woo, "A Fast Voxel Traversal
+// Algorithm for Ray Tracing" (1987).
 template <typename Visit>
 void TriangleGrid::ForEachCell(const RowVector3d& start,
                                const RowVector3d& end,

@@ -19,11 +19,13 @@ using Point = Kernel::Point_3;
 using Segment = Kernel::Segment_3;
 using Triangle = Kernel::Triangle_3;
 
-// Whether b touches the plane of a surely nowhere, or with `common` only in
-// corners that are a's as well: all others lie strictly on one side of it.
+// Returns true if the corners of b surely lie strictly on one side of the plane
+// of a. If `common` is true, corners that are corners of a as well are left
+// out.
 //
-// Rounding: with e = 2^-53, a normal component is off by 4 e of the sum of its
-// absolute products, the dot product adds 4 e: 10 e is on the safe side.
+// With e = 2^-53, the rounding error of a component of the normal is at most 4
+// e times the sum of the absolute values of its products. The dot product adds
+// 4 e, so that 10 e is a safe bound.
 template <bool common>
 bool IsSurelyBeside(const Corners& a, const Corners& b) {
   constexpr double kBound = 10 * 0x1p-53;
@@ -58,7 +60,7 @@ bool IsSurelyBeside(const Corners& a, const Corners& b) {
   return side != 0;
 }
 
-// The corners that span a triangle: three, or the ends of a segment, or a
+// The corners that span a triangle: three, or the two ends of a segment, or one
 // point.
 using Simplex = std::vector<Point>;
 
@@ -104,7 +106,7 @@ Simplex Without(const Simplex& simplex, const Simplex& points) {
   return rest;
 }
 
-// Triangles (u, v, p) and (u, v, q).
+// Returns true if the triangles (u, v, p) and (u, v, q) lie on each other.
 bool AreFolded(const Point& u, const Point& v, const Point& p, const Point& q) {
   return CGAL::coplanar(u, v, p, q) &&
          CGAL::coplanar_orientation(u, v, p, q) == CGAL::POSITIVE;
@@ -118,8 +120,9 @@ bool IntersectBeyondCommon(const Simplex& a, const Simplex& b) {
     case 0:
       return Intersect(a, b);
     case 1:
-      // Along a segment from the common corner, what is left first is left
-      // through the face opposite, at a point of the other.
+      // A common segment from the common corner leaves one of the triangles
+      // first, through the side opposite to the corner, at a point of the
+      // other.
       return (!only_a.empty() && Intersect(only_a, b)) ||
              (!only_b.empty() && Intersect(only_b, a));
     case 2:
@@ -140,8 +143,8 @@ int CommonCorners(const Corners& a, const Corners& b) {
 
 enum class Answer { kNo, kYes, kTouching };
 
-// Whether a segment and a triangle share a point, by signs of volumes; not
-// decided where one of them is zero.
+// Returns whether a segment and a triangle share a point, by the signs of
+// volumes. The answer is kTouching, that is, open, if one of them is zero.
 Answer SegmentMeetsTriangle(const RowVector3d& p,
                             const RowVector3d& q,
                             const Corners& t) {
@@ -160,8 +163,8 @@ Answer SegmentMeetsTriangle(const RowVector3d& p,
   return is_touching ? Answer::kTouching : Answer::kYes;
 }
 
-// The same of the edges of `a` and b; of the one opposite to `corner` only, if
-// that is given.
+// Returns the same for the edges of `a` and the triangle b. If `corner` is
+// given, only the edge opposite to it is tested.
 Answer EdgesMeetTriangle(const Corners& a, const Corners& b, int corner = -1) {
   Answer all = Answer::kNo;
   for (int k = 0; k < 3; ++k) {
@@ -174,14 +177,14 @@ Answer EdgesMeetTriangle(const Corners& a, const Corners& b, int corner = -1) {
   return all;
 }
 
-// Of triangles that do not touch where no volume is zero: those with an edge of
-// one through the other, or nothing in common.
+// Combines the answers for the edges of both triangles. If no volume is zero,
+// triangles intersect only if an edge of one goes through the other.
 Answer Both(Answer of_a, Answer of_b) {
   if (of_a == Answer::kYes || of_b == Answer::kYes) return Answer::kYes;
   return of_a == Answer::kTouching ? of_a : of_b;
 }
 
-// The corner of `a` that is one of b.
+// Returns the first corner of `a` that is a corner of b, or -1.
 int CommonCorner(const Corners& a, const Corners& b) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {

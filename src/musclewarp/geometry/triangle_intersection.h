@@ -8,10 +8,13 @@
 
 namespace musclewarp {
 
-// Exact tests on closed triangles with the coordinates as they are. A triangle
-// without area is the segment or point its corners make.
+// Exact tests of triangles for intersection. A triangle includes its border,
+// and its coordinates count exactly as they are stored, so that the answers
+// never contradict each other. A triangle without area is the segment or the
+// point that its corners span.
 
-// True if the triangles share at least one point.
+// Returns true if the triangles share at least one point. Triangles that touch
+// do.
 bool TrianglesIntersect(const Corners& a, const Corners& b);
 bool TrianglesIntersect(const Eigen::RowVector3d& a0,
                         const Eigen::RowVector3d& a1,
@@ -20,12 +23,14 @@ bool TrianglesIntersect(const Eigen::RowVector3d& a0,
                         const Eigen::RowVector3d& b1,
                         const Eigen::RowVector3d& b2);
 
-// True if the triangles share a point beyond the corner or edge they have in
-// common by equal coordinates: what makes two triangles of one mesh intersect.
-// Equal triangles do, unless they have no area.
+// Returns true if the triangles share a point beyond the corner or edge that
+// they have in common. This is what it means for two triangles of one mesh to
+// intersect, since neighbours always share a corner or an edge. Corners are
+// common if their coordinates are equal. Two equal triangles intersect, unless
+// they have no area.
 bool TrianglesIntersectBeyondCommon(const Corners& a, const Corners& b);
 
-// True if p lies on the triangle.
+// Returns true if p lies on the triangle, including its border.
 bool IsOnTriangle(const Eigen::RowVector3d& p, const Corners& triangle);
 
 }  // namespace musclewarp

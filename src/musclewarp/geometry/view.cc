@@ -15,7 +15,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Directions of the body in the order left, posterior, superior.
+// Returns a direction in body axes, which are left, posterior and superior.
 Vector3d BodyDirection(char letter) {
   switch (letter) {
     case 'L':
@@ -35,7 +35,7 @@ Vector3d BodyDirection(char letter) {
   }
 }
 
-// Columns are the mesh axes in the body.
+// Returns the matrix whose columns are the axes of the meshes in body axes.
 Matrix3d BodyFromMesh(const std::string& axes) {
   Matrix3d body_from_mesh = Matrix3d::Zero();
   for (std::size_t i = 0; i < std::min<std::size_t>(axes.size(), 3); ++i) {
@@ -44,7 +44,7 @@ Matrix3d BodyFromMesh(const std::string& axes) {
   return body_from_mesh;
 }
 
-// The same for what a flag gives.
+// Returns the same for the value of a flag, after checking it.
 Matrix3d CheckedBodyFromMesh(const std::string& axes) {
   if (!AreBodyAxes(axes)) {
     throw InputError("--axes",
@@ -80,7 +80,7 @@ View ViewFromVectors(const std::string& text, const Vector3d& superior) {
   }
   view.toward_viewer.normalize();
   view.up -= view.up.dot(view.toward_viewer) * view.toward_viewer;
-  // Below this the two are parallel but for rounding.
+  // Below this the two are parallel up to rounding.
   if (view.up.norm() < 1e-6) {
     throw InputError("--view",
                      "'" + text + "' looks along its upward direction",

@@ -7,25 +7,31 @@
 
 namespace musclewarp {
 
-// Where a picture is taken from, parallel projection. Both are unit vectors
-// and perpendicular.
+// The direction from which a picture is taken, in parallel projection. Both
+// vectors are in the axes of the meshes, have unit length and are perpendicular
+// to each other.
 struct View {
   Eigen::Vector3d toward_viewer;
-  Eigen::Vector3d up;
+  Eigen::Vector3d up;  // points to the top of the picture
 };
 
-// How the axes of the meshes lie in the body: for +x, +y, +z one letter each,
-// L(eft) R(ight) A(nterior) P(osterior) S(uperior) I(nferior). CT and MRI come
-// as "LPS", OpenSim's ground and pelvis are "ASR".
-//
-// True if that names three different directions, as "LPS" does.
+// Returns true if `axes` says how the axes of the meshes lie in the body, by
+// the directions of +x, +y and +z with one letter each: L(eft), R(ight),
+// A(nterior), P(osterior), S(uperior), I(nferior). The three must differ, as
+// they do in "LPS", the axes of CT and MRI, and "ASR", those of OpenSim's
+// ground and pelvis.
 bool AreBodyAxes(const std::string& axes);
 
-// name: anterior, posterior, left, right, superior, inferior, as seen from
-// there; lateral and medial for a limb of `side` ("left" or "right");
-// or a direction "x,y,z" towards the viewer in the axes of the meshes, with an
-// optional upward direction "x,y,z;x,y,z" (default: superior).
-// Throws InputError that names the flag (--view, --axes, --side).
+// Returns the view of a name, which is one of the following:
+// - anterior, posterior, left, right, superior or inferior: from that side;
+// - lateral or medial: from the outer or inner side of a limb, whose `side` is
+//   "left" or "right";
+// - "x,y,z": from that direction, in the axes of the meshes, with superior at
+//   the top of the picture;
+// - "x,y,z;x,y,z": the same with the direction that is at the top.
+//
+// `axes` is as for AreBodyAxes. Throws InputError, which names the flag of the
+// programs (--view, --axes or --side), if one of the three is not valid.
 View ParseView(const std::string& name,
                const std::string& axes,
                const std::string& side);

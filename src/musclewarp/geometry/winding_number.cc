@@ -18,13 +18,13 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// Points in special position are thought moved by (e, e^2, e^3) with e > 0 as
-// small as need be. Every sign below is that of the moved point, so the rays
-// never meet an edge, and shared edges and vertices are counted once.
+// Points are treated as if they were moved by (e, e^2, e^3) with a sufficiently
+// small e > 0. Every sign below is that of the moved point, so that rays never
+// meet an edge, and shared edges and vertices are counted once.
 
 int Sign(double value) { return (value > 0) - (value < 0); }
 
-// The side of the line ab, seen along z, on which p lies.
+// Returns the side of the line ab, seen along z, on which p lies.
 int SideOfEdge(const RowVector3d& a,
                const RowVector3d& b,
                const RowVector3d& p) {
@@ -33,7 +33,8 @@ int SideOfEdge(const RowVector3d& a,
   return a[1] != b[1] ? Sign(a[1] - b[1]) : Sign(b[0] - a[0]);
 }
 
-// The side of the triangle's plane; 0 for triangles without area.
+// Returns the side of the triangle's plane on which p lies, or 0 for a triangle
+// without area.
 int SideOfPlane(const Corners& t, const RowVector3d& p) {
   const int side = Orientation(t.row(0), t.row(1), t.row(2), p);
   if (side != 0) return side;
@@ -47,9 +48,9 @@ int SideOfPlane(const Corners& t, const RowVector3d& p) {
   return 0;
 }
 
-// What the triangle adds to the winding number of a closed surface when counted
-// along the ray from p towards +z: 1 where the ray goes out, -1 where it goes
-// in.
+// Returns what a triangle adds to the winding number of a closed surface,
+// counted along the ray from p towards +z: 1 where the ray leaves the surface,
+// -1 where it enters it, and 0 if it does not meet the triangle.
 int Crossing(const Corners& t, const RowVector3d& p) {
   const int side = SideOfEdge(t.row(0), t.row(1), p);
   if (side == 0 || SideOfEdge(t.row(1), t.row(2), p) != side ||
@@ -59,8 +60,9 @@ int Crossing(const Corners& t, const RowVector3d& p) {
   return SideOfPlane(t, p) == -side ? side : 0;
 }
 
-// How well a solid angle is known where it matters: it is off by some 1e-16
-// over this. 1 far away, 0 on an edge of the triangle.
+// A solid angle whose conditioning is above this is accurate: its error is
+// about 1e-16 over the conditioning, which is 1 far away from the triangle and
+// 0 on its edges.
 constexpr double kWellConditioned = 1e-5;
 
 struct SolidAngle {
@@ -68,8 +70,9 @@ struct SolidAngle {
   double conditioning;  // see above
 };
 
-// By van Oosterom and Strackee 1983. The sign is the exact one, or rounding
-// beside the plane would be off by a whole turn.
+// The formula is that of van Oosterom and Strackee 1983. The sign is found
+// exactly, since a wrong one beside the plane would be an error of a whole
+// turn.
 SolidAngle SolidAngleOf(const Corners& t, const RowVector3d& p) {
   const int side = SideOfPlane(t, p);
   if (side == 0) return {0, 1};
@@ -90,7 +93,7 @@ SolidAngle SolidAngleOf(const Corners& t, const RowVector3d& p) {
 WindingNumber::WindingNumber(const TriangleBvh* bvh, const Triangles& triangles)
     : bvh_(bvh) {
   CHECK_EQ(bvh->num_triangles(), triangles.rows());
-  // Sorted by edge; each edge's half-edges of either direction side by side.
+  // Sort half-edges by edge, so that those of both directions are neighbours.
   struct Entry {
     int low, high;
     bool is_upward;
@@ -152,8 +155,8 @@ WindingNumber::Fan WindingNumber::BorderFan(const RowVector3d& p) const {
   const Fan first =
       FanFrom(bvh_->corners(border_[0].triangle).row(border_[0].corner), p);
   if (first.conditioning > kWellConditioned) return first;
-  // The point is beside an edge between two triangles of the fan. Every apex
-  // has the same answer; this one is in line with nothing.
+  // The point is beside an edge between two triangles of the fan. The result is
+  // the same for every apex; this one is not in line with anything likely.
   const Box3& box = bvh_->box();
   RowVector3d apex;
   for (int axis = 0; axis < 3; ++axis) {
@@ -173,7 +176,7 @@ double WindingNumber::At(const RowVector3d& p) const {
                (p[2] <= box.upper[2]);
       },
       [&](int f) { crossings += Crossing(bvh_->corners(f), p); });
-  // The mesh without the fan is closed.
+  // The mesh minus the fan is closed, and its winding number is an integer.
   const Fan fan = BorderFan(p);
   return crossings - fan.crossings + fan.turns;
 }

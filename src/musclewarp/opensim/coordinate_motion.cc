@@ -16,7 +16,7 @@ bool EndsWith(const std::string& text, const std::string& end) {
          text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-// Columns of a states file that are no coordinates.
+// Returns true for columns of a states file that are not coordinates.
 bool IsOtherState(const std::string& label) {
   for (const char* end : {"/speed",
                           "_u",
@@ -43,7 +43,7 @@ std::string KnownCoordinates(const Model& model) {
   return known;
 }
 
-// Coordinate of each column, -1 for those to pass over.
+// Returns the coordinate of each column, -1 for columns to ignore.
 std::vector<int> MatchColumns(const Model& model,
                               const StorageTable& table,
                               const std::string& path,
@@ -57,7 +57,7 @@ std::vector<int> MatchColumns(const Model& model,
       if (!table.values.col(i).isZero(0)) {
         throw InputError(
             path + ": column \"" + label + "\"",
-            "is no coordinate of " + model.path,
+            "is not a coordinate of " + model.path,
             "remove it, or rename it; coordinates: " + KnownCoordinates(model));
       }
       idle += (idle.empty() ? "" : ", ") + label;
@@ -65,10 +65,9 @@ std::vector<int> MatchColumns(const Model& model,
     if (coordinate >= 0 &&
         std::count(columns.begin(), columns.end(), coordinate)) {
       throw InputError(path + ": column \"" + label + "\"",
-                       "names the coordinate " +
-                           model.coordinates[coordinate].name +
-                           " a second time",
-                       "remove one");
+                       "is the second one for the coordinate " +
+                           model.coordinates[coordinate].name,
+                       "remove one of the two");
     }
     columns.push_back(coordinate);
   }
@@ -111,9 +110,10 @@ CoordinateMotion MotionOf(const Model& model,
     }
   }
   if (motion.given.empty()) {
-    throw InputError(path,
-                     "has no column that is a coordinate of " + model.path,
-                     "coordinates: " + KnownCoordinates(model));
+    throw InputError(
+        path,
+        "has no column that is a coordinate of " + model.path,
+        "name columns after coordinates: " + KnownCoordinates(model));
   }
   for (CoordinateValues& values : motion.values) ApplyCouplers(model, &values);
   return motion;

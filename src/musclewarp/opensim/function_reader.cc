@@ -25,18 +25,21 @@ Knots ReadKnots(const OsimXml& xml, pugi::xml_node element) {
   knots.y = xml.Numbers(xml.Child(element, "y"));
   if (knots.x.size() != knots.y.size()) {
     xml.Fail(element,
-             "has " + std::to_string(knots.x.size()) + " x and " +
-                 std::to_string(knots.y.size()) + " y",
+             "has " + std::to_string(knots.x.size()) + " values of x and " +
+                 std::to_string(knots.y.size()) + " of y",
              "give as many of both");
   }
   if (knots.x.size() < 2) {
-    xml.Fail(element, "has fewer than 2 points", "give 2 or more");
+    xml.Fail(element,
+             "has " + std::to_string(knots.x.size()) + " points",
+             "give at least 2");
   }
   for (size_t i = 0; i + 1 < knots.x.size(); ++i) {
     if (knots.x[i] >= knots.x[i + 1]) {
       xml.Fail(element,
-               "has x that do not rise (point " + std::to_string(i + 1) + ")",
-               "sort the points");
+               "has values of x that do not ascend after point " +
+                   std::to_string(i + 1),
+               "sort the points by x and remove repeated ones");
     }
   }
   return knots;
@@ -76,7 +79,7 @@ FunctionPtr ReadFunction(const OsimXml& xml,
   }
   if (type == "MultiplierFunction") {
     const auto inner = FunctionElement(element, "function");
-    if (!inner) xml.Fail(element, "holds no function", "give one");
+    if (!inner) xml.Fail(element, "has no <function>", "give one");
     FunctionPtr function = ReadFunction(xml, inner, unsupported);
     if (!function) return nullptr;
     return MakeMultiplier(xml.Number(element, "scale", 1), std::move(function));

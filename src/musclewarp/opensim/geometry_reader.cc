@@ -8,13 +8,13 @@
 namespace musclewarp {
 namespace {
 
-// Models made on Windows have backslashes.
+// Models that were made on Windows have backslashes in file names.
 std::string ForwardSlashes(std::string path) {
   std::replace(path.begin(), path.end(), '\\', '/');
   return path;
 }
 
-// The six numbers of a <transform>: rotations, then a translation.
+// Reads the six numbers of a <transform>, three rotations and a translation.
 Eigen::Matrix4d TransformOf(const OsimXml& xml, pugi::xml_node node) {
   const auto t = xml.Numbers(node, "transform", 6, {0, 0, 0, 0, 0, 0});
   return OffsetTransform({t[3], t[4], t[5]}, {t[0], t[1], t[2]});
@@ -24,7 +24,7 @@ Eigen::Vector3d ScaleOf(const OsimXml& xml, pugi::xml_node node) {
   return xml.Vector(node, "scale_factors", Eigen::Vector3d::Ones());
 }
 
-// OpenSim 4: <attached_geometry><Mesh>.
+// Adds the meshes of a frame of OpenSim 4, <attached_geometry><Mesh>.
 void AddMeshes(const OsimXml& xml,
                pugi::xml_node frame,
                const Eigen::Matrix4d& body_from_frame,

@@ -8,12 +8,16 @@
 
 namespace musclewarp {
 
-// The meshes a <Body> element of either version shows (VisibleObject,
-// attached_geometry).
+// Returns the meshes that are attached to a body by its <Body> element, in
+// either version of the format: <VisibleObject> of OpenSim 3 and
+// <attached_geometry> of OpenSim 4. Other geometry, such as spheres, is
+// ignored. Throws InputError at an element whose numbers are not valid.
 std::vector<ModelGeometry> ReadBodyGeometry(const OsimXml& xml,
                                             pugi::xml_node body);
 
-// Adds those attached to offset frames to the bodies under them.
+// Adds the meshes that are attached to offset frames to the bodies on which
+// these frames sit. Throws InputError as ReadBodyGeometry does, and if a frame
+// does not rest on a body.
 void AddOffsetGeometry(const OsimXml& xml,
                        const OffsetFrames& frames,
                        Model* model);

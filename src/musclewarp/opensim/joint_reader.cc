@@ -28,7 +28,7 @@ const std::map<std::string, std::vector<std::string>>& AxesOfJoints() {
   return kAxes;
 }
 
-// Index of a new coordinate.
+// Adds a coordinate and returns its index.
 int AddCoordinate(const OsimXml& xml,
                   pugi::xml_node node,
                   std::string name,
@@ -36,8 +36,8 @@ int AddCoordinate(const OsimXml& xml,
                   Model* model) {
   if (model->FindCoordinate(name) >= 0) {
     xml.Fail(node,
-             "names the coordinate \"" + name + "\" a second time",
-             "coordinates need names of their own");
+             "is the second coordinate with the name \"" + name + "\"",
+             "give every coordinate a name of its own");
   }
   Coordinate coordinate;
   coordinate.name = std::move(name);
@@ -53,7 +53,7 @@ std::vector<pugi::xml_node> CoordinateElements(pugi::xml_node joint) {
   return elements;
 }
 
-// Axes of pins, sliders and so on.
+// Sets the axes of pins, sliders and the other types of AxesOfJoints.
 void SetKnownAxes(const OsimXml& xml,
                   pugi::xml_node node,
                   const std::vector<std::string>& axes,
@@ -64,7 +64,8 @@ void SetKnownAxes(const OsimXml& xml,
   int translations = 0;
   for (size_t i = 0; i < axes.size(); ++i) {
     const bool turns = axes[i][0] == 'r';
-    // OpenSim leaves out what has its default, a whole coordinate even.
+    // OpenSim does not write what has its default value, which may be a whole
+    // coordinate.
     const pugi::xml_node element =
         i < elements.size() ? elements[i] : pugi::xml_node();
     const std::string name = element
@@ -83,8 +84,8 @@ void SetKnownAxes(const OsimXml& xml,
   }
 }
 
-// The value itself: what makes a coordinate the angle about an axis, or the way
-// along it.
+// Returns true if a function returns its argument or minus that. The coordinate
+// is then the angle about an axis, or the length along it.
 bool IsIdentity(const OsimXml& xml, pugi::xml_node function) {
   if (std::string(function.name()) != "LinearFunction") return false;
   const auto coefficients = xml.Numbers(function.child("coefficients"));
@@ -102,7 +103,9 @@ void SetAxis(const OsimXml& xml,
   const pugi::xml_node function = FunctionElement(node, "function");
   if (!function) return;
   if (axis->axis.norm() == 0) {
-    xml.Fail(node, "has no axis", "give a direction");
+    xml.Fail(node,
+             "has a function, but no axis or one of length 0",
+             "give the direction of the axis");
   }
   axis->axis.normalize();
   std::string unsupported;
@@ -124,7 +127,7 @@ void SetAxis(const OsimXml& xml,
     const int coordinate = model->FindCoordinate(name);
     if (coordinate < 0) {
       xml.Fail(node.child("coordinates"),
-               "names \"" + name + "\", which is no coordinate of the joint",
+               "names \"" + name + "\", which is not a coordinate of the model",
                "check the name");
     }
     axis->coordinates.push_back(coordinate);
@@ -143,8 +146,8 @@ void SetAxis(const OsimXml& xml,
   }
 }
 
-// What a file of OpenSim 2 or 3 says about a coordinate goes before what its
-// axes show.
+// Files of OpenSim 2 and 3 state the kind of a coordinate. This has precedence
+// over what its axes show.
 void SetMotionType(const OsimXml& xml,
                    pugi::xml_node element,
                    Coordinate* coordinate) {
@@ -207,7 +210,8 @@ void AddJoint(const OsimXml& xml,
   }
   Body& child = model->bodies[joint.child];
   if (child.joint >= 0) {
-    // A loop: the first joint would not hold it alone.
+    // The body is part of a closed loop, and its first joint alone does not
+    // determine its motion.
     Joint& first = model->joints[child.joint];
     first.unsupported = "a closed loop: joint \"" + joint.name +
                         "\" has the same child \"" + child.name + "\"";
@@ -217,8 +221,8 @@ void AddJoint(const OsimXml& xml,
   model->joints.push_back(std::move(joint));
 }
 
-// Place of a joint on a body, by child elements of two names; the first is
-// there.
+// Returns the place of a joint on a body. The names of the elements that hold
+// it end in one of `places`, of which the first that exists is used.
 Eigen::Matrix4d JointPlace(const OsimXml& xml,
                            pugi::xml_node node,
                            const std::vector<std::string>& places) {
@@ -246,9 +250,10 @@ void AddJointOfBody(const OsimXml& xml,
   const pugi::xml_node parent = xml.Child(node, "parent_body");
   joint.parent = model->FindBody(xml.Text(parent));
   if (joint.parent < 0) {
-    xml.Fail(parent,
-             "names \"" + xml.Text(parent) + "\", which is no body",
-             "check the name");
+    xml.Fail(
+        parent,
+        "names \"" + xml.Text(parent) + "\", which is not a body of the model",
+        "check the name");
   }
   joint.parent_from_joint = JointPlace(xml, node, {"_in_parent"});
   joint.child_from_joint = JointPlace(xml, node, {"", "_in_child"});

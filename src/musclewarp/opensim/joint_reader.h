@@ -8,13 +8,22 @@
 
 namespace musclewarp {
 
-// Adds a joint and its coordinates to the model, whose bodies are there.
-// OpenSim 3 keeps it in the body that is its child, OpenSim 4 in a set of its
-// own with frames on both bodies. Throw InputError at the element.
+// These functions add a joint and its coordinates to a model that already has
+// its bodies. Joints of an unknown type are added with a reason in
+// Joint::unsupported, and so is the first joint of a body that has two, which
+// is a closed loop. Both functions throw InputError at the element if it names
+// an unknown body, frame or coordinate, if a coordinate exists already, or if
+// an axis or a function is not valid.
+
+// Adds the joint of an OpenSim 3 file, in which a joint is part of its child
+// body. `child` is the index of that body.
 void AddJointOfBody(const OsimXml& xml,
                     pugi::xml_node joint,
                     int child,
                     Model* model);
+
+// Adds a joint of the <JointSet> of an OpenSim 4 file, in which a joint refers
+// to frames on both bodies.
 void AddJointOfSet(const OsimXml& xml,
                    const OffsetFrames& frames,
                    pugi::xml_node joint,

@@ -11,7 +11,7 @@
 namespace musclewarp {
 namespace {
 
-// OpenSim's own slack for the range of a conditional point.
+// OpenSim extends the range of a conditional point by this at both ends.
 constexpr double kRangeSlack = 1e-5;
 
 double ValueOf(const TransformAxis& axis, const CoordinateValues& values) {
@@ -22,7 +22,7 @@ double ValueOf(const TransformAxis& axis, const CoordinateValues& values) {
   return axis.function->Value(arguments);
 }
 
-// X_FM, mm.
+// Returns the transform of the joint itself (X_FM of Simbody), mm.
 Eigen::Matrix4d JointTransform(const Joint& joint,
                                const CoordinateValues& values) {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -62,8 +62,8 @@ CoordinateValues DefaultValues(const Model& model) {
 }
 
 void ApplyCouplers(const Model& model, CoordinateValues* values) {
-  // A coupler may hang on one that comes later: as many rounds as couplers
-  // settle any chain.
+  // A coupler may depend on one that comes later. As many rounds as there are
+  // couplers settle every chain.
   for (size_t round = 0; round < model.couplers.size(); ++round) {
     for (const CoordinateCoupler& coupler : model.couplers) {
       std::vector<double> arguments;
@@ -80,19 +80,19 @@ void CheckBodyIsSupported(const Model& model,
                           int body,
                           const std::string& used_by) {
   const std::string where = model.path + ": body \"" + model.bodies[body].name +
-                            "\", which " + used_by + " needs,";
+                            "\", which " + used_by + " needs";
   while (body > 0) {
     const int joint = model.bodies[body].joint;
     if (joint < 0) {
       throw InputError(where,
-                       model.bodies[body].name + " has no joint",
+                       "\"" + model.bodies[body].name + "\" has no joint",
                        "join it to another body");
     }
     if (!model.joints[joint].unsupported.empty()) {
       throw InputError(where,
-                       "hangs on " + model.joints[joint].type + " \"" +
+                       "depends on " + model.joints[joint].type + " \"" +
                            model.joints[joint].name +
-                           "\", of which this version does not know " +
+                           "\", which is not supported because of " +
                            model.joints[joint].unsupported,
                        "replace it, or give \"poses\"");
     }
@@ -103,10 +103,9 @@ void CheckBodyIsSupported(const Model& model,
 void CheckMuscleIsSupported(const Model& model, int muscle) {
   const ModelMuscle& path = model.muscles[muscle];
   if (!path.unsupported.empty()) {
-    throw InputError(
-        model.path + ": muscle \"" + path.name + "\"",
-        "needs " + path.unsupported + ", which this version does not know",
-        "replace it, or give the line as an object");
+    throw InputError(model.path + ": muscle \"" + path.name + "\"",
+                     "is not supported because of " + path.unsupported,
+                     "replace it, or give the line as an object");
   }
   for (const PathPoint& point : path.path) {
     CheckBodyIsSupported(model, point.body, "the muscle \"" + path.name + "\"");
@@ -119,7 +118,7 @@ std::vector<Eigen::Matrix4d> BodyFrames(const Model& model,
                                       Eigen::Matrix4d::Identity());
   std::vector<char> is_known(model.bodies.size(), 0);
   for (size_t start = 0; start < model.bodies.size(); ++start) {
-    // Up to a body that is known, then back down.
+    // Go up to a body whose frame is known, then back down.
     std::vector<int> chain;
     int body = static_cast<int>(start);
     while (!is_known[body] && model.bodies[body].joint >= 0) {
@@ -181,8 +180,8 @@ double PathMomentArm(const Model& model,
                      const ModelMuscle& muscle,
                      int coordinate,
                      const CoordinateValues& values) {
-  // Rounding of a length of 500 mm is 1e-13 mm, so 1e-9 mm/rad remain; the
-  // curvature of l adds about 1e-6 mm/rad.
+  // A length of 500 mm is rounded by 1e-13 mm, which makes 1e-9 mm/rad. The
+  // third derivative of l adds about 1e-6 mm/rad.
   constexpr double kStep = 1e-4;
   struct Side {
     double length, at;
@@ -210,7 +209,7 @@ double PathMomentArm(const Model& model,
 }
 
 bool MovesBody(const Model& model, int coordinate, int body) {
-  // Itself and what is coupled to it.
+  // The coordinate itself and those coupled to it.
   std::vector<int> moving = {coordinate};
   for (size_t i = 0; i < moving.size(); ++i) {
     for (const CoordinateCoupler& coupler : model.couplers) {

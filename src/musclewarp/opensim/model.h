@@ -11,23 +11,31 @@
 
 namespace musclewarp {
 
-// An OpenSim model, as far as the motion of bodies and muscle paths goes.
-// Lengths are in mm (files hold metres). Coordinates keep OpenSim's units: rad,
-// or m where they are translational. Everything refers to each other by index.
+// The parts of an OpenSim model that determine the motion of bodies and muscle
+// paths. Lengths are in mm, although files have metres. Coordinates keep the
+// units of OpenSim: rad, or m if they are translational. The parts refer to
+// each other by index into the lists of Model; -1 means none.
+//
+//   const Model model = ReadModel("leg.osim");
+//   const CoordinateValues values = DefaultValues(model);
+//   const auto ground_from_body = BodyFrames(model, values);
 
+// What a coordinate measures, which decides about its unit.
 enum class CoordinateKind {
-  kRotational,
-  kTranslational,
-  kCoupled,  // neither; not converted between degrees and radians
+  kRotational,     // an angle, which tables may give in degrees
+  kTranslational,  // a length, m
+  kCoupled,        // neither; its values are taken as they are
 };
 
+// A degree of freedom of a joint.
 struct Coordinate {
   std::string name;
   CoordinateKind kind = CoordinateKind::kRotational;
   double default_value = 0;
 };
 
-// A coordinate that is a function of others, times a scale.
+// A constraint that makes a coordinate follow others:
+// dependent = scale * function(independents).
 struct CoordinateCoupler {
   std::string name;
   int dependent = -1;
@@ -36,89 +44,119 @@ struct CoordinateCoupler {
   double scale = 1;
 };
 
-// One rotation about, or translation along, an axis of a joint.
+// A rotation about an axis of a joint, or a translation along it, by
+// function(coordinates).
 struct TransformAxis {
-  Eigen::Vector3d axis = Eigen::Vector3d::Zero();  // unit length
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();  // of unit length
   std::vector<int> coordinates;
-  FunctionPtr function;  // rad, or mm; null: none
+  FunctionPtr function;  // rad or mm; null if nothing moves
 };
 
-// Every joint is a SpatialTransform: three rotations, each about the axes the
-// one before has turned, then a translation in the parent's frame. Pins,
-// sliders and so on are such with axes of their own.
+// A joint connects a child body to its parent. Every joint is represented as
+// OpenSim's SpatialTransform: three rotations, each about an axis that the ones
+// before have turned, then three translations in the frame of the parent. Pins,
+// sliders and the other simple types are special cases with axes of their own.
 struct Joint {
   std::string name;
-  std::string type;
+  std::string type;  // the name of its element, such as "PinJoint"
   int parent = -1;
   int child = -1;
-  Eigen::Matrix4d parent_from_joint;  // X_PF
-  Eigen::Matrix4d child_from_joint;   // X_BM
+
+  // The places of the joint on both bodies; X_PF and X_BM in the terms of
+  // Simbody.
+  Eigen::Matrix4d parent_from_joint;
+  Eigen::Matrix4d child_from_joint;
+
   std::array<TransformAxis, 3> rotations, translations;
-  bool is_reversed = false;  // axes take the parent to the child
-  // Why its motion is not known ("GCVSpline in axis rotation1, line 12"); ""
-  // if it is.
+
+  // If true, the axes describe the motion of the parent relative to the child.
+  bool is_reversed = false;
+
+  // Why the motion of the joint is not known, such as "the function <GCVSpline>
+  // in line 12". Empty if it is known.
   std::string unsupported;
 };
 
-// A mesh attached to a body. Its points, scaled, are those of the body's frame
-// after body_from_mesh (mm).
+// A mesh that is attached to a body. A point p of the mesh is at
+// body_from_mesh * (1000 * scale * p) in the frame of the body (mm), as files
+// have metres.
 struct ModelGeometry {
-  std::string file;  // as the model names it, slashes forward
+  std::string file;  // as the model names it, with forward slashes
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();
   Eigen::Matrix4d body_from_mesh = Eigen::Matrix4d::Identity();
 };
 
+// A rigid segment of the skeleton, such as the femur.
 struct Body {
   std::string name;
-  // The joint whose child it is; -1 for the ground, or if there is none.
+
+  // The joint of which the body is the child, or -1 for the ground and for a
+  // body without a joint.
   int joint = -1;
+
   std::vector<ModelGeometry> geometry;
 };
 
-// A point of a muscle's path. Fixed, unless it moves; there all the time,
-// unless it has a condition.
+// A point of the path of a muscle. It is fixed to its body unless is_moving is
+// true, and always part of the path unless it has a condition.
 struct PathPoint {
   std::string name;
   int body = -1;
-  Eigen::Vector3d location = Eigen::Vector3d::Zero();  // in the body, mm
-  // A moving point: functions of a coordinate each, mm, in a frame of the body.
+
+  // The location of a fixed point in the frame of the body, mm.
+  Eigen::Vector3d location = Eigen::Vector3d::Zero();
+
+  // The location of a moving point. In a frame on the body, coordinate i of the
+  // point is moving_functions[i] (mm) of the value of moving_coordinates[i],
+  // which is -1 for a constant function.
   bool is_moving = false;
-  std::array<int, 3> moving_coordinates = {-1, -1, -1};  // -1: a constant
+  std::array<int, 3> moving_coordinates = {-1, -1, -1};
   std::array<FunctionPtr, 3> moving_functions;
   Eigen::Matrix4d body_from_frame = Eigen::Matrix4d::Identity();
-  // A conditional point: there while the coordinate is in the range.
-  int condition = -1;  // coordinate; -1: no condition
+
+  // The coordinate on which a conditional point depends, -1 for other points.
+  // The point is part of the path while the coordinate is in the range.
+  int condition = -1;
   double range[2] = {0, 0};
 };
 
+// The path of a muscle from its origin to its insertion. Ligaments and other
+// forces with a path are muscles, too.
 struct ModelMuscle {
   std::string name;
   std::vector<PathPoint> path;
-  std::string unsupported;  // as for joints
+
+  // Why the path is not known, as for joints. Empty if it is known.
+  std::string unsupported;
 };
 
+// A model as ReadModel returns it.
 struct Model {
-  std::string path;  // of the file
+  std::string path;  // of its file
   std::string name;
-  std::vector<Body> bodies;  // the ground first
+  std::vector<Body> bodies;  // the ground comes first
   std::vector<Joint> joints;
   std::vector<Coordinate> coordinates;
   std::vector<CoordinateCoupler> couplers;
   std::vector<ModelMuscle> muscles;
-  // What the file has and this project does not follow, each once.
+
+  // What the file has and this project ignores, such as wrapping and
+  // constraints. Each kind is mentioned once.
   std::vector<std::string> warnings;
 
-  // Index by name, -1 if there is none.
+  // Return the index of the part with a name, or -1 if there is none.
   int FindBody(const std::string& body) const;
   int FindCoordinate(const std::string& coordinate) const;
   int FindMuscle(const std::string& muscle) const;
 };
 
-// Reads a model of OpenSim 2 to 4 (.osim). Throws InputError with file, line
-// and element: not XML or cut short, an element missing or not a number, a name
-// that nothing has, bodies whose joints go round in a circle. Joints and
-// functions that are not supported are an error only where they are needed
-// (kinematics.h).
+// Reads a model of OpenSim 2 to 4 from an .osim file.
+//
+// Throws InputError, which names the file, the line and the element, if the
+// file is not well-formed XML, if an element is missing or is not a number, if
+// a name refers to nothing, or if the joints of bodies form a cycle. Joints and
+// functions that are not supported are errors only where they are needed; see
+// CheckBodyIsSupported.
 Model ReadModel(const std::string& path);
 
 }  // namespace musclewarp

@@ -30,7 +30,9 @@ void ReadBodies(const OsimXml& xml, pugi::xml_node node, Model* model) {
     Body body;
     body.name = xml.NameOf(element);
     if (model->FindBody(body.name) >= 0) {
-      xml.Fail(element, "is there twice", "bodies need names of their own");
+      xml.Fail(element,
+               "is the second body of that name",
+               "give every body a name of its own");
     }
     body.geometry = ReadBodyGeometry(xml, element);
     model->bodies.push_back(std::move(body));
@@ -55,16 +57,16 @@ void ReadJoints(const OsimXml& xml,
   }
 }
 
-// Following the joints from every body must end: at the ground, or at a body
-// without joint.
+// Checks that the way up the joints from every body ends, at the ground or at a
+// body without a joint.
 void CheckIsTree(const OsimXml& xml, const Model& model) {
   for (const Body& start : model.bodies) {
     const Body* body = &start;
     for (size_t steps = 0; body->joint >= 0; ++steps) {
       if (steps > model.bodies.size()) {
         throw InputError(xml.path() + ": body \"" + body->name + "\"",
-                         "is its own parent by way of its joints",
-                         "joints must lead to the ground");
+                         "is its own parent through the joints above it",
+                         "let its joints lead to the ground");
       }
       body = &model.bodies[model.joints[body->joint].parent];
     }
@@ -85,7 +87,7 @@ std::vector<int> CoordinatesNamed(const OsimXml& xml,
     coordinates.push_back(model.FindCoordinate(LastName(word)));
     if (coordinates.back() < 0) {
       xml.Fail(element,
-               "names \"" + word + "\", which is no coordinate of the model",
+               "names \"" + word + "\", which is not a coordinate of the model",
                "check the name");
     }
     word.clear();
@@ -93,7 +95,7 @@ std::vector<int> CoordinatesNamed(const OsimXml& xml,
   return coordinates;
 }
 
-// Joints whose motion hangs on a coordinate that cannot be followed.
+// Marks the joints that use a coordinate whose value is not known.
 void MarkUnsupported(int coordinate, const std::string& why, Model* model) {
   for (Joint& joint : model->joints) {
     for (const auto* axes : {&joint.rotations, &joint.translations}) {
@@ -115,12 +117,15 @@ void ReadCoupler(const OsimXml& xml, pugi::xml_node node, Model* model) {
   const auto dependent_element = xml.Child(node, "dependent_coordinate_name");
   const auto dependent = CoordinatesNamed(xml, dependent_element, *model);
   if (dependent.size() != 1) {
-    xml.Fail(dependent_element, "must name one coordinate", "name it");
+    xml.Fail(dependent_element,
+             "names " + std::to_string(dependent.size()) + " coordinates",
+             "name exactly one");
   }
   coupler.dependent = dependent[0];
   coupler.scale = xml.Number(node, "scale_factor", 1);
   const auto function = FunctionElement(node, "coupled_coordinates_function");
-  if (!function) xml.Fail(node, "has no function", "give one");
+  if (!function)
+    xml.Fail(node, "has no <coupled_coordinates_function>", "give a function");
   std::string unsupported;
   coupler.function = ReadFunction(xml, function, &unsupported);
   if (!coupler.function) {
@@ -190,7 +195,8 @@ Model ReadModel(const std::string& path) {
                                   ? xml.root()
                                   : xml.root().child("Model");
   if (!node) {
-    throw InputError(path, "holds no <Model>", "give an OpenSim model (.osim)");
+    throw InputError(
+        path, "has no element <Model>", "give an OpenSim model (.osim)");
   }
   model.name = node.attribute("name").value();
   ReadBodies(xml, node, &model);

@@ -8,9 +8,10 @@ namespace musclewarp {
 namespace {
 
 constexpr double kMillimetres = 1000;  // in a metre
-constexpr int kDeepest = 100;          // frames upon frames; more is a circle
+constexpr int kDeepest = 100;          // more frames on each other are a cycle
 
-// The component that keeps a frame: the nearest element above with a name.
+// Returns the name of the component to which a frame belongs, that of the
+// nearest element above it that has a name.
 std::string OwnerOf(pugi::xml_node frame) {
   for (auto node = frame.parent(); node; node = node.parent()) {
     if (node.attribute("name")) return node.attribute("name").value();
@@ -18,7 +19,8 @@ std::string OwnerOf(pugi::xml_node frame) {
   return "";
 }
 
-// "femur_r_offset" of "/jointset/knee_r/femur_r_offset" is kept by "knee_r".
+// Returns the component before the last name of a path, such as "knee_r" of
+// "/jointset/knee_r/femur_r_offset".
 std::string OwnerInPath(const std::string& path) {
   const auto slash = path.find_last_of('/');
   return slash == std::string::npos ? "" : LastName(path.substr(0, slash));
@@ -83,16 +85,19 @@ FrameOnBody OffsetFrames::Resolve(pugi::xml_node socket,
   FrameOnBody frame;
   frame.body = model_.FindBody(name);
   if (frame.body < 0) {
-    xml_.Fail(socket,
-              "names \"" + path + "\", which is no body or frame of the model",
-              "check the name");
+    xml_.Fail(
+        socket,
+        "names \"" + path + "\", which is not a body or frame of the model",
+        "check the name");
   }
   return frame;
 }
 
 FrameOnBody OffsetFrames::Place(pugi::xml_node frame, int depth) const {
   if (depth > kDeepest) {
-    xml_.Fail(frame, "rests on itself", "set its socket_parent to a body");
+    xml_.Fail(frame,
+              "rests on itself through other frames",
+              "set its socket_parent to a body");
   }
   FrameOnBody placed =
       Resolve(xml_.Child(frame, "socket_parent"), OwnerOf(frame), depth + 1);

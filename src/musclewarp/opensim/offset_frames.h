@@ -11,32 +11,44 @@
 
 namespace musclewarp {
 
-// Rotations about x, y and z in turn, each about the axes the one before has
-// turned, rad; then a translation, m. In mm.
+// Returns the transform (mm) of OpenSim's elements "translation" (m) and
+// "orientation" (rad): rotations about x, y and z in turn, each about the axes
+// that the ones before have turned, and the translation after them.
 Eigen::Matrix4d OffsetTransform(const Eigen::Vector3d& translation_m,
                                 const Eigen::Vector3d& orientation);
 
-// A body and where a frame sits on it.
+// A frame that is fixed to a body: the index of the body, and the place of the
+// frame on it (mm).
 struct FrameOnBody {
   int body = -1;
   Eigen::Matrix4d body_from_frame = Eigen::Matrix4d::Identity();
 };
 
-// The frames of an OpenSim 4 file: bodies, the ground, and the
-// PhysicalOffsetFrames on them, wherever they are kept.
+// Finds the body that an element of an OpenSim 4 file means. Such an element, a
+// socket, names a body, the ground, or a PhysicalOffsetFrame on one of them,
+// which may rest on further offset frames and may be kept anywhere in the file.
 class OffsetFrames {
  public:
+  // Collects the offset frames of the file. Keeps references to both arguments;
+  // the model must have its bodies.
   OffsetFrames(const OsimXml& xml, const Model& model);
 
-  // What a socket names: the body or offset frame of that name; of several
-  // offset frames of one name, the one that `owner` (a joint, say) keeps or the
-  // path goes through. Throws InputError at `socket`.
+  // Returns the frame that a socket names, such as "/bodyset/femur_r" or
+  // "femur_r_offset". If several offset frames have that name, the one below
+  // the component before it in the path is meant, or else the one below the
+  // component `owner`, such as the joint that has the socket. Throws InputError
+  // at `socket` if there is no such frame or body.
   FrameOnBody Resolve(pugi::xml_node socket, const std::string& owner) const;
 
+  // All elements <PhysicalOffsetFrame> of the file.
   const std::vector<pugi::xml_node>& nodes() const { return nodes_; }
+
+  // Returns where an offset frame, one of nodes(), sits. Throws InputError at
+  // the frame if it does not rest on a body, because it rests on itself.
   FrameOnBody Place(pugi::xml_node frame) const;
 
  private:
+  // The same with the number of frames passed so far, which ends a circle.
   FrameOnBody Resolve(pugi::xml_node socket,
                       const std::string& owner,
                       int depth) const;

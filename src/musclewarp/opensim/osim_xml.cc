@@ -14,7 +14,8 @@
 namespace musclewarp {
 namespace {
 
-// Length of the UTF-8 character at the start of `text`, 0 if it is none.
+// Returns the length of the UTF-8 character at the start of `text`, or 0 if
+// there is none.
 size_t Utf8Length(const unsigned char* text, size_t size) {
   const unsigned char lead = text[0];
   const size_t length = lead < 0x80                   ? 1
@@ -147,7 +148,7 @@ std::vector<double> OsimXml::Numbers(pugi::xml_node node) const {
     if (result.ptr != text.data() + end || result.ec != std::errc() ||
         !std::isfinite(value)) {
       Fail(node,
-           "holds " + Quoted(text.substr(i, end - i)),
+           "has " + Quoted(text.substr(i, end - i)) + " in place of a number",
            "give finite numbers");
     }
     numbers.push_back(value);
@@ -166,7 +167,7 @@ std::vector<double> OsimXml::Numbers(
   const std::vector<double> numbers = Numbers(element);
   if (numbers.size() != count) {
     Fail(element,
-         "holds " + std::to_string(numbers.size()) + " numbers",
+         "has " + std::to_string(numbers.size()) + " numbers",
          "give " + std::to_string(count));
   }
   return numbers;

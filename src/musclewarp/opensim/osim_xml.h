@@ -9,38 +9,56 @@
 
 namespace musclewarp {
 
-// The XML of an OpenSim file, and what every reader of its elements needs:
-// values with their checks, and places for messages.
+// The XML document of an OpenSim file. It gives the readers of elements checked
+// values, and error messages that name the file, the line and the element.
 class OsimXml {
  public:
-  // Throws InputError with the line if the file is not well-formed. Files that
-  // say UTF-8 and are not are read as Latin-1, with a warning.
+  // Reads a file. Throws InputError, which names the line, if it is not
+  // well-formed XML. A file that claims to be UTF-8 and is not is read as
+  // Latin-1, with a warning.
   explicit OsimXml(const std::string& path);
 
   pugi::xml_node root() const { return document_.document_element(); }
   const std::string& path() const { return path_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  // "model.osim: line 12, <Body name="femur_r">"
+  // Returns the place of an element for messages, such as
+  // "model.osim: line 12, <Body name="femur_r">".
   std::string Where(pugi::xml_node node) const;
+
+  // Returns the line in which an element begins, counted from 1.
   int LineOf(pugi::xml_node node) const;
+
+  // Throws InputError at an element.
   [[noreturn]] void Fail(pugi::xml_node node,
                          const std::string& problem,
                          const std::string& advice) const;
 
-  // The name attribute; fails if it is missing.
+  // The functions below throw InputError at the element if what they return is
+  // missing or not valid.
+
+  // Returns the attribute "name".
   std::string NameOf(pugi::xml_node node) const;
-  // A child that must be there.
+
+  // Returns a child element that must exist.
   pugi::xml_node Child(pugi::xml_node node, const char* name) const;
-  // Text without blanks at its ends.
+
+  // Returns the text of an element without white space at its ends.
   std::string Text(pugi::xml_node node) const;
-  // All numbers of the text, finite.
+
+  // Returns all numbers of the text of an element, which must be finite. They
+  // may be separated by white space or commas.
   std::vector<double> Numbers(pugi::xml_node node) const;
-  // The numbers of a child, exactly `count`; `otherwise` if it is missing.
+
+  // Returns the numbers of a child element, of which there must be `count`, or
+  // `otherwise` if there is no such child.
   std::vector<double> Numbers(pugi::xml_node node,
                               const char* child,
                               size_t count,
                               const std::vector<double>& otherwise) const;
+
+  // The same for a vector of three numbers, a single number, and a bool, which
+  // is written as true, false, 1 or 0.
   Eigen::Vector3d Vector(pugi::xml_node node,
                          const char* child,
                          const Eigen::Vector3d& otherwise) const;
@@ -54,14 +72,15 @@ class OsimXml {
   std::vector<std::string> warnings_;
 };
 
-// The elements of a child of type Set: <CoordinateSet><objects>...; empty if
-// there is none.
+// Returns the elements in a set that is a child of `node`, such as
+// <CoordinateSet><objects>...</objects></CoordinateSet>. The list is empty if
+// there is no such set.
 std::vector<pugi::xml_node> ObjectsOf(pugi::xml_node node, const char* set);
 
-// All element children.
+// Returns all children of a node that are elements, not text or comments.
 std::vector<pugi::xml_node> ElementsOf(pugi::xml_node node);
 
-// The last name of a path: "/bodyset/femur_r" -> "femur_r".
+// Returns the last name of a path: "femur_r" of "/bodyset/femur_r".
 std::string LastName(const std::string& path);
 
 }  // namespace musclewarp

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kMillimetres = 1000;  // in a metre
 
-// The first of two children, one of OpenSim 3 and one of OpenSim 4.
+// Returns the child with the name of OpenSim 3 if there is one, else that with
+// the name of OpenSim 4.
 pugi::xml_node EitherChild(const OsimXml& xml,
                            pugi::xml_node node,
                            const char* opensim3,
@@ -28,7 +29,7 @@ int CoordinateOf(const OsimXml& xml,
   const int coordinate = model.FindCoordinate(name);
   if (coordinate < 0) {
     xml.Fail(element,
-             "names \"" + name + "\", which is no coordinate of the model",
+             "names \"" + name + "\", which is not a coordinate of the model",
              "check the name");
   }
   return coordinate;
@@ -46,8 +47,8 @@ void ReadCondition(const OsimXml& xml,
   point->range[1] = range[1];
 }
 
-// The functions x_location, y_location and z_location; false, with the reason,
-// if one is of a kind that is not supported.
+// Reads the functions x_location, y_location and z_location. Returns false and
+// sets the reason if one of them is not supported.
 bool ReadMovement(const OsimXml& xml,
                   pugi::xml_node node,
                   const Model& model,
@@ -64,7 +65,10 @@ bool ReadMovement(const OsimXml& xml,
     FunctionPtr function = ReadFunction(xml, element, unsupported);
     if (!function) return false;
     if (function->Arity() > 1) {
-      xml.Fail(element, "takes several arguments", "give a function of one");
+      xml.Fail(element,
+               "is a function of " + std::to_string(function->Arity()) +
+                   " arguments",
+               "give a function of one");
     }
     const bool needs_coordinate = function->Arity() > 0;
     point->moving_functions[i] =

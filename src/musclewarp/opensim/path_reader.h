@@ -8,11 +8,16 @@
 
 namespace musclewarp {
 
-// The path of a muscle (or of anything else of the ForceSet that has one); no
-// element if it has none.
+// Returns the element <GeometryPath> of a muscle, or of another force of the
+// <ForceSet> that has one. Returns an empty node if there is none.
 pugi::xml_node GeometryPathOf(pugi::xml_node force);
 
-// Reads the points of a path. Throws InputError at the element.
+// Reads the path of a force that has one: fixed, moving and conditional points,
+// under the names of OpenSim 2 to 4. The model must have its bodies and
+// coordinates. A point or function of an unknown kind is noted in
+// ModelMuscle::unsupported. Throws InputError at the element if the path has
+// fewer than two points, or if a point names an unknown body or coordinate or
+// has an invalid number.
 ModelMuscle ReadPath(const OsimXml& xml,
                      const OffsetFrames& frames,
                      pugi::xml_node force,

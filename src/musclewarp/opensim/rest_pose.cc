@@ -13,10 +13,11 @@
 namespace musclewarp {
 namespace {
 
-// A radian weighs as much as this many mm: about the size of a bone.
+// In the sum of squares a radian counts as this many mm, which is about the
+// size of a bone.
 constexpr double kRadianInMm = 100;
 
-// body_from_body of the frames as rotation vector and translation.
+// The transform between two frames, as a rotation vector and a translation.
 struct FrameGap {
   Eigen::Vector3d rotation;     // rad
   Eigen::Vector3d translation;  // mm
@@ -28,7 +29,7 @@ FrameGap GapBetween(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) {
   return {turn.angle() * turn.axis(), a_from_b.topRightCorner<3, 1>()};
 }
 
-// Coordinates that move one of the bodies, but not all of them alike.
+// Returns the coordinates that move some of the bodies, but not all of them.
 std::vector<int> FreeCoordinates(const Model& model,
                                  const std::vector<int>& bodies) {
   std::vector<int> free;

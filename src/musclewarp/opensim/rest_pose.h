@@ -9,18 +9,24 @@
 
 namespace musclewarp {
 
-// The pose in which the frames of some bodies lie on each other: that of the
-// scan, where every body was given the frame of the scanner.
+// A pose in which the frames of several bodies coincide. In models that were
+// made from a scan by giving every body the frame of the scanner, this is the
+// pose of the scan, and so the rest pose of its meshes.
 struct CoincidentPose {
   CoordinateValues values;
-  // What is left between the frames, at the worst pair with the first body.
-  double distance = 0;  // of origins, mm
-  double angle = 0;     // rad
+
+  // How well the frames coincide: the largest distance between the origin of
+  // the first body and that of another one (mm), and the largest angle between
+  // their frames (rad).
+  double distance = 0;
+  double angle = 0;
 };
 
-// Finds it by least squares over the coordinates between the bodies, from the
-// defaults; others keep their defaults. Precondition (CHECKed): there is a
-// body.
+// Finds the pose in which the frames of `bodies` coincide best, by least
+// squares over the coordinates that move some of the bodies relative to others.
+// The solver starts from the default values, which other coordinates keep;
+// coupled ones follow. Whether the frames do coincide is for the caller to
+// judge from the result. Precondition (CHECKed): there is a body.
 CoincidentPose FindCoincidentPose(const Model& model,
                                   const std::vector<int>& bodies);
 

@@ -45,7 +45,8 @@ bool ParseDegrees(const TextCursor& cursor, std::string_view value) {
       cursor.Where(), "inDegrees is " + Quoted(value), "allowed: yes, no");
 }
 
-// One line of the header; lines that are no setting are notes.
+// Reads one line of the header. Lines without a setting are remarks and are
+// ignored.
 void ReadHeaderLine(const TextCursor& cursor,
                     std::string_view line,
                     Header* header) {
@@ -85,7 +86,7 @@ std::vector<std::string> ReadLabels(const std::string& path,
   Words words;
   if (!cursor->NextWords(&words) || LowerCase(words[0]) != kTime) {
     throw InputError(words.empty() ? path : cursor->Where(),
-                     "the line of labels must begin with \"time\"",
+                     "the labels of the columns do not begin with \"time\"",
                      "export the table again");
   }
   std::vector<std::string> labels(words.begin() + 1, words.end());
@@ -93,8 +94,8 @@ std::vector<std::string> ReadLabels(const std::string& path,
   for (const std::string& label : labels) {
     if (!seen.insert(label).second) {
       throw InputError(cursor->Where(),
-                       "the column \"" + label + "\" is there twice",
-                       "remove one");
+                       "two columns have the label \"" + label + "\"",
+                       "remove one of the two");
     }
   }
   return labels;
@@ -144,7 +145,7 @@ StorageTable ReadStorageTable(const std::string& path) {
     if (words.size() != columns) {
       throw InputError(cursor.Where(),
                        "the row has " + std::to_string(words.size()) +
-                           " values, there are " + std::to_string(columns) +
+                           " values, but there are " + std::to_string(columns) +
                            " columns",
                        "complete the row or remove it");
     }
@@ -152,8 +153,8 @@ StorageTable ReadStorageTable(const std::string& path) {
     if (!table.times.empty() && time <= table.times.back()) {
       throw InputError(cursor.Where(),
                        "time " + std::string(words[0]) +
-                           " does not come after that of the row before",
-                       "times must rise");
+                           " is not after that of the row before",
+                       "sort the rows by time");
     }
     table.times.push_back(time);
     for (size_t i = 1; i < columns; ++i) {
@@ -161,7 +162,7 @@ StorageTable ReadStorageTable(const std::string& path) {
     }
   }
   if (table.times.empty()) {
-    throw InputError(path, "has no row", "export the table again");
+    throw InputError(path, "has no rows", "export the table again");
   }
   using RowMajor =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

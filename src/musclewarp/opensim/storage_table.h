@@ -9,28 +9,38 @@
 
 namespace musclewarp {
 
-// A table over time as OpenSim and SIMM keep it (.sto, .mot): a header, a line
-// of labels, rows of numbers. Values are as in the file, not converted.
+// A table over time, as OpenSim and SIMM write them to .sto and .mot files: a
+// header, a line of labels, and rows of numbers. Values are those of the file;
+// degrees and metres are not converted.
 struct StorageTable {
   std::string name;
-  // Whether angles are in degrees; nothing if the header does not say.
+
+  // Whether angles are in degrees, without a value if the header does not say.
   std::optional<bool> in_degrees;
-  std::vector<std::string> labels;  // without "time"
-  std::vector<double> times;        // s, rising
+
+  std::vector<std::string> labels;  // of the columns, without "time"
+  std::vector<double> times;        // s, strictly ascending
   Eigen::MatrixXd values;           // #times x #labels
-  // Where the header and the rows disagree.
+
+  // Sentences about where the header and the rows of the file disagree.
   std::vector<std::string> warnings;
 };
 
-// Reads "key=value" headers of any version up to "endheader", and the older
-// "datarows 12" of SIMM. A wrong number of rows or columns in the header is a
-// warning: what is there counts. Throws InputError with file and line: no
-// "endheader", no "time" column, a label twice, a row with too few or too many
-// values, text or NaN in a row, times that do not rise, no row.
+// Reads a table from a file. The header may be of any version: lines
+// "key=value" up to "endheader", or the older "datarows 12" of SIMM. If it
+// states a wrong number of rows or columns, there is a warning, and the rows
+// that the file has are used.
+//
+// Throws InputError, which names the file and the line, if there is no
+// "endheader", no column "time" or no row, if two columns have the same label,
+// if a row has too few or too many values or one that is not a finite number,
+// or if times do not ascend.
 StorageTable ReadStorageTable(const std::string& path);
 
-// The file, readable by OpenSim's Storage and TimeSeriesTable. Preconditions
-// (CHECKed): sizes agree, labels are not empty, hold no blanks and differ.
+// Returns the text of a file that ReadStorageTable and OpenSim's Storage and
+// TimeSeriesTable can read. Numbers are written so that reading them gives the
+// same values. Preconditions (CHECKed): there are as many times as rows and as
+// many labels as columns; labels are different, not empty and without blanks.
 std::string StorageText(const StorageTable& table);
 
 }  // namespace musclewarp

@@ -11,19 +11,28 @@
 
 namespace musclewarp {
 
-// A line of action: the polyline a muscle follows, in the rest pose.
+// A line of action of a muscle in the rest pose: the polyline along which the
+// muscle pulls, and which the mesh of the muscle follows when it is deformed.
 struct ActionLine {
   std::string name;
-  Points rest;  // #P x 3, mm, at least two points, neighbours distinct
-  // The body each point is fixed to, #P names, or empty if not known.
+
+  // The points of the polyline, #P x 3, mm. There are at least two, and
+  // neighbours are distinct.
+  Points rest;
+
+  // The name of the body to which each point is fixed, #P entries. Empty if the
+  // bodies are not known.
   std::vector<std::string> bodies;
 };
 
-// Where a pose puts the line.
+// A line of action in the pose to which a muscle is deformed.
 struct LineTarget {
-  Points points;  // #P x 3, mm
-  // Rotation of the body each point is fixed to, target_from_rest; empty where
-  // the body is not known. #P entries.
+  // The same points as ActionLine::rest, #P x 3, mm.
+  Points points;
+
+  // The rotation target_from_rest of the body to which each point is fixed, #P
+  // entries, without a value where the body is not known. The list may be
+  // empty, which means that no body is known.
   std::vector<std::optional<Eigen::Matrix3d>> body_rotations;
 };
 

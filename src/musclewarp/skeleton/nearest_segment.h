@@ -9,15 +9,17 @@
 
 namespace musclewarp {
 
-// A place on a set of lines: t = 0 is the start of the segment, 1 its end.
+// A place on a set of lines of action. It is given by indices and a parameter
+// instead of coordinates, so that it names the same place in every pose.
 struct SegmentPoint {
-  int line = -1;
-  int segment = -1;
-  double t = 0;
+  int line = -1;     // index of the line
+  int segment = -1;  // segment i runs from point i to point i + 1 of the line
+  double t = 0;      // 0 at the start of the segment, 1 at its end
 };
 
-// The place on `lines` nearest to a point in the rest pose; the first of equal
-// ones. Precondition (CHECKed): there is a line.
+// Returns the place on `lines` that is nearest to `point` (mm) in the rest
+// pose, and the first of several that are equally near. Vertices of a muscle
+// take their pre-rotation from there. Precondition (CHECKed): there is a line.
 SegmentPoint NearestSegment(const Eigen::RowVector3d& point,
                             const std::vector<ActionLine>& lines);
 

@@ -6,11 +6,14 @@
 
 namespace musclewarp {
 
-// mm; 0 for fewer than two points.
+// Returns the length of a polyline (#P x 3), mm. It is 0 for fewer than two
+// points.
 double PolylineLength(const Points& points);
 
-// `count` points at equal distances along a polyline, ends included.
-// Preconditions (CHECKed): the polyline has two points, count is at least 2.
+// Resamples a polyline (#P x 3): returns `count` points on it, count x 3, at
+// equal distances along it. The first and the last one are its ends. The points
+// between are not kept, so that corners are cut. Preconditions (CHECKed): the
+// polyline has at least two points, and count is at least 2.
 Points Resampled(const Points& points, int count);
 
 }  // namespace musclewarp

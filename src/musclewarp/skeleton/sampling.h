@@ -9,14 +9,17 @@
 
 namespace musclewarp {
 
-// Places along the lines for the skeleton rows, paper section 2.2: both ends of
-// every segment and, between them, points at most `spacing` mm apart in the
-// rest pose, evenly. Precondition (CHECKed): spacing > 0.
+// Returns places along the lines for the skeleton rows, the terms that pull a
+// muscle along its lines (paper, section 2.2). They are both ends of every
+// segment, once where segments meet, and points between them at equal distances
+// of at most `spacing` (mm) in the rest pose. They are ordered by line and
+// along it. Precondition (CHECKed): spacing is above 0.
 std::vector<SegmentPoint> SampleLines(const std::vector<ActionLine>& lines,
                                       double spacing);
 
-// A place on a polyline (#P x 3): the same parameters give the rest sample on
-// the rest line and its target on the target line.
+// Returns the coordinates (mm) of a place on a polyline (#P x 3), which is the
+// line place.line in some pose. The same place gives the rest sample on the
+// rest line and its target on the target line.
 Eigen::RowVector3d PointOnSegment(const Points& polyline,
                                   const SegmentPoint& place);
 

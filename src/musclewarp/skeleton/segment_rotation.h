@@ -9,23 +9,30 @@
 
 namespace musclewarp {
 
-// The smallest rotation that turns direction `from` into `to` (any lengths).
-// Opposite directions turn by pi about an axis that depends on `from` alone;
-// the identity if either is zero.
+// Returns the smallest rotation that turns the direction of `from` into that of
+// `to`. The vectors may have any lengths; if one of them is zero, the result is
+// the identity. Opposite directions are turned into each other by pi about an
+// axis that depends on `from` alone.
 Eigen::Matrix3d SmallestRotation(const Eigen::Vector3d& from,
                                  const Eigen::Vector3d& to);
 
-// Angle in (-pi, pi] of the part of `rotation` that turns about `axis` (a unit
-// vector): the twist of its swing-twist decomposition. 0 for a rotation by pi
-// about an axis normal to `axis`, where twist has no meaning.
+// Returns the angle (rad, in [-pi, pi]) by which `rotation` turns about `axis`,
+// a vector of unit length: the twist of its swing-twist decomposition. It is 0
+// for a rotation by pi about an axis orthogonal to `axis`, for which the twist
+// is not defined.
 double TwistAngle(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& axis);
 
-// The pre-rotation R_s of the Laplacian rows at a place on a line (paper
-// section 2.2): the smallest rotation from the rest to the target direction of
-// the segment. Directions leave the twist about the segment open. Where the
-// bodies of its ends are known and `use_body_twist`, their twist is added,
-// turned evenly from one end to the other; an end without body follows the
-// other end. So a rigid motion of all bodies gives exactly its rotation.
+// Returns the pre-rotation R_s of the Laplacian rows at a place on a line
+// (paper, section 2.2). Rotating the rest Laplacians before the solve lets a
+// muscle turn with its line without resistance.
+//
+// The pre-rotation is the smallest rotation from the rest direction of the
+// segment to its target direction, which leaves open how far the muscle turns
+// about the segment, its twist. If `use_body_twist` is
+// true and the bodies at the ends of the segment are known, their twist is
+// added. It changes linearly from one end to the other, the short way round; an
+// end without a body takes the twist of the other end. A rigid motion of all
+// bodies then gives exactly its rotation.
 Eigen::Matrix3d SegmentRotation(const ActionLine& line,
                                 const LineTarget& target,
                                 const SegmentPoint& place,
