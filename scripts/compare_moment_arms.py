@@ -1,19 +1,23 @@
 #!/usr/bin/env python3
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Compares moment arms of straight paths with those that OpenSim computed.
+r"""Compares moment arms of straight paths with those that OpenSim computed.
 
   scripts/compare_moment_arms.py motion TABLE COORDINATE OUT.mot
   scripts/compare_moment_arms.py compare TABLE COORDINATE RUN/moment_arms.sto
+  scripts/compare_moment_arms.py lengths RUN/lengths.sto COORDINATE \
+      RUN/moment_arms.sto [--step=2]
 
 TABLE is a plot of moment arms (m) that the OpenSim GUI saved: a column for the
 coordinate in degrees and one for each muscle. `motion` writes a motion with one
 row for each angle of TABLE, for musclewarp-deform to run. `compare` prints, for
 each muscle, the largest difference from TABLE (mm) and where it is. Rows beyond
---to degrees are left out of both.
+--to degrees are left out of both. `lengths` compares the moment arms of a run,
+whose frames are --step degrees apart, with the slopes of its own lengths.
 """
 
 import argparse
+import math
 import sys
 
 
@@ -59,17 +63,40 @@ def compare(args):
         print(f"{muscle:12} {largest:.1e}  {angle:.2f}")
 
 
+def compare_with_lengths(args):
+    lines, lengths = read_table(args.table)
+    ours, arms = read_table(args.file)
+    print("largest differences of a slope in mm a degree, after which row")
+    for name in lines[1:]:
+        if not name.endswith("_path"):
+            continue
+        j, k = lines.index(name), ours.index(f"{name}.{args.coordinate}")
+        differences = []
+        for row in range(len(lengths) - 1):
+            slope = 1e3 * (lengths[row + 1][j] - lengths[row][j]) / args.step
+            arm = 1e3 * (arms[row][k] + arms[row + 1][k]) / 2
+            differences.append((abs(slope + math.radians(arm)), row))
+        (second, at_second), (largest, at) = sorted(differences)[-2:]
+        print(f"{name[:-5]:12} {largest:.1e} {at}, next {second:.1e} {at_second}")
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("what", choices=["motion", "compare"])
+    parser.add_argument("what", choices=["motion", "compare", "lengths"])
     parser.add_argument("table")
     parser.add_argument("coordinate")
     parser.add_argument("file")
     parser.add_argument("--to", type=float, default=60.0, help="degrees")
+    parser.add_argument("--step", type=float, default=2.0, help="degrees")
     args = parser.parse_args()
-    (write_motion if args.what == "motion" else compare)(args)
+    tasks = {
+        "motion": write_motion,
+        "compare": compare,
+        "lengths": compare_with_lengths,
+    }
+    tasks[args.what](args)
 
 
 if __name__ == "__main__":
