@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/deform_command.h"
 #include "musclewarp/deformer/solver_configuration.h"
+#include "tools/deform_command.h"
 
 namespace musclewarp {
 

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+#include <string>
+
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -88,6 +91,52 @@ TEST(InitialSeparation, DoesNotDependOnTheOrderOfMuscles) {
   EXPECT_LT((one.points[1] - two.points[2]).norm(), 1e-9);
   EXPECT_LT((one.points[2] - two.points[0]).norm(), 1e-9);
   EXPECT_EQ(one.rounds, two.rounds);
+}
+
+TEST(InitialSeparation, LeavesExemptVerticesWhereTheyAre) {
+  const SearchableMesh muscle(SphereAt({0, 0, 12}, 10, 3));
+  const SearchableMesh bone(MovedBy(Box(40, 40, 10), {0, 0, 0}));
+  ExemptArea area;
+  area.muscle = 0;
+  area.bone = 0;
+  for (Eigen::Index v = 0; v < muscle.points().rows(); ++v) {
+    area.vertices.push_back(muscle.points()(v, 2) < 6);
+  }
+  for (Eigen::Index f = 0; f < muscle.triangles().rows(); ++f) {
+    const auto t = muscle.triangles().row(f);
+    area.triangles.push_back(area.vertices[t[0]] || area.vertices[t[1]] ||
+                             area.vertices[t[2]]);
+  }
+  const InitialSeparation separation =
+      SeparateInitially({&muscle}, {&bone}, {area}, {});
+  EXPECT_EQ(separation.crossing_pairs, 0);
+  EXPECT_EQ(separation.points[0], muscle.points());
+}
+
+TEST(InitialSeparation, CanBeStoppedBetweenRounds) {
+  const SearchableMesh a(SphereAt({0, 0, 0}, 10, 3));
+  const SearchableMesh b(SphereAt({14, 1, 0}, 10, 3));
+  int calls = 0;
+  const auto stop = [&](int /*round*/, int /*crossing_pairs*/) {
+    ++calls;
+    throw std::runtime_error("stopped");
+  };
+  EXPECT_THROW(SeparateInitially({&a, &b}, {}, {}, {}, stop),
+               std::runtime_error);
+  EXPECT_EQ(calls, 1);
+}
+
+TEST(InitialSeparationOptions, NameWhatIsWrong) {
+  InitialSeparationOptions options;
+  std::string error;
+  EXPECT_TRUE(options.IsValid(&error));
+  options.step = -1;
+  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_EQ(error, "InitialSeparationOptions::step is -1, allowed: above 0");
+  options = {};
+  options.cell.margin = 5;
+  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_EQ(error, "MedialCellOptions::range is 3, allowed: above 5");
 }
 
 }  // namespace musclewarp

@@ -1,14 +1,12 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/certified_contact/separation.h"
+#include "musclewarp/certified_contact/triangle_separation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 #include <random>
-#include <set>
-#include <utility>
 #include <vector>
 
 #include "musclewarp/geometry/triangle_distance.h"
@@ -54,6 +52,13 @@ std::vector<Corners> TrianglesAround(int count) {
   return triangles;
 }
 
+ObstacleOptions Within(double radius) {
+  ObstacleOptions options;
+  options.radius = radius;
+  options.gap = kGap;
+  return options;
+}
+
 std::vector<int> All(const TriangleBvh& bvh) {
   std::vector<int> all(bvh.num_triangles());
   std::iota(all.begin(), all.end(), 0);
@@ -62,7 +67,7 @@ std::vector<int> All(const TriangleBvh& bvh) {
 
 }  // namespace
 
-TEST(PartFromObstacles, EveryObstacleInReachIsBehindAPlane) {
+TEST(SeparateFromObstacles, EveryObstacleInReachIsBehindAPlane) {
   const TriangleSoup sphere = Icosphere(10, 4);
   const TriangleBvh bvh(sphere.points, sphere.triangles);
   constexpr double kRadius = 2.5;
@@ -74,15 +79,9 @@ TEST(PartFromObstacles, EveryObstacleInReachIsBehindAPlane) {
       if (TrianglesIntersect(t, bvh.corners(g))) nearest = 0;
     }
     if (nearest == 0) continue;
-    std::vector<HalfSpace> spaces;
     const std::vector<int> near = All(bvh);
-    PartFromObstacles(t,
-                      bvh,
-                      near.data(),
-                      static_cast<int>(near.size()),
-                      kRadius,
-                      kGap,
-                      &spaces);
+    const std::vector<HalfSpace> spaces = SeparateFromObstacles(
+        t, bvh, near.data(), static_cast<int>(near.size()), Within(kRadius));
     EXPECT_EQ(spaces.empty(), nearest > kRadius);
     for (const HalfSpace& space : spaces) {
       EXPECT_NEAR(space.normal.norm(), 1, 1e-12);
@@ -103,79 +102,93 @@ TEST(PartFromObstacles, EveryObstacleInReachIsBehindAPlane) {
   EXPECT_GT(compared, 1000);
 }
 
-TEST(PartFromObstacles, NeedsFewPlanesOverAFlatObstacle) {
+TEST(SeparateFromObstacles, NeedsOnePlaneOverAFlatObstacle) {
   const TriangleSoup box = Box(20, 20, 2);
   const TriangleBvh bvh(box.points, box.triangles);
   Corners t;
   t << 9, 9, 2, 11, 9, 2, 9, 11, 2;
   const std::vector<int> near = All(bvh);
-  std::vector<HalfSpace> spaces;
-  PartFromObstacles(
-      t, bvh, near.data(), static_cast<int>(near.size()), 5, kGap, &spaces);
+  const std::vector<HalfSpace> spaces = SeparateFromObstacles(
+      t, bvh, near.data(), static_cast<int>(near.size()), Within(5));
   ASSERT_EQ(spaces.size(), 1u);
   EXPECT_LT((spaces[0].normal - RowVector3d(0, 0, 1)).norm(), 1e-12);
   // Half of the room above 1 beyond the gap is left.
   EXPECT_NEAR(spaces[0].level, 1 + kGap + (1 - kGap) / 2, kRounding);
 }
 
-TEST(PartFromObstacles, PartsFromThoseItIsAskedForOnly) {
+TEST(SeparateFromObstacles, LooksAtTheGivenTrianglesOnly) {
   const TriangleSoup box = Box(20, 20, 2);
   const TriangleBvh bvh(box.points, box.triangles);
   Corners t;
   t << 9, 9, 2, 11, 9, 2, 9, 11, 2;
   for (int g = 0; g < bvh.num_triangles(); ++g) {
-    std::vector<HalfSpace> spaces;
-    PartFromObstacles(t, bvh, &g, 1, 5, kGap, &spaces);
-    EXPECT_EQ(spaces.size(), Distance(t, bvh.corners(g)) <= 5 ? 1u : 0u);
-    PartFromObstacles(t, bvh, &g, 0, 5, kGap, &spaces);
-    EXPECT_LE(spaces.size(), 1u);
+    EXPECT_EQ(SeparateFromObstacles(t, bvh, &g, 1, Within(5)).size(),
+              Distance(t, bvh.corners(g)) <= 5 ? 1u : 0u);
+    EXPECT_TRUE(SeparateFromObstacles(t, bvh, &g, 0, Within(5)).empty());
   }
 }
 
-TEST(PartedPairs, AreThoseOfAllPairs) {
-  const TriangleSoup a = Icosphere(10, 3);
-  TriangleSoup b = Icosphere(6, 3);
-  b.points.rowwise() += RowVector3d(16.4, 0.3, 0.1);
-  const TriangleBvh tree_a(a.points, a.triangles);
-  const TriangleBvh tree_b(b.points, b.triangles);
-  TriangleBvh moved_a = tree_a, moved_b = tree_b;
-  // The second comes along the first.
-  moved_b.Refit(b.points.rowwise() + RowVector3d(0, 3, 0));
-  constexpr double kRadius = 2;
-  std::set<std::pair<int, int>> expected;
-  for (int f = 0; f < tree_a.num_triangles(); ++f) {
-    for (int g = 0; g < tree_b.num_triangles(); ++g) {
-      const bool is_near =
-          Distance(tree_a.corners(f), tree_b.corners(g)) <= kRadius ||
-          Distance(moved_a.corners(f), moved_b.corners(g)) <= kRadius;
-      if (is_near) expected.emplace(f, g);
-    }
-  }
-  std::set<std::pair<int, int>> found;
-  for (const PartedPair& pair :
-       PartedPairs(tree_a, tree_b, moved_a, moved_b, kRadius)) {
-    found.emplace(pair.a, pair.b);
-    const Corners& f = tree_a.corners(pair.a);
-    const Corners& g = tree_b.corners(pair.b);
-    EXPECT_NEAR(pair.distance, Distance(f, g), 1e-12);
-    const double room = (f * pair.normal.transpose()).minCoeff() -
-                        (g * pair.normal.transpose()).maxCoeff();
-    EXPECT_NEAR(room, pair.distance, 1e-10);
-  }
-  EXPECT_EQ(found, expected);
-  EXPECT_GT(found.size(), 20u);
-}
-
-TEST(Part, HasNoAnswerForTrianglesThatCross) {
+TEST(SeparateTriangles, HasNoAnswerForTrianglesThatCross) {
   Corners a, b;
   a << 0, 0, 0, 4, 0, 0, 0, 4, 0;
   b << 1, 1, -1, 1, 1, 1, 1, 9, 1;
-  PartedPair pair;
-  EXPECT_FALSE(Part(a, b, &pair));
+  EXPECT_FALSE(SeparateTriangles(a, b).has_value());
   b.col(2).array() += 2;
-  EXPECT_TRUE(Part(a, b, &pair));
-  EXPECT_EQ(pair.distance, 1);
-  EXPECT_EQ(pair.normal, RowVector3d(0, 0, -1));
+  const auto separation = SeparateTriangles(a, b);
+  ASSERT_TRUE(separation.has_value());
+  EXPECT_EQ(separation->distance, 1);
+  EXPECT_EQ(separation->normal, RowVector3d(0, 0, -1));
+}
+
+TEST(SeparateTriangles, IsTheSameToTheBitInTheOtherOrder) {
+  const std::vector<Corners> triangles = TrianglesAround(40);
+  int separated = 0;
+  for (const Corners& a : triangles) {
+    for (const Corners& b : triangles) {
+      const auto one = SeparateTriangles(a, b);
+      const auto two = SeparateTriangles(b, a);
+      ASSERT_EQ(one.has_value(), two.has_value());
+      if (!one) continue;
+      ++separated;
+      EXPECT_EQ(one->normal, -two->normal);
+      EXPECT_EQ(one->distance, two->distance);
+      // All of a is above all of b, by the distance.
+      EXPECT_NEAR((a * one->normal.transpose()).minCoeff() -
+                      (b * one->normal.transpose()).maxCoeff(),
+                  one->distance,
+                  kRounding);
+    }
+  }
+  EXPECT_GT(separated, 1000);
+}
+
+// Two triangles that open like a book from a common corner.
+TEST(SeparateSheets, HasTheOtherCornersOnEitherSideOfTheCommonOne) {
+  Points points(5, 3);
+  points << 0, 0, 0, 4, -1, 0.5, 4, 1, 0.5, 4, -1, -0.5, 4, 1, -0.5;
+  const Eigen::RowVector3i a(0, 1, 2), b(3, 4, 0);
+  const auto separation = SeparateSheets(points, a, b);
+  ASSERT_TRUE(separation.has_value());
+  EXPECT_LT((separation->normal - RowVector3d(0, 0, 1)).norm(), 1e-12);
+  EXPECT_NEAR(separation->distance, 0.5, 1e-12);
+}
+
+TEST(SeparateSheets, HasNoAnswerForACommonEdgeOrSheetsThatCross) {
+  Points points(5, 3);
+  points << 0, 0, 0, 4, -1, 0, 4, 1, 0, 4, 0, -1, 4, 0, 1;
+  EXPECT_FALSE(SeparateSheets(points, {0, 1, 2}, {0, 3, 4}).has_value());
+  EXPECT_FALSE(SeparateSheets(points, {0, 1, 2}, {2, 1, 3}).has_value());
+}
+
+TEST(SeparateSheets, OfTrianglesWithoutACommonCornerIsThatOfTriangles) {
+  Points points(6, 3);
+  points << 0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 2, 1, 9, 3, 9, 1, 3;
+  const auto sheets = SeparateSheets(points, {0, 1, 2}, {3, 4, 5});
+  const auto triangles =
+      SeparateTriangles(points.topRows(3), points.bottomRows(3));
+  ASSERT_TRUE(sheets.has_value());
+  EXPECT_EQ(sheets->normal, triangles->normal);
+  EXPECT_EQ(sheets->distance, triangles->distance);
 }
 
 }  // namespace musclewarp

@@ -1,0 +1,184 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certified_contact/plane_set.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "certified_contact/contact_group.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+using Eigen::RowVector3i;
+
+// What a projection may leave (geometry/half_space_projection.h).
+constexpr double kProjection = 1e-8;
+
+// A muscle whose vertex 0 is at (0, 0, 10), and one below it, at rest.
+struct TwoSpheres {
+  ContactGroup group{{SphereAt({0, 0, 0}, 10, 1), SphereAt({0, 0, -30}, 10, 1)},
+                     {}};
+  ContactStep step =
+      MakeContactStep(group.scene, group.state, group.state.targets, {});
+  StepOptions options;
+
+  SeparatingPlane PlaneOverVertex(int v,
+                                  const RowVector3d& normal,
+                                  double above) const {
+    SeparatingPlane plane;
+    plane.muscle_above = 0;
+    plane.above = RowVector3i::Constant(v);
+    plane.normal = normal;
+    plane.level = normal.dot(step.carried[0].row(v)) + above;
+    return plane;
+  }
+  RowVector3d Place(int v) const { return step.carried[0].row(v); }
+};
+
+TEST(PlaneSet, LeavesAPointWithoutPlanesWhereItIs) {
+  TwoSpheres spheres;
+  PlaneSet planes(spheres.options, spheres.step);
+  const RowVector3d p = spheres.Place(3) + RowVector3d(0.1, 0.2, 0.3);
+  planes.FindNear(0, 3, p);
+  EXPECT_EQ(planes.Projected(0, 3, p), p);
+  EXPECT_EQ(planes.WorstViolation(spheres.step.carried), 0);
+}
+
+TEST(PlaneSet, ProjectsIntoAllHalfSpacesHoweverManyThereAre) {
+  TwoSpheres spheres;
+  PlaneSet planes(spheres.options, spheres.step);
+  // A cone of 2000 planes around the z axis: their common part begins 0.4 above
+  // the vertex. One of them alone, the last of all, asks for more.
+  std::vector<SeparatingPlane> cone;
+  for (int i = 0; i < 2000; ++i) {
+    const double angle = 0.01 * i;
+    const RowVector3d normal =
+        RowVector3d(0.1 * std::cos(angle), 0.1 * std::sin(angle), 1)
+            .normalized();
+    SeparatingPlane plane = spheres.PlaneOverVertex(0, normal, 0.4);
+    plane.distance = 0.1;
+    cone.push_back(plane);
+  }
+  SeparatingPlane highest =
+      spheres.PlaneOverVertex(0, RowVector3d(0, 0, 1), 0.8);
+  cone.push_back(highest);
+  planes.Add(cone);
+  const RowVector3d start = spheres.Place(0);
+  planes.FindNear(0, 0, start);
+  const RowVector3d projected = planes.Projected(0, 0, start);
+  for (const SeparatingPlane& plane : cone) {
+    EXPECT_GE(plane.normal.dot(projected), plane.level - kProjection);
+  }
+  EXPECT_NEAR(projected[2], start[2] + 0.8, kProjection);
+}
+
+TEST(PlaneSet, ABoneHasTheLastWordWhereThereIsNoRoom) {
+  TwoSpheres spheres;
+  PlaneSet planes(spheres.options, spheres.step);
+  // A bone asks for up, a muscle that moves with nothing for down.
+  SeparatingPlane muscle;
+  muscle.muscle_above = 1;
+  muscle.muscle_below = 0;
+  muscle.above = RowVector3i::Constant(0);
+  muscle.below = RowVector3i::Constant(0);
+  muscle.normal = RowVector3d(0, 0, 1);
+  muscle.distance = 0.1;
+  const SeparatingPlane bone =
+      spheres.PlaneOverVertex(0, RowVector3d(0, 0, 1), 0.3);
+  planes.Add({bone, muscle});
+  planes.UpdateLevels(spheres.step.carried, spheres.step.carried, true);
+  const RowVector3d start = spheres.Place(0);
+  planes.FindNear(0, 0, start);
+  EXPECT_GE(planes.Projected(0, 0, start)[2], start[2] + 0.3 - 1e-3);
+}
+
+TEST(PlaneSet, PushesNoFartherThanAllowed) {
+  TwoSpheres spheres;
+  spheres.options.relaxation.max_push = 2;
+  PlaneSet planes(spheres.options, spheres.step);
+  planes.Add({spheres.PlaneOverVertex(0, RowVector3d(0, 0, 1), 40)});
+  const RowVector3d start = spheres.Place(0);
+  planes.FindNear(0, 0, start);
+  EXPECT_NEAR((planes.Projected(0, 0, start) - start).norm(), 2, 1e-12);
+}
+
+TEST(PlaneSet, PutsAPlaneHalfWayBetweenWhereTwoMusclesWantToGo) {
+  TwoSpheres spheres;
+  PlaneSet planes(spheres.options, spheres.step);
+  SeparatingPlane plane;
+  plane.muscle_above = 0;
+  plane.muscle_below = 1;
+  plane.above = spheres.group.soups[0].triangles.row(0);
+  plane.below = spheres.group.soups[1].triangles.row(0);
+  plane.normal = RowVector3d(0, 0, 1);
+  plane.half_gap = 0.05;
+  planes.Add({plane});
+  std::vector<Points> wanted = spheres.step.carried;
+  // Triangle 0 of the lower muscle wants to go where that of the upper one is.
+  wanted[1].col(2).array() += 30;
+  planes.UpdateLevels(wanted, wanted, true);
+  double lowest = 1e300, highest = -1e300;
+  for (int k = 0; k < 3; ++k) {
+    lowest = std::min(lowest, wanted[0](plane.above[k], 2));
+    highest = std::max(highest, wanted[1](plane.below[k], 2));
+  }
+  const double middle = (lowest + highest) / 2;
+  // Either side keeps half of the gap.
+  for (int k = 0; k < 3; ++k) {
+    for (const int muscle : {0, 1}) {
+      const int v = muscle == 0 ? plane.above[k] : plane.below[k];
+      const RowVector3d p = wanted[muscle].row(v);
+      planes.FindNear(muscle, v, p);
+      const RowVector3d q = planes.Projected(muscle, v, p);
+      const double beyond = muscle == 0 ? q[2] - middle : middle - q[2];
+      EXPECT_GE(beyond, 0.05 - kProjection);
+    }
+  }
+}
+
+TEST(PlaneSet, ShiftsAPlaneToTheSideThatCannotMove) {
+  TwoSpheres spheres;
+  PlaneSet planes(spheres.options, spheres.step);
+  SeparatingPlane plane;
+  plane.muscle_above = 0;
+  plane.muscle_below = 1;
+  plane.above = RowVector3i::Constant(0);
+  plane.below = RowVector3i::Constant(0);
+  plane.normal = RowVector3d(0, 0, 1);
+  planes.Add({plane});
+  std::vector<Points> wanted = spheres.step.carried;
+  wanted[0].row(0) << 0, 0, 0;
+  wanted[1].row(0) << 0, 0, 0.4;
+  planes.UpdateLevels(wanted, wanted, true);
+  // The upper one is held at 0 where the plane, at 0.2, wanted it above. The
+  // plane goes to it. The lower one is where it was asked to be.
+  std::vector<Points> reached = wanted;
+  reached[1](0, 2) = 0.2;
+  planes.UpdateLevels(wanted, reached, false);
+  EXPECT_NEAR(planes.WorstViolation(reached), 0.2, 1e-12);
+  reached[1](0, 2) = 0;
+  EXPECT_NEAR(planes.WorstViolation(reached), 0, 1e-12);
+}
+
+TEST(PlaneSet, NamesThePlaneThatATargetViolatesMost) {
+  TwoSpheres spheres;
+  PlaneSet planes(spheres.options, spheres.step);
+  planes.Add({spheres.PlaneOverVertex(0, RowVector3d(0, 0, 1), 0.1),
+              spheres.PlaneOverVertex(0, RowVector3d(0, 1, 0), 0.3),
+              spheres.PlaneOverVertex(1, RowVector3d(1, 0, 0), -3)});
+  const Points& points = spheres.step.carried[0];
+  const auto most = planes.MostViolated(0, {0, 1, 2}, points, points);
+  // Vertex 1 is farther than contact_distance from its plane, 2 has none.
+  ASSERT_EQ(most.size(), 1u);
+  EXPECT_EQ(most[0].vertex, 0);
+  EXPECT_EQ(most[0].space.normal, RowVector3d(0, 1, 0));
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,128 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certified_contact/relaxation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "certified_contact/contact_group.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+
+// The energy of relaxation.h of the offsets of one muscle.
+double Energy(const StepOptions& options,
+              const MuscleSurface& surface,
+              const Points& offsets) {
+  const double length = options.relaxation.smoothing_length;
+  double energy = 0;
+  for (int v = 0; v < surface.num_vertices(); ++v) {
+    energy +=
+        surface.areas[v] / (length * length) * offsets.row(v).squaredNorm() / 2;
+    for (int e = surface.first[v]; e < surface.first[v + 1]; ++e) {
+      // Every edge is seen from both ends.
+      energy +=
+          surface.weights[e] / 4 *
+          (offsets.row(v) - offsets.row(surface.neighbours[e])).squaredNorm();
+    }
+  }
+  return energy;
+}
+
+struct Relaxed {
+  ContactGroup group;
+  std::vector<Points> targets;
+  StepOptions options;
+
+  explicit Relaxed(ContactGroup contact_group)
+      : group(std::move(contact_group)), targets(group.state.targets) {}
+
+  RelaxedPoints Run(int sweeps) const {
+    const ContactStep step = MakeContactStep(
+        group.scene, group.state, targets, group.state.bones_from_rest);
+    std::vector<TriangleBvh> trees = CarriedTrees(step);
+    PlaneSet planes(options, step);
+    planes.Add(FindSeparatingPlanes(options, step, &trees));
+    return Relax(options,
+                 step,
+                 targets,
+                 UniformStiffness(group.scene),
+                 sweeps,
+                 &planes,
+                 StartOf(step));
+  }
+};
+
+TEST(Relax, BringsOffsetsToZeroWhereNothingIsInTheWay) {
+  Relaxed relaxed(ContactGroup({SphereAt({0, 0, 0}, 10, 2)}, {}));
+  // An offset from before, within the reach.
+  relaxed.group.state.points[0].col(0).array() += 0.4;
+  const RelaxedPoints result = relaxed.Run(2000);
+  EXPECT_LT((result.points[0] - relaxed.targets[0]).norm(), 1e-9);
+  EXPECT_EQ(result.points[0], result.unprojected[0]);
+}
+
+TEST(Relax, LowersTheEnergyWithEverySweep) {
+  Relaxed relaxed(ContactGroup({SphereAt({0, 0, 0}, 10, 2)}, {}));
+  relaxed.group.state.points[0].row(5) += RowVector3d(0.5, 0, 0);
+  double before = 1e300;
+  for (int sweeps = 0; sweeps < 6; ++sweeps) {
+    const double energy =
+        Energy(relaxed.options,
+               relaxed.group.scene.muscles[0],
+               relaxed.Run(sweeps).points[0] - relaxed.targets[0]);
+    EXPECT_LT(energy, before);
+    before = energy;
+  }
+}
+
+TEST(Relax, KeepsTheGapToABone) {
+  Relaxed relaxed(SpheresOverABone());
+  relaxed.targets[0].col(2).array() -= 0.7;  // 0.2 into the bone
+  const RelaxedPoints result = relaxed.Run(200);
+  // The last sweep has every vertex in its half-spaces.
+  EXPECT_GE(result.points[0].col(2).minCoeff(), relaxed.options.gap - 1e-8);
+  // What is far from contact is not moved by it.
+  const Points moves = result.points[0] - relaxed.targets[0];
+  Eigen::Index top;
+  relaxed.targets[0].col(2).maxCoeff(&top);
+  EXPECT_LT(moves.row(top).norm(), 0.05 * moves.rowwise().norm().maxCoeff());
+}
+
+TEST(Relax, MovesNoVertexFartherThanTheReachFromWhereItIsCarried) {
+  Relaxed relaxed(ContactGroup({SphereAt({0, 0, 0}, 10, 2)}, {}));
+  // Carried far from the target: the offset of before is 7 mm.
+  relaxed.group.state.points[0].col(0).array() += 7;
+  const RelaxedPoints result = relaxed.Run(3);
+  const Points moves = result.points[0] - relaxed.group.state.points[0];
+  EXPECT_NEAR(moves.rowwise().norm().maxCoeff(), relaxed.options.reach, 1e-9);
+}
+
+TEST(Relax, StiffTrianglesMoveAsOnePiece) {
+  ContactGroup group({SphereAt({0, 0, 0}, 10, 2)}, {});
+  group.state.points[0].row(5) += RowVector3d(0.5, 0, 0);
+  const StepOptions options;
+  const ContactStep step =
+      MakeContactStep(group.scene, group.state, group.state.targets, {});
+  const auto spread = [&](double stiffness) {
+    PlaneSet planes(options, step);
+    const RelaxedPoints result =
+        Relax(options,
+              step,
+              group.state.targets,
+              {Eigen::VectorXd::Constant(step.carried[0].rows(), stiffness)},
+              4,
+              &planes,
+              StartOf(step));
+    const Points offsets = result.points[0] - group.state.targets[0];
+    return (offsets.rowwise() - offsets.colwise().mean()).norm();
+  };
+  EXPECT_LT(spread(1000), spread(1));
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,167 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certified_contact/separating_planes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "certified_contact/contact_group.h"
+#include "musclewarp/geometry/triangle_distance.h"
+#include "musclewarp/mesh/transformed.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+using Eigen::RowVector3i;
+
+// Of coordinates of size 20.
+constexpr double kRounding = 1e-9;
+
+double Distance(const Corners& a, const Corners& b) {
+  return std::sqrt(ClosestPointsOfTriangles(a, b).squared_distance);
+}
+
+std::vector<SeparatingPlane> PlanesOf(const ContactStep& step) {
+  std::vector<TriangleBvh> trees = CarriedTrees(step);
+  return FindSeparatingPlanes({}, step, &trees);
+}
+
+int TriangleWith(const Triangles& triangles, const RowVector3i& corners) {
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    if (triangles.row(f) == corners) return static_cast<int>(f);
+  }
+  return -1;
+}
+
+Eigen::Matrix4d ShiftBy(double x, double y, double z) {
+  Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();
+  shift.topRightCorner<3, 1>() << x, y, z;
+  return shift;
+}
+
+TEST(FindSeparatingPlanes, FindsAllPairsOfMusclesThatAreNear) {
+  const ContactGroup group(
+      {SphereAt({0, 0, 0}, 10, 3), SphereAt({16.4, 0.3, 0.1}, 6, 3)}, {});
+  // The second comes along the first.
+  std::vector<Points> targets = group.state.targets;
+  targets[1].col(1).array() += 3;
+  const ContactStep step =
+      MakeContactStep(group.scene, group.state, targets, {});
+  const StepOptions options;
+  const double radius =
+      options.gap + options.planes.search_share * 2 * options.reach;
+  const std::vector<TriangleBvh> carried = CarriedTrees(step);
+  const std::vector<TriangleBvh>& before = step.trees_before;
+  std::set<std::pair<int, int>> expected;
+  for (int f = 0; f < before[0].num_triangles(); ++f) {
+    for (int g = 0; g < before[1].num_triangles(); ++g) {
+      if (Distance(before[0].corners(f), before[1].corners(g)) <= radius ||
+          Distance(carried[0].corners(f), carried[1].corners(g)) <= radius) {
+        expected.emplace(f, g);
+      }
+    }
+  }
+  std::set<std::pair<int, int>> found;
+  for (const SeparatingPlane& plane : PlanesOf(step)) {
+    EXPECT_EQ(plane.muscle_above, 0);
+    EXPECT_EQ(plane.muscle_below, 1);
+    const int f = TriangleWith(group.soups[0].triangles, plane.above);
+    const int g = TriangleWith(group.soups[1].triangles, plane.below);
+    found.emplace(f, g);
+    EXPECT_NEAR(plane.distance,
+                Distance(before[0].corners(f), before[1].corners(g)),
+                kRounding);
+    // Nothing turns, so that the two are apart by their distance before.
+    const double room =
+        (before[0].corners(f) * plane.normal.transpose()).minCoeff() -
+        (before[1].corners(g) * plane.normal.transpose()).maxCoeff();
+    EXPECT_NEAR(room, plane.distance, kRounding);
+  }
+  EXPECT_EQ(found, expected);
+  EXPECT_GT(found.size(), 20u);
+}
+
+TEST(FindSeparatingPlanes, PlanesOfABoneMoveWithIt) {
+  const ContactGroup group = SpheresOverABone();
+  const ContactStep still = MakeContactStep(
+      group.scene, group.state, group.state.targets, {ShiftBy(0, 0, 0)});
+  const ContactStep raised = MakeContactStep(
+      group.scene, group.state, group.state.targets, {ShiftBy(0, 0, 0.2)});
+  const auto lowest_of = [](const ContactStep& step) {
+    double least = 1e300;
+    int count = 0;
+    for (const SeparatingPlane& plane : PlanesOf(step)) {
+      if (!plane.IsOfBone()) continue;
+      ++count;
+      EXPECT_NEAR(plane.normal[2], 1, 1e-6);
+      least = std::min(least, plane.level);
+    }
+    EXPECT_GT(count, 0);
+    return least;
+  };
+  // Of the triangle nearest to the bone, which is at z = 0: the gap and half of
+  // the room beyond it.
+  EXPECT_NEAR(lowest_of(raised) - lowest_of(still), 0.2, kRounding);
+}
+
+TEST(FindSeparatingPlanes, SeesABoneThatComesFast) {
+  // A plate that passes through the whole muscle in one step.
+  const ContactGroup group({SphereAt({0, 0, 0}, 5, 2)},
+                           {MovedBy(Box(0.2, 30, 30), {-5.4, 0, 0})});
+  const ContactStep step = MakeContactStep(
+      group.scene, group.state, group.state.targets, {ShiftBy(4, 0, 0)});
+  int planes = 0;
+  for (const SeparatingPlane& plane : PlanesOf(step)) {
+    ++planes;
+    EXPECT_GT(plane.normal[0], 0);
+  }
+  EXPECT_GT(planes, 10);
+}
+
+TEST(FindSeparatingPlanes, LeavesExemptTrianglesAlone) {
+  ContactGroup group = SpheresOverABone();
+  const auto of_first = [](const std::vector<SeparatingPlane>& planes) {
+    return std::count_if(
+        planes.begin(), planes.end(), [](const SeparatingPlane& plane) {
+          return plane.IsOfBone() && plane.muscle_above == 0;
+        });
+  };
+  const auto planes = [&] {
+    return PlanesOf(MakeContactStep(group.scene,
+                                    group.state,
+                                    group.state.targets,
+                                    group.state.bones_from_rest));
+  };
+  EXPECT_GT(of_first(planes()), 0);
+  group.scene.muscles[0].exempt = {
+      std::vector<char>(group.soups[0].triangles.rows(), true)};
+  EXPECT_EQ(of_first(planes()), 0);
+}
+
+TEST(PlaneBetween, TurnsAsTheTrianglesDo) {
+  const ContactGroup group(
+      {SphereAt({0, 0, 0}, 10, 2), SphereAt({20.5, 0, 0}, 10, 2)}, {});
+  Eigen::Matrix4d turn = Eigen::Matrix4d::Identity();
+  turn.topLeftCorner<2, 2>() << 0, -1, 1, 0;  // by 90 degrees about z
+  std::vector<Points> targets;
+  for (const Points& points : group.state.points) {
+    targets.push_back(Transformed(points, turn));
+  }
+  const ContactStep step =
+      MakeContactStep(group.scene, group.state, targets, {});
+  const TriangleSeparation along_x = {RowVector3d(-1, 0, 0), 0.5};
+  const SeparatingPlane plane = PlaneBetween(step, 0, 3, 1, 7, along_x, 0.05);
+  EXPECT_LT((plane.normal - RowVector3d(0, -1, 0)).norm(), 1e-12);
+  EXPECT_EQ(plane.half_gap, 0.05);
+  EXPECT_EQ(plane.distance, 0.5);
+  EXPECT_EQ(plane.above, group.soups[0].triangles.row(3));
+  EXPECT_EQ(plane.below, group.soups[1].triangles.row(7));
+}
+
+}  // namespace
+}  // namespace musclewarp

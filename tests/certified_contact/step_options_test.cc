@@ -1,0 +1,78 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certified_contact/step_options.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace musclewarp {
+namespace {
+
+struct WrongOption {
+  std::string message;
+  std::function<void(StepOptions*)> set;
+};
+
+TEST(StepOptions, NameTheFieldThatIsWrong) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<WrongOption> wrong = {
+      {"StepOptions::gap is 0, allowed: above 0",
+       [](StepOptions* o) { o->gap = 0; }},
+      {"StepOptions::gap is nan, allowed: above 0",
+       [nan](StepOptions* o) { o->gap = nan; }},
+      {"StepOptions::reach is 0.05, allowed: above 0.1",
+       [](StepOptions* o) { o->reach = 0.05; }},
+      {"StepOptions::sweeps is 0, allowed: 1 or above",
+       [](StepOptions* o) { o->sweeps = 0; }},
+      {"StepOptions::repair_sweeps is -2, allowed: 1 or above",
+       [](StepOptions* o) { o->repair_sweeps = -2; }},
+      {"StepOptions::max_rounds is 0, allowed: 1 or above",
+       [](StepOptions* o) { o->max_rounds = 0; }},
+      {"StepOptions::least_gap_share is 2, allowed: 0 to 1",
+       [](StepOptions* o) { o->least_gap_share = 2; }},
+      {"PlaneSearchOptions::search_share is -1, allowed: 0 to 1",
+       [](StepOptions* o) { o->planes.search_share = -1; }},
+      {"PlaneSearchOptions::overlooked_share is 1.5, allowed: 0 to 1",
+       [](StepOptions* o) { o->planes.overlooked_share = 1.5; }},
+      {"PlaneSearchOptions::max_planes_per_triangle is 0, allowed: 1 or above",
+       [](StepOptions* o) { o->planes.max_planes_per_triangle = 0; }},
+      {"RelaxationOptions::smoothing_length is 0, allowed: above 0",
+       [](StepOptions* o) { o->relaxation.smoothing_length = 0; }},
+      {"RelaxationOptions::full_sweep_interval is 0, allowed: 1 or above",
+       [](StepOptions* o) { o->relaxation.full_sweep_interval = 0; }},
+      {"RelaxationOptions::max_push is 0, allowed: above 0",
+       [](StepOptions* o) { o->relaxation.max_push = 0; }},
+      {"RelaxationOptions::room_decay is 1.1, allowed: 0 to 1",
+       [](StepOptions* o) { o->relaxation.room_decay = 1.1; }},
+      {"RelaxationOptions::compromise_turns is 0, allowed: 1 or above",
+       [](StepOptions* o) { o->relaxation.compromise_turns = 0; }},
+      {"RelaxationOptions::bone_turns is 0, allowed: 1 or above",
+       [](StepOptions* o) { o->relaxation.bone_turns = 0; }},
+      {"VolumeOptions::tolerance is 0, allowed: above 0",
+       [](StepOptions* o) { o->volume.tolerance = 0; }},
+      {"VolumeOptions::max_steps is 0, allowed: 1 or above",
+       [](StepOptions* o) { o->volume.max_steps = 0; }},
+      {"VolumeOptions::smoothing_passes is -1, allowed: 0 or above",
+       [](StepOptions* o) { o->volume.smoothing_passes = -1; }},
+      {"DefectOptions::sheet_share is 3, allowed: 0 to 1",
+       [](StepOptions* o) { o->defects.sheet_share = 3; }},
+      {"DefectOptions::stiffening is 0.5, allowed: 1 or above",
+       [](StepOptions* o) { o->defects.stiffening = 0.5; }},
+      {"DefectOptions::max_folded_share is -1, allowed: 0 to 1",
+       [](StepOptions* o) { o->defects.max_folded_share = -1; }}};
+  for (const WrongOption& option : wrong) {
+    StepOptions options;
+    std::string error;
+    ASSERT_TRUE(options.IsValid(&error));
+    option.set(&options);
+    EXPECT_FALSE(options.IsValid(&error)) << option.message;
+    EXPECT_EQ(error, option.message);
+  }
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,213 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certified_contact/step.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "certified_contact/contact_group.h"
+#include "musclewarp/mesh/transformed.h"
+#include "support/meshes.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::RowVector3d;
+
+Matrix4d Shift(const Eigen::Vector3d& by) {
+  Matrix4d shift = Matrix4d::Identity();
+  shift.topRightCorner<3, 1>() = by;
+  return shift;
+}
+
+Matrix4d TurnAboutZ(double angle) {
+  Matrix4d turn = Matrix4d::Identity();
+  turn.topLeftCorner<3, 3>() =
+      Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return turn;
+}
+
+}  // namespace
+
+// Once the coarse meshes have moved out of the way of the planes, next to
+// nothing is left for single vertices.
+TEST(Step, ShowsTheCoarseMeshesThePlanesToMakeWayFor) {
+  ContactGroup group = SpheresOverABone();
+  std::vector<Points> targets = group.state.targets;
+  targets[0].rowwise() += RowVector3d(0, 0, -0.8);
+  const Points free = targets[0];
+  std::vector<int> all(free.rows());
+  std::iota(all.begin(), all.end(), 0);
+  StepOptions options;
+  options.sweeps = 1000;  // until nothing changes
+  const ContactStep step = MakeContactStep(
+      group.scene, group.state, targets, group.state.bones_from_rest);
+  OpenStep open = BeginStep(options, step, targets, options.sweeps / 2);
+  double deepest = 0;
+  for (const VertexHalfSpace& plane :
+       open.planes.MostViolated(0, all, open.relaxed.points[0], targets[0])) {
+    const RowVector3d& normal = plane.space.normal;
+    EXPECT_NEAR(normal.norm(), 1, 1e-12);
+    const double depth = plane.space.level - normal.dot(free.row(plane.vertex));
+    if (depth <= deepest) continue;
+    deepest = depth;
+    // The bone is below, its upper side at 0, the muscle was at 0.5.
+    EXPECT_NEAR(normal[2], 1, 1e-6);
+    EXPECT_GT(plane.space.level, 0);
+    EXPECT_LT(plane.space.level, 0.5);
+  }
+  EXPECT_GT(deepest, 0.3);
+  targets[0].col(2).array() += deepest;
+  const StepResult result =
+      FinishStep(options, step, targets, options.sweeps / 2, std::move(open));
+  EXPECT_TRUE(result.summary.is_intersection_free);
+  group.state = result.state;
+  EXPECT_EQ(group.CrossingPairs(), 0);
+  // Next to nothing is left for single vertices: other planes than the deepest
+  // may ask for a little more.
+  const Points offset = group.state.points[0] - targets[0];
+  EXPECT_LT(offset.rowwise().norm().maxCoeff(), 1e-3);
+  EXPECT_GT((targets[0] - free).rowwise().norm().minCoeff(), 0.3);
+}
+
+TEST(Step, GoesToTheTargetsWhereNothingIsInTheWay) {
+  ContactGroup group = SpheresOverABone();
+  ContactState next = group.state;
+  next.targets[0].rowwise() += RowVector3d(-0.3, 0.2, 0.4);
+  const StepSummary summary = group.StepTo(next);
+  EXPECT_TRUE(summary.is_intersection_free);
+  EXPECT_EQ(summary.rounds, 1);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_LT((group.state.points[i] - next.targets[i]).norm(), 1e-11);
+  }
+}
+
+TEST(Step, RigidMotionStaysRigid) {
+  // Pressed to the bone first, then everything turns.
+  ContactGroup group = SpheresOverABone();
+  ContactState pressed = group.state;
+  pressed.targets[0].col(2).array() -= 0.8;
+  for (int i = 0; i < 40; ++i) {
+    ContactState next = pressed;
+    ASSERT_TRUE(group.StepTo(next).is_intersection_free);
+  }
+  const ContactState before = group.state;
+  const Matrix4d turn = TurnAboutZ(0.02);
+  ContactState next = before;
+  for (int i = 0; i < 2; ++i) {
+    next.targets[i] = Transformed(before.targets[i], turn);
+  }
+  next.bones_from_rest[0] = turn;
+  ASSERT_TRUE(group.StepTo(next).is_intersection_free);
+  for (int i = 0; i < 2; ++i) {
+    // The offsets are some tenths of a mm and go on to settle.
+    EXPECT_LT((group.state.points[i] - Transformed(before.points[i], turn))
+                  .rowwise()
+                  .norm()
+                  .maxCoeff(),
+              0.02);
+  }
+}
+
+TEST(Step, KeepsVolumeAndDistanceUnderPressure) {
+  ContactGroup group = SpheresOverABone();
+  for (int step = 1; step <= 10; ++step) {
+    // Into the bone and into each other.
+    ContactState next = group.state;
+    next.targets[0] = group.soups[0].points.rowwise() +
+                      RowVector3d(0.1 * step, 0, -0.3 * step);
+    next.targets[1] = group.soups[1].points.rowwise() +
+                      RowVector3d(-0.1 * step, 0, -0.1 * step);
+    const StepSummary summary = group.StepTo(next);
+    ASSERT_TRUE(summary.is_intersection_free) << step;
+    EXPECT_EQ(group.CrossingPairs(), 0);
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_GT(group.state.points[i].col(2).minCoeff(), 0);
+      // VolumeOptions::tolerance.
+      EXPECT_NEAR(group.VolumeError(i), 0, 2e-8);
+    }
+  }
+  // Contact is worth no more than what would overlap, by far.
+  const Points moves = group.state.points[0] - group.state.targets[0];
+  EXPECT_LT(moves.rowwise().norm().maxCoeff(), 3.5);
+  EXPECT_GT(moves.rowwise().norm().maxCoeff(), 2);
+}
+
+TEST(Step, GoesBackWhenNothingPressesAnyMore) {
+  ContactGroup group = SpheresOverABone();
+  for (const double down : {0.5, 1.0, 0.5, 0.0}) {
+    ContactState next = group.state;
+    next.targets[0] =
+        group.soups[0].points.rowwise() + RowVector3d(0, 0, -down);
+    ASSERT_TRUE(group.StepTo(next).is_intersection_free);
+  }
+  for (int i = 0; i < 60; ++i) {
+    ContactState next = group.state;
+    ASSERT_TRUE(group.StepTo(next).is_intersection_free);
+  }
+  EXPECT_LT((group.state.points[0] - group.soups[0].points)
+                .rowwise()
+                .norm()
+                .maxCoeff(),
+            1e-3);
+}
+
+TEST(Step, ABoneDoesNotPassThroughAMuscle) {
+  // A thin plate comes from the side by far more than its thickness.
+  ContactGroup group({SphereAt({0, 0, 0}, 10, 3)},
+                     {MovedBy(Box(0.2, 60, 60), {-10.4, 0, 0})});
+  for (int step = 1; step <= 12; ++step) {
+    ContactState next = group.state;
+    next.bones_from_rest[0] = Shift({0.5 * step, 0, 0});
+    ASSERT_TRUE(group.StepTo(next).is_intersection_free) << step;
+    EXPECT_EQ(group.CrossingPairs(), 0);
+    EXPECT_GT(group.state.points[0].col(0).minCoeff(), -10.3 + 0.5 * step);
+  }
+}
+
+TEST(Step, SaysSoWhereThereIsNoRoom) {
+  // Two plates that close to nothing.
+  ContactGroup group({SphereAt({0, 0, 0}, 10, 2)},
+                     {MovedBy(Box(60, 60, 1), {0, 0, 10.7}),
+                      MovedBy(Box(60, 60, 1), {0, 0, -10.7})});
+  ContactState next = group.state;
+  next.bones_from_rest[0] = Shift({0, 0, -20.6});
+  const StepSummary summary = group.StepTo(next);
+  EXPECT_FALSE(summary.is_intersection_free);
+  EXPECT_GT(summary.crossing_pairs, 0);
+  EXPECT_EQ(summary.rounds, StepOptions().max_rounds);
+}
+
+TEST(Step, DoesNotDependOnTheOrderOfMuscles) {
+  const TriangleSoup a = SphereAt({0, 0, 10.5}, 10, 3);
+  const TriangleSoup b = SphereAt({20.5, 0, 10.5}, 10, 3);
+  const TriangleSoup c = SphereAt({10, 18.5, 10.5}, 10, 4);
+  const TriangleSoup bone = MovedBy(Box(80, 80, 5), {10, 10, -2.5});
+  ContactGroup one({a, b, c}, {bone});
+  ContactGroup two({c, a, b}, {bone});
+  ASSERT_EQ(one.CrossingPairs(), 0);
+  for (int step = 0; step < 3; ++step) {
+    ContactState next_one = one.state, next_two = two.state;
+    for (int i = 0; i < 3; ++i) {
+      const RowVector3d move(i == 0 ? 0.5 : -0.3, -0.2 * i, -0.4);
+      next_one.targets[i].rowwise() += move;
+      next_two.targets[(i + 1) % 3].rowwise() += move;
+    }
+    ASSERT_TRUE(one.StepTo(next_one).is_intersection_free);
+    ASSERT_TRUE(two.StepTo(next_two).is_intersection_free);
+  }
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_LT((one.state.points[i] - two.state.points[(i + 1) % 3])
+                  .rowwise()
+                  .norm()
+                  .maxCoeff(),
+              1e-6);
+  }
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,89 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certified_contact/volume.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "certified_contact/contact_group.h"
+#include "musclewarp/mesh/measures.h"
+
+namespace musclewarp {
+namespace {
+
+struct Squeezed {
+  ContactGroup group = SpheresOverABone();
+  StepOptions options;
+  ContactStep step = MakeContactStep(group.scene,
+                                     group.state,
+                                     group.state.targets,
+                                     group.state.bones_from_rest);
+  PlaneSet planes{options, step};
+  RelaxedPoints relaxed = StartOf(step);
+
+  explicit Squeezed(double factor) {
+    std::vector<TriangleBvh> trees = CarriedTrees(step);
+    planes.Add(FindSeparatingPlanes(options, step, &trees));
+    for (int i = 0; i < 2; ++i) {
+      const Eigen::RowVector3d centre = relaxed.points[i].colwise().mean();
+      relaxed.points[i] =
+          (factor * (relaxed.points[i].rowwise() - centre)).rowwise() + centre;
+    }
+    relaxed.unprojected = relaxed.points;
+  }
+  double ErrorOf(int muscle, const Points& points) const {
+    const MuscleSurface& surface = group.scene.muscles[muscle];
+    return std::abs(SignedVolume(points, surface.triangles) / surface.volume -
+                    1);
+  }
+};
+
+TEST(RestoreVolumes, BringsVolumesBackWithinTheTolerance) {
+  for (const double factor : {0.99, 1.003}) {
+    Squeezed squeezed(factor);
+    const RestoredVolumes restored = RestoreVolumes(
+        squeezed.options, squeezed.step, squeezed.relaxed, &squeezed.planes);
+    EXPECT_LE(restored.worst_error, squeezed.options.volume.tolerance);
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_LE(squeezed.ErrorOf(i, restored.points[i]),
+                squeezed.options.volume.tolerance);
+      // The gap to the bone is kept.
+      EXPECT_GE(restored.points[i].col(2).minCoeff(),
+                squeezed.options.gap - 1e-8);
+    }
+  }
+}
+
+TEST(RestoreVolumes, LeavesHeldVerticesWhereTheyAre) {
+  Squeezed squeezed(0.99);
+  // The lower half counts as held: planes have moved it.
+  Points& points = squeezed.relaxed.points[0];
+  for (Eigen::Index v = 0; v < points.rows(); ++v) {
+    if (points(v, 2) < 10) squeezed.relaxed.unprojected[0](v, 2) -= 0.1;
+  }
+  const RestoredVolumes restored = RestoreVolumes(
+      squeezed.options, squeezed.step, squeezed.relaxed, &squeezed.planes);
+  EXPECT_LE(restored.worst_error, squeezed.options.volume.tolerance);
+  int held = 0;
+  for (Eigen::Index v = 0; v < points.rows(); ++v) {
+    if (points(v, 2) >= 10) continue;
+    ++held;
+    EXPECT_EQ(restored.points[0].row(v), points.row(v));
+  }
+  EXPECT_GT(held, 100);
+}
+
+TEST(RestoreVolumes, SaysWhatIsLeftWhereAllVerticesAreHeld) {
+  Squeezed squeezed(0.99);
+  for (Points& points : squeezed.relaxed.unprojected) {
+    points.array() += 0.1;
+  }
+  const RestoredVolumes restored = RestoreVolumes(
+      squeezed.options, squeezed.step, squeezed.relaxed, &squeezed.planes);
+  EXPECT_NEAR(restored.worst_error, 1 - std::pow(0.99, 3), 1e-9);
+  EXPECT_EQ(restored.points[0], squeezed.relaxed.points[0]);
+}
+
+}  // namespace
+}  // namespace musclewarp
