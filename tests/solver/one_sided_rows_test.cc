@@ -80,7 +80,7 @@ TEST(OneSidedSystem, SolvesWithTheActiveRows) {
 
   OneSidedSystem system(model, rows);
   system.UpdateActiveRows(model.coarse_rest);
-  // At rest the step without contact is none.
+  // At rest the step of the linear energy is zero.
   const Points step = system.CorrectedStep(Points::Zero(count, 3));
   for (int c = 0; c < 3; ++c) {
     EXPECT_LT((step.col(c) - expected.segment(c * count, count)).norm(),
