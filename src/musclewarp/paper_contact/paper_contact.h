@@ -26,7 +26,9 @@ class PaperContact {
                std::vector<ContactBody> bones);
 
   const ContactBody& muscle(int index) const { return muscles_[index]; }
+  const ContactBody& bone(int index) const { return bones_[index]; }
   int num_muscles() const { return static_cast<int>(muscles_.size()); }
+  int num_bones() const { return static_cast<int>(bones_.size()); }
 
   // Replaces the points of a muscle (#V x 3, mm), after a step.
   void MoveMuscle(int index, Points points);
