@@ -46,7 +46,7 @@ struct GroupContactOptions {
 //
 //   GroupContact contact(...);
 //   contact.Start(&states);
-//   for (...) {
+//   for (...) {  // iterations
 //     ... states[i].coarse += alpha * h ...
 //     contact.AfterStep(alpha, &states);
 //   }

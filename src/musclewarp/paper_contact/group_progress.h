@@ -56,7 +56,7 @@ struct GroupIterationOptions {
 // shared by the reference solver and the Ceres solver:
 //
 //   GroupProgress progress(...);
-//   while (!progress.IsOver()) {
+//   while (!progress.IsOver()) {  // an iteration
 //     ... step by progress.alpha() ...
 //     progress.Record(contact, volume_errors);
 //   }
