@@ -47,10 +47,14 @@ void PrintHelp(const std::string& usage) {
   }
 }
 
-// Threads that wait for each other without sleeping cost a few percent less on
-// an idle machine, and several times more on one that does something else, too.
-// OpenMP reads its policy before main, so the program starts itself again; if
-// that fails, it goes on as it is.
+// Has OpenMP threads sleep while they wait for each other, unless the user has
+// set OMP_WAIT_POLICY. By default they spin, which saves a few percent on an
+// idle machine but costs several times as much on one that is busy otherwise.
+//
+// The program executes itself again because there is no other way: OpenMP takes
+// its wait policy from the environment alone (no routine sets it), and libgomp
+// reads the environment when it is loaded, before any code of the program runs.
+// If execv fails, the program goes on with the default.
 void WaitPassively(char** argv) {
   if (std::getenv("OMP_WAIT_POLICY")) return;
   setenv("OMP_WAIT_POLICY", "passive", /*overwrite=*/1);

@@ -5,12 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <optional>
-#include <utility>
+#include <random>
 
-#include "musclewarp/paper_contact/gauss_newton_group.h"
+#include "support/invalid_options.h"
 #include "support/muscle_groups.h"
-#include "support/muscles.h"
 
 namespace musclewarp {
 
@@ -59,7 +57,11 @@ TEST(GroupContact, FineOffsetsDieAwayWhereNothingIsTouched) {
   std::vector<MuscleState> states = scene.RestStates();
   contact.Start(&states);
   states[0].coarse.rowwise() -= Eigen::RowVector3d(40, 0, 0);
-  const Points offset = Points::Random(scene.models[0].fine_rest.rows(), 3);
+  Points offset(scene.models[0].fine_rest.rows(), 3);
+  std::mt19937 engine(3);
+  for (Eigen::Index i = 0; i < offset.size(); ++i) {
+    offset.data()[i] = engine() / 2147483648.0 - 1;
+  }
   states[0].corrections.fine_offset = offset;
   contact.AfterStep(0.25, &states);
   EXPECT_EQ(contact.found_inside(0), 0);
@@ -104,55 +106,20 @@ TEST(GroupContact, FollowsOnFromThePoseBefore) {
   EXPECT_NEAR(farthest, 3, 0.2);
 }
 
-class GaussNewtonGroup : public ::testing::TestWithParam<ContactLevel> {};
-
-TEST_P(GaussNewtonGroup, PartsMusclesAndKeepsTheirVolume) {
-  TouchingSpindles scene(GetParam());
-  GroupContact contact = scene.Contact();
-  std::vector<MuscleState> states = scene.RestStates();
-  ASSERT_GT(scene.VerticesInside(states), 0);
-  std::vector<SolverSummary> summaries;
-  SolveGaussNewtonGroup(
-      scene.Models(), scene.Targets(), {}, &contact, &states, &summaries);
-  EXPECT_EQ(scene.VerticesInside(states), 0);
-  for (size_t i = 0; i < states.size(); ++i) {
-    EXPECT_EQ(summaries[i].stop_reason, StopReason::kConverged);
-    EXPECT_NEAR(summaries[i].volume_ratio, 1, 1e-9);
-    EXPECT_EQ(summaries[i].history.size(),
-              static_cast<size_t>(summaries[i].iterations));
-  }
+TEST(GroupContactOptions, DefaultsAreValid) {
+  ExpectValid(GroupContactOptions());
 }
 
-TEST_P(GaussNewtonGroup, SaysThatItStopped) {
-  TouchingSpindles scene(GetParam());
-  GroupContact contact = scene.Contact();
-  std::vector<MuscleState> states = scene.RestStates();
-  GroupIterationOptions options;
-  options.max_iterations = 3;
-  std::vector<SolverSummary> summaries;
-  SolveGaussNewtonGroup(
-      scene.Models(), scene.Targets(), options, &contact, &states, &summaries);
-  EXPECT_EQ(summaries[0].stop_reason, StopReason::kIterationLimit);
-  EXPECT_EQ(summaries[0].iterations, 3);
+TEST(GroupContactOptions, RefuseValuesOutOfRange) {
+  ExpectRefused<GroupContactOptions>(
+      [](auto* options) { options->mask_memory = 0; },
+      "GroupContactOptions::mask_memory is 0, allowed: above 0");
+  ExpectRefused<GroupContactOptions>(
+      [](auto* options) { options->max_final_rounds = -1; },
+      "GroupContactOptions::max_final_rounds is -1, allowed: 0 or above");
+  ExpectRefused<GroupContactOptions>(
+      [](auto* options) { options->paper.clearance = -1; },
+      "PaperContactOptions::clearance is -1, allowed: 0 or above");
 }
-
-TEST_P(GaussNewtonGroup, ApartIsWhatItIsWithoutContact) {
-  TouchingSpindles scene(GetParam(), /*gap=*/50);
-  GroupContact contact = scene.Contact();
-  std::vector<MuscleState> states = scene.RestStates();
-  std::vector<SolverSummary> summaries;
-  GroupIterationOptions options;
-  // From the rest pose, which is the solution.
-  SolveGaussNewtonGroup(
-      scene.Models(), scene.Targets(), options, &contact, &states, &summaries);
-  for (size_t i = 0; i < states.size(); ++i) {
-    EXPECT_LT((states[i].coarse - scene.models[i].coarse_rest).norm(), 1e-8);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Levels,
-                         GaussNewtonGroup,
-                         ::testing::Values(ContactLevel::kCoarse,
-                                           ContactLevel::kFine));
 
 }  // namespace musclewarp

@@ -44,26 +44,71 @@ struct Scene {
 
 TriangleSoup Ball(double x) { return MovedBy(Icosphere(10, 2), {x, 0, 0}); }
 
-void ExpectFinite(const Scene& scene) {
-  for (const Points& points : scene.AllPoints()) {
-    EXPECT_TRUE(points.allFinite());
+// The number of vertices of all bodies inside another one.
+int VerticesInside(const Scene& scene) {
+  int inside = 0;
+  const auto count = [&](const ContactBody& a, const ContactBody& b) {
+    inside += static_cast<int>(b.Inside(a.points()).size() +
+                               a.Inside(b.points()).size());
+  };
+  for (int i = 0; i < scene.contact->num_muscles(); ++i) {
+    const ContactBody& muscle = scene.contact->muscle(i);
+    for (int j = i + 1; j < scene.contact->num_muscles(); ++j) {
+      count(muscle, scene.contact->muscle(j));
+    }
+    for (int j = 0; j < scene.contact->num_bones(); ++j) {
+      count(muscle, scene.contact->bone(j));
+    }
+  }
+  return inside;
+}
+
+void ExpectThatBonesStayed(const Scene& scene) {
+  for (int j = 0; j < scene.contact->num_bones(); ++j) {
+    const ContactBody& bone = scene.contact->bone(j);
+    EXPECT_EQ(bone.points(), bone.shape().rest);
   }
 }
 
-// All of it, whatever comes in, and then again.
-void RunAll(Scene* scene) {
+// Expects that the final fix leaves nothing inside after a few rounds, and has
+// nothing more to do then.
+void ExpectThatTheFinalFixParts(Scene* scene) {
+  constexpr int kMaxRounds = 40;  // as many as GroupContact takes
+  int round = 0;
+  while (round < kMaxRounds && scene->contact->FixRemaining()) ++round;
+  EXPECT_LT(round, kMaxRounds);
+  EXPECT_EQ(VerticesInside(*scene), 0);
+  ExpectThatBonesStayed(*scene);
+  const std::vector<Points> parted = scene->AllPoints();
+  EXPECT_FALSE(scene->contact->FixRemaining());
+  EXPECT_EQ(scene->AllPoints(), parted);
+}
+
+// Steps all muscles along x and expects the laws of the rollback, whatever is
+// inside what: a vertex that was found inside stays on the line of its step,
+// near it, and all others stay where the step took them.
+void ExpectALawfulStep(Scene* scene) {
+  constexpr double kStep = 0.1;
   const std::vector<Points> before = scene->AllPoints();
-  scene->contact->FixInitial();
-  ExpectFinite(*scene);
+  std::vector<Points> stepped = before;
   for (int i = 0; i < scene->contact->num_muscles(); ++i) {
-    scene->contact->MoveMuscle(i,
-                               scene->contact->muscle(i).points().rowwise() +
-                                   Eigen::RowVector3d(0.1, 0, 0));
+    stepped[i].col(0).array() += kStep;
+    scene->contact->MoveMuscle(i, stepped[i]);
   }
   scene->contact->RollBack(before);
-  ExpectFinite(*scene);
-  for (int round = 0; round < 3; ++round) scene->contact->FixRemaining();
-  ExpectFinite(*scene);
+  // Every other body may send a vertex back by the longest steps of both.
+  const int others =
+      scene->contact->num_muscles() + scene->contact->num_bones() - 1;
+  const double reach = others * (2 * kStep + PaperContactOptions().clearance);
+  for (int i = 0; i < scene->contact->num_muscles(); ++i) {
+    const Points& after = scene->contact->muscle(i).points();
+    for (Eigen::Index v = 0; v < after.rows(); ++v) {
+      const Eigen::RowVector3d move = after.row(v) - stepped[i].row(v);
+      EXPECT_EQ(move.tail<2>().norm(), 0);
+      EXPECT_LE(move.norm(), scene->contact->found_inside()[i][v] ? reach : 0);
+    }
+  }
+  ExpectThatBonesStayed(*scene);
 }
 
 }  // namespace
@@ -113,33 +158,75 @@ TEST(PaperContact, SaysWhichVerticesItFound) {
   EXPECT_GT(std::count(other.begin(), other.end(), 1), 0);
 }
 
-TEST(PaperContact, AnswersForABoneInsideAMuscle) {
+// No vertex of the muscle is inside the bone, and no triangle near enough to be
+// pushed off it.
+TEST(PaperContact, LeavesABoneDeepInsideAMuscle) {
   Scene scene({Ball(0)}, {Icosphere(3, 1)});
-  RunAll(&scene);
+  const std::vector<Points> start = scene.AllPoints();
+  EXPECT_TRUE(scene.contact->FixInitial());
+  EXPECT_TRUE(scene.contact->FixRemaining());
+  EXPECT_EQ(scene.AllPoints(), start);
+  ExpectALawfulStep(&scene);
 }
 
-TEST(PaperContact, AnswersForAMuscleInsideAnother) {
+TEST(PaperContact, TakesAMuscleOutOfAnother) {
   Scene scene({Ball(0), Icosphere(3, 2)}, {});
-  RunAll(&scene);
+  ASSERT_EQ(VerticesInside(scene), 162);
+  EXPECT_TRUE(scene.contact->FixInitial());
+  ExpectALawfulStep(&scene);
+  ExpectThatTheFinalFixParts(&scene);
 }
 
-TEST(PaperContact, AnswersForAMuscleInsideABone) {
+TEST(PaperContact, TakesAMuscleOutOfABone) {
   Scene scene({Icosphere(3, 2)}, {Ball(0)});
-  RunAll(&scene);
+  ASSERT_EQ(VerticesInside(scene), 162);
+  EXPECT_TRUE(scene.contact->FixInitial());
+  ExpectALawfulStep(&scene);
+  ExpectThatTheFinalFixParts(&scene);
 }
 
 TEST(PaperContact, IdenticalMeshesHaveNothingInside) {
   Scene scene({Ball(0), Ball(0)}, {Ball(0)});
+  const std::vector<Points> start = scene.AllPoints();
   EXPECT_FALSE(scene.contact->FixInitial());
-  RunAll(&scene);
+  EXPECT_FALSE(scene.contact->FixRemaining());
+  EXPECT_EQ(scene.AllPoints(), start);
+  ExpectALawfulStep(&scene);
 }
 
-TEST(PaperContact, AnswersForAnObstacleThatIsNotClosed) {
+TEST(PaperContact, PartsAMuscleFromAnObstacleThatIsNotClosed) {
   TriangleSoup open = Ball(15);
   open.triangles = open.triangles.topRows(300).eval();
   Scene scene({Ball(0)}, {open});
   EXPECT_TRUE(scene.contact->FixInitial());
-  RunAll(&scene);
+  ExpectALawfulStep(&scene);
+  ExpectThatTheFinalFixParts(&scene);
+}
+
+TEST(PaperContact, MovesOnlyWhatIsInsideAndNoFartherThanItIsDeep) {
+  Scene scene({Ball(0), Ball(18)}, {});
+  const std::vector<Points> start = scene.AllPoints();
+  std::vector<std::vector<int>> inside;
+  for (int i = 0; i < 2; ++i) {
+    inside.push_back(scene.contact->muscle(1 - i).Inside(start[i]));
+    ASSERT_FALSE(inside[i].empty());
+  }
+  scene.contact->FixInitial();
+  // Balls of radius 10 whose centres are 18 apart are 2 deep in each other.
+  // Their regions are too far apart to be paired, and go all the way.
+  const double farthest = 2 + PaperContactOptions().clearance + 1e-12;
+  for (int i = 0; i < 2; ++i) {
+    const Points moves = scene.AllPoints()[i] - start[i];
+    for (int v = 0; v < moves.rows(); ++v) {
+      if (std::binary_search(inside[i].begin(), inside[i].end(), v)) {
+        EXPECT_GT(moves.row(v).norm(), 0);
+        EXPECT_LE(moves.row(v).norm(), farthest);
+      } else {
+        EXPECT_EQ(moves.row(v).norm(), 0);
+      }
+    }
+  }
+  ExpectThatTheFinalFixParts(&scene);
 }
 
 // A bone that moves through a standing muscle: seen from the bone the muscle

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "musclewarp/solver/volume_constraint.h"
+#include "support/invalid_options.h"
 #include "support/muscles.h"
 
 namespace musclewarp {
@@ -49,9 +50,33 @@ Points Moved(const Points& points,
 
 }  // namespace
 
-TEST(GaussNewton, DefaultOptionsAreValid) {
-  std::string error;
-  EXPECT_TRUE(GaussNewtonOptions().IsValid(&error)) << error;
+TEST(GaussNewtonOptions, DefaultsAreValid) {
+  ExpectValid(GaussNewtonOptions());
+}
+
+TEST(GaussNewtonOptions, RefuseValuesOutOfRange) {
+  ExpectRefused<GaussNewtonOptions>(
+      [](auto* options) { options->fine_volume_threshold = -1; },
+      "GaussNewtonOptions::fine_volume_threshold is -1, allowed: 0 or above");
+  ExpectRefused<GaussNewtonOptions>(
+      [](auto* options) { options->max_coarse_iterations = -1; },
+      "GaussNewtonOptions::max_coarse_iterations is -1, allowed: 0 or above");
+  ExpectRefused<GaussNewtonOptions>(
+      [](auto* options) { options->step_threshold = 0; },
+      "GaussNewtonOptions::step_threshold is 0, allowed: above 0");
+  ExpectRefused<GaussNewtonOptions>(
+      [](auto* options) { options->volume_tolerance = NAN; },
+      "GaussNewtonOptions::volume_tolerance is nan, allowed: above 0");
+  ExpectRefused<GaussNewtonOptions>(
+      [](auto* options) { options->max_iterations = 0; },
+      "GaussNewtonOptions::max_iterations is 0, allowed: above 0");
+  ExpectRefused<GaussNewtonOptions>(
+      [](auto* options) { options->polish_threshold = 0.5; },
+      "GaussNewtonOptions::polish_threshold is 0.5, allowed: 0 to "
+      "polish_start");
+  ExpectRefused<GaussNewtonOptions>(
+      [](auto* options) { options->step_length.decay = 0; },
+      "StepLengthSchedule::decay is 0, allowed: above 0 and at most 1");
 }
 
 TEST(GaussNewton, RestInRestOut) {

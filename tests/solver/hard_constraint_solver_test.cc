@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include "support/invalid_options.h"
+
 namespace musclewarp {
 namespace {
 
@@ -57,17 +59,69 @@ SolverSummary SolveCircle(const HardConstraintOptions& options, double* p) {
 
 }  // namespace
 
-TEST(HardConstraintSolver, DefaultOptionsAreValid) {
-  std::string error;
-  EXPECT_TRUE(HardConstraintOptions().IsValid(&error)) << error;
+TEST(HardConstraintOptions, DefaultsAreValid) {
+  ExpectValid(HardConstraintOptions());
 }
 
-TEST(HardConstraintSolver, NamesTheBrokenRule) {
+TEST(HardConstraintOptions, RefuseValuesOutOfRange) {
+  ExpectRefused<HardConstraintOptions>(
+      [](auto* options) { options->initial_penalty = -1; },
+      "HardConstraintOptions::initial_penalty is -1, allowed: above 0 and at "
+      "most max_penalty");
+  ExpectRefused<HardConstraintOptions>(
+      [](auto* options) { options->penalty_factor = 1; },
+      "HardConstraintOptions::penalty_factor is 1, allowed: above 1");
+  ExpectRefused<HardConstraintOptions>(
+      [](auto* options) { options->violation_tolerance = 0; },
+      "HardConstraintOptions::violation_tolerance is 0, allowed: above 0");
+  ExpectRefused<HardConstraintOptions>(
+      [](auto* options) { options->step_tolerance = 0; },
+      "HardConstraintOptions::step_tolerance is 0, allowed: above 0");
+  ExpectRefused<HardConstraintOptions>(
+      [](auto* options) { options->max_rounds = 0; },
+      "HardConstraintOptions::max_rounds is 0, allowed: above 0");
+}
+
+TEST(HardConstraintOptions, RefuseWhatCeresRefuses) {
   HardConstraintOptions options;
-  options.initial_penalty = -1;
+  options.ceres.max_num_iterations = -5;
   std::string error;
   EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_NE(error.find("initial_penalty"), std::string::npos);
+  EXPECT_NE(error.find("max_num_iterations"), std::string::npos) << error;
+}
+
+TEST(HardConstraint, ResidualIsZeroWhereMultiplierAndViolationBalance) {
+  HardConstraint constraint;
+  constraint.penalty = 4;
+  constraint.target = 1;
+  EXPECT_EQ(constraint.Residual(1), 0);
+  constraint.multiplier = 8;
+  // sqrt(4) (3 - 1 + 8 / 4)
+  EXPECT_EQ(constraint.Residual(3), 8);
+  EXPECT_EQ(constraint.Residual(-1), 0);
+}
+
+TEST(HardConstraint, LearnsTheMultiplierWhileTheViolationFalls) {
+  const HardConstraintOptions options;
+  HardConstraint constraint;
+  constraint.penalty = 100;
+  EXPECT_TRUE(constraint.Update(options, -0.25, 1, /*is_minimum=*/false));
+  EXPECT_EQ(constraint.multiplier, -25);
+  EXPECT_EQ(constraint.penalty, 100);
+}
+
+TEST(HardConstraint, HardensUpToTheLimitWhenTheViolationDoesNotFall) {
+  HardConstraintOptions options;
+  options.max_penalty = 5000;
+  HardConstraint constraint;
+  constraint.penalty = 100;
+  EXPECT_FALSE(constraint.Update(options, 0.26, 1, /*is_minimum=*/false));
+  EXPECT_EQ(constraint.multiplier, 0);
+  EXPECT_EQ(constraint.penalty, 1000);
+  // At a minimum the multiplier grows by the penalty of that minimum.
+  EXPECT_FALSE(constraint.Update(options, 0.5, 1, /*is_minimum=*/true));
+  EXPECT_EQ(constraint.multiplier, 500);
+  EXPECT_EQ(constraint.penalty, 5000);
 }
 
 TEST(HardConstraintSolver, ReachesTheConstrainedMinimum) {

@@ -4,15 +4,29 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <vector>
+
 #include "support/muscles.h"
 
 namespace musclewarp {
 namespace {
 
+// Entries between -1 and 1.
+Points RandomPoints(int count, unsigned seed) {
+  std::mt19937 engine(seed);
+  Points points(count, 3);
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    points.data()[i] = engine() / 2147483648.0 - 1;
+  }
+  return points;
+}
+
 // Every third vertex is held a little off, the fine mesh is shaken.
-VertexCorrections SomeContact(const MuscleModel& model) {
+VertexCorrections SomeCorrections(const MuscleModel& model) {
   VertexCorrections corrections;
-  corrections.fine_offset = Points::Random(model.fine_rest.rows(), 3);
+  corrections.fine_offset =
+      RandomPoints(static_cast<int>(model.fine_rest.rows()), 1);
   std::vector<char> coarse(model.coarse_rest.rows(), 0);
   for (size_t i = 0; i < coarse.size(); i += 3) coarse[i] = 1;
   std::vector<char> fine(model.fine_rest.rows(), 0);
@@ -23,15 +37,21 @@ VertexCorrections SomeContact(const MuscleModel& model) {
   return corrections;
 }
 
+// Of central differences, mm: the volume is cubic in each coordinate, so that
+// they err by the square of this.
+constexpr double kStep = 1e-4;
+
+// Volumes of 1e4 mm^3 are rounded by 1e-12 of that; over the step, mm^2.
+constexpr double kDerivative = 1e-5;
+
 }  // namespace
 
-TEST(VolumeEvaluator, RemembersRight) {
+TEST(VolumeEvaluator, AnswersAsAFreshOneWouldWhateverWasAskedBefore) {
   const MuscleModel model = SpindleModel();
-  const VertexCorrections corrections = SomeContact(model);
+  const VertexCorrections corrections = SomeCorrections(model);
   VolumeEvaluator one(model, &corrections);
-  const Points a = model.coarse_rest + Points::Random(162, 3);
-  const Points b = model.coarse_rest + Points::Random(162, 3);
-  // Whatever was asked before, the answer is that of a fresh one.
+  const Points a = model.coarse_rest + RandomPoints(162, 2);
+  const Points b = model.coarse_rest + RandomPoints(162, 3);
   for (const Points* x : {&a, &b, &b, &a, &a}) {
     VolumeEvaluator fresh(model, &corrections);
     EXPECT_EQ(one.Error(*x), fresh.Error(*x));
@@ -44,12 +64,12 @@ TEST(VolumeEvaluator, RemembersRight) {
   EXPECT_NE(one.Error(a), VolumeEvaluator(model, &corrections).Error(a));
 }
 
-TEST(VolumeEvaluator, SeesChangedContactWhenToldSo) {
+TEST(VolumeEvaluator, SeesChangedCorrectionsWhenTold) {
   const MuscleModel model = SpindleModel();
   VertexCorrections corrections;
   VolumeEvaluator volume(model, &corrections);
   const double before = volume.Error(model.coarse_rest);
-  corrections = SomeContact(model);
+  corrections = SomeCorrections(model);
   volume.Forget();
   EXPECT_EQ(volume.Error(model.coarse_rest),
             VolumeEvaluator(model, &corrections).Error(model.coarse_rest));
@@ -58,23 +78,20 @@ TEST(VolumeEvaluator, SeesChangedContactWhenToldSo) {
 
 TEST(VolumeEvaluator, HasTheGradientOfItsError) {
   const MuscleModel model = SpindleModel();
-  const VertexCorrections corrections = SomeContact(model);
-  const Points x = model.coarse_rest + Points::Random(162, 3);
+  const VertexCorrections corrections = SomeCorrections(model);
+  const Points x = model.coarse_rest + RandomPoints(162, 4);
   for (const VolumeMesh mesh : {VolumeMesh::kCoarse, VolumeMesh::kFine}) {
     VolumeEvaluator volume(model, &corrections);
     volume.SetMesh(mesh);
     const Points gradient = volume.Gradient(x);
     for (const int v : {0, 1, 2, 50, 100, 161}) {
       for (int k = 0; k < 3; ++k) {
-        constexpr double kStep =
-            1e-4;  // the volume is cubic in each coordinate
         Points moved = x;
         moved(v, k) += kStep;
         const double plus = volume.Error(moved);
         moved(v, k) -= 2 * kStep;
         const double minus = volume.Error(moved);
-        // Volumes of 1e4 mm^3 rounded, over the step.
-        EXPECT_NEAR(gradient(v, k), (plus - minus) / (2 * kStep), 1e-5);
+        EXPECT_NEAR(gradient(v, k), (plus - minus) / (2 * kStep), kDerivative);
       }
     }
     for (const int v : corrections.held_coarse.vertices) {

@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+#include "musclewarp/base/invalid_option.h"
+
 namespace musclewarp {
 namespace {
 

@@ -79,7 +79,7 @@ SolvedPose SolveWithRows(const PreparedScene& scene,
     solved.states[with_rows[k]] = std::move(states[k]);
     const SolverSummary& without = without_rows.summaries[with_rows[k]];
     SolverSummary& summary = solved.summaries[with_rows[k]];
-    summary = Following(without, std::move(summaries[k]));
+    summary = MergedSummary(without, std::move(summaries[k]));
     if (!without.IsSolutionUsable()) {
       summary.stop_reason = without.stop_reason;
       summary.message = without.message;

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "problems/muscle_group/muscle_group_solver.h"
 
-#include <ceres/crs_matrix.h>
 #include <gtest/gtest.h>
 #include <omp.h>
 
 #include "musclewarp/paper_contact/gauss_newton_group.h"
-#include "problems/muscle_group/muscle_group_problem.h"
+#include "support/invalid_options.h"
 #include "support/muscle_groups.h"
-#include "support/muscles.h"
 
 namespace musclewarp {
 namespace {
@@ -64,14 +62,16 @@ TEST_P(MuscleGroup, AgreesWithTheReference) {
 
 TEST_P(MuscleGroup, IsTheSameToTheBitForEveryNumberOfThreads) {
   const TouchingSpindles scene(GetParam());
+  MuscleGroupOptions options;
+  options.iteration.max_iterations = 20;
   std::vector<SolverSummary> summaries;
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
-  const auto one = Solve(scene, {}, &summaries);
+  const auto one = Solve(scene, options, &summaries);
   omp_set_num_threads(4);
-  const auto four = Solve(scene, {}, &summaries);
+  const auto four = Solve(scene, options, &summaries);
   omp_set_num_threads(threads);
-  const auto again = Solve(scene, {}, &summaries);
+  const auto again = Solve(scene, options, &summaries);
   for (size_t i = 0; i < one.size(); ++i) {
     EXPECT_EQ(one[i].coarse, four[i].coarse);
     EXPECT_EQ(one[i].coarse, again[i].coarse);
@@ -94,69 +94,18 @@ INSTANTIATE_TEST_SUITE_P(Levels,
                          ::testing::Values(ContactLevel::kCoarse,
                                            ContactLevel::kFine));
 
-// What Ceres evaluates after contact has put vertices back and masked them.
-class AfterContact : public ::testing::TestWithParam<MuscleFormulation> {};
-
-TEST_P(AfterContact, CeresSeesTheRolledBackStateAndNoMaskedRow) {
-  const TouchingSpindles scene(ContactLevel::kCoarse);
-  GroupContact contact = scene.Contact();
-  std::vector<MuscleState> states = scene.RestStates();
-  contact.Start(&states);
-  MuscleGroupProblem group(scene.Models(), scene.Targets(), GetParam(), states);
-  states[0].coarse.rowwise() += Eigen::RowVector3d(0.5, 0, 0);
-  const Points stepped = states[0].coarse;
-  contact.AfterStep(0.5, &states);
-  ASSERT_NE(states[0].coarse, stepped);
-  group.SetStates(states);
-
-  // The residual of the volume, the last of a muscle, is that of the state.
-  std::vector<double> residuals;
-  std::vector<double> gradient;
-  ceres::CRSMatrix jacobian;
-  ceres::Problem::EvaluateOptions in_order;  // not of first appearance
-  for (const auto& unknowns : group.unknowns) {
-    for (double* block : unknowns->Blocks()) {
-      in_order.parameter_blocks.push_back(block);
-    }
-  }
-  group.problem.Evaluate(in_order, nullptr, &residuals, &gradient, &jacobian);
-  const MuscleModel& model = scene.models[0];
-  // Through whitening and back: rounding of coordinates of size 100.
-  EXPECT_LT((group.unknowns[0]->Coarse() - states[0].coarse).norm(), 1e-9);
-  const int n = static_cast<int>(model.coarse_rest.rows());
-  // The volume comes after the linear rows of its muscle.
-  int row = 3 * n;
-  if (GetParam() == MuscleFormulation::kBlocks) {
-    row +=
-        3 * static_cast<int>(model.skeleton.rows() + model.attachment.rows());
-  }
-  ASSERT_EQ(jacobian.rows[row + 1] - jacobian.rows[row], 3 * n);
-  Points slope(n, 3);
-  for (int k = 0; k < 3 * n; ++k) {
-    slope.data()[k] = jacobian.values[jacobian.rows[row] + k];
-  }
-  if (GetParam() == MuscleFormulation::kWhitened) {
-    // d/dX = U^T d/dY
-    slope = model.normal_matrix.matrixL() * slope;
-  }
-  ASSERT_FALSE(states[0].corrections.held_coarse.IsEmpty());
-  for (const int v : states[0].corrections.held_coarse.vertices) {
-    // Exact for plain blocks; what whitening rounds.
-    EXPECT_LT(slope.row(v).norm(), 1e-12 * slope.norm());
-  }
-  EXPECT_GT(slope.norm(), 0);
-  EXPECT_NEAR(
-      residuals[row],
-      group.constraints[0]->Residual(
-          FineVolumeError(model, states[0].coarse, states[0].corrections) /
-          model.rest_area),
-      1e-9);
+TEST(MuscleGroupOptions, DefaultsAreValid) {
+  ExpectValid(MuscleGroupOptions());
 }
 
-INSTANTIATE_TEST_SUITE_P(Formulations,
-                         AfterContact,
-                         ::testing::Values(MuscleFormulation::kBlocks,
-                                           MuscleFormulation::kWhitened));
+TEST(MuscleGroupOptions, RefuseWhatTheirPartsRefuse) {
+  ExpectRefused<MuscleGroupOptions>(
+      [](auto* options) { options->muscle.fine_volume_threshold = -1; },
+      "SingleMuscleOptions::fine_volume_threshold is -1, allowed: above 0");
+  ExpectRefused<MuscleGroupOptions>(
+      [](auto* options) { options->iteration.window = 0; },
+      "GroupIterationOptions::window is 0, allowed: above 0");
+}
 
 TEST(MuscleGroupSolver, PlainBlocksPartThemToo) {
   const TouchingSpindles scene(ContactLevel::kCoarse);

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "problems/single_muscle/single_muscle_solver.h"
 
-#include <ceres/problem.h>
 #include <gtest/gtest.h>
 
 #include "musclewarp/solver/gauss_newton.h"
-#include "problems/single_muscle/single_muscle_problem.h"
+#include "support/invalid_options.h"
 #include "support/muscles.h"
 
 namespace musclewarp {
@@ -56,30 +55,20 @@ OneSidedRows RowsFromBothSides(const MuscleModel& model,
 
 }  // namespace
 
-TEST(SingleMuscleSolver, DefaultOptionsAreValid) {
-  std::string error;
+TEST(SingleMuscleOptions, AreValidForBothFormulations) {
   for (const auto formulation :
        {MuscleFormulation::kWhitened, MuscleFormulation::kBlocks}) {
-    EXPECT_TRUE(SingleMuscleOptions::For(formulation).IsValid(&error)) << error;
+    ExpectValid(SingleMuscleOptions::For(formulation));
   }
 }
 
-TEST(SingleMuscleSolver, TheBlocksAddUpToTheLinearEnergy) {
-  MuscleModelOptions options;
-  options.attachment_weight = 1;
-  const MuscleModel model = SpindleModel(options);
-  const MuscleTarget target = TargetOf(model, BentPose(0.6), {});
-  HardConstraint no_volume;
-  no_volume.penalty = 1e-300;
-  MuscleUnknowns unknowns(
-      model, target, MuscleFormulation::kBlocks, model.coarse_rest);
-  VolumeEvaluator volume(model, nullptr);
-  ceres::Problem problem;
-  AddMuscle(model, target, no_volume, &volume, &unknowns, &problem);
-  double cost = 0;
-  problem.Evaluate({}, &cost, nullptr, nullptr, nullptr);
-  EXPECT_NEAR(
-      cost, LinearEnergy(model, target, model.coarse_rest), 1e-9 * cost);
+TEST(SingleMuscleOptions, RefuseValuesOutOfRange) {
+  ExpectRefused<SingleMuscleOptions>(
+      [](auto* options) { options->fine_volume_threshold = 0; },
+      "SingleMuscleOptions::fine_volume_threshold is 0, allowed: above 0");
+  ExpectRefused<SingleMuscleOptions>(
+      [](auto* options) { options->hard_constraint.max_rounds = 0; },
+      "HardConstraintOptions::max_rounds is 0, allowed: above 0");
 }
 
 TEST(SingleMuscleSolver, BothFormulationsAndTheReferenceFindOneMinimum) {
@@ -98,7 +87,7 @@ TEST(SingleMuscleSolver, BothFormulationsAndTheReferenceFindOneMinimum) {
   }
 }
 
-TEST(SingleMuscleSolver, AllFindOneMinimumWithContact) {
+TEST(SingleMuscleSolver, AllFindOneMinimumWithOneSidedRows) {
   const MuscleModel model = SpindleModel();
   for (const double angle : {0.0, 0.5, 1.0}) {
     MuscleTarget target = TargetOf(model, BentPose(angle), {});
