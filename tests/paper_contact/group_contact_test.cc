@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "musclewarp/paper_contact/gauss_newton_group.h"
+#include "support/meshes.h"
 #include "support/muscle_groups.h"
 #include "support/muscles.h"
 
@@ -59,7 +60,7 @@ TEST(GroupContact, FineOffsetsDieAwayWhereNothingIsTouched) {
   std::vector<MuscleState> states = scene.RestStates();
   contact.Start(&states);
   states[0].coarse.rowwise() -= Eigen::RowVector3d(40, 0, 0);
-  const Points offset = Points::Random(scene.models[0].fine_rest.rows(), 3);
+  const Points offset = RandomPoints(scene.models[0].fine_rest.rows(), 1);
   states[0].corrections.fine_offset = offset;
   contact.AfterStep(0.25, &states);
   EXPECT_EQ(contact.found_inside(0), 0);

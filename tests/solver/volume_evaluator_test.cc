@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/meshes.h"
 #include "support/muscles.h"
 
 namespace musclewarp {
@@ -12,7 +13,7 @@ namespace {
 // Every third vertex is held a little off, the fine mesh is shaken.
 VertexCorrections SomeContact(const MuscleModel& model) {
   VertexCorrections corrections;
-  corrections.fine_offset = Points::Random(model.fine_rest.rows(), 3);
+  corrections.fine_offset = RandomPoints(model.fine_rest.rows(), 1);
   std::vector<char> coarse(model.coarse_rest.rows(), 0);
   for (size_t i = 0; i < coarse.size(); i += 3) coarse[i] = 1;
   std::vector<char> fine(model.fine_rest.rows(), 0);
@@ -29,8 +30,8 @@ TEST(VolumeEvaluator, RemembersRight) {
   const MuscleModel model = SpindleModel();
   const VertexCorrections corrections = SomeContact(model);
   VolumeEvaluator one(model, &corrections);
-  const Points a = model.coarse_rest + Points::Random(162, 3);
-  const Points b = model.coarse_rest + Points::Random(162, 3);
+  const Points a = model.coarse_rest + RandomPoints(162, 2);
+  const Points b = model.coarse_rest + RandomPoints(162, 3);
   // Whatever was asked before, the answer is that of a fresh one.
   for (const Points* x : {&a, &b, &b, &a, &a}) {
     VolumeEvaluator fresh(model, &corrections);
@@ -59,7 +60,7 @@ TEST(VolumeEvaluator, SeesChangedContactWhenToldSo) {
 TEST(VolumeEvaluator, HasTheGradientOfItsError) {
   const MuscleModel model = SpindleModel();
   const VertexCorrections corrections = SomeContact(model);
-  const Points x = model.coarse_rest + Points::Random(162, 3);
+  const Points x = model.coarse_rest + RandomPoints(162, 2);
   for (const VolumeMesh mesh : {VolumeMesh::kCoarse, VolumeMesh::kFine}) {
     VolumeEvaluator volume(model, &corrections);
     volume.SetMesh(mesh);
