@@ -8,10 +8,11 @@
 #include <optional>
 #include <vector>
 
+#include "musclewarp/base/base64.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh_files/soup_builder.h"
 #include "musclewarp/mesh_files/text_cursor.h"
-#include "musclewarp/mesh_files/vtp_data.h"
+#include "musclewarp/mesh_files/vtp_packing.h"
 #include "musclewarp/mesh_files/xml_tags.h"
 
 namespace musclewarp {

@@ -137,14 +137,14 @@ bool RepairReport::AnythingDone() const {
          0;
 }
 
-Mesh RepairMesh(const TriangleSoup& soup,
-                const std::string& name,
-                const RepairOptions& options,
-                RepairReport* report) {
+TriangleSoup RepairMesh(const TriangleSoup& soup,
+                        const std::string& name,
+                        const RepairOptions& options,
+                        RepairReport* report) {
   RepairReport unused;
   if (report == nullptr) report = &unused;
   *report = RepairReport();
-  if (CountDefects(soup).IsClean()) return MeshFromSoup(soup);
+  if (CountDefects(soup).IsClean()) return soup;
 
   TriangleSoup work = soup;
   report->point_merges = MergePoints(
@@ -166,7 +166,7 @@ Mesh RepairMesh(const TriangleSoup& soup,
   report->dropped_points = DropUnreferencedPoints(&work);
   PullApartUntilClear(&work, report);
   CheckClean(work, name);
-  return MeshFromSoup(work);
+  return work;
 }
 
 }  // namespace musclewarp

@@ -32,8 +32,7 @@ TriangleSoup ReadRepaired(const std::string& name,
   preparation->name = name;
   preparation->path = path;
   preparation->defects = CountDefects(delivered);
-  return SoupFromMesh(
-      RepairMesh(delivered, path, options, &preparation->repairs));
+  return RepairMesh(delivered, path, options, &preparation->repairs);
 }
 
 // The action lines at the places of the skeleton samples.

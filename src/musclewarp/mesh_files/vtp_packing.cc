@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/mesh_files/vtp_data.h"
+#include "musclewarp/mesh_files/vtp_packing.h"
 
 #include <vtkDataCompressor.h>
 #include <vtkLZ4DataCompressor.h>
@@ -8,7 +8,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkZLibDataCompressor.h>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -152,39 +151,6 @@ VtpPacking VtpPackingFromTag(const std::string& path, const XmlTag& root) {
            "vtkLZMADataCompressor");
   }
   return packing;
-}
-
-std::string DecodeBase64(std::string_view text) {
-  static const std::array<int, 256> kValues = [] {
-    constexpr std::string_view kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::array<int, 256> values;
-    values.fill(-1);
-    for (std::size_t i = 0; i < kDigits.size(); ++i) {
-      values[static_cast<unsigned char>(kDigits[i])] = static_cast<int>(i);
-    }
-    return values;
-  }();
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3);
-  std::uint32_t bits = 0;
-  int num_bits = 0;
-  for (const char c : text) {
-    if (c == '=') {  // Fills up the last four characters of an encoding.
-      num_bits = 0;
-      continue;
-    }
-    if (c == ' ' || c == '\t' || c == '\r' || c == '\n') continue;
-    const int value = kValues[static_cast<unsigned char>(c)];
-    if (value < 0) break;
-    bits = (bits << 6 | static_cast<std::uint32_t>(value)) & 0xffff;
-    num_bits += 6;
-    if (num_bits >= 8) {
-      num_bits -= 8;
-      bytes += static_cast<char>(bits >> num_bits & 0xff);
-    }
-  }
-  return bytes;
 }
 
 std::string UnpackVtpArray(const std::string& where,
