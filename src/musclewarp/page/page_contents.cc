@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/page/page_data.h"
+#include "musclewarp/page/page_contents.h"
 
 #include <algorithm>
 #include <cmath>
@@ -242,18 +242,19 @@ Json ViewsJson(const RecordedRun& run, const PageOptions& options) {
 
 }  // namespace
 
-PageData PageDataOf(const std::vector<RecordedRun>& runs,
-                    const PageOptions& options) {
+PageContents PageContentsOf(const std::vector<RecordedRun>& runs,
+                            const PageOptions& options) {
   PackedNumbers packed;
-  PageData data;
-  data.json = {{"views", ViewsJson(runs.at(0), options)},
-               {"runs", Json::array()}};
+  PageContents contents;
+  contents.json = {{"views", ViewsJson(runs.at(0), options)},
+                   {"runs", Json::array()}};
   const std::vector<std::string> labels = Labels(runs);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    data.json["runs"].push_back(RunJson(runs[i], labels[i], options, &packed));
+    contents.json["runs"].push_back(
+        RunJson(runs[i], labels[i], options, &packed));
   }
-  data.numbers = packed.Base64();
-  return data;
+  contents.numbers = packed.Base64();
+  return contents;
 }
 
 }  // namespace musclewarp
