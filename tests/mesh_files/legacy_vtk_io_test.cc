@@ -84,7 +84,7 @@ TEST(LegacyVtkIo, OtherDatasetsAreNamed) {
 }
 
 TEST(LegacyVtkIo, OtherFilesAreNamed) {
-  ExpectRefusal("solid a\n", {"a.vtk", "no legacy VTK file", "'solid a'"});
+  ExpectRefusal("solid a\n", {"a.vtk", "not a legacy VTK file", "'solid a'"});
   ExpectRefusal(With(kSquare, "ASCII", "UTF8"), {"line 3", "'utf8'"});
   ExpectRefusal(With(kSquare, "POLYGONS", "POLYHEDRA"),
                 {"line 10", "'POLYHEDRA'"});

@@ -71,8 +71,9 @@ class HeaderReader {
   const VtpPacking& packing_;
 };
 
-// Number of blocks, size of a block, size of the last one (0: it is a whole
-// one), then the size of each when compressed.
+// Compressed data start with the number of blocks, the size of a block, the
+// size of the last block (0 if that is whole, too), and the compressed size of
+// each block.
 std::string UnpackBlocks(const std::string& where,
                          std::string_view data,
                          const VtpPacking& packing) {
@@ -98,7 +99,8 @@ std::string UnpackBlocks(const std::string& where,
     if (packed > rest.size()) {
       ThrowTruncated(where, packed, "bytes in a block", rest.size());
     }
-    // Deflate makes at most 1032 bytes of one; the rest is for smaller codes.
+    // Deflate makes at most 1032 bytes of one. The constant leaves room for the
+    // other compressors, which may make more.
     if (size > 1032 * packed + (1 << 24)) {
       ThrowTruncated(where, size, "unpacked bytes", packed);
     }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kDataPlace = "<!--musclewarp:data-->";
 
-// As the content of a <script>, which nothing in it can end.
+// Returns the JSON as the content of a <script>, which no text in it can end.
 std::string ScriptSafe(const nlohmann::ordered_json& json) {
   const auto on_error = nlohmann::ordered_json::error_handler_t::replace;
   std::string safe;
