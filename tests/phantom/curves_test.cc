@@ -104,5 +104,23 @@ TEST(Outline, HasTheDistanceToTheNearestEdge) {
   }
 }
 
+TEST(Outline, OfManyPointsOnACircleIsTheCircle) {
+  std::vector<Vector2d> controls;
+  for (int i = 0; i < 32; ++i) {
+    const double angle = i * 2 * M_PI / 32;
+    controls.emplace_back(10 * std::cos(angle), 10 * std::sin(angle));
+  }
+  const Outline circle(controls);
+  // A chord of 1/192 of the circle, and the cubic between the controls, leave
+  // it by less than 0.01.
+  constexpr double kTolerance = 0.01;
+  for (const double radius : {2.0, 9.0, 12.0, 20.0}) {
+    for (double angle = 0.1; angle < 6; angle += 0.7) {
+      const Vector2d p(radius * std::cos(angle), radius * std::sin(angle));
+      EXPECT_NEAR(circle.SignedDistance(p), radius - 10, kTolerance);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace musclewarp::phantom
