@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "musclewarp/page/page_data.h"
+#include "musclewarp/page/page_contents.h"
 
 namespace musclewarp {
 

@@ -35,8 +35,10 @@ DEFINE_uint32(seed, 1, "of the rays that tell inside from outside");
 DEFINE_int32(threads, 0, "threads; 0: one a core");
 DEFINE_double(max_hole,
               30,
-              "length of the border of holes that are closed when a mesh is "
-              "repaired, mm; longer ones are refused");
+              "holes whose border is at most this long are filled when a mesh "
+              "is repaired, mm; a longer one is filled only if it is a slit: "
+              "if the area of its filling is at most 0.006 times the square of "
+              "the length of its border");
 DEFINE_int32(coarse_vertices, 200, "vertices of the hull of a muscle, about");
 DEFINE_int32(bone_coarse_vertices,
              1000,

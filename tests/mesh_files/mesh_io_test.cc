@@ -5,14 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
-#include <cstring>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <random>
 #include <sstream>
 
-#include "musclewarp/mesh_files/binary_scalar.h"
+#include "mesh_files/format_checks.h"
+#include "musclewarp/base/input_error.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
 
@@ -20,12 +19,8 @@ namespace musclewarp {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string WrittenFile(const std::string& name, const std::string& bytes) {
-  const std::string path = TestTempDir() + "/" + name;
-  std::ofstream(path, std::ios::binary) << bytes;
-  return path;
-}
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 std::string BytesOf(const std::string& path) {
   std::ostringstream text;
@@ -33,46 +28,27 @@ std::string BytesOf(const std::string& path) {
   return text.str();
 }
 
-TriangleSoup SoupFromBytes(const std::string& name, const std::string& bytes) {
-  return ReadTriangleSoup(WrittenFile(name, bytes));
+// What ReadTriangleSoup says of the file, "" if it reads it.
+std::string ProblemWith(const std::string& path) {
+  try {
+    ReadTriangleSoup(path);
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(path));
+    return error.what();
+  }
+  return "";
 }
 
-// Corners that need all 17 digits, the ends of the range of double, both zeros,
-// a point no face uses, two equal points and a face without area.
-TriangleSoup HardSoup() {
-  TriangleSoup soup = Icosphere(100, 1);
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> jitter(-1, 1);
-  for (double& x : soup.points.reshaped()) x += jitter(random);
-  soup.points.row(0) << 0.1, 1.0 / 3, -2.0 / 3;
-  soup.points.row(1) << 4.9406564584124654e-324, -2.2250738585072009e-308,
-      1.7976931348623157e308;
-  soup.points.row(2) << 0.0, -0.0, 123456789.12345679;
-  soup.points.row(3) = soup.points.row(4);
-  soup.points.conservativeResize(soup.points.rows() + 1, 3);
-  soup.points.bottomRows(1) << 1, 2, 3;
-  soup.triangles.row(0) << 5, 5, 6;
-  return soup;
+std::string ProblemWith(const std::string& name, const std::string& bytes) {
+  const std::string path = TestTempDir() + "/" + name;
+  std::ofstream(path, std::ios::binary) << bytes;
+  return ProblemWith(path);
 }
 
-// Bit for bit: tells 0 from -0.
-bool SameBits(const TriangleSoup& a, const TriangleSoup& b) {
-  return a.points.rows() == b.points.rows() &&
-         a.triangles.rows() == b.triangles.rows() &&
-         std::memcmp(a.points.data(),
-                     b.points.data(),
-                     a.points.size() * sizeof(double)) == 0 &&
-         (a.triangles.array() == b.triangles.array()).all();
-}
-
-constexpr char kTwoTriangles[] = "0 1 2 0 2 3";
-
-std::string TextOf(const Triangles& triangles) {
-  std::ostringstream text;
-  const Eigen::IOFormat format(
-      Eigen::StreamPrecision, Eigen::DontAlignCols, " ", " ");
-  text << triangles.format(format);
-  return text.str();
+std::string TetrahedronBytes(const std::string& extension) {
+  const std::string path = TestTempDir() + "/whole" + extension;
+  WriteTriangleSoup(path, UnitTetrahedron());
+  return BytesOf(path);
 }
 
 class MeshIoFormat : public ::testing::TestWithParam<const char*> {};
@@ -128,275 +104,239 @@ TEST(MeshIo, OtherExtensionsAreNoMeshes) {
 #endif
 }
 
-TEST(MeshIo, StlKeepsFacetsAndMergesEqualCorners) {
-  const std::string path = TestTempDir() + "/sphere.stl";
-  TriangleSoup sphere = Icosphere(10, 2);
-  sphere.points = sphere.points.cast<float>().cast<double>();
-  WriteTriangleSoup(path, sphere);
-  const TriangleSoup read = ReadTriangleSoup(path);
-  EXPECT_EQ(read.points.rows(), sphere.points.rows());
-  ASSERT_EQ(read.triangles.rows(), sphere.triangles.rows());
-  // The points come in the order the facets name them, so compare positions.
-  for (Eigen::Index f = 0; f < sphere.triangles.rows(); ++f) {
-    for (int i = 0; i < 3; ++i) {
-      EXPECT_EQ(read.points.row(read.triangles(f, i)),
-                sphere.points.row(sphere.triangles(f, i)));
-    }
+// Four corners, two triangles, in each text format.
+constexpr char kPly[] =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\n"
+    "property double y\nproperty double z\nelement face 2\n"
+    "property list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+constexpr char kObj[] =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+constexpr char kOff[] =
+    "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
+constexpr char kStl[] =
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+    "vertex 1 1 0\nendloop\nendfacet\nendsolid a\n";
+constexpr char kVtk[] =
+    "# vtk DataFile Version 3.0\na\nASCII\nDATASET POLYDATA\n"
+    "POINTS 4 double\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+    "POLYGONS 2 8\n3 0 1 2\n3 0 2 3\n";
+
+struct TextFormat {
+  const char* name;
+  const char* bytes;
+  int first_index;  // Of vertices and faces.
+};
+
+class MeshIoText : public ::testing::TestWithParam<TextFormat> {
+ protected:
+  std::string ProblemWithChange(const std::string& old_part,
+                                const std::string& new_part) {
+    return ProblemWith(GetParam().name,
+                       With(GetParam().bytes, old_part, new_part));
+  }
+};
+
+TEST_P(MeshIoText, WholeFileReads) {
+  EXPECT_EQ(ProblemWith(GetParam().name, GetParam().bytes), "");
+}
+
+TEST_P(MeshIoText, CoordinateThatIsNotFiniteIsNamed) {
+  for (const char* bad : {"nan", "-inf", "1e999"}) {
+    EXPECT_THAT(
+        ProblemWithChange("1 1 0", std::string("1 ") + bad + " 0"),
+        AllOf(HasSubstr("vertex " + std::to_string(2 + GetParam().first_index)),
+              HasSubstr("must be finite")))
+        << bad;
   }
 }
 
-TEST(MeshIo, AsciiStlReadsLikeBinaryStl) {
-  const std::string facet1 =
-      "  facet normal 0 0 1\n    outer loop\n      vertex 0 0 0\n"
-      "      vertex 1 0 0\n      vertex 1 1 0\n    endloop\n  endfacet\n";
-  const std::string facet2 =
-      "  FACET NORMAL nan nan nan\r\n    OUTER LOOP\r\n VERTEX -0 0 0\r\n"
-      "VERTEX 1.0e0 +1 0\r\n VERTEX 0 1 0\r\n ENDLOOP\r\n ENDFACET\r\n";
-  const TriangleSoup soup =
-      SoupFromBytes("square.stl",
-                    "solid a square of two facets\n" + facet1 + facet2 +
-                        "endsolid a square\n");
-  EXPECT_EQ(soup.points.rows(), 4);
-  EXPECT_EQ(TextOf(soup.triangles), kTwoTriangles);
+TEST_P(MeshIoText, TinyCoordinateIsZero) {
+  EXPECT_EQ(ProblemWithChange("1 1 0", "1 1e-999 0"), "");
 }
 
-TEST(MeshIo, BinaryStlMayStartWithSolid) {
-  const std::string path = TestTempDir() + "/a.stl";
-  WriteTriangleSoup(path, UnitTetrahedron());
-  const std::string bytes = BytesOf(path);
-  const TriangleSoup soup = SoupFromBytes("b.stl", "solid" + bytes.substr(5));
-  EXPECT_EQ(soup.points.rows(), 4);
-  EXPECT_EQ(soup.triangles.rows(), 4);
+TEST_P(MeshIoText, WordInPlaceOfANumberIsQuoted) {
+  EXPECT_THAT(ProblemWithChange("1 1 0", "1 1,0 0"),
+              AllOf(HasSubstr("'1,0'"), HasSubstr("line ")));
 }
 
-TEST(MeshIo, AsciiPlySkipsWhatItDoesNotKnow) {
-  const TriangleSoup soup = SoupFromBytes("square.ply",
-                                          "ply\r\n"
-                                          "format ascii 1.0\r\n"
-                                          "comment made by hand\r\n"
-                                          "element camera 1\r\n"
-                                          "property list uchar float view\r\n"
-                                          "element vertex 4\r\n"
-                                          "property uchar red\r\n"
-                                          "property float z\r\n"
-                                          "property double x\r\n"
-                                          "property double y\r\n"
-                                          "element face 1\r\n"
-                                          "property int flags\r\n"
-                                          "property list uint8 uint32 "
-                                          "vertex_index\r\n"
-                                          "element nothing 3\r\n"
-                                          "end_header\r\n"
-                                          "2 0.5 0.25\r\n"
-                                          "255 9 0 0\r\n"
-                                          "255 9 0.10000000000000001 0\r\n"
-                                          "255 9 1 1\r\n"
-                                          "\r\n"
-                                          "255 9 0 1\r\n"
-                                          "7 4 0 1 2 3\r\n");
-  EXPECT_EQ(soup.points.row(1), Eigen::RowVector3d(0.1, 0, 9));
-  EXPECT_EQ(TextOf(soup.triangles), kTwoTriangles);
+TEST_P(MeshIoText, BinaryJunkIsRefused) {
+  std::string png = "\x89PNG\r\n\x1a\n";
+  png.resize(3000, '\0');
+  EXPECT_NE(ProblemWith(GetParam().name, png), "");
+  EXPECT_NE(ProblemWith(GetParam().name,
+                        "Dear reader,\nthis is a letter, not a mesh.\n"),
+            "");
+  EXPECT_NE(ProblemWith(GetParam().name, "\n"), "");
 }
 
-class BinaryPly : public ::testing::TestWithParam<ByteOrder> {};
-
-TEST_P(BinaryPly, ReadsFloatsAndSkipsExtraProperties) {
-  const ByteOrder order = GetParam();
-  std::string bytes = "ply\nformat binary_" +
-                      std::string(order == ByteOrder::kBig ? "big" : "little") +
-                      "_endian 1.0\n"
-                      "element vertex 4\n"
-                      "property float x\nproperty float y\nproperty float z\n"
-                      "property double quality\n"
-                      "element face 1\n"
-                      "property list uchar float texcoord\n"
-                      "property list ushort short vertex_indices\n"
-                      "property uchar red\n"
-                      "end_header\n";
-  for (const auto& [x, y] :
-       {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
-    AppendBytes<float>(0.1f + x, order, &bytes);
-    AppendBytes<float>(y, order, &bytes);
-    AppendBytes<float>(-2.5f, order, &bytes);
-    AppendBytes<double>(1e9, order, &bytes);
-  }
-  AppendBytes<std::uint8_t>(1, order, &bytes);
-  AppendBytes<float>(0.5f, order, &bytes);
-  AppendBytes<std::uint16_t>(4, order, &bytes);
-  for (const int v : {0, 1, 2, 3}) AppendBytes<std::int16_t>(v, order, &bytes);
-  AppendBytes<std::uint8_t>(255, order, &bytes);
-  const TriangleSoup soup = SoupFromBytes("square.ply", bytes);
-  EXPECT_EQ(soup.points.row(1), Eigen::RowVector3d(0.1f + 1, 0, -2.5));
-  EXPECT_EQ(TextOf(soup.triangles), kTwoTriangles);
-}
-
-INSTANTIATE_TEST_SUITE_P(Orders,
-                         BinaryPly,
-                         ::testing::Values(ByteOrder::kLittle, ByteOrder::kBig),
+INSTANTIATE_TEST_SUITE_P(Formats,
+                         MeshIoText,
+                         ::testing::Values(TextFormat{"a.ply", kPly, 0},
+                                           TextFormat{"a.obj", kObj, 1},
+                                           TextFormat{"a.off", kOff, 0},
+                                           TextFormat{"a.stl", kStl, 0},
+                                           TextFormat{"a.vtk", kVtk, 0}),
                          [](const auto& test) {
-                           return test.param == ByteOrder::kBig ? "Big"
-                                                                : "Little";
+                           return std::string(test.param.name + 2);
                          });
 
-TEST(MeshIo, ObjReadsEveryFormOfCorner) {
-  const TriangleSoup soup = SoupFromBytes("square.obj",
-                                          "# a square\n"
-                                          "mtllib a.mtl\n"
-                                          "o square\n"
-                                          "v 0 0 0 # corner\n"
-                                          "v 1 0 0 0.5 0.5 0.5\n"
-                                          "vt 0 0\nvn 0 0 1\n"
-                                          "f 1/1/1 2//1 3/1\n"
-                                          "v 1 1 0\n"
-                                          "v 0 1 0 1\n"
-                                          "f -4 -2 \\\n -1\n"
-                                          "l 1 2\n"
-                                          "f -4/-1 -3/-1 \\\n"
-                                          "  -2/-1/-1 -1//-1\n");
-  EXPECT_EQ(soup.points.rows(), 4);
-  EXPECT_EQ(TextOf(soup.triangles), "0 1 2 0 2 3 0 1 2 0 2 3");
+TEST(MeshIo, MissingFile) {
+  EXPECT_THAT(ProblemWith(TestTempDir() + "/none.ply"),
+              HasSubstr("does not exist"));
 }
 
-TEST(MeshIo, OffReadsHeadersAndColours) {
-  for (const char* header :
-       {"OFF 4 2 0\n", "OFF\n# comment\n4 2 5\n", "COFF\n4 2\n"}) {
-    const TriangleSoup soup =
-        SoupFromBytes("square.off",
-                      std::string(header) +
-                          "0 0 0 255 0 0 255\n1 0 0\n\n1 1 0 # third\n0 1 0\n"
-                          "3 0 1 2 0.5 0.5 0.5\n3 0 2 3\n");
-    EXPECT_EQ(soup.points.rows(), 4);
-    EXPECT_EQ(TextOf(soup.triangles), kTwoTriangles);
+TEST(MeshIo, FolderInPlaceOfAFile) {
+  const std::string path = TestTempDir() + "/folder.ply";
+  fs::create_directory(path);
+  EXPECT_THAT(ProblemWith(path), HasSubstr("is a folder"));
+}
+
+TEST(MeshIo, EmptyFile) {
+  for (const char* name : {"a.ply", "a.obj", "a.off", "a.stl", "a.vtk"}) {
+    EXPECT_THAT(ProblemWith(name, ""), HasSubstr("is empty")) << name;
   }
 }
 
-TEST(MeshIo, AConcavePolygonIsSplitWithoutFolds) {
-  // An arrow head: only the fans of corners 0 and 2 stay inside, and the face
-  // starts with corner 1.
-  const TriangleSoup soup = SoupFromBytes(
-      "arrow.off", "OFF 4 1 0\n0 0 0\n4 -4 0\n1 0 0\n4 4 0\n4 1 2 3 0\n");
-  ASSERT_EQ(soup.triangles.rows(), 2);
-  double area = 0;
-  for (int f = 0; f < 2; ++f) {
-    const Eigen::RowVector3d a = soup.points.row(soup.triangles(f, 0));
-    const Eigen::RowVector3d b = soup.points.row(soup.triangles(f, 1));
-    const Eigen::RowVector3d c = soup.points.row(soup.triangles(f, 2));
-    const double twice = (b - a).cross(c - a).z();
-    EXPECT_GT(twice, 0) << soup.triangles.row(f);
-    area += twice / 2;
-  }
-  EXPECT_EQ(area, 4);
+TEST(MeshIo, UnknownExtensionListsTheKnownOnes) {
+  EXPECT_THAT(ProblemWith("a.png", "x"),
+              AllOf(HasSubstr("'.png'"), HasSubstr(".ply, .obj, .off, .stl")));
+  EXPECT_THAT(ProblemWith("mesh", "x"), HasSubstr("no extension"));
 }
 
-TEST(MeshIo, AsciiLegacyVtkReadsPolygonsAndStrips) {
-  const TriangleSoup soup =
-      SoupFromBytes("strips.vtk",
-                    "# vtk DataFile Version 2.0\n"
-                    "title\nASCII\nDATASET POLYDATA\n"
-                    "FIELD FieldData 1\nTimeValue 1 1 double\n0.5\n"
-                    "POINTS 4 double\n0 0 0 1 0 0\n0.10000000000000001\n"
-                    "1 0 1 1 0\n"
-                    "METADATA\nINFORMATION 0\n\n"
-                    "LINES 1 3\n2 0 1\n"
-                    "POLYGONS 1 5\n4 0 1 3 2\n"
-                    "TRIANGLE_STRIPS 1 6\n5 0 1 2 3 3\n"
-                    "POINT_DATA 4\nSCALARS s float\nLOOKUP_TABLE default\n"
-                    "1 2 3 4\n");
-  EXPECT_EQ(soup.points.row(2), Eigen::RowVector3d(0.1, 1, 0));
-  EXPECT_EQ(TextOf(soup.triangles), "0 1 3 0 3 2 0 1 2 2 1 3");
+TEST(MeshIo, NoFaces) {
+  EXPECT_THAT(ProblemWith("a.obj", "v 0 0 0\nv 1 0 0\n"),
+              HasSubstr("no faces (2 vertices)"));
+  EXPECT_THAT(ProblemWith("a.off", "OFF 1 0 0\n0 0 0\n"),
+              HasSubstr("no faces"));
+  EXPECT_THAT(ProblemWith("a.stl", "solid a\nendsolid a\n"),
+              HasSubstr("no faces"));
+  const std::string vtk = kVtk;
+  EXPECT_THAT(ProblemWith("a.vtk", vtk.substr(0, vtk.find("POLYGONS"))),
+              HasSubstr("no faces (4 vertices)"));
 }
 
-TEST(MeshIo, LegacyVtkOfVersion5Reads) {
-  std::string bytes =
-      "# vtk DataFile Version 5.1\nvtk output\nBINARY\nDATASET POLYDATA\n"
-      "POINTS 4 float\n";
-  for (const float x : {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) {
-    AppendBytes<float>(x, ByteOrder::kBig, &bytes);
-  }
-  bytes += "\nPOLYGONS 2 4\nOFFSETS vtktypeint64\n";
-  for (const int x : {0, 4}) {
-    AppendBytes<std::int64_t>(x, ByteOrder::kBig, &bytes);
-  }
-  bytes += "\nCONNECTIVITY vtktypeint64\n";
-  for (const int x : {0, 1, 2, 3}) {
-    AppendBytes<std::int64_t>(x, ByteOrder::kBig, &bytes);
-  }
-  EXPECT_EQ(TextOf(SoupFromBytes("a.vtk", bytes + "\n").triangles),
-            kTwoTriangles);
+TEST(MeshIo, FaceOutOfRangeIsNamedWithItsVertex) {
+  EXPECT_THAT(ProblemWith("a.ply", With(kPly, "3 0 2 3", "3 0 2 4")),
+              AllOf(HasSubstr("line 15, face 1"),
+                    HasSubstr("vertex 4, the file has 4 vertices")));
+  EXPECT_THAT(ProblemWith("a.ply", With(kPly, "3 0 2 3", "3 0 -1 3")),
+              HasSubstr("vertex -1"));
+  EXPECT_THAT(ProblemWith("a.obj", With(kObj, "f 1 3 4", "f 1 3 5")),
+              AllOf(HasSubstr("line 6, face 2"), HasSubstr("vertex 5")));
+  EXPECT_THAT(ProblemWith("a.obj", With(kObj, "f 1 3 4", "f 1 0 4")),
+              AllOf(HasSubstr("line 6"), HasSubstr("vertex 0")));
+  EXPECT_THAT(ProblemWith("a.obj", With(kObj, "f 1 3 4", "f 1 -5 4")),
+              HasSubstr("vertex -5"));
+  EXPECT_THAT(ProblemWith("a.off", With(kOff, "3 0 2 3", "3 0 2 99")),
+              AllOf(HasSubstr("line 8, face 1"), HasSubstr("vertex 99")));
+  EXPECT_THAT(ProblemWith("a.vtk", With(kVtk, "3 0 2 3", "3 0 2 99")),
+              AllOf(HasSubstr("face 1"), HasSubstr("vertex 99")));
 }
+
+TEST(MeshIo, FaceWithTwoCornersIsNamed) {
+  EXPECT_THAT(ProblemWith("a.ply", With(kPly, "3 0 2 3", "2 0 2")),
+              AllOf(HasSubstr("face 1"), HasSubstr("2 corners")));
+  EXPECT_THAT(ProblemWith("a.obj", With(kObj, "f 1 3 4", "f 1 3")),
+              AllOf(HasSubstr("face 2"), HasSubstr("2 corners")));
+  EXPECT_THAT(ProblemWith("a.off", With(kOff, "3 0 2 3", "2 0 2")),
+              AllOf(HasSubstr("face 1"), HasSubstr("2 corners")));
+  EXPECT_THAT(
+      ProblemWith("a.vtk", With(With(kVtk, "3 0 2 3", "2 0 2"), "2 8", "2 7")),
+      AllOf(HasSubstr("face 1"), HasSubstr("2 corners")));
+}
+
+TEST(MeshIo, TextFileThatEndsEarly) {
+  const auto without_last_line = [](std::string text) {
+    text.pop_back();
+    return text.substr(0, text.rfind('\n') + 1);
+  };
+  for (const auto& [name, bytes] : {std::pair("a.ply", kPly),
+                                    std::pair("a.off", kOff),
+                                    std::pair("a.stl", kStl),
+                                    std::pair("a.vtk", kVtk)}) {
+    EXPECT_THAT(ProblemWith(name, without_last_line(bytes)),
+                HasSubstr("is truncated"))
+        << name;
+  }
+}
+
+// Binary formats: no shorter file may pass for a whole one. Files are removed
+// before they are written again: writing over one may wait for the disk.
+class MeshIoBinary : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(MeshIoBinary, EveryTruncationIsSeen) {
+  const std::string whole = TetrahedronBytes(GetParam());
+  const std::string path = TestTempDir() + "/cut" + GetParam();
+  // The last byte is a line end that may be missing.
+  for (std::size_t size = 0; size + 1 < whole.size(); ++size) {
+    fs::remove(path);
+    std::ofstream(path, std::ios::binary) << whole.substr(0, size);
+    EXPECT_NE(ProblemWith(path), "") << size << " of " << whole.size();
+  }
+}
+
+TEST_P(MeshIoBinary, FlippedBytesNeverGetPastTheChecks) {
+  const std::string whole = TetrahedronBytes(GetParam());
+  const std::string path = TestTempDir() + "/flipped" + GetParam();
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string flipped = whole;
+    flipped[at] = static_cast<char>(flipped[at] ^ (at % 2 == 0 ? 0xff : 0x10));
+    fs::remove(path);
+    std::ofstream(path, std::ios::binary) << flipped;
+    try {
+      const TriangleSoup soup = ReadTriangleSoup(path);
+      EXPECT_TRUE(soup.points.allFinite()) << at;
+      EXPECT_GT(soup.triangles.rows(), 0) << at;
+      EXPECT_GE(soup.triangles.minCoeff(), 0) << at;
+      EXPECT_LT(soup.triangles.maxCoeff(), soup.points.rows()) << at;
+    } catch (const InputError&) {
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats,
+                         MeshIoBinary,
+                         ::testing::Values(".ply",
+                                           ".stl",
+                                           ".vtk"
+#ifdef MUSCLEWARP_WITH_VTK
+                                           ,
+                                           ".vtp"
+#endif
+                                           ),
+                         [](const auto& test) {
+                           return std::string(test.param + 1);
+                         });
 
 #ifdef MUSCLEWARP_WITH_VTK
-TEST(MeshIo, VtpReadsPolygonsStripsAndPieces) {
-  const std::string points =
-      "<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
-      "format=\"ascii\">0 0 0 1 0 0 0.10000000000000001 1 0 1 1 0</DataArray>"
-      "</Points>";
-  const auto cells = [](const std::string& name,
-                        const std::string& corners,
-                        const std::string& offset) {
-    return "<" + name + "><DataArray type=\"Int32\" Name=\"connectivity\" " +
-           "format=\"ascii\">" + corners + "</DataArray>" +
-           "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">" +
-           offset + "</DataArray></" + name + ">";
-  };
-  const auto file = [](const std::string& pieces) {
-    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" "
-           "version=\"0.1\" byte_order=\"LittleEndian\"><PolyData>" +
-           pieces + "</PolyData></VTKFile>\n";
-  };
-  const std::string polygon =
-      "<Piece NumberOfPoints=\"4\" NumberOfPolys=\"1\">" + points +
-      cells("Polys", "0 1 3 2", "4") + "</Piece>";
-  const std::string strip =
-      "<Piece NumberOfPoints=\"4\" NumberOfStrips=\"1\">" + points +
-      cells("Strips", "0 1 2 3", "4") + "</Piece>";
-  const TriangleSoup soup = SoupFromBytes("a.vtp", file(polygon + polygon));
-  ASSERT_EQ(soup.points.rows(), 8);
-  EXPECT_EQ(soup.points.row(2), Eigen::RowVector3d(0.1, 1, 0));
-  EXPECT_EQ(TextOf(soup.triangles), "0 1 3 0 3 2 4 5 7 4 7 6");
-  EXPECT_EQ(TextOf(SoupFromBytes("a.vtp", file(strip)).triangles),
-            "0 1 2 2 1 3");
-  EXPECT_EQ(TextOf(SoupFromBytes("a.vtp", file(polygon + strip)).triangles),
-            "0 1 3 0 3 2 4 5 6 6 5 7");
-  // The first piece to hold polygons need not be the first piece.
-  const std::string bare = "<Piece NumberOfPoints=\"4\">" + points + "</Piece>";
-  EXPECT_EQ(TextOf(SoupFromBytes("a.vtp", file(bare + polygon)).triangles),
-            "4 5 7 4 7 6");
+TEST(MeshIo, ErrorsOfVtkAreCaughtNotPrinted) {
+  // The blocks start with the two bytes that begin all zlib data.
+  const std::string bytes = With(TetrahedronBytes(".vtp"), "==eA", "==AA");
+  ::testing::internal::CaptureStderr();
+  EXPECT_THAT(ProblemWith("a.vtp", bytes),
+              AllOf(HasSubstr("piece 0, array 'Points'"),
+                    HasSubstr("cannot be unpacked")));
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
-
-// Plain bytes behind an underscore, in either byte order, each array with its
-// size before it.
-TEST(MeshIo, VtpReadsAppendedData) {
-  for (const ByteOrder order : {ByteOrder::kLittle, ByteOrder::kBig}) {
-    std::string data;
-    AppendBytes<std::uint64_t>(12 * sizeof(float), order, &data);
-    for (const float x : {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) {
-      AppendBytes<float>(x, order, &data);
-    }
-    AppendBytes<std::uint64_t>(4 * sizeof(std::int64_t), order, &data);
-    for (const int x : {0, 1, 2, 3}) AppendBytes<std::int64_t>(x, order, &data);
-    AppendBytes<std::uint64_t>(sizeof(std::uint8_t), order, &data);
-    AppendBytes<std::uint8_t>(4, order, &data);
-    const std::string name =
-        order == ByteOrder::kBig ? "BigEndian" : "LittleEndian";
-    const TriangleSoup soup = SoupFromBytes(
-        "a.vtp",
-        "<VTKFile type='PolyData' byte_order='" + name +
-            "' header_type='UInt64'><!-- <Piece> --><PolyData>"
-            "<Piece NumberOfPoints='4' NumberOfPolys='1'>"
-            "<PointData/><Points><DataArray type='Float32' "
-            "format='appended' offset='0'/></Points><Polys>"
-            "<DataArray type='Int64' Name='connectivity' "
-            "format='appended' offset='56'/>"
-            "<DataArray type='UInt8' Name='offsets' format='appended' "
-            "offset='96'/></Polys></Piece></PolyData>"
-            "<AppendedData encoding='raw'>\n_" +
-            data + "\n</AppendedData></VTKFile>");
-    EXPECT_EQ(soup.points.row(2), Eigen::RowVector3d(1, 1, 0));
-    EXPECT_EQ(TextOf(soup.triangles), kTwoTriangles);
-  }
+#else
+TEST(MeshIo, VtpNeedsVtk) {
+  EXPECT_THAT(ProblemWith("a.vtp", "<VTKFile>"),
+              AllOf(HasSubstr("lacks"), HasSubstr("MUSCLEWARP_WITH_VTK")));
 }
 #endif
+
+TEST(MeshIo, AWriteThatFailsLeavesNothing) {
+  const std::string dir = TestTempDir();
+  EXPECT_THROW(WriteTriangleSoup(dir + "/a.txt", UnitTetrahedron()),
+               InputError);
+  EXPECT_THROW(WriteTriangleSoup(dir + "/nowhere/a.ply", UnitTetrahedron()),
+               InputError);
+  TriangleSoup huge = UnitTetrahedron();
+  huge.points(1, 0) = 1e39;
+  EXPECT_THROW(WriteTriangleSoup(dir + "/a.stl", huge), InputError);
+  EXPECT_TRUE(fs::is_empty(dir));
+}
 
 }  // namespace
 }  // namespace musclewarp

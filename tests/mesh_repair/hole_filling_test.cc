@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
 #include "support/meshes.h"
@@ -52,6 +54,23 @@ TEST(HoleFilling, ALongSlitIsFilled) {
   EXPECT_EQ(fillings.holes, 1);
   EXPECT_NEAR(fillings.longest, 201, 100 * kRounding);
   EXPECT_TRUE(CountDefects(box).IsClean());
+}
+
+// The area of the lid over the square of its border is 0.00595 and 0.00618.
+TEST(HoleFilling, ALongHoleIsFilledIfItIsNarrowEnough) {
+  for (const auto& [width, is_slit] : {std::pair(2.5, true), {2.6, false}}) {
+    TriangleSoup box = BoxWithoutLid(100, width, 4);
+    EXPECT_EQ(FillHoles(HoleLimits(), &box).holes, is_slit) << width;
+  }
+}
+
+TEST(HoleFilling, AHoleOfTooManyEdgesStaysOpen) {
+  TriangleSoup box = BoxWithoutLid(2, 3, 4);
+  HoleLimits limits;
+  limits.max_edges = 3;
+  EXPECT_EQ(FillHoles(limits, &box).holes, 0);
+  limits.max_edges = 4;
+  EXPECT_EQ(FillHoles(limits, &box).holes, 1);
 }
 
 TEST(HoleFilling, TheDiagonalAvoidsAnEdgeThatIsThere) {

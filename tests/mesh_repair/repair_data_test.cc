@@ -30,7 +30,7 @@ class RepairData : public ::testing::Test {
   TriangleSoup Repaired(const std::string& file, RepairReport* report) const {
     const TriangleSoup soup = ReadTriangleSoup((root_ / file).string());
     const TriangleSoup repaired =
-        SoupFromMesh(RepairMesh(soup, file, RepairOptions(), report));
+        RepairMesh(soup, file, RepairOptions(), report);
     const MeshDefects before = CountDefects(soup);
     EXPECT_TRUE(CountDefects(repaired).IsClean()) << file;
     const int genus = 1 - static_cast<int>(repaired.points.rows() -
@@ -71,7 +71,7 @@ class RepairData : public ::testing::Test {
     const TriangleSoup soup = ReadTriangleSoup((root_ / file).string());
     RepairReport report;
     const TriangleSoup repaired =
-        SoupFromMesh(RepairMesh(soup, file, RepairOptions(), &report));
+        RepairMesh(soup, file, RepairOptions(), &report);
     EXPECT_FALSE(report.AnythingDone()) << file;
     EXPECT_EQ(repaired.points, soup.points) << file;
     EXPECT_EQ(repaired.triangles, soup.triangles) << file;

@@ -66,7 +66,7 @@ constexpr double kPulled = 1e-3 * 12 * 0.5;
 
 TriangleSoup Repaired(const TriangleSoup& soup, RepairReport* report) {
   const TriangleSoup repaired =
-      SoupFromMesh(RepairMesh(soup, "voxels", RepairOptions(), report));
+      RepairMesh(soup, "voxels", RepairOptions(), report);
   EXPECT_TRUE(CountDefects(repaired).IsClean());
   return repaired;
 }

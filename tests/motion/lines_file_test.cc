@@ -6,13 +6,14 @@
 
 #include "musclewarp/base/output_file.h"
 #include "support/input_errors.h"
+#include "support/meshes.h"
 #include "support/temp_dir.h"
 
 namespace musclewarp {
 namespace {
 
 TEST(LinesFile, ComesBackToTheLastBit) {
-  const Points line = Points::Random(5, 3) / 3;
+  const Points line = RandomPoints(5, 1);
   const std::string path = TestTempDir() + "/lines.json";
   WriteLinesFile(path,
                  {{"a \"muscle\"", {{"l1", line}, {"l2", 2 * line}}, {}},

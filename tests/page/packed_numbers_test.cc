@@ -3,65 +3,15 @@
 #include "musclewarp/page/packed_numbers.h"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
-#include <limits>
 #include <random>
 #include <string>
+#include <vector>
+
+#include "page/packed_text.h"
 
 namespace musclewarp {
 namespace {
-
-std::string DecodedBase64(const std::string& text) {
-  const std::string digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  int bits = 0;
-  unsigned value = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    value = value << 6 | static_cast<unsigned>(digits.find(c));
-    bits += 6;
-    if (bits >= 8) {
-      bits -= 8;
-      bytes += static_cast<char>(value >> bits & 255);
-    }
-  }
-  return bytes;
-}
-
-std::string Inflated(const std::string& bytes) {
-  std::string text(100000, '\0');
-  uLongf size = text.size();
-  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(text.data()),
-                       &size,
-                       reinterpret_cast<const Bytef*>(bytes.data()),
-                       bytes.size()),
-            Z_OK);
-  text.resize(size);
-  return text;
-}
-
-// Read as the header says, on its own.
-std::vector<int> Unpacked(const std::string& bytes,
-                          const nlohmann::ordered_json& where) {
-  std::size_t at = where["at"];
-  const std::size_t count = where["count"], stride = where["stride"];
-  std::vector<int> numbers;
-  for (std::size_t i = 0; i < count; ++i) {
-    std::uint64_t code = 0;
-    for (int shift = 0;; shift += 7) {
-      const auto byte = static_cast<unsigned char>(bytes[at++]);
-      code |= static_cast<std::uint64_t>(byte & 127) << shift;
-      if (byte < 128) break;
-    }
-    const auto half = static_cast<std::int64_t>(code >> 1);
-    const std::int64_t difference = code & 1 ? -half - 1 : half;
-    numbers.push_back(
-        static_cast<int>(difference + (i < stride ? 0 : numbers[i - stride])));
-  }
-  return numbers;
-}
 
 TEST(PackedNumbers, ComeBackAsTheyWere) {
   std::mt19937 random(1);
@@ -78,9 +28,9 @@ TEST(PackedNumbers, ComeBackAsTheyWere) {
   for (std::size_t i = 0; i < lists.size(); ++i) {
     places.push_back(packed.Add(lists[i], static_cast<int>(1 + 2 * i)));
   }
-  const std::string bytes = Inflated(DecodedBase64(packed.Base64()));
+  const std::string text = packed.Base64();
   for (std::size_t i = 0; i < lists.size(); ++i) {
-    EXPECT_EQ(Unpacked(bytes, places[i]), lists[i]) << i;
+    EXPECT_EQ(UnpackedNumbers(text, places[i]), lists[i]) << i;
   }
 }
 

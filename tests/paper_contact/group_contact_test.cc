@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 
 #include "support/invalid_options.h"
+#include "support/meshes.h"
 #include "support/muscle_groups.h"
 
 namespace musclewarp {
@@ -57,11 +57,7 @@ TEST(GroupContact, FineOffsetsDieAwayWhereNothingIsTouched) {
   std::vector<MuscleState> states = scene.RestStates();
   contact.Start(&states);
   states[0].coarse.rowwise() -= Eigen::RowVector3d(40, 0, 0);
-  Points offset(scene.models[0].fine_rest.rows(), 3);
-  std::mt19937 engine(3);
-  for (Eigen::Index i = 0; i < offset.size(); ++i) {
-    offset.data()[i] = engine() / 2147483648.0 - 1;
-  }
+  const Points offset = RandomPoints(scene.models[0].fine_rest.rows(), 1);
   states[0].corrections.fine_offset = offset;
   contact.AfterStep(0.25, &states);
   EXPECT_EQ(contact.found_inside(0), 0);

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <random>
 
-#include "musclewarp/phantom/curves.h"
-
 namespace musclewarp::phantom {
 namespace {
 
@@ -116,37 +114,6 @@ TEST(Rough, MovesTheSurfaceByTheAmplitudeAtMost) {
   }
   EXPECT_GT(largest, 0.1);
   EXPECT_TRUE(differs);
-}
-
-TEST(CatmullRom, PassesThroughItsControls) {
-  const std::vector<Eigen::Vector2d> controls = {
-      {0, 0}, {4, 0}, {4, 3}, {-1, 5}};
-  for (const bool is_closed : {false, true}) {
-    const auto curve = SampleCatmullRom(controls, 5, is_closed);
-    ASSERT_EQ(curve.size(), is_closed ? 20u : 16u);
-    for (size_t i = 0; i < controls.size(); ++i) {
-      EXPECT_EQ(curve[5 * i], controls[i]);
-    }
-  }
-}
-
-TEST(Outline, OfManyPointsOnACircleIsTheCircle) {
-  std::vector<Eigen::Vector2d> controls;
-  for (int i = 0; i < 32; ++i) {
-    const double angle = i * 2 * 3.14159265358979323846 / 32;
-    controls.emplace_back(10 * std::cos(angle), 10 * std::sin(angle));
-  }
-  const Outline circle(controls);
-  // A chord of 1/192 of the circle, and the cubic between the controls, leave
-  // it by less than 0.01.
-  constexpr double kTolerance = 0.01;
-  for (const double radius : {2.0, 9.0, 12.0, 20.0}) {
-    for (double angle = 0.1; angle < 6; angle += 0.7) {
-      const Eigen::Vector2d p(radius * std::cos(angle),
-                              radius * std::sin(angle));
-      EXPECT_NEAR(circle.SignedDistance(p), radius - 10, kTolerance);
-    }
-  }
 }
 
 }  // namespace

@@ -4,23 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <vector>
 
+#include "support/meshes.h"
 #include "support/muscles.h"
 
 namespace musclewarp {
 namespace {
-
-// Entries between -1 and 1.
-Points RandomPoints(int count, unsigned seed) {
-  std::mt19937 engine(seed);
-  Points points(count, 3);
-  for (Eigen::Index i = 0; i < points.size(); ++i) {
-    points.data()[i] = engine() / 2147483648.0 - 1;
-  }
-  return points;
-}
 
 // Every third vertex is held a little off, the fine mesh is shaken.
 VertexCorrections SomeCorrections(const MuscleModel& model) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -123,6 +124,14 @@ TriangleSoup LatticeBox(int nx, int ny, int nz) {
     soup.triangles.row(f) << triangles[f][0], triangles[f][1], triangles[f][2];
   }
   return soup;
+}
+
+Points RandomPoints(int count, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  Points points(count, 3);
+  for (double& x : points.reshaped()) x = coordinate(random);
+  return points;
 }
 
 }  // namespace musclewarp

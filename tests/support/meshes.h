@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 
 #include "musclewarp/mesh/triangle_soup.h"
 
@@ -27,6 +28,10 @@ TriangleSoup Spindle(double radius, double half_length, int levels);
 // The box [0, nx] x [0, ny] x [0, nz] with a lattice of points a unit apart on
 // its sides, so that several vertices of a side may be inside another body.
 TriangleSoup LatticeBox(int nx, int ny, int nz);
+
+// Points whose coordinates are spread evenly over [-1, 1], mm; the same for the
+// same seed, whatever ran before.
+Points RandomPoints(int count, std::uint32_t seed);
 
 inline TriangleSoup MovedBy(TriangleSoup soup, const Eigen::RowVector3d& by) {
   soup.points.rowwise() += by;

@@ -6,20 +6,52 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <system_error>
 
 namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The folder of this process.
+fs::path Root() {
+  return fs::path(::testing::TempDir()) /
+         ("musclewarp_" + std::to_string(getpid()));
+}
+
+fs::path FolderOf(const ::testing::TestInfo& test) {
+  return Root() / (std::string(test.test_suite_name()) + "." + test.name());
+}
+
+// Removes the folders of the tests that did not fail.
+class Remover : public ::testing::EmptyTestEventListener {
+ public:
+  void OnTestEnd(const ::testing::TestInfo& test) override {
+    std::error_code ignored;
+    if (!test.result()->Failed()) fs::remove_all(FolderOf(test), ignored);
+  }
+  // Besides the folders there are the outputs of programs (RunCommandLine).
+  void OnTestProgramEnd(const ::testing::UnitTest& tests) override {
+    std::error_code ignored;
+    if (!tests.Failed()) fs::remove_all(Root(), ignored);
+  }
+};
+
+}  // namespace
 
 std::string TestTempPath() {
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  return std::filesystem::path(::testing::TempDir()) /
-         ("musclewarp_" + std::to_string(getpid())) /
-         (std::string(test->test_suite_name()) + "." + test->name());
+  static const bool kIsListening = [] {
+    ::testing::UnitTest::GetInstance()->listeners().Append(new Remover);
+    return true;
+  }();
+  (void)kIsListening;
+  return FolderOf(*::testing::UnitTest::GetInstance()->current_test_info());
 }
 
 std::string TestTempDir() {
   const std::string dir = TestTempPath();
-  std::filesystem::remove_all(dir);
-  std::filesystem::create_directories(dir);
+  fs::remove_all(dir);
+  fs::create_directories(dir);
   return dir;
 }
 

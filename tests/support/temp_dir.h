@@ -6,10 +6,12 @@
 
 namespace musclewarp {
 
-// A folder named after the running test, which may not exist yet.
+// Returns the path of a folder that is named after the running test and may not
+// exist yet. When the test ends, the folder is removed; that of a test that
+// failed stays, to be looked at.
 std::string TestTempPath();
 
-// The same, fresh and empty.
+// Returns the same path, and makes the folder there: fresh and empty.
 std::string TestTempDir();
 
 }  // namespace musclewarp

@@ -8,14 +8,23 @@
 
 namespace musclewarp {
 
-// Tells different contents apart: 64 bit FNV-1a (Fowler, Noll and Vo). Not
-// against those who try to make two alike.
+// A checksum of the inputs of a run, by which a later run recognises that the
+// results on disk belong to the same inputs. It is the 64-bit FNV-1a hash of
+// Fowler, Noll and Vo: it tells accidental changes apart, but offers no
+// protection against inputs that are made to collide.
+//
+//   ContentHash hash;
+//   hash.Add(ReadFile("scene.json"));
+//   hash.Add("--contact=none");
+//   report["inputs_hash"] = hash.Hex();
 class ContentHash {
  public:
-  // The length goes in as well, so that "ab", "c" differs from "a", "bc".
+  // Adds a piece of input. The length is hashed as well, so that the pieces
+  // "ab", "c" give another hash than "a", "bc".
   void Add(std::string_view bytes);
 
-  std::string Hex() const;  // 16 digits
+  // Returns the hash of all pieces so far as 16 lower-case hexadecimal digits.
+  std::string Hex() const;
 
  private:
   void AddByte(unsigned char byte) {

@@ -7,20 +7,20 @@
 
 namespace musclewarp {
 
-// Bad input from the user: a file, a field of a scene, a flag. The tools print
-// what() and exit with code 2; nothing has been written by then.
+// Reports bad input: a file, a field of a scene, or a flag. The programs print
+// what() and exit with code 2; no output has been written by then.
 //
-//   throw InputError("muscle.ply", "face 12 names vertex 900, the file has
-//   800",
+//   throw InputError("muscle.ply",
+//                    "face 12 names vertex 900, the file has 800 vertices",
 //                    "export the mesh again");
 //
-// prints "muscle.ply: face 12 names vertex 900, the file has 800; export the
-// mesh again".
+// has the text "muscle.ply: face 12 names vertex 900, the file has 800
+// vertices; export the mesh again".
 class InputError : public std::runtime_error {
  public:
-  // where: file, or file and field ("scene.json: muscles[2].mesh").
-  // problem: the value seen and the value allowed.
-  // advice: what the user can do.
+  // `where` names the file, or the file and the field in it
+  // ("scene.json: muscles[2].mesh"); `problem` states the value that was seen
+  // and the values that are allowed; `advice` tells the user what to do.
   InputError(const std::string& where,
              const std::string& problem,
              const std::string& advice);

@@ -23,9 +23,9 @@ void CheckIsFile(const std::string& path) {
   if (fs::is_directory(status)) {
     throw InputError(path, "is a folder", "name a file in it");
   }
-  // A pipe could block for ever.
+  // Reading a pipe could block for ever.
   if (!fs::is_regular_file(status)) {
-    throw InputError(path, "is no regular file", "name a file");
+    throw InputError(path, "is not a regular file", "name a file");
   }
 }
 

@@ -6,8 +6,9 @@
 
 namespace musclewarp {
 
-// The bytes of a file. Throws InputError if it is missing, not a regular file
-// (a pipe could block for ever), empty, or cannot be read to its end.
+// Reads a whole file into memory and returns its bytes. Throws InputError if
+// the file is missing, is not a regular file (reading a pipe could block for
+// ever), is empty, or cannot be read to its end.
 std::string ReadFile(const std::string& path);
 
 }  // namespace musclewarp

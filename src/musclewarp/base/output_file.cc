@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Part of the names of what is being written.
+// The part of a name that marks what is being written.
 constexpr char kPartial[] = ".partial";
 
 }  // namespace
@@ -23,7 +23,7 @@ constexpr char kPartial[] = ".partial";
 void WriteFileAtomically(const std::string& path,
                          const std::function<void(const std::string&)>& write) {
   const fs::path target(path);
-  // Same extension: writers choose the format by it.
+  // The extension is the same because writers choose the format by it.
   const fs::path partial =
       target.parent_path() /
       ("." + target.stem().string() + kPartial + std::to_string(getpid()) +

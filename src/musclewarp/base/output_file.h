@@ -7,24 +7,31 @@
 
 namespace musclewarp {
 
-// Writes a file so that it appears complete or not at all: `write` receives a
-// path beside the target with the same extension, which is renamed to `path`
-// when `write` returns and removed when it throws. Throws InputError if the
-// folder cannot be written.
+// Output that appears complete or not at all. A program may be interrupted at
+// any moment; whoever looks at its results afterwards, or resumes the run, must
+// not find half a file. The functions below therefore write beside the target,
+// under a hidden name with ".partial" in it, and rename at the end.
+
+// Writes a file. `write` receives the temporary path, which has the extension
+// of `path` (writers choose the format by it). The temporary file is renamed to
+// `path` when `write` returns, and removed when it throws. Throws InputError if
+// the folder cannot be written.
 void WriteFileAtomically(const std::string& path,
                          const std::function<void(const std::string&)>& write);
 
-// The same for text at hand.
+// Writes `text` to a file in the same way. Throws InputError if the folder
+// cannot be written or the disk is full.
 void WriteTextAtomically(const std::string& path, const std::string& text);
 
-// Writes a folder so that it appears complete or not at all: `write` fills a
-// hidden folder beside the target, which then takes the place of `path`.
+// Writes a folder: `write` fills a temporary folder, which then replaces the
+// folder at `path`, if there is one, with everything in it. Throws InputError
+// if the parent folder cannot be written.
 void WriteFolderAtomically(
     const std::string& path,
     const std::function<void(const std::string&)>& write);
 
-// Removes from a folder what the functions above were writing when their
-// program was killed.
+// Removes the temporary files and folders that the functions above left in
+// `dir` because their program was killed.
 void RemovePartialOutput(const std::string& dir);
 
 }  // namespace musclewarp

@@ -6,9 +6,11 @@
 
 namespace musclewarp {
 
-// Wall time since it was made, ms.
+// Measures the wall time since its construction, for reports; no result may
+// depend on it.
 class Stopwatch {
  public:
+  // Returns the time since construction, ms.
   double Milliseconds() const {
     return std::chrono::duration<double, std::milli>(Clock::now() - start_)
         .count();
@@ -18,6 +20,7 @@ class Stopwatch {
   void Restart() { start_ = Clock::now(); }
 
  private:
+  // A clock that is not set back when the time of day is adjusted.
   using Clock = std::chrono::steady_clock;
   Clock::time_point start_ = Clock::now();
 };

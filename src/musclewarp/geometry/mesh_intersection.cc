@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "musclewarp/geometry/triangle_intersection.h"
+#include "musclewarp/mesh/connectivity.h"
 
 namespace musclewarp {
 namespace {
@@ -27,22 +28,18 @@ template <typename IsPassable>
 std::vector<int> Representatives(const Triangles& triangles,
                                  Eigen::Index vertices,
                                  const IsPassable& is_passable) {
-  std::vector<int> parent(vertices);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  DisjointSets sets(static_cast<int>(vertices));
   for (int f = 0; f < triangles.rows(); ++f) {
     if (!is_passable(f)) continue;
-    for (int corner = 1; corner < 3; ++corner) {
-      const int a = root(triangles(f, 0));
-      const int b = root(triangles(f, corner));
-      parent[std::max(a, b)] = std::min(a, b);
+    for (const int corner : {1, 2}) {
+      sets.Join(triangles(f, 0), triangles(f, corner));
     }
   }
-  for (int v = 0; v < static_cast<int>(parent.size()); ++v) parent[v] = root(v);
-  return parent;
+  std::vector<int> representatives(vertices);
+  for (int v = 0; v < static_cast<int>(vertices); ++v) {
+    representatives[v] = sets.Find(v);
+  }
+  return representatives;
 }
 
 // The used vertices of `mesh` inside `other`, which cross in the triangles

@@ -8,58 +8,81 @@
 
 namespace musclewarp {
 
-// Connectivity of triangle soups, where an edge may have any number of
-// triangles. Half-edge 3 f + c runs from corner c of triangle f to the next
-// corner; it stands for the corner, too.
+// The connectivity of triangle soups, in which an edge may have any number of
+// triangles and a vertex any number of fans: what the repair of a mesh has to
+// work with before there is a manifold. (mesh.h has a data structure for
+// manifolds.)
+//
+// The half-edge 3 f + c runs from corner c of triangle f to the next corner of
+// that triangle. The same number also stands for corner c itself.
 
+// Returns the half-edge that follows within the same triangle.
 inline int NextHalfEdge(int half_edge) {
   return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1;
 }
+// Returns the point at which a half-edge starts.
 inline int OriginOf(const Triangles& triangles, int half_edge) {
   return triangles(half_edge / 3, half_edge % 3);
 }
+// Returns the point at which a half-edge ends.
 inline int TargetOf(const Triangles& triangles, int half_edge) {
   return OriginOf(triangles, NextHalfEdge(half_edge));
 }
 
+// True if triangle f names a point more than once.
 inline bool HasRepeatedCorner(const Triangles& triangles, int f) {
   return triangles(f, 0) == triangles(f, 1) ||
          triangles(f, 1) == triangles(f, 2) ||
          triangles(f, 2) == triangles(f, 0);
 }
 
-// The half-edges between the same two points, one entry per undirected edge in
-// ascending order of (lower, higher point). Triangles with a repeated corner
-// have no edges.
+// For every undirected edge, the half-edges along it in ascending order: one on
+// a border, two inside a manifold, more where sheets meet. Edges are in
+// ascending order of (lower point, higher point). Triangles with a repeated
+// corner have no edges.
 using EdgeUses = std::vector<std::vector<int>>;
 EdgeUses UsesOfEdges(const Triangles& triangles);
 
-// Disjoint sets of 0 .. size - 1; the root of a set is its lowest member.
+// Disjoint sets of the numbers 0 .. size - 1 (union-find), each represented by
+// its lowest member, so that the outcome does not depend on the order in which
+// sets are joined.
 class DisjointSets {
  public:
+  // Every number starts as a set of its own.
   explicit DisjointSets(int size);
+
+  // Returns the lowest member of the set that contains i. Shortens the paths it
+  // walks, hence not const.
   int Find(int i);
+
+  // Unites the sets that contain i and j.
   void Join(int i, int j);
 
  private:
   std::vector<int> parent_;
 };
 
-// #F: a label per triangle, the same for two triangles connected through edges
-// with at most max_uses triangles; labels count from 0 by first triangle.
+// The connected components of a soup: label[f] (#F) is the component of
+// triangle f, 0 .. count - 1, numbered in the order of their first triangles.
 struct Components {
   std::vector<int> label;
   int count = 0;
 };
+
+// Finds the components. Two triangles are connected if they share an edge that
+// has at most `max_uses` triangles: with 2, sheets end where three or more
+// meet; with the number of triangles, they do not. `edges` is
+// UsesOfEdges(triangles).
 Components ConnectedComponents(const Triangles& triangles,
                                const EdgeUses& edges,
                                size_t max_uses);
 
-// The vertices without unused points, in the order they have; returns how many
-// were unused.
+// Removes the points that no triangle names; the others keep their order.
+// Returns the number of points removed.
 int DropUnreferencedPoints(TriangleSoup* soup);
 
-// Keeps the triangles f with keep[f], in their order.
+// Removes the triangles f for which keep[f] (#F) is false; the others keep
+// their order.
 void KeepTriangles(const std::vector<bool>& keep, Triangles* triangles);
 
 }  // namespace musclewarp

@@ -61,7 +61,7 @@ void CountEdges(const TriangleSoup& soup,
   }
 }
 
-// Vertices whose corners fall apart into several fans.
+// Counts the vertices whose corners form several fans.
 int CountNonManifoldVertices(const TriangleSoup& soup, const EdgeUses& edges) {
   const Triangles& triangles = soup.triangles;
   DisjointSets fans(static_cast<int>(triangles.size()));

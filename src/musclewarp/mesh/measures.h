@@ -6,18 +6,27 @@
 
 namespace musclewarp {
 
-// V(X) = 1/6 sum (x_a x x_b) . x_c, paper eq. (2.6); mm^3, positive when the
-// triangles face outward. Exact under translation only for closed meshes.
+// Volume, area and extent of triangle meshes. Muscles keep their volume as they
+// deform: SignedVolume is the constrained quantity, VolumeGradient its
+// Jacobian.
+
+// Returns the enclosed volume, mm^3,
+//
+//   V(X) = 1/6 sum over triangles (a, b, c) of (x_a x x_b) . x_c,
+//
+// paper eq. (2.6). It is positive if the triangles face outward. The sum is the
+// enclosed volume for closed meshes only: for others it depends on the origin.
 double SignedVolume(const Points& points, const Triangles& triangles);
 
-// dV/dX, #V x 3, mm^2: the row of vertex i is 1/6 sum (x_b x x_c) over the
-// triangles (i, b, c); paper eq. (2.10), J_g.
+// Returns dV/dX, #V x 3, mm^2. The row of vertex i is 1/6 sum (x_b x x_c) over
+// the triangles (i, b, c) around it; paper eq. (2.10), J_g.
 Points VolumeGradient(const Points& points, const Triangles& triangles);
 
-// mm^2.
+// Returns the sum of the areas of all triangles, mm^2.
 double SurfaceArea(const Points& points, const Triangles& triangles);
 
-// Diagonal of the axis-aligned bounding box, mm; 0 for no points.
+// Returns the length of the diagonal of the axis-aligned bounding box of all
+// points, used by triangles or not, mm; 0 if there are no points.
 double BoundingBoxDiagonal(const Points& points);
 
 }  // namespace musclewarp

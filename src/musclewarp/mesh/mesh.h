@@ -9,14 +9,21 @@
 
 namespace musclewarp {
 
-// A 2-manifold triangle mesh in double precision, millimetres. Where only
-// positions and triangles are needed, pass Points and Triangles instead.
+// A 2-manifold triangle mesh with connectivity, in double precision and mm, for
+// algorithms that collapse or flip edges (the removal of slivers, the
+// simplification for the report page). Code that needs only positions and
+// triangles takes Points and Triangles instead.
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
 
-// Builds connectivity; vertex and face order are kept. Precondition (CHECKed):
-// the soup is 2-manifold and consistently oriented, no face is degenerate.
+// Builds the connectivity of a soup; vertices and faces keep their order.
+// Precondition (CHECKed): the soup is 2-manifold and consistently oriented, and
+// no face repeats a corner.
 Mesh MeshFromSoup(const TriangleSoup& soup);
 
+// Returns the points and triangles of a mesh in its order, each triangle
+// starting with the corner it was added with, so that
+// SoupFromMesh(MeshFromSoup(soup)) is `soup`. Precondition: no element is
+// marked as deleted (collect the garbage first).
 TriangleSoup SoupFromMesh(const Mesh& mesh);
 
 }  // namespace musclewarp

@@ -6,10 +6,13 @@
 
 namespace musclewarp {
 
-// #V x 3 points of frame a in frame b; b_from_a is an affine map, mm.
+// Maps points (#V x 3, mm) from frame a to frame b. `b_from_a` is an affine map
+// in homogeneous coordinates, the translation in mm:
+// x_in_b = R x_in_a + t for the upper rows (R | t).
 Points Transformed(const Points& points, const Eigen::Matrix4d& b_from_a);
 
-// a_from_b of a rigid b_from_a.
+// Returns a_from_b. Precondition: `b_from_a` is rigid; the rotation is inverted
+// by transposition.
 Eigen::Matrix4d RigidInverse(const Eigen::Matrix4d& b_from_a);
 
 }  // namespace musclewarp

@@ -6,15 +6,18 @@
 
 namespace musclewarp {
 
-// Vertex positions, #V x 3, millimetres. Row-major: one vertex is three
-// consecutive doubles, usable as a Ceres parameter block.
+// Vertex positions, #V x 3, in millimetres. The storage is row-major: a vertex
+// is three consecutive doubles and can serve as a parameter block of Ceres.
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-// Vertex indices of triangles, #F x 3, counterclockwise seen from outside.
+// The vertex indices of triangles, #F x 3, counted from zero. The corners run
+// counterclockwise seen from outside.
 using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-// Triangles with shared points and no promise about connectivity: what files
-// hold. Indices are in range and points finite; everything else may be wrong.
+// Triangles with shared points and no promise about how they are connected:
+// what mesh files hold, and what readers return. Indices are in range and
+// coordinates are finite; everything else may be wrong (see defects.h) until
+// RepairMesh has made a closed manifold of it.
 struct TriangleSoup {
   Points points;
   Triangles triangles;

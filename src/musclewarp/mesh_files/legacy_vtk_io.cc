@@ -79,7 +79,7 @@ void LegacyVtkReader::ReadHeader() {
   cursor_.NextLine(&line);
   if (line.substr(0, kMagic.size()) != kMagic || line.size() == kMagic.size()) {
     throw InputError(path_,
-                     "is no legacy VTK file: it starts with " + Quoted(line),
+                     "is not a legacy VTK file: it starts with " + Quoted(line),
                      "name the file by what it holds");
   }
   version_ = line[kMagic.size()] - '0';
@@ -111,7 +111,7 @@ void LegacyVtkReader::ReadSection(const std::string& keyword) {
   } else if (keyword == "metadata") {
     SkipMetadata();
   } else {
-    ThrowDamaged(Quoted(words_[0]) + " is no section of polydata");
+    ThrowDamaged(Quoted(words_[0]) + " is not a section of polydata");
   }
 }
 
@@ -135,7 +135,7 @@ void LegacyVtkReader::ReadCells(const std::string& keyword) {
     ReadCellArrays(keyword, first, second);
     return;
   }
-  // Each cell is its number of corners and the corners, in one list.
+  // One list holds all cells, each as its number of corners and the corners.
   const Integers list =
       ReadIntegers(second, ScalarType::kInt32, "the list of cells");
   const auto size = static_cast<std::int64_t>(list.size());
@@ -193,11 +193,12 @@ void LegacyVtkReader::ReadCellArrays(const std::string& keyword,
 Integers LegacyVtkReader::ReadNamedArray(const char* name, std::int64_t size) {
   if (!cursor_.NextWords(&words_)) ThrowTruncated(name, size);
   if (words_.size() != 2 || LowerCase(words_[0]) != name) {
-    ThrowDamaged(Quoted(words_[0]) + " stands where '" + name + "' is due");
+    ThrowDamaged(Quoted(words_[0]) + " stands where '" + name +
+                 "' is expected");
   }
   const ScalarType type = TypeFromName(words_[1]);
   if (!IsInteger(type)) {
-    ThrowDamaged(Quoted(words_[1]) + " is no type of whole numbers");
+    ThrowDamaged(Quoted(words_[1]) + " is not a type of whole numbers");
   }
   return ReadIntegers(size, type, name);
 }
@@ -223,7 +224,7 @@ void LegacyVtkReader::SkipField() {
   }
 }
 
-// Runs up to the next empty line.
+// Metadata end with an empty line.
 void LegacyVtkReader::SkipMetadata() {
   std::string_view line;
   while (cursor_.NextLine(&line) && !line.empty()) {
@@ -305,13 +306,14 @@ ScalarType LegacyVtkReader::TypeFromName(std::string_view name) const {
   const auto found = kTypes.find(LowerCase(name));
   if (found == kTypes.end()) {
     ThrowDamaged(Quoted(name) +
-                 " is no number type read here (float, double, "
+                 " is not a number type that is read here (float, double, "
                  "int, long, ...)");
   }
   return found->second;
 }
 
-// The count in the section line, which has `size` words.
+// Returns the count that is a word of the section line, which must have `size`
+// words.
 std::int64_t LegacyVtkReader::Count(std::size_t word, std::size_t size) const {
   if (words_.size() != size) {
     ThrowDamaged(Quoted(words_[0]) + " needs " + std::to_string(size - 1) +

@@ -9,15 +9,18 @@
 
 namespace musclewarp {
 
-// Polydata in the legacy format of VTK ("VTK File Formats", versions 1 to 5),
-// see mesh_io.h. `path` is for messages, `bytes` is the whole file. Polygons
-// and triangle strips are the faces; vertices and lines are skipped, and what
-// follows the geometry (CELL_DATA, POINT_DATA) is not read.
-// Needs no VTK, whose own reader (9.1) reads beyond its buffers when the file
-// is truncated or a cell count damaged.
+// Reads polydata in the legacy format of VTK ("VTK File Formats", versions 1 to
+// 5, ASCII and binary). `bytes` is the whole file, `path` is used in messages
+// only; see mesh_io.h for what all readers promise and throw. Polygons and
+// triangle strips become the triangles. Vertices and lines are skipped, and
+// what follows the geometry (CELL_DATA, POINT_DATA) is not read.
+//
+// The reader does not use VTK, whose own reader (9.1) reads beyond its buffers
+// when a file is truncated or a cell count is damaged.
 TriangleSoup ReadLegacyVtk(const std::string& path, std::string_view bytes);
 
-// Binary, double, version 3.0, which every VTK reads.
+// Returns the bytes of a file that every VTK reads: version 3.0, binary, double
+// precision.
 std::string LegacyVtkBytes(const TriangleSoup& soup);
 
 }  // namespace musclewarp

@@ -51,7 +51,7 @@ const std::vector<Format>& Formats() {
   return kFormats;
 }
 
-// Null if there is none.
+// Returns null if there is no such format.
 const Format* FindFormat(const std::string& extension) {
   for (const Format& format : Formats()) {
     if (extension == format.extension) return &format;
@@ -75,8 +75,8 @@ const Format& FormatOf(const std::string& path) {
   }
   throw InputError(path,
                    extension.empty()
-                       ? "has no extension to tell the format"
-                       : Quoted(extension) + " is no mesh format known here",
+                       ? "has no extension to tell its format"
+                       : Quoted(extension) + " is not a known mesh format",
                    "use " + allowed);
 }
 

@@ -8,7 +8,8 @@
 
 namespace musclewarp {
 
-// Surface mesh files, chosen by extension (case does not matter):
+// Reads and writes surface mesh files. The extension chooses the format (case
+// does not matter):
 //
 //   extension  read                                written
 //   .ply       ASCII, binary; float, double        binary, double
@@ -18,21 +19,28 @@ namespace musclewarp {
 //   .vtk       legacy polydata, ASCII and binary   binary, double
 //   .vtp       XML polydata                        binary, double
 //
-// Points come back as the file has them: nothing is merged but the corners of
-// an .stl with identical coordinates, and polygons are split into triangles.
-// .vtp needs a build with MUSCLEWARP_WITH_VTK. An .obj holds no counts, so one
-// cut short between two faces cannot be told from a whole one.
+// Every format but .stl keeps all bits of a soup that is written and read
+// again. The readers return points and faces as the file has them: they merge
+// nothing but the corners of an .stl with identical coordinates, and they split
+// polygons into triangles. The format .vtp needs a build with
+// MUSCLEWARP_WITH_VTK. An .obj file holds no counts, so one that was cut off
+// between two faces cannot be told from a whole one.
 
-// Throws InputError if the file is missing, empty, truncated or not a mesh, if
-// it has no face, a coordinate that is not finite, or a face that names a
-// vertex that is not there.
+// Reads a mesh. The result has at least one triangle, finite coordinates, and
+// indices in range. Throws InputError if the file is missing, empty, truncated
+// or not a mesh, if it has no face, if a coordinate is not finite, or if a face
+// names a vertex that the file does not have. The message names the line, or
+// the vertex or face.
 TriangleSoup ReadTriangleSoup(const std::string& path);
 
-// Appears complete or not at all. Throws InputError if the folder cannot be
-// written or the extension is not one of the above.
+// Writes a mesh; the file appears complete or not at all. Throws InputError if
+// the folder cannot be written, the extension is not one of the above, or the
+// range of the format (float for .stl) is too small for a coordinate.
+// Precondition (CHECKed): the soup is sound, see TriangleSoup.
 void WriteTriangleSoup(const std::string& path, const TriangleSoup& soup);
 
-// True if `extension` (with or without dot, any case) is one this build writes.
+// True if this build reads and writes files with this extension, which may be
+// given with or without the dot and in any case.
 bool IsMeshExtension(const std::string& extension);
 
 }  // namespace musclewarp

@@ -15,7 +15,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-// Statements of the format that do not bear on points and faces.
+// True for the statements of the format that do not concern points and faces.
 bool IsSkipped(std::string_view statement) {
   static const std::set<std::string_view> kSkipped = {
       "vt",       "vn",        "vp",         "g",      "o",      "s",
@@ -28,7 +28,8 @@ bool IsSkipped(std::string_view statement) {
   return kSkipped.count(statement) > 0;
 }
 
-// The words of the next statement; a backslash continues it on the next line.
+// Sets `statement` to the words of the next one; a backslash at the end of a
+// line continues the statement on the next line.
 bool NextStatement(TextCursor* cursor, Words* statement) {
   if (!cursor->NextWords(statement)) return false;
   Words more;
@@ -72,7 +73,7 @@ std::int64_t CornerFromWord(const TextCursor& cursor,
       cursor.Integer(word.substr(slash + 1), "a texture or normal index");
     }
   }
-  // Negative indices count back from the vertices so far.
+  // Negative indices count back from the last vertex so far.
   const std::int64_t vertex = index > 0 ? index - 1 : num_points + index;
   if (index == 0 || vertex < 0) {
     throw InputError(cursor.Where(),
@@ -104,7 +105,7 @@ TriangleSoup ReadObj(const std::string& path, std::string_view bytes) {
       builder.AddPolygon(corners, cursor.line());
     } else if (!IsSkipped(words[0])) {
       throw InputError(cursor.Where(),
-                       Quoted(words[0]) + " is no OBJ statement",
+                       Quoted(words[0]) + " is not an OBJ statement",
                        "check that this is an OBJ file, or export it again");
     }
   }

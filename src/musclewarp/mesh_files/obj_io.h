@@ -9,13 +9,17 @@
 
 namespace musclewarp {
 
-// Wavefront OBJ, see mesh_io.h. `path` is for messages, `bytes` is the whole
-// file. Statements other than v and f are skipped, unknown ones refused. The
-// format holds no counts: a file cut between two faces cannot be told from a
-// whole one.
+// Reads a Wavefront OBJ file. `bytes` is the whole file, `path` is used in
+// messages only; see mesh_io.h for what all readers promise and throw. The
+// statements v (vertex) and f (face) are read, the other statements of the
+// format are skipped, and unknown statements are refused. Of the corners
+// "v/vt/vn" of a face only v counts; negative indices count back from the last
+// vertex before the face. The format holds no counts: a file that was cut off
+// between two faces cannot be told from a whole one.
 TriangleSoup ReadObj(const std::string& path, std::string_view bytes);
 
-// v and f, 17 digits.
+// Returns the text of an OBJ file of v and f statements. Coordinates have 17
+// digits, from which the same doubles are read again.
 std::string ObjBytes(const TriangleSoup& soup);
 
 }  // namespace musclewarp

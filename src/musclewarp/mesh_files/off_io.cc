@@ -21,8 +21,8 @@ struct Counts {
   std::int64_t faces;
 };
 
-// The keyword, then the numbers of vertices, faces and edges on its line or on
-// the next.
+// A header is the keyword, then the numbers of vertices, faces and edges, on
+// the same line or on the next.
 Counts ReadHeader(const std::string& path, TextCursor* cursor) {
   // Each prefix adds values behind the coordinates of a vertex.
   static const std::set<std::string_view> kKeywords = {

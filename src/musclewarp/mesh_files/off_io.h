@@ -9,12 +9,15 @@
 
 namespace musclewarp {
 
-// OFF of Geomview, see mesh_io.h. `path` is for messages, `bytes` is the whole
-// file. One vertex and one face a line, what follows on the line (normals,
+// Reads an ASCII OFF file (the object file format of Geomview). `bytes` is the
+// whole file, `path` is used in messages only; see mesh_io.h for what all
+// readers promise and throw. Each vertex and each face must have a line of its
+// own; what follows the coordinates or the corners on that line (normals,
 // colours, texture coordinates) is skipped.
 TriangleSoup ReadOff(const std::string& path, std::string_view bytes);
 
-// 17 digits.
+// Returns the text of an OFF file. Coordinates have 17 digits, from which the
+// same doubles are read again.
 std::string OffBytes(const TriangleSoup& soup);
 
 }  // namespace musclewarp

@@ -39,7 +39,7 @@ ScalarType TypeFromName(const TextCursor& cursor, std::string_view name) {
   if (found == kTypes.end()) {
     throw InputError(cursor.Where(),
                      Quoted(name) +
-                         " is no PLY type (char, uchar, short, "
+                         " is not a PLY type (char, uchar, short, "
                          "ushort, int, uint, float, double)",
                      kExportAgain);
   }
@@ -52,7 +52,7 @@ PlyFormat FormatFromName(const TextCursor& cursor, std::string_view name) {
   if (name == "binary_big_endian") return PlyFormat::kBinaryBig;
   throw InputError(cursor.Where(),
                    Quoted(name) +
-                       " is no PLY format (ascii, "
+                       " is not a PLY format (ascii, "
                        "binary_little_endian, binary_big_endian)",
                    kExportAgain);
 }
@@ -131,7 +131,7 @@ PlyHeader ReadPlyHeader(const std::string& path, TextCursor* cursor) {
       AddProperty(*cursor, words, &header);
     } else {
       throw InputError(cursor->Where(),
-                       Quoted(keyword) + " is no line of a PLY header",
+                       Quoted(keyword) + " is not a line of a PLY header",
                        kExportAgain);
     }
   }

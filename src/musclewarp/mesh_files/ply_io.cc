@@ -17,7 +17,7 @@ namespace {
 
 constexpr char kCopyAgain[] = "copy or export it again";
 
-// What follows the header, item by item and value by value.
+// Reads what follows the header, item by item and value by value.
 class PlyBody {
  public:
   PlyBody(std::string path, TextCursor* cursor)
@@ -34,7 +34,7 @@ class PlyBody {
   virtual void Skip(ScalarType type) = 0;
   virtual void EndItem() {}
   virtual std::size_t line() const { return 0; }
-  // Anything after the last item means that the header is wrong.
+  // False if data follow the last item, which means that the header is wrong.
   virtual bool AtEnd() = 0;
 
  protected:
@@ -70,7 +70,7 @@ class BinaryBody : public PlyBody {
   }
   void Skip(ScalarType type) override { Take(type); }
   bool AtEnd() override {
-    std::string_view word;  // Blanks at the end do no harm.
+    std::string_view word;  // blanks at the end do no harm
     return !cursor().NextWord(&word);
   }
 
@@ -173,7 +173,7 @@ void ReadVertices(const std::string& path,
                   const PlyElement& element,
                   PlyBody* body,
                   SoupBuilder* builder) {
-  // Axis of each property, -1 if it is another.
+  // The axis that each property is a coordinate of, -1 for other properties.
   std::vector<int> axis(element.properties.size(), -1);
   constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
   for (int a = 0; a < 3; ++a) {
@@ -241,7 +241,7 @@ void ReadFaces(const std::string& path,
 void SkipElement(const std::string& path,
                  const PlyElement& element,
                  PlyBody* body) {
-  if (element.properties.empty()) return;  // Takes no room.
+  if (element.properties.empty()) return;  // such items take no room
   for (std::int64_t item = 0; item < element.count; ++item) {
     body->BeginItem(element, item);
     for (const PlyProperty& property : element.properties) {

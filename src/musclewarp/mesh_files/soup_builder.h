@@ -13,36 +13,50 @@
 
 namespace musclewarp {
 
-// Collects what a reader finds in a mesh file and checks it: finite points, at
-// least three corners a face, at least one face, corners that are there.
-// Each failure is an InputError that names the vertex or face, counted as the
-// file counts, and its line where the file has lines.
+// Collects the points and faces that a reader finds in a mesh file, checks
+// them, and makes triangles of them, so that all formats have the same checks
+// and messages. Checked are: points are finite, a face has at least three
+// corners, its corners exist, and there is at least one face. Each failure is
+// an InputError that names the vertex or face, counted as the file counts, and
+// its line if the file has lines.
+//
+//   SoupBuilder builder(path);
+//   builder.AddPoint({0, 0, 1.5}, cursor.line());
+//   ...
+//   builder.AddPolygon({0, 1, 2, 3}, cursor.line());
+//   return builder.Build();
 class SoupBuilder {
  public:
-  // first_index: the number the format gives the first vertex.
+  // `path` is the file, for messages. `first_index` is the number that the
+  // format gives to the first vertex and the first face.
   explicit SoupBuilder(std::string path, int first_index = 0);
 
-  // line: 0 for binary files.
+  // Adds a point, mm. `line` is the line of the file, 0 for binary files.
   void AddPoint(const Eigen::Vector3d& point, std::size_t line = 0);
 
-  // Corners counted from 0; they may name points that are added later.
+  // Adds a face with three corners or more, counted from 0 whatever
+  // `first_index` is. Corners may name points that are added later.
   void AddPolygon(const std::vector<std::int64_t>& corners,
                   std::size_t line = 0);
 
-  // A triangle strip: every corner from the third on makes a triangle with the
-  // two before it, every other one turned round.
+  // Adds a triangle strip: every corner from the third on makes a triangle with
+  // the two corners before it, and every second triangle is turned round so
+  // that all face the same way. Triangles with a repeated corner are left out:
+  // writers use them to steer a strip.
   void AddStrip(const std::vector<std::int64_t>& corners, std::size_t line = 0);
 
   std::int64_t num_points() const { return points_.size() / 3; }
   std::int64_t num_faces() const { return faces_.size(); }
 
-  // Points in the order added. A polygon becomes the fan of its first corner
-  // that sees all the others (its first corner, if there is none).
+  // Returns the points in the order they were added, and the triangles of the
+  // faces in that order. A polygon becomes a fan around the first of its
+  // corners from which all triangles face the same way, so that a concave
+  // polygon does not fold over; around its first corner if there is none.
   TriangleSoup Build() const;
 
  private:
   struct Face {
-    std::size_t end;  // In corners_, behind the last corner.
+    std::size_t end;  // in corners_, behind the last corner
     std::size_t line;
     bool is_strip;
   };

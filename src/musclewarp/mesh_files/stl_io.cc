@@ -14,8 +14,8 @@
 namespace musclewarp {
 namespace {
 
-// Binary STL: text, number of facets, then per facet the normal, three corners
-// and two unused bytes.
+// A binary STL file starts with a text and the number of facets. For each facet
+// follow the normal, three corners and two unused bytes.
 constexpr std::size_t kTextSize = 80;
 constexpr std::size_t kHeaderSize = kTextSize + 4;
 constexpr std::size_t kFacetSize = 4 * 12 + 2;
@@ -61,8 +61,9 @@ std::size_t BinarySize(std::string_view bytes) {
                                             ByteOrder::kLittle);
 }
 
-// "solid" and no control character where a binary file has the number of
-// facets and the first normal: binary files may start with "solid" as well.
+// True if the file starts with "solid" and has no control character where a
+// binary file has the number of facets and the first normal: binary files may
+// start with "solid" as well.
 bool LooksLikeAscii(std::string_view bytes) {
   const std::string_view start = bytes.substr(0, kHeaderSize + kFacetSize);
   const std::size_t word = start.find_first_not_of(" \t\r\n");
@@ -144,9 +145,10 @@ class AsciiReader {
 
   void Expect(const char* expected, std::string_view word) const {
     if (LowerCase(word) == expected) return;
-    throw InputError(cursor_.Where(),
-                     Quoted(word) + " stands where '" + expected + "' is due",
-                     "check that this is an STL file, or export it again");
+    throw InputError(
+        cursor_.Where(),
+        Quoted(word) + " stands where '" + expected + "' is expected",
+        "check that this is an STL file, or export it again");
   }
 
   std::string path_;
@@ -158,18 +160,19 @@ class AsciiReader {
 
 TriangleSoup ReadStl(const std::string& path, std::string_view bytes) {
   const bool has_header = bytes.size() >= kHeaderSize;
-  // The size decides first: it fits an ASCII file only by a freak chance.
+  // The size decides first: an ASCII file would have the size of a binary one
+  // only by a freak chance.
   if (has_header && bytes.size() == BinarySize(bytes)) {
     return ReadBinary(path, bytes);
   }
   if (LooksLikeAscii(bytes)) return AsciiReader(path, bytes).Read();
   throw InputError(
       path,
-      has_header ? "is truncated or no STL file: as binary STL its header "
+      has_header ? "is truncated or not an STL file: as binary STL its header "
                    "promises " +
                        std::to_string(BinarySize(bytes)) +
                        " bytes, the file has " + std::to_string(bytes.size())
-                 : "is truncated or no STL file: it has " +
+                 : "is truncated or not an STL file: it has " +
                        std::to_string(bytes.size()) +
                        " bytes and does not start with 'solid'",
       "copy or export it again");
@@ -186,7 +189,7 @@ std::string StlBytes(const TriangleSoup& soup) {
       corners.row(i) = soup.points.row(soup.triangles(f, i)).cast<float>();
     }
     const Eigen::Matrix3d exact = corners.cast<double>();
-    // Zero for a face without area.
+    // The normal is zero for a face without area.
     const Eigen::Vector3d normal = (exact.row(1) - exact.row(0))
                                        .cross(exact.row(2) - exact.row(0))
                                        .normalized();

@@ -17,7 +17,7 @@ bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
 bool IsLineEnd(char c) { return c == '\n' || c == '\r'; }
 
-// std::from_chars knows no leading plus.
+// std::from_chars does not accept a leading plus.
 std::string_view WithoutPlus(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') {
     word.remove_prefix(1);
@@ -25,7 +25,8 @@ std::string_view WithoutPlus(std::string_view word) {
   return word;
 }
 
-// What a number beyond the range of double is: infinite, or zero when tiny.
+// Returns the value of a number beyond the range of double: infinite, or zero
+// if the number is tiny.
 double BeyondRange(std::string_view word) {
   long double value = 0;
   const auto result =
@@ -39,8 +40,8 @@ double BeyondRange(std::string_view word) {
                                   const char* what,
                                   const char* kind) {
   throw InputError(cursor.Where(),
-                   Quoted(word) + " stands where " + what + " is due, which " +
-                       "must be " + kind,
+                   Quoted(word) + " stands where " + what +
+                       " is expected, which must be " + kind,
                    "export the mesh again");
 }
 

@@ -12,7 +12,11 @@
 
 namespace musclewarp {
 
-// Keeps the first error instead of printing it.
+// VTK reports errors by printing them. The two classes below turn that into a
+// text that can be put into an InputError: VtkErrorScope is what code uses, and
+// VtkErrorCatcher is the window that it gives to VTK.
+
+// Keeps the first error and drops all other output of VTK.
 class VtkErrorCatcher : public vtkOutputWindow {
  public:
   static VtkErrorCatcher* New();
@@ -24,15 +28,17 @@ class VtkErrorCatcher : public vtkOutputWindow {
   void DisplayDebugText(const char*) override {}
   void DisplayErrorText(const char* text) override;
 
-  // Without the source file, class and address VTK puts before it.
+  // Returns the first line of the first error without the source file, class
+  // and address that VTK puts before it; "" if there was none.
   std::string FirstError() const;
 
  private:
   std::string first_error_;
 };
 
-// While it lives, errors of VTK go to the catcher and not to stderr. Window and
-// log are global to VTK, so only one scope lives at a time; others wait.
+// As long as it lives, errors of VTK go to a catcher and not to stderr. The
+// output window and the log are global to VTK, so only one scope lives at a
+// time: a thread that opens another waits for the first to end.
 class VtkErrorScope {
  public:
   VtkErrorScope();
@@ -40,6 +46,7 @@ class VtkErrorScope {
   VtkErrorScope(const VtkErrorScope&) = delete;
   VtkErrorScope& operator=(const VtkErrorScope&) = delete;
 
+  // Returns the first error since the scope began, "" if there was none.
   std::string FirstError() const { return catcher_->FirstError(); }
 
  private:

@@ -8,10 +8,11 @@
 #include <optional>
 #include <vector>
 
+#include "musclewarp/base/base64.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh_files/soup_builder.h"
 #include "musclewarp/mesh_files/text_cursor.h"
-#include "musclewarp/mesh_files/vtp_data.h"
+#include "musclewarp/mesh_files/vtp_packing.h"
 #include "musclewarp/mesh_files/xml_tags.h"
 
 namespace musclewarp {
@@ -22,12 +23,12 @@ constexpr std::string_view kBlanks = " \t\r\n";
 
 struct Array {
   XmlTag tag;
-  std::string_view content;  // Between its tags.
+  std::string_view content;  // between its tags
 };
 
 struct Piece {
   XmlTag tag;
-  // "Points", "Polys connectivity", "Strips offsets" and so on.
+  // By names such as "Points", "Polys connectivity" and "Strips offsets".
   std::map<std::string, Array> arrays;
 };
 
@@ -78,8 +79,8 @@ class VtpReader {
                                                    const std::string& section);
 
   std::uint64_t Count(const Piece& piece, const std::string& elements) const;
-  // Each value is binary(bytes, type), or ascii(cursor, word). There must be
-  // `count` of them.
+  // Returns the values of an array, of which there must be `count`. A value is
+  // read by binary(bytes, type) or by ascii(cursor, word).
   template <typename Value, typename Binary, typename Ascii>
   std::vector<Value> Values(const Piece& piece,
                             const std::string& name,
@@ -102,7 +103,7 @@ class VtpReader {
   std::string path_;
   std::string_view bytes_;
   SoupBuilder builder_;
-  std::string where_;  // Piece being read.
+  std::string where_;  // the piece being read
   VtpPacking packing_;
   std::vector<Piece> pieces_;
   std::string_view appended_;
@@ -113,7 +114,7 @@ void VtpReader::CheckIsWhole() const {
   if (bytes_.substr(0, 1024).find("<VTKFile") == std::string_view::npos) {
     throw InputError(
         path_,
-        "is no VTK XML file: it starts with " + Quoted(bytes_.substr(0, 16)),
+        "is not a VTK XML file: it starts with " + Quoted(bytes_.substr(0, 16)),
         "name the file by what it holds");
   }
   constexpr std::string_view kEnd = "</VTKFile>";
@@ -125,8 +126,8 @@ void VtpReader::CheckIsWhole() const {
   }
 }
 
-// Finds the pieces and their arrays. Ends at <AppendedData>, behind which there
-// may be anything.
+// Finds the pieces and their arrays. The search ends at <AppendedData>, because
+// any bytes may follow that tag.
 void VtpReader::ReadTags() {
   std::vector<std::string_view> open;
   XmlTag tag;
@@ -265,7 +266,7 @@ std::vector<std::vector<std::int64_t>> VtpReader::ReadCells(
   return cells;
 }
 
-// 0 if the piece does not say.
+// Returns 0 if the piece does not have the attribute.
 std::uint64_t VtpReader::Count(const Piece& piece,
                                const std::string& elements) const {
   const std::string attribute = "NumberOf" + elements;
@@ -274,7 +275,9 @@ std::uint64_t VtpReader::Count(const Piece& piece,
   // More digits than any file can hold elements would overflow 3 * count.
   if (text.size() > 15 ||
       text.find_first_not_of("0123456789") != std::string_view::npos) {
-    Throw(where_, attribute + " is " + Quoted(text) + ", no sensible number");
+    Throw(
+        where_,
+        attribute + " is " + Quoted(text) + ", which is not a sensible number");
   }
   std::uint64_t count = 0;
   for (const char digit : text) count = 10 * count + (digit - '0');
@@ -357,8 +360,9 @@ std::string VtpReader::Unpacked(const Array& array,
     return UnpackVtpArray(where, DecodeBase64(array.content), packing_);
   }
   if (format != "appended") {
-    Throw(where,
-          "format " + Quoted(format) + " is none of ascii, binary, appended");
+    Throw(
+        where,
+        "format " + Quoted(format) + " is not one of ascii, binary, appended");
   }
   const TextCursor cursor(where, "");
   const std::int64_t offset =

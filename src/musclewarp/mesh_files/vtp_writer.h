@@ -10,22 +10,25 @@
 
 namespace musclewarp {
 
-// XML polydata (.vtp): binary, compressed, double precision, the same bytes for
-// the same data. Only in builds with MUSCLEWARP_WITH_VTK.
+// Writes XML polydata (.vtp) for ParaView: binary, compressed, in double
+// precision, and the same bytes for the same data. Only in builds with
+// MUSCLEWARP_WITH_VTK.
 
-// Values at the points, #V x 1 or #V x 3, or at the lines, #lines x 1.
+// Values to colour a surface or lines by: at the points, #V x 1 or #V x 3, or
+// at the lines, #lines x 1.
 struct NamedField {
   std::string name;
   Eigen::MatrixXd values;
 };
 
-// A triangle mesh with fields at its points. Precondition (CHECKed): fields
-// have a row for each point.
+// Returns the file of a triangle mesh with fields at its points. Precondition
+// (CHECKed): every field has a row for each point.
 std::string VtpOfMesh(const TriangleSoup& soup,
                       const std::vector<NamedField>& point_data = {});
 
-// Polylines, each #P x 3, with fields at the lines. Precondition (CHECKed):
-// fields have a row for each line.
+// Returns the file of polylines, each #P x 3 in mm, with fields at the lines;
+// lines share no points. Precondition (CHECKed): every field has a row for each
+// line.
 std::string VtpOfLines(const std::vector<Points>& lines,
                        const std::vector<NamedField>& line_data);
 

@@ -8,7 +8,8 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r\n";
 constexpr std::size_t kNone = std::string_view::npos;
 
-// Of the '>' that ends the tag begun at `begin`; one in quotes does not.
+// Returns the position of the '>' that ends the tag that begins at `begin`; one
+// in quotes does not end it.
 std::size_t FindTagEnd(std::string_view text, std::size_t begin) {
   std::size_t at = text.find_first_of("\"'>", begin);
   while (at != kNone && text[at] != '>') {

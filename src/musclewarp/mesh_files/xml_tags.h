@@ -7,22 +7,32 @@
 
 namespace musclewarp {
 
-// A tag of an XML text: <Piece NumberOfPoints="3">, </Piece>, <Verts/>.
+// Finds the tags of a .vtp file. That is not quite XML: behind <AppendedData>
+// follow raw bytes, at which an XML parser gives up. All texts below are views
+// into the file.
+
+// A tag: <Piece NumberOfPoints="3">, </Piece>, or <Verts/>.
 struct XmlTag {
-  std::string_view text;  // What stands between the angle brackets.
-  std::size_t end = 0;    // In the XML text, behind the closing bracket.
+  // What stands between the angle brackets.
+  std::string_view text;
+  // The position behind the closing bracket in the XML text: where to look for
+  // the next tag.
+  std::size_t end = 0;
 
-  // Without the slash of a closing tag.
+  // Returns the name of the element, without the slash of a closing tag.
   std::string_view name() const;
+  // True for </Piece>.
   bool is_closing() const { return text.substr(0, 1) == "/"; }
-  bool is_empty_element() const;  // <Verts/>
+  // True for <Verts/>, which has no closing tag.
+  bool is_empty_element() const;
 
-  // The value as it stands, "" if there is no such attribute.
+  // Returns the value of an attribute between its quotes, entities such as &lt;
+  // left as they are; "" if the tag has no such attribute.
   std::string_view Attribute(std::string_view attribute) const;
 };
 
-// The next tag of the text from `at` on, without comments, declarations and
-// processing instructions. False if there is none.
+// Sets `tag` to the next tag at or behind position `at`; comments, declarations
+// and processing instructions are passed over. Returns false if there is none.
 bool NextXmlTag(std::string_view text, std::size_t at, XmlTag* tag);
 
 }  // namespace musclewarp

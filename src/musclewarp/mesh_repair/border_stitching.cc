@@ -18,27 +18,28 @@ namespace {
 using Corners = std::array<int, 3>;
 
 // A consistently oriented soup that is being stitched: every directed edge has
-// at most one triangle, on an edge of a border the opposite has none.
+// at most one triangle, and on a border the opposite edge has none.
 class Borders {
  public:
   explicit Borders(const TriangleSoup& soup);
 
-  // Border edges, directed as their triangle runs, ascending.
+  // Returns the border edges in ascending order, each in the direction in which
+  // its triangle runs.
   std::vector<std::array<int, 2>> Edges() const;
 
   bool IsBorderEdge(int a, int b) const {
     return HasDirectedEdge(a, b) && !HasDirectedEdge(b, a);
   }
 
-  // Whether a border edge starts in v.
+  // True if a border edge starts in v.
   bool IsOnBorder(int v) const;
 
-  // Point `from` becomes point `to`. False and nothing done if that would
-  // crowd an edge or collapse a triangle.
+  // Replaces point `from` by point `to`. Returns false and does nothing if an
+  // edge would get a third triangle or a triangle would collapse.
   bool Merge(int from, int to);
 
-  // Splits the border edge a b of a triangle at point v. False and nothing done
-  // if that would crowd an edge.
+  // Splits the border edge a b of a triangle at point v. Returns false and does
+  // nothing if an edge would get a third triangle.
   bool Insert(int v, int a, int b);
 
   Triangles ToTriangles() const;
@@ -181,7 +182,7 @@ bool operator<(const Candidate& x, const Candidate& y) {
          std::tie(y.distance, y.v, y.a, y.b);
 }
 
-// Border points in the order of their first coordinate.
+// Returns the border points in the order of their first coordinates.
 std::vector<int> PointsByX(const std::vector<std::array<int, 2>>& edges,
                            const Points& points) {
   std::vector<int> sorted;
@@ -278,9 +279,10 @@ void InsertBorderPoints(double tolerance,
 }  // namespace
 
 Stitches StitchBorders(double tolerance, TriangleSoup* soup) {
-  // Shares of the tolerance for points beside edges. Points beside points have
-  // all of it from the start: an edge split beside one of its ends leaves a
-  // needle, and needles cross each other.
+  // For points beside edges the tolerance grows in steps, given as shares of
+  // the whole. Points beside points have all of it from the start: an edge that
+  // is split close to one of its ends leaves a needle, and needles cross each
+  // other.
   constexpr double kSteps[] = {0, 1e-3, 0.03, 0.1, 0.3, 1};
   constexpr int kMaxRounds = 50;
   Stitches stitches;

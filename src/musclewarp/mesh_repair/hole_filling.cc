@@ -28,15 +28,16 @@ Edges AllEdges(const Triangles& triangles) {
   return edges;
 }
 
-// The triangulation of a loop with least area, by the dynamic programme of
-// Barequet and Sharir, "Filling gaps in the boundary of a polyhedron" (1995).
+// The triangulation of a loop that has the least area, by the dynamic program
+// of Barequet and Sharir, "Filling gaps in the boundary of a polyhedron"
+// (1995).
 class LoopTriangulation {
  public:
   LoopTriangulation(const BorderLoop& loop,
                     const Points& points,
                     const Edges& taken);
 
-  // Infinite if every triangulation needs a chord that is taken.
+  // The area, mm^2; infinite if every triangulation needs a taken chord.
   double Area() const { return Best(0, size_ - 1); }
   std::vector<std::array<int, 3>> Triangles() const;
 
@@ -117,8 +118,9 @@ void Append(const Triangles& added, Triangles* triangles) {
   triangles->bottomRows(added.rows()) = added;
 }
 
-// Gives every chord of a filling that is an edge already a point in its middle,
-// a little towards the corners beside it so as not to lie on that edge.
+// Splits every chord of a filling that is an edge of the mesh already. The new
+// point is in the middle of the chord, but moved a little towards the corners
+// beside it so as not to lie on that edge.
 void SplitTakenChords(const Edges& taken,
                       std::vector<std::array<int, 3>>* filling,
                       Points* points) {
@@ -158,8 +160,9 @@ void SplitTakenChords(const Edges& taken,
   }
 }
 
-// The filling of least area, if need be with new points instead of second
-// edges: a detour that avoids taken chords may leave the hole altogether.
+// Returns the filling of least area that avoids taken chords; or, if the detour
+// around them is too large (it may leave the hole altogether), the filling of
+// least area, in which taken chords are split.
 Triangles FillLoop(const BorderLoop& loop, const Edges& taken, Points* points) {
   constexpr double kWorstDetour = 2;
   const LoopTriangulation direct(loop, *points, Edges());
@@ -182,7 +185,7 @@ std::vector<BorderLoop> FindBorderLoops(const Triangles& triangles) {
   }
   std::vector<BorderLoop> loops;
   while (!open.empty()) {
-    // Walk on until a point comes again; what lies between is a loop.
+    // Walk on until a point is reached again; the walk since then is a loop.
     BorderLoop walk = {open.begin()->first};
     while (!walk.empty()) {
       const auto edge = open.lower_bound({walk.back(), -1});

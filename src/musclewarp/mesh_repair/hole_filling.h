@@ -8,40 +8,59 @@
 
 namespace musclewarp {
 
-// Closed walk of point indices along a border, as the triangles of a filling
-// run: against those beside it. No point occurs twice.
+// The border of a hole: a closed walk of point indices, in the direction in
+// which the triangles of a filling run along it, that is, against the triangles
+// beside the hole. No point occurs twice.
 using BorderLoop = std::vector<int>;
 
-// All borders, cut into simple loops; a point where two holes meet is in both.
-// Precondition: consistently oriented, at most two triangles an edge.
+// Returns all borders of a mesh, cut into simple loops; a point in which two
+// holes meet is in the loops of both. Precondition: the triangles are
+// consistently oriented with at most two per edge.
 std::vector<BorderLoop> FindBorderLoops(const Triangles& triangles);
 
-double LoopLength(const BorderLoop& loop, const Points& points);  // mm
+// Returns the length of a border, mm.
+double LoopLength(const BorderLoop& loop, const Points& points);
 
+// Which holes may be filled. A filling invents surface, so a hole must either
+// be small, or so narrow that hardly any surface is missing. With the length P
+// of the border and the area A of the filling, a hole is filled if it has at
+// most `max_edges` edges and
+//
+//   P <= max_perimeter   or   A <= max_slit_ratio P^2.
+//
+// The second alternative means that a slit is filled however long it is: the
+// two sides of a crack that was too wide to be stitched, for example.
 struct HoleLimits {
-  // Holes whose border is at most this long are filled, mm.
+  // The longest border of a hole that is filled whatever its shape, mm.
   double max_perimeter = 30;
 
-  // Slits are filled however long they are: holes whose filling has at most
-  // this area over the square of the perimeter (circle 0.08, square 0.06, a
-  // slit 40 times as long as wide 0.006).
+  // The largest A / P^2 of a slit. The ratio is 0.08 for a circle, 0.06 for a
+  // square, and 0.006 for a slit 40 times as long as wide.
   double max_slit_ratio = 0.006;
 
-  // A loop of more edges stays open: the work grows with the cube.
+  // A hole with more edges stays open, because the work of filling it grows
+  // with the cube of their number.
   int max_edges = 800;
 };
 
+// What FillHoles has done.
 struct Fillings {
   int holes = 0;
+  // Added triangles, and points added in the middle of chords.
   int triangles = 0;
   int points = 0;
-  double area = 0;     // mm^2
-  double longest = 0;  // perimeter, mm
+  // The area of all fillings, mm^2.
+  double area = 0;
+  // The longest border of a filled hole, mm.
+  double longest = 0;
 };
 
-// Fills every hole within the limits with the triangulation of its loop that
-// has the least area. A chord that is an edge of the mesh already is avoided or
-// gets a point in its middle. New triangles and points go to the end.
+// Fills every hole within the limits with the triangulation of its border that
+// has the least area (Barequet and Sharir, "Filling gaps in the boundary of a
+// polyhedron", 1995). A chord of the triangulation that is an edge of the mesh
+// already would become non-manifold: it is avoided if the area then stays below
+// twice the least, and otherwise split by a new point. New triangles and points
+// follow the old ones. Precondition: as for FindBorderLoops.
 Fillings FillHoles(const HoleLimits& limits, TriangleSoup* soup);
 
 }  // namespace musclewarp

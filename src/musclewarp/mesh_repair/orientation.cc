@@ -33,7 +33,8 @@ std::vector<std::vector<Neighbour>> NeighboursAcrossEdges(
   return neighbours;
 }
 
-// Which components have every edge used an even number of times by themselves.
+// For each component, true if it uses every edge an even number of times, so
+// that it encloses a volume by itself.
 std::vector<bool> EnclosingComponents(const EdgeUses& edges,
                                       const Components& components) {
   std::vector<bool> encloses(components.count, true);
@@ -50,7 +51,8 @@ std::vector<bool> EnclosingComponents(const EdgeUses& edges,
   return encloses;
 }
 
-// #F: +1 or -1, opposite for neighbours that run the same way.
+// Returns +1 or -1 for each triangle (#F), opposite for neighbours that run the
+// same way along their edge.
 std::vector<int> RelativeSides(
     const TriangleSoup& soup,
     const std::vector<std::vector<Neighbour>>& neighbours,
@@ -94,7 +96,7 @@ Flips OrientConsistently(TriangleSoup* soup) {
   const std::vector<int> side =
       RelativeSides(*soup, NeighboursAcrossEdges(triangles, edges), &flips);
 
-  // Per component, what speaks for keeping the triangles of side +1.
+  // For each component, the votes for keeping the triangles of side +1.
   std::vector<double> area(components.count, 0), volume(components.count, 0);
   for (int f = 0; f < triangles.rows(); ++f) {
     const Triangles triangle = triangles.row(f);

@@ -13,8 +13,8 @@
 namespace musclewarp {
 namespace {
 
-// Points with the coordinates of an earlier one, and the middle corners of
-// triangles of no area.
+// For each point, true if it has the coordinates of an earlier one or is the
+// middle corner of a triangle without area.
 std::vector<bool> StuckPoints(const TriangleSoup& soup) {
   const Points& points = soup.points;
   std::vector<bool> is_stuck(points.rows(), false);
@@ -60,7 +60,8 @@ Pulls PullApart(TriangleSoup* soup) {
   for (int v = 0; v < soup->points.rows(); ++v) {
     if (!is_stuck[v] || count[v] == 0) continue;
     Eigen::RowVector3d move = kShare * sum.row(v) / count[v];
-    // In the middle of its neighbours already: along the longest edge.
+    // A point that is in the middle of its neighbours moves along its longest
+    // edge.
     if (move.norm() < kShare * kShare * longest.row(v).norm()) {
       move = kShare * longest.row(v);
     }

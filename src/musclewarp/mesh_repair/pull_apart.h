@@ -6,16 +6,22 @@
 
 namespace musclewarp {
 
+// What PullApart has done.
 struct Pulls {
+  // The number of points that were moved.
   int points = 0;
-  double longest = 0;  // mm
+  // The longest move, mm.
+  double longest = 0;
 };
 
-// Moves points that have the coordinates of an earlier one, and the middle
-// corner of triangles of no area, a thousandth of the way to the mean of their
-// neighbours or, if they are there, along their longest edge: sheets that were
-// cut apart then stay apart in files that know points by their coordinates, and
-// every triangle has a normal.
+// Moves apart what lies on one another after sheets were cut apart: points with
+// the coordinates of an earlier point, and the middle corner of triangles
+// without area. Sheets then stay apart in file formats that identify points by
+// their coordinates (STL), and every triangle has a normal.
+//
+// A point moves a thousandth of the way to the mean of its neighbours, or along
+// its longest edge if it is at that mean already. A moved point may land on
+// another; callers repeat until nothing moves.
 Pulls PullApart(TriangleSoup* soup);
 
 }  // namespace musclewarp

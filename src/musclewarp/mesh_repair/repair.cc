@@ -23,7 +23,7 @@ std::string At(const Eigen::RowVector3d& point) {
   return text.str();
 }
 
-// Drops the components for which `keep` of their area and label is false.
+// Drops the components for which keep(areas of all components, label) is false.
 template <typename Keep>
 void DropComponents(const Keep& keep,
                     TriangleSoup* soup,
@@ -105,8 +105,9 @@ void CheckClosed(const TriangleSoup& soup,
           << longest.size() << " edges, " << LoopLength(longest, soup.points)
           << " mm long, around " << At(centre) << " remains";
   if (loops.size() > 1) problem << " and " << loops.size() - 1 << " smaller";
-  problem << "; allowed: holes of up to " << limits.max_perimeter << " mm and "
-          << limits.max_edges << " edges, or narrow slits";
+  problem << "; allowed: holes of up to " << limits.max_perimeter
+          << " mm or narrow slits of any length, with up to "
+          << limits.max_edges << " edges";
   throw InputError(name,
                    problem.str(),
                    "close the surface, or allow longer holes (--max_hole)");
@@ -137,14 +138,14 @@ bool RepairReport::AnythingDone() const {
          0;
 }
 
-Mesh RepairMesh(const TriangleSoup& soup,
-                const std::string& name,
-                const RepairOptions& options,
-                RepairReport* report) {
+TriangleSoup RepairMesh(const TriangleSoup& soup,
+                        const std::string& name,
+                        const RepairOptions& options,
+                        RepairReport* report) {
   RepairReport unused;
   if (report == nullptr) report = &unused;
   *report = RepairReport();
-  if (CountDefects(soup).IsClean()) return MeshFromSoup(soup);
+  if (CountDefects(soup).IsClean()) return soup;
 
   TriangleSoup work = soup;
   report->point_merges = MergePoints(
@@ -161,12 +162,12 @@ Mesh RepairMesh(const TriangleSoup& soup,
   report->separated_vertices = SeparateAtNonManifoldVertices(&work);
   KeepLargestPiece(&work, report);
   CheckClosed(work, options.holes, name);
-  // By now closed pieces are turned as a whole or not at all.
+  // The surface is closed now: it is turned as a whole or not at all.
   report->flipped_triangles += OrientConsistently(&work).flipped;
   report->dropped_points = DropUnreferencedPoints(&work);
   PullApartUntilClear(&work, report);
   CheckClean(work, name);
-  return MeshFromSoup(work);
+  return work;
 }
 
 }  // namespace musclewarp

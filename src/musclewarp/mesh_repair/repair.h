@@ -4,7 +4,6 @@
 
 #include <string>
 
-#include "musclewarp/mesh/mesh.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/mesh_repair/border_stitching.h"
 #include "musclewarp/mesh_repair/hole_filling.h"
@@ -14,58 +13,77 @@
 
 namespace musclewarp {
 
+// How far RepairMesh may go.
 struct RepairOptions {
   // Points closer than this are one point, as a share of the diagonal of the
   // bounding box.
   double merge_tolerance = 1e-9;
 
-  // Widest crack between two borders that is stitched, mm.
+  // The widest crack between two borders that is stitched, mm.
   double stitch_tolerance = 0.3;
 
-  // Pieces below this share of the whole area are dropped before holes are
-  // filled; of the rest the largest is kept.
+  // Pieces with less than this share of the whole area are dropped before holes
+  // are filled. Of the other pieces only the largest is kept in the end.
   double stray_area = 0.01;
 
-  // Which holes may be filled.
+  // Which holes may be filled: those with a short border, and slits of any
+  // length (see HoleLimits for the exact rule).
   HoleLimits holes;
 };
 
-// What was done, in the order it was done; all zero for a clean mesh.
+// What was done, in the order in which it was done; all zero for a clean mesh.
 struct RepairReport {
   PointMerges point_merges;
-  int degenerate_triangles = 0;  // removed
-  int duplicate_triangles = 0;   // removed
+  // Triangles that were removed.
+  int degenerate_triangles = 0;
+  int duplicate_triangles = 0;
+  // Triangles that were turned round.
   int flipped_triangles = 0;
-  Separation separation;       // at non-manifold edges
-  Stitches stitches;           // of cracks
-  Fillings fillings;           // of holes
-  int separated_vertices = 0;  // points doubled where a body touches itself
+  // Cuts at non-manifold edges, stitches of cracks, fillings of holes.
+  Separation separation;
+  Stitches stitches;
+  Fillings fillings;
+  // Points that were doubled where a body touches itself in a point.
+  int separated_vertices = 0;
 
-  int dropped_components = 0;  // stray pieces, flaps, other bodies
+  // Pieces that were dropped: stray pieces, flaps, other bodies. Areas in mm^2.
+  int dropped_components = 0;
   int dropped_triangles = 0;
-  double dropped_area = 0;          // mm^2
-  double largest_dropped_area = 0;  // mm^2
+  double dropped_area = 0;
+  double largest_dropped_area = 0;
 
-  int dropped_points = 0;  // in no triangle any more, merged ones included
-  Pulls pulls;             // points moved off each other
+  // Points that no triangle uses any more, merged ones included.
+  int dropped_points = 0;
+  // Points that were moved off one another.
+  Pulls pulls;
 
+  // True if the mesh was changed in any way.
   bool AnythingDone() const;
 };
 
-// Makes one closed, outward oriented 2-manifold of what segmentation delivers:
-// merges duplicate points, removes degenerate and duplicate triangles, orients,
-// cuts non-manifold edges and vertices apart, stitches cracks, fills small
-// holes and keeps the largest piece. CountDefects of the result IsClean(). A
-// clean soup comes back as it is, bit by bit. Points and triangles that stay
-// keep their order, and points beside no defect their place. Self-intersections
-// are neither looked for nor removed, and a piece that hangs on cracks alone
-// must face the way of the rest to be stitched to it.
+// Makes one closed, outward oriented 2-manifold out of a mesh as segmentation
+// delivers it. The steps are: merge duplicate points, remove degenerate and
+// duplicate triangles, orient the triangles, cut non-manifold edges apart,
+// stitch cracks, drop stray pieces, fill holes, cut non-manifold vertices
+// apart, and keep the largest piece. CountDefects(result).IsClean() holds.
 //
-// Throws InputError, naming `name`, what is wrong and where, if a hole beyond
-// the limits or a one-sided surface remains. `report` may be null.
-Mesh RepairMesh(const TriangleSoup& soup,
-                const std::string& name,
-                const RepairOptions& options,
-                RepairReport* report);
+//   RepairReport report;
+//   const TriangleSoup clean = RepairMesh(
+//       ReadTriangleSoup(path), path, RepairOptions(), &report);
+//   if (report.AnythingDone()) LOG(INFO) << path << " was repaired";
+//
+// A clean mesh is returned bit by bit as it is. Points and triangles that stay
+// keep their order, and points beside no defect keep their place.
+// Self-intersections are neither looked for nor removed. A piece that is
+// connected to the rest by cracks only must face the same way as the rest to be
+// stitched to it.
+//
+// Throws InputError if a hole beyond the limits or a surface with one side
+// remains; the message has `name` as its place and says what is wrong and where
+// on the mesh. `report` may be null.
+TriangleSoup RepairMesh(const TriangleSoup& soup,
+                        const std::string& name,
+                        const RepairOptions& options,
+                        RepairReport* report);
 
 }  // namespace musclewarp

@@ -15,7 +15,7 @@
 namespace musclewarp {
 namespace {
 
-// #half-edges: the half-edge of the triangle across, -1 on a border.
+// For each half-edge, that of the triangle across the edge; -1 on a border.
 using Mates = std::vector<int>;
 
 void Pair(int h, int g, Mates* mates) {
@@ -28,8 +28,8 @@ struct Use {
   int half_edge;
   bool runs_up;  // from the lower to the higher point
   double angle;  // around the edge, counterclockwise seen against it
-  bool is_open;  // its sheet has a border
-  double area;   // of its sheet
+  bool is_open;  // true if its sheet has a border
+  double area;   // of its sheet, mm^2
 };
 
 struct Sheets {
@@ -68,7 +68,7 @@ double AngleAround(const TriangleSoup& soup, int half_edge, bool runs_up) {
   return std::atan2(arm.dot(y), arm.dot(x));
 }
 
-// Leaves as many uses that run up as uses that run down.
+// Removes uses until as many run up as run down.
 void DropOddOnes(std::vector<Use>* uses) {
   const auto up = std::count_if(
       uses->begin(), uses->end(), [](const Use& use) { return use.runs_up; });
@@ -124,7 +124,7 @@ void PairAtCrowdedEdge(const TriangleSoup& soup,
   PairByWedges(std::move(uses), mates);
 }
 
-// Gives every fan of corners joined by mates its own point.
+// Gives a point of its own to every fan of corners that are joined by mates.
 int SeparateFans(const Mates& mates,
                  const std::vector<bool>& may_separate,
                  TriangleSoup* soup) {
@@ -163,8 +163,8 @@ int SeparateFans(const Mates& mates,
   return static_cast<int>(copied.size());
 }
 
-// Splits triangle f at a new point m on its edge h: the part at the origin of h
-// keeps the index, the other goes to the end.
+// Splits the triangle of half-edge h at a new point m on that edge. The part at
+// the origin of h keeps the index, the other becomes the last triangle.
 void SplitTriangle(int h, int m, Triangles* triangles, Mates* mates) {
   const int f = h / 3;
   const int added = static_cast<int>(triangles->rows());
@@ -181,9 +181,10 @@ void SplitTriangle(int h, int m, Triangles* triangles, Mates* mates) {
   Pair(next, 3 * added + 2, mates);
 }
 
-// Two sheets may share an edge and yet be one fan at both of its ends. All but
-// the first get a point of their own in the middle of the edge. One round takes
-// at most one edge of a triangle; returns the number of new points.
+// Two sheets may share an edge and yet be one fan at both of its ends, so that
+// copies of the ends cannot separate them. All sheets but the first get a point
+// of their own in the middle of the edge. A call splits at most one edge of
+// each triangle; returns the number of new points.
 int SplitSharedEdges(Mates* mates, TriangleSoup* soup) {
   Triangles& triangles = soup->triangles;
   std::vector<bool> is_touched(triangles.rows(), false);

@@ -6,23 +6,30 @@
 
 namespace musclewarp {
 
-// Cutting a soup into 2-manifold sheets by doubling points, after Gueziec,
-// Taubin, Lazarus and Horn, "Cutting and stitching: converting sets of polygons
-// to manifold surfaces", IEEE TVCG 7 (2001). Copies lie on their originals; the
-// widest sheet around a point keeps the original.
+// Cuts a soup into 2-manifold sheets by doubling points, after Gueziec, Taubin,
+// Lazarus and Horn, "Cutting and stitching: converting sets of polygons to
+// manifold surfaces", IEEE TVCG 7 (2001). Copies of a point lie on the original
+// (PullApart moves them apart); the sheet with the most triangles around a
+// point keeps the original.
 
+// What SeparateAtNonManifoldEdges has done.
 struct Separation {
-  int edges = 0;   // edges with more than two triangles before
-  int copies = 0;  // points added
+  // The number of edges that had more than two triangles.
+  int edges = 0;
+  // The number of points added.
+  int copies = 0;
 };
 
-// Pairs the triangles around every edge with more than two so that each pair
-// bounds the same wedge of inside; odd ones out, first those of open flaps, end
-// in a border. Precondition: consistently oriented.
+// Separates the sheets that meet at edges with more than two triangles. The
+// triangles around such an edge are paired so that each pair bounds the same
+// wedge of inside; triangles that are left over, first those of flaps with a
+// border, end in a border there. Precondition: the soup is consistently
+// oriented.
 Separation SeparateAtNonManifoldEdges(TriangleSoup* soup);
 
-// Every fan of triangles around a point gets a point of its own; edges have two
-// triangles at most already. Returns the number of copies.
+// Separates the sheets that meet in a single point: every fan of triangles
+// around a point gets a point of its own. Precondition: edges have at most two
+// triangles. Returns the number of points added.
 int SeparateAtNonManifoldVertices(TriangleSoup* soup);
 
 }  // namespace musclewarp

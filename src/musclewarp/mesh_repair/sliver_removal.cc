@@ -40,7 +40,7 @@ struct Triangle {
   }
 };
 
-// What is around an edge, before and after a change.
+// The triangles around an edge, before and after a change.
 struct Change {
   std::vector<Triangle> before, after;  // in pairs
   std::vector<Triangle> gone;
@@ -49,7 +49,7 @@ struct Change {
 
 class SliverRemover {
  public:
-  // Nothing is done to triangles at a vertex that is `locked`.
+  // Edges with a vertex that is `locked` (#V) are left alone.
   SliverRemover(const SliverLimits& limits,
                 const std::vector<bool>& locked,
                 Mesh* mesh)
@@ -64,7 +64,7 @@ class SliverRemover {
   }
 
   SliverRemovals Run() {
-    // A change may let go what could not before.
+    // A change may make another one possible that was not before.
     constexpr int kMaxRounds = 10;
     for (int round = 0; round < kMaxRounds && Round(); ++round) {
     }
@@ -73,7 +73,7 @@ class SliverRemover {
   }
 
  private:
-  // Below 1 for a sliver.
+  // Returns a value below 1 for a sliver, smaller for a thinner one.
   double Thickness(const Triangle& t) const {
     const double height = t.Height();
     if (height == 0) return 0;
@@ -101,7 +101,7 @@ class SliverRemover {
     return TriangleOf(mesh_.halfedge_handle(f));
   }
 
-  // The thinnest first.
+  // Returns (thickness, triangle) of all slivers, the thinnest first.
   std::vector<std::pair<double, int>> Slivers() const {
     std::vector<std::pair<double, int>> slivers;
     for (const Face f : mesh_.faces()) {
@@ -122,7 +122,8 @@ class SliverRemover {
     return is_changed;
   }
 
-  // Tries what can be done about a sliver and does the best of it.
+  // Makes the best of the changes that remove a sliver. Returns false if there
+  // is none.
   bool Remove(Face f) {
     double best = 0;
     std::function<void()> make;
@@ -141,7 +142,7 @@ class SliverRemover {
       if (mesh_.is_collapse_ok(h)) {
         const RowVector3d from = At(mesh_, mesh_.from_vertex_handle(h));
         const RowVector3d to = At(mesh_, mesh_.to_vertex_handle(h));
-        // The ends first: points that stay keep their place.
+        // The ends are tried first, so that points that stay keep their place.
         for (const RowVector3d& place :
              {to, from, RowVector3d((from + to) / 2)}) {
           offer(CollapseOf(h, place), [this, h, place] { Collapse(h, place); });
@@ -155,9 +156,9 @@ class SliverRemover {
     return best > 0;
   }
 
-  // The better the more; zero for what must not be done.
+  // Returns how good a change is; zero if it must not be made.
   double Gain(const Change& change) const {
-    constexpr double kMaxTurn = 0.7;  // of a triangle that stays, cosine
+    constexpr double kMaxTurn = 0.7;  // cosine, of a triangle that stays
     if (change.deviation > limits_.max_deviation) return 0;
     const double thickness = WorstThickness(change.after);
     if (thickness <=
@@ -175,7 +176,7 @@ class SliverRemover {
                          : 2 - change.deviation / limits_.max_deviation;
   }
 
-  // Whether two triangles beside each other fold more sharply than before.
+  // True if two neighbouring triangles fold more sharply than before.
   static bool IsFolded(const Change& change) {
     constexpr double kSharpFold = -0.5;  // cosine
     for (size_t i = 0; i < change.before.size(); ++i) {
@@ -192,7 +193,7 @@ class SliverRemover {
     return false;
   }
 
-  // Both ends of the edge go to `place`.
+  // Returns the change that moves both ends of the edge to `place`.
   Change CollapseOf(HalfEdge h, const RowVector3d& place) const {
     Change change;
     const HalfEdge opposite = mesh_.opposite_halfedge_handle(h);
@@ -205,7 +206,7 @@ class SliverRemover {
         if (f == left || f == right) continue;
         Triangle t = TriangleOf(out);
         change.before.push_back(t);
-        // One lower than that has no normal to speak of.
+        // The normal of a lower triangle is not reliable.
         if (t.Height() > std::min(least_height_, limits_.max_deviation)) {
           change.deviation =
               std::max(change.deviation, std::abs(t.Normal().dot(place - t.a)));
@@ -225,8 +226,8 @@ class SliverRemover {
     ++removals_.collapsed_edges;
   }
 
-  // The two triangles at the edge become those at the other diagonal. The
-  // thicker one of them says where the surface was.
+  // Returns the change that replaces the edge by the other diagonal of its two
+  // triangles. The thicker of them defines where the surface was.
   Change FlipOf(HalfEdge h) const {
     const Triangle left = TriangleOf(h);
     const Triangle right = TriangleOf(mesh_.opposite_halfedge_handle(h));
@@ -253,8 +254,8 @@ class SliverRemover {
   SliverRemovals removals_;
 };
 
-// What is left of a mesh with deleted elements, with the points that were
-// deleted. A garbage collection would change the order.
+// Returns a mesh without its deleted triangles, but with all points. A garbage
+// collection would change the order.
 TriangleSoup LeftOf(const Mesh& mesh) {
   TriangleSoup soup;
   soup.points.resize(mesh.n_vertices(), 3);
@@ -273,7 +274,7 @@ TriangleSoup LeftOf(const Mesh& mesh) {
   return soup;
 }
 
-// The corners of triangles that cross others.
+// Returns the corners of all triangles that cross others.
 std::vector<int> CrossingVertices(const TriangleSoup& soup) {
   std::vector<int> vertices;
   for (const auto& [f, g] : SelfIntersections(soup)) {
@@ -289,7 +290,7 @@ std::vector<int> CrossingVertices(const TriangleSoup& soup) {
 
 SliverRemovals RemoveSlivers(const SliverLimits& limits, TriangleSoup* soup) {
   // Where sheets lie close to each other, even a small change may make them
-  // cross. There it is tried again without.
+  // cross. Vertices that then cross are locked, and all is tried again.
   constexpr int kMaxAttempts = 8;
   std::vector<bool> crosses(soup->points.rows(), false);
   std::vector<bool> locked(soup->points.rows(), false);

@@ -6,29 +6,39 @@
 
 namespace musclewarp {
 
-// A sliver is a triangle whose smallest height is below one of these.
+// When a triangle is a sliver, and what may be done about it. A triangle is a
+// sliver if its smallest height is below `aspect` times its longest edge, or
+// below both `height` and `share_of_edges` times the mean edge of the mesh.
 struct SliverLimits {
-  double aspect = 0.05;         // of its longest edge; 0: there are none
-  double height = 0.25;         // mm
-  double share_of_edges = 0.1;  // of the mean edge, if that is less than height
-  double max_deviation = 0.1;   // of the surface, mm
+  // As a share of the longest edge of the triangle; 0: no triangle is a sliver.
+  double aspect = 0.05;
+  // In mm.
+  double height = 0.25;
+  // As a share of the mean edge length of the mesh.
+  double share_of_edges = 0.1;
+  // How far the surface may move, mm.
+  double max_deviation = 0.1;
 };
 
+// What RemoveSlivers has done.
 struct SliverRemovals {
   int collapsed_edges = 0;
   int flipped_edges = 0;
-  int slivers_left = 0;          // that could not go
-  double largest_deviation = 0;  // of the surface, mm
+  // Slivers that could not be removed within the limits.
+  int slivers_left = 0;
+  // The largest distance that the surface moved, mm.
+  double largest_deviation = 0;
 };
 
-// Takes slivers out of a closed 2-manifold, the thinnest first: an edge of them
-// is collapsed or flipped, whichever leaves the better triangles, where the
-// surface neither folds nor crosses itself, nor goes farther than allowed from
-// where it was. What
-// deforms smoothly turns slivers over long before their neighbours, and
-// contact, which moves single vertices by fractions of a millimetre, too.
-// Points and triangles that stay keep their order; without slivers nothing
-// changes.
+// Removes slivers from a closed 2-manifold, the thinnest first. A smooth
+// deformation turns slivers over long before their neighbours, and so does
+// contact, which moves single vertices by fractions of a millimetre; a mesh
+// without slivers can follow both without folding.
+//
+// One edge of a sliver is collapsed or flipped, whichever leaves the better
+// triangles. A change that would fold the surface, make it cross itself, or
+// move it by more than `max_deviation` is left out. Points and triangles that
+// stay keep their order; a mesh without slivers is not changed.
 SliverRemovals RemoveSlivers(const SliverLimits& limits, TriangleSoup* soup);
 
 }  // namespace musclewarp

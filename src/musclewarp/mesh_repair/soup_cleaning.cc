@@ -16,7 +16,7 @@ namespace musclewarp {
 PointMerges MergePoints(double tolerance, TriangleSoup* soup) {
   const Points& points = soup->points;
   const int num_points = static_cast<int>(points.rows());
-  // A sweep along x: partners are among the neighbours in this order.
+  // Points to merge are close to each other in the order of their x.
   std::vector<int> by_x(num_points);
   std::iota(by_x.begin(), by_x.end(), 0);
   std::sort(by_x.begin(), by_x.end(), [&](int a, int b) {

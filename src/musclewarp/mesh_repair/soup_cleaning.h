@@ -6,22 +6,29 @@
 
 namespace musclewarp {
 
-// First aid for soups: points and triangles that say the same twice or nothing.
+// The first steps of a repair: removes points and triangles that are given
+// twice, and triangles without area.
 
+// What MergePoints has done.
 struct PointMerges {
+  // The number of points that were replaced by an earlier one.
   int merged = 0;
-  double longest = 0;  // mm, how far the farthest point moved
+  // The largest distance between a point and its replacement, mm.
+  double longest = 0;
 };
 
-// Points at most `tolerance` mm from an earlier point that was kept become that
-// point (0: equal coordinates only). Merged points stay as unreferenced rows.
+// Replaces points in triangles by the first earlier point that was itself kept
+// and is at most `tolerance` mm away (0: only equal coordinates). Points that
+// were replaced stay as unreferenced rows.
 PointMerges MergePoints(double tolerance, TriangleSoup* soup);
 
-// Triangles with a repeated corner or no area. Removing a sliver of no area
-// leaves a T-junction of width zero, which stitching closes.
+// Removes triangles with a repeated corner or an area of exactly zero, and
+// returns their number. A removed triangle whose corners lie on a line leaves a
+// T-junction of width zero, which StitchBorders closes.
 int RemoveDegenerateTriangles(TriangleSoup* soup);
 
-// Of triangles with the same corners in any order, the first stays.
+// Of triangles with the same corners in any order, keeps the first. Returns the
+// number of triangles removed.
 int RemoveDuplicateTriangles(Triangles* triangles);
 
 }  // namespace musclewarp

@@ -35,8 +35,8 @@ TriangleSoup Repaired(const TriangleSoup& delivered,
   preparation->name = name;
   preparation->path = path;
   preparation->defects = CountDefects(delivered);
-  return SoupFromMesh(RepairMesh(
-      delivered, path.empty() ? name : path, options, &preparation->repairs));
+  return RepairMesh(
+      delivered, path.empty() ? name : path, options, &preparation->repairs);
 }
 
 // The action lines at the places of the skeleton samples.

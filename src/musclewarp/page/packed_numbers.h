@@ -10,28 +10,38 @@
 
 namespace musclewarp {
 
-// Whole numbers packed for the page: each is stored as its difference to the
-// one `stride` places before (0 for the first), zigzag coded (0, -1, 1, -2, ...
-// become 0, 1, 2, 3, ...), in groups of 7 bits, lowest first, the top bit of a
-// byte set if more follow. What moves little from frame to frame is short then,
-// and deflate makes it shorter. tools/report/src/numbers.ts reads it.
+// Packs the vertex positions of all frames so small that a page can carry them.
+//
+// Every number is an integer and is stored as its difference to the number
+// `stride` places before it (to 0 for the first ones). The difference is zigzag
+// coded (0, -1, 1, -2, ... become 0, 1, 2, 3, ...) and written in groups of 7
+// bits, lowest first, where the top bit of a byte says that more follow. With
+// the stride of a frame, vertices that move little take a byte per coordinate,
+// which deflate shortens further. tools/report/src/data/numbers.ts is the
+// reader.
+//
+//   PackedNumbers packed;
+//   json["poses"] = packed.Add(positions, 3 * num_vertices);
+//   json["triangles"] = packed.Add(mesh.triangles);
+//   page_numbers = packed.Base64();
 class PackedNumbers {
  public:
-  // Returns where the numbers are: { "at": byte, "count", "stride" }.
+  // Adds a list of numbers. Returns where it is, for the JSON of the page:
+  // { "at": first byte, "count": of numbers, "stride" }.
   nlohmann::ordered_json Add(const std::vector<int>& numbers, int stride);
 
-  // The indices of triangles, three to one.
+  // Adds the indices of triangles, three to a triangle.
   nlohmann::ordered_json Add(const Triangles& triangles);
 
-  // All bytes, deflated (zlib, RFC 1950), as base64.
+  // Returns all bytes so far, deflated (zlib, RFC 1950), as base64.
   std::string Base64() const;
 
  private:
   std::string bytes_;
 };
 
-// Multiples of `step` next to the coordinates, three to a point, appended to
-// `numbers`. Precondition (CHECKed): they fit 30 bits.
+// Appends the multiples of `step` (mm) nearest to the coordinates of points,
+// three to a point, to `numbers`. Precondition (CHECKed): they fit 30 bits.
 void AppendRounded(const Points& points,
                    double step,
                    std::vector<int>* numbers);

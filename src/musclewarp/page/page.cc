@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kDataPlace = "<!--musclewarp:data-->";
 
-// As the content of a <script>, which nothing in it can end.
+// Returns the JSON as the content of a <script>, which no text in it can end.
 std::string ScriptSafe(const nlohmann::ordered_json& json) {
   const auto on_error = nlohmann::ordered_json::error_handler_t::replace;
   std::string safe;
@@ -32,12 +32,12 @@ std::string PageHtml(const std::vector<RecordedRun>& runs,
   const std::string_view bundle(kPageBundle, kPageBundleSize);
   const std::size_t place = bundle.find(kDataPlace);
   CHECK(place != std::string_view::npos);
-  const PageData data = PageDataOf(runs, options);
+  const PageContents contents = PageContentsOf(runs, options);
   std::string html(bundle.substr(0, place));
   html += "<script type=\"application/json\" id=\"runs\">" +
-          ScriptSafe(data.json) +
+          ScriptSafe(contents.json) +
           "</script>\n<script type=\"text/plain\" id=\"numbers\">" +
-          data.numbers + "</script>\n";
+          contents.numbers + "</script>\n";
   html += bundle.substr(place + kDataPlace.size());
   return html;
 }

@@ -25,8 +25,9 @@ namespace fs = std::filesystem;
 
 constexpr char kRunAgain[] = "run musclewarp-deform again";
 
-// A bone may be that far from its rest mesh moved rigidly, mm: positions in
-// files are rounded, to 1e-5 at worst where another program wrote them.
+// The largest distance between a bone in a file and its rest mesh moved
+// rigidly, mm. Positions in files are rounded, to 1e-5 if another program wrote
+// them.
 constexpr double kRigidTolerance = 1e-3;
 
 std::vector<std::string> NamesIn(const JsonField& list) {
@@ -37,7 +38,7 @@ std::vector<std::string> NamesIn(const JsonField& list) {
   return names;
 }
 
-// The keys that the page cannot do without.
+// Checks the keys that the page needs. Throws InputError.
 void CheckReport(const JsonField& report) {
   for (const char* key : {"scene",
                           "axes",
@@ -49,7 +50,7 @@ void CheckReport(const JsonField& report) {
                           "inputs_hash"}) {
     report.At(key).AsString();
   }
-  // Throws if that is not what it should be.
+  // Throws if the axes or the side are not valid.
   ParseView(
       "anterior", report.At("axes").AsString(), report.At("side").AsString());
   report.At("machine").At("processor").AsString();

@@ -15,45 +15,53 @@
 
 namespace musclewarp {
 
-// Gaps are looked for up to this distance for the page, mm.
+// The largest distance up to which the page knows gaps between surfaces, mm.
 constexpr double kPageGapLimit = 5;
 
-// A muscle at rest and in the frames: its surface, the lines and fibres it
-// carries, and the gap of each vertex to the nearest other mesh (#V, mm,
-// negative inside, at most kPageGapLimit).
+// A muscle in all poses of a run. The vectors below are by pose: entry 0 is the
+// rest pose, entry i + 1 is frame i.
 struct RecordedMuscle {
   std::string name;
+  // The triangles (#F x 3), which are the same in all poses.
   Triangles triangles;
-  std::vector<Points> points;  // #V x 3, mm
+  // The vertices, #V x 3, mm.
+  std::vector<Points> points;
+  // The lines and fibres that the muscle carries.
   std::vector<MuscleLines> lines;
+  // The distance of each vertex to the nearest other mesh, #V, mm: negative
+  // inside it, and at most kPageGapLimit.
   std::vector<Eigen::VectorXd> gaps;
 };
 
+// A bone, which moves rigidly.
 struct RecordedBone {
   std::string name;
   TriangleSoup rest;
-  std::vector<Eigen::Matrix4d> from_rest;  // to rest and the frames
+  // target_from_rest by pose; the first is the identity.
+  std::vector<Eigen::Matrix4d> from_rest;
 };
 
-// A run as musclewarp-deform left it on disk. "Poses" are rest, then the
-// frames: entry 0 of the lists by pose is rest, entry i + 1 frames[i].
+// A run of musclewarp-deform as its files tell it.
 struct RecordedRun {
   std::string dir;
-  nlohmann::ordered_json report;    // report.json as it is
-  std::vector<FrameRecord> frames;  // those of which the files are there
+  // The contents of report.json.
+  nlohmann::ordered_json report;
+  // The frames whose files exist; an interrupted run has fewer than planned.
+  std::vector<FrameRecord> frames;
   std::vector<RecordedMuscle> muscles;
   std::vector<RecordedBone> bones;
-  // Counted on the files, by pose.
+  // What crosses, counted anew on the meshes of the files, by pose.
   std::vector<SceneIntersections> intersections;
-  // Where the files and the report disagree.
+  // Sentences that say where the files and the report disagree.
   std::vector<std::string> warnings;
 };
 
 // Reads the report and all meshes of a run, finished or not, and counts anew
-// what crosses. Says on `log` how far it is. Throws InputError that names the
-// file and the field: no folder, no or a damaged report.json, a mesh that is
-// missing, damaged or not the one of the other frames, a bone that does not
-// move rigidly.
+// what crosses, so that the page does not depend on the word of the program
+// that is judged. Progress is written to `log`. Throws InputError that names
+// the file and the field if the folder or report.json is missing or damaged, if
+// a mesh is missing, damaged or differs in its triangles from the same mesh in
+// other frames, or if a bone does not move rigidly.
 RecordedRun ReadRecordedRun(const std::string& dir, std::ostream& log);
 
 }  // namespace musclewarp

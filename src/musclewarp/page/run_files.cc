@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr char kFramePrefix[] = "frame_";
 
-// Lower is better: double precision before text before float.
+// Returns a rank, of which the lowest is best: double precision comes before
+// text, and text before float.
 int Rank(const fs::path& path) {
   static const std::vector<std::string> kOrder = {
       ".ply", ".vtp", ".vtk", ".obj", ".off", ".stl"};
@@ -27,7 +28,7 @@ int Rank(const fs::path& path) {
       kOrder.begin());
 }
 
-// The number of "frame_0012", -1 for other names.
+// Returns 12 for "frame_0012", and -1 for names of another form.
 int FrameNumber(const std::string& name) {
   const std::size_t length = sizeof(kFramePrefix) - 1;
   const std::string digits = name.substr(std::min(length, name.size()));
@@ -54,7 +55,7 @@ std::vector<int> ParseFrames(const std::string& text,
                        "'" + word + "' is not a frame of " + dir,
                        "use 'last' or numbers from " +
                            std::to_string(folders.begin()->first) + " to " +
-                           std::to_string(last) + ", with commas");
+                           std::to_string(last) + ", separated by commas");
     }
     numbers.push_back(number);
   }
@@ -64,7 +65,7 @@ std::vector<int> ParseFrames(const std::string& text,
   return numbers;
 }
 
-// Names of the muscles and of the frames by index.
+// Reads the names of the muscles, and those of the frames by index.
 void ReadReport(const std::string& path,
                 RunFiles* run,
                 std::map<int, std::string>* frame_names) {

@@ -8,37 +8,45 @@
 
 namespace musclewarp {
 
-// Mesh files by the name of what they show.
+// Finds the files of a run of musclewarp-deform, or of any folder of meshes,
+// without reading the meshes.
+
+// The paths of mesh files by the names of the muscles and bones they show.
 using MeshFiles = std::map<std::string, std::string>;
 
-// A moment to draw.
+// The files of a frame.
 struct FrameFiles {
-  std::string name;  // "" if nothing tells
+  // The name of the pose from report.json; "" without a report.
+  std::string name;
   MeshFiles meshes;
 };
 
-// What a folder holds.
+// The files of a run, and what report.json says of how to show them.
 struct RunFiles {
   std::vector<FrameFiles> frames;
-  // From report.json, in its order; without one, has_report is false.
+  // False if the folder has no report.json; `muscles` is then empty.
   bool has_report = false;
+  // The names of the muscles, in the order of the report; other meshes are
+  // bones.
   std::vector<std::string> muscles;
-  // How the axes of the meshes lie in the body (see geometry/view.h).
+  // How the axes of the meshes lie in the body, and the side of the body (see
+  // ParseView in geometry/view.h).
   std::string axes = "LPS";
   std::string side = "right";
 };
 
-// The meshes of a folder by stem; of several formats the most exact one is
-// taken, .ply first.
+// Returns the mesh files of a folder by their names without extension. If a
+// mesh is there in several formats, the most exact one is taken, .ply before
+// all others. Throws InputError if the folder does not exist or holds no mesh.
 MeshFiles MeshFilesIn(const std::string& dir);
 
-// The frame folders (frame_0000, ...) of a run by number.
+// Returns the frame folders (frame_0000, frame_0001, ...) of a run by number.
 std::map<int, std::string> FrameFoldersIn(const std::string& dir);
 
-// The frames of a folder that musclewarp-deform has written (frame_0000, ...,
-// report.json), in the order of `frames`: numbers or "last", with commas. A
-// folder without frame_0000 ... is one frame itself. Throws InputError that
-// names what is missing.
+// Finds the frames of a run. `frames` selects them, in its order: numbers or
+// "last", separated by commas. A folder without frame folders is taken as a
+// single frame. Throws InputError that names what is missing: the folder, its
+// meshes, or a frame that --frames asks for.
 RunFiles FindRunFiles(const std::string& dir, const std::string& frames);
 
 }  // namespace musclewarp

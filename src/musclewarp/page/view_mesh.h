@@ -6,16 +6,19 @@
 
 namespace musclewarp {
 
-// A mesh with fewer triangles, good enough to look at.
+// A simplified mesh, good enough to look at: bones from CT have a hundred
+// thousand triangles, which would make up most of a page.
 struct ViewMesh {
   TriangleSoup soup;
-  // Largest distance of a vertex of the original to it, mm.
+  // The largest distance of a vertex of the original to the simplified
+  // surface, mm.
   double max_error = 0;
 };
 
-// At most about `max_triangles` triangles, by collapsing edges at the least
-// quadric error (Garland and Heckbert 1997, OpenMesh's decimater). A mesh that
-// is small enough, or no 2-manifold, comes back as it is.
+// Simplifies a mesh to about `max_triangles` triangles at most, by collapsing
+// the edges with the least quadric error (Garland and Heckbert 1997, the
+// decimater of OpenMesh). A mesh that is small enough already, or not a closed
+// 2-manifold, is returned as it is.
 ViewMesh ViewMeshOf(const TriangleSoup& soup, int max_triangles);
 
 }  // namespace musclewarp

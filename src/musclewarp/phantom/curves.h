@@ -8,9 +8,13 @@
 
 namespace musclewarp::phantom {
 
-// Points on the Catmull-Rom curve through `controls`, the controls among them:
-// `samples` steps per span. Open curves double their end controls. At least two
-// controls, three if closed; a closed curve does not repeat its first point.
+// Returns points on the Catmull-Rom curve through `controls`: the controls
+// themselves, and between neighbours samples - 1 points at equal parameters.
+// The curve interpolates its controls and has a continuous tangent, which at a
+// control is parallel to the line between the two beside it. An open curve
+// takes its first and last control twice; a closed one does not repeat its
+// first point at the end. Preconditions: two controls or more, three if closed;
+// samples >= 1.
 template <typename Vector>
 std::vector<Vector> SampleCatmullRom(const std::vector<Vector>& controls,
                                      int samples,
@@ -38,17 +42,21 @@ std::vector<Vector> SampleCatmullRom(const std::vector<Vector>& controls,
   return curve;
 }
 
-// A region of the plane bounded by the closed Catmull-Rom curve through
-// `controls` (either direction, not self-intersecting).
+// A region of the plane, such as the silhouette of a bone, given by points on
+// its boundary: the boundary is the closed Catmull-Rom curve through them, as a
+// polygon of four edges per span.
 class Outline {
  public:
+  // The controls may run in either direction. Preconditions: there are at least
+  // three (CHECKed), and the curve does not cross itself.
   explicit Outline(const std::vector<Eigen::Vector2d>& controls);
 
-  // Distance to the boundary, mm, negative inside.
+  // Returns the distance of p to the boundary, mm, negative inside.
   double SignedDistance(const Eigen::Vector2d& p) const;
 
  private:
-  // A part of the boundary, boxed so that most parts need no look.
+  // The edges between two controls, in a box so that most of them need not be
+  // looked at.
   struct Span {
     std::vector<Eigen::Vector2d> points;
     Eigen::AlignedBox2d box;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int kSamplesPerSpan = 5;
 
-// Farther than this from a part of a shape, mm, a lower bound of the distance
-// will do: no smooth operator reaches that far.
+// At larger distances from a part of a shape, mm, a lower bound of the distance
+// is sufficient, because no smooth operator reaches that far.
 constexpr double kFar = 16;
 
 // Mixes the bits of a lattice point and a seed (constants of the 32-bit
@@ -177,7 +177,7 @@ Field Offset(Field field, double distance) {
 Field Rough(Field field, double amplitude, double wavelength, uint32_t seed) {
   return [=, field = std::move(field)](const Eigen::Vector3d& p) {
     const double value = field(p);
-    // Far from the surface the bumps do not matter.
+    // Far from the surface the bumps make no difference.
     if (std::abs(value) > 4 * amplitude + 1) return value;
     return value + amplitude * ValueNoise(p / wavelength, seed);
   };

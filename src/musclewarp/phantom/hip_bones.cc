@@ -18,7 +18,8 @@ double WingMiddleX(double y, double z) {
          0.0012 * (z - 60) * (z - 60);
 }
 
-// How much longer the way along x is than the way across the plate.
+// Returns how much longer the path along x is than the path straight through
+// the plate.
 double WingSlant(double y, double z) {
   const double dy = 0.40 - 0.0040 * y;
   const double dz = 0.36 - 0.0024 * (z - 60);
@@ -52,8 +53,8 @@ Field Wing() {
         kWingThickness / 2;
     return SmoothMax(across, outline.SignedDistance({y, z}), 5);
   };
-  // Thick where a real one is: the rim all round, with the spines in front and
-  // behind, and the joint with the sacrum.
+  // The wing is thick where a real one is: at its rim, with the spines in front
+  // and behind, and at the joint with the sacrum.
   const Field crest = Sweep({{OnWing(14, 8), 5},
                              {OnWing(28, 20), 6},
                              {OnWing(33, 38), 7},
@@ -130,7 +131,7 @@ Field FemurField() {
   const Field shaft_with_bumps =
       Union(Union(shaft, greater_trochanter, 10), lesser_trochanter, 10);
   const Field femur = Union(Union(neck, shaft_with_bumps, 12), head, 6);
-  // Cut as by the end of a scan.
+  // The shaft is cut as if the scan ended there.
   return Intersection(femur, HalfSpace({0, 0, -1}, 235), 4);
 }
 

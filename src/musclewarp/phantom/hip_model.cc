@@ -8,7 +8,7 @@
 namespace musclewarp::phantom {
 namespace {
 
-constexpr double kMetres = 1e-3;  // in a mm
+constexpr double kMetres = 1e-3;  // per mm
 constexpr char kFlexion[] = "hip_flexion_r";
 
 std::string Text(const Eigen::Vector3d& point_mm) {
@@ -58,8 +58,8 @@ std::string FixedPoint(const std::string& name,
          "</location>\n              </PathPoint>\n";
 }
 
-// Straight from where it is at rest, flexion 0, to where it is at 60 degrees,
-// and on.
+// The point moves straight from its rest place, at flexion 0, to its place at
+// 60 degrees, and beyond.
 std::string MovingPoint(const std::string& name,
                         const std::string& body,
                         const Eigen::Vector3d& rest,

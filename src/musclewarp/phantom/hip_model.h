@@ -9,22 +9,25 @@
 
 namespace musclewarp::phantom {
 
-// A point of a line that moves on its body with flexion, straight from its rest
-// place to `flexed` (in the frame of the body, mm) at 60 degrees.
+// A point of an action line that slides on its body with flexion, as a muscle
+// does that bends over a bone: straight from its rest place at 0 degrees to
+// `flexed` (mm, in the frame of the body) at 60 degrees.
 struct WrappedPoint {
+  // The name of the line, and the index of the point on it.
   std::string line;
   int point = 0;
   Eigen::Vector3d flexed;
 };
 
-// The OpenSim model (.osim, version 4) of the embedded hip: pelvis and femur in
-// the frame of the scene, between them a joint of three rotations at
-// `hip_centre` (mm), and the lines of the muscles as paths.
+// Returns the OpenSim model (.osim, version 4) of the embedded hip: pelvis and
+// femur, whose frames are that of the scene at rest, a joint of three rotations
+// about `hip_centre` (mm) between them, and the lines of the muscles as paths.
 std::string HipModelText(const Scene& scene,
                          const Eigen::Vector3d& hip_centre,
                          const WrappedPoint& wrapped);
 
-// A motion for it (.mot): flexion from -10 to 60 degrees, 15 rows in 0.7 s.
+// Returns a motion of that model (.mot): flexion from -10 to 60 degrees in 15
+// rows, 0.7 s.
 std::string HipMotionText();
 
 }  // namespace musclewarp::phantom

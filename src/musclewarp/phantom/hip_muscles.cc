@@ -24,7 +24,7 @@ struct Fan {
   double belly_thickness;
 };
 
-// Both faces at (y, z).
+// The x of both faces at (y, z).
 struct Faces {
   double inner;
   double outer;
@@ -56,7 +56,7 @@ Field FanField(const Fan& fan) {
   const Outline outline(fan.outline);
   return [fan, outline](const Eigen::Vector3d& p) {
     const Faces faces = FacesAt(fan, p.y(), p.z());
-    // Faces are steep in x(y, z): about 45 degrees.
+    // The faces are steep: x(y, z) has a slope of about 45 degrees.
     constexpr double kAcross = 0.75;
     const double middle = 0.5 * (faces.inner + faces.outer);
     const double half = 0.5 * (faces.outer - faces.inner);
@@ -65,7 +65,7 @@ Field FanField(const Fan& fan) {
   };
 }
 
-// `muscle` cut along a neighbour so that it enters it by `depth` only.
+// Returns `muscle` cut along a neighbour, so that it is at most `depth` inside.
 Field LyingOn(Field muscle, Field neighbour, double depth) {
   return Difference(muscle, Offset(neighbour, -depth), 4);
 }
@@ -125,7 +125,8 @@ Field GluteusMediusField(const Field& bones, const Field& gluteus_minimus) {
   fan.bulge = 8;
   fan.tendon_thickness = 12;
   fan.belly_thickness = 24;
-  // The small muscle and the bone as one smooth bed: no wedge between them.
+  // The small muscle and the bone are joined smoothly, so that no wedge is left
+  // between them.
   const Field bed = Union(Offset(gluteus_minimus, -kSheetOverlap),
                           Offset(bones, -kAttachmentDepth),
                           12);

@@ -64,7 +64,7 @@ std::vector<phantom::Solid> Solids(const Field& pelvis, const Field& femur) {
   };
 }
 
-// A line through the middle of a fan: points by (y, z).
+// Returns a line through the middle of a fan; the points are given by (y, z).
 ActionLine FanLine(const std::string& name,
                    const Field& fan,
                    const std::vector<Eigen::Vector2d>& yz,

@@ -12,34 +12,44 @@
 
 namespace musclewarp {
 
-// The mesh of a muscle or bone.
+// Made-up scenes: musculoskeletal data that may be given to anybody, with known
+// shapes and defects, for the demo and the tests. All of it is computed, and
+// comes out with the same bytes on every machine.
+
+// The mesh of a muscle or bone, before and after it was damaged.
 struct PhantomMesh {
   std::string name;
-  TriangleSoup surface;  // closed 2-manifold, outward oriented
+  // The true surface: a closed 2-manifold, outward oriented.
+  TriangleSoup surface;
   PlantedDefects defects;
-  TriangleSoup delivered;  // the surface with the defects: what is written
+  // The surface with the defects: what is written to the file.
+  TriangleSoup delivered;
 };
 
-// A made-up scene: what a scene file says, and the meshes it names. Paths in
-// `scene` are relative to the folder it will be written to.
+// A scene: what the scene file says, and the meshes it names. Paths in `scene`
+// are relative to the folder that it will be written to.
 struct PhantomScene {
   Scene scene;
-  std::vector<PhantomMesh> meshes;  // muscles, then bones, in their order
-  // The same scene for OpenSim; "" if there is none.
-  std::string model_text;   // .osim
-  std::string motion_text;  // .mot
+  // The meshes of the muscles, then those of the bones, in the order of
+  // `scene`.
+  std::vector<PhantomMesh> meshes;
+  // The same scene for OpenSim, a model (.osim) and a motion (.mot); "" if
+  // there is none.
+  std::string model_text;
+  std::string motion_text;
 };
 
-// Names that MakePhantomScene knows.
+// Returns the names of all scenes, "hip" first.
 std::vector<std::string> PhantomSceneNames();
 
-// The scene of that name; everything else depends on the seed only. Throws
-// InputError for a name it does not know.
+// Makes the scene of that name; the seed decides on bumps and places of
+// defects. Throws InputError that lists the known names for any other.
 PhantomScene MakePhantomScene(const std::string& name, uint32_t seed);
 
-// Writes DIR/scene.json and one .ply file a mesh, and for OpenSim NAME.osim,
-// NAME.mot and motion.json, a scene by these; makes the folder if need be.
-// Throws InputError if it cannot be written.
+// Writes a scene to a folder, which is made if need be: scene.json, a .ply file
+// for each mesh, and if the scene has a model, NAME.osim, NAME.mot and
+// motion.json, a scene file that uses them. Throws InputError if the folder
+// cannot be written.
 void WritePhantomScene(const PhantomScene& scene, const std::string& dir);
 
 }  // namespace musclewarp

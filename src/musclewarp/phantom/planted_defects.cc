@@ -87,7 +87,7 @@ class Planter {
   }
 
  private:
-  // A triangle of the surface away from all places taken before.
+  // Returns a triangle of the surface that is away from all earlier places.
   int NextPlace() {
     for (int attempt = 0; attempt < 1000; ++attempt) {
       const int f = random_() % surface_.triangles.rows();

@@ -8,25 +8,27 @@
 
 namespace musclewarp {
 
-// How many defects of each kind to plant in a mesh: those that segmentation
-// and conversion leave behind.
+// How many defects of each kind to plant in a mesh. The kinds are those that
+// segmentation and conversion leave behind; as their numbers are known, tests
+// can compare what repair reports.
 struct PlantedDefects {
-  // A point given twice; one triangle uses the copy, so that the surface is
-  // torn along that triangle's two edges until the points are merged.
+  // Points that are given twice. One triangle uses the copy, so that the
+  // surface is torn along two edges of that triangle until the points are
+  // merged.
   int duplicate_points = 0;
-  // An extra triangle with a corner repeated.
+  // Extra triangles with a repeated corner.
   int degenerate_triangles = 0;
-  // An extra triangle standing on an edge: three triangles meet there.
+  // Extra triangles that stand on an edge, where three triangles then meet.
   int flaps = 0;
-  // A closed piece of about 3 mm beside the surface.
+  // Closed pieces, 3 mm wide, beside the surface.
   int stray_pieces = 0;
-  // A hole of one triangle.
+  // Holes of one triangle.
   int missing_triangles = 0;
 };
 
-// The closed mesh with the defects planted at places that depend on the seed,
-// at least 10 mm apart. Points of the surface keep their order; new ones
-// follow.
+// Returns a closed mesh with the defects planted in it, at places that depend
+// on the seed and are at least 10 mm apart. Points of the surface keep their
+// order; new points follow.
 TriangleSoup PlantDefects(const TriangleSoup& surface,
                           const PlantedDefects& defects,
                           uint32_t seed);

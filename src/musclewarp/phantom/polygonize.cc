@@ -128,8 +128,8 @@ void FillAmbiguousCells(Grid* grid) {
   }
 }
 
-// The mean of the places where the surface crosses the edges of a cell; false
-// if it crosses none.
+// Finds the mean of the points in which the surface crosses the edges of a
+// cell. Returns false if it crosses none.
 bool CellPoint(const Grid& grid,
                const Eigen::Array3i& cell,
                Eigen::Vector3d* point) {
@@ -157,7 +157,8 @@ struct QuadMesh {
   std::vector<Quad> quads;
 };
 
-// One quad around every grid edge that changes sign, outward oriented.
+// Makes an outward oriented quad around every grid edge on which the sign
+// changes.
 void AppendQuads(const Grid& grid,
                  const std::vector<int>& point_of_cell,
                  const Eigen::Array3i& at,

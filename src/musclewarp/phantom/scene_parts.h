@@ -19,43 +19,52 @@
 
 namespace musclewarp::phantom {
 
-// Meshes, lines, attachments and motions of made-up scenes. All results are
-// rounded so that they are the same on every machine.
+// The parts that made-up scenes are built from: meshes, lines, attachments and
+// motions. All results are rounded so that they are the same on every machine.
 
+// A muscle or bone before it is a mesh.
 struct Solid {
   std::string name;
   Field field;
+  // Contains the solid, with room for the bumps.
   Eigen::AlignedBox3d box;
-  double cell;  // mm
+  // The edge length of the mesh, about, mm.
+  double cell;
   PlantedDefects defects;
-  double roughness = 0.25;  // height of the bumps of the surface, mm
+  // The height of the bumps of the surface, mm.
+  double roughness = 0.25;
 };
 
-// The solid's surface with bumps, and with its defects.
+// Returns the mesh of a solid with its bumps, and the same with its defects.
 PhantomMesh MeshOf(const Solid& solid, uint32_t seed);
 
+// Returns the entry of the scene file for a muscle with these lines; its mesh
+// file is named after the muscle.
 SceneMuscle MuscleOf(const PhantomMesh& mesh, std::vector<ActionLine> lines);
 
-// `count` points of the mesh that `is_in` accepts (SpreadPoints).
-// Precondition (CHECKed): there are so many.
+// Returns an attachment of a muscle to a body: `count` points of its mesh out
+// of those that `is_in` accepts, spread evenly (SpreadPoints). Precondition
+// (CHECKed): there are so many.
 Attachment AttachmentTo(
     const std::string& body,
     const PhantomMesh& mesh,
     const std::function<bool(const Eigen::Vector3d&)>& is_in,
     int count);
 
-// The middle of the longest stretch of the line (., y, z) inside the field,
-// within 200 mm of x = 0. Precondition (CHECKed): there is one.
+// Returns the x of the middle of the longest stretch of the line (., y, z) that
+// is inside the field, searched for within 200 mm of x = 0. Precondition
+// (CHECKed): there is one.
 double MiddleAlongX(const Field& field, double y, double z);
 
-// target_from_rest of a turn about an axis (unit length) through `centre`, by
-// the right-hand rule.
+// Returns target_from_rest of a rotation about an axis (unit length) through
+// `centre`, by the right-hand rule.
 Eigen::Matrix4d RotationAbout(const Eigen::Vector3d& centre,
                               const Eigen::Vector3d& axis,
                               double degrees);
 
-// The points of the line moved with their bodies; a body that is not named
-// stays.
+// Returns the points of a line (#P x 3) moved with their bodies; `bodies` has
+// target_from_rest of each moved body, and points on other bodies stay.
+// Precondition (CHECKed): the line has a body for every point.
 Points MovedLine(const ActionLine& line,
                  const std::map<std::string, Eigen::Matrix4d>& bodies);
 

@@ -22,7 +22,8 @@ using phantom::SweepNode;
 constexpr char kGround[] = "ground";
 constexpr char kArm[] = "arm";
 
-// A scene that grows by a mesh and what belongs to it at a time.
+// A scene under construction, to which meshes are added with their lines,
+// bodies and poses.
 class StressScene {
  public:
   StressScene(const std::string& name, uint32_t seed) : seed_(seed) {
@@ -30,8 +31,8 @@ class StressScene {
     made_.scene.axes = "RAS";
   }
 
-  // A muscle along a curve, each node of which goes with a body, attached to
-  // these at its ends.
+  // Adds a muscle along a curve. Each node moves with a body, and the muscle is
+  // attached to the bodies of the first and the last node.
   void AddSpindle(const std::string& name,
                   const std::vector<SweepNode>& nodes,
                   const std::vector<std::string>& bodies,
@@ -51,7 +52,7 @@ class StressScene {
     AddMuscle({name, phantom::Sweep(nodes), box, cell, {}}, {line});
   }
 
-  // The lines' ends are where the muscle is attached.
+  // Adds a muscle that is attached at the ends of its lines.
   void AddMuscle(const phantom::Solid& solid, std::vector<ActionLine> lines) {
     constexpr double kAttached = 12;  // mm around an end
     constexpr int kPoints = 5;
@@ -71,7 +72,7 @@ class StressScene {
     made_.meshes.push_back(std::move(mesh));
   }
 
-  // Muscles come first.
+  // Adds a bone. Precondition: all muscles have been added.
   void AddBone(const std::string& name,
                const Field& field,
                const Eigen::AlignedBox3d& box,
@@ -83,7 +84,7 @@ class StressScene {
     made_.scene.bones.push_back({name, {}, {}, body, name + ".ply"});
   }
 
-  // A ball at the end of a muscle, for it to be attached to.
+  // Adds a ball at the end of a muscle, to which the muscle is attached.
   void AddKnob(const std::string& name,
                const Vector3d& centre,
                const std::string& body) {
@@ -105,7 +106,7 @@ class StressScene {
     made_.scene.poses.push_back(pose);
   }
 
-  // Turns of the arm about an axis, degrees.
+  // Adds a pose for each rotation of the arm about an axis, degrees.
   void AddTurns(const Vector3d& centre,
                 const Vector3d& axis,
                 const std::vector<int>& angles) {
@@ -146,7 +147,8 @@ Eigen::AlignedBox3d BoxAround(const Vector3d& centre,
   return {centre - half_size, centre + half_size};
 }
 
-// From a base up and apart; the bases of radius 12 are 14 mm from each other.
+// Three muscles run from a common base upward and apart. Their lower ends have
+// a radius of 12 mm and are 14 mm from each other.
 void Attachment3(StressScene* scene) {
   for (int i = 0; i < 3; ++i) {
     const Vector3d out =
@@ -179,14 +181,14 @@ void Attachment3(StressScene* scene) {
   scene->AddTurns({0, 0, 45}, Vector3d::UnitY(), {0, 15, 30});
 }
 
-// Over a wedge, and down on the other side with the arm.
+// A muscle runs over a wedge; the arm pulls it down on the other side.
 void Edge(StressScene* scene) {
   scene->AddSpindle(
       "muscle",
       {{{-55, 0, 8}, 6}, {{-20, 0, 9}, 11}, {{20, 0, 9}, 11}, {{55, 0, 8}, 6}},
       {kGround, kGround, kArm, kArm},
       2.5);
-  // An edge of 60 degrees, a little round, along y.
+  // The edge runs along y, has about 60 degrees, and is slightly rounded.
   Field wedge = phantom::Intersection(
       phantom::HalfSpace(Vector3d(2, 0, 1).normalized(), 0),
       phantom::HalfSpace(Vector3d(-2, 0, 1).normalized(), 0),
@@ -203,7 +205,8 @@ void Edge(StressScene* scene) {
   scene->AddTurns({0, 0, -10}, Vector3d::UnitY(), {0, 20, 40, 60});
 }
 
-// A rod turns in the plane of the muscle's axis, its end 6 mm into the muscle.
+// A rod turns in the plane of the muscle's axis; its end passes 6 mm inside the
+// muscle.
 void SweepPast(StressScene* scene) {
   scene->AddSpindle(
       "muscle",
@@ -221,7 +224,7 @@ void SweepPast(StressScene* scene) {
   scene->AddTurns(hinge, -Vector3d::UnitY(), {0, 30, 60, 90, 120, 150});
 }
 
-// 4 mm thick, between two bones that come 2 mm nearer and slide.
+// A thin sheet is between two bones that come 2 mm nearer and slide.
 void Sheet(StressScene* scene) {
   const auto line = [](const std::string& name, double y) {
     ActionLine made;
@@ -257,8 +260,8 @@ void Sheet(StressScene* scene) {
   }
 }
 
-// A plate of 1 mm between two muscles, of which 3 to 4 mm look out on the other
-// side; it turns and comes nearer to one.
+// A plate of 1 mm is between two muscles, which reach 3 to 4 mm beyond it. The
+// plate turns and comes nearer to one of them.
 void Plate(StressScene* scene) {
   for (const int side : {-1, 1}) {
     scene->AddSpindle(side < 0 ? "below" : "above",
@@ -285,7 +288,8 @@ void Plate(StressScene* scene) {
   }
 }
 
-// Three muscles 6 mm into each other, edges of 6, 2 and 0.6 mm, beside a bone.
+// Three muscles, with edges of 6, 2 and 0.6 mm, are 6 mm into each other beside
+// a bone.
 void Resolution(StressScene* scene) {
   const auto spindle = [&](const std::string& name, double y, double cell) {
     scene->AddSpindle(name,

@@ -77,7 +77,8 @@ Json JsonOf(const Scene& scene) {
   return json;
 }
 
-// The scene with its poses and lines taken from an OpenSim model and motion.
+// Returns the scene with its poses and lines taken from an OpenSim model and
+// motion.
 Json MotionJsonOf(const Scene& scene) {
   Json json = JsonOf(scene);
   json.erase("poses");
@@ -90,7 +91,8 @@ Json MotionJsonOf(const Scene& scene) {
   return json;
 }
 
-// Like dump(), but a list of plain values stays on one line: one point a line.
+// Writes JSON like dump(), but keeps a list of plain values on one line, so
+// that each point has a line.
 void Print(const Json& json, const std::string& indent, std::string* text) {
   bool is_plain = true;
   for (const Json& child : json) is_plain &= child.is_primitive();

@@ -33,7 +33,7 @@ CameraFit FitCamera(const std::vector<PicturePanel>& panels,
       kMargin * std::max(fit.sizes().y(), fit.sizes().x() / aspect) / 2;
   const double depth = std::max(all.max().z() - fit.center().z(),
                                 fit.center().z() - all.min().z());
-  // A point or a sheet seen from its edge gets a picture, too.
+  // Keeps the picture from being empty for a point or a sheet seen edge-on.
   const double least = 1e-6 * (1 + fit.center().norm());
   return {view_from_mesh.transpose() * fit.center(),
           std::max(half_height, least),

@@ -9,15 +9,22 @@
 
 namespace musclewarp {
 
-// What a camera in parallel projection has to see; millimetres.
+// Where a camera in parallel projection is, and how much it sees; mm in the
+// frame of the meshes.
 struct CameraFit {
+  // The point in the middle of the picture.
   Eigen::Vector3d center;
-  double half_height;  // of the picture
-  double depth;        // everything lies nearer to the centre, along the view
+  // Half the height of the picture.
+  double half_height;
+  // Everything, the meshes that do not fit the picture included, is nearer to
+  // the centre than this along the line of sight.
+  double depth;
 };
 
-// The camera that holds every mesh with `fit` of every panel, with a margin, in
-// a picture of the given width / height. Precondition: there is such a mesh.
+// Places the camera so that all meshes with `fit` of all panels are in a
+// picture of the given width / height, with a margin of 5 %; panels beside each
+// other thus have the same scale. Precondition (CHECKed): there is a mesh with
+// `fit`.
 CameraFit FitCamera(const std::vector<PicturePanel>& panels,
                     const View& view,
                     double aspect);

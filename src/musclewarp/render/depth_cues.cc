@@ -21,7 +21,7 @@ void Darken(float factor, Color* color) {
   color->b = static_cast<std::uint8_t>(color->b * factor + 0.5f);
 }
 
-// Depth and the share of pixels that are not background, summed in a window.
+// The sum of depths and the number of the pixels that are not background.
 struct Sum {
   double depth = 0;
   int count = 0;
@@ -61,7 +61,8 @@ std::vector<Sum> SumOverSquares(const DepthMap& map, int radius) {
 }
 
 void DarkenBelow(const DepthMap& map, int radius, float most, Image* image) {
-  // Shares of the height: how much deeper than the mean is fully dark.
+  // How much deeper than the mean a pixel must be to be fully dark, as a share
+  // of the height.
   constexpr double kDeep = 0.02;
   const std::vector<Sum> sums = SumOverSquares(map, radius);
   for (std::size_t i = 0; i < sums.size(); ++i) {
@@ -101,7 +102,7 @@ void DrawOutlines(const DepthMap& map, int line_width, Image* image) {
 
 void DarkenFolds(const DepthMap& map, Image* image) {
   CheckSizes(map, *image);
-  // Two sizes of folds; a share of the height each.
+  // Folds are found at two sizes, each given as a share of the height.
   DarkenBelow(map, map.height / 60 + 1, 0.40f, image);
   DarkenBelow(map, map.height / 20 + 1, 0.30f, image);
 }

@@ -8,7 +8,7 @@
 
 namespace musclewarp {
 
-// An RGB colour, 0 to 255.
+// An RGB colour; each channel is 0 to 255.
 struct Color {
   std::uint8_t r = 0;
   std::uint8_t g = 0;
@@ -20,22 +20,26 @@ inline bool operator==(const Color& a, const Color& b) {
 }
 inline bool operator!=(const Color& a, const Color& b) { return !(a == b); }
 
-// Pixels in rows from the top left.
+// A picture in memory, so that what is drawn can be changed and tested before
+// it is written. Rows start at the top left.
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<Color> pixels;
+  std::vector<Color> pixels;  // width * height
 
+  // The pixel in column x and row y. Preconditions: 0 <= x < width and
+  // 0 <= y < height.
   const Color& At(int x, int y) const { return pixels[y * width + x]; }
   Color& At(int x, int y) { return pixels[y * width + x]; }
 };
 
-// Averages blocks of factor x factor pixels. Precondition: factor divides
-// width and height.
+// Returns the image made smaller by `factor`: every pixel is the mean of a
+// block of factor x factor pixels, which smooths the edges of what was drawn.
+// Precondition (CHECKed): the factor divides width and height.
 Image Downsample(const Image& image, int factor);
 
-// The file appears complete or not at all. Throws InputError if the folder
-// cannot be written.
+// Writes an image as a PNG file, which appears complete or not at all. Throws
+// InputError if the folder cannot be written.
 void WritePng(const std::string& path, const Image& image);
 
 }  // namespace musclewarp

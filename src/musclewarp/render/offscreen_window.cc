@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/render/offscreen_window.h"
 
-// GLEW wants to come before every other OpenGL header.
+// GLEW must be included before every other OpenGL header.
 #include <vtk_glew.h>
 
 #include <EGL/egl.h>
@@ -27,7 +27,8 @@ namespace {
                    "libgl1-mesa-dri); no display is needed");
 }
 
-// Mesa's displays without a screen, else whatever the system has.
+// Returns Mesa's display without a screen if there is one, otherwise the
+// default display of the system.
 EGLDisplay OpenDisplay() {
   const auto get_platform_display =
       reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
@@ -43,7 +44,7 @@ EGLDisplay OpenDisplay() {
 }
 
 // VTK asks GLEW for the OpenGL functions; GLEW finds them and then fails
-// because there is no X display, which is what we want.
+// because there is no X display, as intended.
 class WindowWithoutX : public vtkGenericOpenGLRenderWindow {
  public:
   static WindowWithoutX* New();

@@ -10,23 +10,27 @@ class vtkRenderWindow;
 
 namespace musclewarp {
 
-// A window that draws into memory through EGL: neither a display nor a
-// graphics card is needed, Mesa's software renderer will do. (The windows of
-// VTK itself, as Debian builds it, want an X server.)
+// A window of VTK that draws into memory, for machines without a display. The
+// OpenGL context comes from EGL; a graphics card is not needed, as Mesa's
+// software renderer is sufficient. (The windows of VTK itself, as Debian builds
+// it, need an X server.)
 class OffscreenWindow {
  public:
-  // Its OpenGL context is current in the calling thread until the window is
-  // gone; one at a time. Throws InputError if the machine offers no OpenGL 3.2.
+  // Makes the context current in the calling thread, for as long as the window
+  // lives; there may be one window at a time. Throws InputError if the machine
+  // offers no OpenGL 3.2.
   OffscreenWindow();
   ~OffscreenWindow();
   OffscreenWindow(const OffscreenWindow&) = delete;
   OffscreenWindow& operator=(const OffscreenWindow&) = delete;
 
+  // Returns the window, which this object owns.
   vtkRenderWindow* get() const { return window_; }
 
  private:
   class Context;
-  // In this order: the window frees what it holds in the context.
+  // Declared in this order because the window, which is destroyed first, frees
+  // what it holds in the context.
   std::unique_ptr<Context> context_;
   vtkSmartPointer<vtkRenderWindow> window_;
 };

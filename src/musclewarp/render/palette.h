@@ -6,13 +6,16 @@
 
 namespace musclewarp {
 
-// The colour of the i-th muscle: eight reds, pinks and oranges, then again
-// from the start. They differ in lightness as well as hue, so that neighbours
-// in number stay apart for the colour-blind and in grey.
-Color MuscleColor(int index);
+// The colours of muscles and bones in pictures. The colours of muscles are
+// eight reds, pinks and oranges that differ in lightness as well as in hue, so
+// that neighbours in number can be told apart by the colour-blind and in grey.
 constexpr int kMuscleColors = 8;
 
-// Ivory.
+// Returns the colour of the muscle with this index; the colours repeat after
+// kMuscleColors muscles. Precondition: the index is not negative.
+Color MuscleColor(int index);
+
+// Returns the colour of bones, ivory.
 Color BoneColor();
 
 }  // namespace musclewarp

@@ -57,7 +57,7 @@ vtkSmartPointer<vtkActor> MeshActor(const PictureMesh& mesh,
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(PolyData(mesh.surface));
   normals->SetFeatureAngle(feature_angle);
-  // The order of the corners is the mesh's own business.
+  // The order of the corners is left as it is.
   normals->ConsistencyOff();
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(normals->GetOutputPort());
@@ -104,7 +104,7 @@ vtkSmartPointer<vtkRenderer> WhiteRenderer() {
   return renderer;
 }
 
-// The scenes, one renderer a panel, above the texts.
+// Draws the scenes above the texts, with one renderer for each panel.
 void AddPanels(const std::vector<PicturePanel>& panels,
                const View& view,
                const CameraFit& fit,
@@ -113,7 +113,7 @@ void AddPanels(const std::vector<PicturePanel>& panels,
                vtkRenderWindow* window) {
   const double width = 1.0 / panels.size();
   const vtkSmartPointer<vtkCamera> camera = MakeCamera(fit, view);
-  // Clears what the panels leave.
+  // Clears the area that the panels leave free.
   window->AddRenderer(WhiteRenderer());
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const vtkSmartPointer<vtkRenderer> renderer = WhiteRenderer();
@@ -147,7 +147,7 @@ Image RenderPixels(vtkRenderWindow* window) {
   return image;
 }
 
-// Lays `ink`, on white, over the image.
+// Multiplies the image by `ink`, a drawing on white.
 void Multiply(const Image& ink, Image* image) {
   for (std::size_t i = 0; i < image->pixels.size(); ++i) {
     Color& color = image->pixels[i];

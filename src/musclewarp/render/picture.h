@@ -15,46 +15,55 @@ namespace musclewarp {
 struct PictureMesh {
   TriangleSoup surface;
   Color color;
+  // 0 is invisible, 1 is opaque.
   double opacity = 1;
-  // The camera makes room for it; others may reach out of the picture.
+  // If true, the camera is placed so that the whole mesh is in the picture. If
+  // false, parts of the mesh may be outside, like the shaft of a long bone.
   bool fit = true;
 };
 
-// One of the scenes that stand side by side in a picture.
+// One of the scenes that stand side by side in a picture, such as two frames of
+// a motion.
 struct PicturePanel {
-  std::string caption;  // below it, may be empty
+  // The text below the scene; "" for none.
+  std::string caption;
   std::vector<PictureMesh> meshes;
 };
 
-// A line of the legend below the scenes: a patch of the colour, then the text.
+// An entry of the legend below the scenes: a patch of the colour, then the
+// text.
 struct LegendEntry {
   std::string text;
   Color color;
 };
 
+// How a picture is drawn.
 struct PictureOptions {
-  // Size of the whole picture, pixels.
+  // The size of the whole picture, pixels.
   int width = 1200;
   int height = 1000;
-  // Every pixel is the mean of oversampling^2, for smooth edges.
+  // The picture is drawn this many times as large in both directions and then
+  // averaged, for smooth edges.
   int oversampling = 2;
-  // Edges sharper than this are drawn as edges, others are shaded over;
-  // degrees.
+  // Edges at which the surface bends by more than this angle stay sharp, others
+  // are shaded smoothly; degrees.
   double feature_angle = 60;
-  // Darkens the rims of opaque meshes and what lies deep in folds.
+  // If true, the rims of opaque meshes are drawn dark (see DrawOutlines).
   bool outlines = true;
+  // If true, what lies deep in folds is drawn darker (see DarkenFolds).
   bool folds = true;
-  // Empty: no legend.
+  // The legend; none if empty.
   std::vector<LegendEntry> legend;
 };
 
-// Pixels, width and height.
+// The least width and height of a panel, pixels.
 constexpr int kLeastPanelSize = 16;
 
-// Draws the panels from left to right on white, in parallel projection, all
-// with the camera that fits the largest. Preconditions: there is a mesh to fit,
-// opacities are in [0, 1], every panel has kLeastPanelSize above the texts.
-// Throws InputError if the machine has no OpenGL.
+// Draws the panels from left to right on white, in parallel projection and all
+// at the same scale, which the largest determines.
+// Preconditions: there is a mesh with `fit`, opacities are in [0, 1], and the
+// texts leave every panel kLeastPanelSize pixels in both directions. Throws
+// InputError if the machine has no OpenGL.
 Image DrawPicture(const std::vector<PicturePanel>& panels,
                   const View& view,
                   const PictureOptions& options);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kGray = 0.2;
 
-// `baseline` is the left end of the text's line, or its middle.
+// Adds a text whose baseline starts at (x, baseline), or has its middle there.
 void AddText(const std::string& text,
              double x,
              double baseline,
@@ -77,8 +77,8 @@ TextLayout LayOutTexts(const std::vector<PicturePanel>& panels,
   for (const LegendEntry& entry : options.legend) {
     letters = std::max(letters, entry.text.size());
   }
-  // Letters are about 0.6 of their height wide; the patch and the gaps take the
-  // room of four.
+  // Letters are about 0.6 times as wide as high; the patch and the gaps take as
+  // much room as four letters.
   const int count = static_cast<int>(options.legend.size());
   layout.legend_column_width = static_cast<int>(0.6 * font * (letters + 4));
   layout.legend_columns =

@@ -1,7 +1,7 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 
-// A run as src/musclewarp/page/page_data.cc hands it over. "Poses" are rest,
+// A run as src/musclewarp/page/page_contents.cc hands it over. "Poses" are rest,
 // then the frames. Lengths in mm.
 
 import { NumbersRef, PackedNumbers } from "./numbers";

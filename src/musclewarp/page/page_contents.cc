@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/page/page_data.h"
+#include "musclewarp/page/page_contents.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Gaps are told to this, mm: the limit is then 100.
+// The step to which gaps are rounded, mm; the largest gap is 100 steps.
 constexpr double kGapStep = kPageGapLimit / 100;
 
-// Of the diagonal of the box around all muscles and bones at rest.
+// Returns the step to which positions are rounded, mm: a share of the diagonal
+// of the box around all muscles and bones at rest.
 double RoundingStep(const RecordedRun& run) {
   Eigen::RowVector3d lower = Eigen::RowVector3d::Constant(INFINITY);
   Eigen::RowVector3d upper = -lower;
@@ -35,7 +36,8 @@ double RoundingStep(const RecordedRun& run) {
   return (upper - lower).norm() / (1 << 17);
 }
 
-// Polylines that keep their numbers of points, one after the other.
+// Returns polylines, one after the other; each has the same number of points in
+// all poses.
 Json PolylinesJson(const std::vector<std::vector<const Points*>>& by_pose,
                    double step,
                    PackedNumbers* packed) {
@@ -61,7 +63,7 @@ Json MuscleJson(const RecordedMuscle& muscle,
   for (std::size_t pose = 0; pose < muscle.points.size(); ++pose) {
     AppendRounded(muscle.points[pose], step, &positions);
     for (const double gap : muscle.gaps[pose]) {
-      // Rounded away from zero: what is inside stays inside.
+      // Gaps are rounded away from zero, so that what is inside stays inside.
       const double steps = gap / kGapStep;
       gaps.push_back(static_cast<int>(
           std::max(-100.0, steps < 0 ? std::floor(steps) : std::ceil(steps))));
@@ -113,7 +115,8 @@ Json BoneJson(const RecordedBone& bone,
           {"view_error_mm", view.max_error}};
 }
 
-// What crosses, by pose; the triangles of bones are not those of the view.
+// Returns what crosses, by pose. Triangles of bones are left out, because the
+// page shows simplified bones with other triangles.
 Json CrossingsJson(const RecordedRun& run, PackedNumbers* packed) {
   const auto is_muscle = [&](const std::string& name) {
     return std::any_of(run.muscles.begin(),
@@ -140,8 +143,8 @@ Json CrossingsJson(const RecordedRun& run, PackedNumbers* packed) {
   return poses;
 }
 
-// The moment arms of the lines as carried, over the frames, mm (mm/m): where
-// one coordinate moves, as in moment_arms.sto; else null.
+// Returns the moment arms of the lines that muscles carry, over the frames, in
+// mm (mm/m for a translation), if a single coordinate moves; otherwise null.
 Json CarriedMomentArmsJson(const RecordedRun& run) {
   const Json motion = run.report.value("motion", Json());
   if (motion.is_null()) return nullptr;
@@ -172,14 +175,14 @@ Json CarriedMomentArmsJson(const RecordedRun& run) {
   return {{"coordinate", name}, {"muscles", arms}};
 }
 
-// "flexion" of "out/flexion/".
+// Returns "flexion" for "out/flexion/".
 std::string LastPart(const std::string& dir) {
   const auto path = std::filesystem::absolute(dir).lexically_normal();
   return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
-// By which the page names the runs: the last part of the folder, or all of it
-// where that is not enough.
+// Returns the names of the runs on the page: the last parts of their folders,
+// or the whole paths if two of those are equal.
 std::vector<std::string> Labels(const std::vector<RecordedRun>& runs) {
   std::vector<std::string> labels;
   for (const RecordedRun& run : runs) labels.push_back(LastPart(run.dir));
@@ -242,18 +245,19 @@ Json ViewsJson(const RecordedRun& run, const PageOptions& options) {
 
 }  // namespace
 
-PageData PageDataOf(const std::vector<RecordedRun>& runs,
-                    const PageOptions& options) {
+PageContents PageContentsOf(const std::vector<RecordedRun>& runs,
+                            const PageOptions& options) {
   PackedNumbers packed;
-  PageData data;
-  data.json = {{"views", ViewsJson(runs.at(0), options)},
-               {"runs", Json::array()}};
+  PageContents contents;
+  contents.json = {{"views", ViewsJson(runs.at(0), options)},
+                   {"runs", Json::array()}};
   const std::vector<std::string> labels = Labels(runs);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    data.json["runs"].push_back(RunJson(runs[i], labels[i], options, &packed));
+    contents.json["runs"].push_back(
+        RunJson(runs[i], labels[i], options, &packed));
   }
-  data.numbers = packed.Base64();
-  return data;
+  contents.numbers = packed.Base64();
+  return contents;
 }
 
 }  // namespace musclewarp

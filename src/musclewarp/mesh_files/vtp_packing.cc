@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/mesh_files/vtp_data.h"
+#include "musclewarp/mesh_files/vtp_packing.h"
 
 #include <vtkDataCompressor.h>
 #include <vtkLZ4DataCompressor.h>
@@ -8,7 +8,6 @@
 #include <vtkSmartPointer.h>
 #include <vtkZLibDataCompressor.h>
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -72,8 +71,9 @@ class HeaderReader {
   const VtpPacking& packing_;
 };
 
-// Number of blocks, size of a block, size of the last one (0: it is a whole
-// one), then the size of each when compressed.
+// Compressed data start with the number of blocks, the size of a block, the
+// size of the last block (0 if that is whole, too), and the compressed size of
+// each block.
 std::string UnpackBlocks(const std::string& where,
                          std::string_view data,
                          const VtpPacking& packing) {
@@ -99,7 +99,8 @@ std::string UnpackBlocks(const std::string& where,
     if (packed > rest.size()) {
       ThrowTruncated(where, packed, "bytes in a block", rest.size());
     }
-    // Deflate makes at most 1032 bytes of one; the rest is for smaller codes.
+    // Deflate makes at most 1032 bytes of one. The constant leaves room for the
+    // other compressors, which may make more.
     if (size > 1032 * packed + (1 << 24)) {
       ThrowTruncated(where, size, "unpacked bytes", packed);
     }
@@ -152,39 +153,6 @@ VtpPacking VtpPackingFromTag(const std::string& path, const XmlTag& root) {
            "vtkLZMADataCompressor");
   }
   return packing;
-}
-
-std::string DecodeBase64(std::string_view text) {
-  static const std::array<int, 256> kValues = [] {
-    constexpr std::string_view kDigits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::array<int, 256> values;
-    values.fill(-1);
-    for (std::size_t i = 0; i < kDigits.size(); ++i) {
-      values[static_cast<unsigned char>(kDigits[i])] = static_cast<int>(i);
-    }
-    return values;
-  }();
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3);
-  std::uint32_t bits = 0;
-  int num_bits = 0;
-  for (const char c : text) {
-    if (c == '=') {  // Fills up the last four characters of an encoding.
-      num_bits = 0;
-      continue;
-    }
-    if (c == ' ' || c == '\t' || c == '\r' || c == '\n') continue;
-    const int value = kValues[static_cast<unsigned char>(c)];
-    if (value < 0) break;
-    bits = (bits << 6 | static_cast<std::uint32_t>(value)) & 0xffff;
-    num_bits += 6;
-    if (num_bits >= 8) {
-      num_bits -= 8;
-      bytes += static_cast<char>(bits >> num_bits & 0xff);
-    }
-  }
-  return bytes;
 }
 
 std::string UnpackVtpArray(const std::string& where,

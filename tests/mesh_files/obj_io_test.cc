@@ -1,0 +1,68 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/mesh_files/obj_io.h"
+
+#include <gtest/gtest.h>
+
+#include "mesh_files/format_checks.h"
+#include "support/input_errors.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr char kSquare[] =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
+
+void ExpectRefusal(const std::string& old_part,
+                   const std::string& new_part,
+                   const std::vector<std::string>& words) {
+  ExpectInputError([&] { ReadObj("a.obj", With(kSquare, old_part, new_part)); },
+                   words);
+}
+
+TEST(ObjIo, KeepsEveryBit) {
+  EXPECT_TRUE(SameBits(ReadObj("a.obj", ObjBytes(HardSoup())), HardSoup()));
+}
+
+TEST(ObjIo, ReadsEveryFormOfCorner) {
+  const TriangleSoup soup = ReadObj("square.obj",
+                                    "# a square\n"
+                                    "mtllib a.mtl\n"
+                                    "o square\n"
+                                    "v 0 0 0 # corner\n"
+                                    "v 1 0 0 0.5 0.5 0.5\n"
+                                    "vt 0 0\nvn 0 0 1\n"
+                                    "f 1/1/1 2//1 3/1\n"
+                                    "v 1 1 0\n"
+                                    "v 0 1 0 1\n"
+                                    "f -4 -2 \\\n -1\n"
+                                    "l 1 2\n"
+                                    "f -4/-1 -3/-1 \\\n"
+                                    "  -2/-1/-1 -1//-1\n");
+  EXPECT_EQ(soup.points.rows(), 4);
+  EXPECT_EQ(TextOf(soup.triangles), "0 1 2 0 2 3 0 1 2 0 2 3");
+}
+
+TEST(ObjIo, VerticesCountFromOne) {
+  ExpectRefusal("f 1 3 4", "f 1 3 5", {"line 6, face 2", "vertex 5"});
+  ExpectRefusal("f 1 3 4", "f 1 0 4", {"line 6", "vertex 0"});
+}
+
+TEST(ObjIo, NegativeIndicesReachBackToTheFirstVertex) {
+  EXPECT_EQ(
+      TextOf(ReadObj("a.obj", With(kSquare, "f 1 3 4", "f -4 3 4")).triangles),
+      kTwoTriangles);
+  ExpectRefusal("f 1 3 4", "f 1 -5 4", {"line 6", "vertex -5", "back to -4"});
+}
+
+TEST(ObjIo, AVertexWithTwoCoordinatesIsRefused) {
+  ExpectRefusal("v 1 1 0", "v 1 1", {"line 3", "has 2 coordinates"});
+}
+
+TEST(ObjIo, UnknownStatementsAreQuoted) {
+  ExpectRefusal("f 1 3 4", "face 1 3 4", {"line 6", "'face'"});
+  ExpectRefusal("f 1 3 4", "f 1/x 3 4", {"line 6", "'x'", "texture"});
+}
+
+}  // namespace
+}  // namespace musclewarp

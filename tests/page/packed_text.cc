@@ -1,0 +1,50 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "page/packed_text.h"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <cstdint>
+
+#include "musclewarp/base/base64.h"
+
+namespace musclewarp {
+namespace {
+
+std::string Inflated(const std::string& bytes) {
+  std::string text(1 << 20, '\0');
+  uLongf size = text.size();
+  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(text.data()),
+                       &size,
+                       reinterpret_cast<const Bytef*>(bytes.data()),
+                       bytes.size()),
+            Z_OK);
+  text.resize(size);
+  return text;
+}
+
+}  // namespace
+
+std::vector<int> UnpackedNumbers(const std::string& text,
+                                 const nlohmann::ordered_json& where) {
+  const std::string bytes = Inflated(DecodeBase64(text));
+  std::size_t at = where["at"];
+  const std::size_t count = where["count"], stride = where["stride"];
+  std::vector<int> numbers;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint64_t code = 0;
+    for (int shift = 0;; shift += 7) {
+      const auto byte = static_cast<unsigned char>(bytes.at(at++));
+      code |= static_cast<std::uint64_t>(byte & 127) << shift;
+      if (byte < 128) break;
+    }
+    const auto half = static_cast<std::int64_t>(code >> 1);
+    const std::int64_t difference = code & 1 ? -half - 1 : half;
+    numbers.push_back(
+        static_cast<int>(difference + (i < stride ? 0 : numbers[i - stride])));
+  }
+  return numbers;
+}
+
+}  // namespace musclewarp

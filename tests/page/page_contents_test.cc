@@ -1,0 +1,116 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/page/page_contents.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "page/packed_text.h"
+#include "page/written_run.h"
+#include "support/input_errors.h"
+#include "support/temp_dir.h"
+
+namespace musclewarp {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The crossings, frames and meshes of the first run.
+Json FirstRun(const PageContents& contents) { return contents.json["runs"][0]; }
+
+TEST(PageContents, PositionsAreRoundedToAStep) {
+  const WrittenRun written = WriteRun(TestTempDir());
+  const PageContents contents = PageContentsOf({ReadQuietly(written.dir)}, {});
+  const Json run = FirstRun(contents);
+  const double step = run["step_mm"];
+  // A 2^17th of the box around two balls of 20 mm, 23 mm apart.
+  EXPECT_NEAR(
+      step, Eigen::Vector3d(43, 20, 20).norm() / (1 << 17), 0.01 * step);
+  const Json& muscle = run["muscles"][0];
+  const std::vector<int> numbers =
+      UnpackedNumbers(contents.numbers, muscle["poses"]);
+  const auto size = written.muscle.points.size();
+  ASSERT_EQ(static_cast<Eigen::Index>(numbers.size()), 3 * size);
+  const Points& last = written.muscle_frames[1];
+  for (Eigen::Index i = 0; i < size; ++i) {
+    // Half a step, and the rounding of the product.
+    EXPECT_NEAR(step * numbers[2 * size + i], last.data()[i], 0.501 * step);
+  }
+}
+
+TEST(PageContents, TrianglesAreThoseOfTheFiles) {
+  const WrittenRun written = WriteRun(TestTempDir());
+  const PageContents contents = PageContentsOf({ReadQuietly(written.dir)}, {});
+  const std::vector<int> numbers = UnpackedNumbers(
+      contents.numbers, FirstRun(contents)["muscles"][0]["triangles"]);
+  EXPECT_EQ(numbers,
+            std::vector<int>(written.muscle.triangles.data(),
+                             written.muscle.triangles.data() +
+                                 written.muscle.triangles.size()));
+}
+
+// What is inside by less than a step is still shown as inside.
+TEST(PageContents, GapsAreRoundedAwayFromZero) {
+  RecordedRun run = ReadQuietly(WriteRun(TestTempDir()).dir);
+  run.muscles[0].gaps[0].setConstant(-1e-6);
+  run.muscles[0].gaps[1].setConstant(1e-6);
+  run.muscles[0].gaps[2].setConstant(-1000);
+  const PageContents contents = PageContentsOf({run}, {});
+  const std::vector<int> gaps = UnpackedNumbers(
+      contents.numbers, FirstRun(contents)["muscles"][0]["gaps"]);
+  const size_t size = run.muscles[0].points[0].rows();
+  ASSERT_EQ(gaps.size(), 3 * size);
+  EXPECT_EQ(gaps[0], -1);
+  EXPECT_EQ(gaps[size], 1);
+  EXPECT_EQ(gaps[2 * size], -100);
+}
+
+TEST(PageContents, ABoneIsSimplifiedForTheEyeOnly) {
+  const WrittenRun written = WriteRun(TestTempDir());
+  PageOptions options;
+  options.max_bone_triangles = 200;
+  const PageContents contents =
+      PageContentsOf({ReadQuietly(written.dir)}, options);
+  const Json run = FirstRun(contents);
+  const Json& bone = run["bones"][0];
+  EXPECT_EQ(bone["triangles_in_files"], written.bone.triangles.rows());
+  EXPECT_LE(bone["triangles"]["count"], 3 * options.max_bone_triangles);
+  EXPECT_GT(bone["view_error_mm"], 0);
+  EXPECT_EQ(run["crossings"][2][0]["triangle_pairs"], written.pairs);
+}
+
+TEST(PageContents, CrossingTrianglesAreListedForMuscles) {
+  const RecordedRun run = ReadQuietly(WriteRun(TestTempDir()).dir);
+  const PageContents contents = PageContentsOf({run}, {});
+  const Json crossings = FirstRun(contents)["crossings"];
+  ASSERT_EQ(crossings.size(), 3u);
+  EXPECT_TRUE(crossings[0].empty());
+  EXPECT_EQ(UnpackedNumbers(contents.numbers, crossings[2][0]["a_triangles"]),
+            run.intersections[2].pairs[0].triangles_of_a);
+  // The other mesh is a bone.
+  EXPECT_FALSE(crossings[2][0].contains("b_triangles"));
+}
+
+TEST(PageContents, MomentArmsNeedOneMovingCoordinate) {
+  RecordedRun run = ReadQuietly(WriteRun(TestTempDir()).dir);
+  const auto arms = [&] {
+    return FirstRun(PageContentsOf({run}, {}))["carried_moment_arms_mm"];
+  };
+  EXPECT_FALSE(arms().is_null());
+  run.report["motion"]["coordinates"][0]["moves"] = false;
+  EXPECT_TRUE(arms().is_null());
+  run.report.erase("motion");
+  EXPECT_TRUE(arms().is_null());
+}
+
+TEST(PageContents, OptionsAreNamedWhenRefused) {
+  const RecordedRun run = ReadQuietly(WriteRun(TestTempDir()).dir);
+  PageOptions options;
+  options.side = "middle";
+  ExpectInputError([&] { PageContentsOf({run}, options); },
+                   {"--side", "middle"});
+}
+
+}  // namespace
+}  // namespace musclewarp
