@@ -47,15 +47,17 @@ TEST(FilesThatDiffer, AreThoseThatSomebodyChanged) {
   scene.bones[0].mesh.name = "bone";
   scene.bones[0].rest = ball;
   Frame frame;
+  frame.index = 0;
   frame.muscles.resize(1);
-  frame.muscles[0].fine = ball.points / 7;
+  frame.muscles[0].points = ball.points / 7;
   frame.bones = {ball.points};
   const std::vector<std::string> formats = {"ply", "obj"};
   WriteFrame(scene, frame, formats, dir);
   EXPECT_EQ(FilesThatDiffer(scene, frame, formats, dir),
             std::vector<std::string>());
   // By one bit of one coordinate.
-  frame.muscles[0].fine(5, 1) = std::nextafter(frame.muscles[0].fine(5, 1), 9);
+  frame.muscles[0].points(5, 1) =
+      std::nextafter(frame.muscles[0].points(5, 1), 9);
   EXPECT_EQ(FilesThatDiffer(scene, frame, {"ply"}, dir),
             std::vector<std::string>({"frame_0000/muscle.ply"}));
 }

@@ -2,58 +2,63 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/motion/frame.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <Eigen/Geometry>
-#include <cmath>
 
 namespace musclewarp {
 namespace {
 
-Scene OneBoneOneLine() {
-  Scene scene;
-  scene.bones.resize(1);
-  scene.bones[0].body = "femur";
-  scene.muscles.resize(1);
-  ActionLine line;
-  line.name = "line";
-  line.rest.resize(2, 3);
-  line.rest << 0, 0, 0, 0, 0, 100;
-  line.bodies = {"pelvis", "femur"};
-  scene.muscles[0].lines = {line};
-  return scene;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Frame UsableFrame() {
+  Frame frame;
+  frame.name = "flexion_30";
+  for (const char* name : {"psoas", "iliacus"}) {
+    MuscleFrame muscle;
+    muscle.name = name;
+    muscle.volume_ratio = 1;
+    muscle.solver.stop_reason = StopReason::kConverged;
+    muscle.solver.iterations = 7;
+    frame.muscles.push_back(muscle);
+  }
+  frame.muscles[1].volume_ratio = 0.98;
+  return frame;
 }
 
-ScenePose Turned(double angle) {
-  ScenePose pose;
-  Eigen::Matrix4d turn = Eigen::Matrix4d::Identity();
-  turn.topLeftCorner<3, 3>() =
-      Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).toRotationMatrix();
-  pose.bodies["femur"] = turn;
-  return pose;
+TEST(Frame, IsUsableIfAllConvergedAndNothingIsMissing) {
+  Frame frame = UsableFrame();
+  EXPECT_TRUE(frame.IsUsable());
+  frame.shortcomings = {"psoas x femur: 3 crossing triangle pairs"};
+  EXPECT_FALSE(frame.IsUsable());
+  frame = UsableFrame();
+  frame.muscles[1].solver.stop_reason = StopReason::kFailed;
+  EXPECT_FALSE(frame.IsUsable());
 }
 
-TEST(StepsBetween, CountsTurnsOfBonesAndMovesOfLines) {
-  const Scene scene = OneBoneOneLine();
-  FrameOptions options;
-  options.max_turn = 0.1;
-  options.max_move = 1e6;
-  EXPECT_EQ(StepsBetween(scene, Turned(0), Turned(0), options), 1);
-  EXPECT_EQ(StepsBetween(scene, Turned(0), Turned(0.09), options), 1);
-  EXPECT_EQ(StepsBetween(scene, Turned(0.5), Turned(-0.15), options), 7);
-  options.max_turn = 1e6;
-  options.max_move = 10;
-  // The end of the line moves 2 * 100 * sin(0.25) = 49.5 mm.
-  EXPECT_EQ(StepsBetween(scene, Turned(0), Turned(0.5), options), 5);
+TEST(Frame, NamesTheMuscleThatDidNotConverge) {
+  Frame frame = UsableFrame();
+  EXPECT_EQ(frame.stop_reason(), ToString(StopReason::kConverged));
+  frame.muscles[1].solver.stop_reason = StopReason::kIterationLimit;
+  EXPECT_EQ(frame.stop_reason(),
+            ToString(StopReason::kIterationLimit) + " (iliacus)");
 }
 
-TEST(FrameOptions, SayWhatIsWrong) {
-  FrameOptions options;
-  std::string error;
-  EXPECT_TRUE(options.IsValid(&error));
-  options.max_turn = 0;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_NE(error.find("max_turn"), std::string::npos);
+TEST(Frame, SumsItsMusclesUp) {
+  const Frame frame = UsableFrame();
+  EXPECT_EQ(frame.iterations(), 14);
+  EXPECT_DOUBLE_EQ(frame.WorstVolumeError(), 1 - 0.98);
+}
+
+TEST(Frame, ReportsSayWhatIsWrong) {
+  Frame frame = UsableFrame();
+  EXPECT_THAT(frame.BriefReport(), HasSubstr("flexion_30: usable"));
+  EXPECT_THAT(frame.BriefReport(), Not(HasSubstr("\n")));
+  frame.shortcomings = {"psoas x femur: 3 crossing triangle pairs"};
+  EXPECT_THAT(frame.BriefReport(), HasSubstr("NOT usable"));
+  EXPECT_THAT(frame.FullReport(), HasSubstr("iliacus"));
+  EXPECT_THAT(frame.FullReport(),
+              HasSubstr("psoas x femur: 3 crossing triangle pairs"));
 }
 
 }  // namespace

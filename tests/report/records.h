@@ -43,7 +43,14 @@ inline FrameRecord SomeRecord(int index) {
   record.intersections.max_depth_mm = 0.3;
   record.intersections.self_pairs = 1;
   record.intersections.exempt_pairs = 4;
-  record.intersections.pairs = {{"m", "b", 9, 2, 0.3, 4, {}, {}}};
+  PairIntersection pair;
+  pair.a = "m";
+  pair.b = "b";
+  pair.triangle_pairs = 9;
+  pair.vertices_inside = 2;
+  pair.max_depth_mm = 0.3;
+  pair.exempt_pairs = 4;
+  record.intersections.pairs = {pair};
   return record;
 }
 

@@ -1,12 +1,15 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/report/progress.h"
+#include "musclewarp/report/screen_progress.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <sstream>
+#include <string>
+#include <thread>
 
 #include "report/records.h"
 
@@ -15,9 +18,10 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST(Progress, IsALineAFrameOffATerminal) {
+TEST(ScreenProgress, IsALineForEachFrameOffATerminal) {
   std::ostringstream out;
-  Progress progress(1, 3, false, &out);
+  ScreenProgress progress(false, &out);
+  progress.StartFrames(1, {1, 1});
   progress.FrameDone(SomeRecord(1));
   EXPECT_THAT(out.str(), HasSubstr("frame 2 of 3: t=0.1"));
   EXPECT_THAT(out.str(), HasSubstr("9 crossing pairs"));
@@ -25,9 +29,10 @@ TEST(Progress, IsALineAFrameOffATerminal) {
   EXPECT_EQ(out.str().find('\r'), std::string::npos);
 }
 
-TEST(Progress, RenewsOneLineOnATerminal) {
+TEST(ScreenProgress, RenewsOneLineOnATerminal) {
   std::ostringstream out;
-  Progress progress(0, 2, true, &out);
+  ScreenProgress progress(true, &out);
+  progress.StartFrames(0, {1, 1});
   progress.FrameDone(SomeRecord(0));
   progress.FrameDone(SomeRecord(1));
   const std::string text = out.str();
@@ -36,7 +41,45 @@ TEST(Progress, RenewsOneLineOnATerminal) {
   EXPECT_THAT(text, HasSubstr("[============            ] 1 of 2"));
 }
 
-TEST(Progress, RoundsTimes) {
+TEST(ScreenProgress, SaysThatAFrameIsNotUsable) {
+  std::ostringstream out;
+  ScreenProgress progress(false, &out);
+  progress.StartFrames(0, {1});
+  FrameRecord record = SomeRecord(0);
+  record.usable = false;
+  progress.FrameDone(record);
+  EXPECT_THAT(out.str(), HasSubstr("NOT usable"));
+}
+
+// The time that is left goes by the work of the frames that are left.
+TEST(ScreenProgress, ForetellsTheTimeByTheWork) {
+  std::ostringstream out;
+  ScreenProgress one(false, &out), ten(false, &out);
+  one.StartFrames(0, {1, 1});
+  ten.StartFrames(0, {1, 10});
+  EXPECT_EQ(one.MillisecondsLeft(), 0);  // nothing is known yet
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  one.FrameDone(SomeRecord(0));
+  ten.FrameDone(SomeRecord(0));
+  EXPECT_GT(one.MillisecondsLeft(), 0);
+  // The two clocks were read at nearly the same time.
+  EXPECT_GT(ten.MillisecondsLeft(), 5 * one.MillisecondsLeft());
+}
+
+TEST(ScreenProgress, ClearsItsLineOfATerminal) {
+  std::ostringstream out;
+  ScreenProgress progress(true, &out);
+  progress.StartFrames(0, {1, 1});
+  progress.FrameDone(SomeRecord(0));
+  progress.Clear();
+  const std::string text = out.str();
+  EXPECT_EQ(text.back(), '\r');
+  const std::string after = text;
+  progress.Clear();
+  EXPECT_EQ(out.str(), after);
+}
+
+TEST(RoundedTime, IsAsPreciseAsPeopleWant) {
   EXPECT_EQ(RoundedTime(4400), "4 s");
   EXPECT_EQ(RoundedTime(99400), "99 s");
   EXPECT_EQ(RoundedTime(150000), "2 min");

@@ -1,0 +1,153 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certificate/shortcomings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "musclewarp/geometry/folded_triangles.h"
+#include "musclewarp/mesh/measures.h"
+#include "support/meshes.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// A muscle at rest and as it is deformed, measured as frames are.
+struct Deformed {
+  TriangleSoup rest = Icosphere(10, 3);
+  Points points = rest.points;
+  std::vector<TriangleSoup> bones;
+  double max_contact_displacement = 0;
+  double depth_without_contact = 0;
+
+  std::vector<std::string> Shortcomings(
+      const FrameRequirements& requirements = {}) const {
+    const SearchableMesh at_rest(rest), deformed({points, rest.triangles});
+    std::vector<std::unique_ptr<SearchableMesh>> bone_meshes;
+    std::vector<NamedMesh> named_bones;
+    for (const TriangleSoup& bone : bones) {
+      bone_meshes.push_back(std::make_unique<SearchableMesh>(bone));
+      named_bones.push_back({"femur", bone_meshes.back().get()});
+    }
+    const SceneIntersections intersections =
+        IntersectScene({{"psoas", &deformed}}, named_bones);
+    MuscleMeasures measures;
+    measures.name = "psoas";
+    measures.volume_ratio = SignedVolume(points, rest.triangles) /
+                            SignedVolume(rest.points, rest.triangles);
+    measures.num_triangles = static_cast<int>(rest.triangles.rows());
+    measures.folded_triangles = static_cast<int>(
+        FoldedTriangles(rest.points, points, rest.triangles).size());
+    measures.self_pairs = intersections.self_pairs_of_muscles[0];
+    measures.self_pairs_at_rest =
+        IntersectScene({{"psoas", &at_rest}}, {}).self_pairs_of_muscles[0];
+    measures.max_contact_displacement = max_contact_displacement;
+    measures.depth_without_contact = depth_without_contact;
+    return musclewarp::Shortcomings(requirements, intersections, {measures});
+  }
+};
+
+TEST(Shortcomings, AMuscleAtRestHasNone) {
+  EXPECT_THAT(Deformed().Shortcomings(), IsEmpty());
+}
+
+TEST(Shortcomings, NameTrianglesThatCrossABoneAndWhere) {
+  Deformed deformed;
+  deformed.bones = {MovedBy(Box(4, 4, 4), {10, 0, 0})};
+  const auto shortcomings = deformed.Shortcomings();
+  ASSERT_EQ(shortcomings.size(), 1u);
+  EXPECT_THAT(shortcomings[0], HasSubstr("psoas x femur: "));
+  EXPECT_THAT(shortcomings[0],
+              HasSubstr(" crossing triangle pairs around (9."));
+  EXPECT_THAT(shortcomings[0], HasSubstr(" mm deep"));
+}
+
+TEST(Shortcomings, NameABoneThatLiesInsideWithoutACrossing) {
+  Deformed deformed;
+  deformed.bones = {Box(2, 2, 2)};
+  EXPECT_THAT(deformed.Shortcomings(),
+              ElementsAre(HasSubstr("psoas x femur: 0 crossing triangle pairs, "
+                                    "8 vertices inside")));
+}
+
+TEST(Shortcomings, NameAVolumeThatIsNotKept) {
+  Deformed deformed;
+  deformed.points *= 1.001;  // 0.3 % more
+  EXPECT_THAT(deformed.Shortcomings(),
+              ElementsAre("psoas: volume off by 0.003, allowed 0.0004"));
+  deformed.points = 1.0001 * deformed.rest.points;
+  EXPECT_THAT(deformed.Shortcomings(), IsEmpty());
+}
+
+TEST(Shortcomings, NameAVolumeThatIsNoNumber) {
+  MuscleMeasures measures;
+  measures.name = "psoas";
+  measures.volume_ratio = std::nan("");
+  EXPECT_THAT(Shortcomings({}, {}, {measures}),
+              ElementsAre(HasSubstr("volume off by nan")));
+}
+
+TEST(Shortcomings, NameTrianglesThatCrossTheMuscleItself) {
+  // A vertex goes through the opposite side. Volume is not what is looked at.
+  Deformed deformed;
+  deformed.points.row(0) *= -1.05;
+  FrameRequirements requirements;
+  requirements.max_volume_error = 1;
+  requirements.max_folded_share = 1;
+  EXPECT_THAT(deformed.Shortcomings(requirements),
+              ElementsAre(HasSubstr("self-intersecting triangle pairs, at rest "
+                                    "0")));
+  // If the mesh came like that, it is allowed.
+  deformed.rest.points = deformed.points;
+  EXPECT_THAT(deformed.Shortcomings(requirements), IsEmpty());
+}
+
+TEST(Shortcomings, NameTrianglesThatFolded) {
+  // A vertex slides over the ring of its neighbours, on the surface.
+  Deformed deformed;
+  const Eigen::RowVector3i t = deformed.rest.triangles.row(0);
+  deformed.points.row(t[0]) +=
+      2.5 * (deformed.points.row(t[1]) - deformed.points.row(t[0]));
+  FrameRequirements requirements;
+  requirements.max_volume_error = 1;
+  const auto shortcomings = deformed.Shortcomings(requirements);
+  EXPECT_THAT(shortcomings,
+              testing::Contains(HasSubstr(" folded triangles, allowed 1")));
+  requirements.max_folded_share = 1;
+  for (const std::string& shortcoming : deformed.Shortcomings(requirements)) {
+    EXPECT_EQ(shortcoming.find("folded"), std::string::npos);
+  }
+}
+
+TEST(Shortcomings, NameAMuscleThatContactMovedTooFar) {
+  Deformed deformed;
+  deformed.depth_without_contact = 3;
+  deformed.max_contact_displacement = 7;  // twice the depth and 1 mm
+  EXPECT_THAT(deformed.Shortcomings(), IsEmpty());
+  deformed.max_contact_displacement = 7.5;
+  EXPECT_THAT(deformed.Shortcomings(),
+              ElementsAre("psoas: moved by 7.5 mm by contact, allowed 7 (3 mm "
+                          "deep without)"));
+}
+
+TEST(FrameRequirements, NameWhatIsWrong) {
+  FrameRequirements requirements;
+  std::string error;
+  EXPECT_TRUE(requirements.IsValid(&error));
+  requirements.max_volume_error = -1;
+  EXPECT_FALSE(requirements.IsValid(&error));
+  EXPECT_EQ(error,
+            "FrameRequirements::max_volume_error is -1, allowed: 0 or above");
+}
+
+}  // namespace
+}  // namespace musclewarp

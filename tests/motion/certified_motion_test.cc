@@ -1,0 +1,102 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/certified_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "motion/prepared_small_scene.h"
+#include "musclewarp/motion/frame_measures.h"
+
+namespace musclewarp {
+namespace {
+
+CertifiedScene Certified(const PreparedScene& scene,
+                         const CertifiedContactOptions& options = {}) {
+  const SceneMeshes meshes(scene);
+  return PrepareCertifiedScene(
+      scene, meshes, options, {}, ReferenceSolvers().single, {});
+}
+
+CertifiedMotion Move(const PreparedScene& scene,
+                     const CertifiedScene& certified,
+                     const ScenePose& pose,
+                     const SceneState& before) {
+  return MoveCertified(
+      scene, certified, pose, {}, ReferenceSolvers().single, before, {});
+}
+
+TEST(PrepareCertifiedScene, LeavesARestPoseInWhichNothingIsNear) {
+  const PreparedScene scene = PreparedSmallScene();
+  const CertifiedScene certified = Certified(scene);
+  for (size_t i = 0; i < 2; ++i) {
+    EXPECT_LT((FinePoints(scene.muscles[i].model, certified.rest.muscles[i]) -
+               scene.muscles[i].model.fine_rest)
+                  .norm(),
+              1e-6);
+  }
+}
+
+TEST(PrepareCertifiedScene, TakesMusclesInTheOrderOfTheirNames) {
+  Scene scene = SmallScene();
+  scene.muscles[0].name = "z_left";
+  const CertifiedScene certified = Certified(PreparedSmallScene(scene));
+  EXPECT_EQ(certified.order, (std::vector<int>{1, 0}));
+}
+
+TEST(MoveCertified, ReachesAPoseWithoutCrossings) {
+  const PreparedScene scene = PreparedSmallScene();
+  const CertifiedScene certified = Certified(scene);
+  SceneMeshes meshes(scene);
+  const CertifiedMotion motion =
+      Move(scene, certified, FlexedPose(0.3), certified.rest);
+  EXPECT_EQ(motion.state.pose.name, "flexed");
+  // 17.2 degrees in steps of 2.5.
+  EXPECT_GE(motion.summary.steps, 7);
+  ASSERT_EQ(motion.summary.summaries.size(), 2u);
+  const Frame frame = MeasureFrame(scene,
+                                   motion.state.pose,
+                                   motion.state.muscles,
+                                   motion.summary.summaries,
+                                   &meshes);
+  EXPECT_TRUE(frame.intersections.IsClean());
+  EXPECT_LT(frame.WorstVolumeError(), 2e-8);
+}
+
+TEST(MoveCertified, DoesNotDependOnTheCoarseWeightWhereNothingIsInTheWay) {
+  const PreparedScene scene = PreparedSmallScene();
+  CertifiedContactOptions options;
+  options.coarse_weight = 0;
+  const CertifiedScene without = Certified(scene, options);
+  const CertifiedScene with = Certified(scene);
+  // A pose that moves nothing towards anything.
+  ScenePose apart;
+  apart.name = "apart";
+  Eigen::Matrix4d up = Eigen::Matrix4d::Identity();
+  up(2, 3) = 3;
+  apart.bodies["femur"] = up;
+  const CertifiedMotion a = Move(scene, without, apart, without.rest);
+  const CertifiedMotion b = Move(scene, with, apart, with.rest);
+  for (size_t i = 0; i < 2; ++i) {
+    EXPECT_LT((a.state.muscles[i].coarse - b.state.muscles[i].coarse).norm(),
+              1e-6);
+  }
+}
+
+TEST(CertifiedContactOptions, NameWhatIsWrong) {
+  CertifiedContactOptions options;
+  std::string error;
+  EXPECT_TRUE(options.IsValid(&error));
+  options.max_halvings = -1;
+  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_EQ(error,
+            "CertifiedContactOptions::max_halvings is -1, allowed: 0 to 20");
+  options = {};
+  options.step.volume.tolerance = 0;
+  EXPECT_FALSE(options.IsValid(&error));
+  EXPECT_EQ(error, "VolumeOptions::tolerance is 0, allowed: above 0");
+}
+
+}  // namespace
+}  // namespace musclewarp
