@@ -13,6 +13,8 @@
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/scene/attachment_area.h"
+#include "musclewarp/scene/coordinate_limits.h"
+#include "musclewarp/scene/far_lines.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/skeleton/sampling.h"
 
@@ -29,6 +31,7 @@ TriangleSoup ReadRepaired(const std::string& name,
   if (!rest_from_file.isIdentity(0)) {
     delivered.points = Transformed(delivered.points, rest_from_file);
   }
+  CheckCoordinates(path, delivered.points);
   preparation->name = name;
   preparation->path = path;
   preparation->defects = CountDefects(delivered);
@@ -211,6 +214,12 @@ PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {
                                 std::to_string(muscle.fibres.num_lines()) +
                                 " fibres of " +
                                 std::to_string(options.fibres.fibres));
+  }
+  for (size_t i = 0; i < prepared.muscles.size(); ++i) {
+    for (const std::string& warning : FarLineWarnings(
+             prepared.scene.muscles[i], prepared.muscles[i].model.fine_rest)) {
+      prepared.warnings.push_back(warning);
+    }
   }
   for (const std::string& warning :
        ScaleWarnings(sizes, options.scale_warning_ratio)) {
