@@ -11,9 +11,7 @@ namespace musclewarp {
 
 // Places along the lines for the skeleton rows, paper section 2.2: both ends of
 // every segment and, between them, points at most `spacing` mm apart in the
-// rest pose, evenly. Segments longer than 10 m, which are a mistake in the
-// data, are cut into no more than 1000 pieces, because the work grows with the
-// samples. Precondition (CHECKed): spacing > 0.
+// rest pose, evenly. Precondition (CHECKed): spacing > 0.
 std::vector<SegmentPoint> SampleLines(const std::vector<ActionLine>& lines,
                                       double spacing);
 
