@@ -8,30 +8,43 @@
 
 namespace musclewarp {
 
-// Runs contact inside ceres::Solve: the initial fix before the first step,
-// rollback and masking after every step (paper section 3).
+// Runs contact inside ceres::Solve (paper section 3): the initial fix before
+// the first step, rollback and masking after every successful step.
 //
-// Ceres ignores what a callback writes into parameter blocks. So this one ends
-// the solve whenever contact has changed the state, and the driver calls
-// ceres::Solve again from there (muscle_group_solver.h).
+// Ceres keeps its own copy of the parameters and ignores what a callback writes
+// into parameter blocks. This callback therefore ends the solve whenever
+// contact has changed the state, and the driver (muscle_group_solver.cc) writes
+// that state to the blocks and calls ceres::Solve again:
+//
+//   ContactCallback callback([&] { return contact.Start(&states); },
+//                            [&] { contact.AfterStep(alpha, &states); });
+//   options.callbacks = {&callback};
+//   options.update_state_every_iteration = true;
+//   while (...) {
+//     ... write the states to the parameter blocks ...
+//     ceres::Solve(options, &problem, &summary);
+//     if (!callback.TakeHasChanged()) ... Ceres found no step to take ...
+//   }
 class ContactCallback : public ceres::IterationCallback {
  public:
-  // `before_step` is called at the start of every solve, and tells whether it
-  // has changed the state; `after_step` after every successful step. They read
-  // the parameter blocks, for which
-  // Solver::Options::update_state_every_iteration is needed, and keep what they
-  // change elsewhere.
+  // `before_step` is called at the start of every solve and returns whether it
+  // changed the state; `after_step` is called after every successful step and
+  // is taken to change the state always. Both read the parameter blocks, for
+  // which Solver::Options::update_state_every_iteration must be true, and must
+  // write the new state elsewhere.
   ContactCallback(std::function<bool()> before_step,
                   std::function<void()> after_step);
 
+  // Called by Ceres. Never aborts: a solve ended by contact counts as success.
   ceres::CallbackReturnType operator()(
       const ceres::IterationSummary& iteration) override;
 
-  // Whether contact ended the last solve; if not, Ceres found nothing to do.
-  // Forgets it.
+  // Returns whether contact ended the last solve, and resets the answer to
+  // false.
   bool TakeHasChanged();
 
-  // Of the last iteration, to be carried to the next solve.
+  // The trust region radius of the last iteration, with which the next solve
+  // should start.
   double trust_region_radius() const { return trust_region_radius_; }
 
  private:

@@ -15,7 +15,8 @@
 namespace musclewarp {
 namespace {
 
-// Of steps that Ceres takes back before one is taken.
+// Largest number of trial steps in one solve: Ceres rejects steps that do not
+// reduce the cost.
 constexpr int kMaxTrials = 10;
 
 class MuscleGroupSolver {
@@ -55,7 +56,7 @@ class MuscleGroupSolver {
       if (!summary.IsSolutionUsable()) {
         progress_.Fail(0, summary.message);
       } else if (!callback.TakeHasChanged()) {
-        // Converged for these multipliers: a step of no length.
+        // Ceres has converged for these multipliers: a step of length zero.
         AfterStep();
       }
     }
@@ -71,24 +72,27 @@ class MuscleGroupSolver {
       const double error =
           group_.volumes[i]->Error(group_.unknowns[i]->Coarse());
       volume_errors_[i] = error / models_[i]->rest_volume;
-      // So much beyond zero that the shortened step corrects enough.
+      // The full step aims beyond zero, so that the shortened step corrects
+      // max(alpha, min_volume_share) of the error.
       group_.constraints[i]->target =
           (1 - 1 / progress_.volume_alpha()) * error / models_[i]->rest_area;
     }
   }
 
-  // The initial fix, once; true if it has moved something.
+  // Makes the initial fix, in the first solve. Returns true if it moved
+  // anything.
   bool BeforeStep() {
     return !std::exchange(has_started_, true) && contact_.Start(&states_);
   }
 
-  // The parameter blocks hold the end of the full step from the states.
+  // Shortens the step and applies contact. On entry the parameter blocks hold
+  // the end of the full step from the states.
   void AfterStep() {
     for (int i = 0; i < num_muscles_; ++i) {
       const Points full_step = group_.unknowns[i]->Coarse();
       UpdateConstraint(i, full_step);
-      // As the paper has it: a vertex goes back along its step, and a short one
-      // shows the way out.
+      // The step is shortened before contact sees it, as in the paper: a vertex
+      // goes back along its step, and a short step points to where it came in.
       Points& coarse = states_[i].coarse;
       coarse += progress_.alpha() * (full_step - coarse);
     }
@@ -96,8 +100,9 @@ class MuscleGroupSolver {
     progress_.Record(contact_, volume_errors_);
   }
 
-  // One round of the method of multipliers, for the full step: what is left of
-  // the violation after the shortened one is no fault of the multiplier.
+  // Makes one round of the method of multipliers, with the violation after the
+  // full step. What the shortened step leaves of the violation says nothing
+  // about the multiplier.
   void UpdateConstraint(int i, const Points& full_step) {
     const HardConstraintOptions& options = options_.muscle.hard_constraint;
     HardConstraint& constraint = *group_.constraints[i];

@@ -16,20 +16,32 @@
 namespace musclewarp {
 
 struct MuscleGroupOptions {
-  // Formulation, penalty and ceres::Solver::Options; its numbers of rounds and
-  // iterations are not used.
+  // The formulation, the penalties and ceres::Solver::Options. The numbers of
+  // rounds and iterations and the tolerances in it are not used: progress is
+  // judged by `iteration`.
   SingleMuscleOptions muscle;
+
+  // Step lengths and convergence of the group, as for the reference solver.
   GroupIterationOptions iteration;
 
+  // Returns false and names the field, its value and the rule if a field of
+  // either struct is out of range.
   bool IsValid(std::string* error) const;
 };
 
-// Deforms several muscles in contact with Ceres (paper section 3): what
-// SolveGaussNewtonGroup does, by the same contact, with steps from ceres::Solve
-// on one problem of all muscles (ContactCallback). Each solve starts from the
-// state that contact left, with the trust region radius, the penalties and the
-// multipliers of the one before.
-// Precondition (CHECKed): the options are valid.
+// Deforms several muscles in contact with Ceres (paper section 3). It does what
+// SolveGaussNewtonGroup does, with the same contact and the same rules of
+// progress, but takes its steps from ceres::Solve on one problem of all muscles
+// (MuscleGroupProblem). Each call of ceres::Solve gives one step and starts
+// from the state that contact left (ContactCallback), with the trust region
+// radius, the penalties and the multipliers of the call before.
+//
+// `states` are the start on entry and the result on return; `summaries`
+// receives one summary per muscle. The result does not depend on the number of
+// threads. Nothing is thrown: a step that Ceres cannot compute ends the solve
+// as failed.
+// Preconditions (CHECKed): the options are valid; there are as many models,
+// targets and states, and at least one. `contact` has the same muscles.
 void SolveMuscleGroup(const std::vector<const MuscleModel*>& models,
                       const std::vector<MuscleTarget>& targets,
                       const MuscleGroupOptions& options,

@@ -12,16 +12,22 @@
 
 namespace musclewarp {
 
-// Evaluates the volumes of all muscles, nearly all the work of an evaluation,
-// before Ceres asks for them: a muscle a thread. Ceres' own threads would add
-// up the cost in an order that depends on their number.
+// Evaluates the volumes of all muscles before Ceres asks for them, in parallel
+// over the muscles. The volumes are nearly all the work of an evaluation, since
+// each is a pass over a dense matrix; their terms then find the results in the
+// VolumeEvaluators.
+//
+// The threads of Ceres itself (Solver::Options::num_threads) are not used,
+// because they would sum the cost in an order that depends on their number.
 class VolumePrefetch : public ceres::EvaluationCallback {
  public:
-  // Keeps both, one entry a muscle.
+  // Keeps references to both, which have one entry per muscle and may be filled
+  // later.
   VolumePrefetch(const std::vector<std::unique_ptr<MuscleUnknowns>>& unknowns,
                  const std::vector<std::unique_ptr<VolumeEvaluator>>& volumes)
       : unknowns_(unknowns), volumes_(volumes) {}
 
+  // Called by Ceres, after it has written the point to the parameter blocks.
   void PrepareForEvaluation(bool evaluate_jacobians,
                             bool /*new_evaluation_point*/) override {
     const int count = static_cast<int>(volumes_.size());

@@ -8,13 +8,15 @@
 
 namespace musclewarp {
 
-// A point tied to all coarse vertices by mean value coordinates k_j that should
-// lie at a target:
+// Draws a point of the muscle, given by mean value coordinates k_j of all
+// coarse vertices x_j, to a target:
 //
 //   r = sum_j k_j x_j - target,      3 residuals, mm times the row's weight.
 //
-// Parameter blocks: all coarse vertices, each of size 3. Serves the skeleton
-// rows, paper eq. (2.4) and (2.5), and the attachment rows.
+// The skeleton rows, paper eq. (2.4) and (2.5), and the attachment rows are of
+// this form. Coordinates and target include the weight of the row.
+//
+// Parameter blocks: the N coarse vertices in order, each of size 3, mm.
 struct CoordinatesTerm {
   CoordinatesTerm(const Eigen::RowVectorXd& row, const double* row_target)
       : coordinates(row), target{row_target[0], row_target[1], row_target[2]} {}
@@ -30,6 +32,9 @@ struct CoordinatesTerm {
     return true;
   }
 
+  // Makes the cost function, differentiated automatically, for coordinates
+  // `row` (1 x N) and a target of three numbers. The caller owns it, as a rule
+  // by giving it to a ceres::Problem.
   static ceres::CostFunction* Create(const Eigen::RowVectorXd& row,
                                      const double* target) {
     auto* cost = new ceres::DynamicAutoDiffCostFunction<CoordinatesTerm>(

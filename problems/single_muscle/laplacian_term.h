@@ -9,11 +9,14 @@
 
 namespace musclewarp {
 
-// One Laplacian row, paper eq. (2.1) to (2.3):
+// Preserves the shape of the coarse mesh around its vertex i: the Laplacian
+// coordinate of the vertex should equal delta_i, that of the rest pose rotated
+// along with the skeleton (paper eq. 2.1 to 2.3):
 //
 //   r = sum_j w_ij (x_j - x_i) - delta_i,      3 residuals, mm.
 //
-// Parameter blocks: x_i, then its neighbours x_j, each of size 3.
+// Parameter blocks: x_i, then its neighbours x_j in the order of the weights,
+// each of size 3, mm.
 struct LaplacianTerm {
   LaplacianTerm(std::vector<double> neighbour_weights,
                 const double* pre_rotated_delta)
@@ -32,6 +35,9 @@ struct LaplacianTerm {
     return true;
   }
 
+  // Makes the cost function, differentiated automatically, for the weights w_ij
+  // of the neighbours and a delta_i of three numbers. The caller owns it, as a
+  // rule by giving it to a ceres::Problem.
   static ceres::CostFunction* Create(std::vector<double> weights,
                                      const double* delta) {
     const size_t blocks = weights.size() + 1;

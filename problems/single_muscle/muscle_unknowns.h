@@ -11,16 +11,22 @@
 
 namespace musclewarp {
 
+// The unknowns in which Ceres solves for a muscle.
 enum class MuscleFormulation {
-  kWhitened,  // fast: the linear rows are the identity
-  kBlocks,    // a block per vertex, a term per row
+  kWhitened,  // whitened unknowns: fast, the linear rows are the identity
+  kBlocks,    // coarse vertices: readable, a residual block per row
 };
 
-// The parameter blocks of one muscle, each of size 3: the rows of X, or of the
-// whitened Y.
+// The parameter blocks of one muscle, each of size 3: the rows of X, or in the
+// whitened formulation those of Y (Whitening). Terms and drivers work on X and
+// leave the choice of unknowns to this class.
+//
+// Not to be used from several threads at once, because the last conversion to X
+// is remembered.
 class MuscleUnknowns {
  public:
-  // Keeps a reference to `model`. `coarse` (N x 3) is the start.
+  // Starts at the coarse vertices `coarse` (N x 3, mm). Keeps a reference to
+  // `model`. Ceres holds pointers into this object, so it cannot be copied.
   MuscleUnknowns(const MuscleModel& model,
                  const MuscleTarget& target,
                  MuscleFormulation formulation,
@@ -28,32 +34,39 @@ class MuscleUnknowns {
   MuscleUnknowns(const MuscleUnknowns&) = delete;
   MuscleUnknowns& operator=(const MuscleUnknowns&) = delete;
 
-  // N x 3, mm.
+  // X of the parameter blocks, N x 3, mm. The reference is valid until the next
+  // call of Coarse or CoarseOf.
   const Points& Coarse() const { return CoarseOf(values_); }
   void SetCoarse(const Points& coarse);
 
-  // X of other values of the blocks. The last is kept, as Ceres asks for the
-  // same place more than once; valid until the next call. Not for use from
-  // several threads.
+  // X of other values of the blocks, N x 3. The second one takes a pointer per
+  // block, as Ceres passes them to a cost function. Ceres asks for one place
+  // more than once; only the first time costs a triangular solve.
   const Points& CoarseOf(const Points& values) const;
-  // Of parameter blocks.
   const Points& CoarseOf(double const* const* blocks) const;
 
-  // dg/d(values) of a function with the gradient dg/dX.
+  // Returns the gradient with respect to the values of the blocks of a function
+  // whose gradient with respect to X is given, both N x 3.
   Points GradientOf(const Points& coarse_gradient) const;
-  // Rows that give points from values, of those that give them from X (k x N).
+
+  // Returns the derivative of points p = R X with respect to the values of the
+  // blocks, for rows R; both k x N, the same for x, y and z.
   RowMajorMatrix RowsOf(const RowMajorMatrix& coarse_rows) const;
 
   bool IsWhitened() const { return whitening_.has_value(); }
+
+  // The values of all blocks, one after the other, and their number.
   double* data() { return values_.data(); }
   int size() const { return static_cast<int>(values_.size()); }
+
+  // The N blocks, in the order of the coarse vertices.
   int num_blocks() const { return static_cast<int>(values_.rows()); }
   std::vector<double*> Blocks();
 
  private:
   std::optional<Whitening> whitening_;
   Points values_;
-  mutable Points last_values_;
+  mutable Points last_values_;  // with last_coarse_ their X
   mutable Points last_coarse_;
 };
 

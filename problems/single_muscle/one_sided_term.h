@@ -9,17 +9,22 @@
 
 namespace musclewarp {
 
-// The one-sided rows of the fine vertices in contact (OneSidedRows):
+// Keeps fine vertices softly on one side of planes (OneSidedRows):
 //
 //   r_k = weight max(0, level_k - n_k . (W X)_v(k)),    K residuals, mm times
 //                                                       the weight.
 //
-// Parameter blocks: all coarse vertices x_j, or all whitened unknowns y_j, each
-// of size 3. One residual block for all rows of a muscle: each touches all
-// unknowns, and X is found from Y once for all.
+// The Jacobian has a jump where a vertex lies on its plane; there the row
+// counts as inactive, with a derivative of zero.
+//
+// Parameter blocks: the N blocks of MuscleUnknowns, each of size 3. One cost
+// function serves all rows of a muscle, because each row depends on all blocks
+// and X is computed from them once for all rows. The derivative is written by
+// hand for the same reason.
 class OneSidedTerm : public ceres::CostFunction {
  public:
   // Keeps pointers to `unknowns` and `rows`.
+  // Precondition: there is at least one row.
   OneSidedTerm(const MuscleModel& model,
                const OneSidedRows* rows,
                const MuscleUnknowns* unknowns);

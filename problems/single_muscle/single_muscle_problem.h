@@ -13,16 +13,20 @@
 namespace musclewarp {
 
 // Adds the terms of one muscle to `problem`, in the formulation of `unknowns`.
+// The cost is then the linear energy of paper eq. (2.8), in the whitened
+// formulation without its constant, plus the augmented Lagrangian of the
+// volume.
 //
-// In plain coordinates: a LaplacianTerm per coarse vertex, a CoordinatesTerm
-// per skeleton and attachment row, a VolumeTerm. The readable formulation,
-// against which the whitened one is tested; its skeleton and volume rows touch
-// every block, which makes its normal matrix dense.
+// - In coarse vertices: a LaplacianTerm per vertex and a CoordinatesTerm per
+//   skeleton and attachment row. This is the readable formulation, against
+//   which the whitened one is tested. Its skeleton and volume rows touch every
+//   block, which makes the normal matrix dense.
+// - In whitened unknowns: a WhitenedLinearTerm per unknown.
+// - In both: a OneSidedTerm if the target has one-sided rows, then a
+// VolumeTerm.
 //
-// In whitened unknowns the same energy is a WhitenedLinearTerm per unknown and
-// a VolumeTerm. In both, a OneSidedTerm if the target has contact rows.
-//
-// `volume` is that of the model. All arguments must outlive the problem.
+// `volume` evaluates the volume of the same model. The problem owns the terms;
+// all arguments must outlive it.
 void AddMuscle(const MuscleModel& model,
                const MuscleTarget& target,
                const HardConstraint& constraint,

@@ -4,6 +4,7 @@
 
 #include <glog/logging.h>
 
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/solver/volume_constraint.h"
 #include "problems/single_muscle/single_muscle_problem.h"
@@ -31,8 +32,10 @@ SingleMuscleOptions SingleMuscleOptions::For(MuscleFormulation formulation) {
 
 bool SingleMuscleOptions::IsValid(std::string* error) const {
   if (!(fine_volume_threshold > 0)) {
-    *error = "SingleMuscleOptions: fine_volume_threshold must be above 0";
-    return false;
+    return InvalidOption("SingleMuscleOptions::fine_volume_threshold",
+                         fine_volume_threshold,
+                         "above 0",
+                         error);
   }
   return hard_constraint.IsValid(error);
 }
@@ -43,6 +46,8 @@ void SolveSingleMuscle(const MuscleModel& model,
                        Points* coarse,
                        SolverSummary* summary) {
   const Stopwatch stopwatch;
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
   CHECK_EQ(coarse->rows(), model.coarse_rest.rows());
   MuscleUnknowns unknowns(model, target, options.formulation, *coarse);
   HardConstraint constraint;
@@ -67,14 +72,14 @@ void SolveSingleMuscle(const MuscleModel& model,
     }
     return part;
   };
-  // The paper's way: the volume of the coarse mesh, at next to no cost, brings
-  // the muscle and the multiplier near.
+  // As in the paper, the volume of the coarse mesh, which costs next to
+  // nothing, brings the muscle and the multiplier close to the solution.
   HardConstraintOptions near = options.hard_constraint;
   near.violation_tolerance = near.step_tolerance =
       options.fine_volume_threshold;
   const SolverSummary approach = solve(VolumeMesh::kCoarse, near);
-  *summary =
-      Following(approach, solve(VolumeMesh::kFine, options.hard_constraint));
+  *summary = MergedSummary(approach,
+                           solve(VolumeMesh::kFine, options.hard_constraint));
   summary->initial_energy = LinearEnergy(model, target, *coarse);
   *coarse = unknowns.Coarse();
   SummarizeSolution(model, target, MuscleState{*coarse, {}}, summary);

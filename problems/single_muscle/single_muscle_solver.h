@@ -16,19 +16,27 @@ struct SingleMuscleOptions {
   MuscleFormulation formulation = MuscleFormulation::kWhitened;
   HardConstraintOptions hard_constraint;
 
-  // The volume is taken from the coarse mesh until steps and volume error (as a
-  // thickness) are below this, mm; then from the fine mesh.
+  // The volume is that of the coarse mesh until steps and volume error, the
+  // latter as a thickness, are below this, mm; then that of the fine mesh.
   double fine_volume_threshold = 0.05;
 
-  // Options for a formulation, with a linear solver that suits it.
+  // Returns options for a formulation, with a linear solver that suits it:
+  // conjugate gradients for whitened unknowns, dense Cholesky for blocks.
   static SingleMuscleOptions For(MuscleFormulation formulation);
 
+  // Returns false and names the field, its value and the rule if a field, one
+  // of hard_constraint included, is out of range.
   bool IsValid(std::string* error) const;
 };
 
-// Deforms one muscle with Ceres: the minimum of the linear energy at the volume
-// of the fine rest mesh. `coarse` (N x 3) is the start and the result.
-// Precondition (CHECKed): the options are valid.
+// Deforms one muscle with Ceres: minimises 1/2 |f(X)|^2, and the one-sided rows
+// of the target if there are any, subject to V(W X) = V_hat (paper eq. 2.8 and
+// 2.9). It reaches the same minimum as the reference solver (SolveGaussNewton).
+//
+// `coarse` (N x 3, mm) is the start on entry and the result on return.
+// `summary` says whether the solver converged; nothing is thrown.
+// Preconditions (CHECKed): the options are valid, `coarse` has a row for each
+// coarse vertex of the model.
 void SolveSingleMuscle(const MuscleModel& model,
                        const MuscleTarget& target,
                        const SingleMuscleOptions& options,

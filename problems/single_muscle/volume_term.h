@@ -10,22 +10,23 @@
 
 namespace musclewarp {
 
-// The volume constraint, paper eq. (2.6), (2.7) and (2.9), hardened by penalty
-// and multiplier (HardConstraint), 1 residual:
+// The volume constraint, paper eq. (2.6), (2.7) and (2.9), as one residual with
+// the penalty and multiplier of a HardConstraint:
 //
 //   r = sqrt(penalty) (c - target + multiplier / penalty),
 //   c = (V(W X) - V_hat) / area.
 //
 // Divided by the rest area of the fine mesh, c is the volume error as a
-// thickness, mm, which makes one penalty serve muscles of every size.
+// thickness, mm, so that one penalty suits muscles of every size.
 //
-// Parameter blocks: all coarse vertices x_j, or all whitened unknowns y_j, each
-// of size 3. The derivative is written by hand: the fine mesh follows
-// all blocks, automatic differentiation would cost N times as much.
+// Parameter blocks: the N blocks of MuscleUnknowns, each of size 3. The
+// derivative is written by hand: the fine mesh depends on all blocks, and
+// automatic differentiation would cost N times as much.
 class VolumeTerm : public ceres::CostFunction {
  public:
-  // Keeps pointers to all three. The vertices that corrections holds have zero
-  // rows in the Jacobian.
+  // Keeps pointers to all three; penalty, multiplier and target are read at
+  // every evaluation. Vertices that the corrections of `evaluator` hold have
+  // zero rows in the Jacobian with respect to X.
   VolumeTerm(const MuscleUnknowns* unknowns,
              VolumeEvaluator* evaluator,
              const HardConstraint* constraint);

@@ -7,24 +7,30 @@
 
 namespace musclewarp {
 
-// Unknowns in which the linear energy of a muscle is the identity: with
-// A = U^T U and X* its unconstrained minimiser,
+// A change of variables after which the linear energy of a muscle is the
+// identity. With A = U^T U, the Cholesky factorisation of the normal matrix,
+// and X* the unconstrained minimiser,
 //
 //   Y = U (X - X*)   =>   1/2 |f(X)|^2 = 1/2 |Y|^2 + 1/2 |f(X*)|^2.
 //
-// The Laplacian, skeleton and attachment rows become N residual blocks y_i, and
-// the Gauss-Newton matrix the identity plus one rank-1 term for the volume,
-// which conjugate gradients solve in two steps. Positions N x 3, mm.
+// The Laplacian, skeleton and attachment rows become N residual blocks y_i. The
+// Gauss-Newton matrix is the identity plus one rank-1 term for the volume,
+// which conjugate gradients solve in two steps. X and Y are N x 3, mm.
 class Whitening {
  public:
-  // Keeps a reference to `model`.
+  // Computes X* for the target. Keeps a reference to `model`.
   Whitening(const MuscleModel& model, const MuscleTarget& target);
 
+  // The map and its inverse, at the cost of a triangular product or solve.
   Points WhitenedFromCoarse(const Points& coarse) const;
   Points CoarseFromWhitened(const Points& whitened) const;
-  // dg/dY = U^-T dg/dX.
+
+  // Returns the gradient with respect to Y of a function whose gradient with
+  // respect to X is `coarse_gradient`, both N x 3: dg/dY = U^-T dg/dX.
   Points WhitenedGradient(const Points& coarse_gradient) const;
-  // Of rows that give points p = R X (k x N) those with p = R U^-1 Y + R X*.
+
+  // Returns R U^-1 for rows R (k x N). Points p = R X of the muscle are then
+  // p = (R U^-1) Y + R X*.
   RowMajorMatrix WhitenedRows(const RowMajorMatrix& coarse_rows) const;
 
  private:

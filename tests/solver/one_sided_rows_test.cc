@@ -79,9 +79,9 @@ TEST(OneSidedSystem, SolvesWithTheActiveRows) {
   const Eigen::VectorXd expected = dense.ldlt().solve(descent);
 
   OneSidedSystem system(model, rows);
-  system.SetPlace(model.coarse_rest);
+  system.UpdateActiveRows(model.coarse_rest);
   // At rest the step without contact is none.
-  const Points step = system.StepOf(Points::Zero(count, 3));
+  const Points step = system.CorrectedStep(Points::Zero(count, 3));
   for (int c = 0; c < 3; ++c) {
     EXPECT_LT((step.col(c) - expected.segment(c * count, count)).norm(),
               1e-8 * expected.norm());
@@ -92,9 +92,9 @@ TEST(OneSidedSystem, ChangesNothingWithoutRows) {
   const MuscleModel model = SpindleModel();
   const OneSidedRows none;
   OneSidedSystem system(model, none);
-  system.SetPlace(model.coarse_rest);
-  EXPECT_EQ(system.StepOf(model.coarse_rest), model.coarse_rest);
-  EXPECT_EQ(system.Corrected(model.coarse_rest), model.coarse_rest);
+  system.UpdateActiveRows(model.coarse_rest);
+  EXPECT_EQ(system.CorrectedStep(model.coarse_rest), model.coarse_rest);
+  EXPECT_EQ(system.CorrectedSolution(model.coarse_rest), model.coarse_rest);
 }
 
 // They go the farther the more the rows weigh, but no row takes its vertex

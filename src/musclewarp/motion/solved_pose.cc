@@ -86,7 +86,7 @@ SolvedPose SolveWithContactRows(const PreparedScene& scene,
     solved.states[in_contact[k]] = std::move(states[k]);
     const SolverSummary& without = free.summaries[in_contact[k]];
     SolverSummary& summary = solved.summaries[in_contact[k]];
-    summary = Following(without, std::move(summaries[k]));
+    summary = MergedSummary(without, std::move(summaries[k]));
     if (!without.IsSolutionUsable()) {
       summary.stop_reason = without.stop_reason;
       summary.message = without.message;

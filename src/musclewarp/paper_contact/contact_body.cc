@@ -9,7 +9,7 @@
 namespace musclewarp {
 namespace {
 
-// About the middle of the bounding box.
+// Returns the radius of a sphere about the middle of the bounding box, mm.
 double BoundingRadius(const Points& points) {
   if (points.rows() == 0) return 0;
   const Eigen::RowVector3d centre =

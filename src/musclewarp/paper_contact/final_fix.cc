@@ -10,6 +10,7 @@
 namespace musclewarp {
 namespace {
 
+// Returns the points of `body` with those inside `other` moved to its surface.
 Points PushedOut(const PaperContactOptions& options,
                  const std::vector<int>& inside,
                  const ContactBody& body,
@@ -25,15 +26,16 @@ Points PushedOut(const PaperContactOptions& options,
   return points;
 }
 
-// The triangle of `body` that a vertex of an obstacle has come through, and the
-// move that takes it out: back along the normal of the obstacle, where the
-// triangle that it has come through lies. The closest one may be on the other
-// side of a thin muscle, the one along the normal too far for what is meant to
-// be a correction: none then.
+// A triangle and the move that takes it off a vertex of an obstacle.
 struct TriangleMove {
-  int triangle = -1;
+  int triangle = -1;  // -1: there is none to move
   Eigen::RowVector3d move;
 };
+
+// Finds the triangle of `body` that a vertex of an obstacle came through, by
+// going back from the vertex against the normal of the obstacle. The closest
+// triangle would be the wrong one if it is on the other side of a thin muscle.
+// Returns none if the triangle is too far away for a mere correction.
 TriangleMove MoveOff(const PaperContactOptions& options,
                      const Eigen::RowVector3d& vertex,
                      const Eigen::RowVector3d& normal,
@@ -44,7 +46,8 @@ TriangleMove MoveOff(const PaperContactOptions& options,
           (way + options.clearance) * normal};
 }
 
-// The corners of a triangle go the longest of the ways that vertices ask of it.
+// Moves the triangles of `body` off the vertices of an obstacle that are inside
+// it. A corner makes the longest of the moves asked of it.
 void PushTriangles(const PaperContactOptions& options,
                    const std::vector<int>& inside,
                    const ContactBody& obstacle,
@@ -75,7 +78,7 @@ void PushTriangles(const PaperContactOptions& options,
 bool PushOut(const PaperContactOptions& options,
              ContactBody* a,
              ContactBody* b) {
-  // Both are tested before either moves.
+  // Both bodies are tested before either moves.
   const std::vector<int> inside_a = b->Inside(a->points());
   const std::vector<int> inside_b = a->Inside(b->points());
   if (inside_a.empty() && inside_b.empty()) return false;

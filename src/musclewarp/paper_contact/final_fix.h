@@ -7,12 +7,20 @@
 
 namespace musclewarp {
 
-// Puts the vertices of either body that lie inside the other on the closest
-// point of its surface, or deformable_share of that way if both can move.
-// Vertices of an obstacle inside a muscle push the triangle in front of them
-// instead. For what little the iterations leave, where no step shows the way
-// back and the closest point is the right one. `a` is deformable. True if there
-// was anything inside.
+// Removes the small overlap of two bodies that is left after the iterations,
+// when no step shows the way back any more and the closest point of the surface
+// is the right one. Beyond the paper, which leaves that overlap.
+//
+// - A vertex of either body inside the other is put on the closest point of the
+//   other's surface, or deformable_share of that way if both are muscles, and
+//   the clearance beyond.
+// - A vertex of an obstacle inside a muscle cannot move. The triangle of the
+//   muscle that it came through is pushed off it instead, unless that is
+//   farther than pairing_share of the muscle's bounding radius.
+//
+// Both bodies are tested before either moves. One call reduces the overlap but
+// need not remove it; GroupContact::Finish calls it in rounds.
+// Precondition: `a` is deformable. Returns true if anything was inside.
 bool PushOut(const PaperContactOptions& options,
              ContactBody* a,
              ContactBody* b);

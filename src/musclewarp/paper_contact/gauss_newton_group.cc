@@ -29,11 +29,11 @@ void SolveGaussNewtonGroup(const std::vector<const MuscleModel*>& models,
     const double alpha = progress.alpha();
 #pragma omp parallel for schedule(dynamic)
     for (int i = 0; i < count; ++i) {
-      steps[i] = StepFrom(*models[i],
-                          minimizers[i],
-                          (*states)[i],
-                          progress.volume_alpha(),
-                          progress.is_fine_volume());
+      steps[i] = ComputeGaussNewtonStep(*models[i],
+                                        minimizers[i],
+                                        (*states)[i],
+                                        progress.volume_alpha(),
+                                        progress.is_fine_volume());
       if (steps[i].is_finite) (*states)[i].coarse += alpha * steps[i].h;
     }
     for (int i = 0; i < count; ++i) {

@@ -13,13 +13,21 @@
 
 namespace musclewarp {
 
-// The reference solver for several muscles in contact, paper section 3: the
-// steps of gauss_newton_step.h for all of them, then contact, again and again,
-// then the final check of the contact. `states` are the start and the result;
-// the start should be near the end (the unconstrained minimisers), as vertices
-// come out of an obstacle the way they went in. A summary a muscle.
-// Preconditions (CHECKed): the options are valid, one state, target and model a
-// muscle.
+// Deforms several muscles in contact with the paper's own solver (section 3),
+// the reference for the Ceres formulation (SolveMuscleGroup). Each iteration
+// takes a step of gauss_newton_step.h for every muscle and then lets `contact`
+// roll back what the step carried into other bodies. After the last iteration
+// contact makes its final check and the volumes are made exact.
+//
+// `states` are the start on entry and the result on return. The start should be
+// near the result, for example the unconstrained minimisers, since a vertex
+// leaves an obstacle on the side where it went in. `summaries` receives one
+// summary per muscle; they have the stop reason in common. Muscles are computed
+// in parallel, and the result does not depend on the number of threads.
+//
+// One-sided rows of the targets are not supported and ignored.
+// Preconditions (CHECKed): the options are valid; there are as many models,
+// targets and states, and at least one. `contact` has the same muscles.
 void SolveGaussNewtonGroup(const std::vector<const MuscleModel*>& models,
                            const std::vector<MuscleTarget>& targets,
                            const GroupIterationOptions& options,

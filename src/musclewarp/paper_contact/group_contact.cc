@@ -7,13 +7,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/solver/volume_restoration.h"
 
 namespace musclewarp {
 namespace {
 
-// The offset of the vertices that contact has moved from `followed` to `points`
-// changes by as much; rounding must not touch the others.
+// Adds the moves of vertices from `followed` to `points` to their offsets.
+// Differences keep the offsets of unmoved vertices exact; offsets computed anew
+// would change by rounding.
 void AddMoves(const Points& followed, const Points& points, Points* offset) {
   if (offset->rows() == 0) offset->setZero(points.rows(), 3);
   *offset += points - followed;
@@ -26,11 +28,14 @@ std::string ToString(ContactLevel level) {
 }
 
 bool GroupContactOptions::IsValid(std::string* error) const {
-  if (mask_memory < 1 || max_final_rounds < 0) {
-    *error =
-        "GroupContactOptions: mask_memory must be above 0, max_final_rounds "
-        "must not be negative";
-    return false;
+  const auto fail = [error](
+                        const std::string& field, auto value, auto allowed) {
+    return InvalidOption(
+        "GroupContactOptions::" + field, value, allowed, error);
+  };
+  if (mask_memory < 1) return fail("mask_memory", mask_memory, "above 0");
+  if (max_final_rounds < 0) {
+    return fail("max_final_rounds", max_final_rounds, "0 or above");
   }
   return paper.IsValid(error);
 }

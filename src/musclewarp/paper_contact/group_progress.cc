@@ -8,18 +8,30 @@
 #include <cmath>
 #include <utility>
 
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/solver/volume_constraint.h"
 
 namespace musclewarp {
 
 bool GroupIterationOptions::IsValid(std::string* error) const {
   if (!step_length.IsValid(error)) return false;
-  if (!(drift_threshold > 0 && volume_tolerance > 0) || window < 1 ||
-      max_iterations < 1 || !(0 <= min_volume_share && min_volume_share <= 1)) {
-    *error =
-        "GroupIterationOptions: window, max_iterations and thresholds must be "
-        "above 0, min_volume_share from 0 to 1";
-    return false;
+  const auto fail = [error](
+                        const std::string& field, auto value, auto allowed) {
+    return InvalidOption(
+        "GroupIterationOptions::" + field, value, allowed, error);
+  };
+  if (!(0 <= min_volume_share && min_volume_share <= 1)) {
+    return fail("min_volume_share", min_volume_share, "0 to 1");
+  }
+  if (window < 1) return fail("window", window, "above 0");
+  if (!(drift_threshold > 0)) {
+    return fail("drift_threshold", drift_threshold, "above 0");
+  }
+  if (!(volume_tolerance > 0)) {
+    return fail("volume_tolerance", volume_tolerance, "above 0");
+  }
+  if (max_iterations < 1) {
+    return fail("max_iterations", max_iterations, "above 0");
   }
   return true;
 }
@@ -61,7 +73,7 @@ void GroupProgress::Record(const GroupContact& contact,
     is_volume_kept = is_volume_kept &&
                      std::abs(volume_errors[i]) < options_.volume_tolerance;
   }
-  alpha_ = options_.step_length.After(alpha_);
+  alpha_ = options_.step_length.Next(alpha_);
   const bool is_at_rest = Drift(contact) < options_.drift_threshold;
   if (is_over_) return;
   if (is_at_rest && is_volume_kept) {

@@ -15,38 +15,58 @@
 
 namespace musclewarp {
 
-// How a group of muscles in contact approaches rest, and when it is there.
+// How a group of muscles in contact approaches rest, and when it is at rest.
 struct GroupIterationOptions {
-  // As in the paper down to 0.125, then on, slowly: a vertex in contact is
-  // pulled in and put back in every iteration, by less the shorter the steps.
+  // Starts where the paper's schedule ends and continues slowly below it. A
+  // vertex in contact is pulled in and put back in every iteration, by a
+  // smaller amount the shorter the steps are.
   StepLengthSchedule step_length = {0.125, 0.01, 0.97};
 
-  // Of the volume error an iteration corrects alpha, but at least this share.
-  // The paper corrects all of it at once, however short the step; where contact
-  // takes a part of the correction back, that asks for ever more of the other
-  // vertices. With alpha alone an error stays that balances what is taken back.
+  // Each iteration corrects the share alpha of the volume error, but at least
+  // this share. The paper corrects all of it however short the step is; where
+  // contact undoes a part of the correction, that asks for more and more of the
+  // other vertices. The share alpha alone would leave an error at which the
+  // correction and what contact undoes are in balance.
   double min_volume_share = 0.2;
 
-  // At rest when no muscle's mean shape over so many iterations differs by
-  // more, mm (root mean square over the vertices in contact), from that over as
-  // many before, and the volumes are kept. Until the first time that this is
-  // so, the volume is that of the coarse meshes (unless contact moves fine
-  // vertices). Single moves do not tell, as vertices in contact never hold
-  // still. The volume is made exact at the end.
+  // The group is at rest when, for every muscle, the mean shape of the last
+  // `window` iterations differs by less than drift_threshold, mm (root mean
+  // square over the vertices in contact), from that of the `window` iterations
+  // before. Single moves would not tell, because vertices in contact never hold
+  // still.
   int window = 10;
   double drift_threshold = 0.25;
-  double volume_tolerance = 0.02;  // relative
 
+  // The solver has converged when the group is at rest and the fine volumes are
+  // within this relative tolerance; they are made exact at the end. Until the
+  // group is at rest for the first time the volumes are those of the coarse
+  // meshes, unless contact moves fine vertices.
+  double volume_tolerance = 0.02;
+
+  // The solver gives up after this many iterations.
   int max_iterations = 500;
 
+  // Returns false and names the field, its value and the rule if a field, one
+  // of step_length included, is out of range.
   bool IsValid(std::string* error) const;
 };
 
-// Keeps the summaries of the muscles of a group while a solver iterates on all
-// of them at once.
+// Decides on step length, volume mesh and convergence for a solver that
+// iterates on all muscles of a group at once, and writes their summaries. It is
+// shared by the reference solver and the Ceres solver:
+//
+//   GroupProgress progress(...);
+//   while (!progress.IsOver()) {
+//     ... step by progress.alpha() ...
+//     progress.Record(contact, volume_errors);
+//   }
+//   progress.Finish(states);
 class GroupProgress {
  public:
-  // Keeps references to all but the states, which are the start.
+  // Keeps references to all arguments but `start` and `contact`. `start` are
+  // the states before the first step.
+  // Preconditions (CHECKed): the options are valid; there are as many models,
+  // targets and states, and at least one.
   GroupProgress(const std::vector<const MuscleModel*>& models,
                 const std::vector<MuscleTarget>& targets,
                 const std::vector<MuscleState>& start,
@@ -54,30 +74,37 @@ class GroupProgress {
                 const GroupContact& contact,
                 std::vector<SolverSummary>* summaries);
 
-  // For the next iteration.
+  // The step length of the next iteration.
   double alpha() const { return alpha_; }
-  // For the correction of the volume, see min_volume_share: the full step is to
-  // correct the volume error over this.
+
+  // The divisor of the volume error for the next iteration: the full step is to
+  // correct the error over this, so that the shortened step corrects
+  // max(alpha, min_volume_share) of it.
   double volume_alpha() const;
+
+  // Whether the next iteration is to use the volume of the fine meshes.
   bool is_fine_volume() const { return is_fine_volume_; }
 
-  // After an iteration: adds it to the histories. `volume_errors`: relative, of
-  // the states the steps were for.
+  // Adds an iteration to the histories and decides whether it was the last.
+  // `volume_errors` are relative, one per muscle, of the states from which the
+  // steps started.
   void Record(const GroupContact& contact,
               const std::vector<double>& volume_errors);
 
+  // Ends the solve of all muscles as failed, because of one of them.
   void Fail(int muscle, const std::string& message);
 
-  // Converged, failed or at the limit of iterations.
+  // Whether the solve has converged, failed or reached the iteration limit.
   bool IsOver() const { return is_over_; }
 
-  // Energies, volume ratios and times, at the end.
+  // Fills in final energies, volume ratios and times, at the end.
   void Finish(const std::vector<MuscleState>& states);
 
  private:
   int iterations() const { return (*summaries_)[0].iterations; }
-  // The difference of the mean shapes of two windows, mm; infinite but at the
-  // end of a window.
+  // Returns the largest difference between the mean shapes of the last two
+  // windows, mm; infinity unless a window, other than the first, has just
+  // ended.
   double Drift(const GroupContact& contact);
   void End(StopReason reason, const std::string& message);
 
@@ -88,8 +115,8 @@ class GroupProgress {
   std::vector<SolverSummary>* summaries_;
   double alpha_;
   bool is_fine_volume_;
-  std::vector<Points> window_sums_;
-  std::vector<Points> previous_sums_;  // none before the second window
+  std::vector<Points> window_sums_;    // of the points in this window
+  std::vector<Points> previous_sums_;  // of the one before; empty in the first
   bool is_over_ = false;
 };
 

@@ -13,8 +13,8 @@
 namespace musclewarp {
 namespace {
 
-// Moves a region inside `other` along one direction, `share` of each vertex's
-// way to the surface.
+// Moves the vertices of a region inside `other` along one direction, each by
+// `share` of its way to the surface and the clearance.
 void MoveRegion(const Region& region,
                 const Eigen::RowVector3d& direction,
                 double share,
@@ -30,8 +30,9 @@ void MoveRegion(const Region& region,
   }
 }
 
-// Outward; its length does not matter. The volume gradient at a vertex is a
-// third of the area around it times its normal, so large triangles count more.
+// Returns the mean outward normal of a region, of any length. The volume
+// gradient at a vertex is its normal times a third of the area around it, so
+// that large triangles count more.
 Eigen::RowVector3d MeanNormal(const Region& region,
                               const Points& volume_gradient) {
   Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
@@ -39,8 +40,9 @@ Eigen::RowVector3d MeanNormal(const Region& region,
   return sum;
 }
 
-// The new points of `body`, whose regions are inside `other`.
-// `direction_of[i]` is the way of a paired region, zero for the others.
+// Returns the points of `body` with its regions moved out of `other`.
+// `direction_of[i]` is the direction of a paired region and zero for an
+// unpaired one.
 Points MovedOut(const std::vector<Region>& regions,
                 const std::vector<Eigen::RowVector3d>& direction_of,
                 const PaperContactOptions& options,
@@ -84,7 +86,7 @@ bool FixInitialIntersections(const PaperContactOptions& options,
     direction_b[j] = -direction_a[i];
   }
 
-  // Both ways are measured before either moves.
+  // All ways are measured before either body moves.
   Points moved_a, moved_b;
   if (a->is_deformable()) {
     moved_a = MovedOut(regions_a, direction_a, options, *a, *b);

@@ -7,12 +7,20 @@
 
 namespace musclewarp {
 
-// Drags the vertices of either body that lie inside the other out of it, by
-// regions (paper section 3.2). Paired regions move along the line of their
-// centres, all vertices the same way, so that triangles do not fold: all the
-// way to an obstacle's surface, deformable_share of it if both can move. An
-// unpaired region moves against the mean of its normals, all the way. Obstacles
-// stay. True if there was anything inside.
+// Removes the overlap that two bodies have before the first iteration, when
+// there is no step to take back (paper section 3.2). The vertices of either
+// body inside the other are grouped into connected regions, and the regions of
+// the two bodies are paired (regions.h).
+//
+// - Paired regions move along the line of their centres, all vertices in
+//   parallel so that triangles do not fold: all the way to the surface of an
+//   obstacle, deformable_share of it if both bodies are muscles.
+// - An unpaired region of a muscle moves against the mean of its normals, all
+//   the way.
+// - Obstacles stay; unpaired regions of theirs are left.
+//
+// All ways are measured before either body moves. Returns true if anything was
+// inside.
 bool FixInitialIntersections(const PaperContactOptions& options,
                              ContactBody* a,
                              ContactBody* b);

@@ -9,46 +9,56 @@
 
 namespace musclewarp {
 
-// The contact of Kellnhofer and Kohout between muscles and with bones: what
-// happens to positions, whoever moves them. Pairs are handled one after the
-// other, A x B, then A' x C, then B' x C' (paper section 3.3), muscles first;
-// the result depends on their order.
+// The contact of Kellnhofer and Kohout (section 3) among muscles and between
+// muscles and bones. It works on positions alone and does not know what moves
+// them; GroupContact connects it with the states of a solver.
+//
+// Pairs of bodies are handled one after the other, A x B, then A' x C, then
+// B' x C' (section 3.3), for each muscle its pairs with later muscles first and
+// then those with bones. The result depends on that order, as in the paper.
+// Pairs whose bounding capsules do not overlap are skipped.
 class PaperContact {
  public:
-  // Precondition (CHECKed): the options are valid; muscles deformable, bones
-  // not.
+  // Preconditions (CHECKed): the options are valid, muscles are deformable and
+  // bones are not.
   PaperContact(const PaperContactOptions& options,
                std::vector<ContactBody> muscles,
                std::vector<ContactBody> bones);
 
   const ContactBody& muscle(int index) const { return muscles_[index]; }
   int num_muscles() const { return static_cast<int>(muscles_.size()); }
+
+  // Replaces the points of a muscle (#V x 3, mm), after a step.
   void MoveMuscle(int index, Points points);
 
-  // Section 3.2, before the first iteration. True if anything was inside.
+  // Removes the overlap at the start, before the first iteration (section 3.2,
+  // initial_fix.h). Returns true if anything was inside.
   bool FixInitial();
 
-  // Section 3.3, after a step of all muscles from `before` (a muscle each).
+  // Takes back what the last step carried into other bodies (section 3.3,
+  // step_rollback.h). `before` are the points of each muscle before the step
+  // (#V x 3, mm).
   void RollBack(const std::vector<Points>& before);
 
-  // The same after a step in which the bones moved as well: seen from a bone, a
-  // muscle came from `before` moved along with the bone. `now_from_before`, a
-  // bone each; none: they stayed.
+  // The same for a step in which the bones moved as well. Seen from a bone, a
+  // muscle came from `before`, moved along with the bone. `now_from_before` are
+  // the rigid motions of the bones, one per bone; if empty, no bone moved.
   void RollBack(const std::vector<Points>& before,
                 const std::vector<Eigen::Matrix4d>& now_from_before);
 
-  // What is left at the end (final_fix.h). True if anything was inside.
+  // Reduces the overlap that is left after the iterations (final_fix.h).
+  // Returns true if anything was inside.
   bool FixRemaining();
 
-  // By muscle, #V: the vertices that the last RollBack found inside another
-  // body.
+  // For each muscle and vertex, whether the last RollBack found the vertex
+  // inside another body.
   const std::vector<std::vector<char>>& found_inside() const {
     return found_inside_;
   }
 
  private:
-  // Calls visit(a, b, index of a, index of b among muscles or bones) for the
-  // pairs whose capsules overlap.
+  // Calls visit(a, b, index of a, index of b) for the pairs whose capsules
+  // overlap. a is a muscle; the index of b is one among muscles or bones.
   template <typename Visit>
   void ForEachPair(const Visit& visit);
 

@@ -2,18 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/paper_contact/paper_contact_options.h"
 
+#include "musclewarp/base/invalid_option.h"
+
 namespace musclewarp {
 
 bool PaperContactOptions::IsValid(std::string* error) const {
-  const auto fail = [error](const std::string& rule) {
-    *error = "PaperContactOptions: " + rule;
-    return false;
+  const auto fail = [error](
+                        const std::string& field, auto value, auto allowed) {
+    return InvalidOption(
+        "PaperContactOptions::" + field, value, allowed, error);
   };
   if (!(0.5 <= deformable_share && deformable_share <= 1)) {
-    return fail("allowed: 0.5 <= deformable_share <= 1");
+    return fail("deformable_share", deformable_share, "0.5 to 1");
   }
-  if (!(pairing_share >= 0)) return fail("pairing_share must not be negative");
-  if (!(clearance >= 0)) return fail("clearance must not be negative");
+  if (!(pairing_share >= 0)) {
+    return fail("pairing_share", pairing_share, "0 or above");
+  }
+  if (!(clearance >= 0)) return fail("clearance", clearance, "0 or above");
   return true;
 }
 

@@ -43,7 +43,7 @@ std::vector<Region> ConnectedRegions(const std::vector<int>& inside,
 std::vector<std::pair<int, int>> PairRegions(const std::vector<Region>& a,
                                              const std::vector<Region>& b,
                                              double max_distance) {
-  // Only regions of b that are as near along x are looked at.
+  // Sorted by x, the regions of b that may be near enough are a range.
   std::vector<std::pair<double, int>> along_x;
   for (size_t j = 0; j < b.size(); ++j) {
     along_x.emplace_back(b[j].centre.x(), static_cast<int>(j));

@@ -10,21 +10,23 @@
 
 namespace musclewarp {
 
-// Vertices of one mesh that lie inside another and hang together by edges;
-// paper section 3.2, fig. 3.2.
+// A set of vertices of one mesh that lie inside another mesh and are connected
+// by edges (paper section 3.2, fig. 3.2).
 struct Region {
-  std::vector<int> vertices;  // rising
-  Eigen::RowVector3d centre;  // their mean, mm
+  std::vector<int> vertices;  // indices in rising order
+  Eigen::RowVector3d centre;  // the mean of the vertices, mm
 };
 
-// The regions of the vertices `inside` (rising), by lowest vertex.
+// Splits the vertices `inside` (indices in rising order) of a mesh with
+// `points` (#V x 3, mm) into connected regions, sorted by their lowest vertex.
 std::vector<Region> ConnectedRegions(const std::vector<int>& inside,
                                      const Points& points,
                                      const Triangles& triangles);
 
-// Pairs (index into a, index into b) of regions with the closest centres among
-// those not yet paired, closest first, at most max_distance (mm) apart. Equal
-// distances go by index.
+// Pairs regions of two meshes greedily: of all pairs whose centres are at most
+// `max_distance` (mm) apart, the closest is taken first, and a region is paired
+// at most once. Pairs at equal distances are taken in the order of their
+// indices. Returns pairs (index into a, index into b), the closest first.
 std::vector<std::pair<int, int>> PairRegions(const std::vector<Region>& a,
                                              const std::vector<Region>& b,
                                              double max_distance);

@@ -7,7 +7,7 @@
 namespace musclewarp {
 namespace {
 
-// Steps below this are rounding and have no direction, mm.
+// Shorter steps, mm, are rounding and have no meaningful direction.
 constexpr double kNoStep = 1e-12;
 
 double LongestStep(const Points& before, const ContactBody& body) {
@@ -15,9 +15,10 @@ double LongestStep(const Points& before, const ContactBody& body) {
   return (body.points() - before).rowwise().norm().maxCoeff();
 }
 
-// How far back out is looked for, over the longest steps of the two bodies:
-// each may have come to the other. Farther away is no way back, but through the
-// other's far side or along its surface.
+// How far back the surface is looked for, as a multiple of the longest steps of
+// the two bodies together, since either may have moved into the other. A
+// surface farther away is not where the vertex came in, but the far side of the
+// body.
 constexpr double kReachPerStep = 1;
 
 Points RolledBack(const PaperContactOptions& options,
@@ -54,7 +55,7 @@ void RollBackStep(const PaperContactOptions& options,
                   std::vector<char>* found_b) {
   const double reach =
       kReachPerStep * (LongestStep(before_a, *a) + LongestStep(before_b, *b));
-  // Both are tested before either moves.
+  // Both bodies are tested before either moves.
   std::vector<int> inside_a, inside_b;
   if (a->is_deformable()) inside_a = b->Inside(a->points());
   if (b->is_deformable()) inside_b = a->Inside(b->points());

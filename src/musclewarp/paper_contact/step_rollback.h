@@ -9,15 +9,22 @@
 
 namespace musclewarp {
 
-// Takes back the last step of the vertices of either body that it has carried
-// into the other (paper section 3.3): they go back along their step to the
-// surface, or deformable_share of that way if both can move. A vertex that
-// finds no way out within the longest steps of the two bodies (it was inside
-// before, and deeper) goes back to where it was.
+// Takes back the last step of those vertices of two bodies that it carried into
+// the other body (paper section 3.3). Such a vertex goes back along its step to
+// the surface of the other body, or deformable_share of that way if both are
+// muscles, and the clearance beyond.
 //
-// `before_a`, `before_b`: the points before the step; those of an obstacle are
-// not used. `found_a`, `found_b` (#V): set to true for the vertices that were
-// inside, others are left.
+// The surface is looked for no farther than the longest steps of the two bodies
+// together. A vertex that finds none within that distance was inside before the
+// step, and deeper; it returns to where it was.
+//
+// - `before_a`, `before_b` are the points before the step, #V x 3, mm. Those of
+//   an obstacle are not used and may be empty.
+// - `found_a`, `found_b` (#V) are set to true for the vertices that were
+//   inside; other entries are left as they are. That of an obstacle is not used
+//   and may be null.
+//
+// Both bodies are tested before either moves. Obstacles stay.
 void RollBackStep(const PaperContactOptions& options,
                   const Points& before_a,
                   const Points& before_b,

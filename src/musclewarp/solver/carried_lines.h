@@ -9,21 +9,31 @@
 
 namespace musclewarp {
 
-// Polylines in or near a muscle that move with it as its fine vertices do, by
-// mean value coordinates in the coarse hull.
+// Polylines in or near a muscle, such as muscle fibres, that move with it. Each
+// point is expressed in mean value coordinates (Ju et al. 2005) of the coarse
+// hull, exactly as the fine vertices are, so that lines and surface deform
+// alike:
+//
+//   const CarriedLines lines = CarryLines(fibres, hull.points, hull.triangles);
+//   for (each frame) Draw(LinesAt(lines, coarse));
 struct CarriedLines {
-  RowMajorMatrix from_coarse;     // #points x N
-  std::vector<int> starts = {0};  // line k is rows starts[k] to starts[k + 1]
+  // One row per point of all lines, #points x N. Each row sums to 1.
+  RowMajorMatrix from_coarse;
+
+  // Line k has the rows from starts[k] to starts[k + 1], exclusive.
+  std::vector<int> starts = {0};
 
   int num_lines() const { return static_cast<int>(starts.size()) - 1; }
 };
 
-// `rest`: polylines in the rest pose, each #P x 3, mm.
+// Ties the polylines `rest` (each #P x 3, rest pose, mm) to the hull with the
+// rest vertices `coarse_rest` (N x 3, mm). The hull must be closed.
 CarriedLines CarryLines(const std::vector<Points>& rest,
                         const Points& coarse_rest,
                         const Triangles& coarse_triangles);
 
-// Where the coarse vertices (N x 3) take them.
+// Returns the polylines for the hull vertices `coarse` (N x 3, mm), in the
+// order and with the numbers of points that CarryLines was given.
 std::vector<Points> LinesAt(const CarriedLines& lines, const Points& coarse);
 
 }  // namespace musclewarp

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/solver/gauss_newton_step.h"
 #include "musclewarp/solver/volume_constraint.h"
@@ -33,8 +34,8 @@ class GaussNewton {
         state_(*state),
         summary_(*summary) {}
 
-  // The iterations of the paper; with polishing, as far as full steps take
-  // over.
+  // Takes the damped steps of the paper, until they have converged or, with
+  // polishing, until full steps take over.
   void Iterate() {
     const bool polishes = options_.polish_threshold > 0;
     const double step_threshold =
@@ -51,16 +52,16 @@ class GaussNewton {
       is_fine = is_fine ||
                 summary_.max_step < alpha * options_.fine_volume_threshold ||
                 summary_.iterations >= options_.max_coarse_iterations;
-      alpha = options_.step_length.After(alpha);
+      alpha = options_.step_length.Next(alpha);
     }
     Finish(StopReason::kIterationLimit, "max_iterations reached");
   }
 
  private:
-  // X <- X + alpha h. False if the step cannot be computed.
+  // Takes the step X <- X + alpha h. Returns false if it cannot be computed.
   bool Step(double alpha, bool is_fine) {
-    const GaussNewtonStep step =
-        StepFrom(model_, minimizer_, state_, alpha, is_fine, &one_sided_);
+    const GaussNewtonStep step = ComputeGaussNewtonStep(
+        model_, minimizer_, state_, alpha, is_fine, &one_sided_);
     if (!step.is_finite) {
       Finish(StopReason::kFailed, "the volume gradient vanished");
       return false;
@@ -85,8 +86,8 @@ class GaussNewton {
     Finish(StopReason::kIterationLimit, "max_iterations reached");
   }
 
-  // The error is that of the state the last step started from; a step corrects
-  // it to first order, so what is left is smaller.
+  // The error is that of the state from which the last step started. The step
+  // has corrected it to first order, so that less is left.
   bool VolumeIsKept() const {
     return std::abs(summary_.history.back().volume_error) <
            options_.volume_tolerance;
@@ -108,22 +109,28 @@ class GaussNewton {
 }  // namespace
 
 bool GaussNewtonOptions::IsValid(std::string* error) const {
-  const auto fail = [error](const std::string& rule) {
-    *error = "GaussNewtonOptions: " + rule;
-    return false;
+  const auto fail = [error](
+                        const std::string& field, auto value, auto allowed) {
+    return InvalidOption("GaussNewtonOptions::" + field, value, allowed, error);
   };
   if (!step_length.IsValid(error)) return false;
-  if (!(step_threshold > 0)) return fail("step_threshold must be above 0");
-  if (!(volume_tolerance > 0)) return fail("volume_tolerance must be above 0");
   if (!(fine_volume_threshold >= 0)) {
-    return fail("fine_volume_threshold must not be negative");
+    return fail("fine_volume_threshold", fine_volume_threshold, "0 or above");
   }
-  if (max_iterations < 1) return fail("max_iterations must be above 0");
   if (max_coarse_iterations < 0) {
-    return fail("max_coarse_iterations must not be negative");
+    return fail("max_coarse_iterations", max_coarse_iterations, "0 or above");
+  }
+  if (!(step_threshold > 0)) {
+    return fail("step_threshold", step_threshold, "above 0");
+  }
+  if (!(volume_tolerance > 0)) {
+    return fail("volume_tolerance", volume_tolerance, "above 0");
+  }
+  if (max_iterations < 1) {
+    return fail("max_iterations", max_iterations, "above 0");
   }
   if (!(0 <= polish_threshold && polish_threshold <= polish_start)) {
-    return fail("allowed: 0 <= polish_threshold <= polish_start");
+    return fail("polish_threshold", polish_threshold, "0 to polish_start");
   }
   return true;
 }

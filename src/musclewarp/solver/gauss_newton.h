@@ -12,34 +12,50 @@
 namespace musclewarp {
 
 struct GaussNewtonOptions {
+  // The step length alpha of each iteration before polishing.
   StepLengthSchedule step_length;
 
-  // The volume error is taken from the coarse mesh until every |h_i| is below
-  // this, mm, or that many iterations have passed; then from the fine mesh.
+  // The volume error is that of the coarse mesh until every |h_i| is below
+  // fine_volume_threshold, mm, or max_coarse_iterations have passed; from then
+  // on it is that of the fine mesh. With max_coarse_iterations = 0 the fine
+  // mesh is used throughout.
   double fine_volume_threshold = 0.05;
   int max_coarse_iterations = 100;
 
-  // Stop when the largest move of a coarse vertex, mm, and the relative volume
-  // error of the fine mesh are below these.
+  // Without polishing, the solver stops when the largest move of a coarse
+  // vertex in an iteration, mm, and the relative volume error of the fine mesh
+  // are below these two.
   double step_threshold = 5e-3;
   double volume_tolerance = 1e-8;
 
+  // The solver gives up after this many iterations, polishing included.
   int max_iterations = 500;
 
-  // Beyond the paper: damped steps approach the minimum by a factor 1 - alpha
-  // each, full steps much faster once they are near. So steps with alpha = 1
-  // take over on the fine volume when the move falls below polish_start, mm,
-  // and stop below polish_threshold. 0 leaves them out, and the result as the
-  // paper has it.
+  // Beyond the paper. A damped step reduces the distance to the minimum by the
+  // factor 1 - alpha only, whereas full steps converge much faster once they
+  // are near. Polishing therefore takes full steps (alpha = 1) on the fine
+  // volume as soon as the largest move falls below polish_start, mm, and ends
+  // when it falls below polish_threshold, mm. With polish_threshold = 0 there
+  // is no polishing, which is the paper to the letter.
   double polish_start = 0.05;
   double polish_threshold = 1e-4;
 
+  // Returns false and names the field, its value and the rule if a field, one
+  // of step_length included, is out of range.
   bool IsValid(std::string* error) const;
 };
 
-// The reference solver: Gauss-Newton with Lagrange multiplier, steps as in
-// gauss_newton_step.h. `coarse` (N x 3) is the start and the result.
-// Precondition (CHECKed): the options are valid.
+// Deforms one muscle with the paper's own method, which is the reference that
+// the Ceres formulations are tested against: it minimises the linear energy
+// 1/2 |f(X)|^2 subject to V(W X) = V_hat by damped Gauss-Newton steps with a
+// Lagrange multiplier (paper eq. 2.8 to 2.10, gauss_newton_step.h). One-sided
+// rows of the target are part of the energy.
+//
+// `coarse` (N x 3, mm) is the start on entry and the result on return; the
+// result does not depend on the start beyond the thresholds. `summary` says
+// whether the solver converged; nothing is thrown.
+// Preconditions (CHECKed): the options are valid, `coarse` has a row for each
+// coarse vertex of the model.
 void SolveGaussNewton(const MuscleModel& model,
                       const MuscleTarget& target,
                       const GaussNewtonOptions& options,

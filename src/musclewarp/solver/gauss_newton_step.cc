@@ -8,12 +8,12 @@
 
 namespace musclewarp {
 
-GaussNewtonStep StepFrom(const MuscleModel& model,
-                         const Points& minimizer,
-                         const MuscleState& state,
-                         double alpha,
-                         bool is_fine_volume,
-                         OneSidedSystem* one_sided) {
+GaussNewtonStep ComputeGaussNewtonStep(const MuscleModel& model,
+                                       const Points& minimizer,
+                                       const MuscleState& state,
+                                       double alpha,
+                                       bool is_fine_volume,
+                                       OneSidedSystem* one_sided) {
   const FineVolume volume =
       is_fine_volume
           ? EvaluateFineVolume(model, state.coarse, state.corrections)
@@ -22,9 +22,10 @@ GaussNewtonStep StepFrom(const MuscleModel& model,
   Points to_minimizer = minimizer - state.coarse;
   Points inverse_gradient = model.normal_matrix.solve(volume.gradient);
   if (one_sided) {
-    one_sided->SetPlace(state.coarse);
-    to_minimizer = one_sided->StepOf(to_minimizer);
-    inverse_gradient = one_sided->Corrected(std::move(inverse_gradient));
+    one_sided->UpdateActiveRows(state.coarse);
+    to_minimizer = one_sided->CorrectedStep(to_minimizer);
+    inverse_gradient =
+        one_sided->CorrectedSolution(std::move(inverse_gradient));
   }
   const double denominator =
       volume.gradient.cwiseProduct(inverse_gradient).sum();

@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "musclewarp/base/invalid_option.h"
+
 namespace musclewarp {
 namespace {
 
-// Ends a solve after so many steps. A limit of iterations would count those
-// that Ceres takes back, too.
+// Ends a solve after a number of successful steps. The limit of iterations that
+// Ceres has would count rejected steps, too.
 struct StopAfterSteps : public ceres::IterationCallback {
   ceres::CallbackReturnType operator()(
       const ceres::IterationSummary& iteration) override {
@@ -37,10 +39,11 @@ HardConstraintOptions::HardConstraintOptions() {
   ceres.preconditioner_type = ceres::IDENTITY;
   ceres.initial_trust_region_radius = 1e8;
   ceres.max_num_iterations = 50;
-  // Unknowns that are scaled well stay so; columns scaled one by one would take
-  // conjugate gradients 20 steps where 3 do.
+  // Whitened unknowns are well scaled as they are. With columns scaled one by
+  // one, conjugate gradients would need 20 steps instead of 3.
   ceres.jacobi_scaling = false;
-  // Rounding of the cost ends a round by failed steps if these are tighter.
+  // With tighter tolerances, rounding of the cost would end rounds by failed
+  // steps.
   ceres.function_tolerance = 1e-14;
   ceres.gradient_tolerance = 1e-7;
   ceres.parameter_tolerance = 1e-10;
@@ -51,18 +54,25 @@ HardConstraintOptions::HardConstraintOptions() {
 }
 
 bool HardConstraintOptions::IsValid(std::string* error) const {
-  const auto fail = [error](const std::string& rule) {
-    *error = "HardConstraintOptions: " + rule;
-    return false;
+  const auto fail = [error](
+                        const std::string& field, auto value, auto allowed) {
+    return InvalidOption(
+        "HardConstraintOptions::" + field, value, allowed, error);
   };
   if (!(0 < initial_penalty && initial_penalty <= max_penalty)) {
-    return fail("allowed: 0 < initial_penalty <= max_penalty");
+    return fail(
+        "initial_penalty", initial_penalty, "above 0 and at most max_penalty");
   }
-  if (!(penalty_factor > 1)) return fail("penalty_factor must be above 1");
-  if (!(violation_tolerance > 0 && step_tolerance > 0)) {
-    return fail("tolerances must be above 0");
+  if (!(penalty_factor > 1)) {
+    return fail("penalty_factor", penalty_factor, "above 1");
   }
-  if (max_rounds < 1) return fail("max_rounds must be above 0");
+  if (!(violation_tolerance > 0)) {
+    return fail("violation_tolerance", violation_tolerance, "above 0");
+  }
+  if (!(step_tolerance > 0)) {
+    return fail("step_tolerance", step_tolerance, "above 0");
+  }
+  if (max_rounds < 1) return fail("max_rounds", max_rounds, "above 0");
   return ceres.IsValid(error);
 }
 
@@ -95,8 +105,9 @@ void SolveWithHardConstraint(const HardConstraintOptions& options,
   summary->iterations = 0;
   double previous_violation = violation();
   Eigen::VectorXd before = state();
-  // A minimum for a wrong multiplier is worth no more than a step towards it,
-  // and each step has its price: rounds are as short as the violation falls.
+  // While the multiplier is wrong, the exact minimum is worth no more than a
+  // step towards it. So a round is one step, unless the violation stops
+  // falling.
   StopAfterSteps short_round;
   ceres::Solver::Options ceres_options = options.ceres;
   ceres_options.callbacks.push_back(&short_round);

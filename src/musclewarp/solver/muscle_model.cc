@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/skeleton/sampling.h"
 #include "musclewarp/solver/attachment_rows.h"
@@ -71,19 +72,22 @@ void FactorNormalMatrix(MuscleModel* model) {
 }  // namespace
 
 bool MuscleModelOptions::IsValid(std::string* error) const {
-  if (!hull.IsValid(error) || !laplacian.IsValid(error)) return false;
-  const auto fail = [error](const std::string& field, double value) {
-    *error = "MuscleModelOptions::" + field + " is " + std::to_string(value) +
-             ", allowed: above 0";
-    return false;
+  const auto fail = [error](
+                        const std::string& field, auto value, auto allowed) {
+    return InvalidOption("MuscleModelOptions::" + field, value, allowed, error);
   };
-  if (!(sample_spacing > 0)) return fail("sample_spacing", sample_spacing);
-  if (!(skeleton_weight > 0)) return fail("skeleton_weight", skeleton_weight);
-  if (attachment_rows < 1) return fail("attachment_rows", attachment_rows);
+  if (!hull.IsValid(error) || !laplacian.IsValid(error)) return false;
+  if (!(sample_spacing > 0)) {
+    return fail("sample_spacing", sample_spacing, "above 0");
+  }
+  if (!(skeleton_weight > 0)) {
+    return fail("skeleton_weight", skeleton_weight, "above 0");
+  }
   if (!(attachment_weight >= 0)) {
-    *error = "MuscleModelOptions::attachment_weight is " +
-             std::to_string(attachment_weight) + ", allowed: 0 or above";
-    return false;
+    return fail("attachment_weight", attachment_weight, "0 or above");
+  }
+  if (attachment_rows < 1) {
+    return fail("attachment_rows", attachment_rows, "above 0");
   }
   return true;
 }

@@ -17,70 +17,89 @@
 namespace musclewarp {
 
 struct MuscleModelOptions {
+  // How the coarse hull is made, and how its Laplacian is bounded.
   OuterHullOptions hull;
   CotangentLaplacianOptions laplacian;
 
-  // Largest distance of neighbouring skeleton samples along a line, mm. Finer
-  // samples weigh the skeleton more against the shape.
+  // Largest distance between neighbouring skeleton samples along a line, mm. A
+  // smaller distance gives more rows, which weigh the skeleton more against the
+  // shape.
   double sample_spacing = 10;
 
-  // Weight of a skeleton row against a Laplacian row (both in mm).
+  // Weight of a skeleton row against a Laplacian row (both are in mm).
   double skeleton_weight = 1;
 
-  // Weight of all rows of one attachment together; 0 leaves them out (the
-  // paper). Beyond the paper.
+  // Weight of all rows of one attachment together. Attachment rows go beyond
+  // the paper; 0 leaves them out.
   double attachment_weight = 0;
 
-  // Rows per attachment: the fine vertices in the area are thinned to this
-  // many.
+  // Largest number of rows per attachment. If more fine vertices lie in the
+  // area, they are thinned to this many.
   int attachment_rows = 32;
 
+  // Returns false and names the field, its value and the rule if a field, one
+  // of `hull` and `laplacian` included, is out of range.
   bool IsValid(std::string* error) const;
 };
 
-// Everything of one muscle that does not change with the pose. N coarse and n
-// fine vertices, m samples, k attachment rows.
+// Everything of one muscle that does not change with the pose, prepared once:
+// the meshes, the matrices of its energy and the factorised normal matrix. The
+// sizes are N coarse and n fine vertices, m skeleton samples and k attachment
+// rows.
 //
 // The linear energy of paper eq. (2.8) is 1/2 |f(X)|^2 with
 //
-//   f(X) = [ L; S; B ] X - [ delta; s'; b' ],
+//   f(X) = [ L; S; B ] X - [ delta; s'; b' ].
 //
-// the right-hand side of which a pose gives (MuscleTarget). L, S and B carry
-// their weights. J_f = [ L; S; B ] acts on x, y and z alike, so that
-// A = J_f^T J_f is N x N.
+// L, S and B are here and include their weights; the right-hand side depends on
+// the pose (MuscleTarget). J_f = [ L; S; B ] acts on x, y and z alike, so that
+// A = J_f^T J_f is N x N rather than 3N x 3N.
 struct MuscleModel {
   std::string name;
   std::vector<ActionLine> lines;
   std::vector<Attachment> attachments;
 
-  Points fine_rest;          // n x 3, mm
-  Triangles fine_triangles;  // closed, outward
-  Points coarse_rest;        // N x 3, mm: X_0
+  // The fine mesh: closed and oriented outward.
+  Points fine_rest;  // n x 3, mm
+  Triangles fine_triangles;
+  // The coarse hull around it; its vertices are the unknowns.
+  Points coarse_rest;  // N x 3, mm: X_0
   Triangles coarse_triangles;
 
-  RowMajorMatrix fine_from_coarse;    // n x N mean value coordinates: W
-  SparseMatrix laplacian;             // N x N: L
-  Points laplacian_rest;              // N x 3: L X_0
+  // W: the mean value coordinates of the fine vertices, so that W X are the
+  // fine vertices of a coarse mesh X. n x N.
+  RowMajorMatrix fine_from_coarse;
+
+  // Laplacian rows, paper eq. (2.1) to (2.3).
+  SparseMatrix laplacian;                      // N x N: L
+  Points laplacian_rest;                       // N x 3, mm: L X_0
+  std::vector<SegmentPoint> nearest_segments;  // N: s(i), for the pre-rotation
+
+  // Skeleton rows, paper eq. (2.4) and (2.5).
   RowMajorMatrix skeleton;            // m x N: S
   std::vector<SegmentPoint> samples;  // m places on the lines
-  std::vector<SegmentPoint> nearest_segments;  // N: s(i)
   double skeleton_weight = 1;
 
+  // Attachment rows.
   RowMajorMatrix attachment;           // k x N: B
   std::vector<int> attachment_of;      // k: index into attachments
-  Points attachment_rest;              // k x 3: B X_0 / weight of the row
+  Points attachment_rest;              // k x 3, mm: B X_0 / weight of the row
   Eigen::VectorXd attachment_weights;  // k
 
-  double rest_volume = 0;                     // of the fine mesh, mm^3: V_hat
-  double coarse_rest_volume = 0;              // of the coarse mesh, mm^3
-  double rest_area = 0;                       // of the fine mesh, mm^2
-  Eigen::LLT<Eigen::MatrixXd> normal_matrix;  // A = U^T U, factored once
+  double rest_volume = 0;         // of the fine mesh, mm^3: V_hat
+  double coarse_rest_volume = 0;  // of the coarse mesh, mm^3
+  double rest_area = 0;           // of the fine mesh, mm^2
+
+  // The Cholesky factorisation A = U^T U.
+  Eigen::LLT<Eigen::MatrixXd> normal_matrix;
 };
 
-// `hull` is the closed coarse mesh around `fine`. Preconditions (CHECKed): the
-// options are valid, both meshes closed 2-manifolds, there is a line. Throws
-// InputError naming the muscle if its lines do not determine the shape (A is
-// singular).
+// Prepares a muscle: `fine` is its mesh in the rest pose and `hull` the closed
+// coarse mesh around it, both in mm. Factorising A costs O(N^3).
+// Preconditions (CHECKed where cheap): the options are valid, the muscle has a
+// line, both meshes are closed 2-manifolds oriented outward.
+// Throws InputError naming the muscle if its lines do not determine the shape,
+// that is, if A is singular.
 MuscleModel PrepareMuscle(const SceneMuscle& muscle,
                           const TriangleSoup& fine,
                           const TriangleSoup& hull,

@@ -12,37 +12,50 @@
 namespace musclewarp {
 
 // What a pose asks of one muscle: the right-hand side of f(X) in MuscleModel,
-// and one-sided rows beside it.
+// with the weights of the rows included, and optional one-sided rows.
 struct MuscleTarget {
-  Points laplacian;        // N x 3: delta, pre-rotated
-  Points skeleton;         // m x 3: s', times the weight
-  Points attachment;       // k x 3: b', times the weights
-  OneSidedRows one_sided;  // rows beside those of the linear energy
+  Points laplacian;   // N x 3, mm: delta, pre-rotated
+  Points skeleton;    // m x 3, mm times the weight: s'
+  Points attachment;  // k x 3, mm times the weights: b'
+
+  // Rows beside those of the linear energy; TargetOf leaves them empty.
+  OneSidedRows one_sided;
 };
 
 struct PreRotationOptions {
-  // Add the twist of the bodies at the ends of a segment, where they are known,
-  // to the smallest rotation between the directions of the segment. Without it
-  // a muscle does not turn about its own line.
+  // If true, the rotation of a Laplacian row includes the twist of the bodies
+  // at the ends of its segment, where these are known, beside the smallest
+  // rotation between the two directions of the segment. Without the twist a
+  // muscle does not turn about its own line.
   bool use_body_twist = true;
 };
 
+// Computes the target of a muscle for a pose. Each Laplacian row is rotated
+// like the segment that is nearest to its vertex at rest, skeleton samples move
+// with their lines (paper eq. 2.4 and 2.5) and attachment points with their
+// bodies. At the rest pose the target equals J_f X_0, and a rigid motion of all
+// bodies yields the target of the rigidly moved muscle. Bodies
+// that the pose does not name stay where they are.
 MuscleTarget TargetOf(const MuscleModel& model,
                       const ScenePose& pose,
                       const PreRotationOptions& options);
 
-// -J_f^T f(X), N x 3: the steepest descent of the linear energy.
+// The three functions below evaluate the linear energy and leave the one-sided
+// rows out. `coarse` is X, N x 3, mm.
+
+// Returns -J_f^T f(X), N x 3: the direction of steepest descent.
 Points LinearDescent(const MuscleModel& model,
                      const MuscleTarget& target,
                      const Points& coarse);
 
-// 1/2 |f(X)|^2, mm^2. One-sided rows are left out, here and below.
+// Returns 1/2 |f(X)|^2, mm^2 (paper eq. 2.8).
 double LinearEnergy(const MuscleModel& model,
                     const MuscleTarget& target,
                     const Points& coarse);
 
-// The minimiser X* of the linear energy. Computed as a displacement of the rest
-// pose: a target equal to rest gives the rest pose back to rounding.
+// Returns the minimiser X* of the linear energy, N x 3, mm, without regard to
+// the volume. It is computed as a displacement of the rest pose, so that a
+// target equal to the rest pose yields the rest pose up to rounding.
 Points UnconstrainedMinimizer(const MuscleModel& model,
                               const MuscleTarget& target);
 

@@ -38,7 +38,7 @@ OneSidedSystem::OneSidedSystem(const MuscleModel& model,
       fine_from_coarse_(FineFromCoarse(model, rows)),
       compliance_(model.normal_matrix.solve(fine_from_coarse_.transpose())) {}
 
-void OneSidedSystem::SetPlace(const Points& coarse) {
+void OneSidedSystem::UpdateActiveRows(const Points& coarse) {
   depths_ = OneSidedDepths(rows_, fine_from_coarse_, coarse);
   active_.clear();
   for (int k = 0; k < rows_.size(); ++k) {
@@ -53,7 +53,7 @@ void OneSidedSystem::SetPlace(const Points& coarse) {
   active_matrix_.compute(matrix);
 }
 
-Points OneSidedSystem::Corrected(Points solved) const {
+Points OneSidedSystem::CorrectedSolution(Points solved) const {
   if (active_.empty()) return solved;
   const Points normals = rows_.normals(active_, Eigen::all);
   const Points moves = fine_from_coarse_(active_, Eigen::all) * solved;
@@ -63,12 +63,12 @@ Points OneSidedSystem::Corrected(Points solved) const {
   return solved;
 }
 
-Points OneSidedSystem::StepOf(const Points& step_without) const {
+Points OneSidedSystem::CorrectedStep(const Points& step_without) const {
   if (active_.empty()) return step_without;
   const Eigen::VectorXd forces = rows_.weight * rows_.weight * depths_(active_);
   const Points normals = rows_.normals(active_, Eigen::all);
-  return Corrected(step_without + compliance_(Eigen::all, active_) *
-                                      (forces.asDiagonal() * normals));
+  return CorrectedSolution(step_without + compliance_(Eigen::all, active_) *
+                                              (forces.asDiagonal() * normals));
 }
 
 }  // namespace musclewarp

@@ -11,61 +11,74 @@
 
 namespace musclewarp {
 
-// Fine vertices of a muscle that should lie beyond planes, as one-sided rows
-// beside those of the linear energy:
+// One-sided rows of the energy, beside the rows of the linear energy. Each asks
+// softly that a fine vertex v(k) lies in the half-space n_k . p >= level_k:
 //
 //   r_k = weight max(0, level_k - n_k . (W X)_v(k)),   K residuals.
 //
-// Contact asks for them (docs/method.md); without rows there are none.
+// A row is active, that is, not zero, while its vertex lies on the wrong side
+// of its plane. Without rows (K = 0) the energy is the linear one. Certified
+// contact asks for such rows (docs/method.md); the solver does not need to know
+// where the half-spaces come from.
 struct OneSidedRows {
-  std::vector<int> vertices;  // v, of the fine mesh
-  Points normals;             // K x 3, of length 1
+  std::vector<int> vertices;  // K: v(k), indices of fine vertices
+  Points normals;             // K x 3: n_k, of unit length
   Eigen::VectorXd levels;     // K, mm
-  double weight = 1;
+  double weight = 1;          // the same for all rows
 
   int size() const { return static_cast<int>(vertices.size()); }
 };
 
+// Returns the rows for `planes`, in their order. A vertex may have several.
 OneSidedRows OneSidedRowsOf(const std::vector<VertexHalfSpace>& planes,
                             double weight);
 
-// The rows of W of the vertices, K x N.
+// Returns the rows of W that belong to the vertices of `rows`, K x N.
 RowMajorMatrix FineFromCoarse(const MuscleModel& model,
                               const OneSidedRows& rows);
 
-// By how much the vertices lie on the wrong side of their planes, K, mm; below
-// zero where they are beyond.
+// Returns how deep each vertex lies on the wrong side of its plane,
+// level_k - n_k . (W X)_v(k), K, mm. The depth is negative on the right side.
+// `fine_from_coarse` is what FineFromCoarse returned, `coarse` is X (N x 3,
+// mm).
 Eigen::VectorXd OneSidedDepths(const OneSidedRows& rows,
                                const RowMajorMatrix& fine_from_coarse,
                                const Points& coarse);
 
-// The matrix that steps with one-sided rows have to solve with in place of A:
+// Solves with the Gauss-Newton matrix of the energy that includes the active
+// one-sided rows,
 //
 //   A' = A (on x, y and z) + weight^2 sum_active (W_v^T n)(W_v^T n)^T,
 //
-// of rank one more for each row that is active, that is, a vertex on the wrong
-// side of its plane. Solved by the Woodbury identity.
+// 3N x 3N: a row couples x, y and z. A' is never formed. Each active row adds
+// rank one, so the Woodbury identity corrects solutions with the factorised A
+// by a system as small as the number of active rows.
+//
+//   OneSidedSystem system(model, rows);
+//   system.UpdateActiveRows(coarse);
+//   step = system.CorrectedStep(minimizer - coarse);
 class OneSidedSystem {
  public:
-  // Keeps references.
+  // Keeps references to both arguments. Costs one solve with A per row.
   OneSidedSystem(const MuscleModel& model, const OneSidedRows& rows);
 
-  // Chooses what is active at `coarse` (N x 3).
-  void SetPlace(const Points& coarse);
+  // Selects the rows that are active at `coarse` (N x 3, mm) and factorises the
+  // small system. The functions below refer to the last call.
+  void UpdateActiveRows(const Points& coarse);
 
-  // A'^-1 b, of A^-1 b (N x 3).
-  Points Corrected(Points solved) const;
+  // Returns A'^-1 b for the `solution` A^-1 b (N x 3).
+  Points CorrectedSolution(Points solution) const;
 
-  // The step to the minimum of the energy with what is active, of that without
-  // contact, N x 3.
-  Points StepOf(const Points& step_without) const;
+  // Returns the Gauss-Newton step of the whole energy, N x 3, mm, for the
+  // step X* - X of the linear energy alone.
+  Points CorrectedStep(const Points& linear_step) const;
 
  private:
   const OneSidedRows& rows_;
   RowMajorMatrix fine_from_coarse_;  // K x N
   Eigen::MatrixXd compliance_;       // N x K: A^-1 W_v^T
-  std::vector<int> active_;
-  Eigen::VectorXd depths_;  // of all rows
+  std::vector<int> active_;          // indices of rows
+  Eigen::VectorXd depths_;           // of all rows, mm
   Eigen::LLT<Eigen::MatrixXd> active_matrix_;
 };
 

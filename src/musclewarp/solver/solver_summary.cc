@@ -49,7 +49,7 @@ std::string SolverSummary::FullReport() const {
   return report.str();
 }
 
-SolverSummary Following(const SolverSummary& first, SolverSummary second) {
+SolverSummary MergedSummary(const SolverSummary& first, SolverSummary second) {
   second.iterations += first.iterations;
   second.wall_ms += first.wall_ms;
   second.initial_energy = first.initial_energy;

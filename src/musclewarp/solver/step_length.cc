@@ -4,22 +4,28 @@
 
 #include <algorithm>
 
+#include "musclewarp/base/invalid_option.h"
+
 namespace musclewarp {
 
-double StepLengthSchedule::After(double alpha) const {
+double StepLengthSchedule::Next(double alpha) const {
   return std::max(final_alpha, alpha * decay);
 }
 
 bool StepLengthSchedule::IsValid(std::string* error) const {
-  if (!(0 < final_alpha && final_alpha <= initial_alpha &&
-        initial_alpha <= 1)) {
-    *error =
-        "StepLengthSchedule: allowed: 0 < final_alpha <= initial_alpha <= 1";
-    return false;
+  const auto fail = [error](
+                        const std::string& field, auto value, auto allowed) {
+    return InvalidOption("StepLengthSchedule::" + field, value, allowed, error);
+  };
+  if (!(0 < initial_alpha && initial_alpha <= 1)) {
+    return fail("initial_alpha", initial_alpha, "above 0 and at most 1");
+  }
+  if (!(0 < final_alpha && final_alpha <= initial_alpha)) {
+    return fail(
+        "final_alpha", final_alpha, "above 0 and at most initial_alpha");
   }
   if (!(0 < decay && decay <= 1)) {
-    *error = "StepLengthSchedule: allowed: 0 < decay <= 1";
-    return false;
+    return fail("decay", decay, "above 0 and at most 1");
   }
   return true;
 }

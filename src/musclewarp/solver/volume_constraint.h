@@ -10,31 +10,39 @@
 
 namespace musclewarp {
 
-// The volume of the fine mesh as a function of the coarse vertices,
-// g(X) = V(W X) - V_hat (paper eq. 2.6, 2.7, 2.9). With `corrections`, the fine
-// mesh is W X + offset, and held vertices stay where they are held whatever X
-// is, so that their rows of the gradient are zero.
+// The volume constraint at one place: the volume error of the fine mesh as a
+// function of the coarse vertices, g(X) = V(W X) - V_hat, and its derivative
+// (paper eq. 2.6, 2.7, 2.9).
+//
+// With `corrections` (below) the fine mesh is W X + offset, and held vertices
+// stay where they are held whatever X is, so that their rows of the gradient
+// are zero.
 struct FineVolume {
   double error = 0;  // g, mm^3
-  Points gradient;   // J_g^T pulled back through W, N x 3, mm^2
+  Points gradient;   // J_g^T, pulled back through W, N x 3, mm^2
 };
 
+// Evaluates the error and the gradient at `coarse` (N x 3, mm). The cost is
+// that of two passes over the dense matrix W.
 FineVolume EvaluateFineVolume(const MuscleModel& model,
                               const Points& coarse,
                               const VertexCorrections& corrections = {});
 
-// g alone, at half the cost.
+// Returns the error g alone, mm^3, at half the cost.
 double FineVolumeError(const MuscleModel& model,
                        const Points& coarse,
                        const VertexCorrections& corrections = {});
 
-// What the paper uses far from the solution: the error of the coarse mesh,
-// scaled to the fine one, but the gradient of the coarse mesh as it is.
+// Evaluates the substitute that the paper uses far from the solution, at next
+// to no cost: the error is that of the coarse mesh scaled by the ratio of the
+// rest volumes, mm^3, but the gradient is that of the coarse mesh as it is, as
+// in the paper.
 FineVolume EvaluateCoarseVolume(const MuscleModel& model,
                                 const Points& coarse,
                                 const VertexCorrections& corrections = {});
 
-// Fills in the final energy and the volume ratio.
+// Fills in the fields of a summary that every solver computes in the same way:
+// the final energy and the volume ratio of the fine mesh.
 void SummarizeSolution(const MuscleModel& model,
                        const MuscleTarget& target,
                        const MuscleState& state,

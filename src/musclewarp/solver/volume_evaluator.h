@@ -8,42 +8,45 @@
 
 namespace musclewarp {
 
-// The mesh whose volume is kept: that of the coarse mesh, scaled to the fine
-// one, costs next to nothing and is what the paper uses far from the solution.
+// The mesh whose volume is constrained. The volume of the coarse mesh, scaled
+// by the ratio of the rest volumes, costs next to nothing and is what the paper
+// uses far from the solution; the fine mesh is what counts in the end.
 enum class VolumeMesh { kCoarse, kFine };
 
-// The volume constraint of volume_constraint.h for solvers that ask for the
-// same place more than once: Ceres does, first for the residual, then for the
-// Jacobian. What is known of the last place is kept, so that each of the two
-// costs one pass over W. Not for use from several threads.
+// The volume constraint of volume_constraint.h for solvers that evaluate it
+// more than once at the same place. Ceres does so: it asks for the residual
+// first and for the Jacobian later. The evaluator remembers the last place, so
+// that error and gradient cost one pass over the dense matrix W each. Not to be
+// used from several threads at once.
 class VolumeEvaluator {
  public:
-  // Keeps both; `corrections` may be null.
+  // Keeps both arguments; `corrections` may be null if there are none.
   VolumeEvaluator(const MuscleModel& model,
                   const VertexCorrections* corrections);
 
   const MuscleModel& model() const { return model_; }
 
-  // The fine one, to begin with.
+  // Selects the mesh whose volume is constrained; at first the fine one.
   void SetMesh(VolumeMesh mesh);
 
-  // g(X), mm^3.
+  // Returns the volume error g(X), mm^3, at `coarse` (N x 3, mm).
   double Error(const Points& coarse);
 
-  // J_g^T, N x 3, mm^2.
+  // Returns J_g^T, N x 3, mm^2: the gradient of what Error returns, for either
+  // mesh. The reference is valid until the next call.
   const Points& Gradient(const Points& coarse);
 
-  // To be called when `corrections` has changed.
+  // Discards what is remembered. To be called when `corrections` has changed.
   void Forget() { coarse_.resize(0, 3); }
 
  private:
   const MuscleModel& model_;
   const VertexCorrections* corrections_;
   VolumeMesh mesh_ = VolumeMesh::kFine;
-  Points coarse_;  // the last place; no rows: none
-  Points moved_;  // the same with held vertices, of the mesh whose volume it is
+  Points coarse_;  // the last place; no rows if there is none
+  Points moved_;  // the vertices of the selected mesh there, held ones included
   double error_ = 0;
-  Points gradient_;  // no rows: not asked for
+  Points gradient_;  // no rows if nobody has asked for it
 };
 
 }  // namespace musclewarp

@@ -10,11 +10,13 @@
 namespace musclewarp {
 namespace {
 
-constexpr int kMaxSteps = 5;  // Newton: the error is squared by each
-constexpr double kVolumeTolerance = 1e-10;
+// A step of Newton's method squares the error, so that five are enough for any
+// error that is small.
+constexpr int kMaxSteps = 5;
+constexpr double kVolumeTolerance = 1e-10;  // relative
 
-// Chooses the offsets of held fine vertices so that they are where they are
-// held.
+// Sets the offsets of held fine vertices such that W X + offset is where they
+// are held.
 void PinHeldVertices(const MuscleModel& model, MuscleState* state) {
   const HeldVertices& held = state->corrections.held_fine;
   if (held.IsEmpty()) return;
