@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/fibres/laplacian_flow.h"
 #include "musclewarp/fibres/voxel_grid.h"
 #include "musclewarp/geometry/inside_test.h"
@@ -121,11 +122,17 @@ std::vector<std::string> BodiesAlong(const Points& line,
 }  // namespace
 
 bool FibreOptions::IsValid(std::string* error) const {
-  if (fibres >= 0 && segments >= 1 && voxels >= 100) return true;
-  *error =
-      "FibreOptions: fibres must not be negative, segments must be above 0 and "
-      "voxels at least 100";
-  return false;
+  if (fibres < 0) {
+    return InvalidOption("FibreOptions::fibres", fibres, "0 or above", error);
+  }
+  if (segments < 1) {
+    return InvalidOption(
+        "FibreOptions::segments", segments, "1 or above", error);
+  }
+  if (voxels < 100) {
+    return InvalidOption("FibreOptions::voxels", voxels, "100 or above", error);
+  }
+  return true;
 }
 
 std::vector<Points> MakeFibres(const TriangleSoup& muscle,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
@@ -29,6 +30,10 @@ struct HoleLimits {
 
   // A loop of more edges stays open: the work grows with the cube.
   int max_edges = 800;
+
+  // Returns true if no limit is negative; otherwise sets *error to a sentence
+  // that names the field, its value and what is allowed.
+  bool IsValid(std::string* error) const;
 };
 
 struct Fillings {
@@ -42,6 +47,7 @@ struct Fillings {
 // Fills every hole within the limits with the triangulation of its loop that
 // has the least area. A chord that is an edge of the mesh already is avoided or
 // gets a point in its middle. New triangles and points go to the end.
+// Precondition (CHECKed): the limits are valid.
 Fillings FillHoles(const HoleLimits& limits, TriangleSoup* soup);
 
 }  // namespace musclewarp

@@ -28,6 +28,10 @@ struct RepairOptions {
 
   // Which holes may be filled.
   HoleLimits holes;
+
+  // Returns true if all fields are within their ranges; otherwise sets *error
+  // to a sentence that names the field, its value and what is allowed.
+  bool IsValid(std::string* error) const;
 };
 
 // What was done, in the order it was done; all zero for a clean mesh.
@@ -63,6 +67,7 @@ struct RepairReport {
 //
 // Throws InputError, naming `name`, what is wrong and where, if a hole beyond
 // the limits or a one-sided surface remains. `report` may be null.
+// Precondition (CHECKed): the options are valid.
 Mesh RepairMesh(const TriangleSoup& soup,
                 const std::string& name,
                 const RepairOptions& options,

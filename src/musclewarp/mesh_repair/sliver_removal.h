@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
@@ -12,6 +14,10 @@ struct SliverLimits {
   double height = 0.25;         // mm
   double share_of_edges = 0.1;  // of the mean edge, if that is less than height
   double max_deviation = 0.1;   // of the surface, mm
+
+  // Returns true if the limits can be used; otherwise sets *error to a sentence
+  // that names the field, its value and what is allowed.
+  bool IsValid(std::string* error) const;
 };
 
 struct SliverRemovals {
@@ -28,7 +34,7 @@ struct SliverRemovals {
 // deforms smoothly turns slivers over long before their neighbours, and
 // contact, which moves single vertices by fractions of a millimetre, too.
 // Points and triangles that stay keep their order; without slivers nothing
-// changes.
+// changes. Precondition (CHECKed): the limits are valid.
 SliverRemovals RemoveSlivers(const SliverLimits& limits, TriangleSoup* soup);
 
 }  // namespace musclewarp

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
@@ -166,11 +167,17 @@ std::vector<ExemptArea> ExemptAreas(const PreparedScene& scene) {
 
 bool PrepareOptions::IsValid(std::string* error) const {
   if (auto_lines < 1) {
-    *error = "PrepareOptions::auto_lines is " + std::to_string(auto_lines) +
-             ", allowed: above 0";
-    return false;
+    return InvalidOption(
+        "PrepareOptions::auto_lines", auto_lines, "1 or above", error);
   }
-  return muscle.IsValid(error) && fibres.IsValid(error);
+  if (!(scale_warning_ratio >= 1)) {
+    return InvalidOption("PrepareOptions::scale_warning_ratio",
+                         scale_warning_ratio,
+                         "1 or above",
+                         error);
+  }
+  return muscle.IsValid(error) && repair.IsValid(error) &&
+         slivers.IsValid(error) && fibres.IsValid(error);
 }
 
 PreparedScene PrepareScene(const Scene& scene, const PrepareOptions& options) {

@@ -10,8 +10,9 @@
 namespace musclewarp {
 namespace {
 
-// No segment of a body is as long as this, mm. One that is longer is cut into
-// as many pieces as this length would be at the usual 10 mm.
+// No segment of a body is as long as this, mm. One that is longer, which is a
+// mistake in the data, is cut into no more pieces than this length would be at
+// the usual 10 mm, because the work grows with the samples.
 constexpr double kLongestSegment = 1e4;
 constexpr int kPiecesOfLongest = 1000;
 
