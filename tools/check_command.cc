@@ -161,11 +161,7 @@ int CheckCommand(const std::vector<std::string>& files,
   if (files.empty()) {
     throw InputError("files", "none given", "name at least one mesh file");
   }
-  if (options.threads < 0) {
-    throw InputError("--threads",
-                     "is " + std::to_string(options.threads),
-                     "allowed: 0 (all cores) or above");
-  }
+  CheckThreads(options.threads);
   if (options.threads > 0) omp_set_num_threads(options.threads);
   std::vector<CheckedFile> checked;
   size_t width = 4;

@@ -26,6 +26,7 @@
 #include "musclewarp/scene/json_fields.h"
 #include "tools/frame_selection.h"
 #include "tools/interruption.h"
+#include "tools/option_flags.h"
 #include "tools/program.h"
 #include "tools/report_command.h"
 #include "tools/split.h"
@@ -315,18 +316,11 @@ std::vector<std::string> ParseFormats(const std::string& text) {
 }
 
 void CheckSceneOptions(const DeformOptions& options) {
-  std::string error;
-  if (!options.deformer.IsValid(&error)) {
-    throw InputError("flags", error, "see --help");
-  }
+  CheckValid(options);
   if (options.scene.empty()) {
     throw InputError("--scene", "is missing", "give a scene file");
   }
-  if (options.threads < 0) {
-    throw InputError("--threads",
-                     "is " + std::to_string(options.threads),
-                     "allowed: 0 (all cores) or above");
-  }
+  CheckThreads(options.threads);
 }
 
 void CheckWritable(const std::string& dir) {

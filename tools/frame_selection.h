@@ -9,10 +9,11 @@
 
 namespace musclewarp {
 
-// Indices of the poses that `frames` selects, rising: "all", "last", "7",
-// "first:last" or "first:last:step", both ends included. Ends may be times
-// ("0.1s"): from the first pose not before to the last not after. Throws
-// InputError naming --frames.
+// Returns the indices of the poses that the text of --frames selects, in rising
+// order: "all", "last", "7", "first:last" or "first:last:step", both ends
+// included. An end may be a time ("0.1s"), which stands for the first pose that
+// is not before it, or the last that is not after it. Throws InputError naming
+// --frames if the text is none of these or selects no pose.
 std::vector<int> SelectFrames(const std::string& frames,
                               const std::vector<ScenePose>& poses);
 

@@ -92,6 +92,14 @@ int RunProgram(
   }
 }
 
+void CheckThreads(int threads) {
+  constexpr int kMostThreads = 1024;
+  if (threads >= 0 && threads <= kMostThreads) return;
+  throw InputError("--threads",
+                   "is " + std::to_string(threads),
+                   "allowed: 0 (all cores) to " + std::to_string(kMostThreads));
+}
+
 void RefuseArguments(const std::vector<std::string>& arguments) {
   if (arguments.empty()) return;
   throw InputError(arguments[0], "is not a flag", "see --help");

@@ -8,23 +8,35 @@
 
 namespace musclewarp {
 
-// Exit codes of all programs.
+// The exit codes of all programs.
 constexpr int kExitUsable = 0;     // done, and the result is usable
 constexpr int kExitNotUsable = 1;  // ran, but the result is not usable
 constexpr int kExitBadInput = 2;   // bad input or flags, nothing written
 
-// The main of every program: parses the flags (gflags), prints a help text of
-// the program's own flags for --help, and runs `command` with the remaining
-// arguments. An InputError is printed as "<program>: <message>", exit code 2;
-// so are unknown flags and values of the wrong type. `usage` is the help text
-// above the flags: a line of synopsis, then what the program does.
+// The body of every program's main. It parses the flags (gflags) and runs
+// `command` with the arguments that are no flags, whose exit code it returns.
+//
+//   int main(int argc, char** argv) {
+//     return musclewarp::RunProgram(argc, argv, "my-program FILE...", Command);
+//   }
+//
+// For --help it prints `usage` and the program's own flags; `usage` is a line
+// of synopsis and then what the program does. An InputError is printed as
+// "<program>: <message>", and the exit code is 2, as it is for unknown flags
+// and values of the wrong type.
 int RunProgram(
     int argc,
     char** argv,
     const std::string& usage,
     const std::function<int(const std::vector<std::string>&)>& command);
 
-// For programs that take flags only: throws InputError if there is an argument.
+// Throws InputError, naming --threads, unless `threads` is from 0 (all cores)
+// to 1024: OpenMP ends the program if it cannot start as many threads as it was
+// asked for.
+void CheckThreads(int threads);
+
+// For programs that take flags only: throws InputError, naming the first
+// argument, if there is one.
 void RefuseArguments(const std::vector<std::string>& arguments);
 
 }  // namespace musclewarp

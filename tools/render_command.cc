@@ -15,18 +15,12 @@
 #include "musclewarp/render/palette.h"
 #include "musclewarp/render/picture.h"
 #include "musclewarp/render/picture_texts.h"
+#include "tools/split.h"
 
 namespace musclewarp {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> SplitAtCommas(const std::string& text) {
-  std::vector<std::string> words;
-  std::istringstream in(text);
-  for (std::string word; std::getline(in, word, ',');) words.push_back(word);
-  return words;
-}
 
 // All of the text as a number.
 template <typename Number>
@@ -73,7 +67,7 @@ std::set<std::string> ParseNames(const std::string& flag,
 std::map<std::string, double> ParseFade(const std::string& text,
                                         const std::set<std::string>& known) {
   std::map<std::string, double> opacities;
-  for (const std::string& word : SplitAtCommas(text)) {
+  for (const std::string& word : Split(text, ',')) {
     const std::size_t colon = word.rfind(':');
     double opacity = -1;
     if (colon == std::string::npos ||
@@ -136,7 +130,7 @@ std::map<std::string, PictureMesh> Looks(const RenderRequest& request,
                                          PictureOptions* options) {
   const std::set<std::string> names = NamesIn(run);
   const auto parse = [&](const char* flag, const std::string& text) {
-    return ParseNames(flag, SplitAtCommas(text), names);
+    return ParseNames(flag, Split(text, ','), names);
   };
   const std::set<std::string> fit = parse("--fit", request.fit);
   const std::set<std::string> hide = parse("--hide", request.hide);
@@ -170,7 +164,7 @@ std::vector<std::string> Captions(const RenderRequest& request,
       captions[i] = WithSpaces(run.frames[i].name);
     }
   } else if (!request.captions.empty()) {
-    captions = SplitAtCommas(request.captions);
+    captions = Split(request.captions, ',');
     if (captions.size() != run.frames.size()) {
       throw InputError("--captions",
                        "gives " + std::to_string(captions.size()) +

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstring>
 #include <set>
 #include <string>
@@ -53,6 +54,22 @@ DEFINE_double(attachment_weight,
 DEFINE_int32(auto_lines,
              3,
              "lines made for a muscle that has none; 1: a centre line");
+DEFINE_double(gap,
+              0.1,
+              "distance that certified contact keeps between surfaces, mm; at "
+              "most 0.5");
+DEFINE_int32(max_rounds,
+             6,
+             "rounds in which a step of certified contact resolves what still "
+             "crosses, before it is halved");
+DEFINE_double(max_step_turn,
+              2.5,
+              "largest turn of a body in one step of certified contact, "
+              "degrees");
+DEFINE_double(max_step_move,
+              10,
+              "largest move of a point of a line in one step of certified "
+              "contact, mm");
 DEFINE_bool(body_twist,
             true,
             "muscles turn about their lines as the bones at the ends do");
@@ -72,6 +89,29 @@ std::string ShellQuoted(const std::string& text) {
   for (const char c : text)
     quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+// The options of certified contact that have flags.
+void SetCertifiedContact(CertifiedContactOptions* options) {
+  // Beyond, the steps in which surfaces move would have to be longer, too.
+  constexpr double kLargestGap = 0.5;
+  if (FLAGS_gap > kLargestGap) {
+    throw InputError("--gap",
+                     "is " + std::to_string(FLAGS_gap),
+                     "allowed: above 0, at most 0.5");
+  }
+  if (!(FLAGS_max_step_turn > 0)) {
+    throw InputError("--max_step_turn",
+                     "is " + std::to_string(FLAGS_max_step_turn),
+                     "allowed: above 0");
+  }
+  options->step.gap = FLAGS_gap;
+  // Meshes that overlap are separated by twice the gap, so that the steps that
+  // follow find room.
+  options->separation.cell.margin = 2 * FLAGS_gap;
+  options->step.max_rounds = FLAGS_max_rounds;
+  options->limits.max_turn = FLAGS_max_step_turn * M_PI / 180;
+  options->limits.max_move = FLAGS_max_step_move;
 }
 
 // Those of our programs, not of the libraries they use.
@@ -123,6 +163,7 @@ DeformOptions SceneOptionsFromFlags() {
   options.deformer.prepare.repair.holes.max_perimeter = FLAGS_max_hole;
   options.deformer.prepare.auto_lines = FLAGS_auto_lines;
   options.deformer.frames.pre_rotation.use_body_twist = FLAGS_body_twist;
+  SetCertifiedContact(&options.deformer.frames.certified);
   return options;
 }
 

@@ -7,12 +7,15 @@
 
 namespace musclewarp {
 
-// The flags that musclewarp-deform and musclewarp-compare have in common:
-// scene, frames, preparation and contact. Defined by the program that links
-// this.
+// Returns the options of a run as the flags set them that musclewarp-deform and
+// musclewarp-compare have in common: scene, frames, preparation and contact.
+// Linking this file defines these flags. The values are not checked here but by
+// CheckSceneOptions, except for texts that have to be parsed, for which this
+// throws InputError naming the flag.
 DeformOptions SceneOptionsFromFlags();
 
-// --max_iterations, for those who want to wait longer.
+// Sets the limits of all solvers of a configuration to --max_iterations, for
+// those who want to wait longer. Throws InputError if it is below 1.
 void SetIterationLimit(SolverConfiguration* configuration);
 
 }  // namespace musclewarp

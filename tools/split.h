@@ -7,7 +7,9 @@
 
 namespace musclewarp {
 
-// The parts of the text of a flag between separators; none of an empty text.
+// Returns the parts of the text of a flag between separators, in their order.
+// Parts may be empty, but not the last: "a,,b" has three parts, "a," has one,
+// and an empty text has none.
 std::vector<std::string> Split(const std::string& text, char separator);
 
 }  // namespace musclewarp

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <memory>
 #include <set>
 #include <string>
@@ -11,6 +10,7 @@
 #include "musclewarp/geometry/inside_test.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/skeleton/polyline.h"
+#include "support/data_root.h"
 
 namespace musclewarp {
 namespace {
@@ -38,9 +38,9 @@ const struct {
                 {"tensor_fasciae_latae", "pelvis", "femur"}};
 
 TEST(FibresData, EveryMuscleHasLinesAndFibresBetweenItsBones) {
-  const char* root = std::getenv("MUSCLEWARP_DATA_ROOT");
-  if (!root) GTEST_SKIP() << "MUSCLEWARP_DATA_ROOT is not set";
-  const std::string folder = std::string(root) + "/bodyparts3d/";
+  const std::string root = DataRoot();
+  if (root.empty()) GTEST_SKIP() << kNoDataRoot;
+  const std::string folder = root + "/bodyparts3d/";
   std::vector<std::unique_ptr<TriangleBvh>> trees;
   const auto bone = [&](const std::string& file) {
     const TriangleSoup soup = ReadTriangleSoup(folder + file);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -11,15 +10,15 @@
 
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "support/data_root.h"
 
 namespace musclewarp {
 
 class MeshIntersectionData : public ::testing::Test {
  protected:
   void SetUp() override {
-    const char* root = std::getenv("MUSCLEWARP_DATA_ROOT");
-    if (root == nullptr) GTEST_SKIP() << "MUSCLEWARP_DATA_ROOT is not set";
-    root_ = root;
+    root_ = DataRoot();
+    if (root_.empty()) GTEST_SKIP() << kNoDataRoot;
   }
 
   const SearchableMesh& MeshOf(const std::string& path) {

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "support/data_root.h"
 
 namespace musclewarp {
 
 TEST(OuterHullData, MusclesAsDelivered) {
-  const char* root = std::getenv("MUSCLEWARP_DATA_ROOT");
-  if (root == nullptr) GTEST_SKIP() << "MUSCLEWARP_DATA_ROOT is not set";
+  const std::string root = DataRoot();
+  if (root.empty()) GTEST_SKIP() << kNoDataRoot;
   for (const std::string path : {"lhdl_hip/gluteus_maximus_r.ply",
                                  "lhdl_hip/gluteus_medius_r.ply",
                                  "lhdl_hip/iliacus_r.ply",
@@ -22,7 +22,7 @@ TEST(OuterHullData, MusclesAsDelivered) {
                                  "bodyparts3d/raw/gluteus_medius.obj",
                                  "bodyparts3d/raw/semitendinosus.obj"}) {
     SCOPED_TRACE(path);
-    const TriangleSoup fine = ReadTriangleSoup(root + ("/" + path));
+    const TriangleSoup fine = ReadTriangleSoup(root + "/" + path);
     for (const int count : {200, 600}) {
       OuterHullOptions options;
       options.coarse_vertices = count;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <utility>
 
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "support/data_root.h"
 
 namespace musclewarp {
 namespace {
@@ -17,9 +17,8 @@ namespace fs = std::filesystem;
 class MeshIoData : public ::testing::Test {
  protected:
   void SetUp() override {
-    const char* root = std::getenv("MUSCLEWARP_DATA_ROOT");
-    if (root == nullptr) GTEST_SKIP() << "MUSCLEWARP_DATA_ROOT is not set";
-    root_ = root;
+    root_ = DataRoot();
+    if (root_.empty()) GTEST_SKIP() << kNoDataRoot;
   }
 
   // Reads every file of the folder that has the extension; returns how many.

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -12,6 +11,7 @@
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_repair/repair.h"
+#include "support/data_root.h"
 
 namespace musclewarp {
 namespace {
@@ -21,9 +21,8 @@ namespace fs = std::filesystem;
 class RepairData : public ::testing::Test {
  protected:
   void SetUp() override {
-    const char* root = std::getenv("MUSCLEWARP_DATA_ROOT");
-    if (root == nullptr) GTEST_SKIP() << "MUSCLEWARP_DATA_ROOT is not set";
-    root_ = root;
+    root_ = DataRoot();
+    if (root_.empty()) GTEST_SKIP() << kNoDataRoot;
   }
 
   // Repairs a file and prints its line of the table.

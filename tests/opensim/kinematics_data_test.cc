@@ -4,13 +4,13 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 
 #include "musclewarp/opensim/coordinate_motion.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/opensim/rest_pose.h"
 #include "musclewarp/scene/poses_file.h"
+#include "support/data_root.h"
 
 namespace musclewarp {
 namespace {
@@ -20,9 +20,8 @@ using Eigen::Vector3d;
 class KinematicsData : public ::testing::Test {
  protected:
   void SetUp() override {
-    const char* root = std::getenv("MUSCLEWARP_DATA_ROOT");
-    if (!root) GTEST_SKIP() << "MUSCLEWARP_DATA_ROOT is not set";
-    root_ = root;
+    root_ = DataRoot();
+    if (root_.empty()) GTEST_SKIP() << kNoDataRoot;
   }
   std::string root_;
 };

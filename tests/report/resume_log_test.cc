@@ -5,10 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "report/records.h"
+#include "support/input_errors.h"
 #include "support/temp_dir.h"
 
 namespace musclewarp {
@@ -82,7 +86,48 @@ TEST(ResumeLog, RefusesADamagedFile) {
   log.FrameDone(SomeRecord(0), SomeState(0));
   WriteTextAtomically(dir + "/.resume/frame_0000.cbor", "not cbor");
   SceneState state;
-  EXPECT_THROW(log.Continue({0}, &state), InputError);
+  ExpectInputError([&] { log.Continue({0}, &state); },
+                   {"frame_0000.cbor", "damaged", "without --resume"});
+}
+
+// Expects that a log is refused once `change` has been done to the JSON of its
+// only frame.
+void ExpectRefused(const std::function<void(nlohmann::json*)>& change) {
+  const std::string dir = TestTempDir();
+  const ResumeLog log(dir, "hash");
+  log.StartAnew();
+  log.FrameDone(SomeRecord(0), SomeState(0));
+  const std::string file = dir + "/.resume/frame_0000.cbor";
+  auto json = nlohmann::json::from_cbor(ReadFile(file));
+  change(&json);
+  const auto bytes = nlohmann::json::to_cbor(json);
+  WriteTextAtomically(file, std::string(bytes.begin(), bytes.end()));
+  SceneState state;
+  ExpectInputError(
+      [&] { log.Continue({0}, &state); },
+      {"frame_0000.cbor", "this build", "run without --resume", "--out"});
+}
+
+TEST(ResumeLog, RefusesFramesOfAnotherLayout) {
+  using nlohmann::json;
+  ExpectRefused([](json* frame) { frame->erase("free_coarse"); });
+  ExpectRefused([](json* frame) { frame->erase("record"); });
+  ExpectRefused([](json* frame) { (*frame)["record"].erase("index"); });
+  ExpectRefused([](json* frame) { (*frame)["muscles"] = 5; });
+  ExpectRefused([](json* frame) { (*frame)["muscles"][0]["coarse"] = "x"; });
+  ExpectRefused([](json* frame) { *frame = json::array(); });
+}
+
+TEST(ResumeLog, RefusesLogsWithoutItsVersion) {
+  const std::string dir = TestTempDir();
+  const ResumeLog log(dir, "hash");
+  log.StartAnew();
+  // As the key file was before it named a version.
+  WriteTextAtomically(dir + "/.resume/inputs", "hash");
+  SceneState state;
+  ExpectInputError(
+      [&] { log.Continue({0}, &state); },
+      {".resume/inputs", "another version", "run without --resume", "--out"});
 }
 
 }  // namespace

@@ -126,6 +126,21 @@ TEST_F(ModelScene, OwnLinesFollowTheirBodies) {
       kRounding);
 }
 
+TEST_F(ModelScene, LinesFollowBodiesOfTheModelWithoutABone) {
+  const Scene with_bone = Read();
+  scene_["bones"].erase(1);  // the shank
+  const Scene without = Read();
+  for (size_t i = 0; i < without.poses.size(); ++i) {
+    const auto expected =
+        LineTargets(with_bone.muscles[0].lines, with_bone.poses[i]);
+    const auto targets =
+        LineTargets(without.muscles[0].lines, without.poses[i]);
+    for (size_t k = 0; k < targets.size(); ++k) {
+      EXPECT_EQ(targets[k].points, expected[k].points) << i << " " << k;
+    }
+  }
+}
+
 TEST_F(ModelScene, MomentArmsAreThoseOfAllLines) {
   const Scene scene = Read();
   const auto arms = PathMomentArms(scene, scene.poses[0]);

@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
+#include <string>
 
 #include "musclewarp/scene/scene.h"
+#include "support/data_root.h"
 
 namespace musclewarp {
 
 TEST(SceneDataTest, EveryDeliveredSceneReads) {
-  const char* root = std::getenv("MUSCLEWARP_DATA_ROOT");
-  if (!root) GTEST_SKIP() << "MUSCLEWARP_DATA_ROOT is not set";
+  const std::string root = DataRoot();
+  if (root.empty()) GTEST_SKIP() << kNoDataRoot;
   int scenes = 0;
   for (const auto& entry :
        std::filesystem::directory_iterator(MUSCLEWARP_SCENES_DIR)) {

@@ -33,6 +33,20 @@ TEST(Sampling, HasEveryPointOfTheLineOnceAndNoWideGap) {
   EXPECT_EQ(PointOnSegment(line.rest, samples.back()), line.rest.row(2));
 }
 
+TEST(Sampling, CutsAnEndlessSegmentIntoABoundedNumberOfPieces) {
+  const auto num_samples = [](double length, double spacing) {
+    ActionLine line;
+    line.rest.resize(2, 3);
+    line.rest << 0, 0, 0, 0, 0, length;
+    return SampleLines({line}, spacing).size();
+  };
+  EXPECT_EQ(num_samples(1e4, 10), 1001u);
+  EXPECT_EQ(num_samples(1e4, 5), 2001u);  // not bounded yet
+  EXPECT_EQ(num_samples(1e6, 10), 1001u);
+  EXPECT_EQ(num_samples(1e300, 10), 1001u);
+  EXPECT_EQ(num_samples(1e6, 1e5), 11u);
+}
+
 TEST(Sampling, GivesTheTargetTheSameParameters) {
   // Rounding of coordinates of some ten mm.
   constexpr double kRounding = 1e-13;

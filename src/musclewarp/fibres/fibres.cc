@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/fibres/laplacian_flow.h"
 #include "musclewarp/fibres/voxel_grid.h"
 #include "musclewarp/geometry/inside_test.h"
@@ -121,15 +122,16 @@ std::vector<std::string> BodiesAlong(const Points& line,
 }  // namespace
 
 bool FibreOptions::IsValid(std::string* error) const {
-  const auto fail = [error](const char* field, int value, int least) {
-    *error = std::string("FibreOptions::") + field + " is " +
-             std::to_string(value) + ", must be at least " +
-             std::to_string(least);
-    return false;
-  };
-  if (fibres < 0) return fail("fibres", fibres, 0);
-  if (segments < 1) return fail("segments", segments, 1);
-  if (voxels < 100) return fail("voxels", voxels, 100);
+  if (fibres < 0) {
+    return InvalidOption("FibreOptions::fibres", fibres, "0 or above", error);
+  }
+  if (segments < 1) {
+    return InvalidOption(
+        "FibreOptions::segments", segments, "1 or above", error);
+  }
+  if (voxels < 100) {
+    return InvalidOption("FibreOptions::voxels", voxels, "100 or above", error);
+  }
   return true;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/mesh_repair/hole_filling.h"
 
+#include <glog/logging.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -10,6 +12,7 @@
 #include <set>
 #include <utility>
 
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/measures.h"
 
@@ -213,7 +216,19 @@ double LoopLength(const BorderLoop& loop, const Points& points) {
   return length;
 }
 
+bool HoleLimits::IsValid(std::string* error) const {
+  const auto fail = [error](const std::string& field, auto value) {
+    return InvalidOption("HoleLimits::" + field, value, "0 or above", error);
+  };
+  if (!(max_perimeter >= 0)) return fail("max_perimeter", max_perimeter);
+  if (!(max_slit_ratio >= 0)) return fail("max_slit_ratio", max_slit_ratio);
+  if (max_edges < 0) return fail("max_edges", max_edges);
+  return true;
+}
+
 Fillings FillHoles(const HoleLimits& limits, TriangleSoup* soup) {
+  std::string error;
+  CHECK(limits.IsValid(&error)) << error;
   Fillings fillings;
   const auto loops = FindBorderLoops(soup->triangles);
   if (loops.empty()) return fillings;

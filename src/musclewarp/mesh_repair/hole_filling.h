@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
@@ -41,6 +42,10 @@ struct HoleLimits {
   // A hole with more edges stays open, because the work of filling it grows
   // with the cube of their number.
   int max_edges = 800;
+
+  // Returns true if no limit is negative; otherwise sets *error to a sentence
+  // that names the field, its value and what is allowed.
+  bool IsValid(std::string* error) const;
 };
 
 // What FillHoles has done.
@@ -60,7 +65,8 @@ struct Fillings {
 // polyhedron", 1995). A chord of the triangulation that is an edge of the mesh
 // already would become non-manifold: it is avoided if the area then stays below
 // twice the least, and otherwise split by a new point. New triangles and points
-// follow the old ones. Precondition: as for FindBorderLoops.
+// follow the old ones. Preconditions: as for
+// FindBorderLoops; the limits are valid (CHECKed).
 Fillings FillHoles(const HoleLimits& limits, TriangleSoup* soup);
 
 }  // namespace musclewarp

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/mesh_repair/repair.h"
 
+#include <glog/logging.h>
+
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
@@ -138,10 +141,30 @@ bool RepairReport::AnythingDone() const {
          0;
 }
 
+bool RepairOptions::IsValid(std::string* error) const {
+  const auto fail = [error](const std::string& field,
+                            double value,
+                            const std::string& allowed) {
+    return InvalidOption("RepairOptions::" + field, value, allowed, error);
+  };
+  if (!(merge_tolerance >= 0 && merge_tolerance < 1)) {
+    return fail("merge_tolerance", merge_tolerance, "0 or above, below 1");
+  }
+  if (!(stitch_tolerance >= 0)) {
+    return fail("stitch_tolerance", stitch_tolerance, "0 or above");
+  }
+  if (!(stray_area >= 0 && stray_area <= 1)) {
+    return fail("stray_area", stray_area, "0 to 1");
+  }
+  return holes.IsValid(error);
+}
+
 TriangleSoup RepairMesh(const TriangleSoup& soup,
                         const std::string& name,
                         const RepairOptions& options,
                         RepairReport* report) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
   RepairReport unused;
   if (report == nullptr) report = &unused;
   *report = RepairReport();

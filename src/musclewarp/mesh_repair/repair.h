@@ -29,6 +29,10 @@ struct RepairOptions {
   // Which holes may be filled: those with a short border, and slits of any
   // length (see HoleLimits for the exact rule).
   HoleLimits holes;
+
+  // Returns true if all fields are within their ranges; otherwise sets *error
+  // to a sentence that names the field, its value and what is allowed.
+  bool IsValid(std::string* error) const;
 };
 
 // What was done, in the order in which it was done; all zero for a clean mesh.
@@ -81,6 +85,7 @@ struct RepairReport {
 // Throws InputError if a hole beyond the limits or a surface with one side
 // remains; the message has `name` as its place and says what is wrong and where
 // on the mesh. `report` may be null.
+// Precondition (CHECKed): the options are valid.
 TriangleSoup RepairMesh(const TriangleSoup& soup,
                         const std::string& name,
                         const RepairOptions& options,

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/mesh_repair/sliver_removal.h"
 
+#include <glog/logging.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/mesh.h"
@@ -288,7 +291,26 @@ std::vector<int> CrossingVertices(const TriangleSoup& soup) {
 
 }  // namespace
 
+bool SliverLimits::IsValid(std::string* error) const {
+  const auto fail = [error](const std::string& field,
+                            double value,
+                            const std::string& allowed) {
+    return InvalidOption("SliverLimits::" + field, value, allowed, error);
+  };
+  if (!(aspect >= 0 && aspect <= 1)) return fail("aspect", aspect, "0 to 1");
+  if (!(height >= 0)) return fail("height", height, "0 or above");
+  if (!(share_of_edges >= 0)) {
+    return fail("share_of_edges", share_of_edges, "0 or above");
+  }
+  if (!(max_deviation >= 0)) {
+    return fail("max_deviation", max_deviation, "0 or above");
+  }
+  return true;
+}
+
 SliverRemovals RemoveSlivers(const SliverLimits& limits, TriangleSoup* soup) {
+  std::string error;
+  CHECK(limits.IsValid(&error)) << error;
   // Where sheets lie close to each other, even a small change may make them
   // cross. Vertices that then cross are locked, and all is tried again.
   constexpr int kMaxAttempts = 8;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
@@ -18,6 +20,10 @@ struct SliverLimits {
   double share_of_edges = 0.1;
   // How far the surface may move, mm.
   double max_deviation = 0.1;
+
+  // Returns true if the limits can be used; otherwise sets *error to a sentence
+  // that names the field, its value and what is allowed.
+  bool IsValid(std::string* error) const;
 };
 
 // What RemoveSlivers has done.
@@ -38,7 +44,8 @@ struct SliverRemovals {
 // One edge of a sliver is collapsed or flipped, whichever leaves the better
 // triangles. A change that would fold the surface, make it cross itself, or
 // move it by more than `max_deviation` is left out. Points and triangles that
-// stay keep their order; a mesh without slivers is not changed.
+// stay keep their order; a mesh without slivers is not changed. Precondition
+// (CHECKed): the limits are valid.
 SliverRemovals RemoveSlivers(const SliverLimits& limits, TriangleSoup* soup);
 
 }  // namespace musclewarp

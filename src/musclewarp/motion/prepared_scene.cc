@@ -8,11 +8,14 @@
 #include <sstream>
 #include <utility>
 
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/scene/attachment_area.h"
+#include "musclewarp/scene/coordinate_limits.h"
+#include "musclewarp/scene/far_lines.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/skeleton/sampling.h"
 
@@ -32,6 +35,7 @@ TriangleSoup Repaired(const TriangleSoup& delivered,
                       const std::string& path,
                       const RepairOptions& options,
                       MeshPreparation* preparation) {
+  CheckCoordinates(path.empty() ? name : path, delivered.points);
   preparation->name = name;
   preparation->path = path;
   preparation->defects = CountDefects(delivered);
@@ -166,11 +170,17 @@ std::vector<ExemptArea> ExemptAreas(const PreparedScene& scene) {
 
 bool PrepareOptions::IsValid(std::string* error) const {
   if (auto_lines < 1) {
-    *error = "PrepareOptions::auto_lines is " + std::to_string(auto_lines) +
-             ", allowed: above 0";
-    return false;
+    return InvalidOption(
+        "PrepareOptions::auto_lines", auto_lines, "1 or above", error);
   }
-  return muscle.IsValid(error) && fibres.IsValid(error);
+  if (!(scale_warning_ratio >= 1)) {
+    return InvalidOption("PrepareOptions::scale_warning_ratio",
+                         scale_warning_ratio,
+                         "1 or above",
+                         error);
+  }
+  return muscle.IsValid(error) && repair.IsValid(error) &&
+         slivers.IsValid(error) && fibres.IsValid(error);
 }
 
 PreparedScene PrepareScene(const Scene& scene,
@@ -226,6 +236,12 @@ PreparedScene PrepareScene(const Scene& scene,
                                 std::to_string(muscle.fibres.num_lines()) +
                                 " fibres of " +
                                 std::to_string(options.fibres.fibres));
+  }
+  for (size_t i = 0; i < prepared.muscles.size(); ++i) {
+    for (const std::string& warning : FarLineWarnings(
+             prepared.scene.muscles[i], prepared.muscles[i].model.fine_rest)) {
+      prepared.warnings.push_back(warning);
+    }
   }
   for (const std::string& warning :
        ScaleWarnings(sizes, options.scale_warning_ratio)) {

@@ -25,6 +25,47 @@ Points PointsFromJson(const Json& json) {
   return Eigen::Map<const Points>(values.data(), values.size() / 3, 3);
 }
 
+// The first line of the key file. The number grows whenever a file of the log
+// gets another layout; logs before the first number had no such line.
+constexpr char kFormat[] = "musclewarp resume log 2";
+
+constexpr char kAdvice[] = "run without --resume, or choose another --out";
+
+// The figures and the state of a frame.
+struct LoggedFrame {
+  FrameRecord record;
+  SceneState state;
+};
+
+LoggedFrame LoggedFrameFromJson(const Json& json) {
+  LoggedFrame frame;
+  frame.record = FrameRecordFromJson(json.at("record"));
+  for (const Json& item : json.at("muscles")) {
+    MuscleState muscle;
+    muscle.coarse = PointsFromJson(item.at("coarse"));
+    muscle.corrections.fine_offset = PointsFromJson(item.at("fine_offset"));
+    frame.state.muscles.push_back(std::move(muscle));
+  }
+  for (const Json& coarse : json.at("free_coarse")) {
+    frame.state.free_coarse.push_back(PointsFromJson(coarse));
+  }
+  return frame;
+}
+
+LoggedFrame ReadLoggedFrame(const std::string& file) {
+  const Json json =
+      Json::from_cbor(ReadFile(file), true, /*allow_exceptions=*/false);
+  if (json.is_discarded()) throw InputError(file, "is damaged", kAdvice);
+  try {
+    return LoggedFrameFromJson(json);
+  } catch (const Json::exception&) {
+    throw InputError(
+        file,
+        "does not hold what this build of musclewarp keeps of a frame",
+        kAdvice);
+  }
+}
+
 }  // namespace
 
 ResumeLog::ResumeLog(const std::string& dir, const std::string& inputs_hash)
@@ -35,6 +76,10 @@ std::string ResumeLog::KeyFile() const {
   return (fs::path(folder_) / "inputs").string();
 }
 
+std::string ResumeLog::KeyText() const {
+  return kFormat + ("\n" + inputs_hash_);
+}
+
 std::string ResumeLog::FrameFile(int index) const {
   return (fs::path(folder_) / (FrameFolder(index) + ".cbor")).string();
 }
@@ -43,29 +88,21 @@ std::vector<FrameRecord> ResumeLog::Continue(const std::vector<int>& selected,
                                              SceneState* state) const {
   std::vector<FrameRecord> records;
   if (!fs::exists(KeyFile())) return records;
-  if (ReadFile(KeyFile()) != inputs_hash_) {
+  const std::string key = ReadFile(KeyFile());
+  if (key.rfind(kFormat + std::string("\n"), 0) != 0) {
+    throw InputError(
+        KeyFile(), "was written by another version of musclewarp", kAdvice);
+  }
+  if (key != KeyText()) {
     throw InputError("--resume",
                      folder_ + " is of a run with other input or options",
-                     "run without --resume, or choose another --out");
+                     kAdvice);
   }
   for (const int index : selected) {
     if (!fs::exists(FrameFile(index))) break;
-    const std::string bytes = ReadFile(FrameFile(index));
-    const Json json = Json::from_cbor(bytes, true, /*allow_exceptions=*/false);
-    if (json.is_discarded()) {
-      throw InputError(FrameFile(index), "is damaged", "run without --resume");
-    }
-    records.push_back(FrameRecordFromJson(json.at("record")));
-    *state = SceneState();
-    for (const Json& item : json.at("muscles")) {
-      MuscleState muscle;
-      muscle.coarse = PointsFromJson(item.at("coarse"));
-      muscle.corrections.fine_offset = PointsFromJson(item.at("fine_offset"));
-      state->muscles.push_back(std::move(muscle));
-    }
-    for (const Json& coarse : json.at("free_coarse")) {
-      state->free_coarse.push_back(PointsFromJson(coarse));
-    }
+    LoggedFrame frame = ReadLoggedFrame(FrameFile(index));
+    records.push_back(std::move(frame.record));
+    *state = std::move(frame.state);
   }
   return records;
 }
@@ -73,7 +110,7 @@ std::vector<FrameRecord> ResumeLog::Continue(const std::vector<int>& selected,
 void ResumeLog::StartAnew() const {
   fs::remove_all(folder_);
   fs::create_directories(folder_);
-  WriteTextAtomically(KeyFile(), inputs_hash_);
+  WriteTextAtomically(KeyFile(), KeyText());
 }
 
 void ResumeLog::FrameDone(const FrameRecord& record,

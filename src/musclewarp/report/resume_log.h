@@ -20,7 +20,8 @@ class ResumeLog {
   // The frames of an interrupted run of the same input, from the first of
   // `selected` on without a gap. `state` becomes that of the last of them, but
   // for its pose, if there is one. Throws InputError if DIR holds an
-  // interrupted run of other input or options.
+  // interrupted run of other input or options, or of a version of musclewarp
+  // that keeps other files.
   std::vector<FrameRecord> Continue(const std::vector<int>& selected,
                                     SceneState* state) const;
 
@@ -35,7 +36,9 @@ class ResumeLog {
 
  private:
   std::string FrameFile(int index) const;
+  // The file that says of what version and input the log is, and its text.
   std::string KeyFile() const;
+  std::string KeyText() const;
 
   std::string folder_;
   std::string inputs_hash_;

@@ -9,8 +9,9 @@
 
 namespace musclewarp {
 
-// The vertices (of `points`, #V x 3, rest pose) within the radius of an
-// attachment, rising.
+// Returns the vertices of a muscle that an attachment covers: the indices of
+// the rows of `points` (#V x 3, mm, rest pose) at most attachment.radius away
+// from one of its points, in rising order.
 std::vector<int> VerticesInArea(const Attachment& attachment,
                                 const Points& points);
 

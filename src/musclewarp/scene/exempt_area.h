@@ -6,15 +6,20 @@
 
 namespace musclewarp {
 
-// What of a muscle may be in a bone. Meshes by their numbers in the scene.
+// The part of a muscle that may be inside a bone, because an attachment there
+// has `may_penetrate`. What crosses or lies inside there is counted apart.
 struct ExemptArea {
+  // Indices of the two meshes among the muscles and the bones of the scene.
   int muscle = -1;
   int bone = -1;
-  std::vector<char> vertices;   // #V
-  std::vector<char> triangles;  // #F: those at such a vertex
+
+  // True for each vertex of the muscle (#V) in the area, and for each of its
+  // triangles (#F) that has such a vertex.
+  std::vector<char> vertices;
+  std::vector<char> triangles;
 };
 
-// The area for a muscle and a bone; null if there is none.
+// Returns the area of a muscle for a bone, or null if there is none.
 inline const ExemptArea* FindExempt(const std::vector<ExemptArea>& areas,
                                     int muscle,
                                     int bone) {

@@ -9,15 +9,18 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
+#include "musclewarp/scene/coordinate_limits.h"
 
 namespace musclewarp {
 namespace {
 
-std::string Shortened(const Json& value) {
-  // Invalid UTF-8 is replaced: the message must be printable.
-  const std::string text =
-      value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return text.size() <= 40 ? text : text.substr(0, 37) + "...";
+// Length of a text cut off at a whole character of UTF-8.
+size_t CutLength(const std::string& text, size_t length) {
+  const auto goes_on = [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+  };
+  while (length > 0 && goes_on(text[length])) --length;
+  return length;
 }
 
 // Parses text and refuses duplicate keys, of which the parser would silently
@@ -36,7 +39,7 @@ Json ParseText(const std::string& text, const std::string& file) {
           if (std::find(keys.begin(), keys.end(), key) != keys.end()) {
             throw InputError(
                 file,
-                "the key \"" + key + "\" stands twice in an object",
+                "the key " + Shortened(key) + " stands twice in an object",
                 "remove one");
           }
           keys.push_back(key);
@@ -45,6 +48,11 @@ Json ParseText(const std::string& text, const std::string& file) {
       };
   try {
     return Json::parse(text, refuse_duplicates);
+  } catch (const Json::out_of_range&) {
+    throw InputError(file,
+                     "has a number that is too large for a double",
+                     "allowed: up to 1.7e308 in size, and less where the scene "
+                     "says so");
   } catch (const Json::parse_error& error) {
     const auto offset = std::min<size_t>(error.byte, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + offset, '\n');
@@ -55,6 +63,25 @@ Json ParseText(const std::string& text, const std::string& file) {
 }
 
 }  // namespace
+
+std::string Shortened(const Json& value) {
+  // Arrays and objects may be as large and as deep as their file.
+  if (value.is_array()) {
+    return "an array of " + std::to_string(value.size()) + " elements";
+  }
+  if (value.is_object()) return "an object";
+  // Invalid UTF-8 is replaced: the message must be printable.
+  std::string text;
+  for (const char c :
+       value.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == 0x7f) {
+      text += "\\u007f";
+    } else {
+      text += c;
+    }
+  }
+  return text.size() <= 40 ? text : text.substr(0, CutLength(text, 37)) + "...";
+}
 
 JsonField JsonField::ParseFile(const std::string& file) {
   return JsonField(ParseText(ReadFile(file), file), file, "");
@@ -109,7 +136,7 @@ void JsonField::CheckKeys(std::initializer_list<std::string> allowed) const {
     }
     std::string list;
     for (const auto& key : allowed) list += (list.empty() ? "" : ", ") + key;
-    Fail("has the unknown key \"" + item.key() + "\"", "allowed: " + list);
+    Fail("has the unknown key " + Shortened(item.key()), "allowed: " + list);
   }
 }
 
@@ -125,6 +152,14 @@ double JsonField::AsNumber() const {
     Fail("is " + Shortened(value_), "give a finite number");
   }
   return value_.get<double>();
+}
+
+double JsonField::AsCoordinate() const {
+  const double value = AsNumber();
+  if (std::abs(value) > kLargestCoordinate) {
+    Fail("is " + Shortened(value_), AllowedCoordinates());
+  }
+  return value;
 }
 
 bool JsonField::AsBool() const {
@@ -148,7 +183,7 @@ Points JsonField::AsPoints() const {
       point.Fail("has " + std::to_string(point.ArraySize()) + " entries",
                  "give a point as [x, y, z]");
     }
-    for (int k = 0; k < 3; ++k) points(i, k) = point.At(k).AsNumber();
+    for (int k = 0; k < 3; ++k) points(i, k) = point.At(k).AsCoordinate();
   }
   return points;
 }
@@ -165,7 +200,7 @@ Eigen::Matrix4d JsonField::AsRigidTransform() const {
     if (row.ArraySize() != 4) {
       row.Fail("has " + std::to_string(row.ArraySize()) + " numbers", advice);
     }
-    for (int k = 0; k < 4; ++k) transform(i, k) = row.At(k).AsNumber();
+    for (int k = 0; k < 4; ++k) transform(i, k) = row.At(k).AsCoordinate();
   }
   // Files carry rotations with as few as 4 digits.
   constexpr double kTolerance = 1e-3;

@@ -14,38 +14,67 @@ namespace musclewarp {
 
 using Json = nlohmann::json;
 
-// A value of a JSON file together with the file and the path to it
-// ("muscles[2].mesh"), so that every complaint says where. The readers throw
-// InputError when the value is missing or of another type.
+// A value for a message: as JSON has it, control characters escaped and long
+// texts cut off with "..."; of arrays and objects only what they are.
+std::string Shortened(const Json& value);
+
+// A value of a JSON file together with the file and the path to it, so that
+// every complaint says where it belongs:
+//
+//   const JsonField scene = JsonField::ParseFile("scene.json");
+//   const JsonField muscle = scene.At("muscles").At(2);
+//   muscle.CheckKeys({"name", "mesh"});
+//   const std::string mesh = muscle.At("mesh").AsString();
+//
+// prints, if the mesh is a number, "scene.json: muscles[2].mesh: is 5; give a
+// text in quotes, not empty". All readers throw InputError when the value is
+// missing, of another type or not allowed.
 class JsonField {
  public:
-  // Parses a file. Throws InputError if it is missing or not JSON.
+  // Parses a file. Throws InputError if it cannot be read, is not JSON, has a
+  // key twice in one object, or a number that no double can hold.
   static JsonField ParseFile(const std::string& file);
 
   const Json& value() const { return value_; }
   const std::string& file() const { return file_; }
-  // "scene.json: muscles[2].mesh"
+
+  // The file and the path: "scene.json: muscles[2].mesh".
   std::string where() const;
 
+  // True if this is an object that has the key.
   bool Has(const std::string& key) const;
-  // A member of an object; InputError if it is missing.
+
+  // The member of an object, which must be there.
   JsonField At(const std::string& key) const;
+
+  // The element of an array. Precondition: index < ArraySize().
   JsonField At(size_t index) const;
-  // Number of elements; InputError if it is not an array.
+
+  // The number of elements; throws InputError if this is not an array.
   size_t ArraySize() const;
-  // InputError if this is not an object or has a key that is not allowed.
+
+  // Throws InputError if this is not an object, or has a key that is not
+  // allowed: a misspelt key would be passed over in silence.
   void CheckKeys(std::initializer_list<std::string> allowed) const;
+
+  // Throws InputError if this is not an object.
   void CheckObject() const;
 
+  // The value as what it should be.
   std::string AsString() const;  // not empty
   double AsNumber() const;       // finite
+  double AsCoordinate() const;   // mm, within kLargestCoordinate
   bool AsBool() const;
-  std::vector<std::string> AsStrings() const;  // ["...", ...]
-  Points AsPoints() const;                     // [[x, y, z], ...]
-  // [[4 numbers] x 4], row major, a rigid motion.
+  std::vector<std::string> AsStrings() const;  // of ["...", ...]
+
+  // Points (#P x 3, mm) of [[x, y, z], ...]; there may be none.
+  Points AsPoints() const;
+
+  // A rigid motion (translation in mm) of four rows of four numbers. The
+  // rotation may be rounded to three digits.
   Eigen::Matrix4d AsRigidTransform() const;
 
-  // Throws InputError at this field.
+  // Throws InputError at this field, see InputError for the two texts.
   [[noreturn]] void Fail(const std::string& problem,
                          const std::string& advice) const;
 
@@ -57,7 +86,7 @@ class JsonField {
 
   Json value_;
   std::string file_;
-  std::string field_;
+  std::string field_;  // path from the root; empty for the root itself
 };
 
 }  // namespace musclewarp

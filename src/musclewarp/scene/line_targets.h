@@ -9,11 +9,14 @@
 
 namespace musclewarp {
 
-// target_from_rest of a body in a pose; the identity if the pose leaves it out.
+// Returns target_from_rest of a body in a pose (mm); the identity if the pose
+// does not name the body.
 Eigen::Matrix4d BodyTransform(const ScenePose& pose, const std::string& body);
 
-// Where a pose puts the lines of a muscle: the target points it gives, else the
-// rest points moved with their bodies, else the rest points.
+// Returns where a pose puts the lines of a muscle, one target for each line: at
+// the target points that the pose gives, else at the rest points moved with
+// their bodies, else at the rest points. If a line names bodies, the target has
+// their rotations too, for the twist of the muscle about the line.
 std::vector<LineTarget> LineTargets(const std::vector<ActionLine>& lines,
                                     const ScenePose& pose);
 

@@ -10,9 +10,14 @@
 
 namespace musclewarp {
 
-// Puts a scene whose muscles and bones are read onto its model, fills in the
-// lines and bones that are the model's, and takes the poses from the motion.
-// `field` is the scene file. Throws InputError.
+// Puts a scene whose muscles and bones have been read on its model. It fills in
+// what the scene takes from the model, that is the rest points of lines which
+// are paths of muscles, and the meshes of bones which name none, and makes one
+// pose of every row of the motion.
+//
+// `field` is the scene file, for `model_rest` and for messages. Throws
+// InputError if the motion cannot be read or does not fit the model, a mesh of
+// the model is not there, and for what BindModel throws.
 void AddModelPoses(const JsonField& field,
                    Model model,
                    const std::string& motion_path,

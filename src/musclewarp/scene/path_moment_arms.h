@@ -9,13 +9,15 @@
 
 namespace musclewarp {
 
-// Length of a line straight through its points in a pose, mm: through all that
-// are active if it is the path of a model's muscle.
+// Returns the length of a line in a pose, mm, straight through its points. If
+// the line is the path of a muscle of the model, it goes through all points
+// that are active in the pose, conditional ones included.
 double PathLengthIn(const ScenePose& pose, const ActionLine& line);
 
-// -dl/dq of the straight length of every line of the scene, by line and
-// coordinate, mm/rad (or mm/m), for the coordinates that the motion moves. By
-// central differences of the model; empty without one.
+// Returns the moment arms of all lines of a scene, by line and coordinate, for
+// the coordinates that the motion moves: -dl/dq of the straight length l, in
+// mm/rad, or mm/m of a coordinate that is a translation. They are central
+// differences over poses of the model; a scene without one has none.
 std::map<std::string, std::map<std::string, double>> PathMomentArms(
     const Scene& scene, const ScenePose& pose);
 

@@ -10,24 +10,25 @@
 
 namespace musclewarp {
 
-// Lines and poses kept in a file of their own, beside the meshes they belong
-// to:
+// Lines and poses from a file of their own, which stands beside the meshes it
+// belongs to:
 //
 //   { "units": "mm",
 //     "lines": { "glut_med1_r": { "rest": [[x,y,z], ...], "bodies": [...] } },
 //     "poses": [ { "name": "flexion_60", "femur": [[4x4]],
 //                  "target": { "glut_med1_r": [[x,y,z], ...] } } ] }
 //
-// Such files come with other keys (notes, who made them, shares); those are
-// passed over. A pose's numbers are its coordinates; a pose without name is
-// called by them ("hip_flexion_r_deg_60").
+// Other keys of such a file (notes, who made it) are passed over. The numbers
+// of a pose are its coordinates, and a pose without a name is called by them
+// ("hip_flexion_r_deg_60").
 struct PosesFile {
-  std::map<std::string, ActionLine> lines;
-  std::vector<ScenePose> poses;
+  std::map<std::string, ActionLine> lines;  // by name
+  std::vector<ScenePose> poses;             // in the order of the file
 };
 
-// `body_keys`: which key of a pose holds the transform of which bodies
-// ("femur" -> "femur_r", "tibia_r"). Throws InputError as ReadScene does.
+// Reads such a file. `body_keys` says which key of a pose holds the transform
+// of which bodies ("femur" -> "femur_r", "tibia_r"); every pose must have all
+// of these keys. Throws InputError as ReadScene does.
 PosesFile ReadPosesFile(
     const std::string& path,
     const std::map<std::string, std::vector<std::string>>& body_keys);

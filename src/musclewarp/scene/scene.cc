@@ -231,12 +231,8 @@ void ReadBodyAxes(const JsonField& field, Scene* scene) {
   }
 }
 
-}  // namespace
-
-Scene ReadScene(const std::string& path,
-                const std::string& data_root,
-                const std::string& motion) {
-  const JsonField field = JsonField::ParseFile(path);
+// Keys and units of the scene file, and keys that exclude or need each other.
+void CheckSceneFile(const JsonField& field, bool has_other_motion) {
   field.CheckKeys({"name",
                    "units",
                    "axes",
@@ -258,50 +254,90 @@ Scene ReadScene(const std::string& path,
     field.Fail("has both \"poses\" and a \"model\"", "leave one of them out");
   }
   if (!has_model &&
-      (field.Has("motion") || field.Has("model_rest") || !motion.empty())) {
+      (field.Has("motion") || field.Has("model_rest") || has_other_motion)) {
     field.Fail("has a motion but no \"model\"", "add the OpenSim model");
   }
+}
+
+// Poses of the scene file, then those of its poses_file. Beside a model that
+// file is there for its lines.
+void ReadPoses(const JsonField& field,
+               const std::string& root,
+               NamedLines* named,
+               Scene* scene) {
+  if (field.Has("poses")) {
+    const JsonField poses = field.At("poses");
+    for (size_t i = 0; i < poses.ArraySize(); ++i) {
+      scene->poses.push_back(ReadPose(poses.At(i)));
+    }
+  }
+  if (!field.Has("poses_file")) return;
+  named->poses_file = ReadPosesFileOf(field, root);
+  if (named->model != nullptr) return;
+  const auto& poses = named->poses_file.poses;
+  scene->poses.insert(scene->poses.end(), poses.begin(), poses.end());
+}
+
+void ReadMeshes(const JsonField& field,
+                const std::string& root,
+                const NamedLines& named,
+                Scene* scene) {
+  const JsonField muscles = field.At("muscles");
+  for (size_t i = 0; i < muscles.ArraySize(); ++i) {
+    scene->muscles.push_back(ReadMuscle(muscles.At(i), named, root));
+  }
+  if (field.Has("bones")) {
+    const JsonField bones = field.At("bones");
+    for (size_t i = 0; i < bones.ArraySize(); ++i) {
+      scene->bones.push_back(
+          ReadBone(bones.At(i), root, named.model != nullptr));
+    }
+  }
+  if (scene->muscles.empty()) muscles.Fail("is empty", "add a muscle");
+}
+
+// Adds the files that the results depend on, but for those that are there.
+void AddFiles(const JsonField& field, const std::string& root, Scene* scene) {
+  scene->files.push_back(scene->path);
+  for (const char* key : {"poses_file", "model"}) {
+    if (!field.Has(key)) continue;
+    const JsonField file = field.At(key);
+    scene->files.push_back(
+        Resolve((file.Has("path") ? file.At("path") : file).AsString(), root));
+  }
+  if (scene->model) scene->files.push_back(scene->motion_path);
+  for (const auto& muscle : scene->muscles) {
+    scene->files.push_back(muscle.mesh_path);
+  }
+  for (const auto& bone : scene->bones) {
+    scene->files.push_back(bone.mesh_path);
+  }
+}
+
+}  // namespace
+
+Scene ReadScene(const std::string& path,
+                const std::string& data_root,
+                const std::string& motion) {
+  const JsonField field = JsonField::ParseFile(path);
+  CheckSceneFile(field, !motion.empty());
   const std::string root =
       data_root.empty() ? std::filesystem::path(path).parent_path().string()
                         : data_root;
-
   Scene scene;
   scene.name = field.At("name").AsString();
   scene.path = path;
   ReadBodyAxes(field, &scene);
   NamedLines named;
   std::optional<Model> model;
-  if (has_model) {
+  if (field.Has("model")) {
     model = ReadModel(Resolve(field.At("model").AsString(), root));
     named.model = &*model;
   }
-  if (field.Has("poses")) {
-    const JsonField poses = field.At("poses");
-    for (size_t i = 0; i < poses.ArraySize(); ++i) {
-      scene.poses.push_back(ReadPose(poses.At(i)));
-    }
-  }
-  if (field.Has("poses_file")) {
-    named.poses_file = ReadPosesFileOf(field, root);
-    // Beside a model it is there for its lines.
-    if (!has_model) {
-      const auto& poses = named.poses_file.poses;
-      scene.poses.insert(scene.poses.end(), poses.begin(), poses.end());
-    }
-  }
-  const JsonField muscles = field.At("muscles");
-  for (size_t i = 0; i < muscles.ArraySize(); ++i) {
-    scene.muscles.push_back(ReadMuscle(muscles.At(i), named, root));
-  }
-  if (field.Has("bones")) {
-    const JsonField bones = field.At("bones");
-    for (size_t i = 0; i < bones.ArraySize(); ++i) {
-      scene.bones.push_back(ReadBone(bones.At(i), root, has_model));
-    }
-  }
-  if (scene.muscles.empty()) muscles.Fail("is empty", "add a muscle");
+  ReadPoses(field, root, &named, &scene);
+  ReadMeshes(field, root, named, &scene);
   if (field.Has("attachments_file")) AddAttachments(field, root, &scene);
-  if (has_model) {
+  if (model) {
     const std::string motion_path =
         motion.empty() ? field.At("motion").AsString() : motion;
     AddModelPoses(field, std::move(*model), Resolve(motion_path, root), &scene);
@@ -315,18 +351,7 @@ Scene ReadScene(const std::string& path,
   }
   if (field.Has("poses_file")) KeepTargetsInUse(&scene);
   CheckScene(scene);
-  scene.files.push_back(path);
-  for (const char* key : {"poses_file", "model"}) {
-    if (!field.Has(key)) continue;
-    const JsonField file = field.At(key);
-    scene.files.push_back(
-        Resolve((file.Has("path") ? file.At("path") : file).AsString(), root));
-  }
-  if (has_model) scene.files.push_back(scene.motion_path);
-  for (const auto& muscle : scene.muscles) {
-    scene.files.push_back(muscle.mesh_path);
-  }
-  for (const auto& bone : scene.bones) scene.files.push_back(bone.mesh_path);
+  AddFiles(field, root, &scene);
   return scene;
 }
 

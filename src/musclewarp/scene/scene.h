@@ -14,18 +14,21 @@
 
 namespace musclewarp {
 
-// An area of a body where a muscle is attached: what lies within `radius` mm of
-// one of `points` (#P x 3, rest pose, mm).
+// An area where a muscle is attached to a body: what of the muscle lies within
+// `radius` (mm) of one of `points` (#P x 3, mm, rest pose).
 struct Attachment {
   std::string body;
   Points points;
   double radius = 0;
-  // Its triangles may cross bones of the body; they are counted apart.
+
+  // If true, triangles of the area may cross bones of the body. They are
+  // counted apart.
   bool may_penetrate = false;
 };
 
 // A muscle of a scene. Its mesh is given by points and triangles, or named by a
-// file.
+// file. If the muscle has no lines, they are made from the meshes when the
+// scene is prepared.
 struct SceneMuscle {
   std::string name;
   Points points;                  // #V x 3, mm; none: read from mesh_path
@@ -35,7 +38,8 @@ struct SceneMuscle {
   std::string mesh_path;
 };
 
-// A bone of a scene, with its mesh as that of a muscle.
+// The mesh of a bone, given as that of a muscle, and the body that it moves
+// with. Several bones may belong to one body.
 struct SceneBone {
   std::string name;
   Points points;        // #V x 3, mm; none: read from mesh_path
@@ -56,48 +60,57 @@ struct SceneBone {
 //   scene.bones.push_back({"femur_r", femur_points, femur_triangles});
 struct Scene {
   std::string name;
-  std::string path;
-  // Where +x, +y, +z point (see geometry/view.h), and the side of the body that
-  // "lateral" is on: for those who look at the results.
+  std::string path;  // of the scene file
+
+  // Where +x, +y and +z point (see geometry/view.h), and the side of the body
+  // that "lateral" means. Only pictures of the results depend on them.
   std::string axes = "LPS";
   std::string side = "right";
+
   std::vector<SceneMuscle> muscles;
   std::vector<SceneBone> bones;
   std::vector<ScenePose> poses;
-  // The poses follow each other (their times rise): a frame starts from the one
-  // before. Else each is on its own.
+
+  // True if the poses follow each other in time, so that each frame starts from
+  // the one before. Otherwise each pose is computed on its own.
   bool is_motion = false;
-  // Where the poses come from, if that is an OpenSim model; else null.
+
+  // The OpenSim model that the poses come from, and the file of its motion;
+  // null and empty if the poses are given.
   std::shared_ptr<const ModelPoses> model;
   std::string motion_path;
-  std::vector<std::string> files;  // all that were read, or will be
-  // What was passed over, or found, while reading.
+
+  // All files that were read, or will be: the results depend on them.
+  std::vector<std::string> files;
+
+  // What was passed over, and what was found, while reading; for the user.
   std::vector<std::string> warnings;
   std::vector<std::string> notes;
 };
 
-// Reads a scene file (docs/scene.md), and the model and motion it names. Paths
-// in it are relative to `data_root`, or to the folder of the scene file if that
-// is empty; `motion`, if not empty, is taken in place of the scene's motion.
-// Throws InputError that names the file and the field: not JSON, unknown key,
-// missing key, wrong type, duplicate name, a body that nothing names, a line
-// with too few or repeated points, rest and target of different length, a
-// matrix that is not a rigid motion; and what ReadModel, ReadStorageTable,
-// MotionOf and BindModel throw.
+// Reads a scene file (docs/scene.md), and the model and motion that it names.
+// Paths in it are relative to `data_root`, or to the folder of the scene file
+// if that is empty. If `motion` is not empty, it is taken in place of the
+// scene's motion.
+//
+// Throws InputError that names the file and the field, for a file that is not
+// JSON, an unknown or missing key, a value of the wrong type, coordinates
+// beyond kLargestCoordinate, a matrix that is not a rigid motion, and for what
+// CheckScene, ReadModel, ReadStorageTable, MotionOf and BindModel refuse.
 Scene ReadScene(const std::string& path,
                 const std::string& data_root,
                 const std::string& motion = "");
 
-// The pose at a part (0 to 1) of the way from one pose to another: coordinates
-// of the model in between. Without a model bodies go along their screw motions,
-// and the points of lines with the body of whose motion they have a share, or
-// straight.
+// Returns the pose at a part (0 to 1) of the way from one pose to another. With
+// a model its coordinates are interpolated. Without one bodies move along their
+// screw motions. A point of a line goes along with the body whose motion it
+// shares, as a point beside a joint has half of its turn, or else straight.
 ScenePose PoseBetween(const Scene& scene,
                       const ScenePose& from,
                       const ScenePose& to,
                       double part);
 
-// The pose the meshes came in.
+// Returns the pose in which the meshes were made.
 ScenePose RestPose(const Scene& scene);
 
 }  // namespace musclewarp

@@ -7,54 +7,67 @@
 #include <string>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/scene/coordinate_limits.h"
+#include "musclewarp/scene/scene_names.h"
 
 namespace musclewarp {
 namespace {
 
-std::string Quoted(const std::string& name) { return "\"" + name + "\""; }
-
 // Meshes of a frame are written as <name>.<ext>: names are file names.
 void CheckMeshName(const Scene& scene,
+                   const std::string& what,
                    const std::string& name,
                    std::set<std::string>* seen) {
-  if (name.find('/') != std::string::npos || name == "." || name == "..") {
-    throw InputError(scene.path,
-                     "the name " + Quoted(name) + " cannot be a file name",
-                     "choose a name without \"/\"");
-  }
+  CheckFileName(scene.path, what, name);
   if (!seen->insert(name).second) {
     throw InputError(scene.path,
-                     "the name " + Quoted(name) + " is given twice",
+                     "the name " + QuotedName(name) + " is given twice",
                      "muscles and bones need names of their own");
   }
 }
 
-void CheckBody(const Scene& scene,
-               const std::string& body,
-               const std::set<std::string>& bodies,
-               const std::string& used_by) {
-  if (bodies.count(body)) return;
-  std::string known;
-  for (const auto& name : bodies) known += (known.empty() ? "" : ", ") + name;
-  throw InputError(
-      scene.path,
-      used_by + " names the body " + Quoted(body) + ", which no bone has",
-      known.empty() ? "add a bone with that body"
-                    : "bodies of the bones: " + known);
+std::string Listed(const std::set<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) {
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  return list;
 }
 
-void CheckLine(const Scene& scene,
-               const SceneMuscle& muscle,
+// A body that a line or an attachment follows. `where` begins with the file.
+void CheckFollowedBody(const std::string& where,
+                       const std::string& body,
+                       const std::set<std::string>& known) {
+  if (known.count(body)) return;
+  throw InputError(
+      where,
+      "names the body " + QuotedName(body) + ", which no bone and no pose has",
+      known.empty() ? "add a bone with that body, or move it in a pose"
+                    : "known bodies: " + Listed(known));
+}
+
+// A body that a pose moves must be of some use, or its name is misspelt.
+void CheckMovedBody(const std::string& where,
+                    const std::string& body,
+                    const std::set<std::string>& in_use) {
+  if (in_use.count(body)) return;
+  throw InputError(
+      where,
+      "names the body " + QuotedName(body) +
+          ", which no bone, line or attachment has",
+      in_use.empty() ? "leave it out" : "bodies in use: " + Listed(in_use));
+}
+
+void CheckLine(const std::string& where,
                const ActionLine& line,
                const std::set<std::string>& bodies) {
-  const std::string where =
-      scene.path + ": line " + Quoted(line.name) + " of muscle " + muscle.name;
   if (line.rest.rows() < 2) {
     throw InputError(
         where,
         "has " + std::to_string(line.rest.rows()) + " points in \"rest\"",
         "give at least 2");
   }
+  CheckCoordinates(where, line.rest);
   for (Eigen::Index i = 0; i + 1 < line.rest.rows(); ++i) {
     if (line.rest.row(i) == line.rest.row(i + 1)) {
       throw InputError(where,
@@ -71,15 +84,16 @@ void CheckLine(const Scene& scene,
                          " points",
                      "give one body a point, or none");
   }
-  for (const auto& body : line.bodies) CheckBody(scene, body, bodies, where);
+  for (const auto& body : line.bodies) CheckFollowedBody(where, body, bodies);
 }
 
 void CheckTargets(const Scene& scene,
                   const ScenePose& pose,
                   const std::map<std::string, const ActionLine*>& lines) {
   for (const auto& [name, target] : pose.lines) {
-    const std::string where = scene.path + ": target of line " + Quoted(name) +
-                              " in pose " + Quoted(pose.name);
+    const std::string where = scene.path + ": target of line " +
+                              QuotedName(name) + " in pose " +
+                              QuotedName(pose.name);
     const auto line = lines.find(name);
     if (line == lines.end()) {
       throw InputError(where, "no muscle has such a line", "check the name");
@@ -91,53 +105,103 @@ void CheckTargets(const Scene& scene,
                            std::to_string(line->second->rest.rows()),
                        "give the same number of points");
     }
+    CheckCoordinates(where, target);
   }
 }
 
-}  // namespace
-
-void CheckScene(const Scene& scene) {
-  std::set<std::string> mesh_names;
+// The bodies that bones, lines and attachments name, and those of the model
+// that the scene uses.
+std::set<std::string> BodiesInUse(const Scene& scene) {
   std::set<std::string> bodies;
-  for (const auto& bone : scene.bones) {
-    CheckMeshName(scene, bone.name, &mesh_names);
-    bodies.insert(bone.body);
+  for (const SceneBone& bone : scene.bones) bodies.insert(bone.body);
+  for (const SceneMuscle& muscle : scene.muscles) {
+    for (const ActionLine& line : muscle.lines) {
+      bodies.insert(line.bodies.begin(), line.bodies.end());
+    }
+    for (const Attachment& attachment : muscle.attachments) {
+      bodies.insert(attachment.body);
+    }
+  }
+  return bodies;
+}
+
+// The bodies that bones have, poses move, or the model has: of those it is
+// known how they move.
+std::set<std::string> KnownBodies(const Scene& scene) {
+  std::set<std::string> bodies;
+  for (const SceneBone& bone : scene.bones) bodies.insert(bone.body);
+  for (const ScenePose& pose : scene.poses) {
+    for (const auto& [body, transform] : pose.bodies) bodies.insert(body);
   }
   if (scene.model) {
     for (const int body : scene.model->bodies) {
       bodies.insert(scene.model->model.bodies[body].name);
     }
   }
-  std::map<std::string, const ActionLine*> lines;
-  for (const auto& muscle : scene.muscles) {
-    CheckMeshName(scene, muscle.name, &mesh_names);
-    for (const auto& line : muscle.lines) {
-      CheckLine(scene, muscle, line, bodies);
-      if (!lines.emplace(line.name, &line).second) {
-        throw InputError(scene.path,
-                         "the line " + Quoted(line.name) + " is given twice",
-                         "lines need names of their own");
-      }
-    }
-    for (const auto& attachment : muscle.attachments) {
-      CheckBody(scene,
-                attachment.body,
-                bodies,
-                "an attachment of muscle " + muscle.name);
+  return bodies;
+}
+
+void CheckMuscle(const Scene& scene,
+                 const SceneMuscle& muscle,
+                 const std::set<std::string>& bodies,
+                 std::map<std::string, const ActionLine*>* lines) {
+  for (const ActionLine& line : muscle.lines) {
+    CheckColumnName(scene.path, "line of muscle " + muscle.name, line.name);
+    CheckLine(scene.path + ": line " + QuotedName(line.name) + " of muscle " +
+                  muscle.name,
+              line,
+              bodies);
+    if (!lines->emplace(line.name, &line).second) {
+      throw InputError(scene.path,
+                       "the line " + QuotedName(line.name) + " is given twice",
+                       "lines need names of their own");
     }
   }
-  std::set<std::string> pose_names;
-  for (const auto& pose : scene.poses) {
-    if (!pose_names.insert(pose.name).second) {
+  for (const Attachment& attachment : muscle.attachments) {
+    const std::string where =
+        scene.path + ": an attachment of muscle " + muscle.name;
+    CheckFollowedBody(where, attachment.body, bodies);
+    CheckCoordinates(where, attachment.points);
+  }
+}
+
+void CheckPoses(const Scene& scene,
+                const std::map<std::string, const ActionLine*>& lines) {
+  const std::set<std::string> in_use = BodiesInUse(scene);
+  std::set<std::string> names;
+  for (const ScenePose& pose : scene.poses) {
+    CheckPrintable(scene.path, "pose", pose.name);
+    if (!names.insert(pose.name).second) {
       throw InputError(scene.path,
-                       "the pose " + Quoted(pose.name) + " is given twice",
+                       "the pose " + QuotedName(pose.name) + " is given twice",
                        "poses need names of their own");
     }
-    for (const auto& body : pose.bodies) {
-      CheckBody(scene, body.first, bodies, "pose " + Quoted(pose.name));
+    const std::string where = scene.path + ": pose " + QuotedName(pose.name);
+    for (const auto& [body, transform] : pose.bodies) {
+      CheckMovedBody(where, body, in_use);
+      CheckCoordinates(where + ": body " + QuotedName(body), transform);
     }
     CheckTargets(scene, pose, lines);
   }
+}
+
+}  // namespace
+
+void CheckScene(const Scene& scene) {
+  CheckPrintable(scene.path, "scene", scene.name);
+  std::set<std::string> mesh_names;
+  for (const SceneBone& bone : scene.bones) {
+    CheckMeshName(scene, "bone", bone.name, &mesh_names);
+  }
+  for (const SceneMuscle& muscle : scene.muscles) {
+    CheckMeshName(scene, "muscle", muscle.name, &mesh_names);
+  }
+  const std::set<std::string> bodies = KnownBodies(scene);
+  std::map<std::string, const ActionLine*> lines;
+  for (const SceneMuscle& muscle : scene.muscles) {
+    CheckMuscle(scene, muscle, bodies, &lines);
+  }
+  CheckPoses(scene, lines);
 }
 
 }  // namespace musclewarp

@@ -6,10 +6,20 @@
 
 namespace musclewarp {
 
-// The checks of a scene that concern several of its parts: names are unique,
-// bodies that lines, attachments and poses name are bodies of bones, lines have
-// at least two points and no repeated neighbours, targets have as many points
-// as their line. Throws InputError naming the scene file and the field.
+// Checks what concerns several parts of a scene, or what a model may have
+// brought into it, after all of it has been read:
+//
+// - Names can be written: those of muscles and bones as files, those of lines
+//   as columns of tables, those of poses in reports (scene_names.h). Muscles
+//   and bones have different names; so have lines, and so have poses.
+// - Every coordinate is within kLargestCoordinate.
+// - A line has at least two points, neighbours differ, and if it names bodies
+//   there is one for each point. Targets have as many points as their line.
+// - Bodies that lines and attachments follow belong to a bone, are moved by a
+//   pose, or come from the model. A body needs no mesh.
+// - Bodies that poses move are those of a bone, a line or an attachment.
+//
+// Throws InputError naming the scene file and the place.
 void CheckScene(const Scene& scene);
 
 }  // namespace musclewarp

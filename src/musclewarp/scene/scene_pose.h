@@ -11,19 +11,27 @@
 
 namespace musclewarp {
 
-// One instant of the motion.
+// One pose of a scene: where its bodies and its lines are.
 struct ScenePose {
   std::string name;
-  double time = 0;                            // s
-  std::map<std::string, double> coordinates;  // for the record only
-  // target_from_rest, mm; a body that is not named stays.
+  double time = 0;  // s
+
+  // Values of coordinates by their names, as the file of the poses has them, or
+  // of a model in degrees and m. They are shown and recorded; nothing moves by
+  // them.
+  std::map<std::string, double> coordinates;
+
+  // target_from_rest of each body by its name, mm. A body that is not named
+  // stays.
   std::map<std::string, Eigen::Matrix4d> bodies;
-  // Target points by line name; a line that is not named moves with its bodies.
+
+  // Target points (#P x 3, mm) of each line by its name. A line that is not
+  // named moves with its bodies.
   std::map<std::string, Points> lines;
 
-  // Of poses of an OpenSim model, the values of all its coordinates, and for
-  // the lines that are paths of its muscles the length straight through all
-  // points that are active, mm.
+  // Only for poses of an OpenSim model: the values of all its coordinates (rad
+  // or m), and for the lines that are paths of its muscles the length (mm)
+  // straight through all points that are active.
   std::vector<double> model_values;
   std::map<std::string, double> path_lengths;
 };

@@ -6,15 +6,18 @@
 
 namespace musclewarp {
 
-// A rigid motion as a turn about an axis in space and a slide along it. Every
-// rigid motion is one (Chasles); a turn about a joint stays one in all its
-// parts, which it would not if rotation and translation went on their own.
+// A rigid motion as a turn about an axis in space and a slide along that axis,
+// for the way between two poses of a body. Every rigid motion is such a screw
+// (Chasles' theorem). Parts of a turn about a joint are turns about the same
+// joint, whereas interpolating rotation and translation on their own would take
+// the head of the bone out of its socket on the way.
 class ScrewMotion {
  public:
-  // `motion` is rigid, mm.
+  // Takes a rigid motion (mm). A turn of less than 1e-9 rad counts as none.
   explicit ScrewMotion(const Eigen::Matrix4d& motion);
 
-  // The part `share` of the motion; 0 is the identity, 1 the motion.
+  // Returns a part of the motion: the turn and the slide times `share`, which
+  // is 0 for the identity and 1 for the whole motion.
   Eigen::Matrix4d Part(double share) const;
 
  private:

@@ -8,6 +8,21 @@
 #include <cmath>
 
 namespace musclewarp {
+namespace {
+
+// No segment of a body is as long as this, mm. One that is longer, which is a
+// mistake in the data, is cut into no more pieces than this length would be at
+// the usual 10 mm, because the work grows with the samples.
+constexpr double kLongestSegment = 1e4;
+constexpr int kPiecesOfLongest = 1000;
+
+int NumPieces(double length, double spacing) {
+  const double pieces = std::max(1.0, std::ceil(length / spacing));
+  if (length <= kLongestSegment) return static_cast<int>(pieces);
+  return static_cast<int>(std::min<double>(pieces, kPiecesOfLongest));
+}
+
+}  // namespace
 
 std::vector<SegmentPoint> SampleLines(const std::vector<ActionLine>& lines,
                                       double spacing) {
@@ -17,8 +32,7 @@ std::vector<SegmentPoint> SampleLines(const std::vector<ActionLine>& lines,
     const Points& rest = lines[line].rest;
     for (Eigen::Index s = 0; s + 1 < rest.rows(); ++s) {
       const double length = (rest.row(s + 1) - rest.row(s)).norm();
-      const int pieces =
-          std::max(1, static_cast<int>(std::ceil(length / spacing)));
+      const int pieces = NumPieces(length, spacing);
       for (int i = s == 0 ? 0 : 1; i <= pieces; ++i) {
         samples.push_back({static_cast<int>(line),
                            static_cast<int>(s),

@@ -69,6 +69,13 @@ void FactorNormalMatrix(MuscleModel* model) {
   }
 }
 
+// Samples closer together say nothing new, and take forever.
+constexpr double kLeastSpacing = 0.01;  // mm
+
+// The square of a weight stands beside Laplacian rows of size 1 in the normal
+// matrix: above this they keep no more than four digits.
+constexpr double kLargestWeight = 1e6;
+
 }  // namespace
 
 bool MuscleModelOptions::IsValid(std::string* error) const {
@@ -77,14 +84,14 @@ bool MuscleModelOptions::IsValid(std::string* error) const {
     return InvalidOption("MuscleModelOptions::" + field, value, allowed, error);
   };
   if (!hull.IsValid(error) || !laplacian.IsValid(error)) return false;
-  if (!(sample_spacing > 0)) {
-    return fail("sample_spacing", sample_spacing, "above 0");
+  if (!(sample_spacing >= kLeastSpacing)) {
+    return fail("sample_spacing", sample_spacing, "0.01 mm or above");
   }
-  if (!(skeleton_weight > 0)) {
-    return fail("skeleton_weight", skeleton_weight, "above 0");
+  if (!(skeleton_weight > 0 && skeleton_weight <= kLargestWeight)) {
+    return fail("skeleton_weight", skeleton_weight, "above 0, at most 1e6");
   }
-  if (!(attachment_weight >= 0)) {
-    return fail("attachment_weight", attachment_weight, "0 or above");
+  if (!(attachment_weight >= 0 && attachment_weight <= kLargestWeight)) {
+    return fail("attachment_weight", attachment_weight, "0 to 1e6");
   }
   if (attachment_rows < 1) {
     return fail("attachment_rows", attachment_rows, "above 0");

@@ -1,0 +1,166 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/scene/scene_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "support/input_errors.h"
+
+namespace musclewarp {
+namespace {
+
+// One muscle from the pelvis to the femur, which one pose moves.
+Scene GoodScene() {
+  Scene scene;
+  scene.name = "hip";
+  scene.path = "scene.json";
+  scene.muscles.resize(1);
+  SceneMuscle& muscle = scene.muscles[0];
+  muscle.name = "iliacus";
+  muscle.lines.resize(1);
+  muscle.lines[0].name = "line";
+  muscle.lines[0].rest.resize(2, 3);
+  muscle.lines[0].rest << 0, 0, 0, 0, 0, 9;
+  muscle.lines[0].bodies = {"pelvis", "femur"};
+  scene.bones.resize(2);
+  scene.bones[0].name = scene.bones[0].body = "pelvis";
+  scene.bones[1].name = scene.bones[1].body = "femur";
+  scene.poses.resize(1);
+  scene.poses[0].name = "bent";
+  scene.poses[0].bodies["femur"] = Eigen::Matrix4d::Identity();
+  scene.poses[0].lines["line"] = muscle.lines[0].rest;
+  return scene;
+}
+
+// Expects that the good scene is refused once it has been changed.
+void ExpectRefused(const std::function<void(Scene*)>& change,
+                   std::vector<std::string> words) {
+  Scene scene = GoodScene();
+  change(&scene);
+  words.push_back("scene.json: ");
+  ExpectInputError([&] { CheckScene(scene); }, words);
+}
+
+// How often a text is in the message of a scene that is refused.
+int CountInMessage(const Scene& scene, const std::string& text) {
+  try {
+    CheckScene(scene);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    int count = 0;
+    for (size_t at = message.find(text); at != std::string::npos;
+         at = message.find(text, at + 1)) {
+      ++count;
+    }
+    return count;
+  }
+  return 0;
+}
+
+TEST(CheckScene, AcceptsAGoodScene) { CheckScene(GoodScene()); }
+
+TEST(CheckScene, RefusesNamesThatCannotBeWritten) {
+  ExpectRefused([](Scene* s) { s->muscles[0].name = "a\nb"; },
+                {"muscle", R"("a\nb")", "control character"});
+  ExpectRefused([](Scene* s) { s->bones[0].name = "a/b"; },
+                {"bone", "\"a/b\"", "file name"});
+  ExpectRefused([](Scene* s) { s->bones[0].name = std::string(201, 'x'); },
+                {"bone", "201 bytes"});
+  ExpectRefused([](Scene* s) { s->muscles[0].lines[0].name = "a\tb"; },
+                {"line of muscle iliacus", R"("a\tb")"});
+  ExpectRefused([](Scene* s) { s->poses[0].name = "a\rb"; },
+                {"pose", R"("a\rb")"});
+  ExpectRefused([](Scene* s) { s->name = std::string("a\0", 2); },
+                {"scene", R"("a\u0000")"});
+}
+
+TEST(CheckScene, RefusesNamesThatAreGivenTwice) {
+  ExpectRefused([](Scene* s) { s->muscles[0].name = "femur"; },
+                {"\"femur\"", "twice"});
+  ExpectRefused([](Scene* s) { s->poses.push_back(s->poses[0]); },
+                {"pose \"bent\"", "twice"});
+  ExpectRefused(
+      [](Scene* s) { s->muscles[0].lines.push_back(s->muscles[0].lines[0]); },
+      {"line \"line\"", "twice"});
+}
+
+TEST(CheckScene, RefusesCoordinatesBeyondTheLimit) {
+  // From a model they come without the checks of a scene file.
+  const double too_far = 1e9;
+  ExpectRefused([&](Scene* s) { s->muscles[0].lines[0].rest(1, 2) = too_far; },
+                {"line \"line\" of muscle iliacus: point 1", "1e+09", "1e7"});
+  ExpectRefused([&](Scene* s) { s->poses[0].lines["line"](0, 1) = too_far; },
+                {"target of line \"line\" in pose \"bent\": point 0"});
+  ExpectRefused([&](Scene* s) { s->poses[0].bodies["femur"](0, 3) = too_far; },
+                {"pose \"bent\": body \"femur\"", "1e+09"});
+  ExpectRefused(
+      [](Scene* s) {
+        s->poses[0].bodies["femur"](0, 0) =
+            std::numeric_limits<double>::quiet_NaN();
+      },
+      {"pose \"bent\": body \"femur\""});
+  ExpectRefused(
+      [&](Scene* s) {
+        Attachment attachment;
+        attachment.body = "femur";
+        attachment.points = Points::Constant(1, 3, too_far);
+        s->muscles[0].attachments.push_back(attachment);
+      },
+      {"attachment of muscle iliacus: point 0"});
+}
+
+TEST(CheckScene, BodiesThatPosesMoveNeedNoBone) {
+  Scene scene = GoodScene();
+  scene.bones.pop_back();
+  CheckScene(scene);
+  scene.muscles[0].attachments.resize(1);
+  scene.muscles[0].attachments[0].body = "femur";
+  CheckScene(scene);
+}
+
+TEST(CheckScene, RefusesBodiesOfWhichNothingIsKnown) {
+  ExpectRefused([](Scene* s) { s->muscles[0].lines[0].bodies[1] = "tibia"; },
+                {"line \"line\"", "\"tibia\"", "known bodies: femur, pelvis"});
+  ExpectRefused(
+      [](Scene* s) {
+        s->muscles[0].attachments.resize(1);
+        s->muscles[0].attachments[0].body = "tibia";
+      },
+      {"attachment of muscle iliacus", "\"tibia\""});
+  // A misspelt body of a pose would stay where it is in silence.
+  ExpectRefused(
+      [](Scene* s) {
+        s->poses[0].bodies["femr"] = Eigen::Matrix4d::Identity();
+      },
+      {"pose \"bent\"", "\"femr\"", "bodies in use: femur, pelvis"});
+}
+
+TEST(CheckScene, RefusesLinesThatAreNone) {
+  ExpectRefused(
+      [](Scene* s) { s->muscles[0].lines[0].rest.conservativeResize(1, 3); },
+      {"1 points", "at least 2"});
+  ExpectRefused([](Scene* s) { s->muscles[0].lines[0].rest.setZero(); },
+                {"repeats point 0 as point 1"});
+  ExpectRefused([](Scene* s) { s->muscles[0].lines[0].bodies.pop_back(); },
+                {"1 bodies for 2 points"});
+  ExpectRefused(
+      [](Scene* s) { s->poses[0].lines["line"].conservativeResize(1, 3); },
+      {"has 1 points, the rest line has 2"});
+  ExpectRefused([](Scene* s) { s->poses[0].lines["other"] = Points(); },
+                {"\"other\"", "no muscle"});
+}
+
+TEST(CheckScene, NamesTheFileOnce) {
+  Scene scene = GoodScene();
+  scene.muscles[0].lines[0].bodies[1] = "tibia";
+  EXPECT_EQ(CountInMessage(scene, "scene.json"), 1);
+  scene = GoodScene();
+  scene.poses[0].bodies["femr"] = Eigen::Matrix4d::Identity();
+  EXPECT_EQ(CountInMessage(scene, "scene.json"), 1);
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,67 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/frame_selection.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/input_errors.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::ElementsAre;
+
+// Five poses at 0, 0.1, ..., 0.4 s.
+std::vector<ScenePose> Motion() {
+  std::vector<ScenePose> poses(5);
+  for (size_t i = 0; i < poses.size(); ++i) poses[i].time = i / 10.0;
+  return poses;
+}
+
+std::vector<int> Selected(const std::string& frames) {
+  return SelectFrames(frames, Motion());
+}
+
+void ExpectRefused(const std::string& frames, const std::string& why) {
+  ExpectInputError([&] { Selected(frames); }, {"--frames=" + frames, why});
+}
+
+TEST(SelectFrames, KnowsAllAndLast) {
+  EXPECT_THAT(Selected("all"), ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(Selected("last"), ElementsAre(4));
+}
+
+TEST(SelectFrames, CountsBothEndsOfARange) {
+  EXPECT_THAT(Selected("3"), ElementsAre(3));
+  EXPECT_THAT(Selected("1:3"), ElementsAre(1, 2, 3));
+  EXPECT_THAT(Selected("2:2"), ElementsAre(2));
+  EXPECT_THAT(Selected("0:4:2"), ElementsAre(0, 2, 4));
+  EXPECT_THAT(Selected("0:4:3"), ElementsAre(0, 3));
+  EXPECT_THAT(Selected("1:2:9"), ElementsAre(1));
+}
+
+TEST(SelectFrames, TakesTimesFromTheFirstNotBeforeToTheLastNotAfter) {
+  EXPECT_THAT(Selected("0.1s:0.3s"), ElementsAre(1, 2, 3));
+  EXPECT_THAT(Selected("0.05s:0.35s"), ElementsAre(1, 2, 3));
+  EXPECT_THAT(Selected("-1s:9s"), ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(Selected("0.2s"), ElementsAre(2));
+  EXPECT_THAT(Selected("1:0.3s"), ElementsAre(1, 2, 3));
+}
+
+TEST(SelectFrames, RefusesWhatIsNoSelection) {
+  for (const char* frames : {"", ":", "1:", "1:2:3:4", "x", "-1", "1.5"}) {
+    ExpectRefused(frames, "not a frame number");
+  }
+  ExpectRefused("999999999", "not a frame number");
+  ExpectRefused("xs", "not a time");
+}
+
+TEST(SelectFrames, SaysWhatTheSceneHasIfNothingIsSelected) {
+  for (const char* frames : {"5", "3:2", "0:5", "0:4:0", "0.41s:0.5s"}) {
+    ExpectRefused(frames, "frames 0 to 4, 0s to 0.4s");
+  }
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,74 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/option_flags.h"
+
+#include <gtest/gtest.h>
+
+#include "support/input_errors.h"
+
+namespace musclewarp {
+namespace {
+
+std::string Message(const std::string& error) {
+  return FlagError(error,
+                   {{"HullOptions::count", "vertices"},
+                    {"HullOptions::count_tolerance", "tolerance"}})
+      .what();
+}
+
+TEST(FlagError, NamesTheFlagOfTheField) {
+  EXPECT_EQ(Message("HullOptions::count is 5, allowed: 20 to 5000"),
+            "--vertices: is 5; allowed: 20 to 5000");
+}
+
+TEST(FlagError, TellsFieldsApartWhoseNamesBeginAlike) {
+  EXPECT_EQ(Message("HullOptions::count_tolerance is -1, allowed: above 0"),
+            "--tolerance: is -1; allowed: above 0");
+}
+
+TEST(FlagError, LeavesFieldsWithoutAFlagAsTheyAre) {
+  EXPECT_EQ(Message("HullOptions::wraps is 0, allowed: above 0"),
+            "options: HullOptions::wraps is 0, allowed: above 0; see --help");
+}
+
+// Expects that the options of a run are refused, once changed, with the words.
+void ExpectRefused(const std::function<void(DeformOptions*)>& change,
+                   const std::vector<std::string>& words) {
+  DeformOptions options;
+  change(&options);
+  ExpectInputError([&] { CheckValid(options); }, words);
+}
+
+TEST(CheckValid, AcceptsTheDefaults) { CheckValid(DeformOptions()); }
+
+TEST(CheckValid, TellsHullsOfMusclesFromThoseOfBones) {
+  ExpectRefused(
+      [](DeformOptions* o) { o->prepare.muscle.hull.coarse_vertices = 19; },
+      {"--coarse_vertices: is 19; allowed: 20 to 5000"});
+  ExpectRefused(
+      [](DeformOptions* o) { o->scene_contact.bone_hull.coarse_vertices = 19; },
+      {"--bone_coarse_vertices: is 19"});
+}
+
+TEST(CheckValid, LooksIntoStructsThatNoFlagReaches) {
+  ExpectRefused(
+      [](DeformOptions* o) { o->prepare.repair.stitch_tolerance = -1; },
+      {"RepairOptions::stitch_tolerance is -1"});
+  ExpectRefused(
+      [](DeformOptions* o) { o->prepare.repair.holes.max_edges = -1; },
+      {"HoleLimits::max_edges is -1"});
+  ExpectRefused([](DeformOptions* o) { o->prepare.slivers.aspect = 2; },
+                {"SliverLimits::aspect is 2", "0 to 1"});
+  ExpectRefused([](DeformOptions* o) { o->prepare.fibres.voxels = 5; },
+                {"FibreOptions::voxels is 5"});
+  ExpectRefused([](DeformOptions* o) { o->frame.max_turn = 0; },
+                {"FrameOptions::max_turn"});
+  ExpectRefused([](DeformOptions* o) { o->certified_contact.max_turn = 0; },
+                {"CertifiedContactOptions"});
+  ExpectRefused(
+      [](DeformOptions* o) { o->scene_contact.group.mask_memory = 0; },
+      {"GroupContactOptions::mask_memory is 0"});
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,78 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/input_errors.h"
+#include "tools/run_program.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+using ::testing::Not;
+
+TEST(RunProgram, HelpShowsTheFlagsOfTheProgramAlone) {
+  const ProgramRun run = RunCommandLine(MUSCLEWARP_CHECK, "--help");
+  EXPECT_EQ(run.exit_code, kExitUsable);
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("usage: musclewarp-check"),
+                    HasSubstr("--require_clean"),
+                    HasSubstr("--threads=NUMBER"),
+                    Not(HasSubstr("logtostderr"))));
+  EXPECT_EQ(RunCommandLine(MUSCLEWARP_CHECK, "--helpshort").out, run.out);
+}
+
+TEST(RunProgram, SaysItsVersion) {
+  const ProgramRun run = RunCommandLine(MUSCLEWARP_CHECK, "--version");
+  EXPECT_EQ(run.exit_code, kExitUsable);
+  EXPECT_THAT(run.out, MatchesRegex("musclewarp-check [0-9.]+\n"));
+}
+
+TEST(RunProgram, RefusesFlagsItDoesNotKnow) {
+  const ProgramRun run = RunCommandLine(MUSCLEWARP_CHECK, "--colour=red");
+  EXPECT_EQ(run.exit_code, kExitBadInput);
+  EXPECT_THAT(run.errors, HasSubstr("colour"));
+}
+
+TEST(RunProgram, RefusesValuesOfAnotherType) {
+  const ProgramRun run = RunCommandLine(MUSCLEWARP_CHECK, "--threads=many");
+  EXPECT_EQ(run.exit_code, kExitBadInput);
+  EXPECT_THAT(run.errors, AllOf(HasSubstr("threads"), HasSubstr("many")));
+}
+
+TEST(RunProgram, PrintsBadInputUnderItsName) {
+  const ProgramRun run = RunCommandLine(MUSCLEWARP_CHECK, "none.ply");
+  EXPECT_EQ(run.exit_code, kExitBadInput);
+  EXPECT_EQ(run.errors.rfind("musclewarp-check: none.ply: ", 0), 0u)
+      << run.errors;
+}
+
+TEST(CheckThreads, AllowsFromAllCoresToAThousand) {
+  for (const int threads : {0, 1, 64, 1024}) {
+    EXPECT_NO_THROW(CheckThreads(threads)) << threads;
+  }
+  for (const int threads : {-1, 1025, 1000000}) {
+    ExpectInputError([&] { CheckThreads(threads); },
+                     {"--threads: is " + std::to_string(threads) + ";",
+                      "allowed: 0 (all cores) to 1024"});
+  }
+}
+
+TEST(RefuseArguments, NamesTheFirst) {
+  const ProgramRun run = RunCommandLine(MUSCLEWARP_DEFORM, "scene.json more");
+  EXPECT_EQ(run.exit_code, kExitBadInput);
+  EXPECT_THAT(run.errors,
+              AllOf(HasSubstr("scene.json: is not a flag"),
+                    HasSubstr("--help"),
+                    Not(HasSubstr("more"))));
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,148 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/scene_flags.h"
+
+#include <gflags/gflags.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/input_errors.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// The options of a run with some flags set; afterwards they are as before.
+DeformOptions WithFlags(
+    const std::vector<std::pair<std::string, std::string>>& flags) {
+  const gflags::FlagSaver saver;
+  gflags::SetCommandLineOption("scene", "scene.json");
+  for (const auto& [name, value] : flags) {
+    EXPECT_NE(gflags::SetCommandLineOption(name.c_str(), value.c_str()), "")
+        << name;
+  }
+  DeformOptions options = SceneOptionsFromFlags();
+  SetIterationLimit(&options.deformer.solver);
+  return options;
+}
+
+void ExpectRefused(const std::string& flag,
+                   const std::string& value,
+                   const std::string& allowed) {
+  ExpectInputError(
+      [&] {
+        CheckSceneOptions(WithFlags({{flag, value}}));
+      },
+      {"--" + flag, value, "allowed: " + allowed});
+}
+
+TEST(SceneFlags, DefaultsAreThoseOfTheOptions) {
+  const DeformOptions options = WithFlags({});
+  CheckSceneOptions(options);
+  const DeformOptions defaults;
+  EXPECT_EQ(options.deformer.prepare.muscle.hull.coarse_vertices,
+            defaults.deformer.prepare.muscle.hull.coarse_vertices);
+  EXPECT_EQ(options.deformer.prepare.muscle.sample_spacing,
+            defaults.deformer.prepare.muscle.sample_spacing);
+  EXPECT_EQ(options.deformer.prepare.muscle.skeleton_weight,
+            defaults.deformer.prepare.muscle.skeleton_weight);
+  EXPECT_EQ(options.deformer.prepare.muscle.attachment_weight,
+            defaults.deformer.prepare.muscle.attachment_weight);
+  EXPECT_EQ(options.deformer.prepare.repair.holes.max_perimeter,
+            defaults.deformer.prepare.repair.holes.max_perimeter);
+  EXPECT_EQ(options.deformer.prepare.auto_lines,
+            defaults.deformer.prepare.auto_lines);
+  EXPECT_EQ(options.deformer.frames.paper.bone_hull.coarse_vertices,
+            SceneContactOptions().bone_hull.coarse_vertices);
+  EXPECT_EQ(options.frames, defaults.frames);
+}
+
+TEST(SceneFlags, EveryFlagReachesItsOption) {
+  const DeformOptions options = WithFlags({{"coarse_vertices", "300"},
+                                           {"bone_coarse_vertices", "400"},
+                                           {"sample_spacing", "5"},
+                                           {"skeleton_weight", "2"},
+                                           {"attachment_weight", "3"},
+                                           {"auto_lines", "4"},
+                                           {"max_hole", "50"},
+                                           {"max_iterations", "60"},
+                                           {"seed", "7"},
+                                           {"threads", "8"},
+                                           {"contact_level", "fine"},
+                                           {"body_twist", "false"}});
+  EXPECT_EQ(options.deformer.prepare.muscle.hull.coarse_vertices, 300);
+  EXPECT_EQ(options.deformer.frames.paper.bone_hull.coarse_vertices, 400);
+  EXPECT_EQ(options.deformer.prepare.muscle.sample_spacing, 5);
+  EXPECT_EQ(options.deformer.prepare.muscle.skeleton_weight, 2);
+  EXPECT_EQ(options.deformer.prepare.muscle.attachment_weight, 3);
+  EXPECT_EQ(options.deformer.prepare.auto_lines, 4);
+  EXPECT_EQ(options.deformer.prepare.repair.holes.max_perimeter, 50);
+  EXPECT_EQ(options.deformer.solver.gauss_newton.max_iterations, 60);
+  EXPECT_EQ(options.deformer.frames.paper.group.paper.seed, 7u);
+  EXPECT_EQ(options.threads, 8);
+  EXPECT_EQ(options.deformer.frames.paper.group.level, ContactLevel::kFine);
+  EXPECT_FALSE(options.deformer.frames.pre_rotation.use_body_twist);
+}
+
+TEST(SceneFlags, RefusesValuesThatAreNotAllowedByTheNameOfTheFlag) {
+  for (const char* value : {"-1", "nan"}) {
+    ExpectRefused("max_hole", value, "0 or above");
+    ExpectRefused("attachment_weight", value, "0 to 1e6");
+    ExpectRefused("skeleton_weight", value, "above 0, at most 1e6");
+    ExpectRefused("sample_spacing", value, "0.01 mm or above");
+  }
+  for (const char* value : {"19", "-5", "5001"}) {
+    ExpectRefused("coarse_vertices", value, "20 to 5000");
+    ExpectRefused("bone_coarse_vertices", value, "20 to 5000");
+  }
+  ExpectRefused("skeleton_weight", "0", "above 0");
+  ExpectRefused("skeleton_weight", "inf", "above 0, at most 1e6");
+  ExpectRefused("attachment_weight", "inf", "0 to 1e6");
+  ExpectRefused("sample_spacing", "0.001", "0.01 mm or above");
+  ExpectRefused("auto_lines", "0", "1 or above");
+  ExpectRefused("max_iterations", "0", "1 or above");
+  ExpectRefused("threads", "-1", "0 (all cores) to 1024");
+  ExpectRefused("threads", "1000000", "0 (all cores) to 1024");
+  ExpectRefused("contact_level", "middle", "coarse, fine");
+}
+
+TEST(SceneFlags, NoMessageNamesAStructOfTheLibrary) {
+  for (const char* flag : {"max_hole",
+                           "coarse_vertices",
+                           "bone_coarse_vertices",
+                           "sample_spacing",
+                           "skeleton_weight",
+                           "attachment_weight",
+                           "auto_lines",
+                           "max_iterations",
+                           "threads"}) {
+    try {
+      CheckSceneOptions(WithFlags({{flag, "-1"}}));
+      ADD_FAILURE() << flag << " was not refused";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(),
+                  AllOf(HasSubstr(std::string("--") + flag + ": is -1; "),
+                        Not(HasSubstr("::"))));
+    }
+  }
+}
+
+TEST(SceneFlags, TheRecordedCommandHasTheFlagsThatWereSet) {
+  const DeformOptions options =
+      WithFlags({{"frames", "0:2"}, {"threads", "3"}, {"data_root", "a b"}});
+  EXPECT_THAT(options.command,
+              AllOf(HasSubstr(" --frames=0:2"),
+                    HasSubstr(" --threads=3"),
+                    HasSubstr(" --data_root='a b'"),
+                    HasSubstr(" --scene=scene.json"),
+                    Not(HasSubstr("max_hole"))));
+  // Neither the number of threads nor the place of files changes a result.
+  EXPECT_EQ(options.result_flags, " --frames=0:2");
+  EXPECT_EQ(options.all_flags.at("max_hole"), "30");
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,67 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/option_flags.h"
+
+namespace musclewarp {
+namespace {
+
+const FlagsOfFields& FlagsOfPreparation() {
+  static const FlagsOfFields kFlags = {
+      {"FibreOptions::fibres", "fibres"},
+      {"HoleLimits::max_perimeter", "max_hole"},
+      {"MuscleModelOptions::attachment_weight", "attachment_weight"},
+      {"MuscleModelOptions::sample_spacing", "sample_spacing"},
+      {"MuscleModelOptions::skeleton_weight", "skeleton_weight"},
+      {"OuterHullOptions::coarse_vertices", "coarse_vertices"},
+      {"PrepareOptions::auto_lines", "auto_lines"}};
+  return kFlags;
+}
+
+// Bones have hulls, too: the same field under another flag.
+const FlagsOfFields& FlagsOfContact() {
+  static const FlagsOfFields kFlags = {
+      {"OuterHullOptions::coarse_vertices", "bone_coarse_vertices"},
+      {"StepOptions::gap", "gap"},
+      {"StepOptions::max_rounds", "max_rounds"},
+      {"StepLimits::max_move", "max_step_move"}};
+  return kFlags;
+}
+
+// One flag limits the iterations of every solver.
+const FlagsOfFields& FlagsOfSolver() {
+  static const FlagsOfFields kFlags = {
+      {"GaussNewtonOptions::max_iterations", "max_iterations"},
+      {"GroupIterationOptions::max_iterations", "max_iterations"},
+      {"HardConstraintOptions::max_rounds", "max_iterations"}};
+  return kFlags;
+}
+
+template <typename Options>
+void ThrowIfInvalid(const Options& options, const FlagsOfFields& flags) {
+  std::string message;
+  if (!options.IsValid(&message)) throw FlagError(message, flags);
+}
+
+}  // namespace
+
+InputError FlagError(const std::string& message, const FlagsOfFields& flags) {
+  const std::string separator = ", allowed: ";
+  for (const auto& [field, flag] : flags) {
+    if (message.compare(0, field.size() + 1, field + " ") != 0) continue;
+    const size_t end = message.find(separator);
+    if (end == std::string::npos) break;
+    const size_t begin = field.size() + 1;
+    return InputError("--" + flag,
+                      message.substr(begin, end - begin),
+                      message.substr(end + 2));
+  }
+  return InputError("options", message, "see --help");
+}
+
+void CheckValid(const DeformOptions& options) {
+  ThrowIfInvalid(options.deformer.prepare, FlagsOfPreparation());
+  ThrowIfInvalid(options.deformer.frames, FlagsOfContact());
+  ThrowIfInvalid(options.deformer.solver, FlagsOfSolver());
+}
+
+}  // namespace musclewarp
