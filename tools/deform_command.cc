@@ -248,6 +248,7 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   if (options.resume) {
     run.frames = log.Continue(selected, &state);
     if (IsFinished(options.out, run.inputs_hash)) {
+      log.Finish();  // the run may have been killed before it did
       screen << "finished already: " << report << "\n";
       if (options.html) WriteRunPage(options.out, screen);
       return ExitCodeOfFinished(report);
