@@ -7,7 +7,7 @@
 #
 # usage: .ci/check_tidy.sh [BASE | --all]
 #   BASE   a commit; by default where this branch left main, and on main itself
-#          the commit of twenty commits ago, or the first that is there
+#          that of twenty commits ago, or none if there are fewer: all is new
 #   --all  checks all C++ files, which takes a quarter of an hour on two cores
 #
 # Needs build/release to be configured, for its compile_commands.json. Without
