@@ -11,13 +11,13 @@
 #   --all  checks all C++ files, which takes a quarter of an hour on two cores
 #
 # Needs build/release to be configured, for its compile_commands.json. Without
-# --all no more than MUSCLEWARP_TIDY_FILES files are checked (100 by default),
+# --all no more than MUSCLEWARP_TIDY_FILES files are checked (60 by default),
 # those that changed last, so that the time is bounded.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 build=build/release
-max_files=${MUSCLEWARP_TIDY_FILES:-100}
+max_files=${MUSCLEWARP_TIDY_FILES:-60}
 base=${1:-}
 if (($# > 1)) || [[ $base == -* && $base != --all ]]; then
   sed -n '/^# usage/,/^# those/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
