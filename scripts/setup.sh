@@ -17,7 +17,7 @@ packages="
   libopenmesh-dev libcgal-dev nlohmann-json3-dev libpugixml-dev
   libvtk9-dev libegl-dev libgl1-mesa-dri
   libgtest-dev libgmock-dev libbenchmark-dev
-  clang-format-14 chromium
+  clang-format-14 clang-tidy-14 python3 chromium
 "
 # Node.js may have come another way than from Debian, which its npm would not
 # go with.

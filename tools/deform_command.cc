@@ -116,6 +116,7 @@ class DeformRun {
     if (options_.resume) {
       run_.frames = log_->Continue(selected_, &state);
       if (IsFinished(options_.out, run_.inputs_hash)) {
+        log_->Finish();  // the run may have been killed before it did
         screen_ << "finished already: " << report_ << "\n";
         if (options_.html) WriteRunPage(options_.out, screen_);
         return ExitCodeOfFinished(report_);

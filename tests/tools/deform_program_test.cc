@@ -1,19 +1,19 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
+#include "tools/deform_program.h"
+
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <string>
+#include <vector>
 
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
-#include "tools/run_program.h"
 
 namespace musclewarp {
 namespace {
@@ -23,164 +23,9 @@ using Json = nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-ProgramRun Deform(const std::string& arguments) {
-  // Most are not about contact; flags that come later win.
-  return RunCommandLine(MUSCLEWARP_DEFORM, "--contact=none " + arguments);
-}
-
 std::string EmbeddedScene() {
   return std::string(MUSCLEWARP_DATA_DIR) + "/phantom/scene.json";
 }
-
-// A scene of one spindle and one bone in the folder of the test.
-class DeformProgram : public ::testing::Test {
- protected:
-  DeformProgram() : dir_(TestTempDir()) {
-    TriangleSoup bone = Icosphere(10, 2);
-    bone.points.rowwise() += Eigen::RowVector3d(22, 0, 30);
-    WriteTriangleSoup(dir_ + "/muscle.ply", Spindle(12, 60, 3));
-    WriteTriangleSoup(dir_ + "/bone.ply", bone);
-    scene_ = Json::parse(R"({"name": "spindle", "units": "mm",
-      "muscles": [{"name": "muscle", "mesh": "muscle.ply", "lines":
-        [{"name": "line", "rest": [[0,0,-55],[0,0,0],[0,0,55]]}]}],
-      "bones": [{"name": "bone", "mesh": "bone.ply", "body": "bone"}],
-      "poses": [{"name": "rest"}, {"name": "bent", "lines":
-        {"line": [[0,0,-55],[0,0,0],[30,0,45]]}}]})");
-  }
-
-  ProgramRun Run(const std::string& flags = "") {
-    WriteTextAtomically(dir_ + "/scene.json", scene_.dump());
-    return Deform("--scene=" + dir_ + "/scene.json --out=" + out() + " " +
-                  flags);
-  }
-
-  std::string out() const { return dir_ + "/out"; }
-
-  // Exit code 2, all words in the message, nothing written.
-  void ExpectRefused(const std::vector<std::string>& words,
-                     const std::string& flags = "") {
-    const ProgramRun run = Run(flags);
-    EXPECT_EQ(run.exit_code, 2) << run.out << run.errors;
-    for (const auto& word : words) EXPECT_THAT(run.errors, HasSubstr(word));
-    EXPECT_FALSE(fs::exists(out()));
-  }
-
-  void WriteMuscle(const TriangleSoup& soup) {
-    WriteTriangleSoup(dir_ + "/muscle.ply", soup);
-  }
-
-  const std::string dir_;
-  Json scene_;
-};
-
-TEST_F(DeformProgram, CertifiedContactHoldsOnOverlappingMeshes) {
-  TriangleSoup bone = Icosphere(10, 2);
-  bone.points.rowwise() += Eigen::RowVector3d(17, 0, 20);
-  WriteTriangleSoup(dir_ + "/bone.ply", bone);
-  scene_["poses"][1]["lines"]["line"] =
-      Json::parse("[[0,0,-55],[0,0,0],[6,0,54.5]]");
-  const ProgramRun run = Run("--contact=certified");
-  EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
-  const Json report = Json::parse(FileText(out() + "/report.json"));
-  EXPECT_EQ(report["contact"], "certified");
-  EXPECT_GT(report["rest"]["intersections"]["triangle_pairs"], 0);
-  EXPECT_EQ(report["rest"]["after_initial_fix"]["triangle_pairs"], 0);
-  for (const Json& frame : report["frames"]) {
-    EXPECT_TRUE(frame["shortcomings"].empty()) << frame["shortcomings"];
-    EXPECT_EQ(frame["intersections"]["triangle_pairs"], 0);
-    EXPECT_EQ(frame["intersections"]["vertices_inside"], 0);
-    const Json& muscle = frame["muscles"][0];
-    EXPECT_NEAR(muscle["volume_ratio"], 1, 1e-6);
-    EXPECT_GT(muscle["max_contact_displacement_mm"], 0);
-    EXPECT_LE(muscle["max_contact_displacement_mm"],
-              2 * muscle["depth_without_contact_mm"].get<double>() + 1);
-  }
-}
-
-TEST_F(DeformProgram, ContactIsCertifiedUnlessSaidOtherwise) {
-  WriteTextAtomically(dir_ + "/scene.json", scene_.dump());
-  const ProgramRun run = RunCommandLine(
-      MUSCLEWARP_DEFORM,
-      "--frames=0 --scene=" + dir_ + "/scene.json --out=" + out());
-  EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
-  EXPECT_EQ(Json::parse(FileText(out() + "/report.json"))["contact"],
-            "certified");
-}
-
-TEST_F(DeformProgram, WhatMayPenetrateIsLeftAndCountedApart) {
-  // The end of the spindle, 8 mm in a bone.
-  TriangleSoup bone = Icosphere(10, 2);
-  bone.points.rowwise() += Eigen::RowVector3d(0, 0, 62);
-  WriteTriangleSoup(dir_ + "/bone.ply", bone);
-  scene_["poses"] = Json::parse(R"([{"name": "rest"}])");
-  scene_["muscles"][0]["attachments"] = Json::parse(
-      R"([{"body": "bone", "points": [[0, 0, 60]], "radius": 14}])");
-  const auto intersections = [&](bool may_penetrate) -> Json {
-    scene_["muscles"][0]["attachments"][0]["may_penetrate"] = may_penetrate;
-    const ProgramRun run = Run("--contact=certified");
-    EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
-    const Json report = Json::parse(FileText(out() + "/report.json"));
-    const Json& frame = report["frames"][0];
-    EXPECT_TRUE(frame["usable"]) << frame["shortcomings"];
-    EXPECT_EQ(frame["intersections"]["triangle_pairs"], 0);
-    EXPECT_EQ(frame["intersections"]["vertices_inside"], 0);
-    return frame["intersections"];
-  };
-  EXPECT_EQ(intersections(false)["exempt_pairs"], 0);
-  const Json exempt = intersections(true);
-  EXPECT_GT(exempt["exempt_pairs"], 10);
-  EXPECT_EQ(exempt["pairs"][0]["exempt_pairs"], exempt["exempt_pairs"]);
-}
-
-TEST_F(DeformProgram, SaysWhereAMuscleHasNoRoom) {
-  // Two bones that meet in the middle of the muscle.
-  TriangleSoup bone = Icosphere(40, 3);
-  bone.points.rowwise() += Eigen::RowVector3d(60, 0, 0);
-  WriteTriangleSoup(dir_ + "/right.ply", bone);
-  bone.points.rowwise() -= Eigen::RowVector3d(120, 0, 0);
-  WriteTriangleSoup(dir_ + "/left.ply", bone);
-  scene_["bones"] = Json::parse(R"([
-    {"name": "right", "mesh": "right.ply", "body": "right"},
-    {"name": "left", "mesh": "left.ply", "body": "left"}])");
-  scene_["poses"] = Json::parse(R"([{"name": "rest"}, {"name": "squeezed",
-    "bodies": {"right": [[1,0,0,-21],[0,1,0,0],[0,0,1,0],[0,0,0,1]],
-               "left": [[1,0,0,21],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}}])");
-  const ProgramRun run = Run("--contact=certified");
-  EXPECT_EQ(run.exit_code, 1) << run.out << run.errors;
-  const Json report = Json::parse(FileText(out() + "/report.json"));
-  EXPECT_FALSE(report["summary"]["usable"]);
-  EXPECT_TRUE(report["frames"][0]["usable"])
-      << report["frames"][0]["shortcomings"];
-  EXPECT_FALSE(report["frames"][1]["usable"]);
-  const std::string why = report["frames"][1]["shortcomings"].dump();
-  EXPECT_THAT(why, HasSubstr("muscle"));
-  // Where they meet.
-  std::smatch place;
-  ASSERT_TRUE(std::regex_search(
-      why,
-      place,
-      std::regex(
-          R"(triangle pairs around \(([-0-9.]+), ([-0-9.]+), ([-0-9.]+)\))")))
-      << why;
-  for (int k = 1; k <= 3; ++k) EXPECT_LT(std::abs(std::stod(place[k])), 5);
-}
-
-TEST(DeformEmbeddedScene, CertifiedContactDoesNotDependOnThreads) {
-  const std::string scene = "--scene=" MUSCLEWARP_DATA_DIR
-                            "/phantom/motion.json --contact=certified ";
-  const std::string dir = TestTempDir();
-  const auto positions = [&](const std::string& out) {
-    return ReadTriangleSoup(out + "/frame_0000/gluteus_medius_r.ply").points;
-  };
-  EXPECT_EQ(Deform(scene + "--frames=0 --out=" + dir + "/whole").exit_code, 0);
-  EXPECT_EQ(
-      Deform(scene + "--frames=0 --threads=1 --out=" + dir + "/one_thread")
-          .exit_code,
-      0);
-  EXPECT_EQ(positions(dir + "/whole"), positions(dir + "/one_thread"));
-}
-
-}  // namespace
 
 TEST_F(DeformProgram, WritesFramesAndReport) {
   const ProgramRun run = Run("--format=ply,obj");
@@ -236,66 +81,6 @@ TEST_F(DeformProgram, ReportsIntersectionsAsCheckDoes) {
             check["pairs"][0]["a_vertices_inside_b"].get<int>() +
                 check["pairs"][0]["b_vertices_inside_a"].get<int>());
   EXPECT_EQ(counts["self_pairs"], check["files"][0]["self_pairs"]);
-}
-
-TEST_F(DeformProgram, PaperContactPushesTheMuscleOffTheBone) {
-  for (const char* level : {"coarse", "fine"}) {
-    for (const char* solver : {"reference", "ceres"}) {
-      const ProgramRun run =
-          Run(std::string("--contact=paper --contact_level=") + level +
-              " --solver=" + solver);
-      ASSERT_EQ(run.exit_code, 0) << run.out << run.errors;
-      const Json report = Json::parse(FileText(out() + "/report.json"));
-      EXPECT_EQ(report["contact"], "paper");
-      EXPECT_EQ(report["contact_options"]["level"], level);
-      EXPECT_TRUE(report["rest"].contains("after_initial_fix"));
-      const Json& frame = report["frames"][1];
-      EXPECT_EQ(frame["intersections"]["vertices_inside"], 0)
-          << level << " " << solver;
-      EXPECT_NEAR(frame["muscles"][0]["volume_ratio"], 1, 1e-6);
-    }
-  }
-}
-
-TEST_F(DeformProgram, PaperContactIsTheSameToTheByteForEveryNumberOfThreads) {
-  const auto written = [&](const std::string& flags) {
-    EXPECT_EQ(Run("--contact=paper " + flags).exit_code, 0);
-    return FileText(out() + "/frame_0001/muscle.ply");
-  };
-  const std::string once = written("--threads=1 --seed=3");
-  EXPECT_EQ(once, written("--threads=1 --seed=3"));
-  EXPECT_EQ(once, written("--threads=3 --seed=3"));
-}
-
-TEST_F(DeformProgram, AnswersForMeshesThatContainEachOther) {
-  // A bone inside the muscle; then a second muscle inside the first; then the
-  // same mesh twice. Counted, said, never a hang or crash.
-  WriteTriangleSoup(dir_ + "/bone.ply", Icosphere(4, 2));
-  ProgramRun run = Run("--contact=paper --frames=0");
-  EXPECT_LE(run.exit_code, 1) << run.errors;
-  EXPECT_THAT(run.errors, HasSubstr("bone lies inside muscle"));
-
-  scene_["bones"] = Json::array();
-  scene_["muscles"].push_back(scene_["muscles"][0]);
-  scene_["muscles"][1]["name"] = "inner";
-  scene_["muscles"][1]["mesh"] = "inner.ply";
-  scene_["muscles"][1]["lines"][0]["name"] = "inner_line";
-  WriteTriangleSoup(dir_ + "/inner.ply", Spindle(4, 40, 3));
-  run = Run("--contact=paper --frames=0");
-  EXPECT_LE(run.exit_code, 1) << run.errors;
-  EXPECT_THAT(run.errors, HasSubstr("inner lies inside muscle"));
-
-  WriteTriangleSoup(dir_ + "/inner.ply", Spindle(12, 60, 3));
-  run = Run("--contact=paper --frames=0");
-  EXPECT_LE(run.exit_code, 1) << run.errors;
-  EXPECT_THAT(run.errors, HasSubstr("muscle and inner are the same mesh"));
-}
-
-TEST_F(DeformProgram, RefusesAnObstacleThatIsNotClosed) {
-  TriangleSoup open = Icosphere(10, 2);
-  open.triangles = open.triangles.topRows(200).eval();
-  WriteTriangleSoup(dir_ + "/bone.ply", open);
-  ExpectRefused({"bone.ply", "hole"}, "--contact=paper");
 }
 
 TEST_F(DeformProgram, SelectsFrames) {
@@ -444,4 +229,5 @@ TEST(DeformEmbeddedScene, IsUsableAndDoesNotDependOnThreads) {
   EXPECT_EQ(files, 30);  // five meshes at rest and in five poses
 }
 
+}  // namespace
 }  // namespace musclewarp

@@ -1,11 +1,11 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
+#include "tools/motion_program.h"
+
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -23,99 +23,17 @@
 #include <vtkXMLUtilities.h>
 #endif
 
-#include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
-#include "musclewarp/opensim/storage_table.h"
-#include "support/meshes.h"
 #include "support/osim_models.h"
 #include "support/temp_dir.h"
-#include "tools/run_program.h"
 
 namespace musclewarp {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::HasSubstr;
-
-// A spindle along y over a knee at (0, -400, 0) mm that turns about z, between
-// two balls of bone; the knee bends by 30 degrees in 7 rows.
-class MotionProgram : public ::testing::Test {
- protected:
-  MotionProgram() : dir_(TestTempDir()) {
-    TriangleSoup muscle = Spindle(12, 60, 3);
-    const Points along_z = muscle.points;
-    muscle.points.col(1) = -along_z.col(2);
-    muscle.points.col(2) = along_z.col(1);
-    muscle.points.rowwise() += Eigen::RowVector3d(25, -400, 0);
-    WriteTriangleSoup(dir_ + "/muscle.ply", muscle);
-    for (const int side : {-1, 1}) {
-      TriangleSoup bone = Icosphere(9, 2);
-      bone.points.rowwise() += Eigen::RowVector3d(25, -400 + 66 * side, 0);
-      WriteTriangleSoup(dir_ + (side < 0 ? "/shank.ply" : "/thigh.ply"), bone);
-    }
-    model_ = Model4(Joint4("PinJoint", "knee"),
-                    "",
-                    Muscle("path",
-                           Point4("p1", "thigh", "0.025 -0.345 0") +
-                               Point4("p2", "thigh", "0.025 -0.38 0") +
-                               Point4("p3", "shank", "0.025 -0.02 0") +
-                               Point4("p4", "shank", "0.025 -0.055 0")));
-    motion_ =
-        "bend\nversion=1\nnRows=7\nnColumns=2\ninDegrees=yes\nendheader\n"
-        "time\tknee\n";
-    for (int i = 0; i < 7; ++i) {
-      motion_ += std::to_string(0.1 * i) + "\t" + std::to_string(-5 * i) + "\n";
-    }
-    scene_ = Json::parse(R"({"name": "leg", "units": "mm",
-      "muscles": [{"name": "muscle", "mesh": "muscle.ply", "lines": ["path"]}],
-      "bones": [{"name": "thigh", "mesh": "thigh.ply", "body": "thigh"},
-                {"name": "shank", "mesh": "shank.ply", "body": "shank"}],
-      "model": "leg.osim", "motion": "bend.mot",
-      "model_rest": {"coordinates": {"knee": 0}, "in_degrees": true}})");
-  }
-
-  std::string CommandLine(const std::string& flags, const std::string& out) {
-    WriteTextAtomically(dir_ + "/scene.json", scene_.dump());
-    WriteTextAtomically(dir_ + "/leg.osim", model_);
-    WriteTextAtomically(dir_ + "/bend.mot", motion_);
-    // Most are not about contact; flags that come later win.
-    return "--contact=none --scene=" + dir_ + "/scene.json --out=" + out + " " +
-           flags;
-  }
-  ProgramRun Run(const std::string& flags = "") {
-    return RunCommandLine(MUSCLEWARP_DEFORM, CommandLine(flags, out()));
-  }
-  std::string out() const { return dir_ + "/out"; }
-  Json Report() const { return Json::parse(FileText(out() + "/report.json")); }
-  StorageTable Table(const std::string& name) const {
-    return ReadStorageTable(out() + "/" + name + ".sto");
-  }
-
-  void ExpectRefused(const std::vector<std::string>& words) {
-    const ProgramRun run = Run();
-    EXPECT_EQ(run.exit_code, 2) << run.out << run.errors;
-    for (const auto& word : words) EXPECT_THAT(run.errors, HasSubstr(word));
-    EXPECT_FALSE(fs::exists(out()));
-  }
-  // The text with `from` replaced for one run.
-  void ExpectRefusedWith(std::string* text,
-                         const std::string& from,
-                         const std::string& to,
-                         const std::vector<std::string>& words) {
-    const std::string good = *text;
-    ASSERT_NE(text->find(from), std::string::npos) << from;
-    text->replace(text->find(from), from.size(), to);
-    ExpectRefused(words);
-    *text = good;
-  }
-
-  const std::string dir_;
-  std::string model_, motion_;
-  Json scene_;
-};
 
 TEST_F(MotionProgram, FollowsTheMotionAndWritesItsTables) {
   const ProgramRun run = Run();
@@ -201,91 +119,6 @@ TEST_F(MotionProgram, MusclesWithoutLinesGetThem) {
     EXPECT_GT(report["frames"][0]["muscles"][0]["max_displacement_mm"], 10);
   }
   EXPECT_EQ(Run("--auto_lines=0").exit_code, 2);
-}
-
-// All files but report.json, whose times differ, by name below `dir`.
-std::map<std::string, std::string> Contents(const std::string& dir) {
-  std::map<std::string, std::string> contents;
-  for (const auto& entry : fs::recursive_directory_iterator(dir)) {
-    if (!entry.is_regular_file()) continue;
-    const std::string name = fs::relative(entry.path(), dir).string();
-    if (name != "report.json") contents[name] = FileText(entry.path().string());
-  }
-  return contents;
-}
-
-// The report without what depends on the machine's mood and the command line.
-Json WithoutTimes(Json report) {
-  if (report.is_object()) {
-    report.erase("command");
-    report.erase("options");
-  }
-  if (report.is_structured()) {
-    for (auto item = report.begin(); item != report.end();) {
-      const bool is_time =
-          report.is_object() && (item.key().find("_ms") != std::string::npos);
-      if (is_time) {
-        item = report.erase(item);
-      } else {
-        if (item->is_structured()) *item = WithoutTimes(*item);
-        ++item;
-      }
-    }
-  }
-  return report;
-}
-
-TEST_F(MotionProgram, AKilledRunGoesOnToTheSameBytes) {
-  const std::string flags = "--contact=paper --format=ply,obj --fibres=3";
-  ASSERT_EQ(Run(flags).exit_code, 0);
-  const auto whole = Contents(out());
-  const Json report = WithoutTimes(Report());
-  const std::string broken = dir_ + "/broken";
-  const std::string arguments = CommandLine(flags + " --resume", broken);
-  // Killed where it is, a little later every time, until it comes to its end.
-  int kills = 0;
-  for (double seconds = 0.1; kills < 100; seconds += 0.15) {
-    const ProgramRun run = RunCommandLine(
-        "timeout -s KILL " + std::to_string(seconds) + " " + MUSCLEWARP_DEFORM,
-        arguments);
-    if (run.exit_code == 0) break;
-    ++kills;
-    if (!fs::exists(broken)) continue;
-    // What is there is complete.
-    for (const auto& [name, bytes] : Contents(broken)) {
-      if (name[0] == '.') continue;
-      ASSERT_EQ(whole.count(name), 1u) << name;
-      EXPECT_EQ(bytes, whole.at(name)) << name;
-    }
-  }
-  EXPECT_GE(kills, 1);
-  EXPECT_EQ(Contents(broken), whole);
-  EXPECT_EQ(WithoutTimes(Json::parse(FileText(broken + "/report.json"))),
-            report);
-}
-
-TEST_F(MotionProgram, AFinishedRunHasNothingToGoOnWith) {
-  ASSERT_EQ(Run().exit_code, 0);
-  const auto whole = Contents(out());
-  ProgramRun run = Run("--resume");
-  EXPECT_EQ(run.exit_code, 0) << run.errors;
-  EXPECT_THAT(run.out, HasSubstr("finished already"));
-  // With other options it is another run.
-  run = Run("--resume --frames=0:2");
-  EXPECT_EQ(run.exit_code, 0) << run.errors;
-  EXPECT_EQ(run.out.find("finished already"), std::string::npos);
-  EXPECT_EQ(Report()["frames"].size(), 3u);
-}
-
-TEST_F(MotionProgram, ResumeIsForTheSameInput) {
-  fs::create_directories(out() + "/.resume");
-  WriteTextAtomically(out() + "/.resume/inputs", "0123456789abcdef");
-  const ProgramRun run = Run("--resume");
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.errors, AllOf(HasSubstr("--resume"), HasSubstr("other")));
-  EXPECT_FALSE(fs::exists(out() + "/report.json"));
-  EXPECT_EQ(Run().exit_code, 0);  // starts anew
-  EXPECT_FALSE(fs::exists(out() + "/.resume"));
 }
 
 TEST_F(MotionProgram, RefusesMotionsThatDoNotFit) {

@@ -64,12 +64,17 @@ void WriteFolderAtomically(
   const fs::path target(path);
   const fs::path partial =
       target.parent_path() / ("." + target.filename().string() + kPartial);
+  const fs::path replaced = partial.string() + ".replaced";
   try {
     fs::remove_all(partial);
+    fs::remove_all(replaced);
     fs::create_directories(partial);
     write(partial.string());
-    fs::remove_all(target);
+    // A program that is killed while it removes a folder leaves half of it, so
+    // this one is hidden first.
+    if (fs::exists(target)) fs::rename(target, replaced);
     fs::rename(partial, target);
+    fs::remove_all(replaced);
   } catch (const fs::filesystem_error& error) {
     std::error_code ignored;
     fs::remove_all(partial, ignored);

@@ -1,0 +1,30 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/programs_data.h"
+
+#include <cstdlib>
+
+#include "tools/run_program.h"
+
+namespace musclewarp {
+
+void ProgramsDataTest::SetUp() {
+  const char* root = std::getenv("MUSCLEWARP_DATA_ROOT");
+  if (!root) GTEST_SKIP() << "MUSCLEWARP_DATA_ROOT is not set";
+  root_ = root;
+}
+
+nlohmann::json ProgramsDataTest::Deform(const std::string& scene,
+                                        const std::string& solver,
+                                        const std::string& out,
+                                        const std::string& flags) {
+  const ProgramRun run = RunCommandLine(
+      MUSCLEWARP_DEFORM,
+      "--scene=" MUSCLEWARP_DATA_DIR "/scenes/" + scene +
+          ".json --data_root=" + root_ + " --contact=none --solver=" + solver +
+          " --out=" + out + " " + flags);
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
+  return nlohmann::json::parse(FileText(out + "/report.json"));
+}
+
+}  // namespace musclewarp
