@@ -20,6 +20,18 @@ run() {
   fi
 }
 
+# README shows the lines of the example, as they are.
+example=$(sed -n '/^#include <musclewarp/,$p' tests/install/main.cc)
+shown=$(sed -n '/^    #include <musclewarp/,/^    }$/p' README.md)
+shown+=$'\n'$(sed -n '/^    int main() {/,/^    }$/p' README.md)
+while IFS= read -r line; do
+  [[ -z $line ]] || grep -qxF -- "    $line" <<<"$shown" || {
+    echo "install: README.md does not show this line of tests/install/main.cc:" >&2
+    echo "$line" >&2
+    exit 1
+  }
+done <<<"$example"
+
 # Both presets of the release build share one folder.
 run cmake --install build/release --prefix "$work/stage"
 run cmake -S tests/install -B "$work/build" -G Ninja \

@@ -193,6 +193,29 @@ double BodySurface::Distance(const Eigen::RowVector3d& point) const {
   return distance;
 }
 
+namespace {
+
+// Areas of two bodies may share voxels, which then belong to neither end.
+void DropSharedVoxels(MuscleEnds* ends) {
+  std::vector<int> shared;
+  std::set_intersection(ends->origin.voxels.begin(),
+                        ends->origin.voxels.end(),
+                        ends->insertion.voxels.begin(),
+                        ends->insertion.voxels.end(),
+                        std::back_inserter(shared));
+  for (MuscleEnd* end : {&ends->origin, &ends->insertion}) {
+    std::vector<int> own;
+    std::set_difference(end->voxels.begin(),
+                        end->voxels.end(),
+                        shared.begin(),
+                        shared.end(),
+                        std::back_inserter(own));
+    end->voxels = std::move(own);
+  }
+}
+
+}  // namespace
+
 MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
                           const VoxelGrid& grid,
                           const std::vector<BodySurface>& bodies,
@@ -226,22 +249,7 @@ MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
   ends.origin.voxels = FarPart(distances[b], areas[a].voxels);
   ends.insertion.voxels =
       FarPart(DistancesWithin(grid, ends.origin.voxels), areas[b].voxels);
-  // Areas of two bodies may share voxels, which then belong to neither end.
-  std::vector<int> shared;
-  std::set_intersection(ends.origin.voxels.begin(),
-                        ends.origin.voxels.end(),
-                        ends.insertion.voxels.begin(),
-                        ends.insertion.voxels.end(),
-                        std::back_inserter(shared));
-  for (MuscleEnd* end : {&ends.origin, &ends.insertion}) {
-    std::vector<int> own;
-    std::set_difference(end->voxels.begin(),
-                        end->voxels.end(),
-                        shared.begin(),
-                        shared.end(),
-                        std::back_inserter(own));
-    end->voxels = std::move(own);
-  }
+  DropSharedVoxels(&ends);
   // If no two ends remain, for example because the areas are the same place,
   // the tips of the muscle are the ends.
   if (ends.origin.voxels.empty() || ends.insertion.voxels.empty()) {

@@ -166,6 +166,34 @@ std::vector<ExemptArea> ExemptAreas(const PreparedScene& scene) {
   return areas;
 }
 
+// Adds what was found while preparing to the warnings of the scene.
+void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
+  std::vector<std::string>& warnings = prepared->warnings;
+  warnings = prepared->scene.warnings;
+  for (const PreparedMuscle& muscle : prepared->muscles) {
+    if (muscle.fibres.num_lines() >= options.fibres.fibres) continue;
+    warnings.push_back(muscle.model.name + " has room for " +
+                       std::to_string(muscle.fibres.num_lines()) +
+                       " fibres of " + std::to_string(options.fibres.fibres));
+  }
+  std::vector<MeshSize> sizes;
+  for (const PreparedBone& bone : prepared->bones) {
+    sizes.push_back({bone.mesh.name, BoundingBoxDiagonal(bone.rest.points)});
+  }
+  for (size_t i = 0; i < prepared->muscles.size(); ++i) {
+    const MuscleModel& model = prepared->muscles[i].model;
+    sizes.push_back({model.name, BoundingBoxDiagonal(model.fine_rest)});
+    for (const std::string& warning :
+         FarLineWarnings(prepared->scene.muscles[i], model.fine_rest)) {
+      warnings.push_back(warning);
+    }
+  }
+  for (const std::string& warning :
+       ScaleWarnings(sizes, options.scale_warning_ratio)) {
+    warnings.push_back(warning);
+  }
+}
+
 }  // namespace
 
 bool PrepareOptions::IsValid(std::string* error) const {
@@ -191,7 +219,6 @@ PreparedScene PrepareScene(const Scene& scene,
   CHECK(options.IsValid(&error)) << error;
   PreparedScene prepared;
   prepared.scene = scene;
-  std::vector<MeshSize> sizes;
   const auto say_progress = [&] {
     if (!on_progress) return;
     on_progress(
@@ -210,7 +237,6 @@ PreparedScene PrepareScene(const Scene& scene,
     one.rest = Repaired(
         delivered, bone.name, bone.mesh_path, options.repair, &one.mesh);
     one.body = bone.body;
-    sizes.push_back({bone.name, BoundingBoxDiagonal(one.rest.points)});
     prepared.bones.push_back(std::move(one));
   }
   const bool needs_bodies =
@@ -224,29 +250,9 @@ PreparedScene PrepareScene(const Scene& scene,
   for (SceneMuscle& muscle : prepared.scene.muscles) {
     say_progress();
     prepared.muscles.push_back(PrepareOne(surfaces.bodies(), options, &muscle));
-    sizes.push_back(
-        {muscle.name,
-         BoundingBoxDiagonal(prepared.muscles.back().model.fine_rest)});
   }
   prepared.exempt = ExemptAreas(prepared);
-  prepared.warnings = scene.warnings;
-  for (const PreparedMuscle& muscle : prepared.muscles) {
-    if (muscle.fibres.num_lines() >= options.fibres.fibres) continue;
-    prepared.warnings.push_back(muscle.model.name + " has room for " +
-                                std::to_string(muscle.fibres.num_lines()) +
-                                " fibres of " +
-                                std::to_string(options.fibres.fibres));
-  }
-  for (size_t i = 0; i < prepared.muscles.size(); ++i) {
-    for (const std::string& warning : FarLineWarnings(
-             prepared.scene.muscles[i], prepared.muscles[i].model.fine_rest)) {
-      prepared.warnings.push_back(warning);
-    }
-  }
-  for (const std::string& warning :
-       ScaleWarnings(sizes, options.scale_warning_ratio)) {
-    prepared.warnings.push_back(warning);
-  }
+  AddWarnings(options, &prepared);
   for (const std::string& warning : prepared.warnings) LOG(WARNING) << warning;
   prepared.wall_ms = stopwatch.Milliseconds();
   return prepared;

@@ -1,0 +1,82 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "musclewarp/base/progress.h"
+#include "musclewarp/certified_contact/step.h"
+#include "musclewarp/motion/certified_motion.h"
+#include "musclewarp/motion/muscle_solvers.h"
+#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/motion/solved_pose.h"
+
+namespace musclewarp {
+
+// The stepper of certified contact. The rest pose is relaxed and poses are
+// reached by the same steps, with other options:
+//
+//   Place place = PlaceOf(mover, state);
+//   const int steps = Walk(mover, options, pose, /*at=*/0, {}, &place);
+//   state = StateOf(mover, place);
+
+// What does not change while a scene moves. Keeps references.
+struct Mover {
+  const PreparedScene& scene;
+  const CertifiedScene& certified;
+  const PreRotationOptions& pre_rotation;
+  const MuscleSolver& solver;
+};
+
+// Where a scene has come to.
+struct Place {
+  ScenePose pose;
+  SolvedPose free;    // without contact: what displacement is measured against
+  SolvedPose solved;  // with contact rows
+  ContactState surfaces;
+};
+
+// A step that was tried from one place to another.
+struct Attempt {
+  Place place;
+  StepSummary summary;
+};
+
+// How a scene goes from one place to another.
+struct WalkOptions {
+  StepOptions step;
+  double longest_step = 1;  // as a share of the way
+  int max_halvings = 0;
+
+  // A step that cannot be halved is tried again with more reach.
+  double reach_growth = 1;
+  double max_reach = 0;  // mm
+
+  // Once the pose is reached, steps go on there until nothing moves by more
+  // than the tolerance, mm.
+  int max_settling_steps = 0;
+  double settling_tolerance = 0;
+
+  // If true, a step may leave more crossings of a muscle with itself.
+  bool accepts_self_crossings = false;
+};
+
+// Returns the place of a state. An offset of fine vertices that is missing
+// counts as zero.
+Place PlaceOf(const Mover& mover, const SceneState& state);
+
+// Returns the state of a place.
+SceneState StateOf(const Mover& mover, const Place& place);
+
+// Moves on from `place` to a pose, and settles there. `at` is the share of the
+// way that is behind: 1 if the place is the pose already. A step after which
+// triangles cross is halved or, where it cannot be, tried with more reach. If
+// that does not help either, it is taken all the same on the way to a pose, and
+// ends the settling. `on_progress` may be empty, and may throw: the place is
+// then where the last step has left it. Returns the number of steps.
+int Walk(const Mover& mover,
+         const WalkOptions& options,
+         const ScenePose& goal,
+         double at,
+         const ProgressCallback& on_progress,
+         Place* place);
+
+}  // namespace musclewarp
