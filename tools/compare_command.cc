@@ -97,7 +97,6 @@ std::vector<ComparisonRow> RowsOf(const CompareOptions& options,
                   : reference  ? &*reference
                                : nullptr,
                   &without_contact,
-                  scene,
                   contact == ContactKind::kPaper);
       if (is_reference) reference = std::move(frame);
     }

@@ -115,7 +115,6 @@ Json ToJson(const ComparisonRow& row, const PreparedScene& scene) {
 ComparisonRow RowOf(const Frame& frame,
                     const Frame* reference,
                     const Frame* without_contact,
-                    const PreparedScene& scene,
                     bool counts_together) {
   ComparisonRow row;
   row.frame = frame.index;

@@ -44,7 +44,6 @@ struct ComparisonRow {
 ComparisonRow RowOf(const Frame& frame,
                     const Frame* reference,
                     const Frame* without_contact,
-                    const PreparedScene& scene,
                     bool counts_together);
 
 void PrintComparison(const std::vector<ComparisonRow>& rows, std::ostream& out);

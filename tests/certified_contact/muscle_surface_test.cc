@@ -51,8 +51,8 @@ TEST(MuscleSurface, WeighsEquilateralTrianglesByCotangents) {
   soup.points << 1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1;
   const MuscleSurface surface = SurfaceOf(soup);
   for (const double weight : surface.weights) {
-    // cot(60 degrees) = 1 / sqrt(3) from each triangle.
-    EXPECT_NEAR(weight, 2 / std::sqrt(3.0), 1e-12);
+    // Half the sum of the cotangents of 60 degrees from both triangles.
+    EXPECT_NEAR(weight, 1 / std::sqrt(3.0), 1e-12);
   }
 }
 

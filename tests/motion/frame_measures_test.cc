@@ -6,6 +6,7 @@
 
 #include "motion/prepared_small_scene.h"
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/motion/solved_pose.h"
 
 namespace musclewarp {
 namespace {
