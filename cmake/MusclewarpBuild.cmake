@@ -30,7 +30,9 @@ if(MUSCLEWARP_SANITIZE)
   add_compile_options(
     -fsanitize=address,undefined -fno-sanitize=null,alignment,vptr
     -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+  # Eigen allocates in another way under a sanitizer, unless it is told that
+  # malloc aligns; libceres, which is built without one, frees what we allocate.
+  add_compile_definitions(_GLIBCXX_ASSERTIONS EIGEN_MALLOC_ALREADY_ALIGNED=1)
   add_link_options(-fsanitize=address,undefined)
 endif()
 

@@ -20,6 +20,8 @@ CarriedLines CarryLines(const std::vector<Points>& rest,
 }
 
 std::vector<Points> LinesAt(const CarriedLines& lines, const Points& coarse) {
+  // Without lines the coordinates may never have been made.
+  if (lines.num_lines() == 0) return {};
   const Points all = lines.from_coarse * coarse;
   std::vector<Points> moved;
   for (int k = 0; k < lines.num_lines(); ++k) {
