@@ -49,7 +49,7 @@ PhantomScene SmallScene() {
   attachment.radius = 0.5;
   muscle.attachments = {attachment};
   small.scene.muscles = {muscle};
-  small.scene.bones = {{"floor", "floor.ply", "ground"}};
+  small.scene.bones = {{"floor", {}, {}, "ground", "floor.ply"}};
   ScenePose pose;
   pose.name = "up";
   pose.time = 0.25;

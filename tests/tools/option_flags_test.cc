@@ -43,30 +43,44 @@ TEST(CheckValid, AcceptsTheDefaults) { CheckValid(DeformOptions()); }
 
 TEST(CheckValid, TellsHullsOfMusclesFromThoseOfBones) {
   ExpectRefused(
-      [](DeformOptions* o) { o->prepare.muscle.hull.coarse_vertices = 19; },
+      [](DeformOptions* o) {
+        o->deformer.prepare.muscle.hull.coarse_vertices = 19;
+      },
       {"--coarse_vertices: is 19; allowed: 20 to 5000"});
   ExpectRefused(
-      [](DeformOptions* o) { o->scene_contact.bone_hull.coarse_vertices = 19; },
+      [](DeformOptions* o) {
+        o->deformer.frames.paper.bone_hull.coarse_vertices = 19;
+      },
       {"--bone_coarse_vertices: is 19"});
 }
 
 TEST(CheckValid, LooksIntoStructsThatNoFlagReaches) {
   ExpectRefused(
-      [](DeformOptions* o) { o->prepare.repair.stitch_tolerance = -1; },
+      [](DeformOptions* o) {
+        o->deformer.prepare.repair.stitch_tolerance = -1;
+      },
       {"RepairOptions::stitch_tolerance is -1"});
   ExpectRefused(
-      [](DeformOptions* o) { o->prepare.repair.holes.max_edges = -1; },
+      [](DeformOptions* o) { o->deformer.prepare.repair.holes.max_edges = -1; },
       {"HoleLimits::max_edges is -1"});
-  ExpectRefused([](DeformOptions* o) { o->prepare.slivers.aspect = 2; },
-                {"SliverLimits::aspect is 2", "0 to 1"});
-  ExpectRefused([](DeformOptions* o) { o->prepare.fibres.voxels = 5; },
-                {"FibreOptions::voxels is 5"});
-  ExpectRefused([](DeformOptions* o) { o->frame.max_turn = 0; },
-                {"FrameOptions::max_turn"});
-  ExpectRefused([](DeformOptions* o) { o->certified_contact.max_turn = 0; },
-                {"CertifiedContactOptions"});
   ExpectRefused(
-      [](DeformOptions* o) { o->scene_contact.group.mask_memory = 0; },
+      [](DeformOptions* o) { o->deformer.prepare.slivers.aspect = 2; },
+      {"SliverLimits::aspect is 2", "0 to 1"});
+  ExpectRefused([](DeformOptions* o) { o->deformer.prepare.fibres.voxels = 5; },
+                {"FibreOptions::voxels is 5"});
+  ExpectRefused(
+      [](DeformOptions* o) { o->deformer.frames.paper_limits.max_turn = 0; },
+      {"StepLimits::max_turn is 0"});
+  ExpectRefused(
+      [](DeformOptions* o) { o->deformer.frames.certified.rest_sweeps = 0; },
+      {"CertifiedContactOptions::rest_sweeps is 0"});
+  ExpectRefused(
+      [](DeformOptions* o) {
+        o->deformer.frames.certified.separation.cell.voxel_size = 0;
+      },
+      {"MedialCellOptions::voxel_size is 0"});
+  ExpectRefused(
+      [](DeformOptions* o) { o->deformer.frames.paper.group.mask_memory = 0; },
       {"GroupContactOptions::mask_memory is 0"});
 }
 

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/input_errors.h"
 
 namespace musclewarp {
@@ -56,7 +58,14 @@ TEST(SceneFlags, DefaultsAreThoseOfTheOptions) {
   EXPECT_EQ(options.deformer.prepare.auto_lines,
             defaults.deformer.prepare.auto_lines);
   EXPECT_EQ(options.deformer.frames.paper.bone_hull.coarse_vertices,
-            SceneContactOptions().bone_hull.coarse_vertices);
+            PaperSceneOptions().bone_hull.coarse_vertices);
+  const CertifiedContactOptions& certified = options.deformer.frames.certified;
+  const CertifiedContactOptions unset;
+  EXPECT_EQ(certified.step.gap, unset.step.gap);
+  EXPECT_EQ(certified.separation.cell.margin, unset.separation.cell.margin);
+  EXPECT_EQ(certified.step.max_rounds, unset.step.max_rounds);
+  EXPECT_EQ(certified.limits.max_turn, unset.limits.max_turn);
+  EXPECT_EQ(certified.limits.max_move, unset.limits.max_move);
   EXPECT_EQ(options.frames, defaults.frames);
 }
 
@@ -72,6 +81,10 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
                                            {"seed", "7"},
                                            {"threads", "8"},
                                            {"contact_level", "fine"},
+                                           {"gap", "0.2"},
+                                           {"max_rounds", "9"},
+                                           {"max_step_turn", "1"},
+                                           {"max_step_move", "5"},
                                            {"body_twist", "false"}});
   EXPECT_EQ(options.deformer.prepare.muscle.hull.coarse_vertices, 300);
   EXPECT_EQ(options.deformer.frames.paper.bone_hull.coarse_vertices, 400);
@@ -85,6 +98,12 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
   EXPECT_EQ(options.threads, 8);
   EXPECT_EQ(options.deformer.frames.paper.group.level, ContactLevel::kFine);
   EXPECT_FALSE(options.deformer.frames.pre_rotation.use_body_twist);
+  const CertifiedContactOptions& certified = options.deformer.frames.certified;
+  EXPECT_EQ(certified.step.gap, 0.2);
+  EXPECT_EQ(certified.separation.cell.margin, 0.4);
+  EXPECT_EQ(certified.step.max_rounds, 9);
+  EXPECT_EQ(certified.limits.max_turn, M_PI / 180);
+  EXPECT_EQ(certified.limits.max_move, 5);
 }
 
 TEST(SceneFlags, RefusesValuesThatAreNotAllowedByTheNameOfTheFlag) {
@@ -107,6 +126,12 @@ TEST(SceneFlags, RefusesValuesThatAreNotAllowedByTheNameOfTheFlag) {
   ExpectRefused("threads", "-1", "0 (all cores) to 1024");
   ExpectRefused("threads", "1000000", "0 (all cores) to 1024");
   ExpectRefused("contact_level", "middle", "coarse, fine");
+  for (const char* value : {"0", "-1", "nan", "0.6"}) {
+    ExpectRefused("gap", value, "above 0");
+  }
+  ExpectRefused("max_rounds", "0", "1 or above");
+  ExpectRefused("max_step_turn", "0", "above 0");
+  ExpectRefused("max_step_move", "0", "above 0");
 }
 
 TEST(SceneFlags, NoMessageNamesAStructOfTheLibrary) {

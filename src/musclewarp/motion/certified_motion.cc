@@ -75,8 +75,8 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
              .IsAbove("max_rest_reach", max_rest_reach, 0)
              .IsWithin("max_halvings", max_halvings, 0, 20)
              .is_valid() &&
-         surface.IsValid(error) && separation.IsValid(error) &&
-         step.IsValid(error) && limits.IsValid(error);
+         step.IsValid(error) && limits.IsValid(error) &&
+         surface.IsValid(error) && separation.IsValid(error);
 }
 
 CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
