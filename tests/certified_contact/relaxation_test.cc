@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "certified_contact/contact_group.h"
+#include "support/meshes.h"
 
 namespace musclewarp {
 namespace {
@@ -102,24 +103,38 @@ TEST(Relax, MovesNoVertexFartherThanTheReachFromWhereItIsCarried) {
 
 TEST(Relax, StiffTrianglesMoveAsOnePiece) {
   ContactGroup group({SphereAt({0, 0, 0}, 10, 2)}, {});
-  group.state.points[0] += 0.3 * RandomPoints(162, 1);
   const StepOptions options;
   const ContactStep step =
       MakeContactStep(group.scene, group.state, group.state.targets, {});
-  const auto spread = [&](double stiffness) {
+  // A plane pushes one vertex outwards by 0.5.
+  const int pushed = 100;
+  const Eigen::RowVector3d out = step.carried[0].row(pushed).normalized();
+  SeparatingPlane plane;
+  plane.muscle_above = 0;
+  plane.above = Eigen::RowVector3i::Constant(pushed);
+  plane.normal = out;
+  plane.level = out.dot(step.carried[0].row(pushed)) + 0.5;
+  const MuscleSurface& surface = group.scene.muscles[0];
+  const int neighbour = surface.neighbours[surface.first[pushed]];
+  const auto share_of_neighbour = [&](double stiffness) {
     PlaneSet planes(options, step);
+    planes.Add({plane});
     const RelaxedPoints result =
         Relax(options,
               step,
               group.state.targets,
-              {Eigen::VectorXd::Constant(step.carried[0].rows(), stiffness)},
-              4,
+              {Eigen::VectorXd::Constant(surface.num_vertices(), stiffness)},
+              200,
               &planes,
               StartOf(step));
-    const Points offsets = result.points[0] - group.state.targets[0];
-    return (offsets.rowwise() - offsets.colwise().mean()).norm();
+    const Points moves = result.points[0] - group.state.targets[0];
+    EXPECT_NEAR(moves.row(pushed).dot(out), 0.5, 1e-8);
+    return moves.row(neighbour).dot(out) / 0.5;
   };
-  EXPECT_LT(spread(1000), spread(1));
+  // The decay takes its part on the way to the neighbour, the less the stiffer
+  // the edge is.
+  EXPECT_GT(share_of_neighbour(1), 0.1);
+  EXPECT_GT(share_of_neighbour(1000), 1.2 * share_of_neighbour(1));
 }
 
 }  // namespace

@@ -71,8 +71,13 @@ TEST(FrameSolver, CertifiedFramesKeepTheGap) {
   const MuscleSolvers solvers = ReferenceSolvers();
   SceneState state = solver->StartOfMotion(solvers);
   double least = 1e300;
-  for (const double angle : {0.1, 0.2, 0.3}) {
-    SolvedFrame solved = solver->Solve(solvers, FlexedPose(angle), &state, {});
+  for (const double shift : {2, 4, 6}) {
+    // The line of the right muscle goes towards the left one.
+    ScenePose pose;
+    Points& line = pose.lines["right_line"];
+    line = scene.scene.muscles[1].lines[0].rest;
+    line.col(0).array() -= shift;
+    SolvedFrame solved = solver->Solve(solvers, pose, &state, {});
     EXPECT_TRUE(solved.frame.IsUsable()) << solved.frame.FullReport();
     for (const MuscleFrame& muscle : solved.frame.muscles) {
       least = std::min(least, muscle.gaps.minCoeff());

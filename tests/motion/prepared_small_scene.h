@@ -10,7 +10,8 @@
 namespace musclewarp {
 
 // The small scene with hulls of few vertices, for quick tests.
-inline PreparedScene PreparedSmallScene(const Scene& scene = SmallScene()) {
+inline PreparedScene PreparedSmallScene(Scene scene = SmallScene()) {
+  for (SceneBone& bone : scene.bones) bone.body = bone.name;
   PrepareOptions options;
   options.muscle.hull.coarse_vertices = 60;
   return PrepareScene(scene, options);

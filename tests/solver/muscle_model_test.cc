@@ -128,13 +128,14 @@ TEST(MuscleModelOptions, DefaultsAreValid) {
 TEST(MuscleModelOptions, RefuseValuesOutOfRange) {
   ExpectRefused<MuscleModelOptions>(
       [](auto* options) { options->sample_spacing = 0; },
-      "MuscleModelOptions::sample_spacing is 0, allowed: above 0");
+      "MuscleModelOptions::sample_spacing is 0, allowed: 0.01 mm or above");
   ExpectRefused<MuscleModelOptions>(
       [](auto* options) { options->skeleton_weight = -0.5; },
-      "MuscleModelOptions::skeleton_weight is -0.5, allowed: above 0");
+      "MuscleModelOptions::skeleton_weight is -0.5, allowed: above 0, at most "
+      "1e6");
   ExpectRefused<MuscleModelOptions>(
       [](auto* options) { options->attachment_weight = -1; },
-      "MuscleModelOptions::attachment_weight is -1, allowed: 0 or above");
+      "MuscleModelOptions::attachment_weight is -1, allowed: 0 to 1e6");
   ExpectRefused<MuscleModelOptions>(
       [](auto* options) { options->attachment_rows = 0; },
       "MuscleModelOptions::attachment_rows is 0, allowed: above 0");

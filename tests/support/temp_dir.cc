@@ -45,6 +45,7 @@ std::string TestTempPath() {
     return true;
   }();
   (void)kIsListening;
+  fs::create_directories(Root());
   return FolderOf(*::testing::UnitTest::GetInstance()->current_test_info());
 }
 
