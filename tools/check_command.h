@@ -8,6 +8,8 @@
 
 namespace musclewarp {
 
+// What musclewarp-check is asked for beside the files; the fields are its
+// flags.
 struct CheckOptions {
   std::string json;            // file to write the figures to; empty: none
   bool require_clean = false;  // crossing meshes make the result not usable

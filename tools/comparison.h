@@ -12,7 +12,8 @@
 
 namespace musclewarp {
 
-// What one solver configuration made of one pose.
+// The result of one solver configuration for one pose: a row of the tables that
+// musclewarp-compare writes.
 struct ComparisonRow {
   int frame = 0;
   std::string pose;
@@ -20,7 +21,8 @@ struct ComparisonRow {
   std::string contact;  // "none", "paper/coarse", ...
   std::string stop_reason;
 
-  // Not filled in if the configuration could not be run.
+  // False if the configuration could not be run; what follows then has no
+  // meaning.
   bool was_run = false;
   int iterations = 0;  // of all muscles; of the group where they are in contact
   double ms = 0;       // in the solver; the median of the repeats
@@ -30,7 +32,8 @@ struct ComparisonRow {
   double cost_ratio = 0;    // to the reference with the same contact
   double volume_ratio = 0;  // of the muscle that is farthest from 1
   double distance = 0;      // to the reference, largest of a fine vertex, mm
-  // To the shape without contact, of a fine vertex, mm.
+
+  // The distance of a fine vertex to the shape without contact, mm.
   double largest_contact_move = 0;
   double mean_contact_move = 0;
   int folded_triangles = 0;
@@ -38,21 +41,25 @@ struct ComparisonRow {
   std::vector<SolverSummary> muscles;
 };
 
-// A solver's result beside that of the reference in the same pose and with the
-// same contact, and beside that without contact; null if there is none.
-// `counts_together`: every muscle counts the iterations of all.
+// Returns the row of a frame. It is compared with that of the reference solver
+// in the same pose and with the same contact, and with the frame without
+// contact; either may be null. If `counts_together`, every muscle of the frame
+// counts the iterations of all.
 ComparisonRow RowOf(const Frame& frame,
                     const Frame* reference,
                     const Frame* without_contact,
                     bool counts_together);
 
+// Prints the rows as a table for people.
 void PrintComparison(const std::vector<ComparisonRow>& rows, std::ostream& out);
 
-// A line a row; a line an iteration of a muscle.
+// Return the rows as CSV, a line for each, and the convergence history, a line
+// for each iteration of a muscle.
 std::string ComparisonCsv(const std::vector<ComparisonRow>& rows);
 std::string HistoryCsv(const std::vector<ComparisonRow>& rows,
                        const PreparedScene& scene);
 
+// Returns comparison.json, with the history of every muscle.
 nlohmann::ordered_json ComparisonJson(const std::vector<ComparisonRow>& rows,
                                       const PreparedScene& scene);
 

@@ -10,9 +10,9 @@ namespace musclewarp {
 
 // What musclewarp-phantom is asked for; the fields are its flags.
 struct PhantomRequest {
-  std::string out;            // folder to write to, made if need be
+  std::string out;            // the folder to write to, made if needed
   std::string scene = "hip";  // one of PhantomSceneNames()
-  uint32_t seed = 1;          // places of the defects, bumps of the surfaces
+  uint32_t seed = 1;          // of the defects and the bumps of surfaces
 };
 
 // Writes the scene and says on `log` what its meshes are and which defects they

@@ -8,11 +8,11 @@
 
 namespace musclewarp {
 
-// Whether a point is inside a closed mesh: segments from it to a place outside
-// cross the surface an odd number of times, counted by exact predicates. A
-// segment that meets an edge or a corner is left for another. A point on the
-// surface is not inside. Where no segment can tell, it counts as inside: what
-// is not proved is not claimed.
+// Returns true if a point is inside a closed mesh: a segment from it to a point
+// outside crosses the surface an odd number of times, counted by exact
+// predicates. A segment that meets an edge or a corner is replaced by another
+// one. A point on the surface is not inside. If no segment decides, the point
+// counts as inside, so that a certificate claims nothing that is not proved.
 bool IsInsideClosed(const Eigen::RowVector3d& point, const SurfaceView& mesh);
 
 }  // namespace musclewarp

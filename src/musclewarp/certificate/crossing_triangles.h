@@ -8,25 +8,26 @@
 
 namespace musclewarp {
 
-// A mesh where it is.
+// A mesh at its current place. Keeps pointers.
 struct SurfaceView {
   const Points* points = nullptr;
   const Triangles* triangles = nullptr;
 };
 
-// Triangle f of mesh a and triangle g of mesh b.
+// Triangle f of mesh a and triangle g of mesh b, which share a point.
 struct CrossingPair {
   int a, b;
   int f, g;
 };
 
-// All pairs of triangles that share a point: of two muscles (a < b), of a
-// muscle and a bone, and of one muscle (a == b, f < g), there beyond the corner
-// or edge they have in common. Meshes are numbered muscles first, then bones.
-// Ascending.
+// Finds all pairs of triangles that share a point, by an exact test: of two
+// muscles (a < b), of a muscle and a bone, and of one muscle with itself (a ==
+// b, f < g), there beyond the corner or edge that the two have in common.
+// Meshes are numbered muscles first, then bones. The pairs ascend.
 //
-// For a certificate: of what contact uses to find crossings this shares the
-// exact tests alone. Triangles are sorted into a uniform grid instead of trees.
+// This is the core of the certificate. It shares only the exact tests with the
+// code of contact: triangles are sorted into a uniform grid, where contact
+// searches trees.
 std::vector<CrossingPair> CrossingTriangles(
     const std::vector<SurfaceView>& muscles,
     const std::vector<SurfaceView>& bones);

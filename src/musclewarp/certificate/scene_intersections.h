@@ -11,7 +11,8 @@
 
 namespace musclewarp {
 
-// Two meshes of a scene that touch. Triangle pairs by an exact test.
+// What two meshes of a scene that touch have in common. Pairs of triangles are
+// found by an exact test.
 struct PairIntersection {
   std::string a;
   std::string b;
@@ -19,52 +20,60 @@ struct PairIntersection {
   int vertices_inside = 0;  // of a in b and of b in a
   double max_depth_mm = 0;
   int exempt_pairs = 0;  // of triangles, beside triangle_pairs
+
   // The mean of the corners of triangles_of_a, mm: where to look.
   Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
-  // Those that cross, ascending, each once; not the exempt ones.
+
+  // The triangles that cross, ascending, each once, without exempt ones.
   std::vector<int> triangles_of_a;
   std::vector<int> triangles_of_b;
 };
 
-// The sum over all muscle x muscle and muscle x bone pairs.
+// What intersects in a scene: sums over all pairs of two muscles and of a
+// muscle and a bone, and the pairs themselves.
 struct SceneIntersections {
   int triangle_pairs = 0;
   int vertices_inside = 0;
   double max_depth_mm = 0;
-  int self_pairs = 0;    // of the muscles, each with itself
+  int self_pairs = 0;    // pairs of triangles within one muscle
   int exempt_pairs = 0;  // beside triangle_pairs
   std::vector<int> self_pairs_of_muscles;
   std::vector<PairIntersection> pairs;  // those that touch, in scene order
-  // By muscle: its vertices inside any other mesh, rising.
+
+  // By muscle: its vertices inside any other mesh, ascending.
   std::vector<std::vector<int>> inside_of_muscles;
 
-  // No triangles cross and no mesh contains another's vertices.
+  // True if no triangles of two meshes cross and no vertex is inside another
+  // mesh.
   bool IsClean() const { return triangle_pairs == 0 && vertices_inside == 0; }
-  // Keeps the counts.
+  // Deletes the lists of triangles and vertices and keeps the counts.
   void DropLists();
 };
 
+// A mesh of a scene and its name. Keeps a pointer.
 struct NamedMesh {
   std::string name;
   const SearchableMesh* mesh = nullptr;
 };
 
-// By code of its own, of which contact uses the exact tests alone
-// (CrossingTriangles, IsInsideClosed); only where meshes do touch it asks
-// IntersectMeshes for vertices and depths. Bones are not tested against each
-// other, nor with themselves. Where nothing but what is exempt crosses, no
-// vertices of the bone count as inside, and none of the muscle's exempt ones.
+// Counts everything that intersects in a scene. Whether anything does is found
+// by code that shares only the exact tests with contact (CrossingTriangles,
+// IsInsideClosed); for meshes that do touch, IntersectMeshes counts the
+// vertices inside and measures depths. Bones are tested neither against each
+// other nor with themselves. If only exempt triangles of a muscle cross a bone,
+// no vertex of the bone counts as inside, and no exempt vertex of the muscle
+// does.
 SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                                   const std::vector<NamedMesh>& bones,
                                   const std::vector<ExemptArea>& exempt = {});
 
-// By muscle: the depth of the deepest vertex of it in another mesh, or of
-// another mesh in it, mm.
+// Returns for each muscle the depth of its deepest vertex in another mesh, or
+// of the deepest vertex of another mesh in it, mm.
 std::vector<double> PenetrationDepths(const std::vector<NamedMesh>& muscles,
                                       const std::vector<NamedMesh>& bones);
 
-// For each vertex of muscle `muscle`: the distance to the nearest other mesh,
-// mm, negative inside one (`inside`, from IntersectScene); `limit` where
+// Returns for each vertex of a muscle the distance to the nearest other mesh,
+// mm, negative inside one (`inside`, from IntersectScene), and `limit` if
 // nothing is nearer than that.
 Eigen::VectorXd VertexGaps(size_t muscle,
                            const std::vector<NamedMesh>& muscles,

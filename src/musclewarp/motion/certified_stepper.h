@@ -26,7 +26,7 @@ struct Mover {
   const MuscleSolver& solver;
 };
 
-// Where a scene has come to.
+// Where a scene has come to on its way to a pose.
 struct Place {
   ScenePose pose;
   SolvedPose free;    // without contact: what displacement is measured against
@@ -43,7 +43,10 @@ struct Attempt {
 // How a scene goes from one place to another.
 struct WalkOptions {
   StepOptions step;
-  double longest_step = 1;  // as a share of the way
+
+  // The longest step as a share of the way, and how often a step after which
+  // triangles cross is halved.
+  double longest_step = 1;
   int max_halvings = 0;
 
   // A step that cannot be halved is tried again with more reach.
@@ -67,7 +70,7 @@ Place PlaceOf(const Mover& mover, const SceneState& state);
 SceneState StateOf(const Mover& mover, const Place& place);
 
 // Moves on from `place` to a pose, and settles there. `at` is the share of the
-// way that is behind: 1 if the place is the pose already. A step after which
+// way that is already done: 1 if the place is the pose. A step after which
 // triangles cross is halved or, where it cannot be, tried with more reach. If
 // that does not help either, it is taken all the same on the way to a pose, and
 // ends the settling. `on_progress` may be empty, and may throw: the place is

@@ -10,10 +10,10 @@
 
 namespace musclewarp {
 
-// "frame_0007"
+// Returns the name of the folder of a frame, such as "frame_0007".
 std::string FrameFolder(int index);
 
-// Of the meshes where they came.
+// The folder of the meshes as they were delivered and repaired.
 constexpr char kRestFolder[] = "rest";
 
 // Writes all meshes of a frame to DIR/frame_0000/<name>.<format> (DIR/rest/...
@@ -31,25 +31,25 @@ void WriteFrame(const PreparedScene& scene,
                 const std::string& dir);
 
 // Reads the meshes of a written frame back. Returns the files, within `dir`,
-// that do not hold the frame's points and triangles to the last bit: what was
-// counted on the frame is what the files have where there are none.
+// that do not hold the frame's points and triangles to the last bit. If there
+// are none, the certificate of the frame is one of its files.
 std::vector<std::string> FilesThatDiffer(
     const PreparedScene& scene,
     const Frame& frame,
     const std::vector<std::string>& formats,
     const std::string& dir);
 
-// A vertex that near to another mesh touches it, mm.
+// A vertex with a smaller gap than this counts as touching another mesh, mm.
 constexpr double kContactGap = 0.5;
 
-// Writes DIR/motion.pvd, by which ParaView plays the .vtp files of `frames`:
-// at the times of the poses if they rise, else at the indices.
+// Writes DIR/motion.pvd, the collection by which ParaView plays the .vtp files
+// of `frames`, at the times of the poses if they rise, else at the indices.
 void WritePvd(const PreparedScene& scene,
               const std::vector<int>& frames,
               const std::string& dir);
 
-// What a vertex's triangles have become, #V: the sum of their areas to that at
-// rest; 1 where they have none.
+// Returns for each vertex the ratio of the area of the triangles around it to
+// that at rest, #V; 1 where they have no area.
 Eigen::VectorXd AreaStretch(const Points& rest,
                             const Points& points,
                             const Triangles& triangles);

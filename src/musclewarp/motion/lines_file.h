@@ -9,27 +9,30 @@
 
 namespace musclewarp {
 
-// Beside the meshes of a frame.
+// The file of lines beside the meshes of a frame.
 constexpr char kLinesFile[] = "lines.json";
 
+// An action line where a muscle carries it.
 struct NamedLine {
   std::string name;
   Points points;  // #P x 3, mm, from origin to insertion
 };
 
-// What a muscle carries along.
+// The action lines and fibres that a muscle carries.
 struct MuscleLines {
   std::string name;  // of the muscle
   std::vector<NamedLine> lines;
   std::vector<Points> fibres;  // #P x 3 each, mm
 };
 
-// JSON: { "units": "mm", "muscles": [ { "name", "lines": [ { "name", "points":
-// [[x, y, z], ...] } ], "fibres": [ [[x, y, z], ...] ] } ] }, to the last bit.
+// Writes a lines file, to the last bit:
+//
+//   { "units": "mm", "muscles": [ { "name", "lines": [ { "name", "points":
+//   [[x, y, z], ...] } ], "fibres": [ [[x, y, z], ...] ] } ] }
 void WriteLinesFile(const std::string& path,
                     const std::vector<MuscleLines>& muscles);
 
-// Throws InputError that names the file and the field.
+// Reads a lines file. Throws InputError that names the file and the field.
 std::vector<MuscleLines> ReadLinesFile(const std::string& path);
 
 }  // namespace musclewarp

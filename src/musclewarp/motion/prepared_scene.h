@@ -19,65 +19,73 @@
 
 namespace musclewarp {
 
+// How the meshes of a scene are repaired and analysed.
 struct PrepareOptions {
   MuscleModelOptions muscle;
   RepairOptions repair;
-  // Whether slivers are taken out of muscles. Certified contact needs that;
-  // without, meshes keep their triangles.
+
+  // If true, sliver triangles are removed from muscle meshes. Certified contact
+  // needs that, and Deformer sees to it. If false, meshes keep their triangles.
   bool remove_slivers = false;
   SliverLimits slivers;
 
-  // Lines made for a muscle that has none.
+  // The number of action lines that are made for a muscle which has none.
   int auto_lines = 3;
 
-  // Fibres of every muscle; none by default.
+  // The fibres that every muscle carries; none by default.
   FibreOptions fibres;
 
-  // Warn if the diagonals of two meshes differ by more than this factor: one of
-  // them is likely in other units.
+  // A warning is given if the diagonals of two meshes differ by more than this
+  // factor, as one of them is likely in other units.
   double scale_warning_ratio = 100;
 
   PrepareOptions() { fibres.fibres = 0; }
+
+  // Also checks the options within.
   bool IsValid(std::string* error) const;
 };
 
-// A mesh file as it came and what was done to it.
+// A mesh as it was delivered, and what was done to it.
 struct MeshPreparation {
   std::string name;
-  std::string path;
+  std::string path;  // of its file; empty if it was given in memory
   MeshDefects defects;
   RepairReport repairs;
   SliverRemovals slivers;
 };
 
+// A muscle with everything that does not change with the pose.
 struct PreparedMuscle {
   MeshPreparation mesh;
   MuscleModel model;
+
+  // True if the coarse hull encloses the fine mesh, by an exact test.
   bool hull_encloses = false;
-  CarriedLines lines;   // the action lines, at the places of the samples
-  CarriedLines fibres;  // none unless asked for
-  double fibres_ms = 0;
+  CarriedLines lines;    // the action lines, at the skeleton samples
+  CarriedLines fibres;   // none unless asked for
+  double fibres_ms = 0;  // for making them
 };
 
+// A bone in the rest pose.
 struct PreparedBone {
   MeshPreparation mesh;
   std::string body;
   TriangleSoup rest;
 };
 
-// A scene with its meshes read, repaired and analysed, and lines made where
-// there were none. Constant from then on.
+// A scene whose meshes have been read, repaired and analysed, with action lines
+// for every muscle. Constant once it is prepared.
 struct PreparedScene {
   Scene scene;
   std::vector<PreparedMuscle> muscles;
   std::vector<PreparedBone> bones;
-  std::vector<ExemptArea> exempt;  // areas of attachment that may penetrate
+  std::vector<ExemptArea> exempt;  // attachment areas that may penetrate
   std::vector<std::string> warnings;
   double wall_ms = 0;
 };
 
-// Throws InputError if a mesh cannot be read or repaired. `on_progress` may be
-// empty. Precondition (CHECKed): the options are valid.
+// Prepares a scene. Throws InputError if a mesh cannot be read or repaired.
+// `on_progress` may be empty. Precondition (CHECKed): the options are valid.
 PreparedScene PrepareScene(const Scene& scene,
                            const PrepareOptions& options,
                            const ProgressCallback& on_progress = {});

@@ -13,7 +13,8 @@
 
 namespace musclewarp {
 
-// The figures of a muscle in one frame; docs/report.md says what each is.
+// The figures of a muscle in one frame that are kept once its mesh is written:
+// an entry of "muscles" in report.json. docs/report.md explains each.
 struct MuscleRecord {
   std::string name;
   double volume_mm3 = 0;
@@ -23,21 +24,28 @@ struct MuscleRecord {
   double min_gap_mm = 0;
   int folded_triangles = 0;
   int self_pairs = 0;
-  // With certified contact.
+
+  // What contact has done; zero without certified contact (see MuscleFrame).
   double max_contact_displacement_mm = 0;
   double mean_contact_displacement_mm = 0;
   double depth_without_contact_mm = 0;
+
+  // The solve. Energies are those of the linear rows, 1/2 |f|^2.
   int iterations = 0;
   double solve_ms = 0;
   double initial_energy_mm2 = 0;
   double final_energy_mm2 = 0;
   std::string stop_reason;
-  std::map<std::string, double> line_lengths_mm;  // as carried by the muscle
-  std::map<std::string, double> path_lengths_mm;  // straight
+
+  // The lengths of the action lines by name: as the muscle carries them, and
+  // straight through their path points.
+  std::map<std::string, double> line_lengths_mm;
+  std::map<std::string, double> path_lengths_mm;
   std::vector<double> fibre_lengths_mm;
 };
 
-// The figures of a frame: what is left of it when its meshes are written.
+// The figures of a frame that are kept once its meshes are written: an entry of
+// "frames" in report.json.
 struct FrameRecord {
   int index = 0;
   std::string name;
@@ -52,20 +60,26 @@ struct FrameRecord {
   bool usable = false;
   std::vector<std::string> shortcomings;
   std::vector<MuscleRecord> muscles;
-  // By line and coordinate, mm/rad (or mm/m), of straight paths.
-  std::map<std::string, std::map<std::string, double>> path_moment_arms_mm;
-  SceneIntersections intersections;  // without lists
 
+  // The moment arms of straight paths, by line and coordinate, mm/rad (or
+  // mm/m).
+  std::map<std::string, std::map<std::string, double>> path_moment_arms_mm;
+  SceneIntersections intersections;  // without lists of triangles
+
+  // The largest |volume ratio - 1| of a muscle, and the folded triangles of
+  // all.
   double WorstVolumeError() const;
   int FoldedTriangles() const;
 };
 
+// Returns the figures of a frame.
 FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame);
 
-// An entry of "frames" in report.json, and back, to the last bit.
+// Convert a record to its entry in report.json and back, without losing a bit.
 nlohmann::ordered_json ToJson(const FrameRecord& record);
 FrameRecord FrameRecordFromJson(const nlohmann::ordered_json& json);
 
+// Returns an object "intersections" of report.json.
 nlohmann::ordered_json ToJson(const SceneIntersections& intersections);
 
 }  // namespace musclewarp

@@ -6,13 +6,14 @@
 
 namespace musclewarp {
 
-// What figures of time depend on.
+// The machine that a run was timed on. Times are worth little without it.
 struct Machine {
-  std::string processor;  // "unknown" where the system does not say
+  std::string processor;  // "unknown" if the system does not name it
   int cores = 0;
-  int threads = 0;  // used by this run
+  int threads = 0;  // that this run uses
 };
 
+// Returns what the system says of this machine.
 Machine ThisMachine();
 
 }  // namespace musclewarp

@@ -11,25 +11,29 @@
 
 namespace musclewarp {
 
-// The figures of a run over time as OpenSim tables, in its units (m, m^3, s).
-// Time is that of the poses if it rises, else the index of the frame.
+// These functions make OpenSim tables of the figures of a run over time, in the
+// units of OpenSim (m, m^3, s). The time is that of the poses if it rises, else
+// the index of the frame.
 
-// "glut_med1_r": the line as its muscle carries it; "glut_med1_r_path":
-// straight through the path points.
+// Returns the lengths of action lines. Column "glut_med1_r" has the length of
+// the line as its muscle carries it, "glut_med1_r_path" the straight one
+// through its path points.
 StorageTable LengthTable(const std::vector<FrameRecord>& frames);
 
-// By muscle.
+// Returns the volumes of the muscles, a column for each.
 StorageTable VolumeTable(const std::vector<FrameRecord>& frames);
 
-// "psoas_major_r_fibre_1"; no columns without fibres.
+// Returns the lengths of fibres, in columns such as "psoas_major_r_fibre_1".
+// There are no columns without fibres.
 StorageTable FibreLengthTable(const std::vector<FrameRecord>& frames);
 
-// -dl/dq, "glut_med1_r.hip_flexion_r" and "glut_med1_r_path.hip_flexion_r", m
-// for angles. Of straight paths by central differences of the model in every
-// coordinate that the motion moves. Of carried lines by central differences
-// over the frames (three points, one-sided at the ends), which has a meaning
-// only where one coordinate moves; they are left out where several do. No
-// columns without a model.
+// Returns moment arms -dl/dq of action lines and of fibres, in metres for
+// angles, in columns such as "glut_med1_r.hip_flexion_r" and
+// "glut_med1_r_path.hip_flexion_r". Those of straight paths are central
+// differences of the model in every coordinate that the motion moves. Those of
+// carried lines are central differences over the frames (three points,
+// one-sided at the ends). They mean something only if a single coordinate
+// moves, and are left out if several do. There are no columns without a model.
 StorageTable MomentArmTable(const std::vector<FrameRecord>& frames,
                             const Scene& scene);
 StorageTable FibreMomentArmTable(const std::vector<FrameRecord>& frames,
@@ -41,9 +45,10 @@ void WriteMotionTables(const std::vector<FrameRecord>& frames,
                        const Scene& scene,
                        const std::string& dir);
 
-// -dl/dq at each of a series of values: the slope of the parabola through the
-// value and the nearest ones on both sides of it, or of the straight line where
-// there is one side only. Precondition (CHECKed): equal sizes.
+// Returns -dl/dq at each of a series of values: the slope of the parabola
+// through the value and the nearest ones on both sides of it, or of the
+// straight line where there is one side only. Precondition (CHECKed): equal
+// sizes.
 std::vector<double> SeriesMomentArms(const std::vector<double>& lengths,
                                      const std::vector<double>& coordinates);
 

@@ -13,39 +13,42 @@
 
 namespace musclewarp {
 
-// What a run did, for report.json (docs/report.md describes the keys).
+// Everything about a run that goes into report.json (docs/report.md explains
+// the keys).
 struct RunRecord {
   std::string solver;
-  std::string command;                         // that runs it again
+  std::string command;                         // that repeats the run
   std::map<std::string, std::string> options;  // all flags by name
-  std::string inputs_hash;  // of all files read and options that matter
+  std::string inputs_hash;  // over all input files and the options that matter
   const PreparedScene* scene = nullptr;
   ContactReport contact;
   SceneIntersections rest;  // of the meshes as they were delivered
   std::vector<FrameRecord> frames;
   int frames_planned = 0;
-  bool finished = false;  // all frames are there
-  std::string stopped;    // why, if not all ever will be; else empty
+  bool finished = false;  // true if all frames are there
+  std::string stopped;    // why the run ended before that, or empty
 };
 
-// Sums over the frames.
+// What the frames of a run come to: "summary" in report.json.
 struct RunTotals {
   int frames = 0;
-  int frames_clean = 0;           // no intersection
+  int frames_clean = 0;           // frames without an intersection
   double worst_volume_error = 0;  // largest |volume ratio - 1|
   int worst_folded_triangles = 0;
   double wall_ms_per_frame_median = 0;
   bool usable = false;
 };
 
+// Sums up the frames of a run.
 RunTotals TotalsOf(const RunRecord& run);
 
-// The machine of this run.
+// Returns "machine" of report.json, for this machine.
 nlohmann::ordered_json MachineJson();
 
-// What is wrong with a mesh as delivered.
+// Returns "defects" of a mesh as it was delivered.
 nlohmann::ordered_json DefectsJson(const MeshDefects& defects);
 
+// Returns all of report.json.
 nlohmann::ordered_json ReportJson(const RunRecord& run);
 
 }  // namespace musclewarp

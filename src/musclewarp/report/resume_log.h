@@ -10,33 +10,41 @@
 
 namespace musclewarp {
 
-// What a run keeps in DIR/.resume until it is finished, so that it can go on
-// after an interruption: for every frame that is written its figures and where
-// the next one starts, to the last bit.
+// The log by which an interrupted run can be continued. Until a run is
+// finished, DIR/.resume holds the figures of every frame that is written and
+// the state that the next frame starts from, to the last bit.
+//
+//   const ResumeLog log(dir, inputs_hash);
+//   std::vector<FrameRecord> frames = log.Continue(selected, &state);
+//   if (frames.empty()) log.StartAnew();
+//   ...                              // for every frame: write its files, then
+//   log.FrameDone(record, state);
+//   ...                              // once all frames are there
+//   log.Finish();
 class ResumeLog {
  public:
   ResumeLog(const std::string& dir, const std::string& inputs_hash);
 
-  // The frames of an interrupted run of the same input, from the first of
-  // `selected` on without a gap. `state` becomes that of the last of them, but
-  // for its pose, if there is one. Throws InputError if DIR holds an
+  // Returns the frames of an interrupted run of the same input, from the first
+  // of `selected` on without a gap. `state` becomes that of the last of them,
+  // but for its pose, if there is one. Throws InputError if DIR holds an
   // interrupted run of other input or options, or of a version of musclewarp
   // that keeps other files.
   std::vector<FrameRecord> Continue(const std::vector<int>& selected,
                                     SceneState* state) const;
 
-  // Forgets an interrupted run.
+  // Deletes the log of an interrupted run and begins a new one.
   void StartAnew() const;
 
-  // To call once the files of the frame are complete.
+  // Adds a frame. To be called once its files are complete.
   void FrameDone(const FrameRecord& record, const SceneState& state) const;
 
-  // The run is complete.
+  // Deletes the log, as the run is complete.
   void Finish() const;
 
  private:
   std::string FrameFile(int index) const;
-  // The file that says of what version and input the log is, and its text.
+  // The file that names the version and the input of the log, and its text.
   std::string KeyFile() const;
   std::string KeyText() const;
 
