@@ -23,9 +23,10 @@ struct InitialSeparationOptions {
   // themselves.
   double carry_radius = 3;
 
-  // A vertex is pushed along the normal of the triangle that its own crosses if
-  // the cosine between that and the way into the medial cell is above this, and
-  // else along that way.
+  // A triangle is pushed along the normal of the one that it crosses if that
+  // agrees with the way into the medial cell, and else along that way. They
+  // agree if the scalar product of the normal with the sum of the directions at
+  // the three corners is above this.
   double min_agreement = 0.2;
 
   // Rounds before what still crosses is left. The tendon of psoas that wraps
