@@ -22,12 +22,6 @@
 namespace musclewarp {
 namespace {
 
-std::string NameOf(ContactKind contact, const DeformOptions& options) {
-  if (contact != ContactKind::kPaper) return ToString(contact);
-  return ToString(contact) + "/" +
-         ToString(options.deformer.frames.paper.group.level);
-}
-
 // The frame of a configuration, with the median time of the repeats.
 Frame SolveRepeatedly(FrameSolver* frame_solver,
                       const SolverConfiguration& configuration,
@@ -78,7 +72,6 @@ std::vector<ComparisonRow> RowsOf(const CompareOptions& options,
                                   int index,
                                   FrameSolver* frame_solver,
                                   const Frame& without_contact) {
-  const ContactKind contact = frame_solver->contact().kind;
   std::vector<ComparisonRow> rows;
   std::optional<Frame> reference;
   for (const SolverConfiguration& configuration : options.configurations) {
@@ -97,11 +90,11 @@ std::vector<ComparisonRow> RowsOf(const CompareOptions& options,
                   : reference  ? &*reference
                                : nullptr,
                   &without_contact,
-                  contact == ContactKind::kPaper);
+                  frame_solver->contact().is_solved_together);
       if (is_reference) reference = std::move(frame);
     }
     row.configuration = configuration.name;
-    row.contact = NameOf(contact, options.deform);
+    row.contact = frame_solver->contact().name;
     rows.push_back(std::move(row));
   }
   return rows;

@@ -56,7 +56,7 @@ TEST(RecordedRun, MeasuresGapsAndCrossings) {
   EXPECT_FALSE(run.intersections[2].pairs[0].triangles_of_a.empty());
   // Vertices of balls of 10 mm, 23 mm apart, look at each other along x.
   EXPECT_NEAR(run.muscles[0].gaps[0].minCoeff(), 3, 0.05);
-  EXPECT_EQ(run.muscles[0].gaps[0].maxCoeff(), kPageGapLimit);
+  EXPECT_EQ(run.muscles[0].gaps[0].maxCoeff(), kGapLimit);
   EXPECT_LT(run.muscles[0].gaps[2].minCoeff(), -1);
 }
 

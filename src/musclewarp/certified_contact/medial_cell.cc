@@ -53,9 +53,10 @@ struct MedialCell::VoxelGrid {
 
   int count() const { return size[0] * size[1] * size[2]; }
   RowVector3d Centre(int index) const {
-    return origin + voxel_size * RowVector3d(index % size[0],
-                                             index / size[0] % size[1],
-                                             index / (size[0] * size[1]));
+    const int x = index % size[0];
+    const int y = index / size[0] % size[1];
+    const int z = index / (size[0] * size[1]);
+    return origin + voxel_size * RowVector3d(x, y, z);
   }
   int IndexOf(const RowVector3d& p) const {
     std::array<int, 3> at;

@@ -35,6 +35,7 @@ FrameSolver::FrameSolver(const PreparedScene& scene,
                          std::shared_ptr<SceneMeshes> meshes)
     : scene_(scene), options_(std::move(options)), meshes_(std::move(meshes)) {
   contact_.kind = options_.contact;
+  contact_.name = ToString(options_.contact);
 }
 
 const Frame& FrameSolver::RestFrame() {

@@ -50,6 +50,11 @@ struct FrameSolverOptions {
 // What there is to say about the contact of a run.
 struct ContactReport {
   ContactKind kind = ContactKind::kNone;
+  std::string name = "none";  // the kind, and its variant: "paper/coarse"
+
+  // True if all muscles are solved together, so that each counts the iterations
+  // of all of them.
+  bool is_solved_together = false;
   nlohmann::ordered_json options;  // "contact_options" of report.json
   std::vector<std::string> warnings;
   double prepare_ms = 0;

@@ -17,6 +17,8 @@ PaperFrameSolver::PaperFrameSolver(const PreparedScene& scene,
     : FrameSolver(scene, options, std::move(meshes)),
       paper_(PreparePaperScene(scene, options.paper)) {
   const GroupContactOptions& group = options.paper.group;
+  contact_.name += "/" + ToString(group.level);
+  contact_.is_solved_together = true;
   contact_.options = {{"level", ToString(group.level)},
                       {"seed", group.paper.seed}};
   contact_.warnings = paper_.warnings;

@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The step to which gaps are rounded, mm; the largest gap is 100 steps.
-constexpr double kGapStep = kPageGapLimit / 100;
+constexpr double kGapStep = kGapLimit / 100;
 
 // Returns the step to which positions are rounded, mm: a share of the diagonal
 // of the box around all muscles and bones at rest.

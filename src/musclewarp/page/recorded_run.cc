@@ -231,7 +231,7 @@ class PoseReader {
     SceneIntersections found = IntersectScene(muscles_, bones_);
     for (std::size_t i = 0; i < muscles_.size(); ++i) {
       run_->muscles[i].gaps.push_back(VertexGaps(
-          i, muscles_, bones_, found.inside_of_muscles[i], kPageGapLimit));
+          i, muscles_, bones_, found.inside_of_muscles[i], kGapLimit));
     }
     run_->intersections.push_back(std::move(found));
   }

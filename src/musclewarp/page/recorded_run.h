@@ -10,13 +10,11 @@
 
 #include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/lines_file.h"
 #include "musclewarp/report/frame_record.h"
 
 namespace musclewarp {
-
-// The largest distance up to which the page knows gaps between surfaces, mm.
-constexpr double kPageGapLimit = 5;
 
 // A muscle in all poses of a run. The vectors below are by pose: entry 0 is the
 // rest pose, entry i + 1 is frame i.
@@ -29,7 +27,7 @@ struct RecordedMuscle {
   // The lines and fibres that the muscle carries.
   std::vector<MuscleLines> lines;
   // The distance of each vertex to the nearest other mesh, #V, mm: negative
-  // inside it, and at most kPageGapLimit.
+  // inside it, and at most kGapLimit.
   std::vector<Eigen::VectorXd> gaps;
 };
 

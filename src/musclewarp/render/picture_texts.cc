@@ -108,8 +108,8 @@ void AddTexts(const std::vector<PicturePanel>& panels,
   const double column_width = scale * layout.legend_column_width;
   const double left = (width - layout.legend_columns * column_width) / 2;
   for (std::size_t i = 0; i < options.legend.size(); ++i) {
-    const double row = static_cast<double>(i / layout.legend_columns);
-    const double column = static_cast<double>(i % layout.legend_columns);
+    const std::size_t row = i / layout.legend_columns;
+    const std::size_t column = i % layout.legend_columns;
     const double x = left + column * column_width + 0.5 * font;
     const double y = legend_height - (1.5 * row + 1.25) * font;
     AddPatch(

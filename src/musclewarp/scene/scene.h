@@ -31,21 +31,21 @@ struct Attachment {
 // scene is prepared.
 struct SceneMuscle {
   std::string name;
-  Points points;                  // #V x 3, mm; none: read from mesh_path
-  Triangles triangles;            // #F x 3
-  std::vector<ActionLine> lines;  // none: to be made from the meshes
-  std::vector<Attachment> attachments;
-  std::string mesh_path;
+  Points points;                       // #V x 3, mm; none: read from mesh_path
+  Triangles triangles;                 // #F x 3
+  std::vector<ActionLine> lines = {};  // none: to be made from the meshes
+  std::vector<Attachment> attachments = {};
+  std::string mesh_path = {};
 };
 
 // The mesh of a bone, given as that of a muscle, and the body that it moves
 // with. Several bones may belong to one body.
 struct SceneBone {
   std::string name;
-  Points points;        // #V x 3, mm; none: read from mesh_path
-  Triangles triangles;  // #F x 3
-  std::string body;     // that the bone moves with; empty: named as the bone
-  std::string mesh_path;
+  Points points;          // #V x 3, mm; none: read from mesh_path
+  Triangles triangles;    // #F x 3
+  std::string body = {};  // it moves with; empty: named as the bone
+  std::string mesh_path = {};
   // What puts the points of the file into the scene: scale and place of meshes
   // that a model names; the identity for those of the scene file.
   Eigen::Matrix4d rest_from_file = Eigen::Matrix4d::Identity();
