@@ -31,9 +31,9 @@ bool FrameSolverOptions::IsValid(std::string* error) const {
 }
 
 FrameSolver::FrameSolver(const PreparedScene& scene,
-                         FrameSolverOptions options,
+                         const FrameSolverOptions& options,
                          std::shared_ptr<SceneMeshes> meshes)
-    : scene_(scene), options_(std::move(options)), meshes_(std::move(meshes)) {
+    : scene_(scene), options_(options), meshes_(std::move(meshes)) {
   contact_.kind = options_.contact;
   contact_.name = ToString(options_.contact);
 }

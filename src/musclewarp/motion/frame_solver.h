@@ -108,7 +108,7 @@ class FrameSolver {
 
  protected:
   FrameSolver(const PreparedScene& scene,
-              FrameSolverOptions options,
+              const FrameSolverOptions& options,
               std::shared_ptr<SceneMeshes> meshes);
 
   const PreparedScene& scene_;
