@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+#
+# Builds the unit tests with the address and undefined behaviour sanitizers, in
+# build/asan, and runs them. Takes a quarter of an hour on two cores.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+scripts/build.sh asan musclewarp_unit_tests
+ctest --preset asan -L unit -j2 -E '^phantom/'
+# In one process, which makes its scene once.
+build/asan/tests/phantom/phantom_test --gtest_brief=1
