@@ -53,7 +53,7 @@ size_t Widest(const std::vector<ComparisonRow>& rows,
   return at_least;
 }
 
-// As a field of a CSV file (RFC 4180).
+// Returns a text as a field of a CSV file (RFC 4180).
 std::string Quoted(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -36,7 +36,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of everything the result depends on.
+// Returns a hash of everything that the result depends on.
 std::string InputsHash(const Scene& scene, const DeformOptions& options) {
   ContentHash hash;
   hash.Add(MUSCLEWARP_VERSION);
@@ -160,13 +160,18 @@ class DeformRun {
   void Start(SceneState state) {
     const Frame& rest = deformer_->RestFrame();
     MakeFolder(options_.out);
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      run_.scene = &deformer_->scene();
+      run_.contact = deformer_->contact();
+      run_.rest = rest.intersections;
+    }
     RemovePartialOutput(options_.out);
-    if (run_.frames.empty()) log_->StartAnew();
     WriteFrame(deformer_->scene(), rest, options_.formats, options_.out);
-    run_.scene = &deformer_->scene();
-    run_.contact = deformer_->contact();
-    run_.rest = rest.intersections;
-    if (run_.frames.empty()) return;
+    if (run_.frames.empty()) {
+      log_->StartAnew();
+      return;
+    }
     screen_ << "resumed after frame " << run_.frames.size() << "\n";
     state.pose = poses()[selected_[run_.frames.size() - 1]];
     deformer_->set_state(std::move(state));
@@ -203,7 +208,7 @@ class DeformRun {
     }
   }
 
-  // What is counted is to be that of the files: they are read back.
+  // Reads the files back, so that the counts are those of the files.
   void CompareFiles(Frame* frame) const {
     for (const std::string& file : FilesThatDiffer(
              deformer_->scene(), *frame, options_.formats, options_.out)) {
@@ -216,8 +221,7 @@ class DeformRun {
   int Finish() {
     if (!run_.finished) SayStopped();
     try {
-      writer_.Write(run_);
-      if (run_.finished) log_->Finish();
+      SaveReport();
       PrintFrames(run_, screen_);
       screen_ << "report: " << report_ << "\n";
       if (options_.html) WriteRunPage(options_.out, screen_);
@@ -227,6 +231,14 @@ class DeformRun {
     }
     return run_.finished && TotalsOf(run_).usable ? kExitUsable
                                                   : kExitNotUsable;
+  }
+
+  // From then on there is nothing left for GiveUp() to save.
+  void SaveReport() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    writer_.Write(run_);
+    if (run_.finished) log_->Finish();
+    is_saved_ = true;
   }
 
   void SayStopped() {
@@ -241,6 +253,7 @@ class DeformRun {
   void GiveUp(const std::string& reason) {
     // A frame that is being recorded will be recorded in a moment.
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (is_saved_) return;
     if (!run_.scene) {
       screen_ << reason << " before the first frame; nothing was written"
               << std::endl;
@@ -269,8 +282,9 @@ class DeformRun {
   std::vector<int> selected_;
   std::optional<ResumeLog> log_;
   std::optional<Deformer> deformer_;
-  std::mutex mutex_;  // of what GiveUp() reads
+  std::mutex mutex_;  // of what GiveUp() reads: run_ and is_saved_
   RunRecord run_;
+  bool is_saved_ = false;
 };
 
 }  // namespace

@@ -17,8 +17,8 @@ DECLARE_bool(helpshort);
 DECLARE_bool(version);
 
 namespace GFLAGS_NAMESPACE {
-// What gflags calls after it has printed what is wrong with a flag; exported by
-// the library, but not declared in its header.
+// gflags calls this after it has printed what is wrong with a flag. The library
+// exports it, but does not declare it in a header.
 extern void (*gflags_exitfunc)(int);
 }  // namespace GFLAGS_NAMESPACE
 

@@ -77,7 +77,7 @@ DEFINE_bool(body_twist,
 namespace musclewarp {
 namespace {
 
-// As a word for a shell.
+// Returns a text as one word for a shell.
 std::string ShellQuoted(const std::string& text) {
   const auto is_plain = [](unsigned char c) {
     return std::isalnum(c) || std::strchr("_-+=./:,@%", c) != nullptr;
@@ -114,7 +114,7 @@ void SetCertifiedContact(CertifiedContactOptions* options) {
   options->limits.max_move = FLAGS_max_step_move;
 }
 
-// Those of our programs, not of the libraries they use.
+// Returns the flags of these programs, without those of the libraries.
 std::vector<gflags::CommandLineFlagInfo> OwnFlags() {
   std::vector<gflags::CommandLineFlagInfo> all, own;
   gflags::GetAllFlags(&all);

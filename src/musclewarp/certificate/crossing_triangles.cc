@@ -176,13 +176,13 @@ class Grid {
   Eigen::Array3d origin_ = Eigen::Array3d::Zero();
   double cell_ = 1, per_cell_ = 1;  // edge, mm, and its inverse
   Index3 counts_ = {1, 1, 1};
-  // Those of cell c are items_[starts_[c]] to items_[starts_[c + 1]].
+  // The items of cell c are items_[starts_[c]] to items_[starts_[c + 1]].
   std::vector<int> starts_;
   std::vector<Item> items_;
 };
 
-// Those of the entries that `entry_of` gives with the muscles'; if they are the
-// muscles' themselves, with those before them.
+// Adds the pairs that the entries of `entry_of` form with those of the muscles;
+// if they are those of the muscles themselves, with the entries before them.
 template <typename EntryOf>
 void AddPairs(const Grid& grid,
               Eigen::Index count,

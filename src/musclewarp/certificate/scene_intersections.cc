@@ -32,7 +32,8 @@ SurfaceView ViewOf(const SearchableMesh& mesh) {
   return {&mesh.points(), &mesh.triangles()};
 }
 
-// Whether a component of `mesh`, which does not cross `other`, lies in it.
+// Returns true if a component of `mesh`, which does not cross `other`, lies in
+// it.
 bool LiesInside(const SearchableMesh& mesh, const SearchableMesh& other) {
   if (other.triangles().rows() == 0) return false;
   const int count = static_cast<int>(mesh.points().rows());

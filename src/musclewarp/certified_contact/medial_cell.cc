@@ -231,7 +231,7 @@ MedialCell::VoxelGrid MedialCell::MainPart() const {
 RowVector3d MedialCell::Border(const RowVector3d& q,
                                double distance_q,
                                const RowVector3d& p) const {
-  // On by as much as is free around, again and again.
+  // Sphere tracing: the signed distance tells how far the path is free.
   constexpr double kTolerance = 1e-4;  // mm
   const double way = (p - q).norm();
   double at = 0;

@@ -41,12 +41,11 @@ Grouped ByFirst(const std::vector<std::pair<int, int>>& pairs,
   return grouped;
 }
 
-std::vector<SeparatingPlane> Joined(
-    const std::vector<std::vector<SeparatingPlane>>& parts) {
-  std::vector<SeparatingPlane> all;
-  for (const auto& part : parts)
-    all.insert(all.end(), part.begin(), part.end());
-  return all;
+void Append(const std::vector<std::vector<SeparatingPlane>>& parts,
+            std::vector<SeparatingPlane>* planes) {
+  for (const auto& part : parts) {
+    planes->insert(planes->end(), part.begin(), part.end());
+  }
 }
 
 // The triangles of `other` whose boxes are near a triangle before the step or
@@ -74,12 +73,12 @@ std::vector<int> NearTriangles(const Corners& before,
   return near;
 }
 
-std::vector<SeparatingPlane> PlanesBetweenMuscles(
-    const StepOptions& options,
-    const ContactStep& step,
-    const std::vector<TriangleBvh>& carried,
-    int a,
-    int b) {
+void AddPlanesBetweenMuscles(const StepOptions& options,
+                             const ContactStep& step,
+                             const std::vector<TriangleBvh>& carried,
+                             int a,
+                             int b,
+                             std::vector<SeparatingPlane>* planes) {
   // Either muscle may move by the reach.
   const double radius =
       options.gap + options.planes.search_share * 2 * options.reach;
@@ -106,7 +105,7 @@ std::vector<SeparatingPlane> PlanesBetweenMuscles(
           PlaneBetween(step, a, f, b, g, *separation, options.gap / 2));
     }
   }
-  return Joined(found);
+  Append(found, planes);
 }
 
 // The farthest that a vertex of each triangle moves in a step as the bone sees
@@ -144,11 +143,12 @@ PathsPastBone PathsOf(const ContactStep& step,
   return paths;
 }
 
-std::vector<SeparatingPlane> PlanesOfBone(const StepOptions& options,
-                                          const ContactStep& step,
-                                          int muscle,
-                                          int bone,
-                                          TriangleBvh* tree) {
+void AddPlanesOfBone(const StepOptions& options,
+                     const ContactStep& step,
+                     int muscle,
+                     int bone,
+                     TriangleBvh* tree,
+                     std::vector<SeparatingPlane>* planes) {
   const double margin =
       options.gap + options.planes.search_share * options.reach;
   const PathsPastBone paths = PathsOf(step, muscle, bone, margin);
@@ -184,7 +184,7 @@ std::vector<SeparatingPlane> PlanesOfBone(const StepOptions& options,
           PlaneOfBone(step, muscle, static_cast<int>(f), bone, space));
     }
   }
-  return Joined(found);
+  Append(found, planes);
 }
 
 }  // namespace
@@ -228,18 +228,18 @@ std::vector<SeparatingPlane> FindSeparatingPlanes(
     const StepOptions& options,
     const ContactStep& step,
     std::vector<TriangleBvh>* carried) {
-  std::vector<std::vector<SeparatingPlane>> found;
+  std::vector<SeparatingPlane> planes;
   for (int a = 0; a < step.num_muscles(); ++a) {
     for (int b = a + 1; b < step.num_muscles(); ++b) {
-      found.push_back(PlanesBetweenMuscles(options, step, *carried, a, b));
+      AddPlanesBetweenMuscles(options, step, *carried, a, b, &planes);
     }
   }
   for (int bone = 0; bone < step.num_bones(); ++bone) {
     for (int i = 0; i < step.num_muscles(); ++i) {
-      found.push_back(PlanesOfBone(options, step, i, bone, &(*carried)[i]));
+      AddPlanesOfBone(options, step, i, bone, &(*carried)[i], &planes);
     }
   }
-  return Joined(found);
+  return planes;
 }
 
 }  // namespace musclewarp

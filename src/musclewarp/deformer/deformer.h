@@ -69,7 +69,7 @@ class Deformer {
   // not change with the pose.
   const PreparedScene& scene() const { return *scene_; }
 
-  // Returns what there is to say about contact as it was prepared.
+  // Returns a description of the contact as it was prepared.
   const ContactReport& contact() const { return frame_solver_->contact(); }
 
   // Returns in how many steps a pose is likely to be reached from the pose

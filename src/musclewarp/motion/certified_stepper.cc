@@ -11,7 +11,7 @@
 namespace musclewarp {
 namespace {
 
-// In the order of contact.
+// Returns the fine vertices of the muscles, in the order of contact.
 std::vector<Points> FineMeshes(const Mover& mover,
                                const std::vector<MuscleState>& muscles) {
   const std::vector<int>& order = mover.certified.order;
@@ -81,7 +81,7 @@ SolvedPose SolveWithContactRows(const Mover& mover,
 
 // One step: planes, half of the sweeps, the coarse solve with contact rows, the
 // other half, and rounds until nothing crosses. `start` is where the coarse
-// meshes are expected.
+// meshes are predicted.
 Attempt TryStep(const Mover& mover,
                 const StepOptions& options,
                 const Place& from,
@@ -120,8 +120,8 @@ double LargestMove(const std::vector<Points>& a, const std::vector<Points>& b) {
   return most;
 }
 
-// Where the coarse meshes are expected in the next step: what contact has moved
-// them by goes along.
+// Predicts the coarse meshes of the next step: they keep the displacement by
+// contact that they have.
 SolvedPose MovedAlong(const Place& from, const SolvedPose& free) {
   SolvedPose start = free;
   for (size_t i = 0; i < start.states.size(); ++i) {
@@ -187,7 +187,7 @@ int Walk(const Mover& mover,
                       ? Progress{"relaxing", steps, options.max_settling_steps}
                       : Progress{"moving", static_cast<int>(100 * at), 100});
     }
-    // Rounding must not leave a last step of nothing.
+    // A step that ends just before the pose would leave one of rounding size.
     const double to = at + 1.01 * length >= 1 ? 1 : at + length;
     const ScenePose pose =
         to == 1 ? goal : PoseBetween(mover.scene.scene, from, goal, to);
@@ -215,11 +215,13 @@ int Walk(const Mover& mover,
     if (crosses && settles) break;
     if (!crosses) length = std::min(options.longest_step, 2 * length);
     reach = options.step.reach;
-    const double moved =
-        LargestMove(place->surfaces.points, attempt.place.surfaces.points);
+    const bool has_settled =
+        settles &&
+        LargestMove(place->surfaces.points, attempt.place.surfaces.points) <
+            options.settling_tolerance;
     *place = std::move(attempt.place);
     at = to;
-    if (settles && moved < options.settling_tolerance) break;
+    if (has_settled) break;
   }
   return steps;
 }

@@ -35,11 +35,12 @@ struct FrameSolverOptions {
   ContactKind contact = ContactKind::kCertified;
   PreRotationOptions pre_rotation;
 
-  // Of the paper's contact, and the steps in which it follows a motion.
+  // The options of the paper's contact, and the steps in which it follows a
+  // motion.
   PaperSceneOptions paper;
   StepLimits paper_limits;
 
-  // Of certified contact, and what its frames have to hold.
+  // The options of certified contact, and the requirements on its frames.
   CertifiedContactOptions certified;
   FrameRequirements requirements;
 
@@ -47,7 +48,7 @@ struct FrameSolverOptions {
   bool IsValid(std::string* error) const;
 };
 
-// What there is to say about the contact of a run.
+// Describes the contact of a run, for reports.
 struct ContactReport {
   ContactKind kind = ContactKind::kNone;
   std::string name = "none";  // the kind, and its variant: "paper/coarse"
@@ -59,8 +60,8 @@ struct ContactReport {
   std::vector<std::string> warnings;
   double prepare_ms = 0;
 
-  // What crosses in the rest pose once contact has separated the meshes as they
-  // were delivered. Nothing without contact.
+  // The intersections in the rest pose once contact has separated the meshes as
+  // they were delivered. Nothing without contact.
   std::optional<SceneIntersections> rest;
 };
 

@@ -30,8 +30,8 @@ using GroupSolver =
                        std::vector<MuscleState>* states,
                        std::vector<SolverSummary>* summaries)>;
 
-// What moves the muscles of a scene, whatever the solver: the code of motion/
-// does not know whether that is Ceres or the reference solver.
+// The solvers that move the muscles of a scene. The code of motion/ does not
+// know whether they are those of Ceres or the reference.
 struct MuscleSolvers {
   MuscleSolver single;
   GroupSolver group;

@@ -131,7 +131,7 @@ Eigen::Matrix4d RigidMotion(const std::string& file,
       file, "is not the bone at rest, moved and turned", kRunAgain);
 }
 
-// Those of a pose, by muscle. Throws InputError.
+// Reads the lines and fibres of a pose, by muscle. Throws InputError.
 std::vector<MuscleLines> LinesIn(const std::string& folder,
                                  const std::vector<std::string>& muscles) {
   const std::string file = (fs::path(folder) / kLinesFile).string();
