@@ -164,7 +164,9 @@ class DeformRun {
       const std::lock_guard<std::mutex> lock(mutex_);
       run_.scene = &deformer_->scene();
       run_.contact = deformer_->contact();
-      run_.rest = rest.intersections;
+      run_.rest = deformer_->scene().as_delivered
+                      ? *deformer_->scene().as_delivered
+                      : rest.intersections;
     }
     RemovePartialOutput(options_.out);
     WriteFrame(deformer_->scene(), rest, options_.formats, options_.out);

@@ -99,9 +99,14 @@ std::array<Integers, 3> NearlyInLine(int determinant, std::mt19937* random) {
   Integers u = RandomInteger(random);
   const std::int64_t divisor = std::gcd(u[0], u[1]);
   for (int k = 0; k < 2; ++k) u[k] /= divisor;
-  // u x w = 1.
+  // u x w = 1. The two products may be too large for 64 bits, but their sum is
+  // 1 or -1, also modulo 2^64.
   const auto [w1, minus_w0] = Bezout(u[0], u[1]);
-  const std::int64_t sign = u[0] * w1 + u[1] * minus_w0;
+  const auto product = [](std::int64_t a, std::int64_t b) {
+    return static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b);
+  };
+  const auto sign = static_cast<std::int64_t>(product(u[0], w1) +
+                                              product(u[1], minus_w0));
   const Integers w = {-sign * minus_w0, sign * w1, 0};
   const int s = multiple(*random);
   std::array<Integers, 3> points = {a, a, a};

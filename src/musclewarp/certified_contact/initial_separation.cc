@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "musclewarp/base/option_check.h"
@@ -151,6 +152,7 @@ bool InitialSeparationOptions::IsValid(std::string* error) const {
              .IsAbove("carry_radius", carry_radius, 0)
              .IsWithin("min_agreement", min_agreement, -1, 1)
              .IsAtLeast("max_rounds", max_rounds, 0)
+             .IsAtLeast("max_idle_rounds", max_idle_rounds, 1)
              .is_valid() &&
          cell.IsValid(error);
 }
@@ -170,9 +172,13 @@ InitialSeparation SeparateInitially(
   }
   InitialSeparation result;
   std::vector<Pushes> pushes;
+  int fewest = std::numeric_limits<int>::max(), idle_rounds = 0;
   for (;; ++result.rounds) {
     result.crossing_pairs = separator.FindPushes(&pushes);
-    if (result.crossing_pairs == 0 || result.rounds == options.max_rounds) {
+    idle_rounds = result.crossing_pairs < fewest ? 0 : idle_rounds + 1;
+    fewest = std::min(fewest, result.crossing_pairs);
+    if (result.crossing_pairs == 0 || result.rounds == options.max_rounds ||
+        idle_rounds == options.max_idle_rounds) {
       break;
     }
     if (on_round) on_round(result.rounds, result.crossing_pairs);

@@ -33,6 +33,10 @@ struct InitialSeparationOptions {
   // around a bone of BodyParts3D takes 150.
   int max_rounds = 400;
 
+  // Rounds without fewer crossings than ever before, before what still crosses
+  // is left.
+  int max_idle_rounds = 40;
+
   bool IsValid(std::string* error) const;
 };
 

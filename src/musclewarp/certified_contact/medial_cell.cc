@@ -179,6 +179,12 @@ double MedialCell::SignedDistance(const RowVector3d& p) const {
   return distance;
 }
 
+double MedialCell::RegionDistance(const RowVector3d& p) const {
+  const double own = SignedMeshDistance(muscle_, p, kInfinity);
+  // Outside the muscle nothing else matters.
+  return own >= 0 ? own : std::max(own, SignedDistance(p));
+}
+
 RowVector3d MedialCell::Inward(const RowVector3d& p) const {
   constexpr double kStep = 0.1;  // mm, of the central differences
   RowVector3d gradient;

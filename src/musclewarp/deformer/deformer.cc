@@ -15,8 +15,9 @@ namespace {
 DeformerOptions Completed(DeformerOptions options) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
-  options.prepare.remove_slivers |=
-      options.frames.contact == ContactKind::kCertified;
+  const bool is_certified = options.frames.contact == ContactKind::kCertified;
+  options.prepare.remove_self_crossings |= is_certified;
+  options.prepare.remove_slivers |= is_certified;
   return options;
 }
 
@@ -32,7 +33,7 @@ Scene Checked(Scene scene) {
 
 bool DeformerOptions::IsValid(std::string* error) const {
   return prepare.IsValid(error) && frames.IsValid(error) &&
-         solver.IsValid(error);
+         remaking.IsValid(error) && solver.IsValid(error);
 }
 
 Deformer::Deformer(Scene scene, DeformerOptions options)
@@ -40,11 +41,12 @@ Deformer::Deformer(Scene scene, DeformerOptions options)
       solvers_(SolversOf(options_.solver)),
       scene_(std::make_unique<PreparedScene>(PrepareScene(
           Checked(std::move(scene)), options_.prepare, options_.on_progress))),
-      frame_solver_(MakeFrameSolver(*scene_,
-                                    options_.frames,
-                                    solvers_,
-                                    std::make_shared<SceneMeshes>(*scene_),
-                                    options_.on_progress)) {
+      frame_solver_(MakeCleanFrameSolver(options_.remaking,
+                                         options_.prepare,
+                                         options_.frames,
+                                         solvers_,
+                                         options_.on_progress,
+                                         scene_.get())) {
   // Where a motion starts is found when one does: with the paper's contact that
   // takes a solve.
 }

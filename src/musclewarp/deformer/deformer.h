@@ -11,6 +11,7 @@
 #include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/frame_solver.h"
 #include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/motion/rest_remaking.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
@@ -22,6 +23,9 @@ struct DeformerOptions {
 
   // The kind of contact, and how poses are reached.
   FrameSolverOptions frames;
+
+  // What happens to meshes that cannot be separated in the rest pose.
+  RestRemakingOptions remaking;
 
   SolverConfiguration solver;
 
@@ -47,8 +51,8 @@ struct DeformerOptions {
 // as they are delivered. That takes seconds; a frame takes a fraction of one.
 class Deformer {
  public:
-  // Throws InputError if the scene contradicts itself, or a mesh cannot be read
-  // or repaired. Precondition (CHECKed): the options are valid.
+  // Throws InputError if the scene contradicts itself, a mesh cannot be read or
+  // repaired, or the rest pose cannot be made free of crossings. Precondition (CHECKed): the options are valid.
   explicit Deformer(Scene scene, DeformerOptions options = {});
 
   // Moves the muscles from where they are to a pose. Frames of a motion follow
@@ -87,7 +91,7 @@ class Deformer {
  private:
   const DeformerOptions options_;
   const MuscleSolvers solvers_;
-  std::unique_ptr<const PreparedScene> scene_;
+  std::unique_ptr<PreparedScene> scene_;
   std::unique_ptr<FrameSolver> frame_solver_;
   SceneState state_;
 };

@@ -123,7 +123,10 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
   walk.max_settling_steps = options.max_rest_steps;
   walk.settling_tolerance = options.rest_tolerance;
   walk.accepts_self_crossings = true;
-  Walk(mover, walk, rest.pose, /*at=*/1, on_progress, &place);
+  // The steps need a start in which nothing crosses.
+  if (separation.crossing_pairs == 0) {
+    Walk(mover, walk, rest.pose, /*at=*/1, on_progress, &place);
+  }
   certified.rest = StateOf(mover, place);
   certified.wall_ms = preparing.Milliseconds();
   return certified;

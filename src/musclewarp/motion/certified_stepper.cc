@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/motion/certified_stepper.h"
 
+#include <glog/logging.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -201,6 +203,10 @@ int Walk(const Mover& mover,
                 free,
                 settles ? place->solved : MovedAlong(*place, free));
     ++steps;
+    VLOG(1) << "step to " << to << " with reach " << reach << ": "
+            << attempt.summary.rounds << " rounds, "
+            << attempt.summary.crossing_pairs << " crossing pairs, "
+            << (attempt.summary.is_intersection_free ? "free" : "not free");
     const bool crosses = options.accepts_self_crossings
                              ? attempt.summary.crossing_pairs > 0
                              : !attempt.summary.is_intersection_free;

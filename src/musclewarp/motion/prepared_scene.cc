@@ -33,14 +33,20 @@ TriangleSoup DeliveredMesh(const MuscleOrBone& part) {
 TriangleSoup Repaired(const TriangleSoup& delivered,
                       const std::string& name,
                       const std::string& path,
-                      const RepairOptions& options,
+                      const PrepareOptions& options,
                       MeshPreparation* preparation) {
   CheckCoordinates(path.empty() ? name : path, delivered.points);
   preparation->name = name;
   preparation->path = path;
   preparation->defects = CountDefects(delivered);
-  return RepairMesh(
-      delivered, path.empty() ? name : path, options, &preparation->repairs);
+  TriangleSoup repaired = RepairMesh(delivered,
+                                     path.empty() ? name : path,
+                                     options.repair,
+                                     &preparation->repairs);
+  if (options.remove_self_crossings) {
+    preparation->self_crossings = RemoveSelfCrossings(&repaired);
+  }
+  return repaired;
 }
 
 // The action lines at the places of the skeleton samples.
@@ -80,6 +86,26 @@ class BodySurfaces {
   std::vector<BodySurface> bodies_;
 };
 
+// Prepares everything that follows from the mesh of a muscle.
+void PrepareModel(const std::vector<BodySurface>& bodies,
+                  const PrepareOptions& options,
+                  const SceneMuscle& muscle,
+                  const TriangleSoup& fine,
+                  PreparedMuscle* prepared) {
+  const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
+  prepared->hull_encloses = Encloses(hull, fine);
+  prepared->model = PrepareMuscle(muscle, fine, hull, options.muscle);
+  prepared->lines = CarryActionLines(prepared->model);
+  if (options.fibres.fibres > 0) {
+    const Stopwatch stopwatch;
+    prepared->fibres = CarryLines(
+        MakeFibres(fine, bodies, muscle.attachments, options.fibres),
+        hull.points,
+        hull.triangles);
+    prepared->fibres_ms = stopwatch.Milliseconds();
+  }
+}
+
 // Adds lines to the muscle if it has none.
 PreparedMuscle PrepareOne(const std::vector<BodySurface>& bodies,
                           const PrepareOptions& options,
@@ -88,7 +114,7 @@ PreparedMuscle PrepareOne(const std::vector<BodySurface>& bodies,
   TriangleSoup fine = Repaired(DeliveredMesh(*muscle),
                                muscle->name,
                                muscle->mesh_path,
-                               options.repair,
+                               options,
                                &prepared.mesh);
   if (options.remove_slivers) {
     prepared.mesh.slivers = RemoveSlivers(options.slivers, &fine);
@@ -97,18 +123,7 @@ PreparedMuscle PrepareOne(const std::vector<BodySurface>& bodies,
     muscle->lines = MakeLines(
         muscle->name, fine, bodies, muscle->attachments, options.auto_lines);
   }
-  const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
-  prepared.hull_encloses = Encloses(hull, fine);
-  prepared.model = PrepareMuscle(*muscle, fine, hull, options.muscle);
-  prepared.lines = CarryActionLines(prepared.model);
-  if (options.fibres.fibres > 0) {
-    const Stopwatch stopwatch;
-    prepared.fibres = CarryLines(
-        MakeFibres(fine, bodies, muscle->attachments, options.fibres),
-        hull.points,
-        hull.triangles);
-    prepared.fibres_ms = stopwatch.Milliseconds();
-  }
+  PrepareModel(bodies, options, *muscle, fine, &prepared);
   return prepared;
 }
 
@@ -211,6 +226,25 @@ bool PrepareOptions::IsValid(std::string* error) const {
          slivers.IsValid(error) && fibres.IsValid(error);
 }
 
+void ReplaceMuscleMesh(const PrepareOptions& options,
+                       int muscle,
+                       TriangleSoup mesh,
+                       PreparedScene* prepared) {
+  if (options.remove_slivers) {
+    prepared->muscles[muscle].mesh.slivers =
+        RemoveSlivers(options.slivers, &mesh);
+  }
+  const BodySurfaces surfaces(options.fibres.fibres > 0
+                                  ? prepared->bones
+                                  : std::vector<PreparedBone>());
+  PrepareModel(surfaces.bodies(),
+               options,
+               prepared->scene.muscles[muscle],
+               mesh,
+               &prepared->muscles[muscle]);
+  prepared->exempt = ExemptAreas(*prepared);
+}
+
 PreparedScene PrepareScene(const Scene& scene,
                            const PrepareOptions& options,
                            const ProgressCallback& on_progress) {
@@ -234,8 +268,8 @@ PreparedScene PrepareScene(const Scene& scene,
     if (!bone.rest_from_file.isIdentity(0)) {
       delivered.points = Transformed(delivered.points, bone.rest_from_file);
     }
-    one.rest = Repaired(
-        delivered, bone.name, bone.mesh_path, options.repair, &one.mesh);
+    one.rest =
+        Repaired(delivered, bone.name, bone.mesh_path, options, &one.mesh);
     one.body = bone.body;
     prepared.bones.push_back(std::move(one));
   }

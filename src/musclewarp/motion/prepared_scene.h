@@ -3,14 +3,17 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "musclewarp/base/progress.h"
+#include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/fibres/fibres.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh_repair/repair.h"
+#include "musclewarp/mesh_repair/self_crossing_removal.h"
 #include "musclewarp/mesh_repair/sliver_removal.h"
 #include "musclewarp/scene/exempt_area.h"
 #include "musclewarp/scene/scene.h"
@@ -24,8 +27,12 @@ struct PrepareOptions {
   MuscleModelOptions muscle;
   RepairOptions repair;
 
-  // If true, sliver triangles are removed from muscle meshes. Certified contact
-  // needs that, and Deformer sees to it. If false, meshes keep their triangles.
+  // If true, the places where a mesh crosses itself are remade. Certified
+  // contact needs that, and Deformer sees to it. If false, meshes keep their
+  // triangles.
+  bool remove_self_crossings = false;
+
+  // The same for sliver triangles of muscle meshes.
   bool remove_slivers = false;
   SliverLimits slivers;
 
@@ -45,13 +52,28 @@ struct PrepareOptions {
   bool IsValid(std::string* error) const;
 };
 
+// How the mesh of a muscle was made anew, because it could not be separated
+// from others as it was (rest_remaking.h).
+struct Remaking {
+  bool is_done = false;
+  double volume_before = 0, volume_after = 0;  // mm^3
+
+  // What of the old surface the new one leaves by more than a triangle's edge:
+  // how much (mm^2), its middle, and by how much at most (mm).
+  double lost_area = 0;
+  Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
+  double farthest = 0;
+};
+
 // A mesh as it was delivered, and what was done to it.
 struct MeshPreparation {
   std::string name;
   std::string path;  // of its file; empty if it was given in memory
   MeshDefects defects;
   RepairReport repairs;
+  SelfCrossingRemoval self_crossings;
   SliverRemovals slivers;
+  Remaking remaking;
 };
 
 // A muscle with everything that does not change with the pose.
@@ -81,8 +103,19 @@ struct PreparedScene {
   std::vector<PreparedBone> bones;
   std::vector<ExemptArea> exempt;  // attachment areas that may penetrate
   std::vector<std::string> warnings;
+
+  // What crossed before meshes were made anew, if any was.
+  std::optional<SceneIntersections> as_delivered;
   double wall_ms = 0;
 };
+
+// Gives a muscle of a prepared scene another mesh, with which everything about
+// it is prepared again. Its lines stay. Precondition (CHECKed): the mesh is a
+// closed manifold.
+void ReplaceMuscleMesh(const PrepareOptions& options,
+                       int muscle,
+                       TriangleSoup mesh,
+                       PreparedScene* prepared);
 
 // Prepares a scene. Throws InputError if a mesh cannot be read or repaired.
 // `on_progress` may be empty. Precondition (CHECKed): the options are valid.

@@ -1,0 +1,83 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certified_contact/cell_surface.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "musclewarp/base/option_check.h"
+#include "musclewarp/geometry/marching_tetrahedra.h"
+#include "musclewarp/geometry/remeshing.h"
+#include "musclewarp/mesh/connectivity.h"
+#include "musclewarp/mesh/defects.h"
+#include "musclewarp/mesh/measures.h"
+
+namespace musclewarp {
+namespace {
+
+// Deletes all components but the one that encloses the largest volume.
+void KeepLargestBody(TriangleSoup* soup) {
+  const Components components = ConnectedComponents(
+      soup->triangles, UsesOfEdges(soup->triangles), soup->triangles.size());
+  std::vector<double> volumes(components.count, 0);
+  for (Eigen::Index f = 0; f < soup->triangles.rows(); ++f) {
+    volumes[components.label[f]] +=
+        SignedVolume(soup->points, soup->triangles.row(f));
+  }
+  const auto largest =
+      std::max_element(volumes.begin(), volumes.end()) - volumes.begin();
+  std::vector<bool> keep(soup->triangles.rows());
+  for (size_t f = 0; f < keep.size(); ++f) {
+    keep[f] = components.label[f] == largest;
+  }
+  KeepTriangles(keep, &soup->triangles);
+  DropUnreferencedPoints(soup);
+}
+
+// The edge of equilateral triangles that are as many and cover as much.
+double TypicalEdge(const Points& points, const Triangles& triangles) {
+  const double area = SurfaceArea(points, triangles) /
+                      static_cast<double>(triangles.rows());
+  return std::sqrt(4 / std::sqrt(3.0) * area);
+}
+
+}  // namespace
+
+bool CellSurfaceOptions::IsValid(std::string* error) const {
+  return OptionCheck("CellSurfaceOptions", error)
+             .IsAbove("spacing", spacing, 0)
+             .IsAtLeast("edge_length", edge_length, 0)
+             .is_valid() &&
+         cell.IsValid(error);
+}
+
+TriangleSoup CellSurface(
+    const CellSurfaceOptions& options,
+    const SearchableMesh& muscle,
+    const std::vector<const SearchableMesh*>& other_muscles,
+    const std::vector<const SearchableMesh*>& bones) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+  const MedialCell cell(options.cell, muscle, other_muscles, bones);
+  TriangleSoup surface = MarchingTetrahedra(
+      [&](const Eigen::RowVector3d& p) { return cell.RegionDistance(p); },
+      muscle.bvh().box(),
+      options.spacing);
+  if (surface.triangles.rows() == 0) return surface;
+  KeepLargestBody(&surface);
+  TriangleSoup even = Remeshed(
+      surface,
+      options.edge_length > 0
+          ? options.edge_length
+          : std::max(options.spacing,
+                     TypicalEdge(muscle.points(), muscle.triangles())));
+  // Thin parts may not survive the new size of triangles.
+  if (CountDefects(even).IsClean() && SelfIntersections(even).empty()) {
+    return even;
+  }
+  return surface;
+}
+
+}  // namespace musclewarp

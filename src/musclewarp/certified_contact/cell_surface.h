@@ -1,0 +1,39 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "musclewarp/certified_contact/medial_cell.h"
+#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/mesh/triangle_soup.h"
+
+namespace musclewarp {
+
+struct CellSurfaceOptions {
+  MedialCellOptions cell;
+
+  // Cells are sampled at this distance, mm. All cells of a scene need the same
+  // one, so that their surfaces do not cross each other.
+  double spacing = 1;
+
+  // The new triangles have edges of about this length, mm; 0: the mean of those
+  // of the old mesh, but not less than the spacing.
+  double edge_length = 0;
+
+  bool IsValid(std::string* error) const;
+};
+
+// Returns a new surface for a muscle that cannot be separated from others by
+// moving its vertices: because a bone cuts a part off, a tendon lies inside a
+// bone, or the mesh crosses itself. It is the border of the largest part of the
+// muscle that lies in its medial cell: a closed, outward oriented manifold that
+// does not cross itself, with even triangles. Without vertices if nothing of
+// the muscle is left. Precondition (CHECKed): the options are valid.
+TriangleSoup CellSurface(const CellSurfaceOptions& options,
+                         const SearchableMesh& muscle,
+                         const std::vector<const SearchableMesh*>& other_muscles,
+                         const std::vector<const SearchableMesh*>& bones);
+
+}  // namespace musclewarp

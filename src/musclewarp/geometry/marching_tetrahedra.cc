@@ -1,0 +1,230 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/geometry/marching_tetrahedra.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+using Place = Eigen::Array<std::int64_t, 1, 3>;
+
+// Samples at the multiples of a spacing; x runs fastest.
+class Samples {
+ public:
+  Samples(const SignedDistanceFunction& distance,
+          const Box3& box,
+          double spacing)
+      : spacing_(spacing) {
+    for (int k = 0; k < 3; ++k) {
+      first_[k] =
+          static_cast<std::int64_t>(std::floor(box.lower[k] / spacing)) - 1;
+      size_[k] =
+          static_cast<std::int64_t>(std::ceil(box.upper[k] / spacing)) + 2 -
+          first_[k];
+    }
+    values_.resize(size_.prod());
+    const Place blocks = (size_ + kBlock - 1) / kBlock;
+#pragma omp parallel for schedule(dynamic, 4)
+    for (std::int64_t b = 0; b < blocks.prod(); ++b) {
+      FillBlock(distance,
+                kBlock * Place(b % blocks[0],
+                               b / blocks[0] % blocks[1],
+                               b / (blocks[0] * blocks[1])));
+    }
+  }
+
+  const Place& size() const { return size_; }
+  std::int64_t IndexOf(const Place& at) const {
+    return at[0] + size_[0] * (at[1] + size_[1] * at[2]);
+  }
+  double value(std::int64_t index) const { return values_[index]; }
+  RowVector3d Position(std::int64_t index) const {
+    const Place at(index % size_[0],
+                   index / size_[0] % size_[1],
+                   index / (size_[0] * size_[1]));
+    return spacing_ * (first_ + at).cast<double>().matrix();
+  }
+
+ private:
+  static constexpr std::int64_t kBlock = 8;
+
+  // A block that the border cannot reach gets the value at its middle: only its
+  // sign is used.
+  void FillBlock(const SignedDistanceFunction& distance, const Place& first) {
+    const Place last = (first + kBlock).min(size_);
+    const RowVector3d low = Position(IndexOf(first));
+    const RowVector3d high = Position(IndexOf(last - 1));
+    const double at_middle = distance((low + high) / 2);
+    const bool is_far =
+        std::abs(at_middle) > (high - low).norm() / 2 + 2 * spacing_;
+    for (std::int64_t z = first[2]; z < last[2]; ++z) {
+      for (std::int64_t y = first[1]; y < last[1]; ++y) {
+        for (std::int64_t x = first[0]; x < last[0]; ++x) {
+          const std::int64_t index = IndexOf({x, y, z});
+          values_[index] = is_far ? at_middle : distance(Position(index));
+        }
+      }
+    }
+  }
+
+  double spacing_;
+  Place first_, size_;
+  std::vector<double> values_;
+};
+
+// Collects the triangles in the tetrahedra, with one vertex for each edge that
+// the border meets.
+class Border {
+ public:
+  explicit Border(const Samples& samples) : samples_(samples) {}
+
+  // `corners`: indices of samples, positively oriented.
+  void AddTetrahedron(const std::array<std::int64_t, 4>& corners) {
+    std::array<int, 4> inside, outside;
+    int num_inside = 0, num_outside = 0;
+    for (int k = 0; k < 4; ++k) {
+      if (samples_.value(corners[k]) < 0) {
+        inside[num_inside++] = k;
+      } else {
+        outside[num_outside++] = k;
+      }
+    }
+    if (num_inside == 0 || num_outside == 0) return;
+    const auto vertex = [&](int i, int o) {
+      return VertexOn(corners[inside[i]], corners[outside[o]]);
+    };
+    // The vertices go round the border. Seen from outside they do so
+    // counterclockwise if inside and outside corners, in this order, are an
+    // even permutation of a positively oriented tetrahedron.
+    std::array<int, 4> order;
+    std::copy_n(inside.begin(), num_inside, order.begin());
+    std::copy_n(outside.begin(), num_outside, order.begin() + num_inside);
+    const bool is_even = IsEven(order);
+    if (num_inside == 1) {
+      AddTriangle(vertex(0, 0), vertex(0, 1), vertex(0, 2), is_even);
+    } else if (num_inside == 3) {
+      AddTriangle(vertex(0, 0), vertex(1, 0), vertex(2, 0), is_even);
+    } else {
+      const int a = vertex(0, 0), b = vertex(0, 1);
+      const int c = vertex(1, 1), d = vertex(1, 0);
+      AddTriangle(a, b, c, is_even);
+      AddTriangle(a, c, d, is_even);
+    }
+  }
+
+  TriangleSoup Take() const {
+    TriangleSoup soup;
+    soup.points.resize(static_cast<Eigen::Index>(points_.size()), 3);
+    for (size_t v = 0; v < points_.size(); ++v) soup.points.row(v) = points_[v];
+    soup.triangles.resize(static_cast<Eigen::Index>(triangles_.size()), 3);
+    for (size_t f = 0; f < triangles_.size(); ++f) {
+      soup.triangles.row(f) = triangles_[f];
+    }
+    return soup;
+  }
+
+ private:
+  static bool IsEven(const std::array<int, 4>& order) {
+    int inversions = 0;
+    for (int a = 0; a < 4; ++a) {
+      for (int b = a + 1; b < 4; ++b) inversions += order[a] > order[b];
+    }
+    return inversions % 2 == 0;
+  }
+
+  void AddTriangle(int a, int b, int c, bool is_even) {
+    triangles_.emplace_back(a, is_even ? b : c, is_even ? c : b);
+  }
+
+  int VertexOn(std::int64_t inside, std::int64_t outside) {
+    // An edge of the lattice goes from its lower end in one of seven
+    // directions: the coordinates of the upper end are larger by 0 or 1.
+    const std::int64_t low = std::min(inside, outside);
+    const std::int64_t high = std::max(inside, outside);
+    const RowVector3d from = samples_.Position(inside);
+    const RowVector3d to = samples_.Position(outside);
+    const auto [place, is_new] = vertices_.try_emplace(
+        low * 8 + Direction(low, high), static_cast<int>(points_.size()));
+    if (is_new) {
+      // Away from the ends, so that no triangle is without area.
+      constexpr double kMargin = 0.02;
+      const double a = samples_.value(inside), b = samples_.value(outside);
+      const double share = std::clamp(a / (a - b), kMargin, 1 - kMargin);
+      points_.push_back(from + share * (to - from));
+    }
+    return place->second;
+  }
+
+  std::int64_t Direction(std::int64_t low, std::int64_t high) const {
+    const Place& size = samples_.size();
+    std::int64_t step = high - low;
+    std::int64_t direction = 0;
+    if (step >= size[0] * size[1]) {
+      direction |= 4;
+      step -= size[0] * size[1];
+    }
+    if (step >= size[0]) {
+      direction |= 2;
+      step -= size[0];
+    }
+    return direction | step;
+  }
+
+  const Samples& samples_;
+  std::unordered_map<std::int64_t, int> vertices_;
+  std::vector<RowVector3d> points_;
+  std::vector<Eigen::RowVector3i> triangles_;
+};
+
+}  // namespace
+
+TriangleSoup MarchingTetrahedra(const SignedDistanceFunction& distance,
+                                const Box3& box,
+                                double spacing) {
+  CHECK_GT(spacing, 0);
+  const Samples samples(distance, box, spacing);
+  Border border(samples);
+  // The paths along the edges of a cell from its lowest to its highest corner,
+  // one for each order of the axes, are its six tetrahedra (Kuhn 1960). Every
+  // other one is negatively oriented.
+  constexpr int kAxes[6][3] = {
+      {0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  const Place cells = samples.size() - 1;
+  for (std::int64_t z = 0; z < cells[2]; ++z) {
+    for (std::int64_t y = 0; y < cells[1]; ++y) {
+      for (std::int64_t x = 0; x < cells[0]; ++x) {
+        const Place lowest(x, y, z);
+        const bool is_inside = samples.value(samples.IndexOf(lowest)) < 0;
+        bool is_crossed = false;
+        for (int corner = 1; corner < 8 && !is_crossed; ++corner) {
+          const Place at = lowest + Place(corner & 1, corner >> 1 & 1, corner >> 2);
+          is_crossed = (samples.value(samples.IndexOf(at)) < 0) != is_inside;
+        }
+        if (!is_crossed) continue;
+        for (int t = 0; t < 6; ++t) {
+          std::array<std::int64_t, 4> corners;
+          Place at = lowest;
+          corners[0] = samples.IndexOf(at);
+          for (int k = 0; k < 3; ++k) {
+            ++at[kAxes[t][k]];
+            corners[k + 1] = samples.IndexOf(at);
+          }
+          if (t >= 3) std::swap(corners[0], corners[1]);
+          border.AddTetrahedron(corners);
+        }
+      }
+    }
+  }
+  return border.Take();
+}
+
+}  // namespace musclewarp

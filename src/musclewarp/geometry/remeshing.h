@@ -1,0 +1,20 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "musclewarp/mesh/triangle_soup.h"
+
+namespace musclewarp {
+
+// Returns a closed surface with triangles of one size: edges are split,
+// collapsed and flipped until they are about `edge_length` long, mm, and the
+// vertices are spread evenly over the old surface (Botsch and Kobbelt 2004, "A
+// Remeshing Approach to Multiresolution Modeling"; isotropic_remeshing of
+// CGAL). The new vertices lie on the old surface, and its details below the
+// edge length are lost. Preconditions (CHECKed): the mesh is a manifold, the
+// edge length is above zero.
+TriangleSoup Remeshed(const TriangleSoup& soup,
+                      double edge_length,
+                      int iterations = 5);
+
+}  // namespace musclewarp

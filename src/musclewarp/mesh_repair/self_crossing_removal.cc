@@ -1,0 +1,60 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/mesh_repair/self_crossing_removal.h"
+
+#include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "musclewarp/geometry/cgal_mesh.h"
+#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/mesh/defects.h"
+
+namespace musclewarp {
+namespace {
+
+using Place = std::array<double, 3>;
+
+// Fills in how the new mesh differs from the old one.
+void Compare(const TriangleSoup& before,
+             const TriangleSoup& after,
+             SelfCrossingRemoval* removal) {
+  std::set<Place> old;
+  for (const auto p : before.points.rowwise()) old.insert({p[0], p[1], p[2]});
+  const TriangleBvh tree(before.points, before.triangles);
+  for (const auto p : after.points.rowwise()) {
+    if (old.count({p[0], p[1], p[2]}) > 0) continue;
+    ++removal->new_vertices;
+    removal->place += p;
+    const double distance =
+        tree.ClosestPoint(p, std::numeric_limits<double>::infinity()).distance;
+    removal->farthest = std::max(removal->farthest, distance);
+  }
+  if (removal->new_vertices > 0) removal->place /= removal->new_vertices;
+}
+
+}  // namespace
+
+SelfCrossingRemoval RemoveSelfCrossings(TriangleSoup* soup) {
+  SelfCrossingRemoval removal;
+  removal.pairs_before = static_cast<int>(SelfIntersections(*soup).size());
+  removal.pairs_after = removal.pairs_before;
+  if (removal.pairs_before == 0) return removal;
+  CgalMesh mesh = ToCgalMesh(*soup);
+  CGAL::Polygon_mesh_processing::experimental::remove_self_intersections(mesh);
+  TriangleSoup repaired = FromCgalMesh(mesh);
+  const int pairs = static_cast<int>(SelfIntersections(repaired).size());
+  if (pairs >= removal.pairs_before || !CountDefects(repaired).IsClean()) {
+    return removal;
+  }
+  removal.pairs_after = pairs;
+  Compare(*soup, repaired, &removal);
+  *soup = std::move(repaired);
+  return removal;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,237 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/rest_remaking.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/option_check.h"
+#include "musclewarp/certified_contact/cell_surface.h"
+#include "musclewarp/mesh/measures.h"
+
+namespace musclewarp {
+namespace {
+
+// The muscles, by number, that cross something in the rest pose.
+std::vector<int> UncleanMuscles(const PreparedScene& scene,
+                                const SceneIntersections& rest) {
+  std::set<std::string> names;
+  for (const PairIntersection& pair : rest.pairs) {
+    if (pair.triangle_pairs + pair.vertices_inside == 0) continue;
+    names.insert(pair.a);
+    names.insert(pair.b);
+  }
+  std::vector<int> unclean;
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    if (rest.self_pairs_of_muscles[i] > 0 ||
+        names.count(scene.muscles[i].model.name) > 0) {
+      unclean.push_back(static_cast<int>(i));
+    }
+  }
+  return unclean;
+}
+
+// The places, a clause each.
+std::string Describe(const PreparedScene& scene,
+                     const SceneIntersections& rest) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1);
+  const char* separator = "";
+  for (const PairIntersection& pair : rest.pairs) {
+    if (pair.triangle_pairs + pair.vertices_inside == 0) continue;
+    text << separator << pair.a << " crosses " << pair.b << " around ("
+         << pair.place.x() << ", " << pair.place.y() << ", " << pair.place.z()
+         << "), " << pair.max_depth_mm << " mm deep";
+    separator = "; ";
+  }
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    if (rest.self_pairs_of_muscles[i] == 0) continue;
+    text << separator << scene.muscles[i].model.name << " crosses itself in "
+         << rest.self_pairs_of_muscles[i] << " pairs of triangles";
+    separator = "; ";
+  }
+  return text.str();
+}
+
+double TypicalEdge(const MuscleModel& model) {
+  const double area = SurfaceArea(model.fine_rest, model.fine_triangles) /
+                      static_cast<double>(model.fine_triangles.rows());
+  return std::sqrt(4 / std::sqrt(3.0) * area);
+}
+
+CellSurfaceOptions SurfaceOptions(const RestRemakingOptions& options,
+                                  const MedialCellOptions& cell,
+                                  const PreparedScene& scene,
+                                  const std::vector<int>& unclean,
+                                  int attempt) {
+  CellSurfaceOptions surface;
+  surface.cell = cell;
+  surface.cell.margin =
+      options.margin * std::pow(options.margin_growth, attempt);
+  surface.spacing = options.max_spacing;
+  for (const int i : unclean) {
+    surface.spacing =
+        std::min(surface.spacing,
+                 std::max(options.min_spacing,
+                          options.spacing_share *
+                              TypicalEdge(scene.muscles[i].model)));
+  }
+  return surface;
+}
+
+// Compares the new surface of a muscle with the old one.
+Remaking Compare(const SearchableMesh& before, const TriangleSoup& after) {
+  Remaking remaking;
+  remaking.is_done = true;
+  remaking.volume_before = SignedVolume(before.points(), before.triangles());
+  remaking.volume_after = SignedVolume(after.points, after.triangles);
+  const TriangleBvh tree(after.points, after.triangles);
+  for (Eigen::Index f = 0; f < before.triangles().rows(); ++f) {
+    const Corners t = CornersOf(before.points(), before.triangles().row(f));
+    const Eigen::RowVector3d middle = t.colwise().mean();
+    const double edge = (t.row(1) - t.row(0)).norm();
+    const double distance =
+        tree.ClosestPoint(middle, std::numeric_limits<double>::infinity())
+            .distance;
+    remaking.farthest = std::max(remaking.farthest, distance);
+    if (distance <= edge) continue;
+    const double area = AreaVector(t).norm() / 2;
+    remaking.lost_area += area;
+    remaking.place += area * middle;
+  }
+  if (remaking.lost_area > 0) remaking.place /= remaking.lost_area;
+  return remaking;
+}
+
+std::string Warning(const std::string& name, const Remaking& remaking) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << name
+       << " could not be separated by moving its vertices, so its mesh was made "
+          "anew: "
+       << remaking.volume_before / 1000 << " cm3 before, "
+       << remaking.volume_after / 1000 << " cm3 after; "
+       << remaking.lost_area / 100
+       << " cm2 of the old surface were left";
+  if (remaking.lost_area > 0) {
+    text << ", around (" << remaking.place.x() << ", " << remaking.place.y()
+         << ", " << remaking.place.z() << "), by " << remaking.farthest
+         << " mm at most";
+  }
+  return text.str();
+}
+
+void Remake(const RestRemakingOptions& options,
+            const PrepareOptions& prepare,
+            const MedialCellOptions& cell,
+            const std::vector<int>& unclean,
+            int attempt,
+            PreparedScene* scene) {
+  const SceneMeshes meshes(*scene);
+  const CellSurfaceOptions surface_options =
+      SurfaceOptions(options, cell, *scene, unclean, attempt);
+  std::vector<TriangleSoup> surfaces;
+  std::vector<const SearchableMesh*> bones;
+  for (const NamedMesh& bone : meshes.bones()) bones.push_back(bone.mesh);
+  for (const int i : unclean) {
+    std::vector<const SearchableMesh*> others;
+    for (size_t j = 0; j < meshes.muscles().size(); ++j) {
+      if (j != static_cast<size_t>(i)) others.push_back(meshes.muscles()[j].mesh);
+    }
+    surfaces.push_back(CellSurface(
+        surface_options, *meshes.muscles()[i].mesh, others, bones));
+  }
+  for (size_t k = 0; k < unclean.size(); ++k) {
+    const int i = unclean[k];
+    const std::string name = scene->muscles[i].model.name;
+    Remaking remaking = Compare(*meshes.muscles()[i].mesh, surfaces[k]);
+    if (remaking.volume_after <
+        options.least_volume_share * remaking.volume_before) {
+      throw InputError(
+          name,
+          "only " +
+              std::to_string(static_cast<int>(100 * remaking.volume_after /
+                                              remaking.volume_before)) +
+              " % of the muscle are outside bones and other muscles",
+          "check that the meshes are in one frame, or correct them");
+    }
+    ReplaceMuscleMesh(prepare, i, std::move(surfaces[k]), scene);
+    if (scene->muscles[i].mesh.remaking.is_done) {
+      remaking.volume_before = scene->muscles[i].mesh.remaking.volume_before;
+    }
+    scene->muscles[i].mesh.remaking = remaking;
+  }
+}
+
+}  // namespace
+
+bool RestRemakingOptions::IsValid(std::string* error) const {
+  return OptionCheck("RestRemakingOptions", error)
+      .IsAbove("margin", margin, 0)
+      .IsAtLeast("margin_growth", margin_growth, 1)
+      .IsAtLeast("max_attempts", max_attempts, 1)
+      .IsAbove("spacing_share", spacing_share, 0)
+      .IsAbove("min_spacing", min_spacing, 0)
+      .IsAtLeast("max_spacing", max_spacing, min_spacing)
+      .IsWithin("least_volume_share", least_volume_share, 0, 1)
+      .is_valid();
+}
+
+std::unique_ptr<FrameSolver> MakeCleanFrameSolver(
+    const RestRemakingOptions& remaking,
+    const PrepareOptions& prepare,
+    const FrameSolverOptions& options,
+    const MuscleSolvers& solvers,
+    const ProgressCallback& on_progress,
+    PreparedScene* scene) {
+  std::string error;
+  CHECK(remaking.IsValid(&error)) << error;
+  for (int attempt = 0;; ++attempt) {
+    auto solver = MakeFrameSolver(*scene,
+                                  options,
+                                  solvers,
+                                  std::make_shared<SceneMeshes>(*scene),
+                                  on_progress);
+    if (options.contact != ContactKind::kCertified) return solver;
+    const SceneIntersections& rest = *solver->contact().rest;
+    const std::vector<int> unclean = UncleanMuscles(*scene, rest);
+    if (unclean.empty()) {
+      for (const PreparedMuscle& muscle : scene->muscles) {
+        if (!muscle.mesh.remaking.is_done) continue;
+        scene->warnings.push_back(
+            Warning(muscle.model.name, muscle.mesh.remaking));
+        LOG(WARNING) << scene->warnings.back();
+      }
+      return solver;
+    }
+    if (remaking.kind == RemakeKind::kNever ||
+        attempt == remaking.max_attempts) {
+      throw InputError(
+          scene->scene.name,
+          "the meshes cannot be separated in the rest pose: " +
+              Describe(*scene, rest),
+          remaking.kind == RemakeKind::kNever
+              ? "let their surfaces be made anew (--remake=auto), or correct "
+                "the meshes there"
+              : "correct the meshes there");
+    }
+    if (!scene->as_delivered) {
+      scene->as_delivered = solver->RestFrame().intersections;
+    }
+    if (on_progress) on_progress({"remaking", attempt, 0});
+    Remake(remaking,
+           prepare,
+           options.certified.separation.cell,
+           unclean,
+           attempt,
+           scene);
+  }
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,60 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "musclewarp/base/progress.h"
+#include "musclewarp/motion/frame_solver.h"
+#include "musclewarp/motion/prepared_scene.h"
+
+namespace musclewarp {
+
+// What happens to muscles that cannot be separated from bones and from each
+// other by moving their vertices: because a bone cuts a part off, or a tendon
+// lies inside a bone.
+enum class RemakeKind {
+  kAuto,   // their meshes are made anew (CellSurface)
+  kNever,  // the scene is refused
+};
+
+struct RestRemakingOptions {
+  RemakeKind kind = RemakeKind::kAuto;
+
+  // The distance that new surfaces keep from bones and from each other in the
+  // first attempt, mm, and by how much it grows with each further one: a larger
+  // one covers details of bones between the samples of a surface.
+  double margin = 0.2;
+  double margin_growth = 3;
+  int max_attempts = 3;
+
+  // The distance of the samples of a surface, as a share of the typical edge of
+  // the old mesh, and its limits, mm.
+  double spacing_share = 0.5;
+  double min_spacing = 0.4;
+  double max_spacing = 1.5;
+
+  // Less than this share of a muscle's volume must not be left.
+  double least_volume_share = 0.5;
+
+  bool IsValid(std::string* error) const;
+};
+
+// Makes the frame solver of a scene, and sees to it that its rest pose is
+// clean: if with certified contact triangles still cross in it, or a muscle
+// crosses itself, the meshes of those muscles are made anew from what belongs
+// to them (their medial cells), and the solver is made again. Adds warnings to
+// the scene that say what was made anew. Throws InputError, with the places, if
+// the rest pose does not become clean, or if a mesh would have to be made anew
+// but must not be. Precondition (CHECKed): all options are valid.
+std::unique_ptr<FrameSolver> MakeCleanFrameSolver(
+    const RestRemakingOptions& remaking,
+    const PrepareOptions& prepare,
+    const FrameSolverOptions& options,
+    const MuscleSolvers& solvers,
+    const ProgressCallback& on_progress,
+    PreparedScene* scene);
+
+}  // namespace musclewarp
