@@ -20,7 +20,7 @@ struct DistanceBounds {
 
 // Returns bounds of the distance of two triangles, which may be degenerate. The
 // coordinates count exactly as they are stored, and no rounding makes a bound
-// wrong. Away from overflow the bounds are usually about 1e-15 of the size of
+// wrong. Away from overflow the bounds are usually about 1e-14 of the size of
 // the triangles and of their distance apart, wherever the triangles are. They
 // are the same if a and b are exchanged. Triangles that share a point have
 // zero bounds.
