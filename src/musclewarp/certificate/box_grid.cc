@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/certificate/box_grid.h"
 
+#include <cmath>
 #include <limits>
 
 namespace musclewarp {
@@ -63,13 +64,13 @@ BoxGrid::BoxGrid(const std::vector<RoundedBox>& boxes)
   per_cell_ = 1 / cell_;
   starts_.assign(counts_[0] * counts_[1] * counts_[2] + 1, 0);
   for (const RoundedBox& box : boxes) {
-    ForEachCell(box, [&](int cell) { ++starts_[cell + 1]; });
+    ForEachCell(box, [&](int cell, const Index3&) { ++starts_[cell + 1]; });
   }
   for (size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
   items_.resize(starts_.back());
   std::vector<int> next(starts_.begin(), starts_.end() - 1);
   for (size_t i = 0; i < boxes.size(); ++i) {
-    ForEachCell(boxes[i], [&](int cell) {
+    ForEachCell(boxes[i], [&](int cell, const Index3&) {
       items_[next[cell]++] = {boxes[i], static_cast<int>(i)};
     });
   }

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "musclewarp/mesh/triangle.h"
@@ -65,8 +64,8 @@ class BoxGrid {
 
   Index3 CellOf(const std::array<float, 3>& p) const;
 
-  // Calls visit(cell) for the cells that a box touches: none for a box beside
-  // the grid.
+  // Calls visit(cell, at) for the cells that a box touches, `at` being their
+  // places along x, y and z: for none if the box is beside the grid.
   template <typename Visit>
   void ForEachCell(const RoundedBox& box, const Visit& visit) const;
 
@@ -83,7 +82,7 @@ class BoxGrid {
 inline BoxGrid::Index3 BoxGrid::CellOf(const std::array<float, 3>& p) const {
   Index3 at;
   for (int k = 0; k < 3; ++k) {
-    const double cell = std::floor((p[k] - origin_[k]) * per_cell_);
+    const double cell = (p[k] - origin_[k]) * per_cell_;
     at[k] = static_cast<int>(std::clamp(cell, 0.0, counts_[k] - 1.0));
   }
   return at;
@@ -101,7 +100,7 @@ void BoxGrid::ForEachCell(const RoundedBox& box, const Visit& visit) const {
   for (int z = first[2]; z <= last[2]; ++z) {
     for (int y = first[1]; y <= last[1]; ++y) {
       for (int x = first[0]; x <= last[0]; ++x) {
-        visit((z * counts_[1] + y) * counts_[0] + x);
+        visit((z * counts_[1] + y) * counts_[0] + x, Index3{x, y, z});
       }
     }
   }
@@ -113,10 +112,7 @@ void BoxGrid::ForEachOverlap(const RoundedBox& box,
                              const Visit& visit) const {
   if (size_ == 0) return;
   const Index3 first = CellOf(box.lower);
-  ForEachCell(box, [&](int cell) {
-    const Index3 at = {cell % counts_[0],
-                       cell / counts_[0] % counts_[1],
-                       cell / (counts_[0] * counts_[1])};
+  ForEachCell(box, [&](int cell, const Index3& at) {
     for (int i = starts_[cell]; i < starts_[cell + 1]; ++i) {
       if (items_[i].index >= count) break;  // they ascend in a cell
       if (!box.Overlaps(items_[i].box)) continue;

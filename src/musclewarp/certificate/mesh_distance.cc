@@ -110,18 +110,17 @@ std::optional<MeshDistance> DistanceSearch::To(
 #pragma omp parallel
     {
       Nearest found;
-#pragma omp for schedule(dynamic, 256) nowait
+#pragma omp for schedule(dynamic, 32) nowait
       for (Eigen::Index g = 0; g < other.num_triangles(); g += stride) {
         const RoundedBox& box = other.boxes()[g];
         if (!near.Overlaps(box)) continue;
-        const Corners corners = other.corners(g);
         grid_.ForEachOverlap(
             box.GrownBy(reach.Get()), grid_.size(), [&](int f) {
               if (exempt && (*exempt)[f]) return;
               const double within = reach.Get();
               if (AreBeyond(mesh_.boxes()[f], box, within)) return;
               const DistanceBounds bounds =
-                  BoundDistance(mesh_.corners(f), corners, within);
+                  BoundDistance(mesh_.corners(f), other.corners(g), within);
               if (bounds.at_least > within) return;
               found.Add(bounds, f, static_cast<int>(g));
               reach.LowerTo(bounds.at_most);
