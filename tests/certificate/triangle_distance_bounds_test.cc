@@ -101,8 +101,8 @@ TEST(BoundDistance, ContainsTheExactDistanceFarFromTheOrigin) {
 }
 
 TEST(BoundDistance, ContainsTheExactDistanceOfTrianglesThatAlmostTouch) {
-  // b is a as it is in the mirror of a plane through a side, a corner or a
-  // point above it, and a hair off; such directions are badly conditioned.
+  // b is a with some of its corners lifted off the plane, and all a hair. The
+  // direction of the closest points is badly conditioned.
   std::mt19937 random(9);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (const double hair : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
@@ -113,6 +113,30 @@ TEST(BoundDistance, ContainsTheExactDistanceOfTrianglesThatAlmostTouch) {
       for (int k = i % 3; k < 3; ++k) {
         b.row(k) += std::abs(uniform(random)) * normal;
       }
+      b.rowwise() += hair * normal;
+      const DistanceBounds bounds = BoundDistance(a, b);
+      ExpectProved(bounds, a, b);
+      EXPECT_LT(bounds.at_most - bounds.at_least, kTight) << hair;
+    }
+  }
+}
+
+TEST(BoundDistance, ContainsTheExactDistanceOfEdgesThatAlmostTouch) {
+  // An edge passes over another one, and the third corners are below and above:
+  // no face separates the triangles, only the common normal of the edges.
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(0.1, 1);
+  for (const double hair : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    for (int i = 0; i < 60; ++i) {
+      const Corners frame = RandomTriangle(&random, 3);
+      const RowVector3d u = frame.row(0), v = frame.row(1);
+      const RowVector3d normal = u.cross(v).normalized();
+      const Corners a = Triangle(-uniform(random) * u,
+                                 uniform(random) * u,
+                                 -normal - uniform(random) * v);
+      Corners b = Triangle(-uniform(random) * v,
+                           uniform(random) * v,
+                           normal + uniform(random) * u);
       b.rowwise() += hair * normal;
       const DistanceBounds bounds = BoundDistance(a, b);
       ExpectProved(bounds, a, b);

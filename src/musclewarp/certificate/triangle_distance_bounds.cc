@@ -38,8 +38,8 @@ class ClosestPoints {
     TryCornersAndFace(b, a, /*corners_are_of_a=*/false);
   }
 
-  RowVector3d on_a = RowVector3d::Zero();
-  RowVector3d on_b = RowVector3d::Zero();
+  const RowVector3d& on_a() const { return on_a_; }
+  const RowVector3d& on_b() const { return on_b_; }
   double distance() const { return std::sqrt(squared_distance_); }
 
  private:
@@ -47,8 +47,8 @@ class ClosestPoints {
     const double squared_distance = (q - p).squaredNorm();
     if (!(squared_distance < squared_distance_)) return;
     squared_distance_ = squared_distance;
-    on_a = p_is_of_a ? p : q;
-    on_b = p_is_of_a ? q : p;
+    on_a_ = p_is_of_a ? p : q;
+    on_b_ = p_is_of_a ? q : p;
   }
 
   void TryCornerAndEdge(const RowVector3d& p,
@@ -95,6 +95,8 @@ class ClosestPoints {
     }
   }
 
+  RowVector3d on_a_ = RowVector3d::Zero();
+  RowVector3d on_b_ = RowVector3d::Zero();
   double squared_distance_ = std::numeric_limits<double>::infinity();
 };
 
@@ -161,19 +163,20 @@ class TrianglePair {
     const ClosestPoints closest(a_, b_);
     DistanceBounds bounds;
     bounds.at_most = closest.distance() * (1 + 8 * kRoundoff) +
-                     (64 * kRoundoff * Slack() + kUnderflow);
-    bounds.place = origin_ + 0.5 * (closest.on_a + closest.on_b);
+                     (64 * kRoundoff * LargestCoordinate() + kUnderflow);
+    bounds.place = origin_ + 0.5 * (closest.on_a() + closest.on_b());
     bounds.at_least =
-        std::max(at_least, Separation(closest.on_b - closest.on_a));
+        std::max(at_least, Separation(closest.on_b() - closest.on_a()));
     // The direction of points that are very close is not exact enough.
-    if (bounds.at_most - bounds.at_least > 256 * kRoundoff * Slack()) {
+    if (bounds.at_most - bounds.at_least >
+        256 * kRoundoff * LargestCoordinate()) {
       bounds.at_least = std::max(bounds.at_least, SeparationByEdges());
     }
     return bounds;
   }
 
  private:
-  double Slack() const { return extent_.maxCoeff(); }
+  double LargestCoordinate() const { return extent_.maxCoeff(); }
 
   RowVector3d origin_;
   Corners a_, b_;
