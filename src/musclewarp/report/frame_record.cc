@@ -238,7 +238,10 @@ FrameRecord FrameRecordFromJson(const Json& json) {
   }
   json.at("path_moment_arms_mm").get_to(record.path_moment_arms_mm);
   record.intersections = IntersectionsFromJson(json.at("intersections"));
-  record.intersections.gaps = GapsFromJson(json.at("gaps"));
+  // Reports that were written before gaps were measured can still be read.
+  if (json.contains("gaps")) {
+    record.intersections.gaps = GapsFromJson(json.at("gaps"));
+  }
   return record;
 }
 
