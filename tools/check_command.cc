@@ -4,14 +4,19 @@
 
 #include <omp.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/geometry/triangle_distance.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
@@ -37,6 +42,9 @@ struct CheckedPair {
   const CheckedFile* a;
   const CheckedFile* b;
   MeshIntersection found;
+  double distance = 0;  // mm; 0 if the meshes touch
+
+  bool IsNearerThan(double gap) const { return distance < gap; }
 };
 
 CheckedFile CheckFile(const std::string& path, TriangleSoup soup) {
@@ -51,6 +59,26 @@ CheckedFile CheckFile(const std::string& path, TriangleSoup soup) {
   return file;
 }
 
+// Returns the smallest distance of two meshes that do not touch, mm; infinite
+// if one has no triangles.
+double SmallestDistance(const TriangleBvh& a, const TriangleBvh& b) {
+  if (a.num_triangles() > b.num_triangles()) return SmallestDistance(b, a);
+  double least = std::numeric_limits<double>::infinity();  // squared
+#pragma omp parallel for reduction(min : least) schedule(dynamic, 256)
+  for (int f = 0; f < a.num_triangles(); ++f) {
+    const Corners& triangle = a.corners(f);
+    const Box3 box = BoxOf(triangle);
+    b.TraverseNearestFirst(
+        [&](const Box3& other) { return box.SquaredDistance(other); },
+        [&](int g) {
+          const auto pair = ClosestPointsOfTriangles(triangle, b.corners(g));
+          least = std::min(least, pair.squared_distance);
+        },
+        &least);
+  }
+  return std::sqrt(least);
+}
+
 std::vector<CheckedPair> CheckPairs(const std::vector<CheckedFile>& files) {
   std::vector<CheckedPair> pairs;
   for (size_t a = 0; a < files.size(); ++a) {
@@ -58,6 +86,9 @@ std::vector<CheckedPair> CheckPairs(const std::vector<CheckedFile>& files) {
       pairs.push_back({&files[a],
                        &files[b],
                        IntersectMeshes(*files[a].mesh, *files[b].mesh)});
+      if (!pairs.back().found.IsEmpty()) continue;
+      pairs.back().distance =
+          SmallestDistance(files[a].mesh->bvh(), files[b].mesh->bvh());
     }
   }
   return pairs;
@@ -88,7 +119,8 @@ Json ToJson(const CheckedPair& pair) {
           {"b_vertices_inside_a", pair.found.b_inside_a.size()},
           {"a_depth_mm", pair.found.a_depth_mm},
           {"b_depth_mm", pair.found.b_depth_mm},
-          {"max_depth_mm", pair.found.max_depth_mm}};
+          {"max_depth_mm", pair.found.max_depth_mm},
+          {"distance_mm", pair.distance}};
 }
 
 std::string DefectsText(const MeshDefects& defects) {
@@ -126,7 +158,23 @@ void PrintFiles(const std::vector<CheckedFile>& files,
   }
 }
 
+void PrintDistances(const std::vector<CheckedPair>& pairs,
+                    int width,
+                    std::ostream& screen) {
+  screen << "\n"
+         << std::left << std::setw(width) << "a"
+         << "  " << std::setw(width) << "b" << std::right << "  distance mm\n";
+  for (const CheckedPair& pair : pairs) {
+    if (!pair.found.IsEmpty()) continue;
+    screen << std::left << std::setw(width) << pair.a->name << "  "
+           << std::setw(width) << pair.b->name << std::right
+           << std::defaultfloat << std::setprecision(4) << std::setw(13)
+           << pair.distance << "\n";
+  }
+}
+
 void PrintPairs(const std::vector<CheckedPair>& pairs,
+                double gap,
                 int width,
                 std::ostream& screen) {
   int apart = 0;
@@ -146,10 +194,20 @@ void PrintPairs(const std::vector<CheckedPair>& pairs,
            << pair.found.b_inside_a.size() << std::fixed << std::setprecision(2)
            << std::setw(10) << pair.found.max_depth_mm << "\n";
   }
+  if (apart > 0) PrintDistances(pairs, width, screen);
   if (!pairs.empty()) {
     screen << "\n"
            << pairs.size() - apart << " of " << pairs.size()
            << " pairs of meshes touch, " << apart << " are apart\n";
+  }
+  if (gap > 0) {
+    const auto near =
+        std::count_if(pairs.begin(), pairs.end(), [&](const CheckedPair& pair) {
+          return pair.IsNearerThan(gap);
+        });
+    screen << near << " of " << pairs.size()
+           << " pairs of meshes are less than " << std::defaultfloat << gap
+           << " mm apart\n";
   }
 }
 
@@ -162,6 +220,11 @@ int CheckCommand(const std::vector<std::string>& files,
     throw InputError("files", "none given", "name at least one mesh file");
   }
   CheckThreads(options.threads);
+  if (!(options.gap >= 0)) {
+    std::ostringstream value;
+    value << "is " << options.gap;
+    throw InputError("--gap", value.str(), "allowed: 0 (none) or above, mm");
+  }
   if (options.threads > 0) omp_set_num_threads(options.threads);
   std::vector<CheckedFile> checked;
   size_t width = 4;
@@ -178,9 +241,10 @@ int CheckCommand(const std::vector<std::string>& files,
     WriteTextAtomically(options.json, json.dump(2) + "\n");
   }
   PrintFiles(checked, static_cast<int>(width), screen);
-  PrintPairs(pairs, static_cast<int>(width), screen);
+  PrintPairs(pairs, options.gap, static_cast<int>(width), screen);
   for (const CheckedPair& pair : pairs) {
     if (options.require_clean && !pair.found.IsEmpty()) return kExitNotUsable;
+    if (pair.IsNearerThan(options.gap)) return kExitNotUsable;
   }
   return kExitUsable;
 }

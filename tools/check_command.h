@@ -13,14 +13,16 @@ namespace musclewarp {
 struct CheckOptions {
   std::string json;            // file to write the figures to; empty: none
   bool require_clean = false;  // crossing meshes make the result not usable
-  int threads = 0;             // 0: as many as OpenMP chooses
+  double gap = 0;   // mm; meshes nearer than that make it not usable either
+  int threads = 0;  // 0: as many as OpenMP chooses
 };
 
 // Reports on mesh files as they are, without repair: size, defects, volume and
 // self-intersections of each, and for every two of them the triangle pairs that
-// cross (by an exact test), the vertices of one inside the other, and how deep
-// they are. Returns an exit code. Throws InputError, before anything is
-// written, for files that cannot be read.
+// cross (by an exact test), the vertices of one inside the other, how deep they
+// are, and the smallest distance of meshes that are apart. Returns an exit
+// code. Throws InputError, before anything is written, for files that cannot be
+// read and options that are not allowed.
 int CheckCommand(const std::vector<std::string>& files,
                  const CheckOptions& options,
                  std::ostream& screen);

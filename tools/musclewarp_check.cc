@@ -11,6 +11,9 @@ DEFINE_string(json, "", "file to write all figures to");
 DEFINE_bool(require_clean,
             false,
             "exit with 1 if any two meshes cross or contain each other");
+DEFINE_double(gap,
+              0,
+              "mm; exit with 1 if any two meshes are nearer to each other");
 DEFINE_int32(threads, 0, "threads; 0: one a core");
 
 int main(int argc, char** argv) {
@@ -21,12 +24,15 @@ int main(int argc, char** argv) {
       "Reports on surface meshes as they are: defects, volume, "
       "self-intersections, and\nfor every two files the triangle pairs that "
       "cross (exact), the vertices of one\ninside the other and the depth of "
-      "the deepest. Reads .ply, .obj, .off, .stl, .vtk,\nand with VTK .vtp.\n"
-      "Exit code: 0 done, 1 meshes cross and --require_clean, 2 bad input.",
+      "the deepest, or\nthe smallest distance of the two. Reads .ply, .obj, "
+      ".off, .stl, .vtk, and with VTK .vtp.\n"
+      "Exit code: 0 done, 1 meshes cross and --require_clean, or are nearer "
+      "than --gap,\n2 bad input.",
       [](const std::vector<std::string>& files) {
         musclewarp::CheckOptions options;
         options.json = FLAGS_json;
         options.require_clean = FLAGS_require_clean;
+        options.gap = FLAGS_gap;
         options.threads = FLAGS_threads;
         return musclewarp::CheckCommand(files, options, std::cout);
       });

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "support/meshes.h"
 
@@ -45,6 +47,71 @@ TEST(SceneIntersections, FindsWhatLiesWhollyInside) {
     EXPECT_EQ(found.vertices_inside, core.points().rows());
     EXPECT_FALSE(found.IsClean());
   }
+}
+
+TEST(SceneIntersections, MeasureGapsOfPairsThatAreNear) {
+  // The box is 0.5 mm from one muscle, 0.25 mm from a bone, and far from the
+  // other bone.
+  const SearchableMesh a(Box(10, 10, 10));
+  const SearchableMesh b(MovedBy(Box(10, 10, 10), {10.5, 0, 0}));
+  const SearchableMesh near(MovedBy(Box(10, 10, 10), {0, 10.25, 0}));
+  const SearchableMesh far(MovedBy(Box(10, 10, 10), {0, 0, 10 + 2.5}));
+  const SceneIntersections found =
+      IntersectScene({{"a", &a}, {"b", &b}}, {{"near", &near}, {"far", &far}});
+  ASSERT_EQ(found.gaps.size(), 3u);
+  EXPECT_EQ(found.gaps[0].b, "b");
+  EXPECT_EQ(found.gaps[1].b, "near");
+  // Some roundings of coordinates of 10 mm.
+  constexpr double kTight = 1e-13;
+  EXPECT_NEAR(found.gaps[0].at_least_mm, 0.5, kTight);
+  EXPECT_LE(found.gaps[0].at_least_mm, 0.5);
+  EXPECT_GE(found.gaps[0].at_most_mm, 0.5);
+  EXPECT_NEAR(found.gaps[0].place[0], 5.25, kTight);
+  EXPECT_NEAR(found.gaps[1].at_least_mm, 0.25, kTight);
+  // The box b and the near bone are nearest at their edges.
+  EXPECT_EQ(found.gaps[2].a, "b");
+  EXPECT_NEAR(found.gaps[2].at_least_mm, std::hypot(0.5, 0.25), kTight);
+  EXPECT_EQ(found.SmallestGap(), found.gaps[1].at_least_mm);
+}
+
+TEST(SceneIntersections, MeshesThatIntersectHaveNoGap) {
+  const Balls balls;
+  const SceneIntersections found = IntersectScene(balls.muscles, balls.bones);
+  ASSERT_EQ(found.gaps.size(), 1u);
+  EXPECT_EQ(found.gaps[0].at_most_mm, 0);
+  EXPECT_EQ(found.gaps[0].place, found.pairs[0].place);
+  // The surfaces of a ball and what it contains are apart, the bodies are not.
+  const SearchableMesh core(Icosphere(2, 1));
+  const SceneIntersections inside =
+      IntersectScene({balls.muscles[0]}, {{"core", &core}});
+  ASSERT_EQ(inside.gaps.size(), 1u);
+  EXPECT_EQ(inside.SmallestGap(), 0);
+  EXPECT_NEAR(inside.gaps[0].place.norm(), 2, 1e-12);  // a vertex of the core
+  EXPECT_EQ(IntersectScene({balls.muscles[0]}, {}).SmallestGap(), std::nullopt);
+}
+
+TEST(SceneIntersections, ExemptTrianglesHaveNoGap) {
+  const SearchableMesh muscle(LatticeBox(4, 4, 4));
+  const SearchableMesh bone(MovedBy(Box(1, 1, 1), {5, 2, 2}));
+  ExemptArea area;
+  area.muscle = 0;
+  area.bone = 0;
+  area.vertices.assign(muscle.points().rows(), 0);
+  area.triangles.assign(muscle.triangles().rows(), 0);
+  for (Eigen::Index v = 0; v < muscle.points().rows(); ++v) {
+    area.vertices[v] = muscle.points()(v, 0) == 4;
+  }
+  for (Eigen::Index f = 0; f < muscle.triangles().rows(); ++f) {
+    for (const int v : muscle.triangles().row(f)) {
+      area.triangles[f] |= area.vertices[v];
+    }
+  }
+  const std::vector<NamedMesh> muscles = {{"m", &muscle}};
+  const std::vector<NamedMesh> bones = {{"b", &bone}};
+  EXPECT_NEAR(*IntersectScene(muscles, bones).SmallestGap(), 0.5, 1e-13);
+  // The nearest triangles without a corner in the area end at x = 3.
+  const auto exempt = IntersectScene(muscles, bones, {area}).SmallestGap();
+  EXPECT_FALSE(exempt);
 }
 
 TEST(VertexGaps, AreDistancesNegativeInside) {

@@ -139,6 +139,33 @@ TEST(Shortcomings, NameAMuscleThatContactMovedTooFar) {
                           "deep without)"));
 }
 
+TEST(Shortcomings, NameMeshesThatAreNearerThanTheGap) {
+  Deformed deformed;
+  const double right = deformed.points.col(0).maxCoeff();
+  deformed.bones = {MovedBy(Box(4, 4, 4), {right + 2.043, 0, 0})};
+  EXPECT_THAT(deformed.Shortcomings(), IsEmpty());  // no gap is required
+  FrameRequirements requirements;
+  requirements.gap = 0.1;
+  EXPECT_THAT(deformed.Shortcomings(requirements),
+              ElementsAre(HasSubstr("psoas and femur are 0.043 mm apart, less "
+                                    "than the gap of 0.1 mm, near (")));
+  // Digits show that the distance is below the gap, be it by a hair.
+  deformed.bones = {MovedBy(Box(4, 4, 4), {right + 2.099999, 0, 0})};
+  EXPECT_THAT(deformed.Shortcomings(requirements),
+              ElementsAre(HasSubstr("are 0.099999 mm apart")));
+  deformed.bones = {MovedBy(Box(4, 4, 4), {right + 2.101, 0, 0})};
+  EXPECT_THAT(deformed.Shortcomings(requirements), IsEmpty());
+}
+
+TEST(Shortcomings, NameACrossingOnceIfAGapIsRequired) {
+  Deformed deformed;
+  deformed.bones = {MovedBy(Box(4, 4, 4), {10, 0, 0})};
+  FrameRequirements requirements;
+  requirements.gap = 0.1;
+  EXPECT_THAT(deformed.Shortcomings(requirements),
+              ElementsAre(HasSubstr("psoas x femur: ")));
+}
+
 TEST(FrameRequirements, NameWhatIsWrong) {
   FrameRequirements requirements;
   std::string error;
@@ -147,6 +174,10 @@ TEST(FrameRequirements, NameWhatIsWrong) {
   EXPECT_FALSE(requirements.IsValid(&error));
   EXPECT_EQ(error,
             "FrameRequirements::max_volume_error is -1, allowed: 0 or above");
+  requirements = {};
+  requirements.gap = 3;  // gaps are measured up to 2 mm
+  EXPECT_FALSE(requirements.IsValid(&error));
+  EXPECT_EQ(error, "FrameRequirements::gap is 3, allowed: 0 to 2");
 }
 
 }  // namespace

@@ -18,6 +18,23 @@ TEST(FrameRecord, ComesBackToTheBit) {
       json);
 }
 
+TEST(FrameRecord, NamesTheSmallestGap) {
+  FrameRecord record = SomeRecord(0);
+  record.intersections.gaps.erase(record.intersections.gaps.begin());
+  EXPECT_EQ(ToJson(record)["smallest_gap_mm"], 1.0 / 3);
+  record.intersections.gaps.clear();
+  EXPECT_TRUE(ToJson(record)["smallest_gap_mm"].is_null());
+}
+
+TEST(FrameRecord, ReadsReportsThatHaveNoGapsYet) {
+  auto json = ToJson(SomeRecord(3));
+  json.erase("gaps");
+  json.erase("smallest_gap_mm");
+  const FrameRecord record = FrameRecordFromJson(json);
+  EXPECT_TRUE(record.intersections.gaps.empty());
+  EXPECT_EQ(record.intersections.pairs.size(), 1u);
+}
+
 TEST(FrameRecord, SumsOverMuscles) {
   FrameRecord record = SomeRecord(0);
   record.muscles.push_back(record.muscles[0]);

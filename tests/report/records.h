@@ -51,6 +51,8 @@ inline FrameRecord SomeRecord(int index) {
   pair.max_depth_mm = 0.3;
   pair.exempt_pairs = 4;
   record.intersections.pairs = {pair};
+  record.intersections.gaps = {{"m", "b", 0, 0, {1, 2, 3}},
+                               {"m", "c", 1.0 / 3, 0.4, {0.1, -2e-9, 7}}};
   return record;
 }
 

@@ -76,6 +76,33 @@ TEST(CheckProgram, CanRequireCleanMeshes) {
   EXPECT_EQ(Check(files + " --require_clean").exit_code, 1);
 }
 
+TEST(CheckProgram, MeasuresDistancesAndCanRequireAGap) {
+  const std::string dir = TestTempDir();
+  WriteTriangleSoup(dir + "/a.ply", Box(1, 1, 1));
+  WriteTriangleSoup(dir + "/b.ply", MovedBy(Box(1, 1, 1), {1.25, 0.5, 0}));
+  WriteTriangleSoup(dir + "/inside.ply", Box(0.5, 0.5, 0.5));
+  const std::string files = dir + "/a.ply " + dir + "/b.ply";
+  ProgramRun run = Check(files + " --json=" + dir + "/check.json --gap=0.25");
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
+  EXPECT_THAT(run.out, HasSubstr("0.25\n"));
+  EXPECT_THAT(run.out,
+              HasSubstr("0 of 1 pairs of meshes are less than 0.25 mm apart"));
+  EXPECT_EQ(
+      Json::parse(FileText(dir + "/check.json"))["pairs"][0]["distance_mm"],
+      0.25);
+  run = Check(files + " --gap=0.26");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.out,
+              HasSubstr("1 of 1 pairs of meshes are less than 0.26 mm apart"));
+  // What lies inside is not apart, however far the surfaces are.
+  EXPECT_EQ(Check(dir + "/a.ply " + dir + "/inside.ply --gap=0.01").exit_code,
+            1);
+  run = Check(files + " --gap=-1");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.errors,
+              HasSubstr("--gap: is -1; allowed: 0 (none) or above"));
+}
+
 TEST(CheckProgram, RefusesBadInput) {
   const std::string dir = TestTempDir();
   EXPECT_EQ(Check("").exit_code, 2);

@@ -83,6 +83,30 @@ TEST_F(DeformProgram, ReportsIntersectionsAsCheckDoes) {
   EXPECT_EQ(counts["self_pairs"], check["files"][0]["self_pairs"]);
 }
 
+TEST_F(DeformProgram, ReportsGapsThatCheckMeasures) {
+  ASSERT_EQ(Run("--contact=certified").exit_code, 0);
+  const std::string frame = out() + "/frame_0001/";
+  ASSERT_EQ(RunCommandLine(MUSCLEWARP_CHECK,
+                           frame + "muscle.ply " + frame +
+                               "bone.ply --json=" + dir_ + "/check.json")
+                .exit_code,
+            0);
+  const Json check = Json::parse(FileText(dir_ + "/check.json"));
+  const Json report = Json::parse(FileText(out() + "/report.json"));
+  const Json& gaps = report["frames"][1]["gaps"];
+  ASSERT_EQ(gaps.size(), 1u);
+  EXPECT_EQ(gaps[0]["a"], "muscle");
+  EXPECT_EQ(gaps[0]["b"], "bone");
+  const double distance = check["pairs"][0]["distance_mm"];
+  EXPECT_GT(distance, 0);
+  // Check does not prove its figure: it is off by some roundings.
+  constexpr double kRounding = 1e-12;
+  EXPECT_NEAR(gaps[0]["at_least_mm"], distance, kRounding);
+  EXPECT_LE(gaps[0]["at_least_mm"], gaps[0]["at_most_mm"]);
+  EXPECT_EQ(gaps[0]["place_mm"].size(), 3u);
+  EXPECT_EQ(report["frames"][1]["smallest_gap_mm"], gaps[0]["at_least_mm"]);
+}
+
 TEST_F(DeformProgram, SelectsFrames) {
   ASSERT_EQ(Run("--frames=last").exit_code, 0);
   EXPECT_FALSE(fs::exists(out() + "/frame_0000"));

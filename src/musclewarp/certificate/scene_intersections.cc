@@ -8,6 +8,7 @@
 
 #include "musclewarp/certificate/containment.h"
 #include "musclewarp/certificate/crossing_triangles.h"
+#include "musclewarp/certificate/mesh_distance.h"
 
 namespace musclewarp {
 namespace {
@@ -64,8 +65,9 @@ void DropExempt(const ExemptArea& exempt, std::vector<int>* vertices) {
 }
 
 // Says more of two meshes that cross or contain each other. The vertices inside
-// are added to those of the muscles; null for a bone.
-void AddPair(MeshPair meshes,
+// are added to those of the muscles; null for a bone. Returns true if the
+// meshes have more in common than exempt triangles.
+bool AddPair(MeshPair meshes,
              std::vector<int>* inside_of_a,
              std::vector<int>* inside_of_b,
              SceneIntersections* sum) {
@@ -75,7 +77,7 @@ void AddPair(MeshPair meshes,
   pair.exempt_pairs = meshes.exempt_pairs;
   if (pair.triangle_pairs + pair.exempt_pairs == 0 && !LiesInside(a, b) &&
       !LiesInside(b, a)) {
-    return;
+    return false;
   }
   MeshIntersection found = IntersectMeshes(a, b);
   if (pair.exempt_pairs > 0 && pair.triangle_pairs == 0) {
@@ -97,15 +99,43 @@ void AddPair(MeshPair meshes,
   }
   if (!pair.triangles_of_a.empty()) {
     pair.place /= 3 * static_cast<double>(pair.triangles_of_a.size());
+  } else if (!found.a_inside_b.empty()) {
+    pair.place = a.points().row(found.a_inside_b[0]);
+  } else if (!found.b_inside_a.empty()) {
+    pair.place = b.points().row(found.b_inside_a[0]);
   }
   sum->triangle_pairs += pair.triangle_pairs;
   sum->exempt_pairs += pair.exempt_pairs;
   sum->vertices_inside += pair.vertices_inside;
   sum->max_depth_mm = std::max(sum->max_depth_mm, pair.max_depth_mm);
   sum->pairs.push_back(pair);
+  return pair.triangle_pairs + pair.vertices_inside > 0;
+}
+
+// Adds the gap between two meshes that do not intersect.
+void AddGap(const DistanceSearch& search,
+            const BoxedMesh& other,
+            const MeshPair& meshes,
+            SceneIntersections* sum) {
+  const auto distance =
+      search.To(other, meshes.exempt ? &meshes.exempt->triangles : nullptr);
+  if (!distance) return;
+  sum->gaps.push_back({meshes.a.name,
+                       meshes.b.name,
+                       distance->at_least,
+                       distance->at_most,
+                       distance->place});
 }
 
 }  // namespace
+
+std::optional<double> SceneIntersections::SmallestGap() const {
+  std::optional<double> smallest;
+  for (const MeshGap& gap : gaps) {
+    if (!smallest || gap.at_least_mm < *smallest) smallest = gap.at_least_mm;
+  }
+  return smallest;
+}
 
 void SceneIntersections::DropLists() {
   inside_of_muscles.clear();
@@ -149,17 +179,28 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
     }
     return meshes;
   };
+  std::vector<BoxedMesh> boxed;
+  for (const SurfaceView& view : muscle_views) boxed.emplace_back(view);
+  for (const SurfaceView& view : bone_views) boxed.emplace_back(view);
   SceneIntersections sum;
   std::vector<std::vector<int>> inside(muscles.size());
   for (size_t a = 0; a < muscles.size(); ++a) {
+    const DistanceSearch search(boxed[a], kMeshGapLimit);
     sum.self_pairs_of_muscles.push_back(
         static_cast<int>(crossing(a, a).triangles_of_a.size()));
     sum.self_pairs += sum.self_pairs_of_muscles.back();
     for (size_t b = a + 1; b < muscles.size() + bones.size(); ++b) {
-      AddPair(crossing(a, b),
-              &inside[a],
-              b < muscles.size() ? &inside[b] : nullptr,
-              &sum);
+      const MeshPair meshes = crossing(a, b);
+      std::vector<int>* inside_of_b = b < muscles.size() ? &inside[b] : nullptr;
+      if (AddPair(meshes, &inside[a], inside_of_b, &sum)) {
+        sum.gaps.push_back({meshes.a.name,
+                            meshes.b.name,
+                            /*at_least_mm=*/0,
+                            /*at_most_mm=*/0,
+                            sum.pairs.back().place});
+      } else {
+        AddGap(search, boxed[b], meshes, &sum);
+      }
     }
   }
   sum.inside_of_muscles = std::move(inside);

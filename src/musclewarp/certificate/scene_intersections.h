@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,12 +22,30 @@ struct PairIntersection {
   double max_depth_mm = 0;
   int exempt_pairs = 0;  // of triangles, beside triangle_pairs
 
-  // The mean of the corners of triangles_of_a, mm: where to look.
+  // Where to look, mm: the mean of the corners of triangles_of_a, or a vertex
+  // inside if no triangles cross.
   Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
 
   // The triangles that cross, ascending, each once, without exempt ones.
   std::vector<int> triangles_of_a;
   std::vector<int> triangles_of_b;
+};
+
+// Gaps between two meshes are looked for up to this width, mm.
+constexpr double kMeshGapLimit = 2;
+
+// The smallest distance of two meshes of a scene that are near each other. It
+// is proved to be in [at_least_mm, at_most_mm], whatever rounding does; the two
+// differ by rounding only (see MeshDistance). Both are 0 if triangles of the
+// meshes cross or one mesh contains a vertex of the other.
+struct MeshGap {
+  std::string a;
+  std::string b;
+  double at_least_mm = 0;
+  double at_most_mm = 0;
+
+  // The mid-point of the closest points, or where the meshes intersect, mm.
+  Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
 };
 
 // What intersects in a scene: sums over all pairs of two muscles and of a
@@ -40,12 +59,22 @@ struct SceneIntersections {
   std::vector<int> self_pairs_of_muscles;
   std::vector<PairIntersection> pairs;  // those that touch, in scene order
 
+  // The pairs of two muscles or of a muscle and a bone that are at most
+  // kMeshGapLimit apart, in scene order. Pairs that are not here are proved to
+  // be farther apart. Exempt triangles do not count.
+  std::vector<MeshGap> gaps;
+
   // By muscle: its vertices inside any other mesh, ascending.
   std::vector<std::vector<int>> inside_of_muscles;
 
   // True if no triangles of two meshes cross and no vertex is inside another
   // mesh.
   bool IsClean() const { return triangle_pairs == 0 && vertices_inside == 0; }
+
+  // Returns the proved width of the narrowest gap, mm, or nothing if there is
+  // no gap of at most kMeshGapLimit.
+  std::optional<double> SmallestGap() const;
+
   // Deletes the lists of triangles and vertices and keeps the counts.
   void DropLists();
 };
@@ -56,9 +85,10 @@ struct NamedMesh {
   const SearchableMesh* mesh = nullptr;
 };
 
-// Counts everything that intersects in a scene. Whether anything does is found
-// by code that shares only the exact tests with contact (CrossingTriangles,
-// IsInsideClosed); for meshes that do touch, IntersectMeshes counts the
+// Counts everything that intersects in a scene and measures the gaps. Whether
+// anything intersects, and how wide gaps are, is found by code that shares only
+// the exact tests with contact (CrossingTriangles, IsInsideClosed,
+// DistanceSearch); for meshes that do touch, IntersectMeshes counts the
 // vertices inside and measures depths. Bones are tested neither against each
 // other nor with themselves. If only exempt triangles of a muscle cross a bone,
 // no vertex of the bone counts as inside, and no exempt vertex of the muscle

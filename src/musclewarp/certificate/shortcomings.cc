@@ -20,14 +20,50 @@ std::string Sentence(const Words&... words) {
   return text.str();
 }
 
+std::string PlaceText(const Eigen::RowVector3d& place) {
+  std::ostringstream text;
+  text.precision(1);
+  text << std::fixed << "(" << place[0] << ", " << place[1] << ", " << place[2]
+       << ")";
+  return text.str();
+}
+
 // " around (x, y, z)", or nothing where no triangles cross.
 std::string PlaceOf(const PairIntersection& pair) {
   if (pair.triangle_pairs == 0) return "";
-  std::ostringstream text;
-  text.precision(1);
-  text << std::fixed << " around (" << pair.place[0] << ", " << pair.place[1]
-       << ", " << pair.place[2] << ")";
-  return text.str();
+  return " around " + PlaceText(pair.place);
+}
+
+// Returns a number with two digits, or with as many more as show that it is
+// below `limit`.
+std::string BelowText(double value, double limit) {
+  std::string text;
+  for (int digits = 2; digits <= 17; ++digits) {
+    std::ostringstream stream;
+    stream.precision(digits);
+    stream << value;
+    text = stream.str();
+    if (std::stod(text) < limit) break;
+  }
+  return text;
+}
+
+void AddNarrowGaps(const std::vector<MeshGap>& gaps,
+                   double required,
+                   std::vector<std::string>* shortcomings) {
+  for (const MeshGap& gap : gaps) {
+    // Meshes that intersect are named for that.
+    if (gap.at_most_mm == 0 || gap.at_least_mm >= required) continue;
+    shortcomings->push_back(Sentence(gap.a,
+                                     " and ",
+                                     gap.b,
+                                     " are ",
+                                     BelowText(gap.at_least_mm, required),
+                                     " mm apart, less than the gap of ",
+                                     required,
+                                     " mm, near ",
+                                     PlaceText(gap.place)));
+  }
 }
 
 void AddShortcomingsOf(const MuscleMeasures& muscle,
@@ -82,6 +118,7 @@ bool FrameRequirements::IsValid(std::string* error) const {
       .IsWithin("max_folded_share", max_folded_share, 0, 1)
       .IsAtLeast("displacement_per_depth", displacement_per_depth, 0)
       .IsAtLeast("displacement_allowance", displacement_allowance, 0)
+      .IsWithin("gap", gap, 0, kMeshGapLimit)
       .is_valid();
 }
 
@@ -107,6 +144,7 @@ std::vector<std::string> Shortcomings(
                                     pair.max_depth_mm,
                                     " mm deep"));
   }
+  AddNarrowGaps(intersections.gaps, requirements.gap, &shortcomings);
   for (const MuscleMeasures& muscle : muscles) {
     AddShortcomingsOf(muscle, requirements, &shortcomings);
   }

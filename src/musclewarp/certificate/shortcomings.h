@@ -23,6 +23,10 @@ struct FrameRequirements {
   double displacement_per_depth = 2;
   double displacement_allowance = 1;
 
+  // The proved distance of every two meshes, mm, at most kMeshGapLimit; 0 if
+  // none is required.
+  double gap = 0;
+
   bool IsValid(std::string* error) const;
 };
 
@@ -46,9 +50,9 @@ struct MuscleMeasures {
 
 // Returns what a frame does not hold of the requirements, a sentence each:
 // triangles that cross (how many, where, how deep), vertices inside another
-// mesh, volume, self-intersections (no more than at rest), folded triangles,
-// displacement. A frame is certified if there are none. Precondition (CHECKed):
-// the requirements are valid.
+// mesh, gaps, volume, self-intersections (no more than at rest), folded
+// triangles, displacement. A frame is certified if there are none. Precondition
+// (CHECKed): the requirements are valid.
 std::vector<std::string> Shortcomings(
     const FrameRequirements& requirements,
     const SceneIntersections& intersections,

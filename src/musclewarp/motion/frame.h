@@ -64,7 +64,8 @@ struct Frame {
   // -dl/dq of the straight lines, by line and coordinate, mm/rad (or mm/m).
   std::map<std::string, std::map<std::string, double>> path_moment_arms;
 
-  // What crosses, counted by exact tests on these very points.
+  // What crosses, counted by exact tests on these very points, and the proved
+  // gaps between meshes.
   SceneIntersections intersections;
   int pose_steps = 1;  // on the way from the frame before
 
@@ -74,7 +75,7 @@ struct Frame {
 
   double wall_ms = 0;     // for moving the scene to the pose
   double solve_ms = 0;    // of that, in the solver
-  double certify_ms = 0;  // for counting intersections and folded triangles
+  double certify_ms = 0;  // for intersections, gaps and folded triangles
 
   // True if every solve converged and there are no shortcomings.
   bool IsUsable() const;

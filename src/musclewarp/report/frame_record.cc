@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "musclewarp/skeleton/polyline.h"
 
@@ -89,6 +90,32 @@ MuscleRecord MuscleRecordFromJson(const Json& json) {
   return record;
 }
 
+Json ToJson(const std::vector<MeshGap>& gaps) {
+  Json list = Json::array();
+  for (const MeshGap& gap : gaps) {
+    list.push_back({{"a", gap.a},
+                    {"b", gap.b},
+                    {"at_least_mm", gap.at_least_mm},
+                    {"at_most_mm", gap.at_most_mm},
+                    {"place_mm", {gap.place[0], gap.place[1], gap.place[2]}}});
+  }
+  return list;
+}
+
+std::vector<MeshGap> GapsFromJson(const Json& json) {
+  std::vector<MeshGap> gaps;
+  for (const Json& item : json) {
+    MeshGap gap;
+    item.at("a").get_to(gap.a);
+    item.at("b").get_to(gap.b);
+    item.at("at_least_mm").get_to(gap.at_least_mm);
+    item.at("at_most_mm").get_to(gap.at_most_mm);
+    for (int k = 0; k < 3; ++k) item.at("place_mm").at(k).get_to(gap.place[k]);
+    gaps.push_back(gap);
+  }
+  return gaps;
+}
+
 SceneIntersections IntersectionsFromJson(const Json& json) {
   SceneIntersections intersections;
   json.at("triangle_pairs").get_to(intersections.triangle_pairs);
@@ -172,6 +199,7 @@ Json ToJson(const FrameRecord& record) {
   for (const MuscleRecord& muscle : record.muscles) {
     muscles.push_back(ToJson(muscle));
   }
+  const std::optional<double> gap = record.intersections.SmallestGap();
   return {{"index", record.index},
           {"name", record.name},
           {"time", record.time},
@@ -186,7 +214,9 @@ Json ToJson(const FrameRecord& record) {
           {"shortcomings", record.shortcomings},
           {"muscles", muscles},
           {"path_moment_arms_mm", record.path_moment_arms_mm},
-          {"intersections", ToJson(record.intersections)}};
+          {"intersections", ToJson(record.intersections)},
+          {"gaps", ToJson(record.intersections.gaps)},
+          {"smallest_gap_mm", gap ? Json(*gap) : Json()}};
 }
 
 FrameRecord FrameRecordFromJson(const Json& json) {
@@ -208,6 +238,10 @@ FrameRecord FrameRecordFromJson(const Json& json) {
   }
   json.at("path_moment_arms_mm").get_to(record.path_moment_arms_mm);
   record.intersections = IntersectionsFromJson(json.at("intersections"));
+  // Reports that were written before gaps were measured can still be read.
+  if (json.contains("gaps")) {
+    record.intersections.gaps = GapsFromJson(json.at("gaps"));
+  }
   return record;
 }
 

@@ -27,7 +27,7 @@ Points PointsFromJson(const Json& json) {
 
 // The first line of the key file. The number grows whenever a file of the log
 // gets another layout; logs before the first number had no such line.
-constexpr char kFormat[] = "musclewarp resume log 2";
+constexpr char kFormat[] = "musclewarp resume log 3";
 
 constexpr char kAdvice[] = "run without --resume, or choose another --out";
 
