@@ -55,15 +55,15 @@ bool CellSurfaceOptions::IsValid(std::string* error) const {
 
 TriangleSoup CellSurface(
     const CellSurfaceOptions& options,
-    const SearchableMesh& muscle,
-    const std::vector<const SearchableMesh*>& other_muscles,
-    const std::vector<const SearchableMesh*>& bones) {
+    const SolidDistance& muscle,
+    const std::vector<const SolidDistance*>& other_muscles,
+    const std::vector<const SolidDistance*>& bones) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   const MedialCell cell(options.cell, muscle, other_muscles, bones);
   TriangleSoup surface = MarchingTetrahedra(
       [&](const Eigen::RowVector3d& p) { return cell.RegionDistance(p); },
-      muscle.bvh().box(),
+      muscle.mesh().bvh().box(),
       options.spacing);
   if (surface.triangles.rows() == 0) return surface;
   KeepLargestBody(&surface);
@@ -72,7 +72,7 @@ TriangleSoup CellSurface(
       options.edge_length > 0
           ? options.edge_length
           : std::max(options.spacing,
-                     TypicalEdge(muscle.points(), muscle.triangles())));
+                     TypicalEdge(muscle.mesh().points(), muscle.mesh().triangles())));
   // Thin parts may not survive the new size of triangles.
   if (CountDefects(even).IsClean() && SelfIntersections(even).empty()) {
     return even;

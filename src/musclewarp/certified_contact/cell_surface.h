@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "musclewarp/certified_contact/medial_cell.h"
-#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/geometry/solid_distance.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
@@ -32,8 +32,8 @@ struct CellSurfaceOptions {
 // does not cross itself, with even triangles. Without vertices if nothing of
 // the muscle is left. Precondition (CHECKed): the options are valid.
 TriangleSoup CellSurface(const CellSurfaceOptions& options,
-                         const SearchableMesh& muscle,
-                         const std::vector<const SearchableMesh*>& other_muscles,
-                         const std::vector<const SearchableMesh*>& bones);
+                         const SolidDistance& muscle,
+                         const std::vector<const SolidDistance*>& other_muscles,
+                         const std::vector<const SolidDistance*>& bones);
 
 }  // namespace musclewarp

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <utility>
 
@@ -39,15 +40,23 @@ class Separator {
             const std::vector<const SearchableMesh*>& bones,
             const std::vector<ExemptArea>& exempt,
             const InitialSeparationOptions& options)
-      : muscles_(muscles), bones_(bones), exempt_(exempt), options_(options) {}
+      : muscles_(muscles), bones_(bones), exempt_(exempt), options_(options) {
+    for (const SearchableMesh* muscle : muscles) {
+      muscle_distances_.emplace_back(*muscle);
+    }
+    for (const SearchableMesh* bone : bones) {
+      bone_distances_.emplace_back(*bone);
+    }
+  }
 
   // Brings the vertices of a muscle into its medial cell.
   void AddMuscle(size_t i) {
-    std::vector<const SearchableMesh*> others;
+    std::vector<const SolidDistance*> others, bones;
     for (size_t j = 0; j < muscles_.size(); ++j) {
-      if (j != i) others.push_back(muscles_[j]);
+      if (j != i) others.push_back(&muscle_distances_[j]);
     }
-    cells_.emplace_back(options_.cell, *muscles_[i], others, bones_);
+    for (const SolidDistance& bone : bone_distances_) bones.push_back(&bone);
+    cells_.emplace_back(options_.cell, muscle_distances_[i], others, bones);
     const Points& rest = muscles_[i]->points();
     Points points = cells_[i].Project(rest);
     for (const ExemptArea& area : exempt_) {
@@ -139,6 +148,7 @@ class Separator {
   const std::vector<const SearchableMesh*>& bones_;
   const std::vector<ExemptArea>& exempt_;
   const InitialSeparationOptions& options_;
+  std::deque<SolidDistance> muscle_distances_, bone_distances_;
   std::vector<MedialCell> cells_;
   std::vector<Points> points_;
   std::vector<TriangleBvh> trees_;

@@ -20,17 +20,6 @@ using Eigen::RowVector3d;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Negative inside. Outside it is exact up to `limit`, inside anywhere.
-double SignedMeshDistance(const SearchableMesh& mesh,
-                          const RowVector3d& p,
-                          double limit) {
-  const bool is_inside =
-      mesh.bvh().box().Contains(p) && mesh.winding().IsInside(p);
-  const double distance =
-      mesh.bvh().ClosestPoint(p, is_inside ? kInfinity : limit).distance;
-  return is_inside ? -distance : std::min(distance, limit);
-}
-
 }  // namespace
 
 // Voxels by their centres; x runs fastest.
@@ -147,9 +136,9 @@ bool MedialCellOptions::IsValid(std::string* error) const {
 }
 
 MedialCell::MedialCell(const MedialCellOptions& options,
-                       const SearchableMesh& muscle,
-                       std::vector<const SearchableMesh*> other_muscles,
-                       std::vector<const SearchableMesh*> bones)
+                       const SolidDistance& muscle,
+                       std::vector<const SolidDistance*> other_muscles,
+                       std::vector<const SolidDistance*> bones)
     : options_(options),
       muscle_(muscle),
       other_muscles_(std::move(other_muscles)),
@@ -161,17 +150,17 @@ MedialCell::MedialCell(const MedialCellOptions& options,
 double MedialCell::SignedDistance(const RowVector3d& p) const {
   const double range = options_.range;
   double distance = -range;
-  for (const SearchableMesh* bone : bones_) {
+  for (const SolidDistance* bone : bones_) {
     distance = std::max(
-        distance, options_.margin / 2 - SignedMeshDistance(*bone, p, range));
+        distance, options_.margin / 2 - bone->At(p, range));
   }
   double own = 0;
   bool is_own_known = false;
-  for (const SearchableMesh* other : other_muscles_) {
-    const double theirs = SignedMeshDistance(*other, p, range);
+  for (const SolidDistance* other : other_muscles_) {
+    const double theirs = other->At(p, range);
     if (theirs >= range) continue;
     if (!is_own_known) {
-      own = SignedMeshDistance(muscle_, p, 4 * range);
+      own = muscle_.At(p, 4 * range);
       is_own_known = true;
     }
     distance = std::max(distance, (own - theirs + options_.margin) / 2);
@@ -180,7 +169,7 @@ double MedialCell::SignedDistance(const RowVector3d& p) const {
 }
 
 double MedialCell::RegionDistance(const RowVector3d& p) const {
-  const double own = SignedMeshDistance(muscle_, p, kInfinity);
+  const double own = muscle_.At(p, kInfinity);
   // Outside the muscle nothing else matters.
   return own >= 0 ? own : std::max(own, SignedDistance(p));
 }
@@ -213,15 +202,14 @@ bool MedialCell::IsPathFree(const RowVector3d& a,
 }
 
 MedialCell::VoxelGrid MedialCell::MainPart() const {
-  VoxelGrid grid(muscle_.bvh().box(), options_.voxel_size);
+  VoxelGrid grid(muscle_.mesh().bvh().box(), options_.voxel_size);
   // Parts of the muscle thinner than a voxel are connected by the voxels beside
   // them.
   std::vector<double> distance(grid.count(), 1);
 #pragma omp parallel for schedule(dynamic, 256)
   for (int i = 0; i < grid.count(); ++i) {
     const RowVector3d p = grid.Centre(i);
-    if (muscle_.winding().IsInside(p) ||
-        muscle_.bvh().ClosestPoint(p, grid.voxel_size).triangle >= 0) {
+    if (muscle_.At(p, grid.voxel_size) < grid.voxel_size) {
       distance[i] = SignedDistance(p);
     }
   }

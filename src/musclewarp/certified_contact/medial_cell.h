@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/geometry/solid_distance.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
@@ -40,15 +40,15 @@ struct MedialCellOptions {
 // part does not belong to the cell: the muscle stays on the side of its bulk.
 //
 //   const MedialCell cell(options, psoas, {&iliacus}, {&femur, &pelvis});
-//   const Points apart = cell.Project(psoas.points());
+//   const Points apart = cell.Project(psoas.mesh().points());
 class MedialCell {
  public:
-  // Keeps references to all meshes. Precondition (CHECKed): the options are
+  // Keeps references to all of them. Precondition (CHECKed): the options are
   // valid.
   MedialCell(const MedialCellOptions& options,
-             const SearchableMesh& muscle,
-             std::vector<const SearchableMesh*> other_muscles,
-             std::vector<const SearchableMesh*> bones);
+             const SolidDistance& muscle,
+             std::vector<const SolidDistance*> other_muscles,
+             std::vector<const SolidDistance*> bones);
 
   // Returns the signed distance of a point to the cell, mm: above zero, how far
   // it is beyond the surface of a bone or a medial surface; below zero, how far
@@ -91,9 +91,9 @@ class MedialCell {
                             const Eigen::RowVector3d& p) const;
 
   MedialCellOptions options_;
-  const SearchableMesh& muscle_;
-  std::vector<const SearchableMesh*> other_muscles_;
-  std::vector<const SearchableMesh*> bones_;
+  const SolidDistance& muscle_;
+  std::vector<const SolidDistance*> other_muscles_;
+  std::vector<const SolidDistance*> bones_;
 };
 
 }  // namespace musclewarp

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/geometry/marching_tetrahedra.h"
 
-#include <glog/logging.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -15,77 +12,13 @@ namespace musclewarp {
 namespace {
 
 using Eigen::RowVector3d;
-using Place = Eigen::Array<std::int64_t, 1, 3>;
-
-// Samples at the multiples of a spacing; x runs fastest.
-class Samples {
- public:
-  Samples(const SignedDistanceFunction& distance,
-          const Box3& box,
-          double spacing)
-      : spacing_(spacing) {
-    for (int k = 0; k < 3; ++k) {
-      first_[k] =
-          static_cast<std::int64_t>(std::floor(box.lower[k] / spacing)) - 1;
-      size_[k] =
-          static_cast<std::int64_t>(std::ceil(box.upper[k] / spacing)) + 2 -
-          first_[k];
-    }
-    values_.resize(size_.prod());
-    const Place blocks = (size_ + kBlock - 1) / kBlock;
-#pragma omp parallel for schedule(dynamic, 4)
-    for (std::int64_t b = 0; b < blocks.prod(); ++b) {
-      FillBlock(distance,
-                kBlock * Place(b % blocks[0],
-                               b / blocks[0] % blocks[1],
-                               b / (blocks[0] * blocks[1])));
-    }
-  }
-
-  const Place& size() const { return size_; }
-  std::int64_t IndexOf(const Place& at) const {
-    return at[0] + size_[0] * (at[1] + size_[1] * at[2]);
-  }
-  double value(std::int64_t index) const { return values_[index]; }
-  RowVector3d Position(std::int64_t index) const {
-    const Place at(index % size_[0],
-                   index / size_[0] % size_[1],
-                   index / (size_[0] * size_[1]));
-    return spacing_ * (first_ + at).cast<double>().matrix();
-  }
-
- private:
-  static constexpr std::int64_t kBlock = 8;
-
-  // A block that the border cannot reach gets the value at its middle: only its
-  // sign is used.
-  void FillBlock(const SignedDistanceFunction& distance, const Place& first) {
-    const Place last = (first + kBlock).min(size_);
-    const RowVector3d low = Position(IndexOf(first));
-    const RowVector3d high = Position(IndexOf(last - 1));
-    const double at_middle = distance((low + high) / 2);
-    const bool is_far =
-        std::abs(at_middle) > (high - low).norm() / 2 + 2 * spacing_;
-    for (std::int64_t z = first[2]; z < last[2]; ++z) {
-      for (std::int64_t y = first[1]; y < last[1]; ++y) {
-        for (std::int64_t x = first[0]; x < last[0]; ++x) {
-          const std::int64_t index = IndexOf({x, y, z});
-          values_[index] = is_far ? at_middle : distance(Position(index));
-        }
-      }
-    }
-  }
-
-  double spacing_;
-  Place first_, size_;
-  std::vector<double> values_;
-};
+using Place = DistanceSamples::Place;
 
 // Collects the triangles in the tetrahedra, with one vertex for each edge that
 // the border meets.
 class Border {
  public:
-  explicit Border(const Samples& samples) : samples_(samples) {}
+  explicit Border(const DistanceSamples& samples) : samples_(samples) {}
 
   // `corners`: indices of samples, positively oriented.
   void AddTetrahedron(const std::array<std::int64_t, 4>& corners) {
@@ -179,19 +112,28 @@ class Border {
     return direction | step;
   }
 
-  const Samples& samples_;
+  const DistanceSamples& samples_;
   std::unordered_map<std::int64_t, int> vertices_;
   std::vector<RowVector3d> points_;
   std::vector<Eigen::RowVector3i> triangles_;
 };
+
+// True if the border passes between the corners of a cell.
+bool IsCrossed(const DistanceSamples& samples, const Place& lowest) {
+  int inside = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Place at = lowest + Place(corner & 1, corner >> 1 & 1, corner >> 2);
+    inside += samples.value(samples.IndexOf(at)) < 0;
+  }
+  return inside % 8 != 0;
+}
 
 }  // namespace
 
 TriangleSoup MarchingTetrahedra(const SignedDistanceFunction& distance,
                                 const Box3& box,
                                 double spacing) {
-  CHECK_GT(spacing, 0);
-  const Samples samples(distance, box, spacing);
+  const DistanceSamples samples(distance, box, spacing);
   Border border(samples);
   // The paths along the edges of a cell from its lowest to its highest corner,
   // one for each order of the axes, are its six tetrahedra (Kuhn 1960). Every
@@ -203,13 +145,7 @@ TriangleSoup MarchingTetrahedra(const SignedDistanceFunction& distance,
     for (std::int64_t y = 0; y < cells[1]; ++y) {
       for (std::int64_t x = 0; x < cells[0]; ++x) {
         const Place lowest(x, y, z);
-        const bool is_inside = samples.value(samples.IndexOf(lowest)) < 0;
-        bool is_crossed = false;
-        for (int corner = 1; corner < 8 && !is_crossed; ++corner) {
-          const Place at = lowest + Place(corner & 1, corner >> 1 & 1, corner >> 2);
-          is_crossed = (samples.value(samples.IndexOf(at)) < 0) != is_inside;
-        }
-        if (!is_crossed) continue;
+        if (!IsCrossed(samples, lowest)) continue;
         for (int t = 0; t < 6; ++t) {
           std::array<std::int64_t, 4> corners;
           Place at = lowest;

@@ -2,17 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
-#include <functional>
-
+#include "musclewarp/geometry/distance_samples.h"
 #include "musclewarp/mesh/box.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
-
-// A function of a place, mm, that is negative inside a region and changes by no
-// more than the way between two places, as a signed distance does.
-using SignedDistanceFunction = std::function<double(const Eigen::RowVector3d&)>;
 
 // Returns the border of the region where a function is negative, as closed,
 // outward oriented surfaces that do not cross themselves, one or several.

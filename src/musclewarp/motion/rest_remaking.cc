@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <iomanip>
 #include <set>
 #include <sstream>
@@ -136,16 +137,20 @@ void Remake(const RestRemakingOptions& options,
   const SceneMeshes meshes(*scene);
   const CellSurfaceOptions surface_options =
       SurfaceOptions(options, cell, *scene, unclean, attempt);
+  std::deque<SolidDistance> solids;
+  std::vector<const SolidDistance*> muscles, bones;
+  for (const NamedMesh& muscle : meshes.muscles()) {
+    muscles.push_back(&solids.emplace_back(*muscle.mesh));
+  }
+  for (const NamedMesh& bone : meshes.bones()) {
+    bones.push_back(&solids.emplace_back(*bone.mesh));
+  }
   std::vector<TriangleSoup> surfaces;
-  std::vector<const SearchableMesh*> bones;
-  for (const NamedMesh& bone : meshes.bones()) bones.push_back(bone.mesh);
   for (const int i : unclean) {
-    std::vector<const SearchableMesh*> others;
-    for (size_t j = 0; j < meshes.muscles().size(); ++j) {
-      if (j != static_cast<size_t>(i)) others.push_back(meshes.muscles()[j].mesh);
-    }
-    surfaces.push_back(CellSurface(
-        surface_options, *meshes.muscles()[i].mesh, others, bones));
+    std::vector<const SolidDistance*> others = muscles;
+    others.erase(others.begin() + i);
+    surfaces.push_back(
+        CellSurface(surface_options, *muscles[i], others, bones));
   }
   for (size_t k = 0; k < unclean.size(); ++k) {
     const int i = unclean[k];
