@@ -122,6 +122,7 @@ PlacedBone PlacedAt(const BoneShape& shape,
   placed.shape = shape;
   placed.bone.axis = axis;
   placed.bone.thickness = shape.thickness;
+  placed.bone.breadth = shape.is_plate ? shape.width : 3 * shape.shaft_radius;
   placed.world_from_local = Eigen::Isometry3d::Identity();
   const Vector3d x = draws->DirectionAcross(axis);
   placed.world_from_local.linear() << x, axis.cross(x), axis;

@@ -28,8 +28,9 @@ struct RandomBone {
   // True if the bone is beside its parent, as an ulna beside a radius. Such a
   // bone mainly turns about its own length.
   bool is_beside_parent = false;
-  // The thickness of its thinnest part.
+  // The thickness of its thinnest part, and its breadth across `axis`.
   double thickness = 0;
+  double breadth = 0;
   // The solid before it has bumps.
   Field field;
   PhantomMesh mesh;

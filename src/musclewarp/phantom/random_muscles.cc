@@ -137,7 +137,14 @@ std::array<MuscleEnd, 2> DrawEnds(const std::vector<RandomBone>& bones,
         DrawEndBeside(bones, beside.ends[0], at_origin, draws);
     return {origin, DrawEndBeside(bones, beside.ends[1], at_insertion, draws)};
   }
-  const auto [first, second] = DrawBonePair(bones, draws);
+  auto [first, second] = DrawBonePair(bones, draws);
+  if (!earlier.empty() && draws->Chance(0.5)) {
+    // The same bones as an earlier muscle, so that muscles cross each other.
+    const int count = static_cast<int>(earlier.size());
+    const RandomMuscle& other = earlier[draws->Integer(0, count - 1)];
+    first = other.ends[0].bone;
+    second = other.ends[1].bone;
+  }
   if (draws->Chance(0.15)) {
     const MuscleEnd origin =
         DrawEndFacing(bones, first, bones[second].field, draws);
@@ -192,7 +199,7 @@ std::vector<StrapNode> BowBetween(const MuscleShape& shape,
                                   const std::array<MuscleEnd, 2>& ends,
                                   const std::vector<PathObstacle>& obstacles,
                                   RandomDraws* draws) {
-  constexpr double kSpacing = 9;  // mm
+  constexpr double kSpacing = 10;  // mm
   std::array<Vector3d, 2> tips;
   for (int k = 0; k < 2; ++k) {
     const MuscleEnd& end = ends[k];
@@ -243,12 +250,22 @@ Field CutStrap(const Field& strap,
                const Eigen::AlignedBox3d& box,
                const std::vector<PathObstacle>& obstacles) {
   constexpr double kRounding = 2;  // mm
-  Field cut = strap;
+  // Where the strap or an obstacle is farther away than this, mm, the cut makes
+  // no difference to the surface.
+  constexpr double kFar = 3;
+  std::vector<PathObstacle> near;
   for (const PathObstacle& obstacle : obstacles) {
-    if (!box.intersects(obstacle.box)) continue;
-    cut = Difference(cut, Offset(obstacle.field, -obstacle.depth), kRounding);
+    if (box.intersects(obstacle.box)) near.push_back(obstacle);
   }
-  return cut;
+  return [=](const Vector3d& p) {
+    double value = strap(p);
+    if (value > kFar) return value;
+    for (const PathObstacle& obstacle : near) {
+      if (obstacle.box.exteriorDistance(p) > kFar) continue;
+      value = SmoothMax(value, -obstacle.field(p) - obstacle.depth, kRounding);
+    }
+    return value;
+  };
 }
 
 // Tests on a grid that most of the strap is left by the cut, and that most of
@@ -274,6 +291,17 @@ bool HasEnoughVolume(const Field& strap,
     }
   }
   return kept > kLeastKept * whole && outside > kLeastOutside * kept;
+}
+
+// Draws the edge length of the mesh. Its cells are smaller than the thinnest
+// part over the diagonal of a cell, and there are not many more than 4000.
+double DrawCell(const MuscleShape& shape, double length, RandomDraws* draws) {
+  constexpr double kMostVertices = 4000;
+  const double girth = 2 * M_PI * shape.belly + 4 * shape.width[1];
+  const double coarsest = std::min(5.0, 2 * shape.tendon / 1.8);
+  const double finest =
+      std::max(1.5, std::sqrt(girth * length / kMostVertices));
+  return draws->Uniform(std::min(finest, coarsest), coarsest);
 }
 
 // Returns the index of the bone among `chain` that is nearest to p.
@@ -355,10 +383,15 @@ std::optional<RandomMuscle> DrawMuscle(const std::string& name,
                                        const std::vector<RandomMuscle>& earlier,
                                        double size,
                                        RandomDraws* draws) {
-  const MuscleShape shape = DrawShape(size, draws);
+  MuscleShape shape = DrawShape(size, draws);
   RandomMuscle muscle;
   muscle.name = name;
   muscle.ends = DrawEnds(bones, earlier, draws);
+  // An end is not much wider than its bone.
+  for (const int k : {0, 1}) {
+    double& width = shape.width[2 * k];
+    width = std::min(width, 0.5 * bones[muscle.ends[k].bone].breadth);
+  }
   muscle.thickness = 2 * shape.tendon;
   const double distance = (muscle.ends[0].site - muscle.ends[1].site).norm();
   if (distance < 0.7 * kShortest || distance > kLongest) return {};
@@ -379,10 +412,8 @@ std::optional<RandomMuscle> DrawMuscle(const std::string& name,
     return {};
   }
 
-  // The cells are smaller than the thinnest part over its diagonal.
-  const double coarsest = std::min(5.0, shape.tendon * 2 / 1.8);
   Solid solid = {name, cut, StrapBox(nodes, 6), 0, {}};
-  solid.cell = draws->Uniform(std::min(1.5, coarsest), coarsest);
+  solid.cell = DrawCell(shape, PathLength(nodes), draws);
   solid.roughness = draws->Uniform(0.05, 0.3);
   muscle.mesh =
       MeshOf(solid, static_cast<uint32_t>(draws->Integer(0, 1000000)));

@@ -99,9 +99,15 @@ bool IsPossible(const std::vector<RandomBone>& bones,
   return true;
 }
 
-JointTurn DrawTurn(const std::vector<RandomBone>& bones, RandomDraws* draws) {
+// Draws a turn that moves an end of a drawn muscle.
+JointTurn DrawTurn(const std::vector<RandomBone>& bones,
+                   const std::vector<RandomMuscle>& muscles,
+                   RandomDraws* draws) {
   JointTurn turn;
-  turn.bone = draws->Integer(1, static_cast<int>(bones.size()) - 1);
+  const int last = static_cast<int>(muscles.size()) - 1;
+  const RandomMuscle& muscle = muscles[draws->Integer(0, last)];
+  // Parents come before their children: the later bone is not the root.
+  turn.bone = std::max({muscle.ends[0].bone, muscle.ends[1].bone, 1});
   const RandomBone& bone = bones[turn.bone];
   turn.axis = draws->DirectionAcross(bone.axis);
   turn.degrees = draws->Uniform(25, 60);
@@ -136,7 +142,7 @@ std::vector<ScenePose> DrawPoses(const std::vector<RandomBone>& bones,
   const int poses = draws->Integer(3, 5);
   std::vector<JointTurn> turns;
   for (int i = 0; i < kAttempts && turns.size() < count; ++i) {
-    turns.push_back(DrawTurn(bones, draws));
+    turns.push_back(DrawTurn(bones, muscles, draws));
     if (!FitLastTurn(bones, muscles, &turns)) turns.pop_back();
   }
   std::vector<ScenePose> motion;

@@ -13,9 +13,9 @@ namespace musclewarp::phantom {
 namespace {
 
 // Edges of the polyline between two nodes.
-constexpr int kSamplesPerSpan = 4;
+constexpr int kSamplesPerSpan = 2;
 
-// Farther away than this from a span, mm, a lower bound replaces its distance.
+// Farther away than this, mm, a lower bound replaces the distance.
 constexpr double kFar = 30;
 
 // How much thinner the strap is at its edges, as a share of its thickness.
@@ -97,13 +97,23 @@ std::vector<Span> SpansOf(const std::vector<StrapNode>& nodes) {
 
 Field Strap(const std::vector<StrapNode>& nodes) {
   return [spans = SpansOf(nodes)](const Eigen::Vector3d& p) {
-    double distance = std::numeric_limits<double>::infinity();
-    for (const Span& span : spans) {
-      const double least =
-          span.box.exteriorDistance(p) - span.largest_thickness;
-      if (least >= distance) continue;
-      distance =
-          std::min(distance, least > kFar ? least : DistanceToSpan(span, p));
+    // The span with the nearest box goes first: it is likely the nearest span,
+    // and then most others need not be looked at.
+    const auto least = [&](const Span& span) {
+      return span.box.exteriorDistance(p) - span.largest_thickness;
+    };
+    size_t first = 0;
+    double least_of_all = std::numeric_limits<double>::infinity();
+    for (size_t i = 0; i < spans.size(); ++i) {
+      if (least(spans[i]) >= least_of_all) continue;
+      least_of_all = least(spans[i]);
+      first = i;
+    }
+    if (least_of_all > kFar) return least_of_all;
+    double distance = DistanceToSpan(spans[first], p);
+    for (size_t i = 0; i < spans.size(); ++i) {
+      if (i == first || least(spans[i]) >= distance) continue;
+      distance = std::min(distance, DistanceToSpan(spans[i], p));
     }
     return distance;
   };
