@@ -19,8 +19,9 @@ using Eigen::Vector3d;
 constexpr double kShortest = 40;  // mm
 constexpr double kLongest = 300;  // mm
 
-// How deep a muscle may be in a bone or a muscle, as a share of the thickness
-// of the thinner one. What remains of both has room beside each other.
+// How deep a muscle may be in a bone or a muscle, as a share of the (mean)
+// thickness of the thinner one. What remains of both has room beside each
+// other.
 constexpr double kDeepestShare = 0.33;
 
 // The cross sections of a muscle along its length, and how deep it is in its
@@ -34,6 +35,7 @@ struct MuscleShape {
   double depth_in_muscles = 0;
 
   bool IsFlat() const { return width[1] > 1.5 * belly; }
+  double MeanThickness() const { return belly + tendon; }
   double HalfThickness(double t) const {
     const double rise = std::min(t, 1 - t);
     return tendon + (belly - tendon) *
@@ -158,7 +160,7 @@ std::array<MuscleEnd, 2> DrawEnds(const std::vector<RandomBone>& bones,
 std::vector<PathObstacle> Obstacles(const MuscleShape& shape,
                                     const std::vector<RandomBone>& bones,
                                     const std::vector<RandomMuscle>& earlier) {
-  const double thickness = 2 * shape.tendon;
+  const double thickness = shape.MeanThickness();
   std::vector<PathObstacle> obstacles;
   for (const RandomBone& bone : bones) {
     Eigen::AlignedBox3d box;
@@ -392,7 +394,7 @@ std::optional<RandomMuscle> DrawMuscle(const std::string& name,
     double& width = shape.width[2 * k];
     width = std::min(width, 0.5 * bones[muscle.ends[k].bone].breadth);
   }
-  muscle.thickness = 2 * shape.tendon;
+  muscle.thickness = shape.MeanThickness();
   const double distance = (muscle.ends[0].site - muscle.ends[1].site).norm();
   if (distance < 0.7 * kShortest || distance > kLongest) return {};
   const std::vector<PathObstacle> obstacles = Obstacles(shape, bones, earlier);

@@ -33,7 +33,7 @@ struct RandomMuscle {
   // muscles; later muscles keep out of it.
   Field strap;
   Eigen::AlignedBox3d box;
-  // Of its thinnest part, mm.
+  // The mean of belly and tendons, mm.
   double thickness = 0;
   PhantomMesh mesh;
   // One line through the middle, and for a wide muscle one more on each side.
@@ -44,7 +44,7 @@ struct RandomMuscle {
 // without tendons, run beside an earlier muscle and share its areas of
 // attachment, wrap around a bone or lie between two bones. It is up to 6 mm
 // deep in bones, and up to 6 mm in each earlier muscle; both depths are drawn,
-// and are at most a third of the thinner of the two.
+// and are at most a third of the thickness of the thinner of the two.
 //
 // `size` from 0 to 1 scales the largest thickness and width; small values find
 // room where others do not.
