@@ -14,6 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kLargestTurn = 60;  // degrees
+
 // A turn of a bone against its parent, about an axis through the joint.
 struct JointTurn {
   int bone = 0;
@@ -110,7 +112,7 @@ JointTurn DrawTurn(const std::vector<RandomBone>& bones,
   turn.bone = std::max({muscle.ends[0].bone, muscle.ends[1].bone, 1});
   const RandomBone& bone = bones[turn.bone];
   turn.axis = draws->DirectionAcross(bone.axis);
-  turn.degrees = draws->Uniform(25, 60);
+  turn.degrees = draws->Uniform(25, kLargestTurn);
   if (bone.is_beside_parent) {
     turn.axis = (bone.axis + 0.05 * turn.axis).normalized();
   } else if (draws->Chance(0.25)) {
@@ -143,6 +145,12 @@ std::vector<ScenePose> DrawPoses(const std::vector<RandomBone>& bones,
   std::vector<JointTurn> turns;
   for (int i = 0; i < kAttempts && turns.size() < count; ++i) {
     turns.push_back(DrawTurn(bones, muscles, draws));
+    for (size_t j = 0; j + 1 < turns.size(); ++j) {
+      // Two turns of a joint share the largest angle.
+      if (turns[j].bone != turns.back().bone) continue;
+      turns.back().degrees =
+          std::min(turns.back().degrees, kLargestTurn - turns[j].degrees);
+    }
     if (!FitLastTurn(bones, muscles, &turns)) turns.pop_back();
   }
   std::vector<ScenePose> motion;
