@@ -97,7 +97,7 @@ double Excess(const StrapNode& node, const PathObstacle& obstacle) {
 std::vector<StrapNode> TautPath(std::vector<StrapNode> nodes,
                                 const std::vector<PathObstacle>& obstacles,
                                 const Field& ground) {
-  constexpr int kRounds = 80;
+  constexpr int kRounds = 120;
   constexpr int kLastRounds = 8;  // in which nothing pulls any more
   constexpr int kOrientInterval = 10;
   for (int round = 0; round < kRounds; ++round) {

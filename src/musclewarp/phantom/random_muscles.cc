@@ -214,7 +214,7 @@ std::vector<StrapNode> BowBetween(const MuscleShape& shape,
   // Ends on opposite sides: the muscle winds around to either side.
   if (aside.norm() < 0.5) aside += draws->DirectionAcross(ends[0].normal);
   const Vector3d bow =
-      draws->Uniform(0.1, 0.35) * chord.norm() * aside.normalized();
+      draws->Uniform(0.05, 0.25) * chord.norm() * aside.normalized();
   const int count =
       std::clamp(static_cast<int>(chord.norm() / kSpacing), 6, 30);
   std::vector<StrapNode> nodes(count);
@@ -251,10 +251,10 @@ bool IsPathSound(const MuscleShape& shape,
 Field CutStrap(const Field& strap,
                const Eigen::AlignedBox3d& box,
                const std::vector<PathObstacle>& obstacles) {
-  constexpr double kRounding = 2;  // mm
+  constexpr double kRounding = 4;  // mm
   // Where the strap or an obstacle is farther away than this, mm, the cut makes
   // no difference to the surface.
-  constexpr double kFar = 3;
+  constexpr double kFar = 5;
   std::vector<PathObstacle> near;
   for (const PathObstacle& obstacle : obstacles) {
     if (box.intersects(obstacle.box)) near.push_back(obstacle);
