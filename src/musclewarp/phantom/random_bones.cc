@@ -39,8 +39,8 @@ struct BoneShape {
 
 BoneShape DrawRod(RandomDraws* draws) {
   BoneShape shape;
-  shape.length = draws->Uniform(100, 260);
-  if (draws->Chance(0.2)) shape.length += draws->Uniform(0, 130);
+  shape.length = draws->Uniform(100, 240);
+  if (draws->Chance(0.2)) shape.length += draws->Uniform(0, 70);
   shape.shaft_radius = draws->Uniform(6, 9) + 0.02 * shape.length;
   shape.near_radius = shape.shaft_radius * draws->Uniform(1.2, 1.7);
   shape.far_radius = shape.shaft_radius * draws->Uniform(1.2, 1.7);

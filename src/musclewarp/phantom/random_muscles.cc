@@ -6,8 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "musclewarp/mesh/measures.h"
+#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/phantom/muscle_path.h"
+#include "musclewarp/phantom/muscle_shape.h"
 #include "musclewarp/phantom/polygonize.h"
 #include "musclewarp/phantom/scene_parts.h"
 
@@ -23,48 +24,6 @@ constexpr double kLongest = 300;  // mm
 // thickness of the thinner one. What remains of both has room beside each
 // other.
 constexpr double kDeepestShare = 0.33;
-
-// The cross sections of a muscle along its length, and how deep it is in its
-// neighbours. Lengths are in mm.
-struct MuscleShape {
-  double belly = 0;               // half thickness in the middle
-  double tendon = 0;              // half thickness at the ends
-  double tendon_share = 0;        // of the length, at each end
-  std::array<double, 3> width{};  // half widths: origin, middle, insertion
-  double depth_in_bones = 0;
-  double depth_in_muscles = 0;
-
-  bool IsFlat() const { return width[1] > 1.5 * belly; }
-  double MeanThickness() const { return belly + tendon; }
-  double HalfThickness(double t) const {
-    const double rise = std::min(t, 1 - t);
-    return tendon + (belly - tendon) *
-                        SmoothStep(tendon_share, tendon_share + 0.3, rise);
-  }
-  double HalfWidth(double t) const {
-    return t < 0.5 ? width[0] + (width[1] - width[0]) * SmoothStep(0, 0.5, t)
-                   : width[1] + (width[2] - width[1]) * SmoothStep(0.5, 1, t);
-  }
-};
-
-MuscleShape DrawShape(double size, RandomDraws* draws) {
-  MuscleShape shape;
-  if (draws->Chance(0.3)) {
-    shape.belly = draws->Uniform(2, 2.5 + 2 * size);
-    shape.tendon = draws->Uniform(2, shape.belly);
-    const double widest = 10 + 30 * size;
-    for (double& width : shape.width) width = draws->Uniform(8, widest);
-  } else {
-    shape.belly = draws->Uniform(3.5, 6 + 14 * size);
-    shape.tendon = draws->Uniform(2.2, std::min(6.0, shape.belly));
-    for (double& width : shape.width) width = draws->Uniform(0, shape.tendon);
-    shape.width[1] = draws->Uniform(0, 0.5) * shape.belly;
-    if (draws->Chance(0.4)) shape.tendon_share = draws->Uniform(0.1, 0.25);
-  }
-  shape.depth_in_bones = draws->Uniform(0.5, 6);
-  shape.depth_in_muscles = draws->Uniform(0.5, 6);
-  return shape;
-}
 
 MuscleEnd EndAt(const std::vector<RandomBone>& bones, int bone, int vertex) {
   MuscleEnd end;
@@ -295,17 +254,6 @@ bool HasEnoughVolume(const Field& strap,
   return kept > kLeastKept * whole && outside > kLeastOutside * kept;
 }
 
-// Draws the edge length of the mesh. Its cells are smaller than the thinnest
-// part over the diagonal of a cell, and there are not many more than 4000.
-double DrawCell(const MuscleShape& shape, double length, RandomDraws* draws) {
-  constexpr double kMostVertices = 4000;
-  const double girth = 2 * M_PI * shape.belly + 4 * shape.width[1];
-  const double coarsest = std::min(5.0, 2 * shape.tendon / 1.8);
-  const double finest =
-      std::max(1.5, std::sqrt(girth * length / kMostVertices));
-  return draws->Uniform(std::min(finest, coarsest), coarsest);
-}
-
 // Returns the index of the bone among `chain` that is nearest to p.
 int NearestBone(const std::vector<RandomBone>& bones,
                 const std::vector<int>& chain,
@@ -344,9 +292,17 @@ ActionLine LineAlong(const std::string& name,
   line.name = name;
   line.rest.resize(count, 3);
   for (int i = 0; i < count; ++i) {
-    const StrapNode& node = nodes[i * (nodes.size() - 1) / (count - 1)];
-    const Vector3d p =
-        RoundedPoint(node.centre + place * node.half_width * node.across);
+    // The mesh is shorter than the strap: its ends are not sharp.
+    constexpr double kFromEnd = 0.35;  // of an edge of the path
+    const double last = nodes.size() - 1.0;
+    const double at =
+        std::clamp(i * last / (count - 1), kFromEnd, last - kFromEnd);
+    const int k = std::min(static_cast<int>(at), static_cast<int>(last) - 1);
+    const auto on_node = [&](const StrapNode& node) -> Vector3d {
+      return node.centre + place * node.half_width * node.across;
+    };
+    const Vector3d p = RoundedPoint((k + 1 - at) * on_node(nodes[k]) +
+                                    (at - k) * on_node(nodes[k + 1]));
     line.rest.row(i) = p.transpose();
     const int bone = i == 0           ? ends[0].bone
                      : i == count - 1 ? ends[1].bone
@@ -368,11 +324,12 @@ std::vector<ActionLine> LinesAlong(const std::string& name,
           LineAlong(name + "_right", nodes, 0.5, bones, ends)};
 }
 
-bool AreLinesInside(const std::vector<ActionLine>& lines, const Field& muscle) {
-  constexpr double kDepth = 0.2;  // mm
+bool AreLinesInside(const std::vector<ActionLine>& lines,
+                    const TriangleSoup& muscle) {
+  const SearchableMesh mesh(muscle);
   for (const ActionLine& line : lines) {
     for (Eigen::Index i = 0; i < line.rest.rows(); ++i) {
-      if (muscle(line.rest.row(i).transpose()) > -kDepth) return false;
+      if (!mesh.winding().IsInside(line.rest.row(i))) return false;
     }
   }
   return true;
@@ -385,7 +342,7 @@ std::optional<RandomMuscle> DrawMuscle(const std::string& name,
                                        const std::vector<RandomMuscle>& earlier,
                                        double size,
                                        RandomDraws* draws) {
-  MuscleShape shape = DrawShape(size, draws);
+  MuscleShape shape = DrawMuscleShape(size, draws);
   RandomMuscle muscle;
   muscle.name = name;
   muscle.ends = DrawEnds(bones, earlier, draws);
@@ -409,17 +366,17 @@ std::optional<RandomMuscle> DrawMuscle(const std::string& name,
   muscle.box = StrapBox(nodes, 0);
   const Field cut = CutStrap(muscle.strap, muscle.box, obstacles);
   muscle.lines = LinesAlong(name, shape, nodes, bones, muscle.ends);
-  if (!AreLinesInside(muscle.lines, cut) ||
-      !HasEnoughVolume(muscle.strap, cut, ground, muscle.box)) {
-    return {};
-  }
+  if (!HasEnoughVolume(muscle.strap, cut, ground, muscle.box)) return {};
 
   Solid solid = {name, cut, StrapBox(nodes, 6), 0, {}};
-  solid.cell = DrawCell(shape, PathLength(nodes), draws);
+  solid.cell = DrawCellSize(shape, PathLength(nodes), draws);
   solid.roughness = draws->Uniform(0.05, 0.3);
   muscle.mesh =
       MeshOf(solid, static_cast<uint32_t>(draws->Integer(0, 1000000)));
-  if (!IsSoundSurface(muscle.mesh.surface)) return {};
+  if (!IsSoundSurface(muscle.mesh.surface) ||
+      !AreLinesInside(muscle.lines, muscle.mesh.surface)) {
+    return {};
+  }
   return muscle;
 }
 

@@ -25,9 +25,9 @@ constexpr int kMostRandomMuscles = 32;
 // each other in any pose. Whether contact can be solved is not tested.
 //
 // `num_muscles` fixes the number of muscles, 2 to 32; with 0 it is drawn from 2
-// to 20. The bones of a seed are the same for every number, unless so many
-// muscles find no room. Throws InputError that names --num_muscles for any
-// other value.
+// to 20. A larger number gives the same bones and the same first muscles, with
+// more after them, unless so many find no room at these bones. Throws
+// InputError that names --num_muscles for any other value.
 PhantomScene MakeRandomScene(uint32_t seed, int num_muscles);
 
 }  // namespace musclewarp
