@@ -27,10 +27,10 @@ const TriangleSoup& SurfaceOf(const PhantomScene& made,
 }
 
 // The share of the volume of a muscle that is outside all bones, by points on a
-// grid of 4 mm.
+// grid of 6 mm.
 double ShareOutside(const TriangleSoup& muscle,
                     const std::vector<const TriangleSoup*>& bones) {
-  constexpr double kStep = 4;  // mm
+  constexpr double kStep = 6;  // mm
   const SearchableMesh mesh(muscle);
   std::vector<std::unique_ptr<SearchableMesh>> trees;
   for (const TriangleSoup* bone : bones) {
@@ -124,7 +124,7 @@ void ExpectBonesApartInAllPoses(const PhantomScene& made) {
 class RandomSceneOfSeed : public ::testing::TestWithParam<int> {};
 
 TEST_P(RandomSceneOfSeed, IsSane) {
-  const int count = 2 + GetParam() % 3;  // few, to be quick
+  const int count = 2 + GetParam() % 2;  // few, to be quick
   const PhantomScene made = MakeRandomScene(GetParam(), count);
   EXPECT_EQ(static_cast<int>(made.scene.muscles.size()), count);
   ExpectSoundMeshesMostlyOutsideBones(made);
