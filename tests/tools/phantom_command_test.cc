@@ -67,13 +67,14 @@ TEST(MakePhantom, ARandomSceneHasTheSameBytesForTheSameSeed) {
   request.scene = "random";
   request.seed = 9;
   request.num_muscles = 2;
+  const std::string dir = TestTempDir();
   std::ostringstream log;
   for (const std::string name : {"one", "other"}) {
-    request.out = TestTempDir() + "/" + name;
+    request.out = dir + "/" + name;
     MakePhantom(request, log);
   }
-  const auto one = FilesIn(TestTempDir() + "/one");
-  EXPECT_TRUE(one == FilesIn(TestTempDir() + "/other"));
+  const auto one = FilesIn(dir + "/one");
+  EXPECT_TRUE(one == FilesIn(dir + "/other"));
   const Scene scene = ReadScene(request.out + "/scene.json", "");
   EXPECT_EQ(scene.muscles.size(), 2u);
   EXPECT_EQ(one.size(), 1 + scene.muscles.size() + scene.bones.size());
