@@ -12,10 +12,16 @@ DEFINE_string(scene,
               "hip",
               "which scene: hip, or one that is hard on contact: "
               "stress_attachment, stress_edge, stress_plate, "
-              "stress_resolution, stress_sheet, stress_sweep");
+              "stress_resolution, stress_sheet, stress_sweep, or random, an "
+              "anatomy that is drawn from the seed");
 DEFINE_uint32(seed,
               1,
-              "places of the planted defects and bumps of the surfaces");
+              "places of the planted defects and bumps of the surfaces; in the "
+              "scene random everything");
+DEFINE_int32(num_muscles,
+             0,
+             "number of muscles of the scene random, 2 to 32; 0: drawn from "
+             "the seed, 2 to 20");
 
 int main(int argc, char** argv) {
   return musclewarp::RunProgram(
@@ -32,6 +38,7 @@ int main(int argc, char** argv) {
         request.out = FLAGS_out;
         request.scene = FLAGS_scene;
         request.seed = FLAGS_seed;
+        request.num_muscles = FLAGS_num_muscles;
         musclewarp::MakePhantom(request, std::cout);
         return musclewarp::kExitUsable;
       });

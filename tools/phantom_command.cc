@@ -31,7 +31,8 @@ void MakePhantom(const PhantomRequest& request, std::ostream& log) {
   if (request.out.empty()) {
     throw InputError("--out", "is not given", "name the folder to write to");
   }
-  const PhantomScene scene = MakePhantomScene(request.scene, request.seed);
+  const PhantomScene scene =
+      MakePhantomScene(request.scene, request.seed, request.num_muscles);
   WritePhantomScene(scene, request.out);
   log << "mesh               vertices triangles    cm^3 duplicate degenerate "
          "flaps stray missing\n";

@@ -12,7 +12,8 @@ namespace musclewarp {
 struct PhantomRequest {
   std::string out;            // the folder to write to, made if needed
   std::string scene = "hip";  // one of PhantomSceneNames()
-  uint32_t seed = 1;          // of the defects and the bumps of surfaces
+  uint32_t seed = 1;    // of defects and bumps, and of all in a random scene
+  int num_muscles = 0;  // of a random scene; 0: drawn from the seed
 };
 
 // Writes the scene and says on `log` what its meshes are and which defects they

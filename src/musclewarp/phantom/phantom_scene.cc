@@ -6,17 +6,33 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/phantom/hip_scene.h"
+#include "musclewarp/phantom/random_scene.h"
 #include "musclewarp/phantom/stress_scenes.h"
 
 namespace musclewarp {
+namespace {
+
+constexpr char kRandom[] = "random";
+
+}  // namespace
 
 std::vector<std::string> PhantomSceneNames() {
   std::vector<std::string> names = StressSceneNames();
   names.insert(names.begin(), "hip");
+  names.push_back(kRandom);
   return names;
 }
 
-PhantomScene MakePhantomScene(const std::string& name, uint32_t seed) {
+PhantomScene MakePhantomScene(const std::string& name,
+                              uint32_t seed,
+                              int num_muscles) {
+  if (name == kRandom) return MakeRandomScene(seed, num_muscles);
+  if (num_muscles != 0) {
+    throw InputError("--num_muscles",
+                     "is " + std::to_string(num_muscles) +
+                         ", but the scene \"" + name + "\" is not drawn",
+                     "leave --num_muscles out, or choose --scene=random");
+  }
   if (name == "hip") return MakeHipScene(seed);
   const std::vector<std::string> stress = StressSceneNames();
   if (std::find(stress.begin(), stress.end(), name) != stress.end()) {

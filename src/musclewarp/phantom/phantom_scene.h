@@ -42,9 +42,16 @@ struct PhantomScene {
 // Returns the names of all scenes, "hip" first.
 std::vector<std::string> PhantomSceneNames();
 
-// Makes the scene of that name; the seed decides on bumps and places of
-// defects. Throws InputError that lists the known names for any other.
-PhantomScene MakePhantomScene(const std::string& name, uint32_t seed);
+// Makes the scene of that name. The seed decides on bumps and places of
+// defects, and on everything in the scene "random", which has `num_muscles`
+// muscles, or a drawn number if that is 0 (see MakeRandomScene).
+//
+// Throws InputError that lists the known names for any other, and InputError
+// that names --num_muscles for a number that is not allowed, or one that is not
+// 0 for a scene that is not random.
+PhantomScene MakePhantomScene(const std::string& name,
+                              uint32_t seed,
+                              int num_muscles = 0);
 
 // Writes a scene to a folder, which is made if need be: scene.json, a .ply file
 // for each mesh, and if the scene has a model, NAME.osim, NAME.mot and

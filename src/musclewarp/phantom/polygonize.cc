@@ -247,6 +247,8 @@ void Smooth(const Field& field, int steps, QuadMesh* mesh) {
         counts[quad[i]] += 2;
       }
     }
+    // Points do not depend on each other here.
+#pragma omp parallel for
     for (size_t i = 0; i < points.size(); ++i) {
       const Pull pull = PullToward(field, points[i]);
       const Eigen::Vector3d shift = 0.5 * (sums[i] / counts[i] - points[i]);

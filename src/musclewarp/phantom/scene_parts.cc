@@ -9,7 +9,9 @@
 #include <cmath>
 #include <vector>
 
+#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/spread_points.h"
+#include "musclewarp/mesh/defects.h"
 #include "musclewarp/phantom/polygonize.h"
 
 namespace musclewarp::phantom {
@@ -56,6 +58,39 @@ Attachment AttachmentTo(
   attachment.points = points(spread, Eigen::all);
   attachment.radius = 8;
   return attachment;
+}
+
+std::vector<Attachment> AttachmentsAtEnds(
+    const PhantomMesh& mesh, const std::vector<ActionLine>& lines) {
+  constexpr double kAttached = 12;  // mm around an end
+  constexpr int kPoints = 5;
+  std::vector<Attachment> attachments;
+  for (const ActionLine& line : lines) {
+    for (const Eigen::Index end : {Eigen::Index{0}, line.rest.rows() - 1}) {
+      const Eigen::Vector3d centre = line.rest.row(end).transpose();
+      std::vector<double> distances;
+      for (Eigen::Index i = 0; i < mesh.surface.points.rows(); ++i) {
+        distances.push_back(
+            (mesh.surface.points.row(i).transpose() - centre).norm());
+      }
+      std::nth_element(
+          distances.begin(), distances.begin() + kPoints, distances.end());
+      const double radius = std::max(kAttached, distances[kPoints]);
+      const auto is_near = [&](const Eigen::Vector3d& p) {
+        return (p - centre).norm() < radius;
+      };
+      attachments.push_back(
+          AttachmentTo(line.bodies[end], mesh, is_near, kPoints));
+    }
+  }
+  return attachments;
+}
+
+bool IsSoundSurface(const TriangleSoup& mesh) {
+  // Euler's formula for a sphere of triangles, V - E + F = 2, where E = 3/2 F.
+  return CountDefects(mesh).IsClean() &&
+         2 * mesh.points.rows() - mesh.triangles.rows() == 4 &&
+         SelfIntersections(mesh).empty();
 }
 
 double MiddleAlongX(const Field& field, double y, double z) {

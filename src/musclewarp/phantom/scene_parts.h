@@ -51,6 +51,16 @@ Attachment AttachmentTo(
     const std::function<bool(const Eigen::Vector3d&)>& is_in,
     int count);
 
+// Returns the attachments of a muscle to the bodies of its lines: two for each
+// line, of five points of its mesh within 12 mm of an end (more, if its mesh is
+// too coarse to have five there). Precondition: the lines have bodies.
+std::vector<Attachment> AttachmentsAtEnds(const PhantomMesh& mesh,
+                                          const std::vector<ActionLine>& lines);
+
+// Returns true if a mesh is one closed, outward oriented manifold without
+// handles that does not cross itself.
+bool IsSoundSurface(const TriangleSoup& mesh);
+
 // Returns the x of the middle of the longest stretch of the line (., y, z) that
 // is inside the field, searched for within 200 mm of x = 0. Precondition
 // (CHECKed): there is one.

@@ -54,20 +54,9 @@ class StressScene {
 
   // Adds a muscle that is attached at the ends of its lines.
   void AddMuscle(const phantom::Solid& solid, std::vector<ActionLine> lines) {
-    constexpr double kAttached = 12;  // mm around an end
-    constexpr int kPoints = 5;
     PhantomMesh mesh = phantom::MeshOf(solid, seed_ + made_.meshes.size());
     SceneMuscle muscle = phantom::MuscleOf(mesh, std::move(lines));
-    for (const ActionLine& line : muscle.lines) {
-      for (const Eigen::Index end : {Eigen::Index{0}, line.rest.rows() - 1}) {
-        const Vector3d centre = line.rest.row(end).transpose();
-        const auto is_near = [&](const Vector3d& p) {
-          return (p - centre).norm() < kAttached;
-        };
-        muscle.attachments.push_back(
-            phantom::AttachmentTo(line.bodies[end], mesh, is_near, kPoints));
-      }
-    }
+    muscle.attachments = phantom::AttachmentsAtEnds(mesh, muscle.lines);
     made_.scene.muscles.push_back(std::move(muscle));
     made_.meshes.push_back(std::move(mesh));
   }
