@@ -35,7 +35,7 @@ struct InitialSeparationOptions {
 
   // Rounds without fewer crossings than ever before, before what still crosses
   // is left.
-  int max_idle_rounds = 40;
+  int max_idle_rounds = 100;
 
   bool IsValid(std::string* error) const;
 };

@@ -62,6 +62,10 @@ StepResult FinishStep(const StepOptions& options,
     summary.is_intersection_free =
         !defects.HasCrossings() &&
         (!is_better_possible || summary.rounds == options.max_rounds);
+    VLOG(2) << "round " << summary.rounds << ": " << defects.num_crossings()
+            << " crossings, " << defects.self_crossings.size()
+            << " of muscles with themselves, " << defects.num_folded()
+            << " folded, violation " << summary.violation << " mm";
     if (summary.is_intersection_free) break;
     open.planes.Add(PlanesAgainst(defects, options, step, targets));
     stiffness =

@@ -206,7 +206,11 @@ int Walk(const Mover& mover,
     VLOG(1) << "step to " << to << " with reach " << reach << ": "
             << attempt.summary.rounds << " rounds, "
             << attempt.summary.crossing_pairs << " crossing pairs, "
-            << (attempt.summary.is_intersection_free ? "free" : "not free");
+            << (attempt.summary.is_intersection_free ? "free" : "not free")
+            << ", largest move "
+            << LargestMove(place->surfaces.points,
+                           attempt.place.surfaces.points)
+            << " mm";
     const bool crosses = options.accepts_self_crossings
                              ? attempt.summary.crossing_pairs > 0
                              : !attempt.summary.is_intersection_free;
