@@ -207,28 +207,30 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
   return sum;
 }
 
-std::vector<double> PenetrationDepths(const std::vector<NamedMesh>& muscles,
-                                      const std::vector<NamedMesh>& bones) {
-  const size_t count = muscles.size() + bones.size();
-  std::vector<std::pair<size_t, size_t>> pairs;
-  for (size_t a = 0; a < muscles.size(); ++a) {
-    for (size_t b = a + 1; b < count; ++b) pairs.emplace_back(a, b);
-  }
-  std::vector<double> depths(count, 0);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (size_t i = 0; i < pairs.size(); ++i) {
-    const auto [a, b] = pairs[i];
-    const NamedMesh& other =
-        b < muscles.size() ? muscles[b] : bones[b - muscles.size()];
-    const double depth =
-        IntersectMeshes(*muscles[a].mesh, *other.mesh).max_depth_mm;
-#pragma omp critical
-    for (const size_t mesh : {a, b}) {
-      depths[mesh] = std::max(depths[mesh], depth);
+std::vector<PairDepth> PenetrationDepths(const std::vector<NamedMesh>& muscles,
+                                         const std::vector<NamedMesh>& bones) {
+  std::vector<PairDepth> pairs;
+  for (int a = 0; a < static_cast<int>(muscles.size()); ++a) {
+    for (int b = a + 1; b < static_cast<int>(muscles.size()); ++b) {
+      pairs.push_back({a, b, false, 0});
+    }
+    for (int b = 0; b < static_cast<int>(bones.size()); ++b) {
+      pairs.push_back({a, b, true, 0});
     }
   }
-  depths.resize(muscles.size());
-  return depths;
+#pragma omp parallel for schedule(dynamic, 1)
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    PairDepth& pair = pairs[i];
+    const NamedMesh& other = pair.is_bone ? bones[pair.b] : muscles[pair.b];
+    pair.depth =
+        IntersectMeshes(*muscles[pair.a].mesh, *other.mesh).max_depth_mm;
+  }
+  pairs.erase(
+      std::remove_if(pairs.begin(),
+                     pairs.end(),
+                     [](const PairDepth& pair) { return pair.depth == 0; }),
+      pairs.end());
+  return pairs;
 }
 
 Eigen::VectorXd VertexGaps(size_t muscle,

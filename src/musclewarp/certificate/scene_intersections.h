@@ -97,10 +97,18 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                                   const std::vector<NamedMesh>& bones,
                                   const std::vector<ExemptArea>& exempt = {});
 
-// Returns for each muscle the depth of its deepest vertex in another mesh, or
-// of the deepest vertex of another mesh in it, mm.
-std::vector<double> PenetrationDepths(const std::vector<NamedMesh>& muscles,
-                                      const std::vector<NamedMesh>& bones);
+// How deep two meshes are in each other.
+struct PairDepth {
+  int a;         // a muscle
+  int b;         // a muscle after it, or a bone
+  bool is_bone;  // what b is
+  double depth;  // of the deepest vertex of one in the other, mm
+};
+
+// Returns the pairs of meshes of which one has a vertex in the other, in scene
+// order.
+std::vector<PairDepth> PenetrationDepths(const std::vector<NamedMesh>& muscles,
+                                         const std::vector<NamedMesh>& bones);
 
 // Returns for each vertex of a muscle the distance to the nearest other mesh,
 // mm, negative inside one (`inside`, from IntersectScene), and `limit` if

@@ -4,6 +4,7 @@
 
 #include <glog/logging.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -96,9 +97,14 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
                                      most_folded));
   }
   const double farthest =
-      requirements.displacement_per_depth * muscle.depth_without_contact +
+      requirements.displacement_per_depth *
+          std::max(muscle.depth_without_contact, muscle.push_depth) +
       requirements.displacement_allowance;
   if (!(muscle.max_contact_displacement <= farthest)) {
+    std::string chain;
+    for (const std::string& name : muscle.pushed_by) {
+      chain += (chain.empty() ? "" : ", ") + name;
+    }
     shortcomings->push_back(Sentence(muscle.name,
                                      ": moved by ",
                                      muscle.max_contact_displacement,
@@ -106,7 +112,11 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
                                      farthest,
                                      " (",
                                      muscle.depth_without_contact,
-                                     " mm deep without)"));
+                                     " mm deep without; ",
+                                     muscle.push_depth,
+                                     " mm along ",
+                                     chain,
+                                     ")"));
   }
 }
 

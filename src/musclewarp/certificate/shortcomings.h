@@ -18,8 +18,10 @@ struct FrameRequirements {
   // Folded triangles of a muscle, as a share of its triangles.
   double max_folded_share = 1e-3;
 
-  // Contact may move a vertex by this factor of the depth to which the muscle
-  // is in another mesh without contact, and by the allowance (mm) beside that.
+  // Contact may move a vertex by this factor of the depths along the chain of
+  // muscles that push it (push_chains.h), and by the allowance (mm) beside
+  // that. Muscles that are nearer to each other than this, mm, pass a push on.
+  double touching_distance = 0.5;
   double displacement_per_depth = 2;
   double displacement_allowance = 1;
 
@@ -42,10 +44,13 @@ struct MuscleMeasures {
   int self_pairs = 0;
   int self_pairs_at_rest = 0;
 
-  // How far contact moved a vertex at most, and how deep the muscle is in
-  // another mesh, or another in it, without contact, mm.
+  // How far contact moved a vertex at most, mm, how deep the muscle is in
+  // another mesh, or another in it, without contact, mm, and the depths along
+  // the chain of muscles that push it (their names, it comes last).
   double max_contact_displacement = 0;
   double depth_without_contact = 0;
+  double push_depth = 0;
+  std::vector<std::string> pushed_by;
 };
 
 // Returns what a frame does not hold of the requirements, a sentence each:

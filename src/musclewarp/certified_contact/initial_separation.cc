@@ -33,6 +33,14 @@ struct Pushes {
         count(Eigen::VectorXd::Zero(vertices)) {}
 };
 
+// A triangle of a muscle that crosses another triangle.
+struct Crossing {
+  size_t muscle;
+  int triangle;
+  Corners other;
+  bool is_counted;  // once for each pair of triangles
+};
+
 // The muscles while they are separated.
 class Separator {
  public:
@@ -69,17 +77,14 @@ class Separator {
     points_.push_back(std::move(points));
   }
 
-  // Finds the pairs of triangles that cross, and pushes for them.
-  int FindPushes(std::vector<Pushes>* pushes) const {
-    pushes->clear();
-    for (const Points& points : points_) pushes->emplace_back(points.rows());
-    int crossing_pairs = 0;
+  // Finds the triangles of muscles that cross others.
+  std::vector<Crossing> FindCrossings() const {
+    std::vector<Crossing> crossings;
     for (size_t i = 0; i < muscles_.size(); ++i) {
       for (size_t j = i + 1; j < muscles_.size(); ++j) {
         for (const auto& [f, g] : IntersectingTriangles(trees_[i], trees_[j])) {
-          ++crossing_pairs;
-          Push(i, f, trees_[j].corners(g), &(*pushes)[i]);
-          Push(j, g, trees_[i].corners(f), &(*pushes)[j]);
+          crossings.push_back({i, f, trees_[j].corners(g), true});
+          crossings.push_back({j, g, trees_[i].corners(f), false});
         }
       }
       for (size_t b = 0; b < bones_.size(); ++b) {
@@ -88,12 +93,22 @@ class Separator {
         for (const auto& [f, g] :
              IntersectingTriangles(trees_[i], bones_[b]->bvh())) {
           if (area && area->triangles[f]) continue;
-          ++crossing_pairs;
-          Push(i, f, bones_[b]->bvh().corners(g), &(*pushes)[i]);
+          crossings.push_back({i, f, bones_[b]->bvh().corners(g), true});
         }
       }
     }
-    return crossing_pairs;
+    return crossings;
+  }
+
+  // Returns in which directions the vertices of crossing triangles should go.
+  std::vector<Pushes> PushesFor(const std::vector<Crossing>& crossings) const {
+    std::vector<Pushes> pushes;
+    for (const Points& points : points_) pushes.emplace_back(points.rows());
+    const std::vector<Points> inward = WaysInward(crossings);
+    for (const Crossing& crossing : crossings) {
+      Push(crossing, inward[crossing.muscle], &pushes[crossing.muscle]);
+    }
+    return pushes;
   }
 
   // Moves pushed vertices by a step, and those near them along with them.
@@ -126,14 +141,41 @@ class Separator {
   std::vector<Points> TakePoints() { return std::move(points_); }
 
  private:
-  // Pushes the corners of triangle f of a muscle, which crosses `other`.
-  void Push(size_t i, int f, const Corners& other, Pushes* pushes) const {
-    RowVector3d inward = RowVector3d::Zero();
-    const auto t = muscles_[i]->triangles().row(f);
-    for (int k = 0; k < 3; ++k) {
-      inward += cells_[i].Inward(points_[i].row(t[k]));
+  // By muscle, #V x 3: the way into the medial cell from the vertices of
+  // crossing triangles.
+  std::vector<Points> WaysInward(const std::vector<Crossing>& crossings) const {
+    std::vector<Points> inward;
+    std::vector<std::vector<char>> is_needed;
+    for (const Points& points : points_) {
+      inward.push_back(Points::Zero(points.rows(), 3));
+      is_needed.emplace_back(points.rows(), false);
     }
-    const RowVector3d normal = UnitNormal(other);
+    for (const Crossing& crossing : crossings) {
+      const size_t i = crossing.muscle;
+      for (const int v : muscles_[i]->triangles().row(crossing.triangle)) {
+        is_needed[i][v] = true;
+      }
+    }
+    for (size_t i = 0; i < points_.size(); ++i) {
+#pragma omp parallel for schedule(dynamic, 16)
+      for (Eigen::Index v = 0; v < points_[i].rows(); ++v) {
+        if (is_needed[i][v]) {
+          inward[i].row(v) = cells_[i].Inward(points_[i].row(v));
+        }
+      }
+    }
+    return inward;
+  }
+
+  // Pushes the corners of a crossing triangle.
+  void Push(const Crossing& crossing,
+            const Points& ways_inward,
+            Pushes* pushes) const {
+    const auto t =
+        muscles_[crossing.muscle]->triangles().row(crossing.triangle);
+    RowVector3d inward = RowVector3d::Zero();
+    for (int k = 0; k < 3; ++k) inward += ways_inward.row(t[k]);
+    const RowVector3d normal = UnitNormal(crossing.other);
     RowVector3d direction =
         normal.dot(inward) > options_.min_agreement ? normal : inward;
     if (direction.norm() == 0) direction = normal;
@@ -181,10 +223,13 @@ InitialSeparation SeparateInitially(
     separator.AddMuscle(i);
   }
   InitialSeparation result;
-  std::vector<Pushes> pushes;
   int fewest = std::numeric_limits<int>::max(), idle_rounds = 0;
   for (;; ++result.rounds) {
-    result.crossing_pairs = separator.FindPushes(&pushes);
+    const std::vector<Crossing> crossings = separator.FindCrossings();
+    result.crossing_pairs = static_cast<int>(std::count_if(
+        crossings.begin(), crossings.end(), [](const Crossing& crossing) {
+          return crossing.is_counted;
+        }));
     idle_rounds = result.crossing_pairs < fewest ? 0 : idle_rounds + 1;
     fewest = std::min(fewest, result.crossing_pairs);
     if (result.crossing_pairs == 0 || result.rounds == options.max_rounds ||
@@ -192,6 +237,7 @@ InitialSeparation SeparateInitially(
       break;
     }
     if (on_round) on_round(result.rounds, result.crossing_pairs);
+    const std::vector<Pushes> pushes = separator.PushesFor(crossings);
     for (size_t i = 0; i < muscles.size(); ++i) separator.Apply(pushes[i], i);
   }
   result.points = separator.TakePoints();

@@ -70,11 +70,18 @@ void PlaneSet::AddSides(const SeparatingPlane& plane) {
   }
   const int index = static_cast<int>(moving_.size());
   moving_.push_back({plane});
+  levels_.push_back(plane.level);
   for (int k = 0; k < 3; ++k) {
-    sides_[a].push_back(
-        {plane.above[k], index, 1, {plane.normal, 0}, plane.distance});
-    sides_[b].push_back(
-        {plane.below[k], index, -1, {-plane.normal, 0}, plane.distance});
+    sides_[a].push_back({plane.above[k],
+                         index,
+                         1,
+                         {plane.normal, plane.half_gap},
+                         plane.distance});
+    sides_[b].push_back({plane.below[k],
+                         index,
+                         -1,
+                         {-plane.normal, plane.half_gap},
+                         plane.distance});
   }
 }
 
@@ -111,8 +118,7 @@ void PlaneSet::SortSides() {
 
 double PlaneSet::LevelOf(const Side& side) const {
   if (side.plane < 0) return side.space.level;
-  const SeparatingPlane& plane = moving_[side.plane].plane;
-  return side.sign * plane.level + plane.half_gap;
+  return side.sign * levels_[side.plane] + side.space.level;
 }
 
 void PlaneSet::UpdateLevels(const std::vector<Points>& unprojected,
@@ -121,6 +127,7 @@ void PlaneSet::UpdateLevels(const std::vector<Points>& unprojected,
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < moving_.size(); ++i) {
     UpdateLevel(unprojected, points, is_first, &moving_[i]);
+    levels_[i] = moving_[i].plane.level;
   }
 }
 

@@ -74,12 +74,12 @@ class PlaneSet {
     double shift = 0;  // mm
   };
   // A half-space of a vertex. The plane of a bone has its final level; else the
-  // level is that of `moving_[plane]`.
+  // level follows from levels_[plane].
   struct Side {
     int vertex;
     int plane;  // -1: of a bone
     double sign;
-    HalfSpace space;
+    HalfSpace space;  // of a plane between muscles the level is half the gap
     double distance;
   };
 
@@ -94,6 +94,7 @@ class PlaneSet {
   const StepOptions& options_;
   const ContactStep& step_;
   std::vector<MovingPlane> moving_;
+  std::vector<double> levels_;  // of these planes, as they are read most often
 
   // By muscle, by vertex: those of vertex v begin at first_sides_[v].
   std::vector<std::vector<Side>> sides_;

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/motion/certified_frame_solver.h"
 
+#include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "musclewarp/base/stopwatch.h"
+#include "musclewarp/certificate/push_chains.h"
 #include "musclewarp/certificate/shortcomings.h"
 #include "musclewarp/motion/frame_measures.h"
 
@@ -73,6 +77,22 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
   return result;
 }
 
+std::vector<std::pair<int, int>> CertifiedFrameSolver::TouchingMuscles(
+    const Frame& frame) const {
+  std::map<std::string, int> numbers;
+  for (size_t i = 0; i < frame.muscles.size(); ++i) {
+    numbers[frame.muscles[i].name] = static_cast<int>(i);
+  }
+  std::vector<std::pair<int, int>> touching;
+  for (const auto& gap : frame.intersections.gaps) {
+    if (gap.at_least_mm > options_.requirements.touching_distance) continue;
+    const auto a = numbers.find(gap.a), b = numbers.find(gap.b);
+    if (a == numbers.end() || b == numbers.end()) continue;
+    touching.emplace_back(a->second, b->second);
+  }
+  return touching;
+}
+
 void CertifiedFrameSolver::MeasureContact(const SceneState& state,
                                           Frame* frame) {
   std::vector<Points> without_contact(frame->muscles.size());
@@ -82,15 +102,30 @@ void CertifiedFrameSolver::MeasureContact(const SceneState& state,
         FinePoints(scene_.muscles[i].model, {state.free_coarse[i], {}});
   }
   meshes_->MoveTo(without_contact, frame->bones);
-  const std::vector<double> depths =
+  const std::vector<PairDepth> overlaps =
       PenetrationDepths(meshes_->muscles(), meshes_->bones());
+  const std::vector<PushChain> pushes =
+      FarthestPushes(static_cast<int>(frame->muscles.size()),
+                     overlaps,
+                     TouchingMuscles(*frame));
   for (size_t i = 0; i < frame->muscles.size(); ++i) {
     MuscleFrame& muscle = frame->muscles[i];
     const Eigen::VectorXd moves =
         (muscle.points - without_contact[i]).rowwise().norm();
     muscle.max_contact_displacement = moves.maxCoeff();
     muscle.mean_contact_displacement = moves.mean();
-    muscle.depth_without_contact = depths[i];
+    for (const PairDepth& overlap : overlaps) {
+      const int muscle_number = static_cast<int>(i);
+      if (overlap.a == muscle_number ||
+          (!overlap.is_bone && overlap.b == muscle_number)) {
+        muscle.depth_without_contact =
+            std::max(muscle.depth_without_contact, overlap.depth);
+      }
+    }
+    muscle.push_depth = pushes[i].depth;
+    for (const int other : pushes[i].muscles) {
+      muscle.pushed_by.push_back(frame->muscles[other].name);
+    }
   }
 }
 
@@ -108,6 +143,8 @@ void CertifiedFrameSolver::Judge(Frame* frame) {
     measure.self_pairs_at_rest = RestFrame().muscles[i].self_pairs;
     measure.max_contact_displacement = muscle.max_contact_displacement;
     measure.depth_without_contact = muscle.depth_without_contact;
+    measure.push_depth = muscle.push_depth;
+    measure.pushed_by = muscle.pushed_by;
     measures.push_back(measure);
   }
   frame->shortcomings =

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "musclewarp/motion/certified_motion.h"
 #include "musclewarp/motion/frame_solver.h"
@@ -29,6 +31,9 @@ class CertifiedFrameSolver : public FrameSolver {
                     const ProgressCallback& on_progress) override;
 
  private:
+  // The pairs of muscles that lie on each other in a frame.
+  std::vector<std::pair<int, int>> TouchingMuscles(const Frame& frame) const;
+
   // Measures what contact has done to the muscles of a frame, against their
   // shapes without contact.
   void MeasureContact(const SceneState& state, Frame* frame);

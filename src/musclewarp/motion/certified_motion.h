@@ -30,9 +30,9 @@ struct CertifiedContactOptions {
   double samples_per_coarse_vertex = 3;
   double coarse_weight = 0.3;
 
-  // The separated rest pose is relaxed in at most so many steps, until no
-  // vertex moves by more than the tolerance (mm) in one. It has far to go, so
-  // that its steps have more sweeps.
+  // The separated rest pose is relaxed in at most so many steps, until no more
+  // than one vertex in five hundred moves by more than the tolerance (mm) in
+  // one. It has far to go, so that its steps have more sweeps.
   int max_rest_steps = 20;
   int rest_sweeps = 30;
   double rest_tolerance = 0.05;

@@ -53,8 +53,8 @@ struct WalkOptions {
   double reach_growth = 1;
   double max_reach = 0;  // mm
 
-  // Once the pose is reached, steps go on there until nothing moves by more
-  // than the tolerance, mm.
+  // Once the pose is reached, steps go on there until no more than one vertex in
+  // five hundred moves by more than the tolerance, mm.
   int max_settling_steps = 0;
   double settling_tolerance = 0;
 

@@ -33,6 +33,12 @@ struct MuscleFrame {
   double mean_contact_displacement = 0;
   double depth_without_contact = 0;
 
+  // The muscles that push this one, which comes last, and the depths of all
+  // overlaps along that chain without contact, mm: what its displacement is
+  // judged by.
+  std::vector<std::string> pushed_by;
+  double push_depth = 0;
+
   // The action lines, sampled, and the fibres, as the muscle carries them; #P x
   // 3 each, mm.
   std::vector<Points> lines;

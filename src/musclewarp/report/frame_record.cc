@@ -26,6 +26,8 @@ MuscleRecord RecordOf(const MuscleModel& model, const MuscleFrame& frame) {
   record.max_contact_displacement_mm = frame.max_contact_displacement;
   record.mean_contact_displacement_mm = frame.mean_contact_displacement;
   record.depth_without_contact_mm = frame.depth_without_contact;
+  record.push_depth_mm = frame.push_depth;
+  record.pushed_by = frame.pushed_by;
   record.iterations = frame.solver.iterations;
   record.solve_ms = frame.solver.wall_ms;
   record.initial_energy_mm2 = frame.solver.initial_energy;
@@ -54,6 +56,8 @@ Json ToJson(const MuscleRecord& record) {
           {"max_contact_displacement_mm", record.max_contact_displacement_mm},
           {"mean_contact_displacement_mm", record.mean_contact_displacement_mm},
           {"depth_without_contact_mm", record.depth_without_contact_mm},
+          {"push_depth_mm", record.push_depth_mm},
+          {"pushed_by", record.pushed_by},
           {"iterations", record.iterations},
           {"solve_ms", record.solve_ms},
           {"initial_energy_mm2", record.initial_energy_mm2},
@@ -79,6 +83,9 @@ MuscleRecord MuscleRecordFromJson(const Json& json) {
   json.at("mean_contact_displacement_mm")
       .get_to(record.mean_contact_displacement_mm);
   json.at("depth_without_contact_mm").get_to(record.depth_without_contact_mm);
+  // Reports of older versions lack them.
+  record.push_depth_mm = json.value("push_depth_mm", 0.0);
+  record.pushed_by = json.value("pushed_by", std::vector<std::string>());
   json.at("iterations").get_to(record.iterations);
   json.at("solve_ms").get_to(record.solve_ms);
   json.at("initial_energy_mm2").get_to(record.initial_energy_mm2);

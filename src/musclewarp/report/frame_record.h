@@ -29,6 +29,8 @@ struct MuscleRecord {
   double max_contact_displacement_mm = 0;
   double mean_contact_displacement_mm = 0;
   double depth_without_contact_mm = 0;
+  double push_depth_mm = 0;
+  std::vector<std::string> pushed_by;
 
   // The solve. Energies are those of the linear rows, 1/2 |f|^2.
   int iterations = 0;
