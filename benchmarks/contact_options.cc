@@ -35,8 +35,6 @@ const std::map<std::string, Setter>& Setters() {
       {"repair_sweeps",
        [](double x, Options* o) { o->step.repair_sweeps = int(x); }},
       {"max_rounds", [](double x, Options* o) { o->step.max_rounds = int(x); }},
-      {"least_gap_share",
-       [](double x, Options* o) { o->step.least_gap_share = x; }},
       {"planes.search_share",
        [](double x, Options* o) { o->step.planes.search_share = x; }},
       {"planes.overlooked_share",

@@ -62,6 +62,10 @@ DEFINE_int32(max_rounds,
              6,
              "rounds in which a step of certified contact resolves what still "
              "crosses, before it is halved");
+DEFINE_double(frame_timeout_s,
+              0,
+              "a frame of certified contact that takes longer than this is "
+              "given up, s; 0: no limit");
 DEFINE_double(max_step_turn,
               2.5,
               "largest turn of a body in one step of certified contact, "
@@ -105,6 +109,7 @@ void SetCertifiedContact(CertifiedContactOptions* options) {
                      "is " + std::to_string(FLAGS_max_step_turn),
                      "allowed: above 0");
   }
+  options->frame_timeout_s = FLAGS_frame_timeout_s;
   options->step.gap = FLAGS_gap;
   // Meshes that overlap are separated by twice the gap, so that the steps that
   // follow find room.

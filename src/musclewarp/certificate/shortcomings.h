@@ -26,7 +26,8 @@ struct FrameRequirements {
   double displacement_allowance = 1;
 
   // The proved distance of every two meshes, mm, at most kMeshGapLimit; 0 if
-  // none is required.
+  // none is required. Certified contact requires at least the gap that it
+  // keeps.
   double gap = 0;
 
   bool IsValid(std::string* error) const;

@@ -118,7 +118,7 @@ std::optional<SeparatingPlane> PlaneAgainstBone(const StepOptions& options,
   if (!separation) return std::nullopt;
   const double level = (obstacle * separation->normal.transpose()).maxCoeff();
   return PlaneOfBone(
-      step, pair.a, pair.f, pair.b, {separation->normal, level + options.gap});
+      step, pair.a, pair.f, pair.b, {separation->normal, level + options.AimedGap()});
 }
 
 void AddSelfCrossings(const StepOptions& options,
@@ -233,7 +233,7 @@ std::vector<SeparatingPlane> PlanesAgainst(const StepDefects& defects,
                           step.trees_before[pair.b].corners(pair.g));
     if (!separation) continue;
     planes.push_back(PlaneBetween(
-        step, pair.a, pair.f, pair.b, pair.g, *separation, options.gap / 2));
+        step, pair.a, pair.f, pair.b, pair.g, *separation, options.AimedGap() / 2));
   }
   for (const CrossingTriangle& pair : defects.bone_crossings) {
     add(PlaneAgainstBone(options, step, pair));

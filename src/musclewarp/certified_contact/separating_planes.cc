@@ -81,7 +81,7 @@ void AddPlanesBetweenMuscles(const StepOptions& options,
                              std::vector<SeparatingPlane>* planes) {
   // Either muscle may move by the reach.
   const double radius =
-      options.gap + options.planes.search_share * 2 * options.reach;
+      options.AimedGap() + options.planes.search_share * 2 * options.reach;
   const double square = radius * radius;
   const TriangleBvh& tree_a = step.trees_before[a];
   const TriangleBvh& tree_b = step.trees_before[b];
@@ -102,7 +102,7 @@ void AddPlanesBetweenMuscles(const StepOptions& options,
         continue;
       }
       found[f].push_back(
-          PlaneBetween(step, a, f, b, g, *separation, options.gap / 2));
+          PlaneBetween(step, a, f, b, g, *separation, options.AimedGap() / 2));
     }
   }
   Append(found, planes);
@@ -150,7 +150,7 @@ void AddPlanesOfBone(const StepOptions& options,
                      TriangleBvh* tree,
                      std::vector<SeparatingPlane>* planes) {
   const double margin =
-      options.gap + options.planes.search_share * options.reach;
+      options.AimedGap() + options.planes.search_share * options.reach;
   const PathsPastBone paths = PathsOf(step, muscle, bone, margin);
   const MuscleSurface& surface = step.scene.muscles[muscle];
   const Triangles& triangles = surface.triangles;
@@ -171,7 +171,7 @@ void AddPlanesOfBone(const StepOptions& options,
     ObstacleOptions nearby;
     nearby.radius =
         margin + std::min(1.5 * move, 2 * options.relaxation.max_push);
-    nearby.gap = options.gap;
+    nearby.gap = options.AimedGap();
     nearby.overlooked_share = options.planes.overlooked_share;
     nearby.max_planes = options.planes.max_planes_per_triangle;
     for (const HalfSpace& space :

@@ -37,7 +37,7 @@ StepResult FinishStep(const StepOptions& options,
   Stiffness stiffness = UniformStiffness(step.scene);
   RelaxedPoints relaxed = std::move(open.relaxed);
   // Two muscles share a gap.
-  const double allowed = (1 - options.least_gap_share) / 2 * options.gap;
+  const double allowed = (options.AimedGap() - options.gap) / 2;
   while (summary.rounds < options.max_rounds) {
     ++summary.rounds;
     relaxed = Relax(options,

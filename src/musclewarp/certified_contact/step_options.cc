@@ -9,7 +9,7 @@ namespace musclewarp {
 bool PlaneSearchOptions::IsValid(std::string* error) const {
   return OptionCheck("PlaneSearchOptions", error)
       .IsWithin("search_share", search_share, 0, 1)
-      .IsWithin("overlooked_share", overlooked_share, 0, 1)
+      .IsWithin("overlooked_share", overlooked_share, 0, 0.9)
       .IsAtLeast("max_planes_per_triangle", max_planes_per_triangle, 1)
       .is_valid();
 }
@@ -52,7 +52,6 @@ bool StepOptions::IsValid(std::string* error) const {
              .IsAtLeast("sweeps", sweeps, 1)
              .IsAtLeast("repair_sweeps", repair_sweeps, 1)
              .IsAtLeast("max_rounds", max_rounds, 1)
-             .IsWithin("least_gap_share", least_gap_share, 0, 1)
              .is_valid() &&
          planes.IsValid(error) && relaxation.IsValid(error) &&
          volume.IsValid(error) && defects.IsValid(error);

@@ -116,7 +116,7 @@ struct DefectOptions {
 
 // All numbers that steer one step of certified contact.
 struct StepOptions {
-  // The distance kept between two surfaces, mm. Muscles move more the larger it
+  // The distance that two surfaces keep at least, mm. Muscles move more the larger it
   // is (0.86 mm on average with a gap of 0.2 mm instead of 0.83).
   double gap = 0.1;
 
@@ -137,13 +137,15 @@ struct StepOptions {
   // for the LHDL hip.
   int max_rounds = 6;
 
-  // Another round is made while a vertex keeps less than this share of the gap.
-  double least_gap_share = 0.2;
-
   PlaneSearchOptions planes;
   RelaxationOptions relaxation;
   VolumeOptions volume;
   DefectOptions defects;
+
+  // The gap that planes aim at, mm: larger, so that parts of a bone that are
+  // overlooked still keep the gap, and that small violations of planes do not
+  // count.
+  double AimedGap() const { return gap / (1 - planes.overlooked_share); }
 
   // Also checks the options within.
   bool IsValid(std::string* error) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,11 +70,19 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
                               meshes_.get());
   MeasureContact(motion.state, &result.frame);
   Judge(&result.frame);
+  if (motion.summary.timed_out_at) {
+    std::ostringstream text;
+    text << "the time ran out after " << static_cast<int>(wall_ms / 1000)
+         << " s, at " << static_cast<int>(100 * *motion.summary.timed_out_at)
+         << " % of the way; the rest was gone without contact";
+    result.frame.shortcomings.insert(result.frame.shortcomings.begin(),
+                                     text.str());
+  }
   result.frame.pose_steps = motion.summary.steps;
   result.frame.wall_ms = wall_ms;
   result.frame.solve_ms = wall_ms;
   result.frame.certify_ms = certifying.Milliseconds();
-  result.state = std::move(motion.state);
+  result.state = std::move(motion.next);
   return result;
 }
 
@@ -147,8 +156,10 @@ void CertifiedFrameSolver::Judge(Frame* frame) {
     measure.pushed_by = muscle.pushed_by;
     measures.push_back(measure);
   }
+  FrameRequirements requirements = options_.requirements;
+  requirements.gap = std::max(requirements.gap, options_.certified.step.gap);
   frame->shortcomings =
-      Shortcomings(options_.requirements, frame->intersections, measures);
+      Shortcomings(requirements, frame->intersections, measures);
 }
 
 }  // namespace musclewarp

@@ -74,6 +74,7 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
              .IsAbove("reach_growth", reach_growth, 1)
              .IsAbove("max_rest_reach", max_rest_reach, 0)
              .IsWithin("max_halvings", max_halvings, 0, 20)
+             .IsAtLeast("frame_timeout_s", frame_timeout_s, 0)
              .is_valid() &&
          step.IsValid(error) && limits.IsValid(error) &&
          surface.IsValid(error) && separation.IsValid(error);
@@ -147,10 +148,16 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
       1.0 / StepsBetween(scene.scene, before.pose, pose, options.limits);
   walk.max_halvings = options.max_halvings;
   walk.max_reach = options.step.reach;
+  walk.timeout_s = options.frame_timeout_s;
   Place place = PlaceOf(mover, before);
   CertifiedMotion motion;
-  motion.summary.steps = Walk(mover, walk, pose, /*at=*/0, on_progress, &place);
+  const WalkSummary walked =
+      Walk(mover, walk, pose, /*at=*/0, on_progress, &place);
+  motion.summary.steps = walked.steps;
+  if (walked.is_timed_out) motion.summary.timed_out_at = walked.reached;
   motion.state = StateOf(mover, place);
+  motion.next =
+      walked.last_clean ? StateOf(mover, *walked.last_clean) : motion.state;
   motion.summary.summaries = std::move(place.solved.summaries);
   return motion;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,10 @@ struct CertifiedContactOptions {
   StepLimits limits = {2.5 * M_PI / 180, 10};
   int max_halvings = 4;
 
+  // A pose that is not reached in this time is given up, s; 0: no limit. The
+  // last step may take longer.
+  double frame_timeout_s = 0;
+
   // Also checks the options within.
   bool IsValid(std::string* error) const;
 };
@@ -83,10 +88,17 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
 struct MotionSummary {
   std::vector<SolverSummary> summaries;  // of the last step, by muscle
   int steps = 0;                         // including those that were given up
+
+  // If the time ran out, the share of the way that was gone by then.
+  std::optional<double> timed_out_at;
 };
 
 struct CertifiedMotion {
   SceneState state;
+
+  // What the next pose should be reached from: the same or, if something
+  // crosses in it, the last state in which nothing did.
+  SceneState next;
   MotionSummary summary;
 };
 

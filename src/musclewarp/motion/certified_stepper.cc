@@ -5,9 +5,11 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/stopwatch.h"
 #include "musclewarp/scene/line_targets.h"
 
 namespace musclewarp {
@@ -140,6 +142,132 @@ SolvedPose MovedAlong(const Place& from, const SolvedPose& free) {
   return start;
 }
 
+// Goes to a pose without contact: muscles keep the offsets that they have.
+void GoWithoutContact(const Mover& mover, const ScenePose& goal, Place* place) {
+  const SolvedPose free = SolveFree(mover, *place, goal);
+  SolvedPose solved = MovedAlong(*place, free);
+  const std::vector<Points> targets = FineMeshes(mover, solved.states);
+  for (size_t k = 0; k < targets.size(); ++k) {
+    place->surfaces.points[k] += targets[k] - place->surfaces.targets[k];
+  }
+  place->surfaces.targets = targets;
+  place->surfaces.bones_from_rest = BonesFromRest(mover.scene, goal);
+  place->pose = goal;
+  place->free = free;
+  place->solved = std::move(solved);
+}
+
+// A walk that is under way.
+class Walker {
+ public:
+  Walker(const Mover& mover,
+         const WalkOptions& options,
+         const ScenePose& goal,
+         double at,
+         Place* place)
+      : mover_(mover),
+        options_(options),
+        from_(place->pose),
+        goal_(goal),
+        step_(options.step),
+        length_(options.longest_step),
+        at_(at),
+        place_(place) {}
+
+  bool IsAtGoal() const { return at_ >= 1; }
+  bool IsTimedOut() const {
+    return options_.timeout_s > 0 &&
+           watch_.Milliseconds() > 1000 * options_.timeout_s;
+  }
+  double at() const { return at_; }
+  WalkSummary TakeSummary() { return std::move(summary_); }
+  int steps() const { return summary_.steps; }
+
+  // Tries a step on the way.
+  void Advance() {
+    // A step that ends just before the pose would leave one of rounding size.
+    const double to = at_ + 1.01 * length_ >= 1 ? 1 : at_ + length_;
+    const ScenePose pose =
+        to == 1 ? goal_ : PoseBetween(mover_.scene.scene, from_, goal_, to);
+    const SolvedPose free = SolveFree(mover_, *place_, pose);
+    Attempt attempt = Try(pose, free, MovedAlong(*place_, free));
+    const bool crosses = Crosses(attempt.summary);
+    const double shortest =
+        options_.longest_step / (1 << options_.max_halvings);
+    if (crosses && !summary_.last_clean && length_ > 1.01 * shortest) {
+      length_ /= 2;
+      return;
+    }
+    if (crosses && CanReachFarther()) return;
+    if (crosses && !summary_.last_clean) summary_.last_clean = *place_;
+    if (!crosses) summary_.last_clean.reset();
+    length_ = std::min(options_.longest_step, 2 * length_);
+    Accept(std::move(attempt));
+    at_ = to;
+  }
+
+  // Tries a step at the pose. Returns true if no other one is needed.
+  bool Settle() {
+    Attempt attempt = Try(goal_, place_->free, place_->solved);
+    if (Crosses(attempt.summary)) return !CanReachFarther();
+    const bool has_settled =
+        MoveOfMost(place_->surfaces.points, attempt.place.surfaces.points) <
+        options_.settling_tolerance;
+    Accept(std::move(attempt));
+    return has_settled;
+  }
+
+  // Goes the rest of the way without contact.
+  void GiveUp() {
+    summary_.is_timed_out = true;
+    summary_.reached = at_;
+    if (!summary_.last_clean) summary_.last_clean = *place_;
+    GoWithoutContact(mover_, goal_, place_);
+  }
+
+ private:
+  Attempt Try(const ScenePose& pose,
+              const SolvedPose& free,
+              const SolvedPose& start) {
+    ++summary_.steps;
+    Attempt attempt = TryStep(mover_, step_, *place_, pose, free, start);
+    VLOG(1) << "step from " << at_ << " of length " << length_ << ", reach "
+            << step_.reach << " mm: " << attempt.summary.rounds << " rounds, "
+            << attempt.summary.crossing_pairs << " crossing pairs, "
+            << (attempt.summary.is_intersection_free ? "free" : "not free");
+    return attempt;
+  }
+
+  bool Crosses(const StepSummary& step) const {
+    return options_.accepts_self_crossings ? step.crossing_pairs > 0
+                                           : !step.is_intersection_free;
+  }
+
+  // Lets the next step reach farther, if it may.
+  bool CanReachFarther() {
+    if (step_.reach >= options_.max_reach) return false;
+    step_.reach =
+        std::min(options_.reach_growth * step_.reach, options_.max_reach);
+    return true;
+  }
+
+  void Accept(Attempt attempt) {
+    step_.reach = options_.step.reach;
+    *place_ = std::move(attempt.place);
+  }
+
+  const Mover& mover_;
+  const WalkOptions& options_;
+  const ScenePose from_;
+  const ScenePose& goal_;
+  const Stopwatch watch_;
+  StepOptions step_;
+  double length_;
+  double at_;
+  Place* place_;
+  WalkSummary summary_;
+};
+
 }  // namespace
 
 Place PlaceOf(const Mover& mover, const SceneState& state) {
@@ -176,71 +304,29 @@ SceneState StateOf(const Mover& mover, const Place& place) {
   return state;
 }
 
-int Walk(const Mover& mover,
-         const WalkOptions& options,
-         const ScenePose& goal,
-         double at,
-         const ProgressCallback& on_progress,
-         Place* place) {
-  const ScenePose from = place->pose;
-  const double shortest = options.longest_step / (1 << options.max_halvings);
-  double length = options.longest_step;
-  StepOptions step_options = options.step;
-  double& reach = step_options.reach;
-  int steps = 0, settling_steps = 0;
-  while (at < 1 || settling_steps < options.max_settling_steps) {
-    const bool settles = at >= 1;
-    settling_steps += settles;
-    if (on_progress) {
-      on_progress(settles
-                      ? Progress{"relaxing", steps, options.max_settling_steps}
-                      : Progress{"moving", static_cast<int>(100 * at), 100});
+WalkSummary Walk(const Mover& mover,
+                 const WalkOptions& options,
+                 const ScenePose& goal,
+                 double at,
+                 const ProgressCallback& on_progress,
+                 Place* place) {
+  const auto say = [&](const std::string& stage, int done, int total) {
+    if (on_progress) on_progress({stage, done, total});
+  };
+  Walker walker(mover, options, goal, at, place);
+  while (!walker.IsAtGoal()) {
+    say("moving", static_cast<int>(100 * walker.at()), 100);
+    if (walker.IsTimedOut()) {
+      walker.GiveUp();
+      return walker.TakeSummary();
     }
-    // A step that ends just before the pose would leave one of rounding size.
-    const double to = at + 1.01 * length >= 1 ? 1 : at + length;
-    const ScenePose pose =
-        to == 1 ? goal : PoseBetween(mover.scene.scene, from, goal, to);
-    const SolvedPose free =
-        settles ? place->free : SolveFree(mover, *place, pose);
-    Attempt attempt =
-        TryStep(mover,
-                step_options,
-                *place,
-                pose,
-                free,
-                settles ? place->solved : MovedAlong(*place, free));
-    ++steps;
-    VLOG(1) << "step to " << to << " with reach " << reach << ": "
-            << attempt.summary.rounds << " rounds, "
-            << attempt.summary.crossing_pairs << " crossing pairs, "
-            << (attempt.summary.is_intersection_free ? "free" : "not free")
-            << ", most move by "
-            << MoveOfMost(place->surfaces.points,
-                          attempt.place.surfaces.points)
-            << " mm";
-    const bool crosses = options.accepts_self_crossings
-                             ? attempt.summary.crossing_pairs > 0
-                             : !attempt.summary.is_intersection_free;
-    if (crosses && !settles && length > 1.01 * shortest) {
-      length /= 2;
-      continue;
-    }
-    if (crosses && reach < options.max_reach) {
-      reach = std::min(options.reach_growth * reach, options.max_reach);
-      continue;
-    }
-    if (crosses && settles) break;
-    if (!crosses) length = std::min(options.longest_step, 2 * length);
-    reach = options.step.reach;
-    const bool has_settled =
-        settles &&
-        MoveOfMost(place->surfaces.points, attempt.place.surfaces.points) <
-            options.settling_tolerance;
-    *place = std::move(attempt.place);
-    at = to;
-    if (has_settled) break;
+    walker.Advance();
   }
-  return steps;
+  for (int step = 0; step < options.max_settling_steps; ++step) {
+    say("relaxing", walker.steps(), options.max_settling_steps);
+    if (walker.Settle()) break;
+  }
+  return walker.TakeSummary();
 }
 
 }  // namespace musclewarp

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "musclewarp/base/progress.h"
 #include "musclewarp/certified_contact/step.h"
 #include "musclewarp/motion/certified_motion.h"
@@ -53,13 +55,26 @@ struct WalkOptions {
   double reach_growth = 1;
   double max_reach = 0;  // mm
 
-  // Once the pose is reached, steps go on there until no more than one vertex in
-  // five hundred moves by more than the tolerance, mm.
+  // Once the pose is reached, steps go on there until no more than one vertex
+  // in five hundred moves by more than the tolerance, mm.
   int max_settling_steps = 0;
   double settling_tolerance = 0;
 
   // If true, a step may leave more crossings of a muscle with itself.
   bool accepts_self_crossings = false;
+
+  // No step begins later than this, s; 0: no limit.
+  double timeout_s = 0;
+};
+
+// How a walk ended.
+struct WalkSummary {
+  int steps = 0;              // including those that were given up
+  double reached = 1;         // the share of the way that was gone
+  bool is_timed_out = false;  // then the last part was gone without contact
+
+  // The last place in which nothing crossed, if something does at the end.
+  std::optional<Place> last_clean;
 };
 
 // Returns the place of a state. An offset of fine vertices that is missing
@@ -72,14 +87,15 @@ SceneState StateOf(const Mover& mover, const Place& place);
 // Moves on from `place` to a pose, and settles there. `at` is the share of the
 // way that is already done: 1 if the place is the pose. A step after which
 // triangles cross is halved or, where it cannot be, tried with more reach. If
-// that does not help either, it is taken all the same on the way to a pose, and
-// ends the settling. `on_progress` may be empty, and may throw: the place is
-// then where the last step has left it. Returns the number of steps.
-int Walk(const Mover& mover,
-         const WalkOptions& options,
-         const ScenePose& goal,
-         double at,
-         const ProgressCallback& on_progress,
-         Place* place);
+// that does not help either, it ends the settling; on the way to a pose it is
+// taken all the same, as what follows may part the triangles, but no step is
+// halved again until nothing crosses. `on_progress` may be empty, and may
+// throw: the place is then where the last step has left it.
+WalkSummary Walk(const Mover& mover,
+                 const WalkOptions& options,
+                 const ScenePose& goal,
+                 double at,
+                 const ProgressCallback& on_progress,
+                 Place* place);
 
 }  // namespace musclewarp
