@@ -62,6 +62,12 @@ DEFINE_int32(max_rounds,
              6,
              "rounds in which a step of certified contact resolves what still "
              "crosses, before it is halved");
+DEFINE_string(remake,
+              "auto",
+              "what certified contact does with muscles that cannot be "
+              "separated from bones and each other by moving their vertices: "
+              "auto (their meshes are made anew) or never (the scene is "
+              "refused)");
 DEFINE_double(max_step_turn,
               2.5,
               "largest turn of a body in one step of certified contact, "
@@ -163,6 +169,7 @@ DeformOptions SceneOptionsFromFlags() {
   options.deformer.prepare.repair.holes.max_perimeter = FLAGS_max_hole;
   options.deformer.prepare.auto_lines = FLAGS_auto_lines;
   options.deformer.frames.pre_rotation.use_body_twist = FLAGS_body_twist;
+  options.deformer.remaking.kind = ParseRemake(FLAGS_remake);
   SetCertifiedContact(&options.deformer.frames.certified);
   return options;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "motion/prepared_small_scene.h"
+#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
 #include "support/input_errors.h"
@@ -18,15 +19,23 @@
 namespace musclewarp {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-// One muscle, whose upper end lies in a bone.
-Scene SceneWithAnEndInABone(double depth) {
+// Of a sum over the triangles of a mesh, as a share.
+constexpr double kRounding = 1e-9;
+
+// The lower end of the bone, mm; the muscle ends at 60.
+constexpr double kBoneBegins = 22;
+
+// One muscle with a bone along the upper end of its axis, thinner than the
+// muscle where the bone begins.
+Scene SceneWithAnEndInABone() {
   Scene scene = SmallScene();
   scene.muscles.pop_back();
   scene.muscles[0].name = "psoas";
   const TriangleSoup femur =
-      MovedBy(Icosphere(25, 3), {-12.5, 0, 60 + 25 - depth});
+      MovedBy(Box(16, 16, 60), {-12.5, 0, kBoneBegins + 30});
   scene.bones[1].points = femur.points;
   scene.bones[1].triangles = femur.triangles;
   return scene;
@@ -67,28 +76,57 @@ TEST(MakeCleanFrameSolver, DoesNotRemakeWhatSeparatesAsItIs) {
   }
 }
 
-TEST(MakeCleanFrameSolver, Explore) {
-  for (const double depth : {15.0, 25.0, 35.0, 45.0}) {
-    PreparedScene scene = PreparedSmallScene(SceneWithAnEndInABone(depth));
-    try {
-      const auto solver = Make(RemakeKind::kNever, &scene);
-      std::cout << depth << " separates\n";
-    } catch (const InputError& e) {
-      std::cout << depth << " " << e.what() << "\n";
-    }
-    try {
-      const auto solver = Make(RemakeKind::kAuto, &scene);
-      std::cout << depth << " ok " << scene.muscles[0].mesh.remaking.is_done
-                << (scene.warnings.empty() ? "" : scene.warnings.back())
-                << "\n";
-    } catch (const InputError& e) {
-      std::cout << depth << " " << e.what() << "\n";
-    }
-  }
+TEST(MakeCleanFrameSolver, RemakesAMuscleWithAnEndDeepInABone) {
+  PreparedScene scene = PreparedSmallScene(SceneWithAnEndInABone());
+  const double volume = scene.muscles[0].model.rest_volume;
+  const auto solver = Make(RemakeKind::kAuto, &scene);
+  EXPECT_TRUE(solver->contact().rest->IsClean());
+  ASSERT_TRUE(scene.as_delivered);
+  EXPECT_GT(scene.as_delivered->triangle_pairs, 0);
+  const PreparedMuscle& muscle = scene.muscles[0];
+  const TriangleSoup made = {muscle.model.fine_rest,
+                             muscle.model.fine_triangles};
+  EXPECT_TRUE(CountDefects(made).IsClean());
+  EXPECT_TRUE(SelfIntersections(made).empty());
+  const Remaking& remaking = muscle.mesh.remaking;
+  EXPECT_TRUE(remaking.is_done);
+  EXPECT_NEAR(remaking.volume_before, volume, kRounding * volume);
+  EXPECT_NEAR(remaking.volume_after,
+              SignedVolume(made.points, made.triangles),
+              kRounding * volume);
+  // The bone has about a sixth of the muscle inside it.
+  EXPECT_LT(remaking.volume_after, 0.9 * volume);
+  EXPECT_GT(remaking.volume_after, 0.7 * volume);
+  EXPECT_GT(remaking.lost_area, 0);
+  EXPECT_GT(remaking.place.z(), kBoneBegins);
+  ASSERT_FALSE(scene.warnings.empty());
+  EXPECT_THAT(scene.warnings.back(),
+              AllOf(HasSubstr("psoas could not be separated"),
+                    HasSubstr("cm3 before"),
+                    HasSubstr("mm at most")));
+}
+
+TEST(MakeCleanFrameSolver, RefusesSuchASceneIfNothingMayBeMadeAnew) {
+  PreparedScene scene = PreparedSmallScene(SceneWithAnEndInABone());
+  const Points before = scene.muscles[0].model.fine_rest;
+  ExpectInputError([&] { Make(RemakeKind::kNever, &scene); },
+                   {"psoas crosses femur", "--remake=auto", "mm deep"});
+  EXPECT_EQ(scene.muscles[0].model.fine_rest, before);
+}
+
+TEST(MakeCleanFrameSolver, RefusesAMuscleOfWhichLittleIsLeft) {
+  Scene raw = SceneWithAnEndInABone();
+  // Only the lowest tenth of its length is outside.
+  const TriangleSoup femur = MovedBy(Box(16, 16, 200), {-12.5, 0, 52});
+  raw.bones[1].points = femur.points;
+  raw.bones[1].triangles = femur.triangles;
+  PreparedScene scene = PreparedSmallScene(raw);
+  ExpectInputError([&] { Make(RemakeKind::kAuto, &scene); },
+                   {"psoas", "% of the muscle", "in one frame"});
 }
 
 TEST(MakeCleanFrameSolver, LeavesOtherKindsOfContactAlone) {
-  PreparedScene scene = PreparedSmallScene(SceneWithAnEndInABone(40));
+  PreparedScene scene = PreparedSmallScene(SceneWithAnEndInABone());
   FrameSolverOptions options;
   options.contact = ContactKind::kNone;
   MakeCleanFrameSolver(
