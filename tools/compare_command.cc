@@ -50,19 +50,46 @@ ComparisonRow RowOfFailure(const ScenePose& pose,
   return row;
 }
 
+bool Compares(const CompareOptions& options, ContactKind contact) {
+  return std::count(options.contacts.begin(), options.contacts.end(), contact) >
+         0;
+}
+
+FrameSolverOptions FramesWith(const CompareOptions& options,
+                              ContactKind contact) {
+  FrameSolverOptions frames = options.deform.deformer.frames;
+  frames.contact = contact;
+  return frames;
+}
+
 // A frame solver for each kind of contact that is compared, in their order.
-std::vector<std::unique_ptr<FrameSolver>> FrameSolversOf(
+// Certified contact may make meshes of the scene anew, so it comes first: all
+// of them solve the same scene.
+std::vector<std::shared_ptr<FrameSolver>> FrameSolversOf(
     const CompareOptions& options,
-    const PreparedScene& scene,
-    const std::shared_ptr<SceneMeshes>& meshes) {
-  std::vector<std::unique_ptr<FrameSolver>> solvers;
-  for (const ContactKind contact : options.contacts) {
-    FrameSolverOptions frames = options.deform.deformer.frames;
-    frames.contact = contact;
-    solvers.push_back(MakeFrameSolver(
-        scene, frames, SolversOf(SolverConfiguration()), meshes));
+    const PrepareOptions& prepare,
+    PreparedScene* scene) {
+  const MuscleSolvers solvers = SolversOf(SolverConfiguration());
+  std::shared_ptr<FrameSolver> certified;
+  if (Compares(options, ContactKind::kCertified)) {
+    certified =
+        MakeCleanFrameSolver(options.deform.deformer.remaking,
+                             prepare,
+                             FramesWith(options, ContactKind::kCertified),
+                             solvers,
+                             {},
+                             scene);
   }
-  return solvers;
+  const auto meshes = std::make_shared<SceneMeshes>(*scene);
+  std::vector<std::shared_ptr<FrameSolver>> frame_solvers;
+  for (const ContactKind contact : options.contacts) {
+    frame_solvers.push_back(
+        contact == ContactKind::kCertified
+            ? certified
+            : MakeFrameSolver(
+                  *scene, FramesWith(options, contact), solvers, meshes));
+  }
+  return frame_solvers;
 }
 
 // The rows of one pose and one kind of contact. Moves by contact are measured
@@ -101,16 +128,18 @@ std::vector<ComparisonRow> RowsOf(const CompareOptions& options,
 }
 
 std::vector<ComparisonRow> CompareFrames(const CompareOptions& options,
-                                         const PreparedScene& scene,
+                                         const PrepareOptions& prepare,
                                          const std::vector<int>& selected,
+                                         PreparedScene* prepared,
                                          std::ostream& screen) {
-  const auto meshes = std::make_shared<SceneMeshes>(scene);
-  const auto frame_solvers = FrameSolversOf(options, scene, meshes);
+  const auto frame_solvers = FrameSolversOf(options, prepare, prepared);
+  const PreparedScene& scene = *prepared;
   PrintPreparation(scene, frame_solvers.back()->contact(), screen);
-  FrameSolverOptions free = options.deform.deformer.frames;
-  free.contact = ContactKind::kNone;
   const auto free_solver =
-      MakeFrameSolver(scene, free, SolversOf(SolverConfiguration()), meshes);
+      MakeFrameSolver(scene,
+                      FramesWith(options, ContactKind::kNone),
+                      SolversOf(SolverConfiguration()),
+                      std::make_shared<SceneMeshes>(scene));
   std::vector<ComparisonRow> rows;
   for (const int index : selected) {
     const Frame without_contact = SolveRepeatedly(free_solver.get(),
@@ -179,15 +208,12 @@ int CompareCommand(const CompareOptions& options, std::ostream& screen) {
   if (deform.threads > 0) omp_set_num_threads(deform.threads);
   const Scene scene = ReadScene(deform.scene, deform.data_root, deform.motion);
   const std::vector<int> selected = SelectFrames(deform.frames, scene.poses);
-  const auto compares = [&](ContactKind contact) {
-    return std::count(
-               options.contacts.begin(), options.contacts.end(), contact) > 0;
-  };
   PrepareOptions prepare = deform.deformer.prepare;
-  prepare.remove_slivers = compares(ContactKind::kCertified);
-  const PreparedScene prepared = PrepareScene(scene, prepare);
+  prepare.remove_self_crossings = prepare.remove_slivers =
+      Compares(options, ContactKind::kCertified);
+  PreparedScene prepared = PrepareScene(scene, prepare);
   const std::vector<ComparisonRow> rows =
-      CompareFrames(options, prepared, selected, screen);
+      CompareFrames(options, prepare, selected, &prepared, screen);
   PrintComparison(rows, screen);
   if (!deform.out.empty()) {
     MakeFolder(deform.out);

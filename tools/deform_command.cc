@@ -316,6 +316,14 @@ ContactLevel ParseContactLevel(const std::string& text) {
       "--contact_level=" + text, "is not a level", "allowed: coarse, fine");
 }
 
+RemakeKind ParseRemake(const std::string& text) {
+  if (text == "auto") return RemakeKind::kAuto;
+  if (text == "never") return RemakeKind::kNever;
+  throw InputError("--remake=" + text,
+                   "is not a way to treat muscles that cannot be separated",
+                   "allowed: auto, never");
+}
+
 std::vector<std::string> ParseFormats(const std::string& text) {
   const std::vector<std::string> formats = Split(text, ',');
   for (const std::string& format : formats) {

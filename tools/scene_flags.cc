@@ -66,6 +66,12 @@ DEFINE_double(frame_timeout_s,
               0,
               "a frame of certified contact that takes longer than this is "
               "given up, s; 0: no limit");
+DEFINE_string(remake,
+              "auto",
+              "what certified contact does with muscles that cannot be "
+              "separated from bones and each other by moving their vertices: "
+              "auto (their meshes are made anew) or never (the scene is "
+              "refused)");
 DEFINE_double(max_step_turn,
               2.5,
               "largest turn of a body in one step of certified contact, "
@@ -168,6 +174,7 @@ DeformOptions SceneOptionsFromFlags() {
   options.deformer.prepare.repair.holes.max_perimeter = FLAGS_max_hole;
   options.deformer.prepare.auto_lines = FLAGS_auto_lines;
   options.deformer.frames.pre_rotation.use_body_twist = FLAGS_body_twist;
+  options.deformer.remaking.kind = ParseRemake(FLAGS_remake);
   SetCertifiedContact(&options.deformer.frames.certified);
   return options;
 }

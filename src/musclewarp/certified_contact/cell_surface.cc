@@ -38,8 +38,8 @@ void KeepLargestBody(TriangleSoup* soup) {
 
 // The edge of equilateral triangles that are as many and cover as much.
 double TypicalEdge(const Points& points, const Triangles& triangles) {
-  const double area = SurfaceArea(points, triangles) /
-                      static_cast<double>(triangles.rows());
+  const double area =
+      SurfaceArea(points, triangles) / static_cast<double>(triangles.rows());
   return std::sqrt(4 / std::sqrt(3.0) * area);
 }
 
@@ -53,11 +53,10 @@ bool CellSurfaceOptions::IsValid(std::string* error) const {
          cell.IsValid(error);
 }
 
-TriangleSoup CellSurface(
-    const CellSurfaceOptions& options,
-    const SolidDistance& muscle,
-    const std::vector<const SolidDistance*>& other_muscles,
-    const std::vector<const SolidDistance*>& bones) {
+TriangleSoup CellSurface(const CellSurfaceOptions& options,
+                         const SolidDistance& muscle,
+                         const std::vector<const SolidDistance*>& other_muscles,
+                         const std::vector<const SolidDistance*>& bones) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   const MedialCell cell(options.cell, muscle, other_muscles, bones);
@@ -67,12 +66,13 @@ TriangleSoup CellSurface(
       options.spacing);
   if (surface.triangles.rows() == 0) return surface;
   KeepLargestBody(&surface);
-  TriangleSoup even = Remeshed(
-      surface,
-      options.edge_length > 0
-          ? options.edge_length
-          : std::max(options.spacing,
-                     TypicalEdge(muscle.mesh().points(), muscle.mesh().triangles())));
+  TriangleSoup even =
+      Remeshed(surface,
+               options.edge_length > 0
+                   ? options.edge_length
+                   : std::max(options.spacing,
+                              TypicalEdge(muscle.mesh().points(),
+                                          muscle.mesh().triangles())));
   // Thin parts may not survive the new size of triangles.
   if (CountDefects(even).IsClean() && SelfIntersections(even).empty()) {
     return even;

@@ -151,8 +151,7 @@ double MedialCell::SignedDistance(const RowVector3d& p) const {
   const double range = options_.range;
   double distance = -range;
   for (const SolidDistance* bone : bones_) {
-    distance = std::max(
-        distance, options_.margin / 2 - bone->At(p, range));
+    distance = std::max(distance, options_.margin / 2 - bone->At(p, range));
   }
   double own = 0;
   bool is_own_known = false;
@@ -170,8 +169,10 @@ double MedialCell::SignedDistance(const RowVector3d& p) const {
 
 double MedialCell::RegionDistance(const RowVector3d& p) const {
   const double own = muscle_.At(p, kInfinity);
-  // Outside the muscle nothing else matters.
-  return own >= 0 ? own : std::max(own, SignedDistance(p));
+  // Farther outside, the own distance is enough for the sum with others.
+  return own >= options_.range + options_.margin
+             ? own
+             : std::max(own, SignedDistance(p));
 }
 
 RowVector3d MedialCell::Inward(const RowVector3d& p) const {

@@ -57,8 +57,8 @@ class MedialCell {
   double SignedDistance(const Eigen::RowVector3d& p) const;
 
   // The same, with the muscle's own surface as a bound of the cell too: the
-  // region that the muscle may fill. The functions of two muscles add up to the
-  // margin or more at every place.
+  // region that the muscle may fill. The functions of two muscles add up to
+  // half the margin or more at every place.
   double RegionDistance(const Eigen::RowVector3d& p) const;
 
   // Returns the direction in which the signed distance falls, of unit length;

@@ -88,10 +88,11 @@ class Border {
     const auto [place, is_new] = vertices_.try_emplace(
         low * 8 + Direction(low, high), static_cast<int>(points_.size()));
     if (is_new) {
-      // Away from the ends, so that no triangle is without area.
+      // Away from the ends, so that no triangle is without area. All shares
+      // shrink alike: surfaces that meet the edge in different points still do.
       constexpr double kMargin = 0.02;
       const double a = samples_.value(inside), b = samples_.value(outside);
-      const double share = std::clamp(a / (a - b), kMargin, 1 - kMargin);
+      const double share = kMargin + (1 - 2 * kMargin) * a / (a - b);
       points_.push_back(from + share * (to - from));
     }
     return place->second;

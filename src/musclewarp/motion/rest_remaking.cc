@@ -78,11 +78,10 @@ CellSurfaceOptions SurfaceOptions(const RestRemakingOptions& options,
       options.margin * std::pow(options.margin_growth, attempt);
   surface.spacing = options.max_spacing;
   for (const int i : unclean) {
-    surface.spacing =
-        std::min(surface.spacing,
-                 std::max(options.min_spacing,
-                          options.spacing_share *
-                              TypicalEdge(scene.muscles[i].model)));
+    surface.spacing = std::min(
+        surface.spacing,
+        std::max(options.min_spacing,
+                 options.spacing_share * TypicalEdge(scene.muscles[i].model)));
   }
   return surface;
 }
@@ -113,13 +112,13 @@ Remaking Compare(const SearchableMesh& before, const TriangleSoup& after) {
 
 std::string Warning(const std::string& name, const Remaking& remaking) {
   std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << name
-       << " could not be separated by moving its vertices, so its mesh was made "
-          "anew: "
-       << remaking.volume_before / 1000 << " cm3 before, "
-       << remaking.volume_after / 1000 << " cm3 after; "
-       << remaking.lost_area / 100
-       << " cm2 of the old surface were left";
+  text
+      << std::fixed << std::setprecision(1) << name
+      << " could not be separated by moving its vertices, so its mesh was made "
+         "anew: "
+      << remaking.volume_before / 1000 << " cm3 before, "
+      << remaking.volume_after / 1000 << " cm3 after; "
+      << remaking.lost_area / 100 << " cm2 of the old surface were left";
   if (remaking.lost_area > 0) {
     text << ", around (" << remaking.place.x() << ", " << remaking.place.y()
          << ", " << remaking.place.z() << "), by " << remaking.farthest

@@ -34,10 +34,24 @@ Json ToJson(const MeshPreparation& mesh) {
           {"pulled_points", repairs.pulls.points},
           {"longest_pull_mm", repairs.pulls.longest},
           {"dropped_points", repairs.dropped_points},
+          {"self_crossing_pairs_before", mesh.self_crossings.pairs_before},
+          {"self_crossing_pairs_after", mesh.self_crossings.pairs_after},
+          {"self_crossing_new_vertices", mesh.self_crossings.new_vertices},
           {"sliver_edges_collapsed", mesh.slivers.collapsed_edges},
           {"sliver_edges_flipped", mesh.slivers.flipped_edges},
           {"slivers_left", mesh.slivers.slivers_left},
           {"sliver_deviation_mm", mesh.slivers.largest_deviation}};
+}
+
+// How a muscle was made anew; null if it was not.
+Json ToJson(const Remaking& remaking) {
+  if (!remaking.is_done) return nullptr;
+  const Eigen::RowVector3d& place = remaking.place;
+  return {{"volume_before_mm3", remaking.volume_before},
+          {"volume_after_mm3", remaking.volume_after},
+          {"lost_area_mm2", remaking.lost_area},
+          {"place_mm", {place.x(), place.y(), place.z()}},
+          {"farthest_mm", remaking.farthest}};
 }
 
 Json PrepareJson(const PreparedScene& scene) {
@@ -55,7 +69,8 @@ Json PrepareJson(const PreparedScene& scene) {
                        {"fibres_ms", muscle.fibres_ms},
                        {"attachment_rows", muscle.model.attachment_of.size()},
                        {"defects", DefectsJson(muscle.mesh.defects)},
-                       {"repairs", ToJson(muscle.mesh)}});
+                       {"repairs", ToJson(muscle.mesh)},
+                       {"remade", ToJson(muscle.mesh.remaking)}});
   }
   Json bones = Json::array();
   for (const PreparedBone& bone : scene.bones) {

@@ -32,6 +32,22 @@ void PrintShortcomings(const RunRecord& run, std::ostream& out) {
   }
 }
 
+// Returns what was done to a mesh, for the end of its line.
+std::string Treatment(const MeshPreparation& mesh) {
+  std::string text = mesh.repairs.AnythingDone() ? ", repaired" : "";
+  const SelfCrossingRemoval& crossings = mesh.self_crossings;
+  const int removed = crossings.pairs_before - crossings.pairs_after;
+  if (removed > 0) {
+    text += ", " + std::to_string(removed) + " self-crossings removed";
+  }
+  if (crossings.pairs_after > 0) {
+    text += ", " + std::to_string(crossings.pairs_after) +
+            " self-crossings could not be removed";
+  }
+  if (mesh.remaking.is_done) text += ", made anew";
+  return text;
+}
+
 }  // namespace
 
 void PrintPreparation(const PreparedScene& scene,
@@ -53,12 +69,11 @@ void PrintPreparation(const PreparedScene& scene,
         << muscle.model.rest_volume / 1000 << " cm3, hull of "
         << muscle.model.coarse_rest.rows() << " vertices"
         << (muscle.hull_encloses ? "" : " that does NOT enclose it")
-        << (muscle.mesh.repairs.AnythingDone() ? ", repaired" : "") << "\n";
+        << Treatment(muscle.mesh) << "\n";
   }
   for (const PreparedBone& bone : scene.bones) {
     out << "  " << bone.mesh.name << ": " << bone.rest.points.rows()
-        << " vertices, bone"
-        << (bone.mesh.repairs.AnythingDone() ? ", repaired" : "") << "\n";
+        << " vertices, bone" << Treatment(bone.mesh) << "\n";
   }
 }
 

@@ -1,0 +1,107 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/certified_contact/cell_surface.h"
+
+#include <gtest/gtest.h>
+
+#include "certified_contact/solid.h"
+#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/mesh/defects.h"
+#include "musclewarp/mesh/measures.h"
+#include "support/invalid_options.h"
+#include "support/meshes.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// A margin that covers what the remeshing of a surface with edges of 1 to 2 mm
+// cuts off a ball of 10 mm: 2^2 / (8 * 10).
+CellSurfaceOptions Options() {
+  CellSurfaceOptions options;
+  options.cell.margin = 0.4;
+  return options;
+}
+
+void ExpectClean(const TriangleSoup& surface) {
+  EXPECT_TRUE(CountDefects(surface).IsClean());
+  EXPECT_TRUE(SelfIntersections(surface).empty());
+  EXPECT_GT(SignedVolume(surface.points, surface.triangles), 0);
+}
+
+}  // namespace
+
+TEST(CellSurface, OfAMuscleAloneIsItsOwn) {
+  const Solid muscle(Icosphere(10, 4));
+  const TriangleSoup surface = CellSurface(Options(), muscle.distance, {}, {});
+  ExpectClean(surface);
+  for (const auto p : surface.points.rowwise()) {
+    EXPECT_NEAR(p.norm(), 10, 0.2);
+  }
+  // Two per cent are lost along the edges.
+  EXPECT_NEAR(SignedVolume(surface.points, surface.triangles),
+              4 * kPi / 3 * 1000,
+              0.03 * 4 * kPi / 3 * 1000);
+}
+
+TEST(CellSurface, DoesNotCrossBoneOrTheOtherMuscle) {
+  const Solid left(MovedBy(Icosphere(10, 4), {-7, 0, 0}));
+  const Solid right(MovedBy(Icosphere(10, 3), {7, 0, 0}));
+  const Solid bone(MovedBy(Box(60, 60, 10), {0, 0, -10}));
+  const TriangleSoup a = CellSurface(
+      Options(), left.distance, {&right.distance}, {&bone.distance});
+  const TriangleSoup b = CellSurface(
+      Options(), right.distance, {&left.distance}, {&bone.distance});
+  ExpectClean(a);
+  ExpectClean(b);
+  EXPECT_TRUE(IntersectMeshes(SearchableMesh(a), SearchableMesh(b)).IsEmpty());
+  EXPECT_TRUE(IntersectMeshes(SearchableMesh(a), bone.mesh).IsEmpty());
+  EXPECT_TRUE(IntersectMeshes(SearchableMesh(b), bone.mesh).IsEmpty());
+}
+
+TEST(CellSurface, KeepsTheLargerPartOfAMuscleThatABoneCuts) {
+  const Solid muscle(Spindle(8, 40, 4));
+  const Solid plate(MovedBy(Box(60, 60, 4), {0, 0, 15}));
+  const TriangleSoup surface =
+      CellSurface(Options(), muscle.distance, {}, {&plate.distance});
+  ExpectClean(surface);
+  EXPECT_LT(surface.points.col(2).maxCoeff(), 13);
+  EXPECT_LT(surface.points.col(2).minCoeff(), -37);
+}
+
+TEST(CellSurface, HasTrianglesOfTheSizeAskedFor) {
+  const Solid muscle(Icosphere(10, 4));
+  CellSurfaceOptions options = Options();
+  options.edge_length = 3;
+  const TriangleSoup surface = CellSurface(options, muscle.distance, {}, {});
+  ExpectClean(surface);
+  // Equilateral triangles that are as many as these.
+  const double area = SurfaceArea(surface.points, surface.triangles) /
+                      static_cast<double>(surface.triangles.rows());
+  EXPECT_NEAR(std::sqrt(4 / std::sqrt(3.0) * area), 3, 0.5);
+}
+
+TEST(CellSurface, IsEmptyIfNothingOfTheMuscleIsLeft) {
+  const Solid muscle(Icosphere(5, 3));
+  const Solid bone(Box(30, 30, 30));
+  const TriangleSoup surface =
+      CellSurface(Options(), muscle.distance, {}, {&bone.distance});
+  EXPECT_EQ(surface.points.rows(), 0);
+  EXPECT_EQ(surface.triangles.rows(), 0);
+}
+
+TEST(CellSurfaceOptions, NameWhatIsWrong) {
+  ExpectValid(CellSurfaceOptions());
+  ExpectRefused<CellSurfaceOptions>(
+      [](auto* options) { options->spacing = 0; },
+      "CellSurfaceOptions::spacing is 0, allowed: above 0");
+  ExpectRefused<CellSurfaceOptions>(
+      [](auto* options) { options->edge_length = -1; },
+      "CellSurfaceOptions::edge_length is -1, allowed: 0 or above");
+  ExpectRefused<CellSurfaceOptions>(
+      [](auto* options) { options->cell.voxel_size = 0; },
+      "MedialCellOptions::voxel_size is 0, allowed: above 0");
+}
+
+}  // namespace musclewarp

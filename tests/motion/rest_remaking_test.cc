@@ -1,0 +1,151 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/rest_remaking.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <utility>
+
+#include "motion/prepared_small_scene.h"
+#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/mesh/defects.h"
+#include "musclewarp/mesh/measures.h"
+#include "support/input_errors.h"
+#include "support/invalid_options.h"
+#include "support/meshes.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+// Of a sum over the triangles of a mesh, as a share.
+constexpr double kRounding = 1e-9;
+
+// The lower end of the bone, mm; the muscle ends at 60.
+constexpr double kBoneBegins = 22;
+
+// One muscle with a bone along the upper end of its axis, thinner than the
+// muscle where the bone begins.
+Scene SceneWithAnEndInABone() {
+  Scene scene = SmallScene();
+  scene.muscles.pop_back();
+  scene.muscles[0].name = "psoas";
+  const TriangleSoup femur =
+      MovedBy(Box(16, 16, 60), {-12.5, 0, kBoneBegins + 30});
+  scene.bones[1].points = femur.points;
+  scene.bones[1].triangles = femur.triangles;
+  return scene;
+}
+
+FrameSolverOptions Certified() {
+  FrameSolverOptions options;
+  options.contact = ContactKind::kCertified;
+  return options;
+}
+
+PrepareOptions SmallHulls() {
+  PrepareOptions options;
+  options.muscle.hull.coarse_vertices = 60;
+  return options;
+}
+
+std::unique_ptr<FrameSolver> Make(RemakeKind kind, PreparedScene* scene) {
+  RestRemakingOptions remaking;
+  remaking.kind = kind;
+  return MakeCleanFrameSolver(
+      remaking, SmallHulls(), Certified(), ReferenceSolvers(), {}, scene);
+}
+
+}  // namespace
+
+TEST(MakeCleanFrameSolver, DoesNotRemakeWhatSeparatesAsItIs) {
+  PreparedScene scene = PreparedSmallScene();
+  const PreparedScene before = scene;
+  const auto solver = Make(RemakeKind::kAuto, &scene);
+  EXPECT_TRUE(solver->contact().rest->IsClean());
+  EXPECT_FALSE(scene.as_delivered);
+  EXPECT_EQ(scene.warnings, before.warnings);
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    EXPECT_FALSE(scene.muscles[i].mesh.remaking.is_done);
+    EXPECT_EQ(scene.muscles[i].model.fine_rest,
+              before.muscles[i].model.fine_rest);
+  }
+}
+
+TEST(MakeCleanFrameSolver, RemakesAMuscleWithAnEndDeepInABone) {
+  PreparedScene scene = PreparedSmallScene(SceneWithAnEndInABone());
+  const double volume = scene.muscles[0].model.rest_volume;
+  const auto solver = Make(RemakeKind::kAuto, &scene);
+  EXPECT_TRUE(solver->contact().rest->IsClean());
+  ASSERT_TRUE(scene.as_delivered);
+  EXPECT_GT(scene.as_delivered->triangle_pairs, 0);
+  const PreparedMuscle& muscle = scene.muscles[0];
+  const TriangleSoup made = {muscle.model.fine_rest,
+                             muscle.model.fine_triangles};
+  EXPECT_TRUE(CountDefects(made).IsClean());
+  EXPECT_TRUE(SelfIntersections(made).empty());
+  const Remaking& remaking = muscle.mesh.remaking;
+  EXPECT_TRUE(remaking.is_done);
+  EXPECT_NEAR(remaking.volume_before, volume, kRounding * volume);
+  EXPECT_NEAR(remaking.volume_after,
+              SignedVolume(made.points, made.triangles),
+              kRounding * volume);
+  // The bone has about a sixth of the muscle inside it.
+  EXPECT_LT(remaking.volume_after, 0.9 * volume);
+  EXPECT_GT(remaking.volume_after, 0.7 * volume);
+  EXPECT_GT(remaking.lost_area, 0);
+  EXPECT_GT(remaking.place.z(), kBoneBegins);
+  ASSERT_FALSE(scene.warnings.empty());
+  EXPECT_THAT(scene.warnings.back(),
+              AllOf(HasSubstr("psoas could not be separated"),
+                    HasSubstr("cm3 before"),
+                    HasSubstr("mm at most")));
+}
+
+TEST(MakeCleanFrameSolver, RefusesSuchASceneIfNothingMayBeMadeAnew) {
+  PreparedScene scene = PreparedSmallScene(SceneWithAnEndInABone());
+  const Points before = scene.muscles[0].model.fine_rest;
+  ExpectInputError([&] { Make(RemakeKind::kNever, &scene); },
+                   {"psoas crosses femur", "--remake=auto", "mm deep"});
+  EXPECT_EQ(scene.muscles[0].model.fine_rest, before);
+}
+
+TEST(MakeCleanFrameSolver, RefusesAMuscleOfWhichLittleIsLeft) {
+  Scene raw = SceneWithAnEndInABone();
+  // Only the lowest tenth of its length is outside.
+  const TriangleSoup femur = MovedBy(Box(16, 16, 200), {-12.5, 0, 52});
+  raw.bones[1].points = femur.points;
+  raw.bones[1].triangles = femur.triangles;
+  PreparedScene scene = PreparedSmallScene(raw);
+  ExpectInputError([&] { Make(RemakeKind::kAuto, &scene); },
+                   {"psoas", "% of the muscle", "in one frame"});
+}
+
+TEST(MakeCleanFrameSolver, LeavesOtherKindsOfContactAlone) {
+  PreparedScene scene = PreparedSmallScene(SceneWithAnEndInABone());
+  FrameSolverOptions options;
+  options.contact = ContactKind::kNone;
+  MakeCleanFrameSolver(
+      {}, SmallHulls(), options, ReferenceSolvers(), {}, &scene);
+  EXPECT_FALSE(scene.muscles[0].mesh.remaking.is_done);
+  EXPECT_FALSE(scene.as_delivered);
+}
+
+TEST(RestRemakingOptions, NameWhatIsWrong) {
+  ExpectValid(RestRemakingOptions());
+  ExpectRefused<RestRemakingOptions>(
+      [](auto* options) { options->margin = 0; },
+      "RestRemakingOptions::margin is 0, allowed: above 0");
+  ExpectRefused<RestRemakingOptions>(
+      [](auto* options) { options->least_volume_share = 1.5; },
+      "RestRemakingOptions::least_volume_share is 1.5, allowed: 0 to 1");
+  ExpectRefused<RestRemakingOptions>(
+      [](auto* options) { options->max_spacing = 0.1; },
+      "RestRemakingOptions::max_spacing is 0.1, allowed: 0.4 or above");
+}
+
+}  // namespace musclewarp
