@@ -28,6 +28,8 @@ struct Deformed {
   std::vector<TriangleSoup> bones;
   double max_contact_displacement = 0;
   double depth_without_contact = 0;
+  double push_depth = 0;
+  std::vector<std::string> pushed_by;
 
   std::vector<std::string> Shortcomings(
       const FrameRequirements& requirements = {}) const {
@@ -52,6 +54,8 @@ struct Deformed {
         IntersectScene({{"psoas", &at_rest}}, {}).self_pairs_of_muscles[0];
     measures.max_contact_displacement = max_contact_displacement;
     measures.depth_without_contact = depth_without_contact;
+    measures.push_depth = push_depth;
+    measures.pushed_by = pushed_by;
     return musclewarp::Shortcomings(requirements, intersections, {measures});
   }
 };
@@ -137,6 +141,20 @@ TEST(Shortcomings, NameAMuscleThatContactMovedTooFar) {
   EXPECT_THAT(deformed.Shortcomings(),
               ElementsAre("psoas: moved by 7.5 mm by contact, allowed 7 (3 mm "
                           "deep without)"));
+}
+
+TEST(Shortcomings, AllowAMuscleToBePushedByOthers) {
+  Deformed deformed;
+  deformed.depth_without_contact = 3;
+  deformed.push_depth = 5;
+  deformed.pushed_by = {"iliacus", "psoas"};
+  deformed.max_contact_displacement = 11;  // twice the depth and 1 mm
+  EXPECT_THAT(deformed.Shortcomings(), IsEmpty());
+  deformed.max_contact_displacement = 11.5;
+  EXPECT_THAT(deformed.Shortcomings(),
+              ElementsAre("psoas: moved by 11.5 mm by contact, allowed 11 (3 "
+                          "mm deep without, 5 mm along the chain iliacus, "
+                          "psoas)"));
 }
 
 TEST(Shortcomings, NameMeshesThatAreNearerThanTheGap) {

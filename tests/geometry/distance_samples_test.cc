@@ -83,7 +83,8 @@ TEST(DistanceSamples, AreTheSameInAnotherBox) {
 TEST(DistanceSamples, FindThePointNearestToAPlace) {
   const double spacing = 1.5;
   const DistanceSamples samples(DistanceToSphere, kBox, spacing);
-  for (const auto p : Points(40 * RandomPoints(1000, 1)).rowwise()) {
+  const Points places = 40 * RandomPoints(1000, 1);
+  for (const auto p : places.rowwise()) {
     const std::int64_t nearest = samples.NearestTo(p);
     ASSERT_GE(nearest, 0);
     EXPECT_LE((samples.Position(nearest) - p).cwiseAbs().maxCoeff(),

@@ -102,8 +102,8 @@ std::array<Integers, 3> NearlyInLine(int determinant, std::mt19937* random) {
   // u x w = 1. The two products may be too large for 64 bits, but their sum is
   // 1 or -1, also modulo 2^64.
   const auto [w1, minus_w0] = Bezout(u[0], u[1]);
-  const auto product = [](std::int64_t a, std::int64_t b) {
-    return static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b);
+  const auto product = [](std::int64_t x, std::int64_t y) {
+    return static_cast<std::uint64_t>(x) * static_cast<std::uint64_t>(y);
   };
   const auto sign = static_cast<std::int64_t>(product(u[0], w1) +
                                               product(u[1], minus_w0));

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "motion/prepared_small_scene.h"
@@ -62,6 +63,73 @@ TEST(MoveCertified, ReachesAPoseWithoutCrossings) {
                                    &meshes);
   EXPECT_TRUE(frame.intersections.IsClean());
   EXPECT_LT(frame.WorstVolumeError(), 2e-8);
+}
+
+// The largest difference of the fine meshes of two states, mm.
+double LargestDifference(const PreparedScene& scene,
+                         const SceneState& a,
+                         const SceneState& b) {
+  double largest = 0;
+  for (size_t i = 0; i < a.muscles.size(); ++i) {
+    const MuscleModel& model = scene.muscles[i].model;
+    largest = std::max(largest,
+                       (FinePoints(model, a.muscles[i]) -
+                        FinePoints(model, b.muscles[i]))
+                           .cwiseAbs()
+                           .maxCoeff());
+  }
+  return largest;
+}
+
+// Returns whether nothing crosses in a state.
+bool IsClean(const PreparedScene& scene, const SceneState& state) {
+  SceneMeshes meshes(scene);
+  return MeasureFrame(scene, state.pose, state.muscles, {{}, {}}, &meshes)
+      .intersections.IsClean();
+}
+
+// The bone jumps into the muscles.
+ScenePose IntoTheMuscles() {
+  ScenePose pose;
+  pose.name = "into the muscles";
+  Eigen::Matrix4d jump = Eigen::Matrix4d::Identity();
+  jump(2, 3) = -60;
+  pose.bodies["femur"] = jump;
+  return pose;
+}
+
+TEST(MoveCertified, GoesOnFromTheLastCleanStateAfterAFailure) {
+  const PreparedScene scene = PreparedSmallScene();
+  CertifiedContactOptions options;
+  // One step for the whole way, with nothing done against crossings.
+  options.limits = {M_PI, 1000};
+  options.max_halvings = 0;
+  options.step.max_rounds = 1;
+  const CertifiedScene certified = Certified(scene, options);
+  const CertifiedMotion failed =
+      Move(scene, certified, IntoTheMuscles(), certified.rest);
+  ASSERT_FALSE(IsClean(scene, failed.state));
+  EXPECT_EQ(failed.state.pose.name, "into the muscles");
+  EXPECT_TRUE(IsClean(scene, failed.next));
+  EXPECT_EQ(LargestDifference(scene, failed.next, certified.rest), 0);
+  const CertifiedMotion back =
+      Move(scene, certified, FlexedPose(0.05), failed.next);
+  EXPECT_TRUE(IsClean(scene, back.state));
+}
+
+TEST(MoveCertified, GoesTheRestOfTheWayWithoutContactWhenTheTimeRunsOut) {
+  const PreparedScene scene = PreparedSmallScene();
+  CertifiedContactOptions options;
+  options.frame_timeout_s = 1e-9;
+  const CertifiedScene certified = Certified(scene, options);
+  const CertifiedMotion motion =
+      Move(scene, certified, FlexedPose(0.3), certified.rest);
+  ASSERT_TRUE(motion.summary.timed_out_at.has_value());
+  EXPECT_EQ(*motion.summary.timed_out_at, 0);
+  EXPECT_EQ(motion.summary.steps, 0);
+  EXPECT_EQ(motion.state.pose.name, "flexed");
+  EXPECT_GT(LargestDifference(scene, motion.state, certified.rest), 1);
+  EXPECT_EQ(LargestDifference(scene, motion.next, certified.rest), 0);
 }
 
 TEST(MoveCertified, DoesNotDependOnTheCoarseWeightWhereNothingIsInTheWay) {

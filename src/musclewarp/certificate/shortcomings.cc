@@ -101,9 +101,12 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
           std::max(muscle.depth_without_contact, muscle.push_depth) +
       requirements.displacement_allowance;
   if (!(muscle.max_contact_displacement <= farthest)) {
-    std::string chain;
-    for (const std::string& name : muscle.pushed_by) {
-      chain += (chain.empty() ? "" : ", ") + name;
+    std::ostringstream chain;
+    if (muscle.pushed_by.size() > 1) {
+      chain << ", " << muscle.push_depth << " mm along the chain";
+      for (const std::string& name : muscle.pushed_by) {
+        chain << (&name == &muscle.pushed_by.front() ? " " : ", ") << name;
+      }
     }
     shortcomings->push_back(Sentence(muscle.name,
                                      ": moved by ",
@@ -112,10 +115,8 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
                                      farthest,
                                      " (",
                                      muscle.depth_without_contact,
-                                     " mm deep without; ",
-                                     muscle.push_depth,
-                                     " mm along ",
-                                     chain,
+                                     " mm deep without",
+                                     chain.str(),
                                      ")"));
   }
 }
