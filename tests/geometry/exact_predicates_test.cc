@@ -105,8 +105,8 @@ std::array<Integers, 3> NearlyInLine(int determinant, std::mt19937* random) {
   const auto product = [](std::int64_t x, std::int64_t y) {
     return static_cast<std::uint64_t>(x) * static_cast<std::uint64_t>(y);
   };
-  const auto sign = static_cast<std::int64_t>(product(u[0], w1) +
-                                              product(u[1], minus_w0));
+  const auto sign =
+      static_cast<std::int64_t>(product(u[0], w1) + product(u[1], minus_w0));
   const Integers w = {-sign * minus_w0, sign * w1, 0};
   const int s = multiple(*random);
   std::array<Integers, 3> points = {a, a, a};

@@ -103,15 +103,26 @@ TEST(MarchingTetrahedra, SurfacesDoNotTouchWhereTheyMeetNearSamples) {
   // Two parts of a ball with a gap beside a plane of samples: both surfaces
   // have vertices near the same ends of the same edges.
   const auto ball = Ball({0, 0, 0}, kRadius);
-  const auto upper = [&](const RowVector3d& p) {
-    return std::max(ball(p), 0.01 - p[2]);
-  };
-  const auto lower = [&](const RowVector3d& p) {
-    return std::max(ball(p), p[2] - 0.005);
-  };
-  const TriangleSoup above = MarchingTetrahedra(upper, kBox, 2);
-  const TriangleSoup below = MarchingTetrahedra(lower, kBox, 2);
-  EXPECT_EQ(CrossingPairs(above, below), 0);
+  for (const double spacing : {0.7, 1.0, 1.3, 2.0, 3.0}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double plane = spacing * 2;
+      const TriangleSoup above = MarchingTetrahedra(
+          [&](const RowVector3d& p) {
+            return std::max(ball(p), plane + 0.01 - p[axis]);
+          },
+          kBox,
+          spacing);
+      const TriangleSoup below = MarchingTetrahedra(
+          [&](const RowVector3d& p) {
+            return std::max(ball(p), p[axis] - plane - 0.005);
+          },
+          kBox,
+          spacing);
+      ASSERT_GT(above.triangles.rows(), 0);
+      ASSERT_GT(below.triangles.rows(), 0);
+      EXPECT_EQ(CrossingPairs(above, below), 0) << spacing << " " << axis;
+    }
+  }
 }
 
 TEST(MarchingTetrahedra, TwoBodiesAreTwoComponents) {

@@ -182,6 +182,7 @@ TEST_F(BadInput, FlagsThatAreNotAllowedAreRefusedByTheirName) {
       {"solver", "newton", "ceres, reference"},
       {"contact", "soft", "certified, paper, none"},
       {"contact_level", "middle", "coarse, fine"},
+      {"remake", "always", "auto, never"},
       {"format", "doc", "ply, obj, vtp"},
       {"frames", "2:9", "frames 0 to 1"}};
   for (const Case& bad : cases) {

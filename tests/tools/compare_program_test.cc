@@ -8,6 +8,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/mesh_files/mesh_io.h"
+#include "support/meshes.h"
 #include "support/temp_dir.h"
 #include "tools/run_program.h"
 
@@ -78,6 +81,38 @@ TEST(CompareProgram, ContactKeepsMusclesApart) {
     EXPECT_NEAR(paper["volume_ratio"], 1, 1e-6);
     EXPECT_EQ(paper["stop_reason"], "converged");
   }
+}
+
+TEST(CompareProgram, AllContactsSolveTheSceneThatCertifiedContactHasRemade) {
+  // A bone in the end of a muscle, which moving vertices does not get out.
+  const std::string dir = TestTempDir();
+  WriteTriangleSoup(dir + "/muscle.ply", Spindle(12, 60, 3));
+  WriteTriangleSoup(dir + "/bone.ply", MovedBy(Spindle(7, 50, 3), {0, 3, 66}));
+  WriteTextAtomically(dir + "/scene.json",
+                      R"({"name": "end in bone", "units": "mm",
+      "muscles": [{"name": "muscle", "mesh": "muscle.ply", "lines":
+        [{"name": "line", "rest": [[0,0,-55],[0,0,0],[0,0,55]]}]}],
+      "bones": [{"name": "bone", "mesh": "bone.ply"}],
+      "poses": [{"name": "rest"}]})");
+  const std::string flags = "--configurations=ceres --scene=" + dir +
+                            "/scene.json --out=" + dir + "/out --contact=";
+  const auto inside_without_contact = [&](const std::string& contacts) {
+    const ProgramRun run = Compare(flags + contacts);
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_EQ(run.out.find("made anew") != std::string::npos,
+              contacts != "none");
+    const Json rows =
+        Json::parse(FileText(dir + "/out/comparison.json"))["rows"];
+    for (const Json& row : rows) {
+      EXPECT_NEAR(row["volume_ratio"], 1, 1e-6);
+      if (row["contact"] == "certified") {
+        EXPECT_EQ(row["triangle_pairs"], 0);
+      }
+    }
+    return rows[0]["vertices_inside"].get<int>();
+  };
+  EXPECT_GT(inside_without_contact("none"),
+            10 * inside_without_contact("none,certified"));
 }
 
 TEST(CompareProgram, AConfigurationThatDoesNotGetThereIsARow) {

@@ -53,6 +53,67 @@ TEST_F(DeformProgram, ContactIsCertifiedUnlessSaidOtherwise) {
             "certified");
 }
 
+// A bone along the axis of the upper end of the muscle, thinner than that where
+// the bone begins: moving vertices does not separate them.
+TriangleSoup BoneInTheEndOfTheMuscle() {
+  return MovedBy(Spindle(7, 50, 3), {0, 3, 66});
+}
+
+TEST_F(DeformProgram, AMuscleThatCannotBeSeparatedIsMadeAnew) {
+  WriteTriangleSoup(dir_ + "/bone.ply", BoneInTheEndOfTheMuscle());
+  scene_["poses"] = Json::parse(R"([{"name": "rest"}])");
+  const ProgramRun run = Run("--contact=certified");
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
+  EXPECT_THAT(run.out, HasSubstr("made anew"));
+  const Json report = Json::parse(FileText(out() + "/report.json"));
+  const Json& muscle = report["prepare"]["muscles"][0];
+  const Json& remade = muscle["remade"];
+  ASSERT_TRUE(remade.is_object());
+  EXPECT_EQ(remade["volume_after_mm3"], muscle["volume_mm3"]);
+  EXPECT_LT(remade["volume_after_mm3"], remade["volume_before_mm3"]);
+  EXPECT_GT(remade["lost_area_mm2"], 0);
+  EXPECT_GT(remade["farthest_mm"], 0);
+  EXPECT_GT(remade["place_mm"][2], 22);
+  EXPECT_THAT(report["prepare"]["warnings"].dump(),
+              HasSubstr("muscle could not be separated"));
+  // As it was delivered, and as it is now.
+  EXPECT_GT(report["rest"]["intersections"]["triangle_pairs"], 0);
+  EXPECT_EQ(report["rest"]["after_initial_fix"]["triangle_pairs"], 0);
+  EXPECT_TRUE(report["frames"][0]["usable"])
+      << report["frames"][0]["shortcomings"];
+}
+
+TEST_F(DeformProgram, NoMuscleIsMadeAnewIfThatIsNotWanted) {
+  WriteTriangleSoup(dir_ + "/bone.ply", BoneInTheEndOfTheMuscle());
+  ExpectRefused({"muscle crosses bone", "--remake=auto"},
+                "--contact=certified --remake=never");
+}
+
+TEST_F(DeformProgram, SelfCrossingsAreRemovedAndCounted) {
+  TriangleSoup soup = Spindle(12, 60, 3);
+  soup.points.row(soup.triangles(200, 0))
+      .swap(soup.points.row(soup.triangles(200, 1)));
+  WriteMuscle(soup);
+  scene_["poses"] = Json::parse(R"([{"name": "rest"}])");
+  const auto prepared = [&](const std::string& contact) -> Json {
+    const ProgramRun run = Run("--contact=" + contact);
+    EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
+    EXPECT_EQ(run.out.find("self-crossings removed") != std::string::npos,
+              contact == "certified");
+    return Json::parse(FileText(out() + "/report.json"))["prepare"];
+  };
+  const Json with = prepared("certified");
+  const Json& muscle = with["muscles"][0];
+  EXPECT_GT(muscle["repairs"]["self_crossing_pairs_before"], 0);
+  EXPECT_EQ(muscle["repairs"]["self_crossing_pairs_after"], 0);
+  EXPECT_GE(muscle["repairs"]["self_crossing_new_vertices"], 0);
+  EXPECT_TRUE(muscle["remade"].is_null());
+  EXPECT_EQ(with["bones"][0]["repairs"]["self_crossing_pairs_before"], 0);
+  // Other kinds of contact keep the triangles of a mesh.
+  const Json without = prepared("none");
+  EXPECT_EQ(without["muscles"][0]["fine_vertices"], soup.points.rows());
+}
+
 TEST_F(DeformProgram, WhatMayPenetrateIsLeftAndCountedApart) {
   // The end of the spindle, 8 mm in a bone.
   TriangleSoup bone = Icosphere(10, 2);

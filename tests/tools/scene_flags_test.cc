@@ -81,6 +81,7 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
                                            {"seed", "7"},
                                            {"threads", "8"},
                                            {"contact_level", "fine"},
+                                           {"remake", "never"},
                                            {"gap", "0.2"},
                                            {"max_rounds", "9"},
                                            {"max_step_turn", "1"},
@@ -97,6 +98,7 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
   EXPECT_EQ(options.deformer.frames.paper.group.paper.seed, 7u);
   EXPECT_EQ(options.threads, 8);
   EXPECT_EQ(options.deformer.frames.paper.group.level, ContactLevel::kFine);
+  EXPECT_EQ(options.deformer.remaking.kind, RemakeKind::kNever);
   EXPECT_FALSE(options.deformer.frames.pre_rotation.use_body_twist);
   const CertifiedContactOptions& certified = options.deformer.frames.certified;
   EXPECT_EQ(certified.step.gap, 0.2);
@@ -126,6 +128,7 @@ TEST(SceneFlags, RefusesValuesThatAreNotAllowedByTheNameOfTheFlag) {
   ExpectRefused("threads", "-1", "0 (all cores) to 1024");
   ExpectRefused("threads", "1000000", "0 (all cores) to 1024");
   ExpectRefused("contact_level", "middle", "coarse, fine");
+  ExpectRefused("remake", "always", "auto, never");
   for (const char* value : {"0", "-1", "nan", "0.6"}) {
     ExpectRefused("gap", value, "above 0");
   }

@@ -52,7 +52,8 @@ struct DeformerOptions {
 class Deformer {
  public:
   // Throws InputError if the scene contradicts itself, a mesh cannot be read or
-  // repaired, or the rest pose cannot be made free of crossings. Precondition (CHECKed): the options are valid.
+  // repaired, or the rest pose cannot be made free of crossings. Precondition
+  // (CHECKed): the options are valid.
   explicit Deformer(Scene scene, DeformerOptions options = {});
 
   // Moves the muscles from where they are to a pose. Frames of a motion follow

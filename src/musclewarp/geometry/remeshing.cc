@@ -15,11 +15,10 @@ TriangleSoup Remeshed(const TriangleSoup& soup,
   CHECK_GT(edge_length, 0);
   namespace pmp = CGAL::Polygon_mesh_processing;
   CgalMesh mesh = ToCgalMesh(soup);
-  pmp::isotropic_remeshing(
-      mesh.faces(),
-      edge_length,
-      mesh,
-      pmp::parameters::number_of_iterations(iterations));
+  pmp::isotropic_remeshing(mesh.faces(),
+                           edge_length,
+                           mesh,
+                           pmp::parameters::number_of_iterations(iterations));
   return FromCgalMesh(mesh);
 }
 

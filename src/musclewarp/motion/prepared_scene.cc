@@ -98,10 +98,10 @@ void PrepareModel(const std::vector<BodySurface>& bodies,
   prepared->lines = CarryActionLines(prepared->model);
   if (options.fibres.fibres > 0) {
     const Stopwatch stopwatch;
-    prepared->fibres = CarryLines(
-        MakeFibres(fine, bodies, muscle.attachments, options.fibres),
-        hull.points,
-        hull.triangles);
+    prepared->fibres =
+        CarryLines(MakeFibres(fine, bodies, muscle.attachments, options.fibres),
+                   hull.points,
+                   hull.triangles);
     prepared->fibres_ms = stopwatch.Milliseconds();
   }
 }
