@@ -166,6 +166,8 @@ void Remake(const RestRemakingOptions& options,
           "check that the meshes are in one frame, or correct them");
     }
     ReplaceMuscleMesh(prepare, i, std::move(surfaces[k]), scene);
+    // Without slivers, which take a little volume with them.
+    remaking.volume_after = scene->muscles[i].model.rest_volume;
     if (scene->muscles[i].mesh.remaking.is_done) {
       remaking.volume_before = scene->muscles[i].mesh.remaking.volume_before;
     }
