@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -56,6 +58,14 @@ TEST(Measures, GradientSumsToZeroAndGivesThriceTheVolume) {
   EXPECT_NEAR(gradient.cwiseProduct(sphere.points).sum(),
               3 * SignedVolume(sphere.points, sphere.triangles),
               1e4 * kRounding);
+}
+
+TEST(TypicalEdge, IsTheEdgeOfEquilateralTriangles) {
+  Points points(4, 3);
+  points << 0, 0, 0, 1, 1, 0, 1, 0, 1, 0, 1, 1;
+  Triangles triangles(4, 3);
+  triangles << 0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2;
+  EXPECT_DOUBLE_EQ(TypicalEdge(points, triangles), std::sqrt(2.0));
 }
 
 }  // namespace musclewarp

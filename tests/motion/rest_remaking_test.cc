@@ -138,8 +138,8 @@ TEST(MakeCleanFrameSolver, LeavesOtherKindsOfContactAlone) {
 TEST(RestRemakingOptions, NameWhatIsWrong) {
   ExpectValid(RestRemakingOptions());
   ExpectRefused<RestRemakingOptions>(
-      [](auto* options) { options->margin = 0; },
-      "RestRemakingOptions::margin is 0, allowed: above 0");
+      [](auto* options) { options->margin_growth = 0.5; },
+      "RestRemakingOptions::margin_growth is 0.5, allowed: 1 or above");
   ExpectRefused<RestRemakingOptions>(
       [](auto* options) { options->least_volume_share = 1.5; },
       "RestRemakingOptions::least_volume_share is 1.5, allowed: 0 to 1");

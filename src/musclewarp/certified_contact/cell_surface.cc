@@ -5,7 +5,6 @@
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "musclewarp/base/option_check.h"
 #include "musclewarp/geometry/marching_tetrahedra.h"
@@ -34,13 +33,6 @@ void KeepLargestBody(TriangleSoup* soup) {
   }
   KeepTriangles(keep, &soup->triangles);
   DropUnreferencedPoints(soup);
-}
-
-// The edge of equilateral triangles that are as many and cover as much.
-double TypicalEdge(const Points& points, const Triangles& triangles) {
-  const double area =
-      SurfaceArea(points, triangles) / static_cast<double>(triangles.rows());
-  return std::sqrt(4 / std::sqrt(3.0) * area);
 }
 
 }  // namespace

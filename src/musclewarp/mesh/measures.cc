@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/mesh/measures.h"
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 
 namespace musclewarp {
@@ -51,6 +53,12 @@ double SurfaceArea(const Points& points, const Triangles& triangles) {
     area += (b - a).cross(c - a).norm() / 2;
   }
   return area;
+}
+
+double TypicalEdge(const Points& points, const Triangles& triangles) {
+  const double area =
+      SurfaceArea(points, triangles) / static_cast<double>(triangles.rows());
+  return std::sqrt(4 / std::sqrt(3.0) * area);
 }
 
 double BoundingBoxDiagonal(const Points& points) {

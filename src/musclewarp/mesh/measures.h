@@ -25,6 +25,10 @@ Points VolumeGradient(const Points& points, const Triangles& triangles);
 // Returns the sum of the areas of all triangles, mm^2.
 double SurfaceArea(const Points& points, const Triangles& triangles);
 
+// Returns the edge of equilateral triangles that are as many as those of a mesh
+// and have the same area, mm: what its edges would measure if they were even.
+double TypicalEdge(const Points& points, const Triangles& triangles);
+
 // Returns the length of the diagonal of the axis-aligned bounding box of all
 // points, used by triangles or not, mm; 0 if there are no points.
 double BoundingBoxDiagonal(const Points& points);

@@ -61,29 +61,50 @@ std::string Describe(const PreparedScene& scene,
   return text.str();
 }
 
-double TypicalEdge(const MuscleModel& model) {
-  const double area = SurfaceArea(model.fine_rest, model.fine_triangles) /
-                      static_cast<double>(model.fine_triangles.rows());
-  return std::sqrt(4 / std::sqrt(3.0) * area);
-}
-
 CellSurfaceOptions SurfaceOptions(const RestRemakingOptions& options,
                                   const MedialCellOptions& cell,
                                   const PreparedScene& scene,
-                                  const std::vector<int>& unclean,
-                                  int attempt) {
+                                  const std::vector<int>& unclean) {
   CellSurfaceOptions surface;
   surface.cell = cell;
-  surface.cell.margin =
-      options.margin * std::pow(options.margin_growth, attempt);
   surface.spacing = options.max_spacing;
   for (const int i : unclean) {
     surface.spacing = std::min(
         surface.spacing,
         std::max(options.min_spacing,
-                 options.spacing_share * TypicalEdge(scene.muscles[i].model)));
+                 options.spacing_share *
+                     TypicalEdge(scene.muscles[i].model.fine_rest,
+                                 scene.muscles[i].model.fine_triangles)));
   }
   return surface;
+}
+
+// Makes a surface that crosses no bone, with as large a margin as that takes: a
+// bone may have details between the samples of a surface.
+TriangleSoup SurfaceBesideBones(
+    const RestRemakingOptions& options,
+    CellSurfaceOptions surface_options,
+    int attempt,
+    const SolidDistance& muscle,
+    const std::vector<const SolidDistance*>& others,
+    const std::vector<const SolidDistance*>& bones) {
+  surface_options.cell.margin *= std::pow(options.margin_growth, attempt);
+  for (int growth = 0;; ++growth) {
+    TriangleSoup surface = CellSurface(surface_options, muscle, others, bones);
+    if (surface.triangles.rows() == 0 || growth == options.max_growths) {
+      return surface;
+    }
+    const TriangleBvh tree(surface.points, surface.triangles);
+    const bool crosses =
+        std::any_of(bones.begin(), bones.end(), [&](const SolidDistance* bone) {
+          return !IntersectingTriangles(tree, bone->mesh().bvh()).empty();
+        });
+    if (!crosses) return surface;
+    surface_options.cell.margin *= options.margin_growth;
+    // A cell is bounded by what is in range of its margin.
+    surface_options.cell.range =
+        std::max(surface_options.cell.range, 2 * surface_options.cell.margin);
+  }
 }
 
 // Compares the new surface of a muscle with the old one.
@@ -135,7 +156,7 @@ void Remake(const RestRemakingOptions& options,
             PreparedScene* scene) {
   const SceneMeshes meshes(*scene);
   const CellSurfaceOptions surface_options =
-      SurfaceOptions(options, cell, *scene, unclean, attempt);
+      SurfaceOptions(options, cell, *scene, unclean);
   std::deque<SolidDistance> solids;
   std::vector<const SolidDistance*> muscles, bones;
   for (const NamedMesh& muscle : meshes.muscles()) {
@@ -148,8 +169,8 @@ void Remake(const RestRemakingOptions& options,
   for (const int i : unclean) {
     std::vector<const SolidDistance*> others = muscles;
     others.erase(others.begin() + i);
-    surfaces.push_back(
-        CellSurface(surface_options, *muscles[i], others, bones));
+    surfaces.push_back(SurfaceBesideBones(
+        options, surface_options, attempt, *muscles[i], others, bones));
   }
   for (size_t k = 0; k < unclean.size(); ++k) {
     const int i = unclean[k];
@@ -179,8 +200,8 @@ void Remake(const RestRemakingOptions& options,
 
 bool RestRemakingOptions::IsValid(std::string* error) const {
   return OptionCheck("RestRemakingOptions", error)
-      .IsAbove("margin", margin, 0)
       .IsAtLeast("margin_growth", margin_growth, 1)
+      .IsAtLeast("max_growths", max_growths, 0)
       .IsAtLeast("max_attempts", max_attempts, 1)
       .IsAbove("spacing_share", spacing_share, 0)
       .IsAbove("min_spacing", min_spacing, 0)

@@ -23,11 +23,12 @@ enum class RemakeKind {
 struct RestRemakingOptions {
   RemakeKind kind = RemakeKind::kAuto;
 
-  // The distance that new surfaces keep from bones and from each other in the
-  // first attempt, mm, and by how much it grows with each further one: a larger
-  // one covers details of bones between the samples of a surface.
-  double margin = 0.2;
+  // New surfaces keep the margin of medial cells from bones and from each other
+  // (MedialCellOptions::margin). It grows by this factor, so many times, while
+  // a surface crosses a bone, as bones may have details between its samples;
+  // and once with each further attempt to separate the new surfaces.
   double margin_growth = 3;
+  int max_growths = 2;
   int max_attempts = 3;
 
   // The distance of the samples of a surface, as a share of the typical edge of
