@@ -287,12 +287,17 @@ void PrintMeshes(const Separation& result, int width, std::ostream& screen) {
   for (size_t i = 0; i < result.frame.muscles.size(); ++i) {
     const PreparedMuscle& mesh = result.scene->muscles[i];
     const MuscleFrame& moved = result.frame.muscles[i];
+    const Remaking& remaking = mesh.mesh.remaking;
     screen << std::left << std::setw(width) << mesh.model.name << std::right
            << std::setw(12) << VolumeBefore(mesh) / 1000 << std::setw(10)
            << moved.volume_ratio * mesh.model.rest_volume / 1000
            << std::setw(17) << moved.max_displacement << std::setw(10)
-           << result.mean_displacements[i]
-           << (mesh.mesh.remaking.is_done ? "  made anew" : "") << "\n";
+           << result.mean_displacements[i];
+    if (remaking.is_done) {
+      screen << "  made anew, " << std::setprecision(1) << remaking.farthest
+             << " mm off the old surface at most" << std::setprecision(3);
+    }
+    screen << "\n";
   }
 }
 

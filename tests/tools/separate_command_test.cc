@@ -162,6 +162,28 @@ TEST(SeparateCommand, MeshesThatDoNotOverlapStay) {
   }
 }
 
+// A plate cuts off the tip of an ellipsoid: no way of its vertices leads out.
+TEST(SeparateCommand, AMeshThatIsCutInTwoIsMadeAnewOrRefused) {
+  const std::string dir = TestTempDir();
+  WriteTriangleSoup(dir + "/cut.ply", Spindle(12, 40, 2));
+  WriteTriangleSoup(dir + "/box.ply", MovedBy(Box(60, 60, 4), {0, 0, 25}));
+  SeparateOptions options = WithBox(dir, "out");
+  options.remake = RemakeKind::kNever;
+  ExpectRefused({dir + "/cut.ply"}, options, {"cut", "--remake=auto"});
+  options.remake = RemakeKind::kAuto;
+  options.json = true;
+  std::string screen;
+  EXPECT_EQ(Separate(dir, {"cut"}, options, &screen), kExitUsable) << screen;
+  EXPECT_THAT(screen, HasSubstr("made anew"));
+  ExpectApart({dir + "/out/cut.ply", dir + "/out/box.ply"});
+  const Json json = Json::parse(FileText(dir + "/out/separation.json"));
+  const Json& mesh = json["muscles"][0];
+  EXPECT_EQ(mesh["volume_before_mm3"], mesh["remade"]["volume_before_mm3"]);
+  EXPECT_LT(mesh["volume_mm3"], mesh["volume_before_mm3"]);
+  EXPECT_NEAR(mesh["volume_ratio"], 1, kVolumeTolerance);
+  EXPECT_GT(json["before"]["triangle_pairs"], 0);
+}
+
 TEST(SeparateCommand, RefusesBadFiles) {
   const std::string dir = TestTempDir();
   WriteOverlappingMeshes(dir);
