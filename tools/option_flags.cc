@@ -64,4 +64,17 @@ void CheckValid(const DeformOptions& options) {
   ThrowIfInvalid(options.deformer.solver, FlagsOfSolver());
 }
 
+void SetGap(double gap, CertifiedContactOptions* options) {
+  // Beyond, the steps in which surfaces move would have to be longer, too.
+  constexpr double kLargestGap = 0.5;
+  if (gap > kLargestGap) {
+    throw InputError(
+        "--gap", "is " + std::to_string(gap), "allowed: above 0, at most 0.5");
+  }
+  options->step.gap = gap;
+  // Meshes that overlap are separated by twice the gap, so that the steps that
+  // follow find room.
+  options->separation.cell.margin = 2 * gap;
+}
+
 }  // namespace musclewarp

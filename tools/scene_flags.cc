@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
+#include "tools/option_flags.h"
 
 DEFINE_string(scene, "", "scene file (JSON)");
 DEFINE_string(data_root,
@@ -103,23 +104,13 @@ std::string ShellQuoted(const std::string& text) {
 
 // The options of certified contact that have flags.
 void SetCertifiedContact(CertifiedContactOptions* options) {
-  // Beyond, the steps in which surfaces move would have to be longer, too.
-  constexpr double kLargestGap = 0.5;
-  if (FLAGS_gap > kLargestGap) {
-    throw InputError("--gap",
-                     "is " + std::to_string(FLAGS_gap),
-                     "allowed: above 0, at most 0.5");
-  }
+  SetGap(FLAGS_gap, options);
   if (!(FLAGS_max_step_turn > 0)) {
     throw InputError("--max_step_turn",
                      "is " + std::to_string(FLAGS_max_step_turn),
                      "allowed: above 0");
   }
   options->frame_timeout_s = FLAGS_frame_timeout_s;
-  options->step.gap = FLAGS_gap;
-  // Meshes that overlap are separated by twice the gap, so that the steps that
-  // follow find room.
-  options->separation.cell.margin = 2 * FLAGS_gap;
   options->step.max_rounds = FLAGS_max_rounds;
   options->limits.max_turn = FLAGS_max_step_turn * M_PI / 180;
   options->limits.max_move = FLAGS_max_step_move;

@@ -1,0 +1,49 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <gflags/gflags.h>
+#include <unistd.h>
+
+#include <iostream>
+
+#include "tools/deform_command.h"
+#include "tools/program.h"
+#include "tools/separate_command.h"
+#include "tools/split.h"
+
+DEFINE_string(out, "", "folder for the separated meshes");
+DEFINE_string(bone, "", "files of meshes that must not move; commas");
+DEFINE_double(gap,
+              0.1,
+              "distance that is kept between meshes, mm; at most 0.5");
+DEFINE_string(format, "ply", "mesh files to write: ply, obj, vtp; commas");
+DEFINE_string(remake,
+              "auto",
+              "what happens to meshes that cannot be separated by moving their "
+              "vertices: auto (they are made anew) or never (the input is "
+              "refused)");
+DEFINE_bool(json, false, "also write DIR/separation.json, with all figures");
+DEFINE_int32(threads, 0, "threads; 0: one a core");
+
+int main(int argc, char** argv) {
+  return musclewarp::RunProgram(
+      argc,
+      argv,
+      "musclewarp-separate --out=DIR [--bone=FILE,...] FILE... [flags]\n\n"
+      "Moves the vertices of surface meshes as little as it takes for no two "
+      "meshes to\ncross, while each keeps its volume. The meshes of --bone do "
+      "not move. Reads .ply,\n.obj, .off, .stl, .vtk, and with VTK .vtp; "
+      "repairs the meshes; writes all of\nthem to DIR/<name>.ply.\n"
+      "Exit code: 0 separated, 1 not (the summary says why), 2 bad input.",
+      [](const std::vector<std::string>& files) {
+        musclewarp::SeparateOptions options;
+        options.out = FLAGS_out;
+        options.bones = musclewarp::Split(FLAGS_bone, ',');
+        options.gap = FLAGS_gap;
+        options.remake = musclewarp::ParseRemake(FLAGS_remake);
+        options.formats = musclewarp::ParseFormats(FLAGS_format);
+        options.json = FLAGS_json;
+        options.threads = FLAGS_threads;
+        options.is_terminal = isatty(STDOUT_FILENO);
+        return musclewarp::SeparateCommand(files, options, std::cout);
+      });
+}

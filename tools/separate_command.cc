@@ -1,0 +1,396 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/separate_command.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <iomanip>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/base/stopwatch.h"
+#include "musclewarp/deformer/deformer.h"
+#include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/report/report_json.h"
+#include "musclewarp/report/screen_progress.h"
+#include "musclewarp/scene/coordinate_limits.h"
+#include "musclewarp/scene/scene_names.h"
+#include "tools/interruption.h"
+#include "tools/option_flags.h"
+#include "tools/program.h"
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr char kJsonFile[] = "separation.json";
+
+DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
+  DeformerOptions deformer;
+  deformer.frames.contact = ContactKind::kCertified;
+  SetGap(options.gap, &deformer.frames.certified);
+  // No mesh has to follow a line. Without the coarse solve contact moves only
+  // the surroundings of an overlap, and the rest of a mesh stays where it is
+  // (docs/results.md has the figures).
+  deformer.frames.certified.coarse_weight = 0;
+  deformer.remaking.kind = options.remake;
+  return deformer;
+}
+
+void CheckOptions(const std::vector<std::string>& files,
+                  const SeparateOptions& options) {
+  if (files.empty()) {
+    throw InputError("files", "none given", "name at least one mesh file");
+  }
+  for (const std::string& bone : options.bones) {
+    if (!bone.empty()) continue;
+    throw InputError("--bone",
+                     "has a comma without a file before it",
+                     "allowed: mesh files with commas between them");
+  }
+  CheckThreads(options.threads);
+  CheckWritable(options.out);
+  DeformOptions run;
+  run.deformer = DeformerOptionsOf(options);
+  CheckValid(run);
+}
+
+std::string NameOf(const std::string& file) {
+  return fs::path(file).stem().string();
+}
+
+// Throws InputError unless every mesh has a name of its own.
+void CheckNames(const std::vector<std::string>& files) {
+  std::map<std::string, std::string> file_of_name;
+  for (const std::string& file : files) {
+    const std::string name = NameOf(file);
+    CheckFileName(file, "mesh", name);
+    const auto [other, is_new] = file_of_name.emplace(name, file);
+    if (is_new) continue;
+    throw InputError(
+        file,
+        "has the name " + QuotedName(name) + ", as " + other->second + " has",
+        "meshes are named by their files without extension; rename one file");
+  }
+}
+
+// Throws InputError if the results would replace a file that is read.
+void CheckResultsAreNew(const std::vector<std::string>& files,
+                        const SeparateOptions& options) {
+  for (const std::string& file : files) {
+    for (const std::string& format : options.formats) {
+      const fs::path result =
+          fs::path(options.out) / (NameOf(file) + "." + format);
+      std::error_code error;
+      if (!fs::equivalent(result, file, error)) continue;
+      throw InputError("--out=" + options.out,
+                       "has the input " + file + ", which would be replaced",
+                       "choose another folder");
+    }
+  }
+}
+
+// A line for a mesh that has none to follow, from end to end along its longest
+// axis. A muscle of a scene needs one; in the rest pose it moves nothing.
+ActionLine LineThrough(const std::string& file,
+                       const Points& points,
+                       const std::string& name) {
+  Eigen::Index axis, low, high;
+  (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff(&axis);
+  points.col(axis).minCoeff(&low);
+  points.col(axis).maxCoeff(&high);
+  if (points(low, axis) == points(high, axis)) {
+    throw InputError(file, "has all its points in one place", "check the mesh");
+  }
+  ActionLine line;
+  line.name = name;
+  line.rest.resize(2, 3);
+  line.rest << points.row(low), points.row(high);
+  return line;
+}
+
+// Returns the scene in which the meshes are muscles, with their lines, and
+// bones. Every file is read, so that bad ones are found early.
+Scene SceneOf(const std::vector<std::string>& files,
+              const std::vector<std::string>& bones) {
+  Scene scene;
+  scene.name = "the files";
+  for (const std::string& file : bones) {
+    SceneBone bone;
+    bone.name = NameOf(file);
+    bone.mesh_path = file;
+    ReadTriangleSoup(file);
+    scene.bones.push_back(std::move(bone));
+  }
+  for (const std::string& file : files) {
+    SceneMuscle mesh;
+    mesh.name = NameOf(file);
+    mesh.mesh_path = file;
+    const Points points = ReadTriangleSoup(file).points;
+    CheckCoordinates(file, points);
+    mesh.lines.push_back(LineThrough(
+        file, points, "line_" + std::to_string(scene.muscles.size() + 1)));
+    scene.muscles.push_back(std::move(mesh));
+  }
+  return scene;
+}
+
+// The result, and what is said of it.
+struct Separation {
+  const PreparedScene* scene = nullptr;
+  SceneIntersections before;
+  Frame frame;
+  std::vector<double> mean_displacements;  // by muscle, mm
+  Json report;                             // the result as report.json has it
+};
+
+// Returns the volume of a mesh before it was separated, mm^3.
+double VolumeBefore(const PreparedMuscle& mesh) {
+  const Remaking& remaking = mesh.mesh.remaking;
+  return remaking.is_done ? remaking.volume_before : mesh.model.rest_volume;
+}
+
+Separation Separate(Deformer* deformer) {
+  Separation result;
+  result.frame = deformer->SolveAlone(RestPose(deformer->scene().scene));
+  result.frame.index = 0;
+  result.scene = &deformer->scene();
+  result.before = result.scene->as_delivered
+                      ? *result.scene->as_delivered
+                      : deformer->RestFrame().intersections;
+  for (size_t i = 0; i < result.frame.muscles.size(); ++i) {
+    result.mean_displacements.push_back(
+        (result.frame.muscles[i].points -
+         result.scene->muscles[i].model.fine_rest)
+            .rowwise()
+            .norm()
+            .mean());
+  }
+  RunRecord run;
+  run.scene = result.scene;
+  run.contact = deformer->contact();
+  run.rest = result.before;
+  run.frames.push_back(RecordOf(*result.scene, result.frame));
+  result.report = ReportJson(run);
+  return result;
+}
+
+// Returns all of separation.json, with the keys of report.json.
+Json SeparationJson(const Separation& result, double wall_ms) {
+  const Json& report = result.report;
+  const Json& frame = report.at("frames").at(0);
+  Json muscles = Json::array();
+  for (size_t i = 0; i < result.frame.muscles.size(); ++i) {
+    const Json& prepared = report.at("prepare").at("muscles").at(i);
+    const Json& moved = frame.at("muscles").at(i);
+    Json entry;
+    for (const char* key : {"name", "mesh"}) entry[key] = prepared.at(key);
+    entry["volume_before_mm3"] = VolumeBefore(result.scene->muscles[i]);
+    for (const char* key : {"volume_mm3",
+                            "volume_ratio",
+                            "max_displacement_mm",
+                            "folded_triangles",
+                            "self_pairs"}) {
+      entry[key] = moved.at(key);
+    }
+    entry["mean_displacement_mm"] = result.mean_displacements[i];
+    for (const char* key : {"defects", "repairs", "remade"}) {
+      entry[key] = prepared.at(key);
+    }
+    muscles.push_back(std::move(entry));
+  }
+  return {{"version", report.at("version")},
+          {"machine", report.at("machine")},
+          {"wall_ms", wall_ms},
+          {"gap_mm", report.at("contact_options").at("gap_mm")},
+          {"warnings", report.at("prepare").at("warnings")},
+          {"before", report.at("rest").at("intersections")},
+          {"after", frame.at("intersections")},
+          {"gaps", frame.at("gaps")},
+          {"smallest_gap_mm", frame.at("smallest_gap_mm")},
+          {"muscles", muscles},
+          {"bones", report.at("prepare").at("bones")},
+          {"shortcomings", frame.at("shortcomings")},
+          {"usable", frame.at("usable")}};
+}
+
+void WriteMeshes(const Separation& result, const SeparateOptions& options) {
+  for (const std::string& format : options.formats) {
+    const auto path = [&](const std::string& name) {
+      return (fs::path(options.out) / (name + "." + format)).string();
+    };
+    for (size_t i = 0; i < result.frame.muscles.size(); ++i) {
+      const MuscleModel& model = result.scene->muscles[i].model;
+      WriteTriangleSoup(path(model.name),
+                        {result.frame.muscles[i].points, model.fine_triangles});
+    }
+    for (const PreparedBone& bone : result.scene->bones) {
+      WriteTriangleSoup(path(bone.mesh.name), bone.rest);
+    }
+  }
+}
+
+int NameWidth(const PreparedScene& scene) {
+  size_t width = 4;
+  for (const auto& mesh : scene.muscles)
+    width = std::max(width, mesh.model.name.size());
+  for (const auto& bone : scene.bones)
+    width = std::max(width, bone.mesh.name.size());
+  return static_cast<int>(width);
+}
+
+void PrintPairs(const Separation& result, int width, std::ostream& screen) {
+  std::map<std::pair<std::string, std::string>, const PairIntersection*> after;
+  for (const PairIntersection& pair : result.frame.intersections.pairs) {
+    after[{pair.a, pair.b}] = &pair;
+  }
+  const auto print = [&](const PairIntersection& pair, int before, int now) {
+    screen << std::left << std::setw(width) << pair.a << "  "
+           << std::setw(width) << pair.b << std::right << std::setw(16)
+           << before << std::setw(10) << pair.max_depth_mm << std::setw(7)
+           << now << "\n";
+  };
+  if (result.before.pairs.empty() && after.empty()) {
+    screen << "no meshes cross\n";
+    return;
+  }
+  screen << std::fixed << std::setprecision(2) << std::left << std::setw(width)
+         << "a"
+         << "  " << std::setw(width) << "b" << std::right
+         << "  crossing pairs  depth mm  after\n";
+  for (const PairIntersection& pair : result.before.pairs) {
+    const auto now = after.find({pair.a, pair.b});
+    const bool is_left = now != after.end();
+    print(pair, pair.triangle_pairs, is_left ? now->second->triangle_pairs : 0);
+    if (is_left) after.erase(now);
+  }
+  for (const auto& [names, pair] : after) print(*pair, 0, pair->triangle_pairs);
+  screen << "all: " << result.before.triangle_pairs
+         << " crossing pairs of triangles before, "
+         << result.frame.intersections.triangle_pairs << " after\n";
+}
+
+void PrintMeshes(const Separation& result, int width, std::ostream& screen) {
+  screen << "\n"
+         << std::left << std::setw(width) << "mesh" << std::right
+         << "  volume cm3     after  largest move mm   mean mm\n"
+         << std::fixed << std::setprecision(3);
+  for (size_t i = 0; i < result.frame.muscles.size(); ++i) {
+    const PreparedMuscle& mesh = result.scene->muscles[i];
+    const MuscleFrame& moved = result.frame.muscles[i];
+    const Remaking& remaking = mesh.mesh.remaking;
+    screen << std::left << std::setw(width) << mesh.model.name << std::right
+           << std::setw(12) << VolumeBefore(mesh) / 1000 << std::setw(10)
+           << moved.volume_ratio * mesh.model.rest_volume / 1000
+           << std::setw(17) << moved.max_displacement << std::setw(10)
+           << result.mean_displacements[i];
+    if (remaking.is_done) {
+      screen << "  made anew, " << std::setprecision(1) << remaking.farthest
+             << " mm off the old surface at most" << std::setprecision(3);
+    }
+    screen << "\n";
+  }
+}
+
+void PrintSeparation(const Separation& result, std::ostream& screen) {
+  const int width = NameWidth(*result.scene);
+  PrintPairs(result, width, screen);
+  PrintMeshes(result, width, screen);
+  const std::optional<double> gap = result.frame.intersections.SmallestGap();
+  screen << std::defaultfloat << std::setprecision(4) << "\n";
+  if (gap) {
+    screen << "smallest gap: " << *gap << " mm (proved)\n";
+  } else {
+    screen << "all gaps are above " << kMeshGapLimit << " mm (proved)\n";
+  }
+  for (const std::string& shortcoming : result.frame.shortcomings) {
+    screen << "not usable: " << shortcoming << "\n";
+  }
+}
+
+// Reads, separates and writes, with the screen kept up to date.
+class SeparateRun {
+ public:
+  SeparateRun(const std::vector<std::string>& files,
+              const SeparateOptions& options,
+              std::ostream& screen)
+      : files_(files),
+        options_(options),
+        screen_(screen),
+        progress_(options.is_terminal, &screen) {}
+
+  int Execute() {
+    const InterruptionScope interruption(
+        [this](const std::string& reason) { SayStopped(reason); });
+    try {
+      const Stopwatch stopwatch;
+      DeformerOptions options = DeformerOptionsOf(options_);
+      options.on_progress = [this](const Progress& progress) {
+        ThrowIfInterrupted();
+        progress_.Say(progress);
+      };
+      Deformer deformer(SceneOf(files_, options_.bones), options);
+      const Separation result = Separate(&deformer);
+      ThrowIfInterrupted();
+      progress_.Clear();
+      Write(result, stopwatch.Milliseconds());
+      PrintSeparation(result, screen_);
+      return result.frame.IsUsable() ? kExitUsable : kExitNotUsable;
+    } catch (const Interrupted& interrupted) {
+      progress_.Clear();
+      SayStopped(interrupted.what());
+      return kExitNotUsable;
+    }
+  }
+
+ private:
+  void Write(const Separation& result, double wall_ms) {
+    is_writing_ = true;
+    MakeFolder(options_.out);
+    RemovePartialOutput(options_.out);
+    WriteMeshes(result, options_);
+    if (!options_.json) return;
+    const auto on_error = Json::error_handler_t::replace;
+    WriteTextAtomically(
+        (fs::path(options_.out) / kJsonFile).string(),
+        SeparationJson(result, wall_ms).dump(2, ' ', false, on_error) + "\n");
+  }
+
+  void SayStopped(const std::string& reason) {
+    screen_ << reason
+            << (is_writing_ ? ": not all meshes were written\n"
+                            : ": nothing was written\n")
+            << std::flush;
+  }
+
+  const std::vector<std::string>& files_;
+  const SeparateOptions& options_;
+  std::ostream& screen_;
+  ScreenProgress progress_;
+  std::atomic<bool> is_writing_ = false;
+};
+
+}  // namespace
+
+int SeparateCommand(const std::vector<std::string>& files,
+                    const SeparateOptions& options,
+                    std::ostream& screen) {
+  CheckOptions(files, options);
+  std::vector<std::string> all = options.bones;
+  all.insert(all.end(), files.begin(), files.end());
+  CheckNames(all);
+  CheckResultsAreNew(all, options);
+  if (options.threads > 0) omp_set_num_threads(options.threads);
+  return SeparateRun(files, options, screen).Execute();
+}
+
+}  // namespace musclewarp
