@@ -8,6 +8,7 @@
 #include <atomic>
 #include <filesystem>
 #include <iomanip>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -42,6 +43,10 @@ DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
   // the surroundings of an overlap, and the rest of a mesh stays where it is
   // (docs/results.md has the figures).
   deformer.frames.certified.coarse_weight = 0;
+  // How far meshes move is reported. It does not count against the result: a
+  // mesh moves farther than it is deep if a part has to leave a pocket.
+  deformer.frames.requirements.displacement_allowance =
+      std::numeric_limits<double>::infinity();
   deformer.remaking.kind = options.remake;
   return deformer;
 }

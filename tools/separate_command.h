@@ -37,11 +37,11 @@ struct SeparateOptions {
 // same figures under the keys of report.json (docs/report.md).
 //
 // Returns 0 if the certificate of the result has no shortcomings
-// (certificate/shortcomings.h), and 1 if it has, or if the program was
-// interrupted (SIGINT, SIGTERM). Throws InputError, before anything is written,
-// for files that cannot be read or repaired, two files of one name, options
-// that are not allowed, results that would replace a file that was read, and
-// meshes that cannot be separated.
+// (certificate/shortcomings.h; how far meshes move does not count), and 1 if it
+// has, or if the program was interrupted (SIGINT, SIGTERM). Throws InputError,
+// before anything is written, for files that cannot be read or repaired, two
+// files of one name, options that are not allowed, results that would replace a
+// file that was read, and meshes that cannot be separated.
 int SeparateCommand(const std::vector<std::string>& files,
                     const SeparateOptions& options,
                     std::ostream& screen);
