@@ -37,7 +37,7 @@ constexpr double kUnmoved = 1e-6;  // mm
 // Writes two ellipsoids that overlap by 3 mm, and a box that one of them enters
 // by 2 mm, to a.ply, b.ply and box.ply in `dir`.
 void WriteOverlappingMeshes(const std::string& dir) {
-  const TriangleSoup spindle = Spindle(12, 40, 3);
+  const TriangleSoup spindle = Spindle(12, 40, 2);
   WriteTriangleSoup(dir + "/a.ply", spindle);
   WriteTriangleSoup(dir + "/b.ply", MovedBy(spindle, {21, 0, 0}));
   WriteTriangleSoup(dir + "/box.ply", MovedBy(Box(10, 60, 60), {-15, 0, 0}));
@@ -58,9 +58,17 @@ int Separate(const std::string& dir,
   return exit_code;
 }
 
-SeparateOptions WithBox(const std::string& dir, const std::string& out) {
+// With one thread: more are slower on small meshes, by far where other programs
+// run.
+SeparateOptions WithoutBones(const std::string& dir, const std::string& out) {
   SeparateOptions options;
   options.out = dir + "/" + out;
+  options.threads = 1;
+  return options;
+}
+
+SeparateOptions WithBox(const std::string& dir, const std::string& out) {
+  SeparateOptions options = WithoutBones(dir, out);
   options.bones = {dir + "/box.ply"};
   return options;
 }
@@ -135,8 +143,7 @@ TEST(SeparateCommand, TheOrderOfFilesDoesNotMatter) {
 TEST(SeparateCommand, NeedsNoBones) {
   const std::string dir = TestTempDir();
   WriteOverlappingMeshes(dir);
-  SeparateOptions options;
-  options.out = dir + "/out";
+  SeparateOptions options = WithoutBones(dir, "out");
   options.formats = {"obj", "ply"};
   options.gap = 0.3;
   EXPECT_EQ(Separate(dir, {"a", "b", "box"}, options), kExitUsable);
@@ -165,8 +172,8 @@ TEST(SeparateCommand, MeshesThatDoNotOverlapStay) {
 // The end of an ellipsoid surrounds a bone that is thinner.
 TEST(SeparateCommand, AMeshWithAnEndAroundABoneIsMadeAnew) {
   const std::string dir = TestTempDir();
-  WriteTriangleSoup(dir + "/around.ply", Spindle(12, 60, 2));
-  WriteTriangleSoup(dir + "/box.ply", MovedBy(Box(16, 16, 60), {0, 0, 52}));
+  WriteTriangleSoup(dir + "/around.ply", Spindle(6, 30, 2));
+  WriteTriangleSoup(dir + "/box.ply", MovedBy(Box(8, 8, 30), {0, 0, 26}));
   SeparateOptions options = WithBox(dir, "out");
   options.json = true;
   std::string screen;
@@ -243,7 +250,7 @@ TEST(SeparateProgram, TakesItsFlags) {
   const std::string dir = TestTempDir();
   WriteOverlappingMeshes(dir);
   const std::string flags = "--out=" + dir + "/out " + dir + "/a.ply " + dir +
-                            "/b.ply --bone=" + dir + "/box.ply";
+                            "/b.ply --bone=" + dir + "/box.ply --threads=1";
   ProgramRun run = RunCommandLine(MUSCLEWARP_SEPARATE, flags + " --format=stl");
   EXPECT_EQ(run.exit_code, kExitBadInput);
   EXPECT_THAT(run.errors,
