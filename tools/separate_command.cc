@@ -33,15 +33,12 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr char kJsonFile[] = "separation.json";
-
 DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
   DeformerOptions deformer;
   deformer.frames.contact = ContactKind::kCertified;
   SetGap(options.gap, &deformer.frames.certified);
-  // No mesh has to follow a line. Without the coarse solve contact moves only
-  // the surroundings of an overlap, and the rest of a mesh stays where it is
-  // (docs/results.md has the figures).
+  // No mesh has to follow a line. Without the coarse solve only what is around
+  // an overlap moves (docs/results.md has the figures).
   deformer.frames.certified.coarse_weight = 0;
   // How far meshes move is reported. It does not count against the result: a
   // mesh moves farther than it is deep if a part has to leave a pocket.
@@ -364,10 +361,11 @@ class SeparateRun {
     RemovePartialOutput(options_.out);
     WriteMeshes(result, options_);
     if (!options_.json) return;
-    const auto on_error = Json::error_handler_t::replace;
     WriteTextAtomically(
-        (fs::path(options_.out) / kJsonFile).string(),
-        SeparationJson(result, wall_ms).dump(2, ' ', false, on_error) + "\n");
+        (fs::path(options_.out) / "separation.json").string(),
+        SeparationJson(result, wall_ms)
+                .dump(2, ' ', false, Json::error_handler_t::replace) +
+            "\n");
   }
 
   void SayStopped(const std::string& reason) {
