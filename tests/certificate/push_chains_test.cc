@@ -27,8 +27,8 @@ TEST(FarthestPushes, AreZeroWithoutOverlaps) {
 }
 
 TEST(FarthestPushes, AddTheDepthsAlongAChain) {
-  const auto pushes = FarthestPushes(
-      3, {BoneIn(0, 6), Between(0, 1, 2), Between(1, 2, 1)}, {});
+  const auto pushes =
+      FarthestPushes(3, {BoneIn(0, 6), Between(0, 1, 2), Between(1, 2, 1)}, {});
   EXPECT_EQ(pushes[2].depth, 9);
   EXPECT_THAT(pushes[2].muscles, ElementsAre(0, 1, 2));
   EXPECT_EQ(pushes[1].depth, 8);
@@ -54,10 +54,10 @@ TEST(FarthestPushes, HaveNoMoreMusclesThanAllowed) {
 }
 
 TEST(FarthestPushes, DoNotDependOnTheOrderOfOverlaps) {
-  const auto a = FarthestPushes(
-      3, {BoneIn(2, 4), Between(0, 1, 2), Between(1, 2, 3)}, {});
-  const auto b = FarthestPushes(
-      3, {Between(1, 2, 3), Between(0, 1, 2), BoneIn(2, 4)}, {});
+  const auto a =
+      FarthestPushes(3, {BoneIn(2, 4), Between(0, 1, 2), Between(1, 2, 3)}, {});
+  const auto b =
+      FarthestPushes(3, {Between(1, 2, 3), Between(0, 1, 2), BoneIn(2, 4)}, {});
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(a[i].depth, b[i].depth);
     EXPECT_EQ(a[i].muscles, b[i].muscles);

@@ -72,11 +72,11 @@ double LargestDifference(const PreparedScene& scene,
   double largest = 0;
   for (size_t i = 0; i < a.muscles.size(); ++i) {
     const MuscleModel& model = scene.muscles[i].model;
-    largest = std::max(largest,
-                       (FinePoints(model, a.muscles[i]) -
-                        FinePoints(model, b.muscles[i]))
-                           .cwiseAbs()
-                           .maxCoeff());
+    largest = std::max(
+        largest,
+        (FinePoints(model, a.muscles[i]) - FinePoints(model, b.muscles[i]))
+            .cwiseAbs()
+            .maxCoeff());
   }
   return largest;
 }

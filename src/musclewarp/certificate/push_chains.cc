@@ -18,8 +18,7 @@ class Walker {
          const std::vector<std::pair<int, int>>& touching,
          int max_length)
       : overlaps_(overlaps),
-        between_(
-            Eigen::MatrixXd::Constant(num_muscles, num_muscles, kApart)),
+        between_(Eigen::MatrixXd::Constant(num_muscles, num_muscles, kApart)),
         max_length_(max_length) {
     for (const auto& [a, b] : touching) Link(a, b, 0);
     for (const PairDepth& overlap : overlaps) {

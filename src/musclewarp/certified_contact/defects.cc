@@ -117,8 +117,11 @@ std::optional<SeparatingPlane> PlaneAgainstBone(const StepOptions& options,
   const auto separation = SeparateTriangles(at_rest, obstacle);
   if (!separation) return std::nullopt;
   const double level = (obstacle * separation->normal.transpose()).maxCoeff();
-  return PlaneOfBone(
-      step, pair.a, pair.f, pair.b, {separation->normal, level + options.AimedGap()});
+  return PlaneOfBone(step,
+                     pair.a,
+                     pair.f,
+                     pair.b,
+                     {separation->normal, level + options.AimedGap()});
 }
 
 void AddSelfCrossings(const StepOptions& options,
@@ -232,8 +235,13 @@ std::vector<SeparatingPlane> PlanesAgainst(const StepDefects& defects,
         SeparateTriangles(step.trees_before[pair.a].corners(pair.f),
                           step.trees_before[pair.b].corners(pair.g));
     if (!separation) continue;
-    planes.push_back(PlaneBetween(
-        step, pair.a, pair.f, pair.b, pair.g, *separation, options.AimedGap() / 2));
+    planes.push_back(PlaneBetween(step,
+                                  pair.a,
+                                  pair.f,
+                                  pair.b,
+                                  pair.g,
+                                  *separation,
+                                  options.AimedGap() / 2));
   }
   for (const CrossingTriangle& pair : defects.bone_crossings) {
     add(PlaneAgainstBone(options, step, pair));

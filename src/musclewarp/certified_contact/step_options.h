@@ -116,8 +116,8 @@ struct DefectOptions {
 
 // All numbers that steer one step of certified contact.
 struct StepOptions {
-  // The distance that two surfaces keep at least, mm. Muscles move more the larger it
-  // is (0.86 mm on average with a gap of 0.2 mm instead of 0.83).
+  // The distance that two surfaces keep at least, mm. Muscles move more the
+  // larger it is (0.86 mm on average with a gap of 0.2 mm instead of 0.83).
   double gap = 0.1;
 
   // How far a vertex may move in one step beside the way that it is carried
