@@ -175,7 +175,6 @@ class DeformRun {
       return;
     }
     screen_ << "resumed after frame " << run_.frames.size() << "\n";
-    state.pose = poses()[selected_[run_.frames.size() - 1]];
     deformer_->set_state(std::move(state));
   }
 

@@ -25,6 +25,15 @@ SceneState SomeState(int seed) {
   MuscleState without;
   without.coarse = Points::Constant(2, 3, -seed);
   SceneState state;
+  state.pose.name = "between";
+  state.pose.time = 0.1 * seed;
+  state.pose.coordinates = {{"hip_flexion", 1.0 / 3}};
+  Eigen::Matrix4d target = Eigen::Matrix4d::Identity();
+  target(1, 3) = 1.0 / (seed + 7);
+  state.pose.bodies = {{"femur", target}};
+  state.pose.lines = {{"psoas", Points::Constant(3, 3, 0.1)}};
+  state.pose.model_values = {0.1, -0.2};
+  state.pose.path_lengths = {{"psoas", 200.1}};
   state.muscles = {with_offset, without};
   state.free_coarse = {Points::Constant(4, 3, 1.0 / (seed + 1))};
   return state;
@@ -40,6 +49,13 @@ void ExpectStates(const SceneState& state, const SceneState& expected) {
     EXPECT_EQ(a.corrections.fine_offset, b.corrections.fine_offset);
   }
   EXPECT_EQ(state.free_coarse, expected.free_coarse);
+  EXPECT_EQ(state.pose.name, expected.pose.name);
+  EXPECT_EQ(state.pose.time, expected.pose.time);
+  EXPECT_EQ(state.pose.coordinates, expected.pose.coordinates);
+  EXPECT_EQ(state.pose.bodies, expected.pose.bodies);
+  EXPECT_EQ(state.pose.lines, expected.pose.lines);
+  EXPECT_EQ(state.pose.model_values, expected.pose.model_values);
+  EXPECT_EQ(state.pose.path_lengths, expected.pose.path_lengths);
 }
 
 TEST(ResumeLog, GivesBackWhatIsThereWithoutAGap) {

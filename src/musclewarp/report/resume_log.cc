@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/report/resume_log.h"
 
+#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -25,9 +26,43 @@ Points PointsFromJson(const Json& json) {
   return Eigen::Map<const Points>(values.data(), values.size() / 3, 3);
 }
 
+// A pose may lie between those of the scene, if a frame was given up.
+Json ToJson(const ScenePose& pose) {
+  Json bodies = Json::object(), lines = Json::object();
+  for (const auto& [name, target] : pose.bodies) {
+    bodies[name] =
+        std::vector<double>(target.data(), target.data() + target.size());
+  }
+  for (const auto& [name, line] : pose.lines) lines[name] = ToJson(line);
+  return {{"name", pose.name},
+          {"time", pose.time},
+          {"coordinates", pose.coordinates},
+          {"bodies", bodies},
+          {"lines", lines},
+          {"model_values", pose.model_values},
+          {"path_lengths", pose.path_lengths}};
+}
+
+ScenePose PoseFromJson(const Json& json) {
+  ScenePose pose;
+  json.at("name").get_to(pose.name);
+  json.at("time").get_to(pose.time);
+  json.at("coordinates").get_to(pose.coordinates);
+  for (const auto& [name, target] : json.at("bodies").items()) {
+    const auto values = target.get<std::array<double, 16>>();
+    pose.bodies[name] = Eigen::Map<const Eigen::Matrix4d>(values.data());
+  }
+  for (const auto& [name, line] : json.at("lines").items()) {
+    pose.lines[name] = PointsFromJson(line);
+  }
+  json.at("model_values").get_to(pose.model_values);
+  json.at("path_lengths").get_to(pose.path_lengths);
+  return pose;
+}
+
 // The first line of the key file. The number grows whenever a file of the log
 // gets another layout; logs before the first number had no such line.
-constexpr char kFormat[] = "musclewarp resume log 3";
+constexpr char kFormat[] = "musclewarp resume log 4";
 
 constexpr char kAdvice[] = "run without --resume, or choose another --out";
 
@@ -40,6 +75,7 @@ struct LoggedFrame {
 LoggedFrame LoggedFrameFromJson(const Json& json) {
   LoggedFrame frame;
   frame.record = FrameRecordFromJson(json.at("record"));
+  frame.state.pose = PoseFromJson(json.at("pose"));
   for (const Json& item : json.at("muscles")) {
     MuscleState muscle;
     muscle.coarse = PointsFromJson(item.at("coarse"));
@@ -125,6 +161,7 @@ void ResumeLog::FrameDone(const FrameRecord& record,
     free_coarse.push_back(ToJson(coarse));
   }
   const auto bytes = Json::to_cbor(Json{{"record", musclewarp::ToJson(record)},
+                                        {"pose", ToJson(state.pose)},
                                         {"muscles", muscles},
                                         {"free_coarse", free_coarse}});
   WriteTextAtomically(FrameFile(record.index),

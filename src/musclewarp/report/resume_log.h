@@ -26,8 +26,8 @@ class ResumeLog {
   ResumeLog(const std::string& dir, const std::string& inputs_hash);
 
   // Returns the frames of an interrupted run of the same input, from the first
-  // of `selected` on without a gap. `state` becomes that of the last of them,
-  // but for its pose, if there is one. Throws InputError if DIR holds an
+  // of `selected` on without a gap. `state` becomes the one that was kept with
+  // the last of them, if there is one. Throws InputError if DIR holds an
   // interrupted run of other input or options, or of a version of musclewarp
   // that keeps other files.
   std::vector<FrameRecord> Continue(const std::vector<int>& selected,
