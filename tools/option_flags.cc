@@ -23,7 +23,8 @@ const FlagsOfFields& FlagsOfContact() {
       {"OuterHullOptions::coarse_vertices", "bone_coarse_vertices"},
       {"StepOptions::gap", "gap"},
       {"StepOptions::max_rounds", "max_rounds"},
-      {"StepLimits::max_move", "max_step_move"}};
+      {"StepLimits::max_move", "max_step_move"},
+      {"CertifiedContactOptions::frame_timeout_s", "frame_timeout_s"}};
   return kFlags;
 }
 

@@ -66,6 +66,7 @@ TEST(SceneFlags, DefaultsAreThoseOfTheOptions) {
   EXPECT_EQ(certified.step.max_rounds, unset.step.max_rounds);
   EXPECT_EQ(certified.limits.max_turn, unset.limits.max_turn);
   EXPECT_EQ(certified.limits.max_move, unset.limits.max_move);
+  EXPECT_EQ(certified.frame_timeout_s, unset.frame_timeout_s);
   EXPECT_EQ(options.frames, defaults.frames);
 }
 
@@ -86,6 +87,7 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
                                            {"max_rounds", "9"},
                                            {"max_step_turn", "1"},
                                            {"max_step_move", "5"},
+                                           {"frame_timeout_s", "30"},
                                            {"body_twist", "false"}});
   EXPECT_EQ(options.deformer.prepare.muscle.hull.coarse_vertices, 300);
   EXPECT_EQ(options.deformer.frames.paper.bone_hull.coarse_vertices, 400);
@@ -106,6 +108,7 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
   EXPECT_EQ(certified.step.max_rounds, 9);
   EXPECT_EQ(certified.limits.max_turn, M_PI / 180);
   EXPECT_EQ(certified.limits.max_move, 5);
+  EXPECT_EQ(certified.frame_timeout_s, 30);
 }
 
 TEST(SceneFlags, RefusesValuesThatAreNotAllowedByTheNameOfTheFlag) {
@@ -135,6 +138,7 @@ TEST(SceneFlags, RefusesValuesThatAreNotAllowedByTheNameOfTheFlag) {
   ExpectRefused("max_rounds", "0", "1 or above");
   ExpectRefused("max_step_turn", "0", "above 0");
   ExpectRefused("max_step_move", "0", "above 0");
+  ExpectRefused("frame_timeout_s", "-1", "0 or above");
 }
 
 TEST(SceneFlags, NoMessageNamesAStructOfTheLibrary) {
