@@ -26,7 +26,8 @@ void ExpectAsSearched(TriangleSoup soup, double half_size, double limit) {
   const SearchableMesh mesh(std::move(soup));
   const SolidDistance distance(mesh);
   int num_inside = 0, num_limited = 0;
-  for (const auto p : Points(half_size * RandomPoints(2000, 7)).rowwise()) {
+  const Points places = half_size * RandomPoints(2000, 7);
+  for (const auto p : places.rowwise()) {
     const double expected = std::min(SearchedEverywhere(mesh, p), limit);
     ASSERT_EQ(distance.At(p, limit), expected) << p;
     num_inside += expected < 0;
