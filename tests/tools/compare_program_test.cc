@@ -18,7 +18,6 @@ namespace musclewarp {
 namespace {
 
 using Json = nlohmann::json;
-using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 ProgramRun Compare(const std::string& arguments) {

@@ -46,7 +46,7 @@ void WriteOverlappingMeshes(const std::string& dir) {
 // Runs the command on files in `dir`, given without their extension.
 int Separate(const std::string& dir,
              const std::vector<std::string>& names,
-             SeparateOptions options,
+             const SeparateOptions& options,
              std::string* screen = nullptr) {
   std::vector<std::string> files;
   for (const std::string& name : names) {
