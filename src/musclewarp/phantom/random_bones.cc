@@ -249,7 +249,7 @@ void AddBone(RandomDraws* draws, std::vector<PlacedBone>* bones) {
     return;
   }
   const std::vector<FreeEnd> ends = FreeEnds(*bones);
-  const FreeEnd end =
+  const FreeEnd& end =
       ends[draws->Integer(0, static_cast<int>(ends.size()) - 1)];
   PlacedBone& parent = (*bones)[end.bone];
   if (end.outward.dot(parent.Direction()) > 0) {
