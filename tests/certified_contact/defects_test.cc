@@ -127,11 +127,12 @@ TEST(FindDefects, SeparatesAMuscleThatCrossesItself) {
   EXPECT_EQ(stiffness[0].minCoeff(), 1);
 }
 
-TEST(FindDefects, LeavesCrossingsThatTheMeshHasAtRest) {
+TEST(FindDefects, LeavesCrossingsThatNoPlaneCanSeparate) {
   TriangleSoup soup = SphereAt({0, 0, 0}, 10, 2);
   soup.points.row(0) *= -1.05;
+  ASSERT_FALSE(SelfIntersections(soup).empty());
+  // They cross before the step and where the coarse mesh has them.
   const Moved moved(ContactGroup({soup}, {}));
-  ASSERT_GT(moved.group.scene.muscles[0].self_pairs, 0);
   EXPECT_FALSE(moved.Find().HasCrossings());
 }
 

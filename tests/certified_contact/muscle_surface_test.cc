@@ -69,13 +69,6 @@ TEST(MuscleSurface, BoundsTheWeightsOfNeedles) {
   }
 }
 
-TEST(MuscleSurface, CountsTrianglesThatCrossAtRest) {
-  EXPECT_EQ(SurfaceOf(Icosphere(5, 2)).self_pairs, 0);
-  TriangleSoup folded = Icosphere(5, 2);
-  folded.points.row(0) *= -1.2;  // through the opposite side
-  EXPECT_GT(SurfaceOf(folded).self_pairs, 0);
-}
-
 TEST(MuscleSurface, HasNoExemptTrianglesUnlessToldSo) {
   MuscleSurface surface = SurfaceOf(UnitTetrahedron());
   EXPECT_FALSE(surface.IsExempt(0, 0));

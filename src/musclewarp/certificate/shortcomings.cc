@@ -78,13 +78,11 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
                                      ", allowed ",
                                      requirements.max_volume_error));
   }
-  if (muscle.self_pairs > muscle.self_pairs_at_rest) {
+  if (muscle.self_pairs > 0) {
     shortcomings->push_back(Sentence(muscle.name,
                                      ": ",
                                      muscle.self_pairs,
-                                     " self-intersecting triangle pairs, at "
-                                     "rest ",
-                                     muscle.self_pairs_at_rest));
+                                     " self-intersecting triangle pairs"));
   }
   const auto most_folded =
       static_cast<int>(requirements.max_folded_share *
@@ -96,10 +94,10 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
                                      " folded triangles, allowed ",
                                      most_folded));
   }
-  const double farthest =
-      requirements.displacement_per_depth *
-          std::max(muscle.depth_without_contact, muscle.push_depth) +
-      requirements.displacement_allowance;
+  const double depth = muscle.depth_without_contact;
+  const double farthest = requirements.displacement_per_depth * depth +
+                          std::max(0.0, muscle.push_depth - depth) +
+                          requirements.displacement_allowance;
   if (!(muscle.max_contact_displacement <= farthest)) {
     std::ostringstream chain;
     if (muscle.pushed_by.size() > 1) {
@@ -114,7 +112,7 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
                                      " mm by contact, allowed ",
                                      farthest,
                                      " (",
-                                     muscle.depth_without_contact,
+                                     depth,
                                      " mm deep without",
                                      chain.str(),
                                      ")"));

@@ -18,12 +18,14 @@ struct FrameRequirements {
   // Folded triangles of a muscle, as a share of its triangles.
   double max_folded_share = 1e-3;
 
-  // Contact may move a vertex by this factor of the depths along the chain of
-  // muscles that push it (push_chains.h), and by the allowance (mm) beside
-  // that. Muscles that are nearer to each other than this, mm, pass a push on.
-  double touching_distance = 0.5;
+  // Contact may move a vertex by this factor of the depth to which its muscle
+  // is in another mesh without contact, by what the chain of muscles that push
+  // it adds to that depth (push_chains.h), and by the allowance, mm.
   double displacement_per_depth = 2;
   double displacement_allowance = 1;
+
+  // Muscles that are nearer to each other than this, mm, pass a push on.
+  double touching_distance = 0.5;
 
   // The proved distance of every two meshes, mm, at most kMeshGapLimit; 0 if
   // none is required. Certified contact requires at least the gap that it
@@ -40,23 +42,22 @@ struct MuscleMeasures {
   int num_triangles = 0;
   int folded_triangles = 0;
 
-  // Pairs of its triangles that cross each other: in the frame, and in the mesh
-  // as it was delivered and repaired, which is the baseline.
-  int self_pairs = 0;
-  int self_pairs_at_rest = 0;
+  int self_pairs = 0;  // of its triangles that cross each other
 
-  // How far contact moved a vertex at most, mm, how deep the muscle is in
-  // another mesh, or another in it, without contact, mm, and the depths along
-  // the chain of muscles that push it (their names, it comes last).
+  // How far contact moved a vertex at most, and how deep the muscle is in
+  // another mesh, or another in it, without contact, mm.
   double max_contact_displacement = 0;
   double depth_without_contact = 0;
+
+  // The depths of the overlaps along the chain of muscles that pushes this one,
+  // added up, mm, and the names of these muscles; this one comes last.
   double push_depth = 0;
   std::vector<std::string> pushed_by;
 };
 
 // Returns what a frame does not hold of the requirements, a sentence each:
 // triangles that cross (how many, where, how deep), vertices inside another
-// mesh, gaps, volume, self-intersections (no more than at rest), folded
+// mesh, gaps, volume, self-intersections, folded
 // triangles, displacement. A frame is certified if there are none. Precondition
 // (CHECKed): the requirements are valid.
 std::vector<std::string> Shortcomings(

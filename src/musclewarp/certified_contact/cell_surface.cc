@@ -40,7 +40,6 @@ void KeepLargestBody(TriangleSoup* soup) {
 bool CellSurfaceOptions::IsValid(std::string* error) const {
   return OptionCheck("CellSurfaceOptions", error)
              .IsAbove("spacing", spacing, 0)
-             .IsAtLeast("edge_length", edge_length, 0)
              .is_valid() &&
          cell.IsValid(error);
 }
@@ -58,13 +57,10 @@ TriangleSoup CellSurface(const CellSurfaceOptions& options,
       options.spacing);
   if (surface.triangles.rows() == 0) return surface;
   KeepLargestBody(&surface);
-  TriangleSoup even =
-      Remeshed(surface,
-               options.edge_length > 0
-                   ? options.edge_length
-                   : std::max(options.spacing,
-                              TypicalEdge(muscle.mesh().points(),
-                                          muscle.mesh().triangles())));
+  TriangleSoup even = Remeshed(
+      surface,
+      std::max(options.spacing,
+               TypicalEdge(muscle.mesh().points(), muscle.mesh().triangles())));
   // Thin parts may not survive the new size of triangles.
   if (CountDefects(even).IsClean() && SelfIntersections(even).empty()) {
     return even;

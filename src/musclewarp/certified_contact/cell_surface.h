@@ -18,10 +18,6 @@ struct CellSurfaceOptions {
   // one, so that their surfaces do not cross each other.
   double spacing = 1;
 
-  // The new triangles have edges of about this length, mm; 0: the mean of those
-  // of the old mesh, but not less than the spacing.
-  double edge_length = 0;
-
   bool IsValid(std::string* error) const;
 };
 
@@ -29,8 +25,9 @@ struct CellSurfaceOptions {
 // moving its vertices: because a bone cuts a part off, a tendon lies inside a
 // bone, or the mesh crosses itself. It is the border of the largest part of the
 // muscle that lies in its medial cell: a closed, outward oriented manifold that
-// does not cross itself, with even triangles. Without vertices if nothing of
-// the muscle is left. Precondition (CHECKed): the options are valid.
+// does not cross itself, with even triangles of the size that the old ones
+// have, but not smaller than the spacing. Without vertices if nothing of the
+// muscle is left. Precondition (CHECKed): the options are valid.
 TriangleSoup CellSurface(const CellSurfaceOptions& options,
                          const SolidDistance& muscle,
                          const std::vector<const SolidDistance*>& other_muscles,

@@ -130,11 +130,7 @@ void AddSelfCrossings(const StepOptions& options,
                       int muscle,
                       const TriangleBvh& tree,
                       StepDefects* defects) {
-  const auto pairs = SelfIntersections(tree);
-  if (static_cast<int>(pairs.size()) <= step.scene.muscles[muscle].self_pairs) {
-    return;
-  }
-  for (const auto& [f, g] : pairs) {
+  for (const auto& [f, g] : SelfIntersections(tree)) {
     if (PlaneBetweenSheets(options, step, targets, muscle, f, g)) {
       defects->self_crossings.push_back({muscle, f, muscle, g});
     }

@@ -23,9 +23,8 @@ struct StepDefects {
   std::vector<CrossingTriangle> muscle_crossings;  // of muscles a < b
   std::vector<CrossingTriangle> bone_crossings;    // of muscle a and bone b
 
-  // Of muscle a with itself (b == a), if it has more of them than at rest.
-  // Those that a plane can separate: the two were apart before the step or are
-  // apart where the coarse mesh has them.
+  // Of muscle a with itself (b == a). Those that a plane can separate: the two
+  // were apart before the step or are apart where the coarse mesh has them.
   std::vector<CrossingTriangle> self_crossings;
 
   // By muscle: triangles turned over against their targets, if the muscle has

@@ -9,7 +9,6 @@
 #include <map>
 
 #include "musclewarp/base/option_check.h"
-#include "musclewarp/geometry/mesh_intersection.h"
 
 namespace musclewarp {
 
@@ -31,8 +30,6 @@ MuscleSurface MakeMuscleSurface(const Points& rest,
   surface.triangles = triangles;
   surface.volume = volume;
   surface.tree = std::make_shared<TriangleBvh>(rest, triangles);
-  surface.self_pairs =
-      static_cast<int>(SelfIntersections(*surface.tree).size());
   surface.areas = Eigen::VectorXd::Zero(rest.rows());
   std::vector<std::map<int, double>> around(rest.rows());
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {

@@ -28,10 +28,6 @@ struct MuscleSurface {
   Triangles triangles;  // closed, outward
   double volume = 0;    // to be kept, mm^3
 
-  // Pairs of triangles that cross each other at rest. As the mesh came with
-  // them, contact does not try to part them.
-  int self_pairs = 0;
-
   std::shared_ptr<const TriangleBvh> tree;  // of the rest pose
 
   // By bone: the triangles (#F) that may cross it (see exempt_area.h). Empty

@@ -13,7 +13,7 @@
 namespace musclewarp {
 
 struct StepSummary {
-  // No triangles cross, of two meshes or (but for those of rest) of one.
+  // No triangles cross, of two meshes or of one.
   bool is_intersection_free = false;
   int rounds = 0;
   int crossing_pairs = 0;   // of triangles of two meshes, in the last round

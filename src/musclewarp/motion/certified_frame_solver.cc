@@ -149,7 +149,6 @@ void CertifiedFrameSolver::Judge(Frame* frame) {
         static_cast<int>(scene_.muscles[i].model.fine_triangles.rows());
     measure.folded_triangles = muscle.folded_triangles;
     measure.self_pairs = muscle.self_pairs;
-    measure.self_pairs_at_rest = RestFrame().muscles[i].self_pairs;
     measure.max_contact_displacement = muscle.max_contact_displacement;
     measure.depth_without_contact = muscle.depth_without_contact;
     measure.push_depth = muscle.push_depth;
