@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "musclewarp/certified_contact/sheet_planes.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/transformed.h"
 
@@ -33,42 +34,6 @@ std::vector<int> FoldedTriangles(const DefectOptions& options,
     folded.clear();
   }
   return folded;
-}
-
-// The plane between two triangles of a muscle that cross, nothing if they were
-// never apart.
-std::optional<SeparatingPlane> PlaneBetweenSheets(const StepOptions& options,
-                                                  const ContactStep& step,
-                                                  const Points& targets,
-                                                  int muscle,
-                                                  int f,
-                                                  int g) {
-  const RowVector3i a = step.scene.muscles[muscle].triangles.row(f);
-  const RowVector3i b = step.scene.muscles[muscle].triangles.row(g);
-  auto separation = SeparateSheets(step.before.points[muscle], a, b);
-  const bool were_apart = separation.has_value();
-  if (!were_apart) separation = SeparateSheets(targets, a, b);
-  if (!separation) return std::nullopt;
-  const double half_gap =
-      std::min(options.gap,
-               options.defects.sheet_share * separation->distance) /
-      2;
-  SeparatingPlane plane =
-      PlaneBetween(step, muscle, f, muscle, g, *separation, half_gap);
-  if (!were_apart) plane.normal = separation->normal;
-  for (const int corner : a) {
-    if ((b.array() == corner).any()) plane.shared_corner = corner;
-  }
-  if (plane.shared_corner < 0) return plane;
-  // The shared corner is on the plane; another one stands in for it.
-  for (RowVector3i* corners : {&plane.above, &plane.below}) {
-    const int other = (*corners)[0] == plane.shared_corner ? 1 : 0;
-    for (int k = 0; k < 3; ++k) {
-      if ((*corners)[k] == plane.shared_corner)
-        (*corners)[k] = (*corners)[other];
-    }
-  }
-  return plane;
 }
 
 // The plane that keeps the corner opposite to the longest edge of a triangle

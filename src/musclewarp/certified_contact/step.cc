@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "musclewarp/certified_contact/defects.h"
+#include "musclewarp/certified_contact/sheet_planes.h"
 #include "musclewarp/certified_contact/volume.h"
 
 namespace musclewarp {
@@ -17,7 +18,17 @@ OpenStep BeginStep(const StepOptions& options,
                    const std::vector<Points>& targets,
                    int sweeps) {
   OpenStep open{PlaneSet(options, step), StartOf(step), CarriedTrees(step)};
-  open.planes.Add(FindSeparatingPlanes(options, step, &open.trees));
+  std::vector<SeparatingPlane> planes =
+      FindSeparatingPlanes(options, step, &open.trees);
+  const size_t between = planes.size();
+  for (int i = 0; i < step.num_muscles(); ++i) {
+    const std::vector<SeparatingPlane> within =
+        FindPlanesBetweenSheets(options, step, i);
+    planes.insert(planes.end(), within.begin(), within.end());
+  }
+  VLOG(2) << between << " planes between surfaces, " << planes.size() - between
+          << " between sheets of one muscle";
+  open.planes.Add(planes);
   open.relaxed = Relax(options,
                        step,
                        targets,
