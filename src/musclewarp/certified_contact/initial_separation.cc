@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <deque>
-#include <limits>
+#include <map>
 #include <utility>
 
 #include "musclewarp/base/option_check.h"
@@ -75,27 +75,26 @@ class Separator {
     }
     trees_.emplace_back(points, muscles_[i]->triangles());
     points_.push_back(std::move(points));
+    has_moved_.push_back(true);
   }
 
-  // Finds the triangles of muscles that cross others.
-  std::vector<Crossing> FindCrossings() const {
-    std::vector<Crossing> crossings;
-    for (size_t i = 0; i < muscles_.size(); ++i) {
-      for (size_t j = i + 1; j < muscles_.size(); ++j) {
-        for (const auto& [f, g] : IntersectingTriangles(trees_[i], trees_[j])) {
-          crossings.push_back({i, f, trees_[j].corners(g), true});
-          crossings.push_back({j, g, trees_[i].corners(f), false});
-        }
+  // Finds the triangles of muscles that cross others. Pairs of meshes that have
+  // not moved since the last time are not looked at again.
+  std::vector<Crossing> FindCrossings() {
+    const size_t num_muscles = muscles_.size();
+    for (size_t i = 0; i < num_muscles; ++i) {
+      for (size_t j = i + 1; j < num_muscles; ++j) {
+        if (!has_moved_[i] && !has_moved_[j]) continue;
+        found_[{i, j}] = CrossingsOfMuscles(i, j);
       }
       for (size_t b = 0; b < bones_.size(); ++b) {
-        const ExemptArea* area =
-            FindExempt(exempt_, static_cast<int>(i), static_cast<int>(b));
-        for (const auto& [f, g] :
-             IntersectingTriangles(trees_[i], bones_[b]->bvh())) {
-          if (area && area->triangles[f]) continue;
-          crossings.push_back({i, f, bones_[b]->bvh().corners(g), true});
-        }
+        if (has_moved_[i]) found_[{i, num_muscles + b}] = CrossingsOfBone(i, b);
       }
+    }
+    has_moved_.assign(num_muscles, false);
+    std::vector<Crossing> crossings;
+    for (const auto& [pair, of_pair] : found_) {
+      crossings.insert(crossings.end(), of_pair.begin(), of_pair.end());
     }
     return crossings;
   }
@@ -118,6 +117,8 @@ class Separator {
     for (Eigen::Index v = 0; v < points.rows(); ++v) {
       if (pushes.count[v] > 0) pushed.push_back(static_cast<int>(v));
     }
+    if (pushed.empty()) return;
+    has_moved_[muscle] = true;
     const double radius = options_.carry_radius;
     Points moves = Points::Zero(points.rows(), 3);
 #pragma omp parallel for schedule(dynamic, 256)
@@ -141,6 +142,27 @@ class Separator {
   std::vector<Points> TakePoints() { return std::move(points_); }
 
  private:
+  std::vector<Crossing> CrossingsOfMuscles(size_t i, size_t j) const {
+    std::vector<Crossing> crossings;
+    for (const auto& [f, g] : IntersectingTriangles(trees_[i], trees_[j])) {
+      crossings.push_back({i, f, trees_[j].corners(g), true});
+      crossings.push_back({j, g, trees_[i].corners(f), false});
+    }
+    return crossings;
+  }
+
+  std::vector<Crossing> CrossingsOfBone(size_t i, size_t b) const {
+    const ExemptArea* area =
+        FindExempt(exempt_, static_cast<int>(i), static_cast<int>(b));
+    std::vector<Crossing> crossings;
+    for (const auto& [f, g] :
+         IntersectingTriangles(trees_[i], bones_[b]->bvh())) {
+      if (area && area->triangles[f]) continue;
+      crossings.push_back({i, f, bones_[b]->bvh().corners(g), true});
+    }
+    return crossings;
+  }
+
   // By muscle, #V x 3: the way into the medial cell from the vertices of
   // crossing triangles.
   std::vector<Points> WaysInward(const std::vector<Crossing>& crossings) const {
@@ -194,7 +216,21 @@ class Separator {
   std::vector<MedialCell> cells_;
   std::vector<Points> points_;
   std::vector<TriangleBvh> trees_;
+
+  // By muscle: whether it has moved since crossings were looked for. By pair of
+  // meshes, bones after muscles: what was found.
+  std::vector<char> has_moved_;
+  std::map<std::pair<size_t, size_t>, std::vector<Crossing>> found_;
 };
+
+// True if crossings have hardly become fewer in the last rounds.
+bool IsIdle(const InitialSeparationOptions& options,
+            const std::vector<int>& fewest) {
+  const size_t window = options.idle_rounds;
+  if (fewest.size() <= window) return false;
+  return fewest.back() >
+         options.idle_share * fewest[fewest.size() - 1 - window];
+}
 
 }  // namespace
 
@@ -204,7 +240,8 @@ bool InitialSeparationOptions::IsValid(std::string* error) const {
              .IsAbove("carry_radius", carry_radius, 0)
              .IsWithin("min_agreement", min_agreement, -1, 1)
              .IsAtLeast("max_rounds", max_rounds, 0)
-             .IsAtLeast("max_idle_rounds", max_idle_rounds, 1)
+             .IsAtLeast("idle_rounds", idle_rounds, 1)
+             .IsWithin("idle_share", idle_share, 0, 1)
              .is_valid() &&
          cell.IsValid(error);
 }
@@ -223,17 +260,20 @@ InitialSeparation SeparateInitially(
     separator.AddMuscle(i);
   }
   InitialSeparation result;
-  int fewest = std::numeric_limits<int>::max(), idle_rounds = 0;
+  std::vector<int> fewest;  // so far, by round
   for (;; ++result.rounds) {
     const std::vector<Crossing> crossings = separator.FindCrossings();
     result.crossing_pairs = static_cast<int>(std::count_if(
         crossings.begin(), crossings.end(), [](const Crossing& crossing) {
           return crossing.is_counted;
         }));
-    idle_rounds = result.crossing_pairs < fewest ? 0 : idle_rounds + 1;
-    fewest = std::min(fewest, result.crossing_pairs);
+    VLOG(2) << "separation, round " << result.rounds << ": "
+            << result.crossing_pairs << " crossing pairs";
+    fewest.push_back(fewest.empty()
+                         ? result.crossing_pairs
+                         : std::min(fewest.back(), result.crossing_pairs));
     if (result.crossing_pairs == 0 || result.rounds == options.max_rounds ||
-        idle_rounds == options.max_idle_rounds) {
+        IsIdle(options, fewest)) {
       break;
     }
     if (on_round) on_round(result.rounds, result.crossing_pairs);

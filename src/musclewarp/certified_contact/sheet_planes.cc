@@ -14,12 +14,12 @@ using Eigen::RowVector3i;
 
 // True if the triangles turn their front sides, or their back sides, to each
 // other across the plane with this normal.
-bool FaceEachOther(const Corners& f, const Corners& g, const RowVector3d& normal) {
-  const RowVector3d area_f = AreaVector(f), area_g = AreaVector(g);
-  const double share = 0.5;
-  const double up = area_f.dot(normal) / area_f.norm();
-  const double down = -area_g.dot(normal) / area_g.norm();
-  return std::min(up, down) > share || std::max(up, down) < -share;
+bool FaceEachOther(const RowVector3d& unit_f,
+                   const RowVector3d& unit_g,
+                   const RowVector3d& normal,
+                   double min_facing) {
+  const double up = unit_f.dot(normal), down = -unit_g.dot(normal);
+  return std::min(up, down) > min_facing || std::max(up, down) < -min_facing;
 }
 
 bool ShareAnEdge(const RowVector3i& a, const RowVector3i& b) {
@@ -28,28 +28,29 @@ bool ShareAnEdge(const RowVector3i& a, const RowVector3i& b) {
   return shared >= 2;
 }
 
-}  // namespace
+Points UnitNormals(const TriangleBvh& tree) {
+  Points normals(tree.num_triangles(), 3);
+  for (int f = 0; f < tree.num_triangles(); ++f) {
+    const RowVector3d area = AreaVector(tree.corners(f));
+    normals.row(f) = area.norm() > 0 ? area.normalized() : area;
+  }
+  return normals;
+}
 
-std::optional<SeparatingPlane> PlaneBetweenSheets(const StepOptions& options,
-                                                  const ContactStep& step,
-                                                  const Points& targets,
-                                                  int muscle,
-                                                  int f,
-                                                  int g) {
-  const RowVector3i a = step.scene.muscles[muscle].triangles.row(f);
-  const RowVector3i b = step.scene.muscles[muscle].triangles.row(g);
-  auto separation = SeparateSheets(step.before.points[muscle], a, b);
-  const bool were_apart = separation.has_value();
-  if (!were_apart) separation = SeparateSheets(targets, a, b);
-  if (!separation) return std::nullopt;
+// The plane between two triangles of a muscle that are separated so.
+SeparatingPlane PlaneAt(const StepOptions& options,
+                        const ContactStep& step,
+                        int muscle,
+                        int f,
+                        int g,
+                        const TriangleSeparation& separation) {
   const double half_gap =
-      std::min(options.gap,
-               options.defects.sheet_share * separation->distance) /
+      std::min(options.gap, options.defects.sheet_share * separation.distance) /
       2;
   SeparatingPlane plane =
-      PlaneBetween(step, muscle, f, muscle, g, *separation, half_gap);
-  if (!were_apart) plane.normal = separation->normal;
-  for (const int corner : a) {
+      PlaneBetween(step, muscle, f, muscle, g, separation, half_gap);
+  const RowVector3i b = step.scene.muscles[muscle].triangles.row(g);
+  for (const int corner : step.scene.muscles[muscle].triangles.row(f)) {
     if ((b.array() == corner).any()) plane.shared_corner = corner;
   }
   if (plane.shared_corner < 0) return plane;
@@ -64,33 +65,61 @@ std::optional<SeparatingPlane> PlaneBetweenSheets(const StepOptions& options,
   return plane;
 }
 
+}  // namespace
+
+std::optional<SeparatingPlane> PlaneBetweenSheets(const StepOptions& options,
+                                                  const ContactStep& step,
+                                                  const Points& targets,
+                                                  int muscle,
+                                                  int f,
+                                                  int g) {
+  const RowVector3i a = step.scene.muscles[muscle].triangles.row(f);
+  const RowVector3i b = step.scene.muscles[muscle].triangles.row(g);
+  if (const auto before = SeparateSheets(step.before.points[muscle], a, b)) {
+    return PlaneAt(options, step, muscle, f, g, *before);
+  }
+  const auto at_targets = SeparateSheets(targets, a, b);
+  if (!at_targets) return std::nullopt;
+  SeparatingPlane plane = PlaneAt(options, step, muscle, f, g, *at_targets);
+  plane.normal = at_targets->normal;
+  return plane;
+}
 
 std::vector<SeparatingPlane> FindPlanesBetweenSheets(const StepOptions& options,
                                                      const ContactStep& step,
                                                      int muscle) {
-  const double radius = options.gap + options.planes.search_share * options.reach;
+  const double distance = options.planes.sheet_distance;
   const TriangleBvh& tree = step.trees_before[muscle];
   const Triangles& triangles = step.scene.muscles[muscle].triangles;
   const Points& before = step.before.points[muscle];
+  const Points normals = UnitNormals(tree);
   std::vector<std::vector<SeparatingPlane>> found(tree.num_triangles());
 #pragma omp parallel for schedule(dynamic, 64)
   for (int f = 0; f < tree.num_triangles(); ++f) {
-    const Box3 box = BoxOf(tree.corners(f), radius);
-    tree.Traverse(
-        [&](const Box3& node) { return node.Overlaps(box); },
-        [&](int g) {
-          if (g <= f) return;
-          if (ShareAnEdge(triangles.row(f), triangles.row(g))) return;
-          if (AreaVector(tree.corners(f)).dot(AreaVector(tree.corners(g))) > 0) return;
-          const auto separation = SeparateSheets(before, triangles.row(f), triangles.row(g));
-          if (!separation || separation->distance > radius) return;
-          if (!FaceEachOther(tree.corners(f), tree.corners(g), separation->normal)) return;
-          const auto plane = PlaneBetweenSheets(options, step, before, muscle, f, g);
-          if (plane) found[f].push_back(*plane);
-        });
+    const Box3 box = BoxOf(tree.corners(f), distance);
+    const auto add_plane = [&](int g) {
+      if (g <= f || normals.row(f).dot(normals.row(g)) >= 0 ||
+          !BoxOf(tree.corners(g)).Overlaps(box) ||
+          ShareAnEdge(triangles.row(f), triangles.row(g))) {
+        return;
+      }
+      const auto separation =
+          SeparateSheets(before, triangles.row(f), triangles.row(g));
+      if (separation && separation->distance <= distance &&
+          FaceEachOther(normals.row(f),
+                        normals.row(g),
+                        separation->normal,
+                        options.planes.min_facing)) {
+        found[f].push_back(PlaneAt(options, step, muscle, f, g, *separation));
+      }
+    };
+    tree.Traverse([&](const Box3& node) { return node.Overlaps(box); },
+                  add_plane);
   }
   std::vector<SeparatingPlane> planes;
-  for (const auto& part : found) planes.insert(planes.end(), part.begin(), part.end());
+  for (const auto& of_triangle : found) {
+    planes.insert(planes.end(), of_triangle.begin(), of_triangle.end());
+  }
   return planes;
 }
 

@@ -16,13 +16,13 @@ struct StepSummary {
   // No triangles cross, of two meshes or of one.
   bool is_intersection_free = false;
   int rounds = 0;
-  int crossing_pairs = 0;   // of triangles of two meshes, in the last round
+  int crossing_pairs = 0;   // of triangles of two meshes
   double violation = 0;     // of a plane by a vertex, at most, mm
   double volume_error = 0;  // relative, the worst of all muscles
 };
 
 struct StepResult {
-  ContactState state;  // where the last round ended, whatever the summary says
+  ContactState state;  // of the best round, whatever the summary says
   StepSummary summary;
 };
 
@@ -44,9 +44,9 @@ OpenStep BeginStep(const StepOptions& options,
 
 // Ends a step: relaxes by `sweeps` sweeps, restores volumes, finds defects, and
 // goes on with planes against these until there are none, at most so many
-// rounds. `targets`: where the coarse meshes have the vertices now, #V x 3
-// each, mm. If the result is not free of intersections, the step was too long
-// or there is no room.
+// rounds. The best round counts. `targets`: where the coarse meshes have the
+// vertices now, #V x 3 each, mm. If the result is not free of intersections,
+// the step was too long or there is no room.
 StepResult FinishStep(const StepOptions& options,
                       const ContactStep& step,
                       const std::vector<Points>& targets,

@@ -11,6 +11,8 @@ bool PlaneSearchOptions::IsValid(std::string* error) const {
       .IsWithin("search_share", search_share, 0, 1)
       .IsWithin("overlooked_share", overlooked_share, 0, 0.9)
       .IsAtLeast("max_planes_per_triangle", max_planes_per_triangle, 1)
+      .IsAtLeast("sheet_distance", sheet_distance, 0)
+      .IsWithin("min_facing", min_facing, 0, 1)
       .is_valid();
 }
 
@@ -52,6 +54,7 @@ bool StepOptions::IsValid(std::string* error) const {
              .IsAtLeast("sweeps", sweeps, 1)
              .IsAtLeast("repair_sweeps", repair_sweeps, 1)
              .IsAtLeast("max_rounds", max_rounds, 1)
+             .IsAtLeast("max_polishing_rounds", max_polishing_rounds, 0)
              .is_valid() &&
          planes.IsValid(error) && relaxation.IsValid(error) &&
          volume.IsValid(error) && defects.IsValid(error);

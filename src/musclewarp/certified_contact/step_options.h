@@ -30,6 +30,15 @@ struct PlaneSearchOptions {
   // the same result.
   int max_planes_per_triangle = 24;
 
+  // Two triangles of one muscle get a plane if they are at most so far apart,
+  // mm, and face each other: the normals of both make an angle with the plane's
+  // whose cosine is above this. These are the two sides of a crease, or of a
+  // thin part. Without them creases of the deltoid cross themselves in every
+  // round of a step, and its flexion by 60 degrees fails
+  // (bodyparts3d_shoulder).
+  double sheet_distance = 0.8;
+  double min_facing = 0.5;
+
   bool IsValid(std::string* error) const;
 };
 
@@ -136,6 +145,10 @@ struct StepOptions {
   // Rounds of sweeps and exact tests before a step is given up. 3 are enough
   // for the LHDL hip.
   int max_rounds = 6;
+
+  // Rounds in which a step without crossings tries to unfold triangles and to
+  // bring vertices back to their planes before the best of them is taken.
+  int max_polishing_rounds = 2;
 
   PlaneSearchOptions planes;
   RelaxationOptions relaxation;
