@@ -10,21 +10,18 @@
 #          that of twenty commits ago, or none if there are fewer: all is new
 #   --all  checks all C++ files, which takes a quarter of an hour on two cores
 #
-# Needs build/release to be configured, for its compile_commands.json. Without
-# --all no more than MUSCLEWARP_TIDY_FILES files are checked (60 by default),
-# those that changed last, so that the time is bounded.
+# Configures build/tidy, for a compile_commands.json that lists every file: that
+# of build/release lists what is compiled together. Without --all no more than
+# MUSCLEWARP_TIDY_FILES files are checked (60 by default), those that changed
+# last, so that the time is bounded.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-build=build/release
+build=build/tidy
 max_files=${MUSCLEWARP_TIDY_FILES:-60}
 base=${1:-}
 if (($# > 1)) || [[ $base == -* && $base != --all ]]; then
-  sed -n '/^# usage/,/^# those/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
-  exit 2
-fi
-if [[ ! -f $build/compile_commands.json ]]; then
-  echo "tidy: no $build/compile_commands.json; run: cmake --preset release" >&2
+  sed -n '/^# usage/,/^# last/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
   exit 2
 fi
 
@@ -79,6 +76,14 @@ done <<<"$listed"
 if ((${#files[@]} == 0)); then
   echo "tidy: no C++ file changed since ${base:-the first commit}"
   exit 0
+fi
+
+mkdir -p build
+if ! cmake --preset release -B "$build" -DMUSCLEWARP_UNITY_BUILD=OFF \
+  >"$build.log" 2>&1; then
+  tail -n 60 "$build.log" >&2
+  echo "tidy: cmake cannot configure $build" >&2
+  exit 2
 fi
 
 found=${#files[@]}

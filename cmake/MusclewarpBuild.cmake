@@ -10,6 +10,12 @@ find_program(MUSCLEWARP_CCACHE ccache)
 if(MUSCLEWARP_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${MUSCLEWARP_CCACHE})
 endif()
+# Most of the time to compile a source goes into the headers of Eigen, CGAL,
+# Ceres and GoogleTest, which up to eight sources then share.
+if(MUSCLEWARP_UNITY_BUILD AND NOT DEFINED CMAKE_UNITY_BUILD)
+  set(CMAKE_UNITY_BUILD ON)
+  set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+endif()
 include(GNUInstallDirs)
 set(MUSCLEWARP_INSTALL_INCLUDEDIR ${CMAKE_INSTALL_INCLUDEDIR}/musclewarp)
 

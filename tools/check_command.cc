@@ -26,7 +26,7 @@
 namespace musclewarp {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 struct CheckedFile {
   std::string path;
@@ -94,7 +94,7 @@ std::vector<CheckedPair> CheckPairs(const std::vector<CheckedFile>& files) {
   return pairs;
 }
 
-Json ToJson(const CheckedFile& file) {
+OrderedJson ToJson(const CheckedFile& file) {
   const Points& points = file.mesh->points();
   const Eigen::RowVector3d low = points.colwise().minCoeff();
   const Eigen::RowVector3d high = points.colwise().maxCoeff();
@@ -111,7 +111,7 @@ Json ToJson(const CheckedFile& file) {
           {"self_pairs", file.self_pairs}};
 }
 
-Json ToJson(const CheckedPair& pair) {
+OrderedJson ToJson(const CheckedPair& pair) {
   return {{"a", pair.a->path},
           {"b", pair.b->path},
           {"triangle_pairs", pair.found.triangle_pairs.size()},
@@ -235,7 +235,8 @@ int CheckCommand(const std::vector<std::string>& files,
   const std::vector<CheckedPair> pairs = CheckPairs(checked);
 
   if (!options.json.empty()) {
-    Json json = {{"files", Json::array()}, {"pairs", Json::array()}};
+    OrderedJson json = {{"files", OrderedJson::array()},
+                        {"pairs", OrderedJson::array()}};
     for (const auto& file : checked) json["files"].push_back(ToJson(file));
     for (const auto& pair : pairs) json["pairs"].push_back(ToJson(pair));
     WriteTextAtomically(options.json, json.dump(2) + "\n");

@@ -12,7 +12,7 @@
 namespace musclewarp {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 double CostOf(const Frame& frame) {
   double cost = 0;
@@ -64,18 +64,18 @@ std::string Quoted(const std::string& text) {
   return quoted + "\"";
 }
 
-Json ToJson(const ComparisonRow& row, const PreparedScene& scene) {
-  Json json = {{"frame", row.frame},
-               {"pose", row.pose},
-               {"configuration", row.configuration},
-               {"contact", row.contact},
-               {"stop_reason", row.stop_reason},
-               {"was_run", row.was_run}};
+OrderedJson ToJson(const ComparisonRow& row, const PreparedScene& scene) {
+  OrderedJson json = {{"frame", row.frame},
+                      {"pose", row.pose},
+                      {"configuration", row.configuration},
+                      {"contact", row.contact},
+                      {"stop_reason", row.stop_reason},
+                      {"was_run", row.was_run}};
   if (!row.was_run) return json;
-  Json muscles = Json::array();
+  OrderedJson muscles = OrderedJson::array();
   for (size_t i = 0; i < row.muscles.size(); ++i) {
     const SolverSummary& solver = row.muscles[i];
-    Json history = Json::array();
+    OrderedJson history = OrderedJson::array();
     for (const SolverIteration& iteration : solver.history) {
       history.push_back({{"max_step_mm", iteration.max_step},
                          {"volume_error", iteration.volume_error},
@@ -240,9 +240,9 @@ std::string HistoryCsv(const std::vector<ComparisonRow>& rows,
   return csv.str();
 }
 
-Json ComparisonJson(const std::vector<ComparisonRow>& rows,
-                    const PreparedScene& scene) {
-  Json json_rows = Json::array();
+OrderedJson ComparisonJson(const std::vector<ComparisonRow>& rows,
+                           const PreparedScene& scene) {
+  OrderedJson json_rows = OrderedJson::array();
   for (const ComparisonRow& row : rows) {
     json_rows.push_back(ToJson(row, scene));
   }

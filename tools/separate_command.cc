@@ -31,7 +31,7 @@ namespace musclewarp {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
   DeformerOptions deformer;
@@ -48,8 +48,8 @@ DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
   return deformer;
 }
 
-void CheckOptions(const std::vector<std::string>& files,
-                  const SeparateOptions& options) {
+void CheckSeparateOptions(const std::vector<std::string>& files,
+                          const SeparateOptions& options) {
   if (files.empty()) {
     throw InputError("files", "none given", "name at least one mesh file");
   }
@@ -152,7 +152,7 @@ struct Separation {
   SceneIntersections before;
   Frame frame;
   std::vector<double> mean_displacements;  // by muscle, mm
-  Json report;                             // the result as report.json has it
+  OrderedJson report;                      // the result as report.json has it
 };
 
 // Returns the volume of a mesh before it was separated, mm^3.
@@ -187,14 +187,14 @@ Separation Separate(Deformer* deformer) {
 }
 
 // Returns all of separation.json, with the keys of report.json.
-Json SeparationJson(const Separation& result, double wall_ms) {
-  const Json& report = result.report;
-  const Json& frame = report.at("frames").at(0);
-  Json muscles = Json::array();
+OrderedJson SeparationJson(const Separation& result, double wall_ms) {
+  const OrderedJson& report = result.report;
+  const OrderedJson& frame = report.at("frames").at(0);
+  OrderedJson muscles = OrderedJson::array();
   for (size_t i = 0; i < result.frame.muscles.size(); ++i) {
-    const Json& prepared = report.at("prepare").at("muscles").at(i);
-    const Json& moved = frame.at("muscles").at(i);
-    Json entry;
+    const OrderedJson& prepared = report.at("prepare").at("muscles").at(i);
+    const OrderedJson& moved = frame.at("muscles").at(i);
+    OrderedJson entry;
     for (const char* key : {"name", "mesh"}) entry[key] = prepared.at(key);
     entry["volume_before_mm3"] = VolumeBefore(result.scene->muscles[i]);
     for (const char* key : {"volume_mm3",
@@ -364,7 +364,7 @@ class SeparateRun {
     WriteTextAtomically(
         (fs::path(options_.out) / "separation.json").string(),
         SeparationJson(result, wall_ms)
-                .dump(2, ' ', false, Json::error_handler_t::replace) +
+                .dump(2, ' ', false, OrderedJson::error_handler_t::replace) +
             "\n");
   }
 
@@ -387,7 +387,7 @@ class SeparateRun {
 int SeparateCommand(const std::vector<std::string>& files,
                     const SeparateOptions& options,
                     std::ostream& screen) {
-  CheckOptions(files, options);
+  CheckSeparateOptions(files, options);
   std::vector<std::string> all = options.bones;
   all.insert(all.end(), files.begin(), files.end());
   CheckNames(all);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "certificate/surface_views.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/triangle_intersection.h"
 #include "support/meshes.h"
@@ -16,10 +17,6 @@ namespace musclewarp {
 namespace {
 
 using PairList = std::vector<std::pair<int, int>>;
-
-SurfaceView ViewOf(const TriangleSoup& soup) {
-  return {&soup.points, &soup.triangles};
-}
 
 PairList PairsOf(const std::vector<CrossingPair>& all, int a, int b) {
   PairList pairs;

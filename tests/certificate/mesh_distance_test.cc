@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "certificate/exact_distance.h"
+#include "certificate/surface_views.h"
 #include "musclewarp/mesh/box.h"
 #include "support/meshes.h"
 
@@ -18,19 +19,12 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// What rounding may cost, about 120 roundings of coordinates of 10 mm.
-constexpr double kTight = 2e-13;
-
-constexpr double kLimit = 2;  // mm
-
-SurfaceView ViewOf(const TriangleSoup& soup) {
-  return {&soup.points, &soup.triangles};
-}
+constexpr double kSearchLimit = 2;  // mm
 
 std::optional<MeshDistance> Distance(
     const TriangleSoup& a,
     const TriangleSoup& b,
-    double limit = kLimit,
+    double limit = kSearchLimit,
     const std::vector<char>* exempt = nullptr) {
   const BoxedMesh mesh(ViewOf(a)), other(ViewOf(b));
   return DistanceSearch(mesh, limit).To(other, exempt);
@@ -194,14 +188,14 @@ TEST(DistanceSearch, LeavesOutExemptTriangles) {
   for (Eigen::Index f = 0; f < a.triangles.rows(); ++f) {
     exempt[f] = CornersOf(a.points, a.triangles.row(f)).col(0).minCoeff() == 4;
   }
-  const auto distance = Distance(a, b, kLimit, &exempt);
+  const auto distance = Distance(a, b, kSearchLimit, &exempt);
   ASSERT_TRUE(distance);
   const double to_border = std::hypot(0.5, 1.5);
   EXPECT_LE(distance->at_least, to_border);
   EXPECT_GE(distance->at_most, to_border);
   EXPECT_FALSE(exempt[distance->triangle_of_a]);
   exempt.assign(exempt.size(), 1);
-  EXPECT_FALSE(Distance(a, b, kLimit, &exempt));
+  EXPECT_FALSE(Distance(a, b, kSearchLimit, &exempt));
 }
 
 TEST(DistanceSearch, NothingIsFarFromEverything) {

@@ -62,15 +62,15 @@ TEST(SceneIntersections, MeasureGapsOfPairsThatAreNear) {
   EXPECT_EQ(found.gaps[0].b, "b");
   EXPECT_EQ(found.gaps[1].b, "near");
   // Some roundings of coordinates of 10 mm.
-  constexpr double kTight = 1e-13;
-  EXPECT_NEAR(found.gaps[0].at_least_mm, 0.5, kTight);
+  constexpr double kGapRounding = 1e-13;
+  EXPECT_NEAR(found.gaps[0].at_least_mm, 0.5, kGapRounding);
   EXPECT_LE(found.gaps[0].at_least_mm, 0.5);
   EXPECT_GE(found.gaps[0].at_most_mm, 0.5);
-  EXPECT_NEAR(found.gaps[0].place[0], 5.25, kTight);
-  EXPECT_NEAR(found.gaps[1].at_least_mm, 0.25, kTight);
+  EXPECT_NEAR(found.gaps[0].place[0], 5.25, kGapRounding);
+  EXPECT_NEAR(found.gaps[1].at_least_mm, 0.25, kGapRounding);
   // The box b and the near bone are nearest at their edges.
   EXPECT_EQ(found.gaps[2].a, "b");
-  EXPECT_NEAR(found.gaps[2].at_least_mm, std::hypot(0.5, 0.25), kTight);
+  EXPECT_NEAR(found.gaps[2].at_least_mm, std::hypot(0.5, 0.25), kGapRounding);
   EXPECT_EQ(found.SmallestGap(), found.gaps[1].at_least_mm);
 }
 

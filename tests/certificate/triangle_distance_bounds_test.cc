@@ -8,29 +8,12 @@
 #include <random>
 
 #include "certificate/exact_distance.h"
+#include "support/triangles.h"
 
 namespace musclewarp {
 namespace {
 
 using Eigen::RowVector3d;
-
-// What rounding may cost, about 120 roundings of coordinates of 10 mm.
-constexpr double kTight = 2e-13;
-
-Corners Triangle(const RowVector3d& a,
-                 const RowVector3d& b,
-                 const RowVector3d& c) {
-  Corners triangle;
-  triangle << a, b, c;
-  return triangle;
-}
-
-Corners RandomTriangle(std::mt19937* random, double size) {
-  std::uniform_real_distribution<double> uniform(-size, size);
-  Corners triangle;
-  for (int i = 0; i < 9; ++i) triangle.data()[i] = uniform(*random);
-  return triangle;
-}
 
 // Expects that the exact distance is between the bounds.
 void ExpectProved(const DistanceBounds& bounds,
@@ -52,23 +35,23 @@ void ExpectDistance(const Corners& a, const Corners& b, double distance) {
 }
 
 TEST(BoundDistance, KnowsCornersEdgesAndFaces) {
-  const Corners a = Triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+  const Corners a = CornersOf({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
   // A corner over the face.
-  ExpectDistance(a, Triangle({1, 1, 3}, {1, 1, 5}, {2, 1, 5}), 3);
+  ExpectDistance(a, CornersOf({1, 1, 3}, {1, 1, 5}, {2, 1, 5}), 3);
   // Two edges that pass each other.
-  ExpectDistance(a, Triangle({2, -1, -1}, {2, -1, 1}, {2, -9, 0}), 1);
+  ExpectDistance(a, CornersOf({2, -1, -1}, {2, -1, 1}, {2, -9, 0}), 1);
   // A corner and an edge, and two corners.
-  ExpectDistance(a, Triangle({2, -3, 4}, {1, -9, 9}, {3, -9, 9}), 5);
-  ExpectDistance(a, Triangle({7, 0, 4}, {9, 0, 4}, {9, 1, 9}), 5);
+  ExpectDistance(a, CornersOf({2, -3, 4}, {1, -9, 9}, {3, -9, 9}), 5);
+  ExpectDistance(a, CornersOf({7, 0, 4}, {9, 0, 4}, {9, 1, 9}), 5);
   // Parallel faces, and parallel edges beside each other.
-  ExpectDistance(a, Triangle({0, 0, 0.5}, {4, 0, 0.5}, {0, 4, 0.5}), 0.5);
-  ExpectDistance(a, Triangle({1, -2, 0}, {3, -2, 0}, {2, -4, 0}), 2);
+  ExpectDistance(a, CornersOf({0, 0, 0.5}, {4, 0, 0.5}, {0, 4, 0.5}), 0.5);
+  ExpectDistance(a, CornersOf({1, -2, 0}, {3, -2, 0}, {2, -4, 0}), 2);
 }
 
 TEST(BoundDistance, NamesTheMiddleBetweenTheClosestPoints) {
   const DistanceBounds bounds =
-      BoundDistance(Triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0}),
-                    Triangle({1, 1, 3}, {1, 1, 5}, {2, 1, 5}));
+      BoundDistance(CornersOf({0, 0, 0}, {4, 0, 0}, {0, 4, 0}),
+                    CornersOf({1, 1, 3}, {1, 1, 5}, {2, 1, 5}));
   EXPECT_LT((bounds.place - RowVector3d(1, 1, 1.5)).norm(), kTight);
 }
 
@@ -131,12 +114,12 @@ TEST(BoundDistance, ContainsTheExactDistanceOfEdgesThatAlmostTouch) {
       const Corners frame = RandomTriangle(&random, 3);
       const RowVector3d u = frame.row(0), v = frame.row(1);
       const RowVector3d normal = u.cross(v).normalized();
-      const Corners a = Triangle(-uniform(random) * u,
-                                 uniform(random) * u,
-                                 -normal - uniform(random) * v);
-      Corners b = Triangle(-uniform(random) * v,
-                           uniform(random) * v,
-                           normal + uniform(random) * u);
+      const Corners a = CornersOf(-uniform(random) * u,
+                                  uniform(random) * u,
+                                  -normal - uniform(random) * v);
+      Corners b = CornersOf(-uniform(random) * v,
+                            uniform(random) * v,
+                            normal + uniform(random) * u);
       b.rowwise() += hair * normal;
       const DistanceBounds bounds = BoundDistance(a, b);
       ExpectProved(bounds, a, b);
@@ -159,10 +142,10 @@ TEST(BoundDistance, IsTheSameBothWays) {
 }
 
 TEST(BoundDistance, IsZeroForTrianglesThatShareAPoint) {
-  const Corners a = Triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
-  for (const Corners& b : {Triangle({1, 1, -1}, {1, 1, 1}, {2, 1, 5}),
-                           Triangle({1, 1, 0}, {1, 1, 1}, {2, 1, 5}),
-                           Triangle({4, 0, 0}, {9, 0, 0}, {9, 1, 9}),
+  const Corners a = CornersOf({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+  for (const Corners& b : {CornersOf({1, 1, -1}, {1, 1, 1}, {2, 1, 5}),
+                           CornersOf({1, 1, 0}, {1, 1, 1}, {2, 1, 5}),
+                           CornersOf({4, 0, 0}, {9, 0, 0}, {9, 1, 9}),
                            a}) {
     const DistanceBounds bounds = BoundDistance(a, b);
     EXPECT_EQ(bounds.at_least, 0);
@@ -171,17 +154,17 @@ TEST(BoundDistance, IsZeroForTrianglesThatShareAPoint) {
 }
 
 TEST(BoundDistance, TrianglesWithoutAreaAreSegmentsAndPoints) {
-  const Corners a = Triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
-  ExpectDistance(a, Triangle({1, 1, 3}, {1, 1, 3}, {1, 1, 3}), 3);
-  ExpectDistance(a, Triangle({1, 1, 3}, {1, 1, 4}, {1, 1, 5}), 3);
-  ExpectDistance(Triangle({0, 0, 0}, {4, 0, 0}, {2, 0, 0}),
-                 Triangle({1, -1, 2}, {1, 1, 2}, {1, 3, 2}),
+  const Corners a = CornersOf({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+  ExpectDistance(a, CornersOf({1, 1, 3}, {1, 1, 3}, {1, 1, 3}), 3);
+  ExpectDistance(a, CornersOf({1, 1, 3}, {1, 1, 4}, {1, 1, 5}), 3);
+  ExpectDistance(CornersOf({0, 0, 0}, {4, 0, 0}, {2, 0, 0}),
+                 CornersOf({1, -1, 2}, {1, 1, 2}, {1, 3, 2}),
                  2);
 }
 
 TEST(BoundDistance, BeyondTheReachProvesOnlyThat) {
-  const Corners a = Triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
-  const Corners b = Triangle({1, 1, 3}, {1, 1, 5}, {2, 1, 5});
+  const Corners a = CornersOf({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+  const Corners b = CornersOf({1, 1, 3}, {1, 1, 5}, {2, 1, 5});
   const DistanceBounds bounds = BoundDistance(a, b, /*reach=*/2);
   EXPECT_GT(bounds.at_least, 2);
   EXPECT_LE(bounds.at_least, 3);

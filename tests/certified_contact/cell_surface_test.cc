@@ -18,7 +18,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 // A margin that covers what the remeshing of a surface with edges of 1 to 2 mm
 // cuts off a ball of 10 mm: 2^2 / (8 * 10).
-CellSurfaceOptions Options() {
+CellSurfaceOptions SurfaceOptions() {
   CellSurfaceOptions options;
   options.cell.margin = 0.4;
   return options;
@@ -34,7 +34,8 @@ void ExpectClean(const TriangleSoup& surface) {
 
 TEST(CellSurface, OfAMuscleAloneIsItsOwn) {
   const Solid muscle(Icosphere(10, 4));
-  const TriangleSoup surface = CellSurface(Options(), muscle.distance, {}, {});
+  const TriangleSoup surface =
+      CellSurface(SurfaceOptions(), muscle.distance, {}, {});
   ExpectClean(surface);
   for (const auto p : surface.points.rowwise()) {
     EXPECT_NEAR(p.norm(), 10, 0.2);
@@ -50,9 +51,9 @@ TEST(CellSurface, DoesNotCrossBoneOrTheOtherMuscle) {
   const Solid right(MovedBy(Icosphere(10, 3), {7, 0, 0}));
   const Solid bone(MovedBy(Box(60, 60, 10), {0, 0, -10}));
   const TriangleSoup a = CellSurface(
-      Options(), left.distance, {&right.distance}, {&bone.distance});
+      SurfaceOptions(), left.distance, {&right.distance}, {&bone.distance});
   const TriangleSoup b = CellSurface(
-      Options(), right.distance, {&left.distance}, {&bone.distance});
+      SurfaceOptions(), right.distance, {&left.distance}, {&bone.distance});
   ExpectClean(a);
   ExpectClean(b);
   EXPECT_TRUE(IntersectMeshes(SearchableMesh(a), SearchableMesh(b)).IsEmpty());
@@ -64,7 +65,7 @@ TEST(CellSurface, KeepsTheLargerPartOfAMuscleThatABoneCuts) {
   const Solid muscle(Spindle(8, 40, 4));
   const Solid plate(MovedBy(Box(60, 60, 4), {0, 0, 15}));
   const TriangleSoup surface =
-      CellSurface(Options(), muscle.distance, {}, {&plate.distance});
+      CellSurface(SurfaceOptions(), muscle.distance, {}, {&plate.distance});
   ExpectClean(surface);
   EXPECT_LT(surface.points.col(2).maxCoeff(), 13);
   EXPECT_LT(surface.points.col(2).minCoeff(), -37);
@@ -73,10 +74,11 @@ TEST(CellSurface, KeepsTheLargerPartOfAMuscleThatABoneCuts) {
 TEST(CellSurface, HasTrianglesOfTheSizeOfTheOldOnes) {
   const TriangleSoup sphere = Icosphere(10, 2);
   const Solid muscle(sphere);
-  const TriangleSoup surface = CellSurface(Options(), muscle.distance, {}, {});
+  const TriangleSoup surface =
+      CellSurface(SurfaceOptions(), muscle.distance, {}, {});
   ExpectClean(surface);
   const double old = TypicalEdge(sphere.points, sphere.triangles);
-  ASSERT_GT(old, Options().spacing);
+  ASSERT_GT(old, SurfaceOptions().spacing);
   // Edges come out up to a fifth longer or shorter than remeshing is asked for.
   EXPECT_NEAR(TypicalEdge(surface.points, surface.triangles), old, 0.2 * old);
 }
@@ -85,7 +87,7 @@ TEST(CellSurface, IsEmptyIfNothingOfTheMuscleIsLeft) {
   const Solid muscle(Icosphere(5, 3));
   const Solid bone(Box(30, 30, 30));
   const TriangleSoup surface =
-      CellSurface(Options(), muscle.distance, {}, {&bone.distance});
+      CellSurface(SurfaceOptions(), muscle.distance, {}, {&bone.distance});
   EXPECT_EQ(surface.points.rows(), 0);
   EXPECT_EQ(surface.triangles.rows(), 0);
 }

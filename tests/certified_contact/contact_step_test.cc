@@ -13,7 +13,7 @@ namespace musclewarp {
 namespace {
 
 // Of coordinates of size 30.
-constexpr double kRounding = 1e-12;
+constexpr double kCoordinateRounding = 1e-12;
 
 Eigen::Matrix4d SomeMotion() {
   Eigen::Matrix4d motion = Eigen::Matrix4d::Identity();
@@ -36,7 +36,7 @@ TEST(ContactStep, CarriesOffsetsAlong) {
     EXPECT_LT((step.carried[i] - group.state.points[i] -
                (targets[i] - group.state.targets[i]))
                   .norm(),
-              kRounding * step.carried[i].rows());
+              kCoordinateRounding * step.carried[i].rows());
   }
 }
 

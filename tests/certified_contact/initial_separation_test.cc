@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "certified_contact/contact_group.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -22,10 +23,6 @@ int CrossingPairs(const SearchableMesh& a,
       IntersectingTriangles(TriangleBvh(points_a, a.triangles()),
                             TriangleBvh(points_b, b.triangles()))
           .size());
-}
-
-TriangleSoup SphereAt(const RowVector3d& centre, double radius, int levels) {
-  return MovedBy(Icosphere(radius, levels), centre);
 }
 
 }  // namespace

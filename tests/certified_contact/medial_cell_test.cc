@@ -18,9 +18,9 @@ using Eigen::RowVector3d;
 constexpr double kPlace = 1e-3;
 
 // Of sums and differences of distances, mm.
-constexpr double kRounding = 1e-12;
+constexpr double kDistanceRounding = 1e-12;
 
-MedialCellOptions Options() {
+MedialCellOptions CellOptions() {
   MedialCellOptions options;
   options.margin = 0.2;
   options.voxel_size = 0.5;
@@ -33,8 +33,8 @@ TEST(MedialCell, OfTwoMusclesMeetsAtTheMedialSurface) {
   // They share the layer 4 < z < 5.
   const Solid lower(LatticeBox(6, 6, 5));
   const Solid upper(MovedBy(LatticeBox(6, 6, 4), {0, 0, 4}));
-  const MedialCell below(Options(), lower.distance, {&upper.distance}, {});
-  const MedialCell above(Options(), upper.distance, {&lower.distance}, {});
+  const MedialCell below(CellOptions(), lower.distance, {&upper.distance}, {});
+  const MedialCell above(CellOptions(), upper.distance, {&lower.distance}, {});
   // Half the margin on either side of z = 4.5.
   EXPECT_NEAR(below.SignedDistance({3, 3, 4.4}), 0, 1e-12);
   EXPECT_NEAR(above.SignedDistance({3, 3, 4.6}), 0, 1e-12);
@@ -59,7 +59,7 @@ TEST(MedialCell, OfTwoMusclesMeetsAtTheMedialSurface) {
 TEST(MedialCell, KeepsOffBonesByHalfTheMargin) {
   const Solid muscle(LatticeBox(6, 6, 4));
   const Solid bone(MovedBy(Box(12, 12, 3), {3, 3, -0.5}));
-  const MedialCell cell(Options(), muscle.distance, {}, {&bone.distance});
+  const MedialCell cell(CellOptions(), muscle.distance, {}, {&bone.distance});
   const Points points = cell.Project(muscle.points());
   for (Eigen::Index v = 0; v < points.rows(); ++v) {
     const RowVector3d p = muscle.points().row(v);
@@ -75,7 +75,7 @@ TEST(MedialCell, IsWhatAPlateDoesNotCutOff) {
   // A plate a quarter thick: thinner than a voxel. Most of the muscle is above.
   const Solid muscle(LatticeBox(6, 6, 9));
   const Solid plate(MovedBy(Box(12, 12, 0.25), {3, 3, 2.525}));
-  const MedialCell cell(Options(), muscle.distance, {}, {&plate.distance});
+  const MedialCell cell(CellOptions(), muscle.distance, {}, {&plate.distance});
   const Points points = cell.Project(muscle.points());
   EXPECT_GT(points.col(2).minCoeff(), 2.65);
   EXPECT_EQ(points.col(2).maxCoeff(), 9);
@@ -86,15 +86,15 @@ TEST(MedialCell, LeavesWhatIsApart) {
   TriangleSoup far = Icosphere(5, 3);
   far.points.rowwise() += RowVector3d(10.5, 0, 0);
   const Solid other(far);
-  const MedialCell cell(Options(), muscle.distance, {&other.distance}, {});
+  const MedialCell cell(CellOptions(), muscle.distance, {&other.distance}, {});
   EXPECT_EQ(cell.Project(muscle.points()), muscle.points());
 }
 
 TEST(MedialCell, IsBoundedByNoSurfaceFartherThanTheRange) {
   const Solid muscle(Icosphere(5, 3));
   const Solid other(MovedBy(Icosphere(5, 3), {14, 0, 0}));
-  const MedialCell cell(Options(), muscle.distance, {&other.distance}, {});
-  EXPECT_EQ(cell.SignedDistance({0, 0, 0}), -Options().range);
+  const MedialCell cell(CellOptions(), muscle.distance, {&other.distance}, {});
+  EXPECT_EQ(cell.SignedDistance({0, 0, 0}), -CellOptions().range);
   EXPECT_EQ(cell.Inward({0, 0, 0}), RowVector3d::Zero());
 }
 
@@ -105,20 +105,20 @@ TEST(MedialCell, TheRegionsOfTwoMusclesAddUpToMoreThanNothing) {
   const Solid c(MovedBy(Icosphere(3, 2), {-6, 0, 0}));
   const SolidDistance *of_a = &a.distance, *of_b = &b.distance,
                       *of_c = &c.distance;
-  const MedialCell cells[] = {{Options(), *of_a, {of_b, of_c}, {}},
-                              {Options(), *of_b, {of_a, of_c}, {}},
-                              {Options(), *of_c, {of_a, of_b}, {}}};
+  const MedialCell cells[] = {{CellOptions(), *of_a, {of_b, of_c}, {}},
+                              {CellOptions(), *of_b, {of_a, of_c}, {}},
+                              {CellOptions(), *of_c, {of_a, of_b}, {}}};
   const Points places = 20 * RandomPoints(3000, 1);
   for (const auto p : places.rowwise()) {
     const double at_a = cells[0].RegionDistance(p);
     const double at_b = cells[1].RegionDistance(p);
     const double at_c = cells[2].RegionDistance(p);
-    const double least = Options().margin / 2 - kRounding;
+    const double least = CellOptions().margin / 2 - kDistanceRounding;
     EXPECT_GE(at_a + at_b, least) << p;
     EXPECT_GE(at_a + at_c, least) << p;
     EXPECT_GE(at_b + at_c, least) << p;
     // What is outside the muscle does not belong to it.
-    EXPECT_GE(at_a, of_a->At(p, 100) - kRounding);
+    EXPECT_GE(at_a, of_a->At(p, 100) - kDistanceRounding);
   }
 }
 

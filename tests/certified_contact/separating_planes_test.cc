@@ -5,12 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <utility>
 
 #include "certified_contact/contact_group.h"
-#include "musclewarp/geometry/triangle_distance.h"
+#include "certified_contact/triangle_distances.h"
 #include "musclewarp/mesh/transformed.h"
 
 namespace musclewarp {
@@ -20,11 +19,7 @@ using Eigen::RowVector3d;
 using Eigen::RowVector3i;
 
 // Of coordinates of size 20.
-constexpr double kRounding = 1e-9;
-
-double Distance(const Corners& a, const Corners& b) {
-  return std::sqrt(ClosestPointsOfTriangles(a, b).squared_distance);
-}
+constexpr double kPlaneRounding = 1e-9;
 
 std::vector<SeparatingPlane> PlanesOf(const ContactStep& step) {
   std::vector<TriangleBvh> trees = CarriedTrees(step);
@@ -60,8 +55,8 @@ TEST(FindSeparatingPlanes, FindsAllPairsOfMusclesThatAreNear) {
   std::set<std::pair<int, int>> expected;
   for (int f = 0; f < before[0].num_triangles(); ++f) {
     for (int g = 0; g < before[1].num_triangles(); ++g) {
-      if (Distance(before[0].corners(f), before[1].corners(g)) <= radius ||
-          Distance(carried[0].corners(f), carried[1].corners(g)) <= radius) {
+      if (DistanceOf(before[0].corners(f), before[1].corners(g)) <= radius ||
+          DistanceOf(carried[0].corners(f), carried[1].corners(g)) <= radius) {
         expected.emplace(f, g);
       }
     }
@@ -74,13 +69,13 @@ TEST(FindSeparatingPlanes, FindsAllPairsOfMusclesThatAreNear) {
     const int g = TriangleWith(group.soups[1].triangles, plane.below);
     found.emplace(f, g);
     EXPECT_NEAR(plane.distance,
-                Distance(before[0].corners(f), before[1].corners(g)),
-                kRounding);
+                DistanceOf(before[0].corners(f), before[1].corners(g)),
+                kPlaneRounding);
     // Nothing turns, so that the two are apart by their distance before.
     const double room =
         (before[0].corners(f) * plane.normal.transpose()).minCoeff() -
         (before[1].corners(g) * plane.normal.transpose()).maxCoeff();
-    EXPECT_NEAR(room, plane.distance, kRounding);
+    EXPECT_NEAR(room, plane.distance, kPlaneRounding);
   }
   EXPECT_EQ(found, expected);
   EXPECT_GT(found.size(), 20u);
@@ -106,7 +101,7 @@ TEST(FindSeparatingPlanes, PlanesOfABoneMoveWithIt) {
   };
   // Of the triangle nearest to the bone, which is at z = 0: the gap and half of
   // the room beyond it.
-  EXPECT_NEAR(lowest_of(raised) - lowest_of(still), 0.2, kRounding);
+  EXPECT_NEAR(lowest_of(raised) - lowest_of(still), 0.2, kPlaneRounding);
 }
 
 TEST(FindSeparatingPlanes, SeesABoneThatComesFast) {

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "musclewarp/geometry/triangle_distance.h"
+#include "certified_contact/triangle_distances.h"
 #include "musclewarp/geometry/triangle_intersection.h"
 #include "support/meshes.h"
 
@@ -20,11 +20,7 @@ using Eigen::RowVector3d;
 
 constexpr double kGap = 0.1;
 // Of coordinates of size 10, and what planes are set apart by on purpose.
-constexpr double kRounding = 1e-8;
-
-double Distance(const Corners& a, const Corners& b) {
-  return std::sqrt(ClosestPointsOfTriangles(a, b).squared_distance);
-}
+constexpr double kSeparationRounding = 1e-8;
 
 double Lowest(const HalfSpace& space, const Corners& t) {
   return (t * space.normal.transpose()).minCoeff() - space.level;
@@ -75,7 +71,7 @@ TEST(SeparateFromObstacles, EveryObstacleInReachIsBehindAPlane) {
   for (const Corners& t : TrianglesAround(200)) {
     double nearest = 1e300;
     for (int g = 0; g < bvh.num_triangles(); ++g) {
-      nearest = std::min(nearest, Distance(t, bvh.corners(g)));
+      nearest = std::min(nearest, DistanceOf(t, bvh.corners(g)));
       if (TrianglesIntersect(t, bvh.corners(g))) nearest = 0;
     }
     if (nearest == 0) continue;
@@ -86,17 +82,17 @@ TEST(SeparateFromObstacles, EveryObstacleInReachIsBehindAPlane) {
     for (const HalfSpace& space : spaces) {
       EXPECT_NEAR(space.normal.norm(), 1, 1e-12);
       if (nearest >= kGap) {
-        EXPECT_GE(Lowest(space, t), -kRounding);
+        EXPECT_GE(Lowest(space, t), -kSeparationRounding);
       }
     }
     for (int g = 0; g < bvh.num_triangles(); ++g) {
-      if (Distance(t, bvh.corners(g)) > kRadius) continue;
+      if (DistanceOf(t, bvh.corners(g)) > kRadius) continue;
       ++compared;
       double behind = -1e300;
       for (const HalfSpace& space : spaces) {
         behind = std::max(behind, -Highest(space, bvh.corners(g)));
       }
-      EXPECT_GE(behind, 0.75 * kGap - kRounding);
+      EXPECT_GE(behind, 0.75 * kGap - kSeparationRounding);
     }
   }
   EXPECT_GT(compared, 1000);
@@ -113,7 +109,7 @@ TEST(SeparateFromObstacles, NeedsOnePlaneOverAFlatObstacle) {
   ASSERT_EQ(spaces.size(), 1u);
   EXPECT_LT((spaces[0].normal - RowVector3d(0, 0, 1)).norm(), 1e-12);
   // Half of the room above 1 beyond the gap is left.
-  EXPECT_NEAR(spaces[0].level, 1 + kGap + (1 - kGap) / 2, kRounding);
+  EXPECT_NEAR(spaces[0].level, 1 + kGap + (1 - kGap) / 2, kSeparationRounding);
 }
 
 TEST(SeparateFromObstacles, LooksAtTheGivenTrianglesOnly) {
@@ -123,7 +119,7 @@ TEST(SeparateFromObstacles, LooksAtTheGivenTrianglesOnly) {
   t << 9, 9, 2, 11, 9, 2, 9, 11, 2;
   for (int g = 0; g < bvh.num_triangles(); ++g) {
     EXPECT_EQ(SeparateFromObstacles(t, bvh, &g, 1, Within(5)).size(),
-              Distance(t, bvh.corners(g)) <= 5 ? 1u : 0u);
+              DistanceOf(t, bvh.corners(g)) <= 5 ? 1u : 0u);
     EXPECT_TRUE(SeparateFromObstacles(t, bvh, &g, 0, Within(5)).empty());
   }
 }
@@ -156,7 +152,7 @@ TEST(SeparateTriangles, IsTheSameToTheBitInTheOtherOrder) {
       EXPECT_NEAR((a * one->normal.transpose()).minCoeff() -
                       (b * one->normal.transpose()).maxCoeff(),
                   one->distance,
-                  kRounding);
+                  kSeparationRounding);
     }
   }
   EXPECT_GT(separated, 1000);

@@ -20,7 +20,7 @@ double DistanceTo(const Capsule& capsule, const RowVector3d& p) {
   return SegmentDistance(p, p, capsule.start, capsule.end);
 }
 
-Points RandomPoints(int count, std::mt19937* random) {
+Points RandomCubePoints(int count, std::mt19937* random) {
   Points points(count, 3);
   for (int i = 0; i < count; ++i) points.row(i) = RandomPoint(10, random);
   return points;
@@ -32,7 +32,7 @@ TEST(BoundingCapsule, ContainsAllPoints) {
   std::mt19937 random(1);
   for (int count : {1, 2, 3, 5, 50}) {
     for (int trial = 0; trial < 50; ++trial) {
-      const Points points = RandomPoints(count, &random);
+      const Points points = RandomCubePoints(count, &random);
       const Capsule capsule = BoundingCapsule(points);
       for (const RowVector3d p : points.rowwise()) {
         EXPECT_LE(DistanceTo(capsule, p), capsule.radius);
@@ -71,8 +71,8 @@ TEST(BoundingCapsule, MeshesThatShareAPointHaveCapsulesThatOverlap) {
   std::mt19937 random(2);
   int apart = 0;
   for (int trial = 0; trial < 500; ++trial) {
-    const Points a = RandomPoints(6, &random);
-    Points b = RandomPoints(6, &random);
+    const Points a = RandomCubePoints(6, &random);
+    Points b = RandomCubePoints(6, &random);
     EXPECT_TRUE(Overlap(BoundingCapsule(a), BoundingCapsule(b)) ||
                 (a.rowwise() - b.row(0)).rowwise().norm().minCoeff() > 0);
     b.row(0) = a.row(3);

@@ -13,7 +13,7 @@ namespace musclewarp {
 namespace {
 
 // Sums of a few weights of size 1.
-constexpr double kRounding = 1e-13;
+constexpr double kWeightRounding = 1e-13;
 
 }  // namespace
 
@@ -27,7 +27,8 @@ TEST(CotangentLaplacian, HasTheWeightsOfTheAnglesAcross) {
       CotangentLaplacian(soup.points, soup.triangles, options);
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
-      EXPECT_NEAR(l(i, j), (i == j ? -3 : 1) * 2 / std::sqrt(3.0), kRounding);
+      EXPECT_NEAR(
+          l(i, j), (i == j ? -3 : 1) * 2 / std::sqrt(3.0), kWeightRounding);
     }
   }
 }
@@ -37,7 +38,7 @@ TEST(CotangentLaplacian, ConstantsAreInTheNullSpace) {
   const SparseMatrix l =
       CotangentLaplacian(spindle.points, spindle.triangles, {});
   EXPECT_LT((l * Eigen::VectorXd::Ones(l.cols())).cwiseAbs().maxCoeff(),
-            kRounding);
+            kWeightRounding);
 }
 
 TEST(CotangentLaplacian, PointsInwardOnAConvexMesh) {
@@ -80,7 +81,7 @@ TEST(CotangentLaplacian, DoesNotDependOnTheOrderOfTriangles) {
   const Triangles reversed = spindle.triangles.colwise().reverse();
   const Eigen::MatrixXd other =
       CotangentLaplacian(spindle.points, reversed, {});
-  EXPECT_LT((l - other).cwiseAbs().maxCoeff(), kRounding);
+  EXPECT_LT((l - other).cwiseAbs().maxCoeff(), kWeightRounding);
 }
 
 }  // namespace musclewarp

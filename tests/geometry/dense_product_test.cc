@@ -19,7 +19,7 @@ RowMajorMatrix RandomMatrix(Eigen::Index rows, Eigen::Index columns) {
 }
 
 // Sums of up to 1500 terms below 1.
-constexpr double kRounding = 1e-12;
+constexpr double kProductRounding = 1e-12;
 
 }  // namespace
 
@@ -32,12 +32,12 @@ TEST(DenseProduct, IsTheProductForAllSizes) {
       EXPECT_LT((Product(matrix, few) - matrix.lazyProduct(few))
                     .cwiseAbs()
                     .maxCoeff(),
-                kRounding);
+                kProductRounding);
       EXPECT_LT((TransposedProduct(matrix, many) -
                  matrix.transpose().lazyProduct(many))
                     .cwiseAbs()
                     .maxCoeff(),
-                kRounding);
+                kProductRounding);
     }
   }
 }

@@ -15,7 +15,7 @@ namespace {
 using Eigen::RowVector3d;
 
 // Of sums and differences of distances, mm.
-constexpr double kRounding = 1e-12;
+constexpr double kDistanceRounding = 1e-12;
 
 double DistanceToSphere(const RowVector3d& p) {
   return (p - RowVector3d(1, 2, 3)).norm() - 20;
@@ -27,23 +27,23 @@ double DistanceToBox(const RowVector3d& p) {
   return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0);
 }
 
-const Box3 kBox = {{-40, -40, -40}, {45, 41, 42}};
+const Box3 kSampledBox = {{-40, -40, -40}, {45, 41, 42}};
 
 // Expects the values that are promised at all points, and that some of them
 // were not sampled point by point.
 void ExpectLikeFunction(const SignedDistanceFunction& function,
                         double spacing) {
-  const DistanceSamples samples(function, kBox, spacing);
+  const DistanceSamples samples(function, kSampledBox, spacing);
   int num_smaller = 0;
   for (std::int64_t i = 0; i < samples.size().prod(); ++i) {
     const double expected = function(samples.Position(i));
     const double value = samples.value(i);
     ASSERT_EQ(value < 0, expected < 0) << samples.Position(i);
-    ASSERT_LE(std::abs(value), std::abs(expected) + kRounding);
+    ASSERT_LE(std::abs(value), std::abs(expected) + kDistanceRounding);
     if (std::abs(expected) <= 2 * spacing) {
       ASSERT_EQ(value, expected) << samples.Position(i);
     }
-    num_smaller += std::abs(value) < std::abs(expected) - kRounding;
+    num_smaller += std::abs(value) < std::abs(expected) - kDistanceRounding;
   }
   EXPECT_GT(num_smaller, 0);
 }
@@ -59,7 +59,7 @@ TEST(DistanceSamples, HaveTheSignOfABoxAndItsValuesNearTheSurface) {
 }
 
 TEST(DistanceSamples, CoverTheBoxAndOnePointBeyond) {
-  const DistanceSamples samples(DistanceToSphere, kBox, 3);
+  const DistanceSamples samples(DistanceToSphere, kSampledBox, 3);
   const RowVector3d first = samples.Position(0);
   const RowVector3d last = samples.Position(samples.size().prod() - 1);
   EXPECT_EQ(first, RowVector3d(-45, -45, -45));
@@ -71,7 +71,7 @@ TEST(DistanceSamples, CoverTheBoxAndOnePointBeyond) {
 
 TEST(DistanceSamples, AreTheSameInAnotherBox) {
   // Two boxes have their points in common, so that surfaces can be compared.
-  const DistanceSamples large(DistanceToSphere, kBox, 2);
+  const DistanceSamples large(DistanceToSphere, kSampledBox, 2);
   const Box3 inner = {{-7.5, -3.5, 15}, {11, 9, 31}};
   const DistanceSamples small(DistanceToSphere, inner, 2);
   for (std::int64_t i = 0; i < small.size().prod(); ++i) {
@@ -82,13 +82,13 @@ TEST(DistanceSamples, AreTheSameInAnotherBox) {
 
 TEST(DistanceSamples, FindThePointNearestToAPlace) {
   const double spacing = 1.5;
-  const DistanceSamples samples(DistanceToSphere, kBox, spacing);
+  const DistanceSamples samples(DistanceToSphere, kSampledBox, spacing);
   const Points places = 40 * RandomPoints(1000, 1);
   for (const auto p : places.rowwise()) {
     const std::int64_t nearest = samples.NearestTo(p);
     ASSERT_GE(nearest, 0);
     EXPECT_LE((samples.Position(nearest) - p).cwiseAbs().maxCoeff(),
-              spacing / 2 + kRounding);
+              spacing / 2 + kDistanceRounding);
   }
   EXPECT_EQ(samples.NearestTo({100, 0, 0}), -1);
   EXPECT_EQ(samples.NearestTo({0, -100, 0}), -1);
@@ -99,7 +99,7 @@ TEST(DistanceSamples, FindThePointNearestToAPlace) {
 }
 
 TEST(DistanceSamplesDeathTest, NeedASpacingAboveZero) {
-  EXPECT_DEATH(DistanceSamples(DistanceToSphere, kBox, 0), "spacing");
+  EXPECT_DEATH(DistanceSamples(DistanceToSphere, kSampledBox, 0), "spacing");
 }
 
 }  // namespace musclewarp

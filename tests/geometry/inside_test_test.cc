@@ -49,7 +49,9 @@ Points SpecialPoints(const TriangleSoup& soup) {
   return special;
 }
 
-Points RandomPoints(int count, const TriangleSoup& soup, std::mt19937* random) {
+Points RandomPointsAround(int count,
+                          const TriangleSoup& soup,
+                          std::mt19937* random) {
   const RowVector3d lower = soup.points.colwise().minCoeff();
   const RowVector3d upper = soup.points.colwise().maxCoeff();
   Points points(count, 3);
@@ -65,7 +67,7 @@ void ExpectConvexAnswers(const TriangleSoup& soup, std::mt19937* random) {
   const InsideTest test(soup.points, soup.triangles, 1);
   ASSERT_TRUE(test.IsClosed());
   for (const Points& points :
-       {RandomPoints(1000, soup, random), SpecialPoints(soup)}) {
+       {RandomPointsAround(1000, soup, random), SpecialPoints(soup)}) {
     for (const RowVector3d p : points.rowwise()) {
       EXPECT_EQ(test.Contains(p), ConvexContains(soup, p)) << p;
     }
@@ -118,11 +120,11 @@ TEST(InsideTest, KnowsACavityAndSeveralPieces) {
   TriangleSoup cavity = Icosphere(4, 2);
   cavity.triangles.col(1).swap(cavity.triangles.col(2));
   const TriangleSoup ball = Icosphere(10, 2);
-  const TriangleSoup other = Moved(Icosphere(3, 1), {20, 0, 0});
+  const TriangleSoup other = MovedBy(Icosphere(3, 1), {20, 0, 0});
   const TriangleSoup all = Together(Together(ball, cavity), other);
   const InsideTest test(all.points, all.triangles, 1);
   cavity.triangles.col(1).swap(cavity.triangles.col(2));
-  const Points points = RandomPoints(3000, all, &random);
+  const Points points = RandomPointsAround(3000, all, &random);
   for (const RowVector3d p : points.rowwise()) {
     EXPECT_EQ(test.Contains(p),
               (ConvexContains(ball, p) && !ConvexContains(cavity, p)) ||
@@ -137,7 +139,7 @@ TEST(InsideTest, DoesNotDependOnSeedOrderOrThreads) {
   const TriangleSoup soup = solid.Surface();
   const InsideTest one(soup.points, soup.triangles, 1);
   const InsideTest two(soup.points, soup.triangles, 99);
-  const Points points = RandomPoints(4000, soup, &random);
+  const Points points = RandomPointsAround(4000, soup, &random);
   std::vector<char> from_threads(points.rows());
 #pragma omp parallel for schedule(dynamic, 16) num_threads(4)
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
@@ -157,7 +159,7 @@ TEST(InsideTest, AsksTheWindingNumberOfAnOpenMesh) {
   EXPECT_FALSE(test.IsClosed());
   const SearchableMesh mesh(soup);
   int inside = 0;
-  const Points points = RandomPoints(2000, soup, &random);
+  const Points points = RandomPointsAround(2000, soup, &random);
   for (const RowVector3d p : points.rowwise()) {
     EXPECT_EQ(test.Contains(p), mesh.winding().IsInside(p));
     inside += test.Contains(p);
@@ -169,9 +171,10 @@ TEST(InsideTest, AsksTheWindingNumberOfAnOpenMesh) {
 TEST(InsideTest, FollowsMovedPoints) {
   std::mt19937 random(7);
   const TriangleSoup before = Icosphere(10, 2);
-  const TriangleSoup after = Moved(before, {7, 1, -3});
+  const TriangleSoup after = MovedBy(before, {7, 1, -3});
   InsideTest test(before.points, before.triangles, 1);
-  const Points points = RandomPoints(500, Together(before, after), &random);
+  const Points points =
+      RandomPointsAround(500, Together(before, after), &random);
   for (const RowVector3d p : points.rowwise()) test.Contains(p);
   test.Refit(after.points);
   for (const RowVector3d p : points.rowwise()) {

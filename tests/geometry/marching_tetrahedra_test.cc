@@ -19,7 +19,7 @@ using Eigen::RowVector3d;
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kRadius = 10;
-const Box3 kBox = {{-30, -30, -30}, {30, 30, 30}};
+const Box3 kBoxAroundBalls = {{-30, -30, -30}, {30, 30, 30}};
 
 SignedDistanceFunction Ball(const RowVector3d& centre, double radius) {
   return [=](const RowVector3d& p) { return (p - centre).norm() - radius; };
@@ -34,8 +34,8 @@ int CrossingPairs(const TriangleSoup& a, const TriangleSoup& b) {
 
 // How much of the volume of a ball is missing.
 double VolumeError(double spacing) {
-  const TriangleSoup ball =
-      MarchingTetrahedra(Ball({0.1, 0.2, 0.3}, kRadius), kBox, spacing);
+  const TriangleSoup ball = MarchingTetrahedra(
+      Ball({0.1, 0.2, 0.3}, kRadius), kBoxAroundBalls, spacing);
   const double volume = 4 * kPi / 3 * std::pow(kRadius, 3);
   return 1 - SignedVolume(ball.points, ball.triangles) / volume;
 }
@@ -46,7 +46,7 @@ TEST(MarchingTetrahedra, MakeACleanSurfaceOfABall) {
   for (const double spacing : {0.5, 1.0, 3.0, 6.0}) {
     const RowVector3d centre(0.1, 0.2, 0.3);
     const TriangleSoup ball =
-        MarchingTetrahedra(Ball(centre, kRadius), kBox, spacing);
+        MarchingTetrahedra(Ball(centre, kRadius), kBoxAroundBalls, spacing);
     EXPECT_TRUE(CountDefects(ball).IsClean()) << spacing;
     EXPECT_GT(SignedVolume(ball.points, ball.triangles), 0);
     EXPECT_TRUE(SelfIntersections(ball).empty()) << spacing;
@@ -70,7 +70,7 @@ TEST(MarchingTetrahedra, MakeACleanSurfaceWhereValuesAreZeroAtSamples) {
   // The faces of the cube pass through samples.
   const TriangleSoup cube = MarchingTetrahedra(
       [](const RowVector3d& p) { return p.cwiseAbs().maxCoeff() - 6; },
-      kBox,
+      kBoxAroundBalls,
       2);
   EXPECT_TRUE(CountDefects(cube).IsClean());
   EXPECT_TRUE(SelfIntersections(cube).empty());
@@ -89,8 +89,8 @@ TEST(MarchingTetrahedra, TwoRegionsThatDoNotOverlapHaveSurfacesThatDoNotCross) {
     return std::max(b(p), (b(p) - a(p) + kApart) / 2);
   };
   for (const double spacing : {0.7, 1.0, 2.5, 5.0}) {
-    const TriangleSoup one = MarchingTetrahedra(of_a, kBox, spacing);
-    const TriangleSoup two = MarchingTetrahedra(of_b, kBox, spacing);
+    const TriangleSoup one = MarchingTetrahedra(of_a, kBoxAroundBalls, spacing);
+    const TriangleSoup two = MarchingTetrahedra(of_b, kBoxAroundBalls, spacing);
     ASSERT_GT(one.triangles.rows(), 0);
     ASSERT_GT(two.triangles.rows(), 0);
     EXPECT_EQ(CrossingPairs(one, two), 0) << spacing;
@@ -110,13 +110,13 @@ TEST(MarchingTetrahedra, SurfacesDoNotTouchWhereTheyMeetNearSamples) {
           [&](const RowVector3d& p) {
             return std::max(ball(p), plane + 0.01 - p[axis]);
           },
-          kBox,
+          kBoxAroundBalls,
           spacing);
       const TriangleSoup below = MarchingTetrahedra(
           [&](const RowVector3d& p) {
             return std::max(ball(p), p[axis] - plane - 0.005);
           },
-          kBox,
+          kBoxAroundBalls,
           spacing);
       ASSERT_GT(above.triangles.rows(), 0);
       ASSERT_GT(below.triangles.rows(), 0);
@@ -128,7 +128,9 @@ TEST(MarchingTetrahedra, SurfacesDoNotTouchWhereTheyMeetNearSamples) {
 TEST(MarchingTetrahedra, TwoBodiesAreTwoComponents) {
   const auto a = Ball({-12, 0, 0}, kRadius), b = Ball({12, 0, 0}, kRadius);
   const TriangleSoup both = MarchingTetrahedra(
-      [&](const RowVector3d& p) { return std::min(a(p), b(p)); }, kBox, 1);
+      [&](const RowVector3d& p) { return std::min(a(p), b(p)); },
+      kBoxAroundBalls,
+      1);
   const MeshDefects defects = CountDefects(both);
   EXPECT_TRUE(defects.is_closed_manifold);
   EXPECT_EQ(defects.components, 2);
@@ -137,7 +139,7 @@ TEST(MarchingTetrahedra, TwoBodiesAreTwoComponents) {
 
 TEST(MarchingTetrahedra, AnEmptyRegionHasNoSurface) {
   const TriangleSoup nothing = MarchingTetrahedra(
-      [](const RowVector3d& p) { return p.norm() + 1; }, kBox, 1);
+      [](const RowVector3d& p) { return p.norm() + 1; }, kBoxAroundBalls, 1);
   EXPECT_EQ(nothing.points.rows(), 0);
   EXPECT_EQ(nothing.triangles.rows(), 0);
 }

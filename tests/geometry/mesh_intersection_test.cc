@@ -21,16 +21,15 @@
 namespace musclewarp {
 namespace {
 
-TriangleSoup Shifted(TriangleSoup soup, const Eigen::RowVector3d& by) {
-  soup.points.rowwise() += by;
-  return soup;
-}
-
-using Pairs = std::vector<std::pair<int, int>>;
+using Eigen::RowVector3d;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using PairList = std::vector<std::pair<int, int>>;
 
 // Every triangle against every other.
-Pairs BruteForce(const TriangleSoup& a, const TriangleSoup& b) {
-  Pairs pairs;
+PairList BruteForce(const TriangleSoup& a, const TriangleSoup& b) {
+  PairList pairs;
   const auto corner = [](const TriangleSoup& soup, int f, int k) {
     return Eigen::RowVector3d(soup.points.row(soup.triangles(f, k)));
   };
@@ -48,12 +47,6 @@ Pairs BruteForce(const TriangleSoup& a, const TriangleSoup& b) {
   }
   return pairs;
 }
-
-using Eigen::RowVector3d;
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
-using PairList = std::vector<std::pair<int, int>>;
 
 PairList PairsByBruteForce(const SearchableMesh& a, const SearchableMesh& b) {
   PairList pairs;
@@ -114,7 +107,7 @@ TriangleSoup WithHole(TriangleSoup soup, int triangles) {
 
 TEST(MeshIntersection, OverlappingSpheresHaveAKnownDepth) {
   const TriangleSoup a = Icosphere(10, 3);
-  const TriangleSoup b = Shifted(a, {16, 0, 0});
+  const TriangleSoup b = MovedBy(a, {16, 0, 0});
   const MeshIntersection found = IntersectMeshes(a, b);
   EXPECT_FALSE(found.triangle_pairs.empty());
   for (const int v : found.a_inside_b) {
@@ -132,7 +125,7 @@ TEST(MeshIntersection, FindsWhatBruteForceFinds) {
   for (int i = 0; i < 10; ++i) {
     Eigen::RowVector3d by;
     for (int k = 0; k < 3; ++k) by[k] = static_cast<int>(engine() % 16) - 8;
-    const TriangleSoup b = Shifted(Spindle(6, 7, 2), by);
+    const TriangleSoup b = MovedBy(Spindle(6, 7, 2), by);
     EXPECT_EQ(IntersectMeshes(a, b).triangle_pairs, BruteForce(a, b));
   }
 }
@@ -159,21 +152,21 @@ TEST(MeshIntersection, SeesEdgesThatCrossWithoutVerticesInside) {
 
 TEST(MeshIntersection, IsEmptyApart) {
   EXPECT_TRUE(
-      IntersectMeshes(Box(2, 2, 2), Shifted(Box(2, 2, 2), {2.001, 0, 0}))
+      IntersectMeshes(Box(2, 2, 2), MovedBy(Box(2, 2, 2), {2.001, 0, 0}))
           .IsEmpty());
 }
 
 TEST(MeshIntersection, AnswersForOpenMeshes) {
   TriangleSoup open = Icosphere(10, 3);
   open.triangles.conservativeResize(open.triangles.rows() - 1, 3);
-  const TriangleSoup inner = Shifted(Icosphere(1, 1), {-4, 0, 0});
+  const TriangleSoup inner = MovedBy(Icosphere(1, 1), {-4, 0, 0});
   EXPECT_EQ(IntersectMeshes(open, inner).b_inside_a.size(),
             static_cast<size_t>(inner.points.rows()));
 }
 
 TEST(MeshIntersection, DoesNotDependOnTheNumberOfThreads) {
   const TriangleSoup a = Icosphere(10, 3);
-  const TriangleSoup b = Shifted(Spindle(8, 20, 3), {5, 3, 1});
+  const TriangleSoup b = MovedBy(Spindle(8, 20, 3), {5, 3, 1});
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
   const MeshIntersection one = IntersectMeshes(a, b);
@@ -204,18 +197,18 @@ TEST(SelfIntersections, FindsFoldsAndDoubles) {
   fold.points << 0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 0;
   fold.triangles.resize(2, 3);
   fold.triangles << 0, 1, 2, 1, 0, 3;
-  EXPECT_EQ(SelfIntersections(fold), (Pairs{{0, 1}}));
+  EXPECT_EQ(SelfIntersections(fold), (PairList{{0, 1}}));
   fold.points.row(3) << 1, -1, 0;
   EXPECT_TRUE(SelfIntersections(fold).empty());
   fold.triangles.row(1) << 2, 0, 1;
-  EXPECT_EQ(SelfIntersections(fold), (Pairs{{0, 1}}));
+  EXPECT_EQ(SelfIntersections(fold), (PairList{{0, 1}}));
 }
 
 TEST(MeshIntersection, AgreesWithBruteForce) {
   std::mt19937 random(1);
   for (int i = 0; i < 10; ++i) {
     ExpectBruteForce(Icosphere(10, 2),
-                     Moved(Spindle(4, 12, 2), RandomPoint(10, &random)));
+                     MovedBy(Spindle(4, 12, 2), RandomPoint(10, &random)));
   }
 }
 
@@ -224,7 +217,7 @@ TEST(MeshIntersection, AgreesWithBruteForceOnOpenMeshes) {
   for (int i = 0; i < 6; ++i) {
     ExpectBruteForce(
         WithHole(Icosphere(10, 2), 20 * i),
-        Moved(WithHole(Icosphere(8, 2), 30), RandomPoint(8, &random)));
+        MovedBy(WithHole(Icosphere(8, 2), 30), RandomPoint(8, &random)));
   }
 }
 
@@ -232,16 +225,16 @@ TEST(MeshIntersection, AgreesWithBruteForceInSpecialPosition) {
   for (int x = 0; x <= 4; ++x) {
     for (int y = 0; y <= 4; ++y) {
       ExpectBruteForce(Box(2, 2, 2),
-                       Moved(Box(2, 2, 2), RowVector3d(x, y, 1) / 2));
+                       MovedBy(Box(2, 2, 2), RowVector3d(x, y, 1) / 2));
       ExpectBruteForce(Box(2, 2, 2),
-                       Moved(Box(2, 4, 1), RowVector3d(x, y, 0) / 2));
+                       MovedBy(Box(2, 4, 1), RowVector3d(x, y, 0) / 2));
     }
   }
 }
 
 TEST(MeshIntersection, BoxesFaceToFaceTouchButAreNotInside) {
-  const MeshIntersection result =
-      IntersectMeshes(Box(2, 2, 2), Moved(Box(1, 1, 2), RowVector3d(0, 0, 2)));
+  const MeshIntersection result = IntersectMeshes(
+      Box(2, 2, 2), MovedBy(Box(1, 1, 2), RowVector3d(0, 0, 2)));
   EXPECT_FALSE(result.triangle_pairs.empty());
   EXPECT_THAT(result.a_inside_b, IsEmpty());
   EXPECT_THAT(result.b_inside_a, IsEmpty());
@@ -257,7 +250,7 @@ TEST(MeshIntersection, AMeshWithItselfTouchesOnly) {
 }
 
 TEST(MeshIntersection, PointsInNoTriangleDoNotCount) {
-  TriangleSoup soup = Moved(Icosphere(1, 1), RowVector3d(50, 0, 0));
+  TriangleSoup soup = MovedBy(Icosphere(1, 1), RowVector3d(50, 0, 0));
   soup.points.conservativeResize(soup.points.rows() + 1, 3);
   soup.points.bottomRows<1>().setZero();
   EXPECT_TRUE(IntersectMeshes(soup, Box(20, 20, 20)).IsEmpty());
@@ -272,12 +265,12 @@ TEST(MeshIntersection, NoTriangles) {
 TEST(MeshIntersection, RefittedMeshesAreLikeNewOnes) {
   const TriangleSoup sphere = Icosphere(10, 2);
   const TriangleSoup spindle = Spindle(4, 12, 2);
-  SearchableMesh moving(Moved(spindle, RowVector3d(30, 0, 0)));
-  moving.Refit(Moved(spindle, RowVector3d(7, 1, 2)).points);
+  SearchableMesh moving(MovedBy(spindle, RowVector3d(30, 0, 0)));
+  moving.Refit(MovedBy(spindle, RowVector3d(7, 1, 2)).points);
   const MeshIntersection refitted =
       IntersectMeshes(SearchableMesh(sphere), moving);
   const MeshIntersection built =
-      IntersectMeshes(sphere, Moved(spindle, RowVector3d(7, 1, 2)));
+      IntersectMeshes(sphere, MovedBy(spindle, RowVector3d(7, 1, 2)));
   EXPECT_FALSE(built.IsEmpty());
   EXPECT_EQ(refitted.triangle_pairs, built.triangle_pairs);
   EXPECT_EQ(refitted.a_inside_b, built.a_inside_b);
@@ -287,7 +280,7 @@ TEST(MeshIntersection, RefittedMeshesAreLikeNewOnes) {
 
 TEST(SelfIntersections, TwoBodiesInOneMeshAreTheirPairs) {
   const TriangleSoup a = Icosphere(10, 2);
-  const TriangleSoup b = Moved(a, RowVector3d(3, 4, 5));
+  const TriangleSoup b = MovedBy(a, RowVector3d(3, 4, 5));
   PairList expected = IntersectMeshes(a, b).triangle_pairs;
   for (auto& pair : expected) {
     pair.second += static_cast<int>(a.triangles.rows());

@@ -61,7 +61,7 @@ TEST(OuterHull, TakesDirtyMeshes) {
 TEST(OuterHull, StrayPiecesFarAwayAreLeftOut) {
   const TriangleSoup fine = Spindle(20, 60, 3);
   const TriangleSoup hull =
-      OuterHull(Together(fine, Moved(Box(1, 1, 1), {500, 0, 0})), {});
+      OuterHull(Together(fine, MovedBy(Box(1, 1, 1), {500, 0, 0})), {});
   EXPECT_TRUE(CountDefects(hull).IsClean());
   EXPECT_TRUE(SelfIntersections(hull).empty());
   EXPECT_TRUE(Encloses(hull, fine));
@@ -94,8 +94,8 @@ TEST(Encloses, NeedsVerticesEdgesAndFacesInside) {
 TEST(Encloses, TouchingIsNotEnclosing) {
   const TriangleSoup fine = Box(1, 1, 1);
   EXPECT_FALSE(Encloses(fine, fine));
-  EXPECT_FALSE(Encloses(Moved(Box(2, 2, 2), {0.5, 0, 0}), fine));
-  EXPECT_TRUE(Encloses(Moved(Box(2, 2, 2), {0.5 - 1e-15, 0, 0}), fine));
+  EXPECT_FALSE(Encloses(MovedBy(Box(2, 2, 2), {0.5, 0, 0}), fine));
+  EXPECT_TRUE(Encloses(MovedBy(Box(2, 2, 2), {0.5 - 1e-15, 0, 0}), fine));
 }
 
 TEST(Encloses, ADentOfTheHullIntoAFace) {
@@ -122,7 +122,7 @@ TEST(Encloses, ADentOfTheHullIntoAFace) {
 
 TEST(Encloses, APieceOutside) {
   EXPECT_FALSE(Encloses(
-      Box(4, 4, 4), Together(Box(1, 1, 1), Moved(Box(1, 1, 1), {10, 0, 0}))));
+      Box(4, 4, 4), Together(Box(1, 1, 1), MovedBy(Box(1, 1, 1), {10, 0, 0}))));
 }
 
 TEST(Encloses, OpenOrInsideOutHulls) {

@@ -41,11 +41,6 @@ inline TriangleSoup RandomSoup(int count, double size, std::mt19937* random) {
   return soup;
 }
 
-inline TriangleSoup Moved(TriangleSoup soup, const Eigen::RowVector3d& by) {
-  soup.points.rowwise() += by;
-  return soup;
-}
-
 // Both, with the triangles of `a` first.
 inline TriangleSoup Together(const TriangleSoup& a, const TriangleSoup& b) {
   TriangleSoup both;

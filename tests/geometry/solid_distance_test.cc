@@ -5,16 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 
+#include "musclewarp/base/infinity.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
 namespace {
 
 using Eigen::RowVector3d;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double SearchedEverywhere(const SearchableMesh& mesh, const RowVector3d& p) {
   const double distance = mesh.bvh().ClosestPoint(p).distance;

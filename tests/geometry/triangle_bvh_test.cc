@@ -19,7 +19,7 @@
 namespace musclewarp {
 namespace {
 
-using Pairs = std::set<std::pair<int, int>>;
+using PairSet = std::set<std::pair<int, int>>;
 
 bool BoxesOverlap(const TriangleBvh& a, int f, const TriangleBvh& b, int g) {
   for (int k = 0; k < 3; ++k) {
@@ -34,13 +34,13 @@ bool BoxesOverlap(const TriangleBvh& a, int f, const TriangleBvh& b, int g) {
 }
 
 void ExpectAllOverlapsFound(const TriangleBvh& a, const TriangleBvh& b) {
-  Pairs expected;
+  PairSet expected;
   for (int f = 0; f < a.num_triangles(); ++f) {
     for (int g = 0; g < b.num_triangles(); ++g) {
       if (BoxesOverlap(a, f, b, g)) expected.emplace(f, g);
     }
   }
-  Pairs found;
+  PairSet found;
   int visits = 0;
   a.ForEachOverlap(b, [&](int f, int g) {
     found.emplace(f, g);
@@ -121,7 +121,7 @@ TEST(TriangleBvh, FindsOverlapsOfOtherBoxes) {
   EXPECT_TRUE(Overlaps(tree_a, tree_b).empty());
   constexpr double kMargin = 0.7;
   std::vector<Box3> boxes;
-  Pairs expected;
+  PairSet expected;
   for (int f = 0; f < tree_a.num_triangles(); ++f) {
     boxes.push_back(BoxOf(tree_a.corners(f), kMargin));
     for (int g = 0; g < tree_b.num_triangles(); ++g) {
@@ -130,7 +130,7 @@ TEST(TriangleBvh, FindsOverlapsOfOtherBoxes) {
   }
   tree_a.RefitBoxes(boxes);
   const PairList found = Overlaps(tree_a, tree_b);
-  EXPECT_EQ(Pairs(found.begin(), found.end()), expected);
+  EXPECT_EQ(PairSet(found.begin(), found.end()), expected);
   EXPECT_FALSE(found.empty());
   EXPECT_LT(found.size(), 80u * 80u);
   tree_a.Refit(a.points);
@@ -140,7 +140,7 @@ TEST(TriangleBvh, FindsOverlapsOfOtherBoxes) {
 TEST(TriangleBvh, FindsEveryPairOfItsOwnOnce) {
   const TriangleSoup soup = Spindle(4, 15, 1);
   const TriangleBvh bvh(soup.points, soup.triangles);
-  Pairs found;
+  PairSet found;
   int visits = 0;
   bvh.ForEachSelfOverlap([&](int f, int g) {
     EXPECT_NE(f, g);

@@ -8,26 +8,12 @@
 #include <random>
 
 #include "musclewarp/geometry/triangle_intersection.h"
+#include "support/triangles.h"
 
 namespace musclewarp {
 namespace {
 
 using Eigen::RowVector3d;
-
-Corners RandomTriangle(std::mt19937* random, double size) {
-  std::uniform_real_distribution<double> uniform(-size, size);
-  Corners triangle;
-  for (int i = 0; i < 9; ++i) triangle.data()[i] = uniform(*random);
-  return triangle;
-}
-
-Corners Triangle(const RowVector3d& a,
-                 const RowVector3d& b,
-                 const RowVector3d& c) {
-  Corners triangle;
-  triangle << a, b, c;
-  return triangle;
-}
 
 // The distance of places on a lattice on both triangles: too large by no more
 // than the lattice is wide.
@@ -45,20 +31,21 @@ double SampledDistance(const Corners& a, const Corners& b, int steps) {
 }
 
 TEST(TriangleDistance, KnowsCornersEdgesAndFaces) {
-  const Corners a = Triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+  const Corners a = CornersOf({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
   // A corner over the face.
   ClosestPair pair =
-      ClosestPointsOfTriangles(a, Triangle({1, 1, 3}, {1, 1, 5}, {2, 1, 5}));
+      ClosestPointsOfTriangles(a, CornersOf({1, 1, 3}, {1, 1, 5}, {2, 1, 5}));
   EXPECT_EQ(pair.squared_distance, 9);
   EXPECT_EQ(pair.on_a, RowVector3d(1, 1, 0));
   EXPECT_EQ(pair.on_b, RowVector3d(1, 1, 3));
   // Two edges that pass each other.
   pair = ClosestPointsOfTriangles(
-      a, Triangle({2, -1, -1}, {2, -1, 1}, {2, -9, 0}));
+      a, CornersOf({2, -1, -1}, {2, -1, 1}, {2, -9, 0}));
   EXPECT_EQ(pair.squared_distance, 1);
   EXPECT_EQ(pair.on_a, RowVector3d(2, 0, 0));
   // A corner and a corner.
-  pair = ClosestPointsOfTriangles(a, Triangle({7, 0, 4}, {9, 0, 4}, {9, 1, 9}));
+  pair =
+      ClosestPointsOfTriangles(a, CornersOf({7, 0, 4}, {9, 0, 4}, {9, 1, 9}));
   EXPECT_EQ(pair.squared_distance, 25);
 }
 
@@ -92,11 +79,13 @@ TEST(TriangleDistance, IsThatOfSamplesAndTheSameBothWays) {
 }
 
 TEST(TriangleDistance, TakesTrianglesWithoutArea) {
-  const Corners a = Triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+  const Corners a = CornersOf({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
   const RowVector3d p(1, 1, 2);
-  EXPECT_EQ(ClosestPointsOfTriangles(a, Triangle(p, p, p)).squared_distance, 4);
+  EXPECT_EQ(ClosestPointsOfTriangles(a, CornersOf(p, p, p)).squared_distance,
+            4);
   const RowVector3d q(3, 3, 5);
-  EXPECT_EQ(ClosestPointsOfTriangles(Triangle(p, q, p), a).squared_distance, 4);
+  EXPECT_EQ(ClosestPointsOfTriangles(CornersOf(p, q, p), a).squared_distance,
+            4);
 }
 
 }  // namespace

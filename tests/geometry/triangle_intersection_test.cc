@@ -17,6 +17,7 @@
 
 #include "geometry/exact_intersection.h"
 #include "geometry/random_meshes.h"
+#include "support/triangles.h"
 
 namespace musclewarp {
 namespace {
@@ -96,14 +97,6 @@ bool IsOn(const ExactPoint<GridNumber>& p,
     if (p[axis] != from + t * d) return false;
   }
   return true;
-}
-
-Corners CornersOf(const RowVector3d& a,
-                  const RowVector3d& b,
-                  const RowVector3d& c) {
-  Corners triangle;
-  triangle << a, b, c;
-  return triangle;
 }
 
 const Corners kFlatCorners =

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Two operations on unit vectors.
-constexpr double kRounding = 1e-15;
+constexpr double kDirectionRounding = 1e-15;
 
 // What lies on the viewer's right.
 Vector3d RightOf(const View& view) { return view.up.cross(view.toward_viewer); }
@@ -62,9 +62,10 @@ TEST(View, FollowsTheAxesOfTheMeshes) {
 
 TEST(View, VectorsAreMadePerpendicular) {
   const View view = ParseView("3,-4,0;0,-1,1", "LPS", "right");
-  EXPECT_TRUE(view.toward_viewer.isApprox(Vector3d(0.6, -0.8, 0), kRounding));
-  EXPECT_NEAR(view.up.norm(), 1, kRounding);
-  EXPECT_NEAR(view.up.dot(view.toward_viewer), 0, kRounding);
+  EXPECT_TRUE(
+      view.toward_viewer.isApprox(Vector3d(0.6, -0.8, 0), kDirectionRounding));
+  EXPECT_NEAR(view.up.norm(), 1, kDirectionRounding);
+  EXPECT_NEAR(view.up.dot(view.toward_viewer), 0, kDirectionRounding);
   EXPECT_GT(view.up.z(), 0);
   // Without an upward direction: superior.
   EXPECT_EQ(ParseView("1,0,0", "LPS", "right").up, Vector3d::UnitZ());

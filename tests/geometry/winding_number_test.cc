@@ -52,7 +52,7 @@ void ExpectTheDefinition(const TriangleSoup& soup) {
 using Eigen::RowVector3d;
 
 // A few hundred angles, each rounded to 1e-15.
-constexpr double kRounding = 1e-12;
+constexpr double kAngleRounding = 1e-12;
 
 // A mesh as the queries want it.
 struct Solid {
@@ -83,7 +83,8 @@ void ExpectAngleSum(const TriangleSoup& soup, double size, int seed) {
   std::mt19937 random(seed);
   for (int i = 0; i < 300; ++i) {
     const RowVector3d p = RandomPoint(size, &random);
-    EXPECT_NEAR(solid.winding.At(p), AngleSum(solid.bvh, p), kRounding) << p;
+    EXPECT_NEAR(solid.winding.At(p), AngleSum(solid.bvh, p), kAngleRounding)
+        << p;
   }
 }
 
@@ -171,7 +172,7 @@ TEST(WindingNumber, PointsInThePlaneOfAHole) {
       for (const double z : {-1.0, -1 - 1e-15, -1 + 1e-15, -1.5}) {
         const RowVector3d p(x / 4.0, y / 4.0, z);
         if (std::max(std::abs(x), std::abs(y)) == 4) continue;  // the rim
-        EXPECT_NEAR(solid.winding.At(p), AngleSum(solid.bvh, p), kRounding)
+        EXPECT_NEAR(solid.winding.At(p), AngleSum(solid.bvh, p), kAngleRounding)
             << p;
       }
     }
@@ -184,7 +185,7 @@ TEST(WindingNumber, FollowsTheTree) {
   soup.points.rowwise() += RowVector3d(5, 6, 7);
   solid.bvh.Refit(soup.points);
   const RowVector3d p(5.1, 6.2, 7.3);
-  EXPECT_NEAR(solid.winding.At(p), AngleSum(solid.bvh, p), kRounding);
+  EXPECT_NEAR(solid.winding.At(p), AngleSum(solid.bvh, p), kAngleRounding);
   EXPECT_GT(solid.winding.At(p), 0.5);
 }
 

@@ -14,13 +14,13 @@
 namespace musclewarp {
 namespace {
 
-constexpr char kSquare[] =
+constexpr char kVtkSquare[] =
     "# vtk DataFile Version 3.0\na\nASCII\nDATASET POLYDATA\n"
     "POINTS 4 double\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
     "POLYGONS 2 8\n3 0 1 2\n3 0 2 3\n";
 
-void ExpectRefusal(const std::string& bytes,
-                   const std::vector<std::string>& words) {
+void ExpectVtkRefusal(const std::string& bytes,
+                      const std::vector<std::string>& words) {
   ExpectInputError([&] { ReadLegacyVtk("a.vtk", bytes); }, words);
 }
 
@@ -73,37 +73,39 @@ TEST(LegacyVtkIo, Version5Reads) {
 }
 
 TEST(LegacyVtkIo, OffsetsOfVersion5MustRiseToTheNumberOfCorners) {
-  ExpectRefusal(Version5({0, 3}), {"'polygons'", "run from 0 to 4"});
-  ExpectRefusal(Version5({1, 4}), {"'polygons'", "run from 0 to 4"});
-  ExpectRefusal(Version5({0, 5, 4}), {"offset 1 is 5 after 0"});
+  ExpectVtkRefusal(Version5({0, 3}), {"'polygons'", "run from 0 to 4"});
+  ExpectVtkRefusal(Version5({1, 4}), {"'polygons'", "run from 0 to 4"});
+  ExpectVtkRefusal(Version5({0, 5, 4}), {"offset 1 is 5 after 0"});
 }
 
 TEST(LegacyVtkIo, OtherDatasetsAreNamed) {
-  ExpectRefusal(With(kSquare, "POLYDATA", "STRUCTURED_GRID"),
-                {"STRUCTURED_GRID", "POLYDATA"});
+  ExpectVtkRefusal(With(kVtkSquare, "POLYDATA", "STRUCTURED_GRID"),
+                   {"STRUCTURED_GRID", "POLYDATA"});
 }
 
 TEST(LegacyVtkIo, OtherFilesAreNamed) {
-  ExpectRefusal("solid a\n", {"a.vtk", "not a legacy VTK file", "'solid a'"});
-  ExpectRefusal(With(kSquare, "ASCII", "UTF8"), {"line 3", "'utf8'"});
-  ExpectRefusal(With(kSquare, "POLYGONS", "POLYHEDRA"),
-                {"line 10", "'POLYHEDRA'"});
+  ExpectVtkRefusal("solid a\n",
+                   {"a.vtk", "not a legacy VTK file", "'solid a'"});
+  ExpectVtkRefusal(With(kVtkSquare, "ASCII", "UTF8"), {"line 3", "'utf8'"});
+  ExpectVtkRefusal(With(kVtkSquare, "POLYGONS", "POLYHEDRA"),
+                   {"line 10", "'POLYHEDRA'"});
 }
 
 TEST(LegacyVtkIo, TheListOfCellsMustBeAsLongAsItSays) {
-  ExpectRefusal(With(kSquare, "2 8", "1 8"), {"take 4 of the 8"});
-  ExpectRefusal(With(kSquare, "3 0 2 3", "9 0 2 3"),
-                {"cell 1 of 2 has 9 corners"});
-  ExpectRefusal(With(kSquare, "2 8", "3 8"), {"cell 2 of 3 is missing"});
+  ExpectVtkRefusal(With(kVtkSquare, "2 8", "1 8"), {"take 4 of the 8"});
+  ExpectVtkRefusal(With(kVtkSquare, "3 0 2 3", "9 0 2 3"),
+                   {"cell 1 of 2 has 9 corners"});
+  ExpectVtkRefusal(With(kVtkSquare, "2 8", "3 8"), {"cell 2 of 3 is missing"});
 }
 
 // Would take tens of gigabytes if the header were believed.
 TEST(LegacyVtkIo, AbsurdCountsAreRefused) {
-  ExpectRefusal(
+  ExpectVtkRefusal(
       With(LegacyVtkBytes(UnitTetrahedron()), "POINTS 4", "POINTS 4000000000"),
       {"promises 12000000000 numbers"});
-  ExpectRefusal(With(kSquare, "2 8", "2 4000000000"), {"is truncated"});
-  ExpectRefusal(With(kSquare, "POINTS 4", "POINTS -4"), {"-4", "0 to 2^40"});
+  ExpectVtkRefusal(With(kVtkSquare, "2 8", "2 4000000000"), {"is truncated"});
+  ExpectVtkRefusal(With(kVtkSquare, "POINTS 4", "POINTS -4"),
+                   {"-4", "0 to 2^40"});
 }
 
 }  // namespace

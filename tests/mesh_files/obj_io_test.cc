@@ -10,14 +10,14 @@
 namespace musclewarp {
 namespace {
 
-constexpr char kSquare[] =
+constexpr char kObjSquare[] =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
 
-void ExpectRefusal(const std::string& old_part,
-                   const std::string& new_part,
-                   const std::vector<std::string>& words) {
-  ExpectInputError([&] { ReadObj("a.obj", With(kSquare, old_part, new_part)); },
-                   words);
+void ExpectObjRefusal(const std::string& old_part,
+                      const std::string& new_part,
+                      const std::vector<std::string>& words) {
+  ExpectInputError(
+      [&] { ReadObj("a.obj", With(kObjSquare, old_part, new_part)); }, words);
 }
 
 TEST(ObjIo, KeepsEveryBit) {
@@ -44,24 +44,26 @@ TEST(ObjIo, ReadsEveryFormOfCorner) {
 }
 
 TEST(ObjIo, VerticesCountFromOne) {
-  ExpectRefusal("f 1 3 4", "f 1 3 5", {"line 6, face 2", "vertex 5"});
-  ExpectRefusal("f 1 3 4", "f 1 0 4", {"line 6", "vertex 0"});
+  ExpectObjRefusal("f 1 3 4", "f 1 3 5", {"line 6, face 2", "vertex 5"});
+  ExpectObjRefusal("f 1 3 4", "f 1 0 4", {"line 6", "vertex 0"});
 }
 
 TEST(ObjIo, NegativeIndicesReachBackToTheFirstVertex) {
   EXPECT_EQ(
-      TextOf(ReadObj("a.obj", With(kSquare, "f 1 3 4", "f -4 3 4")).triangles),
+      TextOf(
+          ReadObj("a.obj", With(kObjSquare, "f 1 3 4", "f -4 3 4")).triangles),
       kTwoTriangles);
-  ExpectRefusal("f 1 3 4", "f 1 -5 4", {"line 6", "vertex -5", "back to -4"});
+  ExpectObjRefusal(
+      "f 1 3 4", "f 1 -5 4", {"line 6", "vertex -5", "back to -4"});
 }
 
 TEST(ObjIo, AVertexWithTwoCoordinatesIsRefused) {
-  ExpectRefusal("v 1 1 0", "v 1 1", {"line 3", "has 2 coordinates"});
+  ExpectObjRefusal("v 1 1 0", "v 1 1", {"line 3", "has 2 coordinates"});
 }
 
 TEST(ObjIo, UnknownStatementsAreQuoted) {
-  ExpectRefusal("f 1 3 4", "face 1 3 4", {"line 6", "'face'"});
-  ExpectRefusal("f 1 3 4", "f 1/x 3 4", {"line 6", "'x'", "texture"});
+  ExpectObjRefusal("f 1 3 4", "face 1 3 4", {"line 6", "'face'"});
+  ExpectObjRefusal("f 1 3 4", "f 1/x 3 4", {"line 6", "'x'", "texture"});
 }
 
 }  // namespace

@@ -10,14 +10,14 @@
 namespace musclewarp {
 namespace {
 
-constexpr char kSquare[] =
+constexpr char kOffSquare[] =
     "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
 
-void ExpectRefusal(const std::string& old_part,
-                   const std::string& new_part,
-                   const std::vector<std::string>& words) {
-  ExpectInputError([&] { ReadOff("a.off", With(kSquare, old_part, new_part)); },
-                   words);
+void ExpectOffRefusal(const std::string& old_part,
+                      const std::string& new_part,
+                      const std::vector<std::string>& words) {
+  ExpectInputError(
+      [&] { ReadOff("a.off", With(kOffSquare, old_part, new_part)); }, words);
 }
 
 TEST(OffIo, KeepsEveryBit) {
@@ -38,34 +38,34 @@ TEST(OffIo, ReadsHeadersAndColours) {
 }
 
 TEST(OffIo, BinaryFilesAreRefused) {
-  ExpectRefusal("OFF", "OFF BINARY", {"a.off", "is not an ASCII OFF file"});
+  ExpectOffRefusal("OFF", "OFF BINARY", {"a.off", "is not an ASCII OFF file"});
 }
 
 TEST(OffIo, TheHeaderMustNotPromiseLess) {
-  ExpectRefusal("4 2 0", "4 1 0", {"line 8", "less than the file holds"});
+  ExpectOffRefusal("4 2 0", "4 1 0", {"line 8", "less than the file holds"});
 }
 
 TEST(OffIo, ATruncatedFileSaysHowFarItGoes) {
-  ExpectRefusal(
+  ExpectOffRefusal(
       "3 0 2 3\n", "", {"is truncated", "promises 2 faces", "ends after 1"});
-  ExpectRefusal(
+  ExpectOffRefusal(
       "4 2 0", "4", {"is truncated", "numbers of vertices and faces"});
 }
 
 TEST(OffIo, CountsMustNotBeNegative) {
-  ExpectRefusal("4 2 0", "4 -2 0", {"line 2", "is negative"});
+  ExpectOffRefusal("4 2 0", "4 -2 0", {"line 2", "is negative"});
 }
 
 // Would take tens of gigabytes if the header were believed.
 TEST(OffIo, AbsurdCountsAreRefused) {
-  ExpectRefusal("4 2 0", "4000000000 2 0", {"a.off"});
-  ExpectRefusal("4 2 0",
-                "4 4000000000 0",
-                {"promises 4000000000 faces, the file ends after 2"});
+  ExpectOffRefusal("4 2 0", "4000000000 2 0", {"a.off"});
+  ExpectOffRefusal("4 2 0",
+                   "4 4000000000 0",
+                   {"promises 4000000000 faces, the file ends after 2"});
 }
 
 TEST(OffIo, AFaceWithFewerCornersThanItSaysIsRefused) {
-  ExpectRefusal("3 0 2 3", "4 0 2 3", {"line 8", "has 4 values"});
+  ExpectOffRefusal("3 0 2 3", "4 0 2 3", {"line 8", "has 4 values"});
 }
 
 }  // namespace

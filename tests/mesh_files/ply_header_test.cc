@@ -27,9 +27,9 @@ PlyHeader Read(const std::string& text) {
   return ReadPlyHeader("a.ply", &cursor);
 }
 
-void ExpectRefusal(const std::string& old_part,
-                   const std::string& new_part,
-                   const std::vector<std::string>& words) {
+void ExpectPlyHeaderRefusal(const std::string& old_part,
+                            const std::string& new_part,
+                            const std::vector<std::string>& words) {
   ExpectInputError([&] { Read(With(kHeader, old_part, new_part)); }, words);
 }
 
@@ -67,26 +67,31 @@ TEST(PlyHeader, OtherFilesAreNamed) {
 }
 
 TEST(PlyHeader, ATruncatedOneIsRefused) {
-  ExpectRefusal("end_header\n", "", {"is truncated", "'end_header'"});
+  ExpectPlyHeaderRefusal("end_header\n", "", {"is truncated", "'end_header'"});
 }
 
 TEST(PlyHeader, UnknownWordsAreQuotedWithTheirLine) {
-  ExpectRefusal("binary_big_endian", "binary", {"line 2", "'binary'"});
-  ExpectRefusal("property float", "property real", {"line 5", "'real'"});
-  ExpectRefusal("element face 2", "face 2", {"line 8", "'face'"});
-  ExpectRefusal("vertex 4", "vertex four", {"line 4", "'four'"});
+  ExpectPlyHeaderRefusal("binary_big_endian", "binary", {"line 2", "'binary'"});
+  ExpectPlyHeaderRefusal(
+      "property float", "property real", {"line 5", "'real'"});
+  ExpectPlyHeaderRefusal("element face 2", "face 2", {"line 8", "'face'"});
+  ExpectPlyHeaderRefusal("vertex 4", "vertex four", {"line 4", "'four'"});
 }
 
 TEST(PlyHeader, ElementsAndPropertiesMustMakeSense) {
-  ExpectRefusal("element face", "element vertex", {"line 8", "stands twice"});
-  ExpectRefusal("face 2", "face -2", {"line 8", "is -2"});
-  ExpectRefusal("element vertex 4\n", "", {"before the first element"});
-  ExpectRefusal("list uchar", "list float", {"line 9", "'float'", "whole"});
-  ExpectRefusal("list uchar int", "list uchar", {"line 9", "two types"});
+  ExpectPlyHeaderRefusal(
+      "element face", "element vertex", {"line 8", "stands twice"});
+  ExpectPlyHeaderRefusal("face 2", "face -2", {"line 8", "is -2"});
+  ExpectPlyHeaderRefusal(
+      "element vertex 4\n", "", {"before the first element"});
+  ExpectPlyHeaderRefusal(
+      "list uchar", "list float", {"line 9", "'float'", "whole"});
+  ExpectPlyHeaderRefusal(
+      "list uchar int", "list uchar", {"line 9", "two types"});
 }
 
 TEST(PlyHeader, NeedsAFormat) {
-  ExpectRefusal(
+  ExpectPlyHeaderRefusal(
       "format binary_big_endian 1.0\n", "", {"line 9", "'end_header'"});
 }
 

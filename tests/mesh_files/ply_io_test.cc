@@ -15,14 +15,14 @@
 namespace musclewarp {
 namespace {
 
-constexpr char kSquare[] =
+constexpr char kPlySquare[] =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\n"
     "property double y\nproperty double z\nelement face 2\n"
     "property list uchar int vertex_indices\nend_header\n"
     "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
 
-void ExpectRefusal(const std::string& bytes,
-                   const std::vector<std::string>& words) {
+void ExpectPlyRefusal(const std::string& bytes,
+                      const std::vector<std::string>& words) {
   ExpectInputError([&] { ReadPly("a.ply", bytes); }, words);
 }
 
@@ -100,34 +100,35 @@ INSTANTIATE_TEST_SUITE_P(Orders,
                          });
 
 TEST(PlyIo, TheHeaderMustNotPromiseLess) {
-  ExpectRefusal(With(kSquare, "face 2", "face 1"),
-                {"line 15", "less than the file holds"});
-  ExpectRefusal(PlyBytes(UnitTetrahedron()) + "more",
-                {"less than the file holds"});
+  ExpectPlyRefusal(With(kPlySquare, "face 2", "face 1"),
+                   {"line 15", "less than the file holds"});
+  ExpectPlyRefusal(PlyBytes(UnitTetrahedron()) + "more",
+                   {"less than the file holds"});
 }
 
 // Would take tens of gigabytes if the header were believed.
 TEST(PlyIo, AbsurdCountsAreRefused) {
   const std::string bytes = PlyBytes(UnitTetrahedron());
-  ExpectRefusal(With(bytes, "vertex 4", "vertex 4000000000"),
-                {"promises 4000000000 of element 'vertex'"});
-  ExpectRefusal(With(bytes, "face 4", "face 4000000000"),
-                {"promises 4000000000 of element 'face'"});
+  ExpectPlyRefusal(With(bytes, "vertex 4", "vertex 4000000000"),
+                   {"promises 4000000000 of element 'vertex'"});
+  ExpectPlyRefusal(With(bytes, "face 4", "face 4000000000"),
+                   {"promises 4000000000 of element 'face'"});
 }
 
 TEST(PlyIo, MissingPropertiesAreNamed) {
-  ExpectRefusal(With(kSquare, "double y", "double w"), {"a.ply", "without"});
-  ExpectRefusal(With(kSquare, "vertex_indices", "corners"),
-                {"a.ply", "without", "vertex_indices"});
+  ExpectPlyRefusal(With(kPlySquare, "double y", "double w"),
+                   {"a.ply", "without"});
+  ExpectPlyRefusal(With(kPlySquare, "vertex_indices", "corners"),
+                   {"a.ply", "without", "vertex_indices"});
 }
 
 TEST(PlyIo, ALineMustHoldWhatTheHeaderSays) {
-  ExpectRefusal(With(kSquare, "1 1 0\n", "1 1 0 7\n"),
-                {"line 12", "more values (4)"});
-  ExpectRefusal(With(kSquare, "1 1 0\n", "1 1\n"),
-                {"line 12", "fewer values (2)"});
-  ExpectRefusal(With(kSquare, "3 0 1 2\n", "-3 0 1 2\n"),
-                {"item 0", "'vertex_indices'", "length -3"});
+  ExpectPlyRefusal(With(kPlySquare, "1 1 0\n", "1 1 0 7\n"),
+                   {"line 12", "more values (4)"});
+  ExpectPlyRefusal(With(kPlySquare, "1 1 0\n", "1 1\n"),
+                   {"line 12", "fewer values (2)"});
+  ExpectPlyRefusal(With(kPlySquare, "3 0 1 2\n", "-3 0 1 2\n"),
+                   {"item 0", "'vertex_indices'", "length -3"});
 }
 
 }  // namespace

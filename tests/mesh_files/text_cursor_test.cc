@@ -14,8 +14,6 @@
 namespace musclewarp {
 namespace {
 
-using Words = std::vector<std::string_view>;
-
 double RealOf(std::string_view word) {
   return TextCursor("a.obj", "").Real(word, "a coordinate");
 }

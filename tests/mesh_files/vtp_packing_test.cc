@@ -28,7 +28,7 @@ std::string Deflated(const std::string& bytes) {
   return packed.substr(0, size);
 }
 
-std::string Words(const std::vector<std::uint32_t>& words) {
+std::string WordBytes(const std::vector<std::uint32_t>& words) {
   std::string bytes;
   for (const std::uint32_t word : words) {
     AppendBytes(word, ByteOrder::kLittle, &bytes);
@@ -66,19 +66,20 @@ TEST(VtpPacking, UnknownValuesAreQuoted) {
 }
 
 TEST(UnpackVtpArray, PlainBytesEndWhereTheHeaderSays) {
-  EXPECT_EQ(UnpackVtpArray("a", Words({3}) + "abcdef", VtpPacking()), "abc");
+  EXPECT_EQ(UnpackVtpArray("a", WordBytes({3}) + "abcdef", VtpPacking()),
+            "abc");
 }
 
 TEST(UnpackVtpArray, BlocksAreJoined) {
   // Two whole blocks of 4 bytes and one of 2.
   const std::string a = Deflated("abcd"), b = Deflated("efgh"),
                     c = Deflated("ij");
-  const std::string header = Words({3,
-                                    4,
-                                    2,
-                                    static_cast<std::uint32_t>(a.size()),
-                                    static_cast<std::uint32_t>(b.size()),
-                                    static_cast<std::uint32_t>(c.size())});
+  const std::string header = WordBytes({3,
+                                        4,
+                                        2,
+                                        static_cast<std::uint32_t>(a.size()),
+                                        static_cast<std::uint32_t>(b.size()),
+                                        static_cast<std::uint32_t>(c.size())});
   EXPECT_EQ(UnpackVtpArray("a", header + a + b + c + "more", Zlib()),
             "abcdefghij");
 }
@@ -86,7 +87,7 @@ TEST(UnpackVtpArray, BlocksAreJoined) {
 TEST(UnpackVtpArray, TruncatedDataAreRefused) {
   ExpectInputError(
       [] {
-        UnpackVtpArray("a.vtp: piece 0", Words({7}) + "abc", VtpPacking());
+        UnpackVtpArray("a.vtp: piece 0", WordBytes({7}) + "abc", VtpPacking());
       },
       {"a.vtp: piece 0", "promises 7 bytes, 3 bytes follow"});
   ExpectInputError([] { UnpackVtpArray("a", "ab", VtpPacking()); },
@@ -95,8 +96,9 @@ TEST(UnpackVtpArray, TruncatedDataAreRefused) {
   const auto size = static_cast<std::uint32_t>(block.size());
   ExpectInputError(
       [&] {
-        UnpackVtpArray(
-            "a", Words({1, 4, 0, size}) + block.substr(0, size - 1), Zlib());
+        UnpackVtpArray("a",
+                       WordBytes({1, 4, 0, size}) + block.substr(0, size - 1),
+                       Zlib());
       },
       {"bytes in a block"});
 }
@@ -107,7 +109,7 @@ TEST(UnpackVtpArray, DamagedBlocksAreNamed) {
   block[0] = '\0';
   ExpectInputError(
       [&] {
-        UnpackVtpArray("a", Words({1, 4, 0, size}) + block, Zlib());
+        UnpackVtpArray("a", WordBytes({1, 4, 0, size}) + block, Zlib());
       },
       {"block 0 of 1 cannot be unpacked"});
 }
@@ -118,12 +120,14 @@ TEST(UnpackVtpArray, AbsurdSizesAreRefused) {
   const auto size = static_cast<std::uint32_t>(block.size());
   ExpectInputError(
       [&] {
-        UnpackVtpArray("a", Words({1, 0xffffffff, 0, size}) + block, Zlib());
+        UnpackVtpArray(
+            "a", WordBytes({1, 0xffffffff, 0, size}) + block, Zlib());
       },
       {"4294967295 unpacked bytes"});
   ExpectInputError(
       [&] {
-        UnpackVtpArray("a", Words({0xffffffff, 4, 0, size}) + block, Zlib());
+        UnpackVtpArray(
+            "a", WordBytes({0xffffffff, 4, 0, size}) + block, Zlib());
       },
       {"4294967295 blocks"});
 }

@@ -50,8 +50,8 @@ std::string TrianglesOf(const std::string& pieces) {
   return TextOf(ReadVtp("a.vtp", File(pieces)).triangles);
 }
 
-void ExpectRefusal(const std::string& bytes,
-                   const std::vector<std::string>& words) {
+void ExpectVtpRefusal(const std::string& bytes,
+                      const std::vector<std::string>& words) {
   ExpectInputError([&] { ReadVtp("a.vtp", bytes); }, words);
 }
 
@@ -108,17 +108,18 @@ TEST(VtpReader, ReadsAppendedData) {
 
 TEST(VtpReader, AFileThatContradictsItselfIsRefused) {
   const std::string vtp = VtpOfMesh(UnitTetrahedron());
-  ExpectRefusal(With(vtp, "<Polys>", "<Polis>"), {"'/Polys' closes 'Polis'"});
-  ExpectRefusal(With(vtp, "NumberOfPoints=\"4\"", "NumberOfPoints=\"5\""),
-                {"holds 12 numbers, 15 are promised"});
-  ExpectRefusal(With(vtp, "NumberOfPolys=\"4\"", "NumberOfPolys=\"3\""),
-                {"holds 4 numbers, 3 are promised"});
-  ExpectRefusal(With(vtp, "NumberOfPoints=\"4\"", "NumberOfPoints=\"-1\""),
-                {"NumberOfPoints is '-1'"});
-  ExpectRefusal(With(vtp, "\"PolyData\"", "\"UnstructuredGrid\""),
-                {"only VTKFile of type PolyData"});
+  ExpectVtpRefusal(With(vtp, "<Polys>", "<Polis>"),
+                   {"'/Polys' closes 'Polis'"});
+  ExpectVtpRefusal(With(vtp, "NumberOfPoints=\"4\"", "NumberOfPoints=\"5\""),
+                   {"holds 12 numbers, 15 are promised"});
+  ExpectVtpRefusal(With(vtp, "NumberOfPolys=\"4\"", "NumberOfPolys=\"3\""),
+                   {"holds 4 numbers, 3 are promised"});
+  ExpectVtpRefusal(With(vtp, "NumberOfPoints=\"4\"", "NumberOfPoints=\"-1\""),
+                   {"NumberOfPoints is '-1'"});
+  ExpectVtpRefusal(With(vtp, "\"PolyData\"", "\"UnstructuredGrid\""),
+                   {"only VTKFile of type PolyData"});
   // Would take a hundred gigabytes if it were believed.
-  ExpectRefusal(
+  ExpectVtpRefusal(
       With(vtp, "NumberOfPoints=\"4\"", "NumberOfPoints=\"4000000000\""),
       {"12000000000 are promised"});
 }
@@ -133,18 +134,18 @@ TEST(VtpReader, CellsThatDoNotFitAreRefused) {
   };
   EXPECT_EQ(TextOf(ReadVtp("a.vtp", file("0 1 2 2 1 0", "3 6")).triangles),
             "0 1 2 2 1 0");
-  ExpectRefusal(file("0 1 2 2 1 0", "6 3"), {"offset 1 is 3 after 6"});
-  ExpectRefusal(file("0 1 2 2 1 0", "3 4611686018427387904"),
-                {"holds 6 numbers, 4611686018427387904 are promised"});
-  ExpectRefusal(file("0 1 2 2 1 3", "3 6"), {"face 1", "vertex 3"});
-  ExpectRefusal(file("0 1 2 2 1", "3 5"), {"face 1", "2 corners"});
-  ExpectRefusal(With(file("0 1 2 2 1 0", "3 6"), "1 0 0", "1 nan 0"),
-                {"vertex 1", "must be finite"});
+  ExpectVtpRefusal(file("0 1 2 2 1 0", "6 3"), {"offset 1 is 3 after 6"});
+  ExpectVtpRefusal(file("0 1 2 2 1 0", "3 4611686018427387904"),
+                   {"holds 6 numbers, 4611686018427387904 are promised"});
+  ExpectVtpRefusal(file("0 1 2 2 1 3", "3 6"), {"face 1", "vertex 3"});
+  ExpectVtpRefusal(file("0 1 2 2 1", "3 5"), {"face 1", "2 corners"});
+  ExpectVtpRefusal(With(file("0 1 2 2 1 0", "3 6"), "1 0 0", "1 nan 0"),
+                   {"vertex 1", "must be finite"});
 }
 
 // A vertex of another piece would be there, but is not meant.
 TEST(VtpReader, CornersMustBeInTheirOwnPiece) {
-  ExpectRefusal(
+  ExpectVtpRefusal(
       File(PolygonPiece() + With(PolygonPiece(), "0 1 3 2", "0 1 3 4")),
       {"piece 1", "names vertex 4", "the piece has 4"});
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh_repair/battered_meshes.h"
+#include "mesh_repair/repaired.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
 #include "support/meshes.h"
@@ -26,10 +27,6 @@ TriangleSoup CrackedSphere(double width) {
   soup.points.bottomRows(soup.points.rows() - num_points).col(2).array() +=
       width;
   return soup;
-}
-
-double Volume(const TriangleSoup& soup) {
-  return SignedVolume(soup.points, soup.triangles);
 }
 
 TEST(StitchBorders, MergesTheTwoSidesOfACrack) {

@@ -14,7 +14,7 @@ namespace musclewarp {
 namespace {
 
 // Sums of a dozen terms of size 100.
-constexpr double kRounding = 1e-12;
+constexpr double kFillingRounding = 1e-12;
 
 TriangleSoup BoxWithoutLid(double x, double y, double z) {
   TriangleSoup box = Box(x, y, z);
@@ -31,9 +31,10 @@ TEST(HoleFilling, TheLidOfABoxIsFlat) {
   EXPECT_EQ(fillings.holes, 1);
   EXPECT_EQ(fillings.triangles, 2);
   EXPECT_EQ(fillings.points, 0);
-  EXPECT_NEAR(fillings.area, 6, kRounding);
-  EXPECT_NEAR(fillings.longest, 10, kRounding);
-  EXPECT_NEAR(SignedVolume(box.points, box.triangles), 24, 100 * kRounding);
+  EXPECT_NEAR(fillings.area, 6, kFillingRounding);
+  EXPECT_NEAR(fillings.longest, 10, kFillingRounding);
+  EXPECT_NEAR(
+      SignedVolume(box.points, box.triangles), 24, 100 * kFillingRounding);
   EXPECT_TRUE(CountDefects(box).IsClean());
 }
 
@@ -52,7 +53,7 @@ TEST(HoleFilling, ALongSlitIsFilled) {
   limits.max_perimeter = 10;
   const Fillings fillings = FillHoles(limits, &box);
   EXPECT_EQ(fillings.holes, 1);
-  EXPECT_NEAR(fillings.longest, 201, 100 * kRounding);
+  EXPECT_NEAR(fillings.longest, 201, 100 * kFillingRounding);
   EXPECT_TRUE(CountDefects(box).IsClean());
 }
 
@@ -81,7 +82,7 @@ TEST(HoleFilling, TheDiagonalAvoidsAnEdgeThatIsThere) {
   EXPECT_EQ(fillings.triangles, 2);
   EXPECT_NEAR(SignedVolume(tetrahedron.points, tetrahedron.triangles),
               1.0 / 6,
-              kRounding);
+              kFillingRounding);
   EXPECT_TRUE(CountDefects(tetrahedron).IsClean());
 }
 

@@ -14,7 +14,7 @@ namespace musclewarp {
 namespace {
 
 // A thousandth of 1 mm, rounded.
-constexpr double kRounding = 1e-18;
+constexpr double kPullRounding = 1e-18;
 
 TEST(PullApart, LeavesACleanMeshAlone) {
   TriangleSoup soup = Icosphere(10, 2);
@@ -34,9 +34,9 @@ TEST(PullApart, MovesTheLaterPointToItsNeighbours) {
   const Points before = soup.points;
   const Pulls pulls = PullApart(&soup);
   EXPECT_EQ(pulls.points, 1);
-  EXPECT_NEAR(pulls.longest, 1e-3 / std::sqrt(3.0), kRounding);
+  EXPECT_NEAR(pulls.longest, 1e-3 / std::sqrt(3.0), kPullRounding);
   const Eigen::RowVector3d third = Eigen::RowVector3d::Constant(-1e-3 / 3);
-  EXPECT_LT((soup.points.row(4) - third).norm(), kRounding);
+  EXPECT_LT((soup.points.row(4) - third).norm(), kPullRounding);
   soup.points.row(4).setZero();
   EXPECT_EQ(soup.points, before);
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mesh_repair/battered_meshes.h"
+#include "mesh_repair/repaired.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
@@ -23,21 +24,10 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 // A volume of 4e3 mm^3 summed in another order from 1280 terms.
-constexpr double kRounding = 1e-9;
+constexpr double kVolumeRounding = 1e-9;
 constexpr double kRadius = 10;
 
 TriangleSoup Sphere() { return Icosphere(kRadius, 3); }
-
-double Volume(const TriangleSoup& soup) {
-  return SignedVolume(soup.points, soup.triangles);
-}
-
-TriangleSoup Repaired(const TriangleSoup& soup, RepairReport* report) {
-  const TriangleSoup repaired =
-      RepairMesh(soup, "muscle.ply", RepairOptions(), report);
-  EXPECT_TRUE(CountDefects(repaired).IsClean());
-  return repaired;
-}
 
 std::string Refusal(const TriangleSoup& soup, const RepairOptions& options) {
   try {
@@ -136,7 +126,7 @@ TEST(RepairMesh, ASliverOfNoAreaGoesAndLeavesNoCrack) {
   EXPECT_EQ(report.stitches.inserted_points, 1);
   EXPECT_EQ(report.stitches.longest, 0);
   EXPECT_EQ(repaired.points, soup.points);
-  EXPECT_NEAR(Volume(repaired), 24, kRounding);
+  EXPECT_NEAR(Volume(repaired), 24, kVolumeRounding);
 }
 
 TEST(RepairMesh, AFlippedPatchIsTurned) {
@@ -148,7 +138,8 @@ TEST(RepairMesh, AFlippedPatchIsTurned) {
     ++flipped;
   }
   RepairReport report;
-  EXPECT_NEAR(Volume(Repaired(soup, &report)), Volume(Sphere()), kRounding);
+  EXPECT_NEAR(
+      Volume(Repaired(soup, &report)), Volume(Sphere()), kVolumeRounding);
   EXPECT_EQ(report.flipped_triangles, flipped);
 }
 
@@ -199,7 +190,7 @@ TEST(RepairMesh, IslandsAreDroppedAndReported) {
   EXPECT_EQ(report.dropped_triangles, island.triangles.rows());
   EXPECT_NEAR(report.dropped_area,
               SurfaceArea(island.points, island.triangles),
-              kRounding);
+              kVolumeRounding);
   EXPECT_EQ(report.largest_dropped_area, report.dropped_area);
 }
 
@@ -210,7 +201,7 @@ TEST(RepairMesh, AMissingTriangleIsPutBack) {
   const TriangleSoup repaired = Repaired(soup, &report);
   EXPECT_EQ(report.fillings.holes, 1);
   EXPECT_EQ(report.fillings.triangles, 1);
-  EXPECT_NEAR(Volume(repaired), Volume(Sphere()), kRounding);
+  EXPECT_NEAR(Volume(repaired), Volume(Sphere()), kVolumeRounding);
 }
 
 TEST(RepairMesh, AMissingCapIsRefusedWithThePlace) {
@@ -271,7 +262,7 @@ TEST(RepairMesh, TheOrderOfTrianglesDoesNotMatter) {
     EXPECT_EQ(before.misoriented_edges, after.misoriented_edges);
     EXPECT_EQ(before.components, after.components);
     RepairReport again;
-    EXPECT_NEAR(Volume(Repaired(shuffled, &again)), volume, kRounding);
+    EXPECT_NEAR(Volume(Repaired(shuffled, &again)), volume, kVolumeRounding);
     EXPECT_EQ(again.stitches.inserted_points, report.stitches.inserted_points);
     EXPECT_EQ(again.dropped_triangles, report.dropped_triangles);
     EXPECT_EQ(again.fillings.holes, report.fillings.holes);

@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "mesh_repair/repaired.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
@@ -63,17 +64,6 @@ TriangleSoup Surface(const Cells& cells) {
 // Points that are pulled apart move by a thousandth of an edge of at most
 // sqrt(2); around each lie at most a dozen triangles of area 1/2.
 constexpr double kPulled = 1e-3 * 12 * 0.5;
-
-TriangleSoup Repaired(const TriangleSoup& soup, RepairReport* report) {
-  const TriangleSoup repaired =
-      RepairMesh(soup, "voxels", RepairOptions(), report);
-  EXPECT_TRUE(CountDefects(repaired).IsClean());
-  return repaired;
-}
-
-double Volume(const TriangleSoup& soup) {
-  return SignedVolume(soup.points, soup.triangles);
-}
 
 TEST(RepairTouching, OfTwoBodiesAtAVertexTheLargerStays) {
   const TriangleSoup soup = Surface({{0, 0, 0}, {0, 0, 1}, {1, 1, 2}});

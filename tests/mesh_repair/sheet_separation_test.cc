@@ -13,7 +13,7 @@ namespace musclewarp {
 namespace {
 
 // Sums of eight terms of size one.
-constexpr double kRounding = 1e-15;
+constexpr double kSheetRounding = 1e-15;
 
 // Appends the tetrahedron turned by 180 degrees about the x axis, with the
 // corners at (0, 0, 0) and (1, 0, 0) in common if `shared` is 2, or only the
@@ -62,7 +62,8 @@ TEST(SeparateAtNonManifoldEdges, TwoBodiesWithACommonEdgeBecomeTwo) {
   // Copies lie on their originals.
   EXPECT_EQ(defects.duplicate_points, 2);
   EXPECT_EQ(soup.points.topRows(6), before);
-  EXPECT_NEAR(SignedVolume(soup.points, soup.triangles), 2.0 / 6, kRounding);
+  EXPECT_NEAR(
+      SignedVolume(soup.points, soup.triangles), 2.0 / 6, kSheetRounding);
 }
 
 TEST(SeparateAtNonManifoldEdges, AFlapEndsInABorder) {

@@ -34,7 +34,8 @@ StorageTable Table(const std::vector<std::string>& labels,
   return table;
 }
 
-void ExpectRefused(const StorageTable& table, std::vector<std::string> words) {
+void ExpectMotionRefused(const StorageTable& table,
+                         std::vector<std::string> words) {
   words.push_back("m.mot");
   ExpectInputError([&] { MotionOf(Leg(), table, "m.mot"); }, words);
 }
@@ -68,17 +69,17 @@ TEST(CoordinateMotion, IdleColumnsGetAWarningMovingOnesAreRefused) {
       MotionOf(Leg(), Table({"knee", "hip"}, {{90, 0}, {80, 0}}), "m.mot");
   ASSERT_EQ(motion.warnings.size(), 1u);
   EXPECT_THAT(motion.warnings[0], HasSubstr("passed over: hip"));
-  ExpectRefused(Table({"knee", "hip"}, {{90, 0}, {80, 1e-9}}),
-                {"\"hip\"", "knee, tx, ty"});
+  ExpectMotionRefused(Table({"knee", "hip"}, {{90, 0}, {80, 1e-9}}),
+                      {"\"hip\"", "knee, tx, ty"});
 }
 
 TEST(CoordinateMotion, RefusesTablesThatDoNotFit) {
   StorageTable table = Table({"knee"}, {{1}});
   table.in_degrees.reset();
-  ExpectRefused(table, {"inDegrees=yes"});
-  ExpectRefused(Table({"knee", "/jointset/knee_joint/knee"}, {{1, 2}}),
-                {"second one for the coordinate knee"});
-  ExpectRefused(Table({"hip"}, {{0}}), {"no column"});
+  ExpectMotionRefused(table, {"inDegrees=yes"});
+  ExpectMotionRefused(Table({"knee", "/jointset/knee_joint/knee"}, {{1, 2}}),
+                      {"second one for the coordinate knee"});
+  ExpectMotionRefused(Table({"hip"}, {{0}}), {"no column"});
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace musclewarp {
 namespace {
 
-FunctionPtr Read(const std::string& element) {
+FunctionPtr FunctionIn(const std::string& element) {
   const OsimXml xml = Xml(element);
   std::string unsupported;
   const FunctionPtr function = ReadFunction(xml, xml.root(), &unsupported);
@@ -22,29 +22,30 @@ FunctionPtr Read(const std::string& element) {
 
 void ExpectFunctionRefused(const std::string& element,
                            const std::vector<std::string>& words) {
-  ExpectInputError([&] { Read(element); }, words);
+  ExpectInputError([&] { FunctionIn(element); }, words);
 }
 
 TEST(FunctionReader, ReadsEveryKind) {
-  EXPECT_EQ(Read("<Constant><value>7</value></Constant>")->Value({}), 7);
-  EXPECT_EQ(Read("<Constant/>")->Value({}), 0);
-  EXPECT_EQ(Read("<LinearFunction><coefficients>2 3 4</coefficients>"
-                 "</LinearFunction>")
+  EXPECT_EQ(FunctionIn("<Constant><value>7</value></Constant>")->Value({}), 7);
+  EXPECT_EQ(FunctionIn("<Constant/>")->Value({}), 0);
+  EXPECT_EQ(FunctionIn("<LinearFunction><coefficients>2 3 4</coefficients>"
+                       "</LinearFunction>")
                 ->Value({10, 100}),
             324);
-  EXPECT_EQ(Read("<PolynomialFunction><coefficients>2 3 4</coefficients>"
-                 "</PolynomialFunction>")
+  EXPECT_EQ(FunctionIn("<PolynomialFunction><coefficients>2 3 4</coefficients>"
+                       "</PolynomialFunction>")
                 ->Value({10}),
             234);
-  EXPECT_EQ(Read("<PiecewiseLinearFunction><x>0 1 2</x><y>0 5 0</y>"
-                 "</PiecewiseLinearFunction>")
+  EXPECT_EQ(FunctionIn("<PiecewiseLinearFunction><x>0 1 2</x><y>0 5 0</y>"
+                       "</PiecewiseLinearFunction>")
                 ->Value({0.5}),
             2.5);
-  EXPECT_EQ(Read("<MultiplierFunction><function><Constant><value>3</value>"
+  EXPECT_EQ(
+      FunctionIn("<MultiplierFunction><function><Constant><value>3</value>"
                  "</Constant></function><scale>-2</scale>"
                  "</MultiplierFunction>")
-                ->Value({}),
-            -6);
+          ->Value({}),
+      -6);
 }
 
 TEST(FunctionReader, AllNamesOfTheSplineMeanTheSame) {
@@ -52,7 +53,8 @@ TEST(FunctionReader, AllNamesOfTheSplineMeanTheSame) {
   const auto expected = MakeSimmSpline({0, 1, 2, 4}, {1, 0, 3, 2});
   for (const std::string name :
        {"SimmSpline", "NaturalCubicSpline", "natCubicSpline"}) {
-    const auto spline = Read("<" + name + ">" + points + "</" + name + ">");
+    const auto spline =
+        FunctionIn("<" + name + ">" + points + "</" + name + ">");
     for (double x = -1; x < 6; x += 0.3) {
       EXPECT_EQ(spline->Value({x}), expected->Value({x})) << name << " " << x;
     }

@@ -11,7 +11,7 @@ namespace musclewarp {
 namespace {
 
 // Rounding of values about 10.
-constexpr double kRounding = 1e-13;
+constexpr double kValueRounding = 1e-13;
 
 double Cubic(double x) { return 2 - 3 * x + 0.5 * x * x - 0.25 * x * x * x; }
 
@@ -42,16 +42,16 @@ TEST(SimmSpline, ReproducesCubics) {
   for (const double value : x) y.push_back(Cubic(value));
   const auto spline = MakeSimmSpline(x, y);
   for (double at = -2; at <= 3; at += 0.125) {
-    EXPECT_NEAR(spline->Value({at}), Cubic(at), kRounding) << at;
+    EXPECT_NEAR(spline->Value({at}), Cubic(at), kValueRounding) << at;
   }
 }
 
 TEST(SimmSpline, ThreePointsAreAParabolaAndTwoALine) {
   const auto parabola = MakeSimmSpline({0, 1, 3}, {0, 1, 9});
-  EXPECT_NEAR(parabola->Value({2}), 4, kRounding);
+  EXPECT_NEAR(parabola->Value({2}), 4, kValueRounding);
   const auto line = MakeSimmSpline({0, 2}, {1, 5});
-  EXPECT_NEAR(line->Value({0.5}), 2, kRounding);
-  EXPECT_NEAR(line->Value({4}), 9, kRounding);
+  EXPECT_NEAR(line->Value({0.5}), 2, kValueRounding);
+  EXPECT_NEAR(line->Value({4}), 9, kValueRounding);
 }
 
 TEST(SimmSpline, PassesItsPointsWithContinuousSlopeAndGoesOnStraight) {
@@ -63,7 +63,7 @@ TEST(SimmSpline, PassesItsPointsWithContinuousSlopeAndGoesOnStraight) {
   constexpr double kStep = 1e-6;
   constexpr double kSlope = 1e-4;
   for (size_t i = 0; i < x.size(); ++i) {
-    EXPECT_NEAR(spline->Value({x[i]}), y[i], kRounding);
+    EXPECT_NEAR(spline->Value({x[i]}), y[i], kValueRounding);
     const double before =
         (spline->Value({x[i]}) - spline->Value({x[i] - kStep})) / kStep;
     const double after =
@@ -72,7 +72,7 @@ TEST(SimmSpline, PassesItsPointsWithContinuousSlopeAndGoesOnStraight) {
   }
   const double end = spline->Value({5});
   EXPECT_NEAR(
-      spline->Value({7}) - end, 2 * (spline->Value({6}) - end), kRounding);
+      spline->Value({7}) - end, 2 * (spline->Value({6}) - end), kValueRounding);
 }
 
 }  // namespace

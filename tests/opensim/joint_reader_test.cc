@@ -16,8 +16,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int kShank = 2;
-
 const char kIdentity[] =
     "<LinearFunction><coefficients>1 0</coefficients></LinearFunction>";
 const char kSpline[] = "<SimmSpline><x>0 1</x><y>0 2</y></SimmSpline>";

@@ -7,8 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "support/input_errors.h"
-#include "support/osim_models.h"
+#include "opensim/read_models.h"
 
 namespace musclewarp {
 namespace {
@@ -17,21 +16,14 @@ using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Rounding of transforms of some hundred mm.
-constexpr double kRounding = 1e-12;
-constexpr int kShank = 2;
 const Vector3d kKnee(0, -400, 0);
-
-Model Read(const std::string& text) {
-  return ReadModel(Written("leg.osim", text));
-}
 
 Eigen::Matrix4d ShankAt(const Model& model, CoordinateValues values) {
   ApplyCouplers(model, &values);
   return BodyFrames(model, values)[kShank];
 }
 
-Eigen::Matrix4d Frame(const Matrix3d& rotation, const Vector3d& translation) {
+Eigen::Matrix4d FrameOf(const Matrix3d& rotation, const Vector3d& translation) {
   Eigen::Matrix4d frame = Eigen::Matrix4d::Identity();
   frame.topLeftCorner<3, 3>() = rotation;
   frame.topRightCorner<3, 1>() = translation;
@@ -42,35 +34,33 @@ Matrix3d Turn(double angle, const Vector3d& axis) {
   return AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
 
-void ExpectNear(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) {
-  EXPECT_LT((a - b).cwiseAbs().maxCoeff(), kRounding) << a << "\n\n" << b;
-}
-
 const Vector3d kX = Vector3d::UnitX();
 const Vector3d kY = Vector3d::UnitY();
 const Vector3d kZ = Vector3d::UnitZ();
 
 TEST(Kinematics, JointsMoveAboutTheirAxes) {
-  ExpectNear(ShankAt(Read(Model4(Joint4("WeldJoint", ""))), {}),
-             Frame(Matrix3d::Identity(), kKnee));
-  ExpectNear(ShankAt(Read(Model4(Joint4("PinJoint", "q"))), {0.3}),
-             Frame(Turn(0.3, kZ), kKnee));
+  ExpectNear(ShankAt(ReadText(Model4(Joint4("WeldJoint", ""))), {}),
+             FrameOf(Matrix3d::Identity(), kKnee));
+  ExpectNear(ShankAt(ReadText(Model4(Joint4("PinJoint", "q"))), {0.3}),
+             FrameOf(Turn(0.3, kZ), kKnee));
   // Metres of a translational coordinate are mm of the frame.
-  ExpectNear(ShankAt(Read(Model4(Joint4("SliderJoint", "q"))), {0.02}),
-             Frame(Matrix3d::Identity(), kKnee + 20 * kX));
-  ExpectNear(ShankAt(Read(Model4(Joint4("UniversalJoint", "a b"))), {0.1, 0.2}),
-             Frame(Turn(0.1, kX) * Turn(0.2, kY), kKnee));
+  ExpectNear(ShankAt(ReadText(Model4(Joint4("SliderJoint", "q"))), {0.02}),
+             FrameOf(Matrix3d::Identity(), kKnee + 20 * kX));
+  ExpectNear(
+      ShankAt(ReadText(Model4(Joint4("UniversalJoint", "a b"))), {0.1, 0.2}),
+      FrameOf(Turn(0.1, kX) * Turn(0.2, kY), kKnee));
   const Matrix3d ball = Turn(0.1, kX) * Turn(0.2, kY) * Turn(0.3, kZ);
   for (const char* type : {"BallJoint", "GimbalJoint"}) {
-    ExpectNear(ShankAt(Read(Model4(Joint4(type, "a b c"))), {0.1, 0.2, 0.3}),
-               Frame(ball, kKnee));
+    ExpectNear(
+        ShankAt(ReadText(Model4(Joint4(type, "a b c"))), {0.1, 0.2, 0.3}),
+        FrameOf(ball, kKnee));
   }
-  ExpectNear(
-      ShankAt(Read(Model4(Joint4("PlanarJoint", "a b c"))), {0.3, 0.01, 0.02}),
-      Frame(Turn(0.3, kZ), kKnee + 10 * kX + 20 * kY));
-  ExpectNear(ShankAt(Read(Model4(Joint4("FreeJoint", "a b c d e f"))),
+  ExpectNear(ShankAt(ReadText(Model4(Joint4("PlanarJoint", "a b c"))),
+                     {0.3, 0.01, 0.02}),
+             FrameOf(Turn(0.3, kZ), kKnee + 10 * kX + 20 * kY));
+  ExpectNear(ShankAt(ReadText(Model4(Joint4("FreeJoint", "a b c d e f"))),
                      {0.1, 0.2, 0.3, 0.01, 0.02, 0.03}),
-             Frame(ball, kKnee + Vector3d(10, 20, 30)));
+             FrameOf(ball, kKnee + Vector3d(10, 20, 30)));
 }
 
 TEST(Kinematics, CustomJointsTurnAboutTurnedAxesAndMoveInTheParent) {
@@ -86,15 +76,15 @@ TEST(Kinematics, CustomJointsTurnAboutTurnedAxesAndMoveInTheParent) {
             "</MultiplierFunction>") +
       FreeAxes(4, 6);
   const Model model =
-      Read(Model4(Joint4("CustomJoint", "a b", SpatialTransform(axes))));
+      ReadText(Model4(Joint4("CustomJoint", "a b", SpatialTransform(axes))));
   ExpectNear(
       ShankAt(model, {0.2, -0.3}),
-      Frame(Turn(0.5, kZ) * Turn(-0.5, Vector3d(1, 1, 0)), kKnee + 100 * kY));
+      FrameOf(Turn(0.5, kZ) * Turn(-0.5, Vector3d(1, 1, 0)), kKnee + 100 * kY));
 }
 
 TEST(Kinematics, ReversedJointsMoveTheParent) {
-  ExpectNear(ShankAt(Read(Model3("<reverse>true</reverse>")), {0.3}),
-             Frame(Turn(-0.3, kZ), kKnee));
+  ExpectNear(ShankAt(ReadText(Model3("<reverse>true</reverse>")), {0.3}),
+             FrameOf(Turn(-0.3, kZ), kKnee));
 }
 
 TEST(Kinematics, OffsetFramesCount) {
@@ -104,16 +94,17 @@ TEST(Kinematics, OffsetFramesCount) {
   text.replace(text.find(at),
                at.size(),
                "<translation>0.1 0 0</translation><orientation>0 0.4 0");
-  const Eigen::Matrix4d parent_from_joint = Frame(Matrix3d::Identity(), kKnee);
-  const Eigen::Matrix4d child_from_joint = Frame(Turn(0.4, kY), 100 * kX);
-  const Eigen::Matrix4d moved = Frame(Turn(0.3, kZ), Vector3d::Zero());
-  ExpectNear(ShankAt(Read(text), {0.3}) * child_from_joint,
+  const Eigen::Matrix4d parent_from_joint =
+      FrameOf(Matrix3d::Identity(), kKnee);
+  const Eigen::Matrix4d child_from_joint = FrameOf(Turn(0.4, kY), 100 * kX);
+  const Eigen::Matrix4d moved = FrameOf(Turn(0.3, kZ), Vector3d::Zero());
+  ExpectNear(ShankAt(ReadText(text), {0.3}) * child_from_joint,
              parent_from_joint * moved);
 }
 
 TEST(Kinematics, VersionsThreeAndFourAreTheSameModel) {
-  const Model three = Read(Model3());
-  const Model four = Read(Model4(Joint4("PinJoint", "knee")));
+  const Model three = ReadText(Model3());
+  const Model four = ReadText(Model4(Joint4("PinJoint", "knee")));
   ASSERT_EQ(three.coordinates.size(), 1u);
   EXPECT_EQ(three.coordinates[0].name, four.coordinates[0].name);
   EXPECT_EQ(three.coordinates[0].default_value, 0.25);
@@ -132,16 +123,17 @@ TEST(Kinematics, CoupledCoordinatesFollow) {
         <dependent_coordinate_name>b</dependent_coordinate_name>
         <scale_factor>2</scale_factor>
       </CoordinateCouplerConstraint>)";
-  const Model model = Read(Model4(Joint4("UniversalJoint", "a b"), coupler));
+  const Model model =
+      ReadText(Model4(Joint4("UniversalJoint", "a b"), coupler));
   ExpectNear(ShankAt(model, {0.3, 99}),
-             Frame(Turn(0.3, kX) * Turn(2 * (0.5 * 0.3 + 0.1), kY), kKnee));
+             FrameOf(Turn(0.3, kX) * Turn(2 * (0.5 * 0.3 + 0.1), kY), kKnee));
   EXPECT_TRUE(MovesBody(model, 0, kShank));
   EXPECT_FALSE(MovesBody(model, 0, 1));
   std::string off = coupler;
   off.replace(off.find("true"), 4, "false");
-  ExpectNear(
-      ShankAt(Read(Model4(Joint4("UniversalJoint", "a b"), off)), {0.3, 0.5}),
-      Frame(Turn(0.3, kX) * Turn(0.5, kY), kKnee));
+  ExpectNear(ShankAt(ReadText(Model4(Joint4("UniversalJoint", "a b"), off)),
+                     {0.3, 0.5}),
+             FrameOf(Turn(0.3, kX) * Turn(0.5, kY), kKnee));
 }
 
 // A muscle from the thigh over a point that is only there while the knee is
@@ -156,7 +148,7 @@ Model ModelWithPath() {
       <y_location><Constant><value>-0.1</value></Constant></y_location>
       <z_location><Constant><value>0</value></Constant></z_location>
     </MovingPathPoint>)";
-  return Read(
+  return ReadText(
       Model4(Joint4("PinJoint", "q"),
              "",
              Muscle("m",
@@ -182,10 +174,11 @@ TEST(Kinematics, PathsRunOverTheirActivePoints) {
   const auto last = [](double q) -> Vector3d {
     return kKnee + Turn(q, kZ) * Vector3d(30 + 10 * q, -100, 0);
   };
-  EXPECT_NEAR(LengthAt(model, 0.2), (last(0.2) - first).norm(), kRounding);
+  EXPECT_NEAR(
+      LengthAt(model, 0.2), (last(0.2) - first).norm(), kTransformRounding);
   EXPECT_NEAR(LengthAt(model, -1),
               (second - first).norm() + (last(-1) - second).norm(),
-              kRounding);
+              kTransformRounding);
   // The range has OpenSim's slack of 1e-5.
   EXPECT_TRUE(IsActive(model.muscles[0].path[1], {-0.5 + 0.9e-5}));
   EXPECT_FALSE(IsActive(model.muscles[0].path[1], {-0.5 + 1.1e-5}));
@@ -210,14 +203,14 @@ TEST(Kinematics, MomentArmsAreTheSlopeOfTheLength) {
 }
 
 TEST(Kinematics, UnsupportedPartsMatterOnlyWhereTheyAreNeeded) {
-  const Model model = Read(Model4(Joint4("EllipsoidJoint", "q")));
+  const Model model = ReadText(Model4(Joint4("EllipsoidJoint", "q")));
   CheckBodyIsSupported(model, 1, "the scene");
   ExpectInputError([&] { CheckBodyIsSupported(model, kShank, "the scene"); },
                    {"leg.osim",
                     "\"shank\", which the scene needs",
                     "EllipsoidJoint \"knee_joint\"",
                     "line"});
-  const Model gcv = Read(Model4(Joint4(
+  const Model gcv = ReadText(Model4(Joint4(
       "CustomJoint",
       "q",
       SpatialTransform(Axis4("q", "0 0 1", "<GCVSpline/>") + FreeAxes(1, 6)))));

@@ -15,9 +15,6 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-// Rounding of transforms of some hundred mm.
-constexpr double kRounding = 1e-12;
-
 Model TwoBodies() {
   Model model;
   model.bodies.resize(2);
@@ -26,18 +23,14 @@ Model TwoBodies() {
   return model;
 }
 
-std::string Frame(const std::string& name,
-                  const std::string& parent,
-                  const std::string& translation,
-                  const std::string& orientation = "0 0 0") {
+std::string FrameXml(const std::string& name,
+                     const std::string& parent,
+                     const std::string& translation,
+                     const std::string& orientation = "0 0 0") {
   return "<PhysicalOffsetFrame name=\"" + name + "\"><socket_parent>" + parent +
          "</socket_parent><translation>" + translation +
          "</translation><orientation>" + orientation +
          "</orientation></PhysicalOffsetFrame>";
-}
-
-void ExpectNear(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) {
-  EXPECT_LT((a - b).cwiseAbs().maxCoeff(), kRounding) << a << "\n\n" << b;
 }
 
 TEST(OffsetTransform, TurnsAboutTurnedAxesAndMovesInTheParent) {
@@ -66,8 +59,8 @@ TEST(OffsetFrames, BodiesAndTheGroundAreFramesOfTheirOwn) {
 
 TEST(OffsetFrames, FramesOnFramesAreComposed) {
   const OsimXml xml =
-      Xml("<a><s>upper</s>" + Frame("upper", "lower", "0 0.2 0", "0.3 0 0") +
-          Frame("lower", "/bodyset/thigh", "0.1 0 0", "0 0 1") + "</a>");
+      Xml("<a><s>upper</s>" + FrameXml("upper", "lower", "0 0.2 0", "0.3 0 0") +
+          FrameXml("lower", "/bodyset/thigh", "0.1 0 0", "0 0 1") + "</a>");
   const Model model = TwoBodies();
   const OffsetFrames frames(xml, model);
   ASSERT_EQ(frames.nodes().size(), 2u);
@@ -80,10 +73,11 @@ TEST(OffsetFrames, FramesOnFramesAreComposed) {
 }
 
 TEST(OffsetFrames, OfSeveralFramesOfOneNameThePathOrTheOwnerDecides) {
-  const OsimXml xml = Xml(
-      "<a><s>f</s><t>/jointset/hip/f</t><PinJoint name=\"hip\">" +
-      Frame("f", "thigh", "0.1 0 0") + "</PinJoint><PinJoint name=\"knee\">" +
-      Frame("f", "thigh", "0.2 0 0") + "</PinJoint></a>");
+  const OsimXml xml =
+      Xml("<a><s>f</s><t>/jointset/hip/f</t><PinJoint name=\"hip\">" +
+          FrameXml("f", "thigh", "0.1 0 0") +
+          "</PinJoint><PinJoint name=\"knee\">" +
+          FrameXml("f", "thigh", "0.2 0 0") + "</PinJoint></a>");
   const Model model = TwoBodies();
   const OffsetFrames frames(xml, model);
   const auto x = [&](const char* socket, const char* owner) {
@@ -105,8 +99,8 @@ TEST(OffsetFrames, RefusesNamesThatNothingHas) {
 }
 
 TEST(OffsetFrames, RefusesFramesThatRestOnThemselves) {
-  const OsimXml xml =
-      Xml("<a>" + Frame("f", "g", "0 0 0") + Frame("g", "f", "0 0 0") + "</a>");
+  const OsimXml xml = Xml("<a>" + FrameXml("f", "g", "0 0 0") +
+                          FrameXml("g", "f", "0 0 0") + "</a>");
   const Model model = TwoBodies();
   const OffsetFrames frames(xml, model);
   ExpectInputError([&] { frames.Place(frames.nodes()[0]); },

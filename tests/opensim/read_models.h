@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,17 @@
 #include "support/osim_models.h"
 
 namespace musclewarp {
+
+// The index of the shank among the bodies of the models of osim_models.h.
+constexpr int kShank = 2;
+
+// Rounding of transforms of some hundred mm.
+constexpr double kTransformRounding = 1e-12;
+
+inline void ExpectNear(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b) {
+  EXPECT_LT((a - b).cwiseAbs().maxCoeff(), kTransformRounding) << a << "\n\n"
+                                                               << b;
+}
 
 // Reads the text of a model from a file "leg.osim" of the running test.
 inline Model ReadText(const std::string& text) {

@@ -17,18 +17,19 @@ using ::testing::HasSubstr;
 constexpr char kHeader[] =
     "name\nversion=1\nnRows=2\nnColumns=3\ninDegrees=yes\n\nnotes\nendheader\n";
 
-StorageTable Read(const std::string& text) {
+StorageTable TableIn(const std::string& text) {
   return ReadStorageTable(Written("motion.mot", text));
 }
 
-void ExpectRefused(const std::string& text, std::vector<std::string> words) {
+void ExpectTableRefused(const std::string& text,
+                        std::vector<std::string> words) {
   words.push_back("motion.mot");
-  ExpectInputError([&] { Read(text); }, words);
+  ExpectInputError([&] { TableIn(text); }, words);
 }
 
 TEST(StorageTable, ReadsHeaderLabelsAndRows) {
   const auto table =
-      Read(std::string(kHeader) + "time\ta\tb\n0\t1\t-2e1\n0.5 +3 4\t\t\n");
+      TableIn(std::string(kHeader) + "time\ta\tb\n0\t1\t-2e1\n0.5 +3 4\t\t\n");
   EXPECT_EQ(table.in_degrees, true);
   EXPECT_THAT(table.labels, ElementsAre("a", "b"));
   EXPECT_THAT(table.times, ElementsAre(0, 0.5));
@@ -37,7 +38,7 @@ TEST(StorageTable, ReadsHeaderLabelsAndRows) {
 }
 
 TEST(StorageTable, ReadsTheOlderHeaderOfSimmAndWindowsLines) {
-  const auto table = Read(
+  const auto table = TableIn(
       "name x\r\ndatacolumns 2\r\ndatarows 1\r\nrange 0 1\r\nendheader\r\n"
       "time a\r\n0 1\r\n");
   EXPECT_EQ(table.in_degrees, std::nullopt);
@@ -45,7 +46,7 @@ TEST(StorageTable, ReadsTheOlderHeaderOfSimmAndWindowsLines) {
 }
 
 TEST(StorageTable, CountsThatAreWrongAreAWarning) {
-  const auto table = Read(std::string(kHeader) + "time\ta\tb\n0\t1\t2\n");
+  const auto table = TableIn(std::string(kHeader) + "time\ta\tb\n0\t1\t2\n");
   ASSERT_EQ(table.times.size(), 1u);
   ASSERT_EQ(table.warnings.size(), 1u);
   EXPECT_THAT(table.warnings[0], HasSubstr("promises 2 rows, 1"));
@@ -53,24 +54,25 @@ TEST(StorageTable, CountsThatAreWrongAreAWarning) {
 
 TEST(StorageTable, RefusesBadRows) {
   const std::string start = std::string(kHeader) + "time\ta\tb\n0\t1\t2\n";
-  ExpectRefused(start + "1\t1\n", {"line 11", "2 values", "3 columns"});
-  ExpectRefused(start + "1\t1\t2\t3\n", {"line 11", "4 values"});
-  ExpectRefused(start + "1\tNaN\t2\n", {"line 11", "\"a\"", "'NaN'"});
-  ExpectRefused(start + "1\tinf\t2\n", {"line 11", "\"a\""});
-  ExpectRefused(start + "1\t1\tabc\n", {"line 11", "\"b\"", "'abc'"});
-  ExpectRefused(start + "1\t1\t2,5\n", {"line 11", "'2,5'"});
-  ExpectRefused(start + "0\t1\t2\n",
-                {"line 11", "is not after that of the row before"});
+  ExpectTableRefused(start + "1\t1\n", {"line 11", "2 values", "3 columns"});
+  ExpectTableRefused(start + "1\t1\t2\t3\n", {"line 11", "4 values"});
+  ExpectTableRefused(start + "1\tNaN\t2\n", {"line 11", "\"a\"", "'NaN'"});
+  ExpectTableRefused(start + "1\tinf\t2\n", {"line 11", "\"a\""});
+  ExpectTableRefused(start + "1\t1\tabc\n", {"line 11", "\"b\"", "'abc'"});
+  ExpectTableRefused(start + "1\t1\t2,5\n", {"line 11", "'2,5'"});
+  ExpectTableRefused(start + "0\t1\t2\n",
+                     {"line 11", "is not after that of the row before"});
 }
 
 TEST(StorageTable, RefusesBadHeaders) {
-  ExpectRefused("name\ninDegrees=yes\ntime a\n0 1\n", {"endheader"});
-  ExpectRefused("name\nendheader\nt a\n0 1\n", {"line 3", "\"time\""});
-  ExpectRefused("name\nendheader\ntime a a\n0 1 2\n", {"\"a\"", "two columns"});
-  ExpectRefused("name\nendheader\ntime a\n", {"no row"});
-  ExpectRefused("name\ninDegrees=maybe\nendheader\ntime a\n0 1\n",
-                {"line 2", "'maybe'", "yes, no"});
-  ExpectRefused("name\nnRows=many\nendheader\ntime a\n0 1\n", {"line 2"});
+  ExpectTableRefused("name\ninDegrees=yes\ntime a\n0 1\n", {"endheader"});
+  ExpectTableRefused("name\nendheader\nt a\n0 1\n", {"line 3", "\"time\""});
+  ExpectTableRefused("name\nendheader\ntime a a\n0 1 2\n",
+                     {"\"a\"", "two columns"});
+  ExpectTableRefused("name\nendheader\ntime a\n", {"no row"});
+  ExpectTableRefused("name\ninDegrees=maybe\nendheader\ntime a\n0 1\n",
+                     {"line 2", "'maybe'", "yes, no"});
+  ExpectTableRefused("name\nnRows=many\nendheader\ntime a\n0 1\n", {"line 2"});
 }
 
 TEST(StorageTable, WhatIsWrittenReadsBackToTheBit) {
@@ -81,7 +83,7 @@ TEST(StorageTable, WhatIsWrittenReadsBackToTheBit) {
   table.times = {0, 0.1};
   table.values.resize(2, 2);
   table.values << 1.0 / 3, -1e-300, 0, 5e22;
-  const StorageTable back = Read(StorageText(table));
+  const StorageTable back = TableIn(StorageText(table));
   EXPECT_EQ(back.name, table.name);
   EXPECT_EQ(back.in_degrees, table.in_degrees);
   EXPECT_EQ(back.labels, table.labels);

@@ -14,20 +14,22 @@
 namespace musclewarp {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // The crossings, frames and meshes of the first run.
-Json FirstRun(const PageContents& contents) { return contents.json["runs"][0]; }
+OrderedJson FirstRun(const PageContents& contents) {
+  return contents.json["runs"][0];
+}
 
 TEST(PageContents, PositionsAreRoundedToAStep) {
   const WrittenRun written = WriteRun(TestTempDir());
   const PageContents contents = PageContentsOf({ReadQuietly(written.dir)}, {});
-  const Json run = FirstRun(contents);
+  const OrderedJson run = FirstRun(contents);
   const double step = run["step_mm"];
   // A 2^17th of the box around two balls of 20 mm, 23 mm apart.
   EXPECT_NEAR(
       step, Eigen::Vector3d(43, 20, 20).norm() / (1 << 17), 0.01 * step);
-  const Json& muscle = run["muscles"][0];
+  const OrderedJson& muscle = run["muscles"][0];
   const std::vector<int> numbers =
       UnpackedNumbers(contents.numbers, muscle["poses"]);
   const auto size = written.muscle.points.size();
@@ -72,8 +74,8 @@ TEST(PageContents, ABoneIsSimplifiedForTheEyeOnly) {
   options.max_bone_triangles = 200;
   const PageContents contents =
       PageContentsOf({ReadQuietly(written.dir)}, options);
-  const Json run = FirstRun(contents);
-  const Json& bone = run["bones"][0];
+  const OrderedJson run = FirstRun(contents);
+  const OrderedJson& bone = run["bones"][0];
   EXPECT_EQ(bone["triangles_in_files"], written.bone.triangles.rows());
   EXPECT_LE(bone["triangles"]["count"], 3 * options.max_bone_triangles);
   EXPECT_GT(bone["view_error_mm"], 0);
@@ -83,7 +85,7 @@ TEST(PageContents, ABoneIsSimplifiedForTheEyeOnly) {
 TEST(PageContents, CrossingTrianglesAreListedForMuscles) {
   const RecordedRun run = ReadQuietly(WriteRun(TestTempDir()).dir);
   const PageContents contents = PageContentsOf({run}, {});
-  const Json crossings = FirstRun(contents)["crossings"];
+  const OrderedJson crossings = FirstRun(contents)["crossings"];
   ASSERT_EQ(crossings.size(), 3u);
   EXPECT_TRUE(crossings[0].empty());
   EXPECT_EQ(UnpackedNumbers(contents.numbers, crossings[2][0]["a_triangles"]),

@@ -12,8 +12,6 @@ namespace {
 
 class GaussNewtonGroup : public ::testing::TestWithParam<ContactLevel> {};
 
-}  // namespace
-
 TEST_P(GaussNewtonGroup, PartsMusclesAndKeepsTheirVolume) {
   TouchingSpindles scene(GetParam());
   GroupContact contact = scene.Contact();
@@ -88,4 +86,5 @@ INSTANTIATE_TEST_SUITE_P(Levels,
                          ::testing::Values(ContactLevel::kCoarse,
                                            ContactLevel::kFine));
 
+}  // namespace
 }  // namespace musclewarp

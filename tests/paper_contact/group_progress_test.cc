@@ -38,8 +38,6 @@ class GroupProgressTest : public ::testing::Test {
   std::vector<SolverSummary> summaries_;
 };
 
-}  // namespace
-
 TEST_F(GroupProgressTest, StepLengthsFollowTheSchedule) {
   GroupIterationOptions options;
   options.step_length = {0.5, 0.1, 0.5};
@@ -160,4 +158,5 @@ TEST(GroupIterationOptions, RefuseValuesOutOfRange) {
       "GroupIterationOptions::max_iterations is 0, allowed: above 0");
 }
 
+}  // namespace
 }  // namespace musclewarp

@@ -12,10 +12,7 @@
 namespace musclewarp {
 namespace {
 
-// Rounding of coordinates of size 10.
-constexpr double kRounding = 1e-12;
-
-PaperContactOptions Options() {
+PaperContactOptions FixOptions() {
   PaperContactOptions options;
   options.clearance = 0.001;
   // The boxes are small, and their regions further apart than a tenth.
@@ -23,11 +20,9 @@ PaperContactOptions Options() {
   return options;
 }
 
-// Two boxes, one upon the other, that share the layer 3.5 < z < 4: the upper
-// side of the lower one and the lower side of the upper one are inside, but for
-// their rims. Shifted, so that no vertex is above another.
-TriangleSoup Lower() { return LatticeBox(6, 6, 4); }
-TriangleSoup Upper() { return MovedBy(LatticeBox(6, 6, 4), {0.25, 0.25, 3.5}); }
+// Shares the layer 3.5 < z < 4 with the lower box: the upper side of that one
+// and the lower side of this one are inside, but for their rims.
+TriangleSoup BoxInside() { return UpperBox(3.5); }
 
 Eigen::RowVector3d MeanOf(const std::vector<int>& vertices,
                           const LoneBody& body) {
@@ -50,45 +45,47 @@ struct Moves {
 }  // namespace
 
 TEST(InitialFix, LeavesWhatIsApart) {
-  LoneBody a(Lower(), true);
-  LoneBody b(MovedBy(Upper(), {0, 0, 1}), true);
-  EXPECT_FALSE(FixInitialIntersections(Options(), &a.body, &b.body));
+  LoneBody a(LowerBox(), true);
+  LoneBody b(MovedBy(BoxInside(), {0, 0, 1}), true);
+  EXPECT_FALSE(FixInitialIntersections(FixOptions(), &a.body, &b.body));
   EXPECT_EQ(a.body.points(), a.shape.rest);
   EXPECT_EQ(b.body.points(), b.shape.rest);
 }
 
 TEST(InitialFix, PairedAgainstAnObstacleGoesAllTheWayInParallel) {
-  LoneBody muscle(Lower(), true);
-  LoneBody bone(Upper(), false);
+  LoneBody muscle(LowerBox(), true);
+  LoneBody bone(BoxInside(), false);
   const std::vector<int> inside = bone.body.Inside(muscle.shape.rest);
   ASSERT_GT(inside.size(), 10u);
   const Eigen::RowVector3d way =
       MeanOf(muscle.body.Inside(bone.shape.rest), bone) -
       MeanOf(inside, muscle);
-  EXPECT_TRUE(FixInitialIntersections(Options(), &muscle.body, &bone.body));
+  EXPECT_TRUE(FixInitialIntersections(FixOptions(), &muscle.body, &bone.body));
   const Moves moves(muscle);
   EXPECT_EQ(moves.vertices, inside);
   const Eigen::RowVector3d direction = moves.all.row(inside[0]).normalized();
   // From its centre to that of the bone's region, which is out.
   EXPECT_LT(direction.z(), 0);
-  EXPECT_LT((direction - way.normalized()).norm(), kRounding);
+  EXPECT_LT((direction - way.normalized()).norm(), kCoordinateRounding);
   for (const int v : inside) {
-    EXPECT_NEAR(moves.all.row(v).normalized().dot(direction), 1, kRounding);
+    EXPECT_NEAR(
+        moves.all.row(v).normalized().dot(direction), 1, kCoordinateRounding);
     // The bone's lower side is at 3.5, the clearance beyond along the
     // direction.
-    EXPECT_NEAR(
-        muscle.body.points()(v, 2), 3.5 + 0.001 * direction.z(), kRounding);
+    EXPECT_NEAR(muscle.body.points()(v, 2),
+                3.5 + 0.001 * direction.z(),
+                kCoordinateRounding);
   }
   EXPECT_EQ(bone.body.points(), bone.shape.rest);
   EXPECT_TRUE(bone.body.Inside(muscle.body.points()).empty());
 }
 
 TEST(InitialFix, PairedMusclesGiveWayBySixTenthsEach) {
-  LoneBody a(Lower(), true);
-  LoneBody b(Upper(), true);
+  LoneBody a(LowerBox(), true);
+  LoneBody b(BoxInside(), true);
   const std::vector<int> inside_a = b.body.Inside(a.shape.rest);
   const std::vector<int> inside_b = a.body.Inside(b.shape.rest);
-  EXPECT_TRUE(FixInitialIntersections(Options(), &a.body, &b.body));
+  EXPECT_TRUE(FixInitialIntersections(FixOptions(), &a.body, &b.body));
   const Moves moves_a(a);
   const Moves moves_b(b);
   EXPECT_EQ(moves_a.vertices, inside_a);
@@ -98,11 +95,13 @@ TEST(InitialFix, PairedMusclesGiveWayBySixTenthsEach) {
   // The way to the other side is 0.5 along z.
   const double move = 0.6 * 0.5 - 0.001 * direction.z();
   for (const int v : inside_a) {
-    EXPECT_NEAR(moves_a.all(v, 2), -move, kRounding);
+    EXPECT_NEAR(moves_a.all(v, 2), -move, kCoordinateRounding);
   }
   for (const int v : inside_b) {
-    EXPECT_NEAR(moves_b.all.row(v).normalized().dot(direction), -1, kRounding);
-    EXPECT_NEAR(moves_b.all(v, 2), move, kRounding);
+    EXPECT_NEAR(moves_b.all.row(v).normalized().dot(direction),
+                -1,
+                kCoordinateRounding);
+    EXPECT_NEAR(moves_b.all(v, 2), move, kCoordinateRounding);
   }
 }
 
@@ -130,13 +129,14 @@ TEST_F(UnpairedTip, GoesAgainstItsNormalAllTheWay) {
     large.points.leftCols(2) *= 20;
     LoneBody slab(large, other_gives_way);
     ASSERT_EQ(slab.body.Inside(pyramid.shape.rest), std::vector<int>{4});
-    EXPECT_TRUE(FixInitialIntersections(Options(), &pyramid.body, &slab.body));
+    EXPECT_TRUE(
+        FixInitialIntersections(FixOptions(), &pyramid.body, &slab.body));
     const Moves moves(pyramid);
     EXPECT_EQ(moves.vertices, std::vector<int>{4});
     // The tip's normal is up, leaning as the tip does; the way is 0.5 along z.
     EXPECT_NEAR(pyramid.body.points()(4, 2),
                 0.001 * moves.all.row(4).normalized().z(),
-                kRounding);
+                kCoordinateRounding);
     EXPECT_EQ(slab.body.points(), slab.shape.rest);
   }
 }
@@ -146,16 +146,16 @@ TEST_F(UnpairedTip, OfAnObstacleIsLeft) {
   large.points.leftCols(2) *= 20;
   LoneBody slab(large, true);
   LoneBody pyramid(Pyramid(), false);
-  EXPECT_TRUE(FixInitialIntersections(Options(), &slab.body, &pyramid.body));
+  EXPECT_TRUE(FixInitialIntersections(FixOptions(), &slab.body, &pyramid.body));
   EXPECT_EQ(slab.body.points(), slab.shape.rest);
   EXPECT_EQ(pyramid.body.points(), pyramid.shape.rest);
 }
 
 TEST(InitialFix, RegionsTooFarApartAreNotPaired) {
-  PaperContactOptions options = Options();
+  PaperContactOptions options = FixOptions();
   options.pairing_share = 0;
-  LoneBody muscle(Lower(), true);
-  LoneBody bone(Upper(), false);
+  LoneBody muscle(LowerBox(), true);
+  LoneBody bone(BoxInside(), false);
   EXPECT_TRUE(FixInitialIntersections(options, &muscle.body, &bone.body));
   // Against the mean normal instead, which is along z but for the rim.
   const Moves moves(muscle);

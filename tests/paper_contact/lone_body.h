@@ -8,8 +8,21 @@
 
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/paper_contact/contact_body.h"
+#include "support/meshes.h"
 
 namespace musclewarp {
+
+// Rounding of coordinates of size 10.
+constexpr double kCoordinateRounding = 1e-12;
+
+// A box of 6 x 6 x 4 mm with a corner at the origin.
+inline TriangleSoup LowerBox() { return LatticeBox(6, 6, 4); }
+
+// The same with its lower side at z, shifted so that no vertex is above another
+// one of the lower box.
+inline TriangleSoup UpperBox(double z) {
+  return MovedBy(LowerBox(), {0.25, 0.25, z});
+}
 
 // A shape and a body of it that keep together.
 struct LoneBody {

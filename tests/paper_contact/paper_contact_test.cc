@@ -14,9 +14,9 @@ namespace musclewarp {
 namespace {
 
 // Shapes live as long as the contact.
-struct Scene {
-  Scene(const std::vector<TriangleSoup>& muscles,
-        const std::vector<TriangleSoup>& bones) {
+struct TouchingShapes {
+  TouchingShapes(const std::vector<TriangleSoup>& muscles,
+                 const std::vector<TriangleSoup>& bones) {
     std::vector<ContactBody> muscle_bodies, bone_bodies;
     for (const TriangleSoup& soup : muscles) {
       shapes.push_back(std::make_unique<ContactShape>("muscle", soup, 1));
@@ -45,7 +45,7 @@ struct Scene {
 TriangleSoup Ball(double x) { return MovedBy(Icosphere(10, 2), {x, 0, 0}); }
 
 // The number of vertices of all bodies inside another one.
-int VerticesInside(const Scene& scene) {
+int VerticesInside(const TouchingShapes& scene) {
   int inside = 0;
   const auto count = [&](const ContactBody& a, const ContactBody& b) {
     inside += static_cast<int>(b.Inside(a.points()).size() +
@@ -63,7 +63,7 @@ int VerticesInside(const Scene& scene) {
   return inside;
 }
 
-void ExpectThatBonesStayed(const Scene& scene) {
+void ExpectThatBonesStayed(const TouchingShapes& scene) {
   for (int j = 0; j < scene.contact->num_bones(); ++j) {
     const ContactBody& bone = scene.contact->bone(j);
     EXPECT_EQ(bone.points(), bone.shape().rest);
@@ -72,7 +72,7 @@ void ExpectThatBonesStayed(const Scene& scene) {
 
 // Expects that the final fix leaves nothing inside after a few rounds, and has
 // nothing more to do then.
-void ExpectThatTheFinalFixParts(Scene* scene) {
+void ExpectThatTheFinalFixParts(TouchingShapes* scene) {
   constexpr int kMaxRounds = 40;  // as many as GroupContact takes
   int round = 0;
   while (round < kMaxRounds && scene->contact->FixRemaining()) ++round;
@@ -87,7 +87,7 @@ void ExpectThatTheFinalFixParts(Scene* scene) {
 // Steps all muscles along x and expects the laws of the rollback, whatever is
 // inside what: a vertex that was found inside stays on the line of its step,
 // near it, and all others stay where the step took them.
-void ExpectALawfulStep(Scene* scene) {
+void ExpectALawfulStep(TouchingShapes* scene) {
   constexpr double kStep = 0.1;
   const std::vector<Points> before = scene->AllPoints();
   std::vector<Points> stepped = before;
@@ -114,7 +114,7 @@ void ExpectALawfulStep(Scene* scene) {
 }  // namespace
 
 TEST(PaperContact, LeavesWhatIsApart) {
-  Scene scene({Ball(0), Ball(30)}, {Ball(60)});
+  TouchingShapes scene({Ball(0), Ball(30)}, {Ball(60)});
   const auto before = scene.AllPoints();
   EXPECT_FALSE(scene.contact->FixInitial());
   scene.contact->RollBack(before);
@@ -124,13 +124,13 @@ TEST(PaperContact, LeavesWhatIsApart) {
 
 TEST(PaperContact, LaterPairsSeeWhatEarlierOnesDid) {
   // Three in a row: the one in the middle gives way to both.
-  Scene together({Ball(0), Ball(18), Ball(36)}, {});
+  TouchingShapes together({Ball(0), Ball(18), Ball(36)}, {});
   EXPECT_TRUE(together.contact->FixInitial());
-  Scene first({Ball(0), Ball(18)}, {});
+  TouchingShapes first({Ball(0), Ball(18)}, {});
   EXPECT_TRUE(first.contact->FixInitial());
   EXPECT_EQ(together.AllPoints()[0], first.AllPoints()[0]);
   EXPECT_NE(together.AllPoints()[1], first.AllPoints()[1]);
-  Scene second({MovedBy(Ball(18), {0, 0, 0}), Ball(36)}, {});
+  TouchingShapes second({MovedBy(Ball(18), {0, 0, 0}), Ball(36)}, {});
   second.contact->MoveMuscle(0, first.AllPoints()[1]);
   EXPECT_TRUE(second.contact->FixInitial());
   EXPECT_EQ(together.AllPoints()[1], second.AllPoints()[0]);
@@ -138,7 +138,7 @@ TEST(PaperContact, LaterPairsSeeWhatEarlierOnesDid) {
 }
 
 TEST(PaperContact, SaysWhichVerticesItFound) {
-  Scene scene({Ball(0), Ball(40)}, {Ball(21)});
+  TouchingShapes scene({Ball(0), Ball(40)}, {Ball(21)});
   const auto before = scene.AllPoints();
   scene.contact->MoveMuscle(0,
                             before[0].rowwise() + Eigen::RowVector3d(2, 0, 0));
@@ -161,7 +161,7 @@ TEST(PaperContact, SaysWhichVerticesItFound) {
 // No vertex of the muscle is inside the bone, and no triangle near enough to be
 // pushed off it.
 TEST(PaperContact, LeavesABoneDeepInsideAMuscle) {
-  Scene scene({Ball(0)}, {Icosphere(3, 1)});
+  TouchingShapes scene({Ball(0)}, {Icosphere(3, 1)});
   const std::vector<Points> start = scene.AllPoints();
   EXPECT_TRUE(scene.contact->FixInitial());
   EXPECT_TRUE(scene.contact->FixRemaining());
@@ -170,7 +170,7 @@ TEST(PaperContact, LeavesABoneDeepInsideAMuscle) {
 }
 
 TEST(PaperContact, TakesAMuscleOutOfAnother) {
-  Scene scene({Ball(0), Icosphere(3, 2)}, {});
+  TouchingShapes scene({Ball(0), Icosphere(3, 2)}, {});
   ASSERT_EQ(VerticesInside(scene), 162);
   EXPECT_TRUE(scene.contact->FixInitial());
   ExpectALawfulStep(&scene);
@@ -178,7 +178,7 @@ TEST(PaperContact, TakesAMuscleOutOfAnother) {
 }
 
 TEST(PaperContact, TakesAMuscleOutOfABone) {
-  Scene scene({Icosphere(3, 2)}, {Ball(0)});
+  TouchingShapes scene({Icosphere(3, 2)}, {Ball(0)});
   ASSERT_EQ(VerticesInside(scene), 162);
   EXPECT_TRUE(scene.contact->FixInitial());
   ExpectALawfulStep(&scene);
@@ -186,7 +186,7 @@ TEST(PaperContact, TakesAMuscleOutOfABone) {
 }
 
 TEST(PaperContact, IdenticalMeshesHaveNothingInside) {
-  Scene scene({Ball(0), Ball(0)}, {Ball(0)});
+  TouchingShapes scene({Ball(0), Ball(0)}, {Ball(0)});
   const std::vector<Points> start = scene.AllPoints();
   EXPECT_FALSE(scene.contact->FixInitial());
   EXPECT_FALSE(scene.contact->FixRemaining());
@@ -197,14 +197,14 @@ TEST(PaperContact, IdenticalMeshesHaveNothingInside) {
 TEST(PaperContact, PartsAMuscleFromAnObstacleThatIsNotClosed) {
   TriangleSoup open = Ball(15);
   open.triangles = open.triangles.topRows(300).eval();
-  Scene scene({Ball(0)}, {open});
+  TouchingShapes scene({Ball(0)}, {open});
   EXPECT_TRUE(scene.contact->FixInitial());
   ExpectALawfulStep(&scene);
   ExpectThatTheFinalFixParts(&scene);
 }
 
 TEST(PaperContact, MovesOnlyWhatIsInsideAndNoFartherThanItIsDeep) {
-  Scene scene({Ball(0), Ball(18)}, {});
+  TouchingShapes scene({Ball(0), Ball(18)}, {});
   const std::vector<Points> start = scene.AllPoints();
   std::vector<std::vector<int>> inside;
   for (int i = 0; i < 2; ++i) {
@@ -233,7 +233,7 @@ TEST(PaperContact, MovesOnlyWhatIsInsideAndNoFartherThanItIsDeep) {
 // came to it, so its vertices go out on the side they were on.
 TEST(PaperContact, MovedBonesPushVerticesAheadOfThem) {
   // The bone stood 12 mm to the left and has come into the ball.
-  Scene scene({Ball(0)}, {Ball(-14)});
+  TouchingShapes scene({Ball(0)}, {Ball(-14)});
   Eigen::Matrix4d now_from_before = Eigen::Matrix4d::Identity();
   now_from_before(0, 3) = 12;
   const std::vector<Points> before = scene.AllPoints();

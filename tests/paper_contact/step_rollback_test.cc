@@ -13,9 +13,7 @@
 namespace musclewarp {
 namespace {
 
-constexpr double kRounding = 1e-12;
-
-PaperContactOptions Options() {
+PaperContactOptions RollbackOptions() {
   PaperContactOptions options;
   options.clearance = 0.001;
   return options;
@@ -27,14 +25,13 @@ std::vector<char> NoneOf(const LoneBody& body) {
 
 // A box steps up by (0.1, 0, 0.5) and comes 0.3 into the one above.
 const Eigen::RowVector3d kStep(0.1, 0, 0.5);
-TriangleSoup Lower() { return LatticeBox(6, 6, 4); }
-TriangleSoup Upper() { return MovedBy(LatticeBox(6, 6, 4), {0.25, 0.25, 4.2}); }
+TriangleSoup BoxAbove() { return UpperBox(4.2); }
 
 }  // namespace
 
 TEST(StepRollback, GoesBackAlongTheStepToAnObstacle) {
-  LoneBody muscle(Lower(), true);
-  LoneBody bone(Upper(), false);
+  LoneBody muscle(LowerBox(), true);
+  LoneBody bone(BoxAbove(), false);
   const Points before = muscle.shape.rest;
   const Points stepped = before.rowwise() + kStep;
   const std::vector<int> inside = bone.body.Inside(stepped);
@@ -42,7 +39,7 @@ TEST(StepRollback, GoesBackAlongTheStepToAnObstacle) {
   muscle.body.MoveTo(stepped);
   std::vector<char> found = NoneOf(muscle);
   RollBackStep(
-      Options(), before, {}, &muscle.body, &bone.body, &found, nullptr);
+      RollbackOptions(), before, {}, &muscle.body, &bone.body, &found, nullptr);
   size_t next = 0;
   for (int v = 0; v < before.rows(); ++v) {
     const bool was_inside = next < inside.size() && inside[next] == v;
@@ -54,29 +51,36 @@ TEST(StepRollback, GoesBackAlongTheStepToAnObstacle) {
       continue;
     }
     // On the bone's lower side but for the clearance, and on the step's line.
-    EXPECT_NEAR(p.z(), 4.2 - 0.001 * kStep.normalized().z(), kRounding);
-    EXPECT_NEAR((p - before.row(v)).cross(kStep).norm(), 0, kRounding);
+    EXPECT_NEAR(
+        p.z(), 4.2 - 0.001 * kStep.normalized().z(), kCoordinateRounding);
+    EXPECT_NEAR(
+        (p - before.row(v)).cross(kStep).norm(), 0, kCoordinateRounding);
   }
   EXPECT_TRUE(bone.body.Inside(muscle.body.points()).empty());
 }
 
 TEST(StepRollback, MusclesGoBackBySixTenths) {
-  LoneBody a(Lower(), true);
-  LoneBody b(Upper(), true);
+  LoneBody a(LowerBox(), true);
+  LoneBody b(BoxAbove(), true);
   const Points before_a = a.shape.rest;
   const Points before_b = b.shape.rest;
   a.body.MoveTo(before_a.rowwise() + kStep);
   std::vector<char> found_a = NoneOf(a);
   std::vector<char> found_b = NoneOf(b);
-  RollBackStep(
-      Options(), before_a, before_b, &a.body, &b.body, &found_a, &found_b);
+  RollBackStep(RollbackOptions(),
+               before_a,
+               before_b,
+               &a.body,
+               &b.body,
+               &found_a,
+               &found_b);
   int found = 0;
   for (Eigen::Index v = 0; v < before_a.rows(); ++v) {
     if (!found_a[v]) continue;
     ++found;
     EXPECT_NEAR(a.body.points()(v, 2),
                 4.5 - 0.6 * 0.3 - 0.001 * kStep.normalized().z(),
-                kRounding);
+                kCoordinateRounding);
   }
   EXPECT_GT(found, 10);
   // b has not stepped: its vertices inside have no way to go, but are found.
@@ -92,16 +96,16 @@ TEST(StepRollback, WhatHasNoWayOutGoesWhereItWas) {
   muscle.body.MoveTo(before.rowwise() + Eigen::RowVector3d(0.1, 0, 0));
   std::vector<char> found = NoneOf(muscle);
   RollBackStep(
-      Options(), before, {}, &muscle.body, &bone.body, &found, nullptr);
+      RollbackOptions(), before, {}, &muscle.body, &bone.body, &found, nullptr);
   EXPECT_EQ(muscle.body.points(), before);
   EXPECT_EQ(std::count(found.begin(), found.end(), 1), 8);
 }
 
 TEST(StepRollback, WithoutAStepNothingMoves) {
-  LoneBody muscle(MovedBy(Lower(), kStep), true);
-  LoneBody bone(Upper(), false);
+  LoneBody muscle(MovedBy(LowerBox(), kStep), true);
+  LoneBody bone(BoxAbove(), false);
   std::vector<char> found = NoneOf(muscle);
-  RollBackStep(Options(),
+  RollBackStep(RollbackOptions(),
                muscle.shape.rest,
                {},
                &muscle.body,

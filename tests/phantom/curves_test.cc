@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector2d;
 
 // Sums of a few terms of size 10.
-constexpr double kRounding = 1e-13;
+constexpr double kCurveRounding = 1e-13;
 
 const std::vector<Vector2d> kControls = {{0, 0}, {4, 1}, {5, 6}, {-2, 3}};
 
@@ -79,7 +79,7 @@ TEST(Outline, DoesNotDependOnTheDirectionOfItsControls) {
   for (int i = 0; i < 1000; ++i) {
     const Vector2d p(place(random), place(random));
     EXPECT_NEAR(
-        outline.SignedDistance(p), reversed.SignedDistance(p), kRounding);
+        outline.SignedDistance(p), reversed.SignedDistance(p), kCurveRounding);
   }
 }
 
@@ -100,7 +100,7 @@ TEST(Outline, HasTheDistanceToTheNearestEdge) {
           nearest,
           (p - curve[k] - std::min(std::max(t, 0.0), 1.0) * along).norm());
     }
-    EXPECT_NEAR(std::abs(outline.SignedDistance(p)), nearest, kRounding);
+    EXPECT_NEAR(std::abs(outline.SignedDistance(p)), nearest, kCurveRounding);
   }
 }
 

@@ -15,14 +15,14 @@ namespace musclewarp::phantom {
 namespace {
 
 // The model has twelve digits, of numbers of up to 200 mm.
-constexpr double kRounding = 1e-9;
+constexpr double kDigitRounding = 1e-9;
 
 const Eigen::Vector3d kCentre(90, -5, 40);
 const Eigen::Vector3d kFlexedPoint(70, 30, 20);
 
 // A muscle with one line: two points on the pelvis, of which the second wraps,
 // and one on the femur.
-Scene SmallScene() {
+Scene PsoasScene() {
   ActionLine line;
   line.name = "psoas";
   line.bodies = {"pelvis", "pelvis", "femur_r"};
@@ -39,7 +39,7 @@ Scene SmallScene() {
 Model SmallModel() {
   const std::string path = TestTempDir() + "/hip.osim";
   WriteTextAtomically(
-      path, HipModelText(SmallScene(), kCentre, {"psoas", 1, kFlexedPoint}));
+      path, HipModelText(PsoasScene(), kCentre, {"psoas", 1, kFlexedPoint}));
   return ReadModel(path);
 }
 
@@ -52,15 +52,15 @@ TEST(HipModel, AtRestTheLinesAreThoseOfTheScene) {
   ASSERT_EQ(psoas.path.size(), 3u);
   const CoordinateValues rest = DefaultValues(model);
   const auto frames = BodyFrames(model, rest);
-  const ActionLine line = SmallScene().muscles[0].lines[0];
+  const ActionLine line = PsoasScene().muscles[0].lines[0];
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(model.bodies[psoas.path[i].body].name, line.bodies[i]);
     EXPECT_LT(
         (LocationOnBody(psoas.path[i], rest) - line.rest.row(i).transpose())
             .norm(),
-        kRounding);
+        kDigitRounding);
     EXPECT_LT((frames[psoas.path[i].body] - Eigen::Matrix4d::Identity()).norm(),
-              kRounding);
+              kDigitRounding);
   }
 }
 
@@ -72,10 +72,10 @@ TEST(HipModel, FlexionTurnsTheFemurAboutTheHipCentre) {
   EXPECT_LT((frames[model.FindBody("femur_r")] -
              RotationAbout(kCentre, Eigen::Vector3d::UnitX(), 60))
                 .norm(),
-            kRounding);
+            kDigitRounding);
   EXPECT_LT(
       (frames[model.FindBody("pelvis")] - Eigen::Matrix4d::Identity()).norm(),
-      kRounding);
+      kDigitRounding);
 }
 
 TEST(HipModel, TheWrappedPointMovesStraight) {
@@ -88,7 +88,7 @@ TEST(HipModel, TheWrappedPointMovesStraight) {
     EXPECT_LT(
         (LocationOnBody(point, values) - (rest + share * (kFlexedPoint - rest)))
             .norm(),
-        kRounding)
+        kDigitRounding)
         << share;
   }
 }

@@ -13,10 +13,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRounding = 1e-12;  // of sums of a few coordinates, mm
+constexpr double kPathRounding = 1e-12;  // of sums of a few coordinates, mm
 constexpr double kBallRadius = 15;
 
-PathObstacle Ball(double depth) {
+PathObstacle BallObstacle(double depth) {
   return {Sphere(Vector3d::Zero(), kBallRadius),
           {Vector3d::Constant(-kBallRadius), Vector3d::Constant(kBallRadius)},
           depth};
@@ -40,7 +40,7 @@ TEST(MusclePath, LengthAndTurnsAreThoseOfThePolyline) {
   nodes[0].centre = {0, 0, 0};
   nodes[1].centre = {3, 4, 0};
   nodes[2].centre = {3, 4, 12};
-  EXPECT_NEAR(PathLength(nodes), 17, kRounding);
+  EXPECT_NEAR(PathLength(nodes), 17, kPathRounding);
   EXPECT_NEAR(SharpestTurn(nodes), 90, 1e-9);  // degrees, of an arc cosine
   nodes[2].centre = {6, 8, 0};
   // The arc cosine turns rounding by 1e-16 into 1e-8 rad.
@@ -50,7 +50,7 @@ TEST(MusclePath, LengthAndTurnsAreThoseOfThePolyline) {
 TEST(MusclePath, TheNormalOfABallPointsAwayFromItsCentre) {
   const Vector3d p(6, -8, 24);
   // Central differences at 0.05 mm of a distance of 26 mm.
-  EXPECT_LT((NormalOf(Ball(0).field, p) - p.normalized()).norm(), 1e-5);
+  EXPECT_LT((NormalOf(BallObstacle(0).field, p) - p.normalized()).norm(), 1e-5);
 }
 
 TEST(MusclePath, WithoutObstaclesAPathBecomesStraight) {
@@ -65,7 +65,7 @@ TEST(MusclePath, WithoutObstaclesAPathBecomesStraight) {
 
 TEST(MusclePath, APathLiesOnWhatIsInItsWay) {
   for (const double depth : {0., 2.}) {
-    const PathObstacle ball = Ball(depth);
+    const PathObstacle ball = BallObstacle(depth);
     const std::vector<StrapNode> start = Arc(5, 25, 0);
     const std::vector<StrapNode> path = TautPath(start, {ball}, ball.field);
     EXPECT_EQ(path.front().centre, start.front().centre);
@@ -89,7 +89,7 @@ TEST(MusclePath, AFlatStrapTurnsItsFlatSideToTheGround) {
     node.across = Vector3d(0, 1, 1).normalized();
   }
   for (const StrapNode& node : TautPath(nodes, {}, ground)) {
-    EXPECT_NEAR(std::abs(node.across.y()), 1, kRounding);
+    EXPECT_NEAR(std::abs(node.across.y()), 1, kPathRounding);
   }
 }
 
@@ -102,7 +102,7 @@ TEST(MusclePath, ExcessCountsTheEdgesOfAFlatStrap) {
   EXPECT_LT(Excess(node, floor), 0);
   // 0.8 of the half width reaches x = 2, where the strap is 0.744 as thick.
   node.half_width = 10;
-  EXPECT_NEAR(Excess(node, floor), 0.744 * 3 - 1 - 2, kRounding);
+  EXPECT_NEAR(Excess(node, floor), 0.744 * 3 - 1 - 2, kPathRounding);
 }
 
 }  // namespace

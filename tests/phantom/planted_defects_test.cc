@@ -12,10 +12,10 @@ namespace musclewarp {
 namespace {
 
 // 642 vertices, edges of about 4 mm: room for a dozen defects.
-TriangleSoup Ball() { return Icosphere(30, 3); }
+TriangleSoup BallMesh() { return Icosphere(30, 3); }
 
 TEST(PlantDefects, NoneLeavesTheMesh) {
-  const TriangleSoup ball = Ball();
+  const TriangleSoup ball = BallMesh();
   const TriangleSoup soup = PlantDefects(ball, {}, 1);
   EXPECT_EQ(soup.points, ball.points);
   EXPECT_EQ(soup.triangles, ball.triangles);
@@ -24,7 +24,7 @@ TEST(PlantDefects, NoneLeavesTheMesh) {
 TEST(PlantDefects, DuplicatePointsTearTheSurface) {
   PlantedDefects planted;
   planted.duplicate_points = 3;
-  const MeshDefects found = CountDefects(PlantDefects(Ball(), planted, 1));
+  const MeshDefects found = CountDefects(PlantDefects(BallMesh(), planted, 1));
   EXPECT_EQ(found.duplicate_points, 3);
   // The two edges of one triangle, each seen from both sides.
   EXPECT_EQ(found.border_edges, 3 * 4);
@@ -34,15 +34,15 @@ TEST(PlantDefects, DuplicatePointsTearTheSurface) {
 TEST(PlantDefects, DegenerateTriangles) {
   PlantedDefects planted;
   planted.degenerate_triangles = 4;
-  const TriangleSoup soup = PlantDefects(Ball(), planted, 1);
+  const TriangleSoup soup = PlantDefects(BallMesh(), planted, 1);
   EXPECT_EQ(CountDefects(soup).degenerate_triangles, 4);
-  EXPECT_EQ(soup.points.rows(), Ball().points.rows());
+  EXPECT_EQ(soup.points.rows(), BallMesh().points.rows());
 }
 
 TEST(PlantDefects, FlapsMakeNonManifoldEdges) {
   PlantedDefects planted;
   planted.flaps = 5;
-  const MeshDefects found = CountDefects(PlantDefects(Ball(), planted, 1));
+  const MeshDefects found = CountDefects(PlantDefects(BallMesh(), planted, 1));
   EXPECT_EQ(found.non_manifold_edges, 5);
   EXPECT_EQ(found.border_edges, 5 * 2);
   EXPECT_EQ(found.components, 1);
@@ -51,7 +51,7 @@ TEST(PlantDefects, FlapsMakeNonManifoldEdges) {
 TEST(PlantDefects, StrayPiecesAreClosedComponents) {
   PlantedDefects planted;
   planted.stray_pieces = 2;
-  const MeshDefects found = CountDefects(PlantDefects(Ball(), planted, 1));
+  const MeshDefects found = CountDefects(PlantDefects(BallMesh(), planted, 1));
   EXPECT_EQ(found.components, 3);
   EXPECT_TRUE(found.is_closed_manifold);
   EXPECT_EQ(found.misoriented_edges, 0);
@@ -60,24 +60,24 @@ TEST(PlantDefects, StrayPiecesAreClosedComponents) {
 TEST(PlantDefects, MissingTrianglesAreHoles) {
   PlantedDefects planted;
   planted.missing_triangles = 2;
-  const TriangleSoup soup = PlantDefects(Ball(), planted, 1);
+  const TriangleSoup soup = PlantDefects(BallMesh(), planted, 1);
   EXPECT_EQ(CountDefects(soup).border_edges, 2 * 3);
-  EXPECT_EQ(soup.triangles.rows(), Ball().triangles.rows() - 2);
+  EXPECT_EQ(soup.triangles.rows(), BallMesh().triangles.rows() - 2);
 }
 
 TEST(PlantDefects, TheSeedChoosesThePlaces) {
   PlantedDefects planted;
   planted.flaps = 2;
-  const TriangleSoup one = PlantDefects(Ball(), planted, 1);
-  EXPECT_EQ(one.points, PlantDefects(Ball(), planted, 1).points);
-  EXPECT_NE(one.points, PlantDefects(Ball(), planted, 2).points);
+  const TriangleSoup one = PlantDefects(BallMesh(), planted, 1);
+  EXPECT_EQ(one.points, PlantDefects(BallMesh(), planted, 1).points);
+  EXPECT_NE(one.points, PlantDefects(BallMesh(), planted, 2).points);
 }
 
 TEST(PlantDefects, AllAtOnceCanBeRepaired) {
   const PlantedDefects planted = {2, 2, 2, 1, 1};
   for (uint32_t seed = 0; seed < 10; ++seed) {
-    const TriangleSoup mesh =
-        RepairMesh(PlantDefects(Ball(), planted, seed), "ball", {}, nullptr);
+    const TriangleSoup mesh = RepairMesh(
+        PlantDefects(BallMesh(), planted, seed), "ball", {}, nullptr);
     EXPECT_TRUE(CountDefects(mesh).IsClean()) << "seed " << seed;
     EXPECT_EQ(mesh.points.rows(), 642) << "seed " << seed;
   }

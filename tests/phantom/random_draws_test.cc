@@ -11,7 +11,7 @@ namespace musclewarp::phantom {
 namespace {
 
 // Sums of rounded squares of unit vectors.
-constexpr double kRounding = 1e-14;
+constexpr double kUnitRounding = 1e-14;
 
 TEST(RandomDraws, AreThoseOfTheEngineThatTheStandardSpecifies) {
   // The standard gives the 10000th number of a default std::mt19937, whose seed
@@ -58,12 +58,12 @@ TEST(RandomDraws, DirectionsHaveUnitLengthAndNoPreference) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int i = 0; i < 2000; ++i) {
     const Eigen::Vector3d direction = draws.Direction();
-    EXPECT_NEAR(direction.norm(), 1, kRounding);
+    EXPECT_NEAR(direction.norm(), 1, kUnitRounding);
     const Eigen::Vector3d across = draws.DirectionAcross(direction);
-    EXPECT_NEAR(across.norm(), 1, kRounding);
+    EXPECT_NEAR(across.norm(), 1, kUnitRounding);
     // The part along the direction is removed from a vector no shorter than a
     // tenth of what is left.
-    EXPECT_NEAR(across.dot(direction), 0, 10 * kRounding);
+    EXPECT_NEAR(across.dot(direction), 0, 10 * kUnitRounding);
     sum += direction;
   }
   // Five standard deviations of each coordinate, sqrt(2000 / 3) = 25.8.

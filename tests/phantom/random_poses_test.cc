@@ -17,7 +17,7 @@ using Eigen::Matrix4d;
 using Eigen::Vector3d;
 
 // Matrices have twelve decimals.
-constexpr double kRounding = 1e-10;
+constexpr double kMatrixRounding = 1e-10;
 
 // Two rods end to end along z with a joint between them at z = 105, and a line
 // beside it.
@@ -84,7 +84,7 @@ TEST_F(RandomPoses, TurnAboutTheJointAndKeepBonesApart) {
         ((lower * bones_[1].joint.homogeneous()).head<3>() - bones_[1].joint)
             .norm(),
         // Rounding of the matrix times the distance of the joint, 105 mm.
-        105 * kRounding);
+        105 * kMatrixRounding);
     EXPECT_GE(LeastBoneDistance(bones_, {pose.bodies.at("upper"), lower}), 0.5);
   }
 }

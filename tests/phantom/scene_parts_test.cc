@@ -9,7 +9,7 @@
 namespace musclewarp::phantom {
 namespace {
 
-Solid Ball() {
+Solid BallSolid() {
   Solid ball;
   ball.name = "ball";
   ball.field = Sphere({0, 0, 0}, 15);
@@ -19,11 +19,11 @@ Solid Ball() {
 }
 
 TEST(SceneParts, AMeshIsTheSameForTheSameSeed) {
-  const PhantomMesh mesh = MeshOf(Ball(), 1);
+  const PhantomMesh mesh = MeshOf(BallSolid(), 1);
   EXPECT_EQ(mesh.name, "ball");
   EXPECT_TRUE(CountDefects(mesh.surface).IsClean());
-  EXPECT_EQ(MeshOf(Ball(), 1).surface.points, mesh.surface.points);
-  const Points other = MeshOf(Ball(), 2).surface.points;
+  EXPECT_EQ(MeshOf(BallSolid(), 1).surface.points, mesh.surface.points);
+  const Points other = MeshOf(BallSolid(), 2).surface.points;
   EXPECT_FALSE(other.rows() == mesh.surface.points.rows() &&
                other == mesh.surface.points);
 }
@@ -31,7 +31,7 @@ TEST(SceneParts, AMeshIsTheSameForTheSameSeed) {
 TEST(SceneParts, AMuscleIsNamedAfterItsMesh) {
   ActionLine line;
   line.name = "line";
-  const SceneMuscle muscle = MuscleOf(MeshOf(Ball(), 1), {line});
+  const SceneMuscle muscle = MuscleOf(MeshOf(BallSolid(), 1), {line});
   EXPECT_EQ(muscle.name, "ball");
   EXPECT_EQ(muscle.mesh_path, "ball.ply");
   ASSERT_EQ(muscle.lines.size(), 1u);
@@ -39,7 +39,7 @@ TEST(SceneParts, AMuscleIsNamedAfterItsMesh) {
 }
 
 TEST(SceneParts, AnAttachmentHasPointsOfTheMeshThatWereAccepted) {
-  const PhantomMesh mesh = MeshOf(Ball(), 1);
+  const PhantomMesh mesh = MeshOf(BallSolid(), 1);
   const auto is_top = [](const Eigen::Vector3d& p) { return p.z() > 5; };
   const Attachment attachment = AttachmentTo("body", mesh, is_top, 6);
   EXPECT_EQ(attachment.body, "body");
@@ -55,7 +55,7 @@ TEST(SceneParts, AnAttachmentHasPointsOfTheMeshThatWereAccepted) {
 }
 
 TEST(ScenePartsDeathTest, AnAttachmentNeedsEnoughPoints) {
-  const PhantomMesh mesh = MeshOf(Ball(), 1);
+  const PhantomMesh mesh = MeshOf(BallSolid(), 1);
   const auto none = [](const Eigen::Vector3d&) { return false; };
   EXPECT_DEATH(AttachmentTo("body", mesh, none, 1), "Check failed");
 }

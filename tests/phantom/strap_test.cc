@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Distances are square roots of exact sums.
-constexpr double kRounding = 1e-12;  // mm
+constexpr double kDistanceRounding = 1e-12;  // mm
 
 // Along x, 100 mm long, 6 mm thick, and as wide along y as is asked.
 std::vector<StrapNode> StraightNodes(double half_width) {
@@ -31,19 +31,19 @@ TEST(Strap, WithoutWidthIsASweep) {
                             Vector3d(31, 4, -3),
                             Vector3d(-8, 1, 2),
                             Vector3d(110, 0, 5)}) {
-    EXPECT_NEAR(strap(p), sweep(p), kRounding) << p.transpose();
+    EXPECT_NEAR(strap(p), sweep(p), kDistanceRounding) << p.transpose();
   }
 }
 
 TEST(Strap, IsThickInTheMiddleAndThinAtTheEdges) {
   const Field strap = Strap(StraightNodes(20));
-  EXPECT_NEAR(strap({40, 0, 0}), -3, kRounding);
-  EXPECT_NEAR(strap({40, 0, 3}), 0, kRounding);
-  EXPECT_NEAR(strap({40, 0, -5}), 2, kRounding);
+  EXPECT_NEAR(strap({40, 0, 0}), -3, kDistanceRounding);
+  EXPECT_NEAR(strap({40, 0, 3}), 0, kDistanceRounding);
+  EXPECT_NEAR(strap({40, 0, -5}), 2, kDistanceRounding);
   // 0.6 of the thickness at the edge, which is round.
-  EXPECT_NEAR(strap({40, 20, 1.8}), 0, kRounding);
-  EXPECT_NEAR(strap({40, -21.8, 0}), 0, kRounding);
-  EXPECT_NEAR(strap({103, 0, 0}), 0, kRounding);
+  EXPECT_NEAR(strap({40, 20, 1.8}), 0, kDistanceRounding);
+  EXPECT_NEAR(strap({40, -21.8, 0}), 0, kDistanceRounding);
+  EXPECT_NEAR(strap({103, 0, 0}), 0, kDistanceRounding);
 }
 
 TEST(Strap, FarAwayTheDistanceIsALowerBound) {
@@ -61,8 +61,8 @@ TEST(Strap, ItsBoxHoldsItWithTheMargin) {
   const Eigen::AlignedBox3d box = StrapBox(nodes, kMargin);
   for (double y = box.min().y(); y <= box.max().y(); y += 2) {
     for (double x = box.min().x(); x <= box.max().x(); x += 2) {
-      EXPECT_GE(strap({x, y, box.min().z()}), kMargin - kRounding);
-      EXPECT_GE(strap({x, y, box.max().z()}), kMargin - kRounding);
+      EXPECT_GE(strap({x, y, box.min().z()}), kMargin - kDistanceRounding);
+      EXPECT_GE(strap({x, y, box.max().z()}), kMargin - kDistanceRounding);
     }
   }
   EXPECT_EQ(box.min().x(), -3 - kMargin);

@@ -31,7 +31,7 @@ std::map<std::string, std::string> FilesIn(const std::string& dir) {
 }
 
 // A scene of one ball each, quick to make.
-PhantomScene SmallScene() {
+PhantomScene BallScene() {
   PhantomScene small;
   small.scene.name = "small";
   SceneMuscle muscle;
@@ -63,7 +63,7 @@ PhantomScene SmallScene() {
 }
 
 TEST(WritePhantomScene, WhatIsWrittenReadsBack) {
-  const PhantomScene small = SmallScene();
+  const PhantomScene small = BallScene();
   const std::string dir = TestTempDir() + "/new/folder";
   WritePhantomScene(small, dir);
   const Scene scene = ReadScene(dir + "/scene.json", "");
@@ -89,8 +89,7 @@ TEST(WritePhantomScene, WhatIsWrittenReadsBack) {
 TEST(WritePhantomScene, AFolderThatCannotBeMadeIsAnError) {
   const std::string dir = TestTempDir();
   std::ofstream(dir + "/file") << "in the way";
-  EXPECT_THROW(WritePhantomScene(SmallScene(), dir + "/file/scene"),
-               InputError);
+  EXPECT_THROW(WritePhantomScene(BallScene(), dir + "/file/scene"), InputError);
 }
 
 // data/phantom is what the program makes: "musclewarp-phantom

@@ -15,7 +15,8 @@ namespace {
 using Attachments = std::map<std::string, std::vector<Attachment>>;
 
 // Reads a file whose areas under "muscles" are `muscles`, as JSON.
-Attachments Read(const std::string& muscles, const std::string& units = "mm") {
+Attachments AttachmentsOf(const std::string& muscles,
+                          const std::string& units = "mm") {
   const std::string path = TestTempDir() + "/areas.json";
   WriteTextAtomically(path,
                       "{\"units\": \"" + units + "\", \"muscles\": " + muscles +
@@ -25,7 +26,7 @@ Attachments Read(const std::string& muscles, const std::string& units = "mm") {
 }
 
 TEST(AttachmentsFile, GivesTheAreasOfEveryMuscleToTheirBodies) {
-  const Attachments attachments = Read(R"({
+  const Attachments attachments = AttachmentsOf(R"({
       "iliacus": {"origin": [{"set": "A", "points": [[1,2,3]]},
                              {"set": "B", "points": [[4,5,6], [7,8,9]]}],
                   "insertion": [{"points": [[0,0,1]]}]},
@@ -44,19 +45,23 @@ TEST(AttachmentsFile, GivesTheAreasOfEveryMuscleToTheirBodies) {
 }
 
 TEST(AttachmentsFile, PassesOverKeysThatNoBodyIsGivenFor) {
-  EXPECT_TRUE(Read(R"({"iliacus": {"belly": [{"points": [[1,2,3]]}],
+  EXPECT_TRUE(AttachmentsOf(R"({"iliacus": {"belly": [{"points": [[1,2,3]]}],
                                    "note": 5}})")
                   .empty());
 }
 
 TEST(AttachmentsFile, RefusesWhatIsNoArea) {
-  ExpectInputError([] { Read("{}", "m"); }, {"areas.json: units", "m", "mm"});
-  ExpectInputError([] { Read("[]"); }, {"areas.json: muscles", "object"});
+  ExpectInputError([] { AttachmentsOf("{}", "m"); },
+                   {"areas.json: units", "m", "mm"});
+  ExpectInputError([] { AttachmentsOf("[]"); },
+                   {"areas.json: muscles", "object"});
   ExpectInputError(
-      [] { Read(R"({"m": {"origin": [{"points": []}]}})"); },
+      [] { AttachmentsOf(R"({"m": {"origin": [{"points": []}]}})"); },
       {"areas.json: muscles.m.origin[0].points", "empty", "at least one"});
   ExpectInputError(
-      [] { Read(R"({"m": {"origin": [{"points": [[0, 0, 1e9]]}]}})"); },
+      [] {
+        AttachmentsOf(R"({"m": {"origin": [{"points": [[0, 0, 1e9]]}]}})");
+      },
       {"muscles.m.origin[0].points[0][2]", "1000000000.0", "1e7"});
 }
 

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "musclewarp/base/infinity.h"
 #include "support/input_errors.h"
 
 namespace musclewarp {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(CheckCoordinates, AcceptsPointsUpToTheLimit) {

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 // A mesh of two vertices 10 mm apart, on the z axis.
-Points Vertices() {
+Points TwoVertices() {
   Points points = Points::Zero(2, 3);
   points(1, 2) = 10;
   return points;
@@ -27,7 +27,7 @@ SceneMuscle MuscleWithLineTo(const Eigen::RowVector3d& end) {
   for (const char* name : {"long", "short"}) {
     ActionLine line;
     line.name = name;
-    line.rest = Vertices();
+    line.rest = TwoVertices();
     muscle.lines.push_back(line);
   }
   muscle.lines[0].rest.row(1) = end;
@@ -35,9 +35,9 @@ SceneMuscle MuscleWithLineTo(const Eigen::RowVector3d& end) {
 }
 
 TEST(FarLineWarnings, AreGivenBeyondFiveDiagonalsOnly) {
-  EXPECT_THAT(FarLineWarnings(MuscleWithLineTo({0, 0, 60}), Vertices()),
+  EXPECT_THAT(FarLineWarnings(MuscleWithLineTo({0, 0, 60}), TwoVertices()),
               IsEmpty());
-  EXPECT_THAT(FarLineWarnings(MuscleWithLineTo({0, 0, 61}), Vertices()),
+  EXPECT_THAT(FarLineWarnings(MuscleWithLineTo({0, 0, 61}), TwoVertices()),
               ElementsAre(AllOf(HasSubstr("point 1 of line long"),
                                 HasSubstr("51 mm"),
                                 HasSubstr("soleus"),
@@ -50,7 +50,7 @@ TEST(FarLineWarnings, NameTheFarthestPointOfALine) {
   rest.conservativeResize(4, 3);
   rest.row(2) << 0, 0, 1e6;
   rest.row(3) << 0, 0, 100;
-  EXPECT_THAT(FarLineWarnings(muscle, Vertices()),
+  EXPECT_THAT(FarLineWarnings(muscle, TwoVertices()),
               ElementsAre(HasSubstr("point 2 of line long")));
 }
 

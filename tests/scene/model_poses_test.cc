@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "musclewarp/scene/line_targets.h"
+#include "scene/transform_checks.h"
 #include "support/input_errors.h"
 #include "support/osim_models.h"
 
@@ -18,10 +19,7 @@ namespace {
 using Eigen::Matrix4d;
 using ::testing::ElementsAre;
 
-// Places of some hundred mm, through a few transforms.
-constexpr double kRounding = 1e-11;
-
-Model Leg() {
+Model LegModel() {
   return ReadModel(
       Written("leg.osim",
               Model4(Joint4("PinJoint", "knee"),
@@ -45,14 +43,10 @@ ModelPoses Bound(double knee, const std::string& frame = "") {
   rest.frame = frame;
   std::vector<std::string> notes;
   ModelPoses poses =
-      BindModel(Leg(), rest, {"thigh", "shank"}, "scene.json", &notes);
+      BindModel(LegModel(), rest, {"thigh", "shank"}, "scene.json", &notes);
   poses.muscles = {0};
   poses.given_coordinates = {0};
   return poses;
-}
-
-double Difference(const Matrix4d& a, const Matrix4d& b) {
-  return (a - b).cwiseAbs().maxCoeff();
 }
 
 TEST(BindModel, TheRestPoseMovesNothing) {
@@ -61,11 +55,12 @@ TEST(BindModel, TheRestPoseMovesNothing) {
     const ScenePose rest = PoseAt(poses, poses.rest);
     for (const char* body : {"thigh", "shank"}) {
       EXPECT_LT(Difference(rest.bodies.at(body), Matrix4d::Identity()),
-                kRounding)
+                kTransformRounding)
           << frame << " " << body;
     }
     const ActionLine line = LineOfMuscle(poses, 0);
-    EXPECT_LT((rest.lines.at("m") - line.rest).norm(), kRounding) << frame;
+    EXPECT_LT((rest.lines.at("m") - line.rest).norm(), kTransformRounding)
+        << frame;
   }
 }
 
@@ -75,11 +70,11 @@ TEST(BindModel, MeshesMayBeInTheFrameOfABody) {
   EXPECT_LT(
       (LineOfMuscle(poses, 0).rest.row(1) - Eigen::RowVector3d(30, -100, 0))
           .norm(),
-      kRounding);
+      kTransformRounding);
   // The thigh is fixed to the ground, whatever the frame.
   EXPECT_LT(
       Difference(PoseAt(poses, {0.7}).bodies.at("thigh"), Matrix4d::Identity()),
-      kRounding);
+      kTransformRounding);
 }
 
 TEST(BindModel, RefusesNamesThatTheModelLacks) {
@@ -87,11 +82,11 @@ TEST(BindModel, RefusesNamesThatTheModelLacks) {
   ModelRest rest;
   rest.coordinates.emplace();
   ExpectInputError(
-      [&] { BindModel(Leg(), rest, {"foot"}, "scene.json", &notes); },
+      [&] { BindModel(LegModel(), rest, {"foot"}, "scene.json", &notes); },
       {"scene.json", "\"foot\"", "leg.osim", "thigh, shank"});
   rest.coordinates = {{"hip", 0.0}};
   ExpectInputError(
-      [&] { BindModel(Leg(), rest, {"thigh"}, "scene.json", &notes); },
+      [&] { BindModel(LegModel(), rest, {"thigh"}, "scene.json", &notes); },
       {"scene.json: model_rest.coordinates", "\"hip\""});
 }
 
@@ -109,7 +104,7 @@ TEST(PoseAt, PointsOfAPathMoveWithTheirBodies) {
   bodies_only.lines.clear();
   const Points moved =
       LineTargets({LineOfMuscle(poses, 0)}, bodies_only)[0].points;
-  EXPECT_LT((pose.lines.at("m") - moved).norm(), kRounding);
+  EXPECT_LT((pose.lines.at("m") - moved).norm(), kTransformRounding);
 }
 
 TEST(PoseAt, GivesAnglesInDegreesAndValuesInRadians) {

@@ -14,6 +14,7 @@
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/scene/path_moment_arms.h"
 #include "musclewarp/scene/scene.h"
+#include "scene/transform_checks.h"
 #include "support/input_errors.h"
 #include "support/osim_models.h"
 #include "support/temp_dir.h"
@@ -25,8 +26,6 @@ using Json = nlohmann::json;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Rounding of some hundred mm through a few transforms.
-constexpr double kRounding = 1e-11;
 const Eigen::Vector3d kKnee(0, -400, 0);
 
 // A leg whose knee turns about z, with a muscle from thigh to shank.
@@ -89,11 +88,12 @@ TEST_F(ModelScene, BodiesTurnFromTheRestPoseToThePose) {
   const Points moved =
       Transformed(point.transpose(), BodyTransform(scene.poses[2], "shank"));
   // Rest was at -20, so -60 is 40 on.
-  EXPECT_LT((moved.row(0).transpose() - Turned(point, -40)).norm(), kRounding);
+  EXPECT_LT((moved.row(0).transpose() - Turned(point, -40)).norm(),
+            kTransformRounding);
   EXPECT_LT(
       (BodyTransform(scene.poses[2], "thigh") - Eigen::Matrix4d::Identity())
           .norm(),
-      kRounding);
+      kTransformRounding);
 }
 
 TEST_F(ModelScene, LinesAreThePathsWithoutConditionalPoints) {
@@ -103,27 +103,30 @@ TEST_F(ModelScene, LinesAreThePathsWithoutConditionalPoints) {
   EXPECT_THAT(line.bodies, ElementsAre("thigh", "shank"));
   const Eigen::Vector3d last = kKnee + Eigen::Vector3d(30, -100, 0);
   EXPECT_LT((line.rest.row(1).transpose() - Turned(last, -20)).norm(),
-            kRounding);
+            kTransformRounding);
   const Points target = LineTargets({line}, scene.poses[2])[0].points;
-  EXPECT_LT((target.row(1).transpose() - Turned(last, -60)).norm(), kRounding);
+  EXPECT_LT((target.row(1).transpose() - Turned(last, -60)).norm(),
+            kTransformRounding);
   // The length of the path counts the point that is active at -60.
   const Eigen::Vector3d first(20, -100, 0), between(50, -400, 0);
   EXPECT_NEAR(scene.poses[2].path_lengths.at("m"),
               (between - first).norm() + (Turned(last, -60) - between).norm(),
-              kRounding);
-  EXPECT_NEAR(
-      scene.poses[0].path_lengths.at("m"), (last - first).norm(), kRounding);
+              kTransformRounding);
+  EXPECT_NEAR(scene.poses[0].path_lengths.at("m"),
+              (last - first).norm(),
+              kTransformRounding);
 }
 
 TEST_F(ModelScene, OwnLinesFollowTheirBodies) {
   const Scene scene = Read();
   const Points target =
       LineTargets({scene.muscles[0].lines[1]}, scene.poses[2])[0].points;
-  EXPECT_LT((target.row(0) - Eigen::RowVector3d(0, -300, 0)).norm(), kRounding);
+  EXPECT_LT((target.row(0) - Eigen::RowVector3d(0, -300, 0)).norm(),
+            kTransformRounding);
   EXPECT_LT(
       (target.row(1).transpose() - Turned(Eigen::Vector3d(0, -500, 0), -40))
           .norm(),
-      kRounding);
+      kTransformRounding);
 }
 
 TEST_F(ModelScene, LinesFollowBodiesOfTheModelWithoutABone) {
@@ -189,7 +192,7 @@ TEST_F(ModelScene, MeshesMayBeInTheFrameOfABody) {
       (first - kKnee);
   EXPECT_LT(
       (scene.muscles[0].lines[0].rest.row(0).transpose() - expected).norm(),
-      kRounding);
+      kTransformRounding);
 }
 
 TEST_F(ModelScene, PosesBetweenAreThoseOfTheCoordinatesBetween) {
@@ -199,9 +202,9 @@ TEST_F(ModelScene, PosesBetweenAreThoseOfTheCoordinatesBetween) {
   EXPECT_LT(
       (BodyTransform(between, "shank") - BodyTransform(scene.poses[1], "shank"))
           .norm(),
-      kRounding);
+      kTransformRounding);
   EXPECT_LT((between.lines.at("m") - scene.poses[1].lines.at("m")).norm(),
-            kRounding);
+            kTransformRounding);
 }
 
 TEST_F(ModelScene, BonesWithoutMeshComeFromTheModel) {
@@ -229,7 +232,7 @@ TEST_F(ModelScene, BonesWithoutMeshComeFromTheModel) {
   EXPECT_LT((moved.row(0).transpose() -
              Turned(kKnee + Eigen::Vector3d(0, -200, 0), -20))
                 .norm(),
-            kRounding);
+            kTransformRounding);
   scene_["bones"][0].erase("mesh");
   ExpectRefused({"\"thigh\"", "no mesh", "attaches none"});
 }

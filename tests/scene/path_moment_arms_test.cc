@@ -5,19 +5,18 @@
 #include <gtest/gtest.h>
 
 #include "musclewarp/scene/model_poses.h"
+#include "scene/transform_checks.h"
 #include "support/osim_models.h"
 
 namespace musclewarp {
 namespace {
 
-// Lengths of some hundred mm, through a few transforms.
-constexpr double kRounding = 1e-11;
 // Of central differences with steps of 1e-4 rad.
 constexpr double kDifference = 1e-5;
 
 // A leg with the path "m" of a muscle from thigh to shank and the line "own"
 // between the same points.
-Scene Leg() {
+Scene LegScene() {
   const std::string file =
       Written("leg.osim",
               Model4(Joint4("PinJoint", "knee"),
@@ -55,12 +54,12 @@ TEST(PathLengthIn, IsThatOfTheTargetOfALineOfItsOwn) {
 }
 
 TEST(PathMomentArms, AreTheSameForAPathAndALineBetweenItsPoints) {
-  const Scene scene = Leg();
+  const Scene scene = LegScene();
   for (const double knee : {-1.0, 0.0, 0.5}) {
     const ScenePose pose = PoseAt(*scene.model, {knee});
     EXPECT_NEAR(PathLengthIn(pose, scene.muscles[0].lines[0]),
                 PathLengthIn(pose, scene.muscles[0].lines[1]),
-                kRounding);
+                kTransformRounding);
     const auto arms = PathMomentArms(scene, pose);
     EXPECT_NEAR(arms.at("m").at("knee"), arms.at("own").at("knee"), kDifference)
         << knee;
@@ -68,7 +67,7 @@ TEST(PathMomentArms, AreTheSameForAPathAndALineBetweenItsPoints) {
 }
 
 TEST(PathMomentArms, AreMinusTheSlopeOfTheLength) {
-  const Scene scene = Leg();
+  const Scene scene = LegScene();
   constexpr double kStep = 1e-3;
   const auto length = [&](double knee) {
     return PathLengthIn(PoseAt(*scene.model, {knee}),
@@ -83,7 +82,7 @@ TEST(PathMomentArms, AreMinusTheSlopeOfTheLength) {
 }
 
 TEST(PathMomentArms, AreNoneWithoutAModelOrMovingCoordinates) {
-  Scene scene = Leg();
+  Scene scene = LegScene();
   const ScenePose pose = PoseAt(*scene.model, {0.0});
   auto poses = std::make_shared<ModelPoses>(*scene.model);
   poses->moving_coordinates.clear();

@@ -11,7 +11,7 @@
 namespace musclewarp {
 namespace {
 
-constexpr double kRounding = 1e-13;
+constexpr double kPoseRounding = 1e-13;
 
 Eigen::Matrix4d Turn(double angle) {
   Eigen::Matrix4d turn = Eigen::Matrix4d::Identity();
@@ -42,12 +42,12 @@ TEST(PoseBetween, TurnsBodiesEvenlyAndMovesGivenLinesStraight) {
   const ScenePose between = PoseBetween(scene, from, to, 0.25);
   Eigen::Matrix4d expected = Turn(0.3);
   expected(0, 3) = 2;
-  EXPECT_LT((between.bodies.at("b") - expected).norm(), kRounding);
+  EXPECT_LT((between.bodies.at("b") - expected).norm(), kPoseRounding);
   EXPECT_LT((between.lines.at("given").array() -
              (scene.muscles[0].lines[0].rest.array() + 1))
                 .matrix()
                 .norm(),
-            kRounding);
+            kPoseRounding);
   EXPECT_EQ(between.lines.count("carried"), 0u);
 }
 
@@ -62,7 +62,7 @@ TEST(PoseBetween, EndsAreThePoses) {
     for (const char* body : {"a", "b"}) {
       EXPECT_LT(
           (BodyTransform(between, body) - BodyTransform(end, body)).norm(),
-          kRounding);
+          kPoseRounding);
     }
   }
 }

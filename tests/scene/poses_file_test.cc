@@ -25,14 +25,14 @@ Json GoodFile() {
       "target": {"l": [[0,0,1],[0,0,8]]}}]})");
 }
 
-PosesFile Read(const Json& json) {
+PosesFile PosesOf(const Json& json) {
   const std::string path = TestTempDir() + "/poses.json";
   WriteTextAtomically(path, json.dump());
   return ReadPosesFile(path, {{"femur", {"thigh", "shank"}}});
 }
 
 TEST(PosesFile, HoldsLinesAndPoses) {
-  const PosesFile file = Read(GoodFile());
+  const PosesFile file = PosesOf(GoodFile());
   const ActionLine& line = file.lines.at("l");
   EXPECT_EQ(line.name, "l");
   EXPECT_EQ(line.rest(1, 2), 9);
@@ -53,32 +53,34 @@ TEST(PosesFile, CallsAPoseWithoutNameByItsCoordinates) {
   Json json = GoodFile();
   json["poses"][0].erase("name");
   json["poses"][0]["abduction"] = -2.5;
-  EXPECT_EQ(Read(json).poses[0].name, "abduction_-2.5_flexion_30");
+  EXPECT_EQ(PosesOf(json).poses[0].name, "abduction_-2.5_flexion_30");
   json["poses"][0].erase("abduction");
   json["poses"][0].erase("flexion");
-  ExpectInputError([&] { Read(json); }, {"poses.json: poses[0]", "\"name\""});
+  ExpectInputError([&] { PosesOf(json); },
+                   {"poses.json: poses[0]", "\"name\""});
 }
 
 TEST(PosesFile, RefusesWhatIsMissingOrOfOtherUnits) {
   Json json = GoodFile();
   json["units"] = "m";
-  ExpectInputError([&] { Read(json); }, {"poses.json: units", "allowed: mm"});
+  ExpectInputError([&] { PosesOf(json); },
+                   {"poses.json: units", "allowed: mm"});
   json = GoodFile();
   json["poses"][0].erase("femur");
-  ExpectInputError([&] { Read(json); }, {"poses[0].femur: is missing"});
+  ExpectInputError([&] { PosesOf(json); }, {"poses[0].femur: is missing"});
   json = GoodFile();
   json["poses"][0].erase("target");
-  ExpectInputError([&] { Read(json); }, {"poses[0].target: is missing"});
+  ExpectInputError([&] { PosesOf(json); }, {"poses[0].target: is missing"});
 }
 
 TEST(PosesFile, RefusesCoordinatesThatAreTooLarge) {
   Json json = GoodFile();
   json["lines"]["l"]["rest"][1][2] = 1e308;
-  ExpectInputError([&] { Read(json); },
+  ExpectInputError([&] { PosesOf(json); },
                    {"lines.l.rest[1][2]: is 1e+308", "1e7"});
   json = GoodFile();
   json["poses"][0]["target"]["l"][0][1] = -1e8;
-  ExpectInputError([&] { Read(json); }, {"poses[0].target.l[0][1]", "1e7"});
+  ExpectInputError([&] { PosesOf(json); }, {"poses[0].target.l[0][1]", "1e7"});
 }
 
 }  // namespace

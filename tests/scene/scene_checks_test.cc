@@ -36,8 +36,8 @@ Scene GoodScene() {
 }
 
 // Expects that the good scene is refused once it has been changed.
-void ExpectRefused(const std::function<void(Scene*)>& change,
-                   std::vector<std::string> words) {
+void ExpectSceneRefused(const std::function<void(Scene*)>& change,
+                        std::vector<std::string> words) {
   Scene scene = GoodScene();
   change(&scene);
   words.push_back("scene.json: ");
@@ -63,26 +63,26 @@ int CountInMessage(const Scene& scene, const std::string& text) {
 TEST(CheckScene, AcceptsAGoodScene) { CheckScene(GoodScene()); }
 
 TEST(CheckScene, RefusesNamesThatCannotBeWritten) {
-  ExpectRefused([](Scene* s) { s->muscles[0].name = "a\nb"; },
-                {"muscle", R"("a\nb")", "control character"});
-  ExpectRefused([](Scene* s) { s->bones[0].name = "a/b"; },
-                {"bone", "\"a/b\"", "file name"});
-  ExpectRefused([](Scene* s) { s->bones[0].name = std::string(201, 'x'); },
-                {"bone", "201 bytes"});
-  ExpectRefused([](Scene* s) { s->muscles[0].lines[0].name = "a\tb"; },
-                {"line of muscle iliacus", R"("a\tb")"});
-  ExpectRefused([](Scene* s) { s->poses[0].name = "a\rb"; },
-                {"pose", R"("a\rb")"});
-  ExpectRefused([](Scene* s) { s->name = std::string("a\0", 2); },
-                {"scene", R"("a\u0000")"});
+  ExpectSceneRefused([](Scene* s) { s->muscles[0].name = "a\nb"; },
+                     {"muscle", R"("a\nb")", "control character"});
+  ExpectSceneRefused([](Scene* s) { s->bones[0].name = "a/b"; },
+                     {"bone", "\"a/b\"", "file name"});
+  ExpectSceneRefused([](Scene* s) { s->bones[0].name = std::string(201, 'x'); },
+                     {"bone", "201 bytes"});
+  ExpectSceneRefused([](Scene* s) { s->muscles[0].lines[0].name = "a\tb"; },
+                     {"line of muscle iliacus", R"("a\tb")"});
+  ExpectSceneRefused([](Scene* s) { s->poses[0].name = "a\rb"; },
+                     {"pose", R"("a\rb")"});
+  ExpectSceneRefused([](Scene* s) { s->name = std::string("a\0", 2); },
+                     {"scene", R"("a\u0000")"});
 }
 
 TEST(CheckScene, RefusesNamesThatAreGivenTwice) {
-  ExpectRefused([](Scene* s) { s->muscles[0].name = "femur"; },
-                {"\"femur\"", "twice"});
-  ExpectRefused([](Scene* s) { s->poses.push_back(s->poses[0]); },
-                {"pose \"bent\"", "twice"});
-  ExpectRefused(
+  ExpectSceneRefused([](Scene* s) { s->muscles[0].name = "femur"; },
+                     {"\"femur\"", "twice"});
+  ExpectSceneRefused([](Scene* s) { s->poses.push_back(s->poses[0]); },
+                     {"pose \"bent\"", "twice"});
+  ExpectSceneRefused(
       [](Scene* s) { s->muscles[0].lines.push_back(s->muscles[0].lines[0]); },
       {"line \"line\"", "twice"});
 }
@@ -90,19 +90,22 @@ TEST(CheckScene, RefusesNamesThatAreGivenTwice) {
 TEST(CheckScene, RefusesCoordinatesBeyondTheLimit) {
   // From a model they come without the checks of a scene file.
   const double too_far = 1e9;
-  ExpectRefused([&](Scene* s) { s->muscles[0].lines[0].rest(1, 2) = too_far; },
-                {"line \"line\" of muscle iliacus: point 1", "1e+09", "1e7"});
-  ExpectRefused([&](Scene* s) { s->poses[0].lines["line"](0, 1) = too_far; },
-                {"target of line \"line\" in pose \"bent\": point 0"});
-  ExpectRefused([&](Scene* s) { s->poses[0].bodies["femur"](0, 3) = too_far; },
-                {"pose \"bent\": body \"femur\"", "1e+09"});
-  ExpectRefused(
+  ExpectSceneRefused(
+      [&](Scene* s) { s->muscles[0].lines[0].rest(1, 2) = too_far; },
+      {"line \"line\" of muscle iliacus: point 1", "1e+09", "1e7"});
+  ExpectSceneRefused(
+      [&](Scene* s) { s->poses[0].lines["line"](0, 1) = too_far; },
+      {"target of line \"line\" in pose \"bent\": point 0"});
+  ExpectSceneRefused(
+      [&](Scene* s) { s->poses[0].bodies["femur"](0, 3) = too_far; },
+      {"pose \"bent\": body \"femur\"", "1e+09"});
+  ExpectSceneRefused(
       [](Scene* s) {
         s->poses[0].bodies["femur"](0, 0) =
             std::numeric_limits<double>::quiet_NaN();
       },
       {"pose \"bent\": body \"femur\""});
-  ExpectRefused(
+  ExpectSceneRefused(
       [&](Scene* s) {
         Attachment attachment;
         attachment.body = "femur";
@@ -122,16 +125,17 @@ TEST(CheckScene, BodiesThatPosesMoveNeedNoBone) {
 }
 
 TEST(CheckScene, RefusesBodiesOfWhichNothingIsKnown) {
-  ExpectRefused([](Scene* s) { s->muscles[0].lines[0].bodies[1] = "tibia"; },
-                {"line \"line\"", "\"tibia\"", "known bodies: femur, pelvis"});
-  ExpectRefused(
+  ExpectSceneRefused(
+      [](Scene* s) { s->muscles[0].lines[0].bodies[1] = "tibia"; },
+      {"line \"line\"", "\"tibia\"", "known bodies: femur, pelvis"});
+  ExpectSceneRefused(
       [](Scene* s) {
         s->muscles[0].attachments.resize(1);
         s->muscles[0].attachments[0].body = "tibia";
       },
       {"attachment of muscle iliacus", "\"tibia\""});
   // A misspelt body of a pose would stay where it is in silence.
-  ExpectRefused(
+  ExpectSceneRefused(
       [](Scene* s) {
         s->poses[0].bodies["femr"] = Eigen::Matrix4d::Identity();
       },
@@ -139,18 +143,18 @@ TEST(CheckScene, RefusesBodiesOfWhichNothingIsKnown) {
 }
 
 TEST(CheckScene, RefusesLinesThatAreNone) {
-  ExpectRefused(
+  ExpectSceneRefused(
       [](Scene* s) { s->muscles[0].lines[0].rest.conservativeResize(1, 3); },
       {"1 points", "at least 2"});
-  ExpectRefused([](Scene* s) { s->muscles[0].lines[0].rest.setZero(); },
-                {"repeats point 0 as point 1"});
-  ExpectRefused([](Scene* s) { s->muscles[0].lines[0].bodies.pop_back(); },
-                {"1 bodies for 2 points"});
-  ExpectRefused(
+  ExpectSceneRefused([](Scene* s) { s->muscles[0].lines[0].rest.setZero(); },
+                     {"repeats point 0 as point 1"});
+  ExpectSceneRefused([](Scene* s) { s->muscles[0].lines[0].bodies.pop_back(); },
+                     {"1 bodies for 2 points"});
+  ExpectSceneRefused(
       [](Scene* s) { s->poses[0].lines["line"].conservativeResize(1, 3); },
       {"has 1 points, the rest line has 2"});
-  ExpectRefused([](Scene* s) { s->poses[0].lines["other"] = Points(); },
-                {"\"other\"", "no muscle"});
+  ExpectSceneRefused([](Scene* s) { s->poses[0].lines["other"] = Points(); },
+                     {"\"other\"", "no muscle"});
 }
 
 TEST(CheckScene, NamesTheFileOnce) {

@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-Json GoodScene() {
+Json GoodJson() {
   return Json::parse(R"({
     "name": "one muscle", "units": "mm",
     "muscles": [{"name": "m", "mesh": "m.ply",
@@ -33,26 +33,26 @@ Json GoodScene() {
       "lines": {"l": [[0,0,1],[0,0,8]]}}]})");
 }
 
-Scene Read(const Json& json) {
+Scene SceneOf(const Json& json) {
   const std::string path = TestTempDir() + "/scene.json";
   WriteTextAtomically(path, json.dump());
   return ReadScene(path, "");
 }
 
-void ExpectRefused(const Json& json, std::vector<std::string> words) {
+void ExpectFileRefused(const Json& json, std::vector<std::string> words) {
   words.push_back("scene.json");
-  ExpectInputError([&] { Read(json); }, words);
+  ExpectInputError([&] { SceneOf(json); }, words);
 }
 
 // The good scene with the value at a JSON pointer replaced.
 Json With(const std::string& pointer, const Json& value) {
-  Json scene = GoodScene();
+  Json scene = GoodJson();
   scene[Json::json_pointer(pointer)] = value;
   return scene;
 }
 
 Json Without(const std::string& parent, const std::string& key) {
-  Json scene = GoodScene();
+  Json scene = GoodJson();
   scene[Json::json_pointer(parent)].erase(key);
   return scene;
 }
@@ -60,7 +60,7 @@ Json Without(const std::string& parent, const std::string& key) {
 }  // namespace
 
 TEST(Scene, ReadsEveryField) {
-  const Scene scene = Read(GoodScene());
+  const Scene scene = SceneOf(GoodJson());
   EXPECT_EQ(scene.name, "one muscle");
   ASSERT_EQ(scene.muscles.size(), 1u);
   const SceneMuscle& muscle = scene.muscles[0];
@@ -79,7 +79,7 @@ TEST(Scene, ReadsEveryField) {
 
 TEST(Scene, PathsFollowTheDataRoot) {
   const std::string path = TestTempDir() + "/scene.json";
-  WriteTextAtomically(path, GoodScene().dump());
+  WriteTextAtomically(path, GoodJson().dump());
   EXPECT_EQ(ReadScene(path, "/data").muscles[0].mesh_path, "/data/m.ply");
 }
 
@@ -101,84 +101,87 @@ TEST(Scene, RefusesWhatIsNotAScene) {
 }
 
 TEST(Scene, RefusesUnknownMissingAndRepeatedKeys) {
-  ExpectRefused(With("/muscels", 1), {"muscels", "allowed", "muscles"});
-  ExpectRefused(With("/muscles/0/colour", 1), {"muscles[0]", "colour"});
-  ExpectRefused(With("/poses/0/bones", 1), {"poses[0]", "bones"});
-  ExpectRefused(Without("", "units"), {"units", "missing"});
-  ExpectRefused(Without("/muscles/0", "mesh"), {"muscles[0].mesh", "missing"});
+  ExpectFileRefused(With("/muscels", 1), {"muscels", "allowed", "muscles"});
+  ExpectFileRefused(With("/muscles/0/colour", 1), {"muscles[0]", "colour"});
+  ExpectFileRefused(With("/poses/0/bones", 1), {"poses[0]", "bones"});
+  ExpectFileRefused(Without("", "units"), {"units", "missing"});
+  ExpectFileRefused(Without("/muscles/0", "mesh"),
+                    {"muscles[0].mesh", "missing"});
   const std::string path = TestTempDir() + "/scene.json";
-  std::string text = GoodScene().dump();
+  std::string text = GoodJson().dump();
   text.insert(1, "\"name\": \"first\", ");
   WriteTextAtomically(path, text);
   EXPECT_THROW(ReadScene(path, ""), InputError);
 }
 
 TEST(Scene, RefusesWrongTypesAndValues) {
-  ExpectRefused(With("/name", 5), {"name", "5"});
-  ExpectRefused(With("/units", "m"), {"units", "\"m\"", "mm"});
-  ExpectRefused(With("/axes", "LPX"), {"axes", "\"LPX\"", "LPS"});
-  ExpectRefused(With("/axes", "LRS"), {"axes", "\"LRS\""});
-  ExpectRefused(With("/side", "up"), {"side", "\"up\"", "left"});
-  ExpectRefused(With("/muscles", Json::object()), {"muscles", "array"});
-  ExpectRefused(With("/muscles", Json::array()), {"muscles", "empty"});
-  ExpectRefused(With("/poses", Json::array()), {"pose"});
-  ExpectRefused(With("/muscles/0/lines/0/rest/1", {1, 2}),
-                {"muscles[0].lines[0].rest[1]", "[x, y, z]"});
-  ExpectRefused(With("/muscles/0/lines/0/rest/1/0", "x"),
-                {"muscles[0].lines[0].rest[1][0]", "number"});
-  ExpectRefused(With("/muscles/0/attachments/0/radius", -1), {"radius"});
-  ExpectRefused(With("/poses/0/bodies/f/0/0", 2),
-                {"poses[0].bodies.f", "rigid"});
-  ExpectRefused(With("/poses/0/bodies/f/3/0", 1),
-                {"poses[0].bodies.f", "0 0 0 1"});
-  ExpectRefused(With("/model", "a.osim"), {"poses", "model"});
-  ExpectRefused(With("/motion", "a.mot"), {"motion", "model"});
+  ExpectFileRefused(With("/name", 5), {"name", "5"});
+  ExpectFileRefused(With("/units", "m"), {"units", "\"m\"", "mm"});
+  ExpectFileRefused(With("/axes", "LPX"), {"axes", "\"LPX\"", "LPS"});
+  ExpectFileRefused(With("/axes", "LRS"), {"axes", "\"LRS\""});
+  ExpectFileRefused(With("/side", "up"), {"side", "\"up\"", "left"});
+  ExpectFileRefused(With("/muscles", Json::object()), {"muscles", "array"});
+  ExpectFileRefused(With("/muscles", Json::array()), {"muscles", "empty"});
+  ExpectFileRefused(With("/poses", Json::array()), {"pose"});
+  ExpectFileRefused(With("/muscles/0/lines/0/rest/1", {1, 2}),
+                    {"muscles[0].lines[0].rest[1]", "[x, y, z]"});
+  ExpectFileRefused(With("/muscles/0/lines/0/rest/1/0", "x"),
+                    {"muscles[0].lines[0].rest[1][0]", "number"});
+  ExpectFileRefused(With("/muscles/0/attachments/0/radius", -1), {"radius"});
+  ExpectFileRefused(With("/poses/0/bodies/f/0/0", 2),
+                    {"poses[0].bodies.f", "rigid"});
+  ExpectFileRefused(With("/poses/0/bodies/f/3/0", 1),
+                    {"poses[0].bodies.f", "0 0 0 1"});
+  ExpectFileRefused(With("/model", "a.osim"), {"poses", "model"});
+  ExpectFileRefused(With("/motion", "a.mot"), {"motion", "model"});
 }
 
 TEST(Scene, RefusesBadLines) {
-  ExpectRefused(With("/muscles/0/lines/0/rest", {{0, 0, 0}}),
-                {"\"l\"", "1 points", "at least 2"});
-  ExpectRefused(With("/muscles/0/lines/0/rest", {{0, 0, 1}, {0, 0, 1}}),
-                {"\"l\"", "repeats point 0"});
-  ExpectRefused(With("/poses/0/lines/l", {{0, 0, 1}, {0, 0, 2}, {0, 0, 3}}),
-                {"\"l\"", "\"a\"", "3 points", "2"});
-  ExpectRefused(With("/muscles/0/lines/0/bodies", {"p"}), {"1 bodies", "2"});
-  ExpectRefused(With("/poses/0/lines/other", {{0, 0, 1}, {0, 0, 2}}),
-                {"\"other\"", "no muscle"});
-  ExpectRefused(With("/muscles/0/lines/0", "glut_med1_r"), {"glut_med1_r"});
+  ExpectFileRefused(With("/muscles/0/lines/0/rest", {{0, 0, 0}}),
+                    {"\"l\"", "1 points", "at least 2"});
+  ExpectFileRefused(With("/muscles/0/lines/0/rest", {{0, 0, 1}, {0, 0, 1}}),
+                    {"\"l\"", "repeats point 0"});
+  ExpectFileRefused(With("/poses/0/lines/l", {{0, 0, 1}, {0, 0, 2}, {0, 0, 3}}),
+                    {"\"l\"", "\"a\"", "3 points", "2"});
+  ExpectFileRefused(With("/muscles/0/lines/0/bodies", {"p"}),
+                    {"1 bodies", "2"});
+  ExpectFileRefused(With("/poses/0/lines/other", {{0, 0, 1}, {0, 0, 2}}),
+                    {"\"other\"", "no muscle"});
+  ExpectFileRefused(With("/muscles/0/lines/0", "glut_med1_r"), {"glut_med1_r"});
 }
 
 TEST(Scene, MusclesMayComeWithoutLines) {
-  Json scene = GoodScene();
+  Json scene = GoodJson();
   scene["muscles"][0].erase("lines");
   scene["poses"][0].erase("lines");
-  EXPECT_TRUE(Read(scene).muscles[0].lines.empty());
+  EXPECT_TRUE(SceneOf(scene).muscles[0].lines.empty());
 }
 
 TEST(Scene, PosesAreAMotionIfTheirTimesRise) {
-  Json scene = GoodScene();
-  EXPECT_FALSE(Read(scene).is_motion);
+  Json scene = GoodJson();
+  EXPECT_FALSE(SceneOf(scene).is_motion);
   scene["poses"].push_back({{"name", "b"}, {"time", 0.5}});
-  EXPECT_FALSE(Read(scene).is_motion);
+  EXPECT_FALSE(SceneOf(scene).is_motion);
   scene["poses"][1]["time"] = 0.6;
-  EXPECT_TRUE(Read(scene).is_motion);
+  EXPECT_TRUE(SceneOf(scene).is_motion);
 }
 
 TEST(Scene, RefusesNamesThatClashOrAreUnknown) {
-  ExpectRefused(With("/bones/0/name", "m"), {"\"m\"", "twice"});
-  ExpectRefused(With("/bones/0/name", "a/b"), {"\"a/b\"", "file name"});
-  ExpectRefused(With("/muscles/0/lines/0/bodies/1", "tibia"),
-                {"\"tibia\"", "p"});
-  ExpectRefused(With("/muscles/0/attachments/0/body", "tibia"), {"\"tibia\""});
-  ExpectRefused(
-      With("/poses/0/bodies/tibia", GoodScene()["poses"][0]["bodies"]["f"]),
+  ExpectFileRefused(With("/bones/0/name", "m"), {"\"m\"", "twice"});
+  ExpectFileRefused(With("/bones/0/name", "a/b"), {"\"a/b\"", "file name"});
+  ExpectFileRefused(With("/muscles/0/lines/0/bodies/1", "tibia"),
+                    {"\"tibia\"", "p"});
+  ExpectFileRefused(With("/muscles/0/attachments/0/body", "tibia"),
+                    {"\"tibia\""});
+  ExpectFileRefused(
+      With("/poses/0/bodies/tibia", GoodJson()["poses"][0]["bodies"]["f"]),
       {"\"tibia\""});
-  Json scene = GoodScene();
+  Json scene = GoodJson();
   scene["poses"].push_back(scene["poses"][0]);
-  ExpectRefused(scene, {"\"a\"", "twice"});
-  scene = GoodScene();
+  ExpectFileRefused(scene, {"\"a\"", "twice"});
+  scene = GoodJson();
   scene["muscles"][0]["lines"].push_back(scene["muscles"][0]["lines"][0]);
-  ExpectRefused(scene, {"\"l\"", "twice"});
+  ExpectFileRefused(scene, {"\"l\"", "twice"});
 }
 
 TEST(Scene, TakesAreasFromAnAttachmentsFile) {
@@ -193,7 +196,7 @@ TEST(Scene, TakesAreasFromAnAttachmentsFile) {
                      {"set": "B", "points": [[4,5,6],[7,8,9]]}],
           "insertion": [{"points": [[0,0,1]]}], "note": 7},
     "other": {"origin": [{"points": [[0,0,0]]}]}}})");
-  Json json = GoodScene();
+  Json json = GoodJson();
   json["attachments_file"] = {{"path", "areas.json"},
                               {"bodies", {{"origin", "p"}}},
                               {"radius", 4},
@@ -226,7 +229,7 @@ TEST(Scene, TakesLinesAndPosesFromAPosesFile) {
     "poses": [{"flexion_deg": -10, "thigh":
         [[1,0,0,0],[0,1,0,0],[0,0,1,7],[0,0,0,1]],
       "target": {"l": [[0,0,1],[0,0,8]], "unused": [[0,0,0],[2,0,0]]}}]})");
-  Json json = GoodScene();
+  Json json = GoodJson();
   json.erase("poses");
   json["poses_file"] = {{"path", "poses.json"},
                         {"bodies", {{"thigh", {"f", "p"}}}}};

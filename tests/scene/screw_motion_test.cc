@@ -7,14 +7,13 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "scene/transform_checks.h"
+
 namespace musclewarp {
 namespace {
 
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
-
-// Roundings of some hundred mm through a few products.
-constexpr double kRounding = 1e-11;
 
 const Vector3d kSocket(30, -800, 120);
 
@@ -30,15 +29,12 @@ Matrix4d Motion(const Vector3d& axis, double angle, double slide) {
   return motion;
 }
 
-double Difference(const Matrix4d& a, const Matrix4d& b) {
-  return (a - b).cwiseAbs().maxCoeff();
-}
-
 TEST(ScrewMotion, EndsAreTheIdentityAndTheMotion) {
   const Matrix4d motion = Motion({1, 2, 3}, 0.7, 15);
   const ScrewMotion screw(motion);
-  EXPECT_LT(Difference(screw.Part(0), Matrix4d::Identity()), kRounding);
-  EXPECT_LT(Difference(screw.Part(1), motion), kRounding);
+  EXPECT_LT(Difference(screw.Part(0), Matrix4d::Identity()),
+            kTransformRounding);
+  EXPECT_LT(Difference(screw.Part(1), motion), kTransformRounding);
 }
 
 TEST(ScrewMotion, PartsAreTurnsAboutTheSameAxis) {
@@ -47,14 +43,14 @@ TEST(ScrewMotion, PartsAreTurnsAboutTheSameAxis) {
   for (const double share : {0.25, 0.5, 0.9}) {
     EXPECT_LT(
         Difference(screw.Part(share), Motion(axis, share * 0.7, share * 15)),
-        kRounding);
+        kTransformRounding);
   }
 }
 
 TEST(ScrewMotion, PartsFollowOnEachOther) {
   const ScrewMotion screw(Motion({-1, 0.5, 2}, 2.5, -40));
   EXPECT_LT(Difference(screw.Part(0.3) * screw.Part(0.45), screw.Part(0.75)),
-            kRounding);
+            kTransformRounding);
 }
 
 TEST(ScrewMotion, WithoutATurnIsAStraightSlide) {
@@ -68,10 +64,10 @@ TEST(ScrewMotion, WithoutATurnIsAStraightSlide) {
 TEST(ScrewMotion, HoldsForHalfATurn) {
   const Matrix4d motion = Motion({0, 0, 1}, M_PI, 10);
   const ScrewMotion screw(motion);
-  EXPECT_LT(Difference(screw.Part(1), motion), kRounding);
+  EXPECT_LT(Difference(screw.Part(1), motion), kTransformRounding);
   // Half way the socket is still on the axis.
   const Vector3d socket = (screw.Part(0.5) * kSocket.homogeneous()).head<3>();
-  EXPECT_LT((socket - kSocket - Vector3d(0, 0, 5)).norm(), kRounding);
+  EXPECT_LT((socket - kSocket - Vector3d(0, 0, 5)).norm(), kTransformRounding);
 }
 
 }  // namespace

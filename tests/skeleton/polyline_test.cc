@@ -8,7 +8,7 @@ namespace musclewarp {
 namespace {
 
 // Rounding of coordinates of some ten mm.
-constexpr double kRounding = 1e-13;
+constexpr double kCoordinateRounding = 1e-13;
 
 // A corner: 3 mm along x, then 4 mm along y.
 Points Corner() {
@@ -34,7 +34,7 @@ TEST(Polyline, SamplesAreAtEqualDistancesAlongIt) {
   // on the second one.
   Points expected(5, 3);
   expected << 1, 2, 5, 2.75, 2, 5, 4, 2.5, 5, 4, 4.25, 5, 4, 6, 5;
-  EXPECT_LT(Difference(Resampled(Corner(), 5), expected), kRounding);
+  EXPECT_LT(Difference(Resampled(Corner(), 5), expected), kCoordinateRounding);
 }
 
 TEST(Polyline, EndsAreKept) {
@@ -48,13 +48,14 @@ TEST(Polyline, EndsAreKept) {
 
 TEST(Polyline, SamplesOfSamplesOfASegmentAreTheSame) {
   const Points samples = Resampled(Corner().topRows(2), 9);
-  EXPECT_LT(Difference(Resampled(samples, 9), samples), kRounding);
+  EXPECT_LT(Difference(Resampled(samples, 9), samples), kCoordinateRounding);
 }
 
 TEST(Polyline, TheOtherDirectionGivesTheSameSamples) {
   const Points forward = Resampled(Corner(), 11);
   const Points backward = Resampled(Corner().colwise().reverse(), 11);
-  EXPECT_LT(Difference(backward.colwise().reverse(), forward), kRounding);
+  EXPECT_LT(Difference(backward.colwise().reverse(), forward),
+            kCoordinateRounding);
 }
 
 TEST(Polyline, RepeatedPointsDoNotMatter) {

@@ -7,7 +7,7 @@
 namespace musclewarp {
 namespace {
 
-ActionLine Line() {
+ActionLine BentLine() {
   ActionLine line;
   line.rest.resize(3, 3);
   line.rest << 0, 0, 0, 25, 0, 0, 25, 4, 0;
@@ -17,7 +17,7 @@ ActionLine Line() {
 }  // namespace
 
 TEST(Sampling, HasEveryPointOfTheLineOnceAndNoWideGap) {
-  const ActionLine line = Line();
+  const ActionLine line = BentLine();
   const std::vector<SegmentPoint> samples = SampleLines({line}, 10);
   // 25 mm in 3 pieces, 4 mm in one: 3 + 1 + 1 samples.
   ASSERT_EQ(samples.size(), 5u);
@@ -50,7 +50,7 @@ TEST(Sampling, CutsAnEndlessSegmentIntoABoundedNumberOfPieces) {
 TEST(Sampling, GivesTheTargetTheSameParameters) {
   // Rounding of coordinates of some ten mm.
   constexpr double kRounding = 1e-13;
-  const ActionLine line = Line();
+  const ActionLine line = BentLine();
   Points target = 2 * line.rest;
   target.rowwise() += Eigen::RowVector3d(1, 2, 3);
   for (const SegmentPoint& sample : SampleLines({line}, 3)) {

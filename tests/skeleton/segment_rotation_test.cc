@@ -12,13 +12,13 @@ namespace musclewarp {
 namespace {
 
 // Products of a few rotations: rounding of some 1e-15.
-constexpr double kRounding = 1e-13;
+constexpr double kRotationRounding = 1e-13;
 
 Eigen::Matrix3d Rotation(double angle, const Eigen::Vector3d& axis) {
   return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
 
-ActionLine Line() {
+ActionLine StraightLine() {
   ActionLine line;
   line.rest.resize(2, 3);
   line.rest << 1, 2, 3, 4, -5, 60;
@@ -53,7 +53,7 @@ TEST(SmallestRotation, TurnsOneDirectionIntoTheOther) {
     const Eigen::Vector3d b(uniform(engine), uniform(engine), uniform(engine));
     const Eigen::Matrix3d r = SmallestRotation(3 * a, b);
     EXPECT_LT((r * a.normalized() - b.normalized()).norm(), kOpposite);
-    EXPECT_TRUE((r.transpose() * r).isIdentity(kRounding));
+    EXPECT_TRUE((r.transpose() * r).isIdentity(kRotationRounding));
     // Smallest: its angle is that between the directions.
     EXPECT_NEAR(Eigen::AngleAxisd(r).angle(),
                 std::atan2(a.cross(b).norm(), a.dot(b)),
@@ -65,7 +65,7 @@ TEST(SmallestRotation, HandlesEqualOppositeAndZero) {
   // The axis of opposite directions comes from a singular value decomposition.
   constexpr double kAxis = 1e-7;
   const Eigen::Vector3d a(1, 2, 3);
-  EXPECT_TRUE(SmallestRotation(a, 5 * a).isIdentity(kRounding));
+  EXPECT_TRUE(SmallestRotation(a, 5 * a).isIdentity(kRotationRounding));
   EXPECT_LT((SmallestRotation(a, -a) * a + a).norm(), kAxis);
   EXPECT_TRUE(SmallestRotation(a, Eigen::Vector3d::Zero()).isIdentity(0));
 }
@@ -73,42 +73,43 @@ TEST(SmallestRotation, HandlesEqualOppositeAndZero) {
 TEST(TwistAngle, IsTheAngleAboutTheAxis) {
   const Eigen::Vector3d axis = Eigen::Vector3d(1, -2, 2).normalized();
   for (const double angle : {-3.0, -1.0, 0.0, 0.5, 3.1}) {
-    EXPECT_NEAR(TwistAngle(Rotation(angle, axis), axis), angle, kRounding);
+    EXPECT_NEAR(
+        TwistAngle(Rotation(angle, axis), axis), angle, kRotationRounding);
     // A swing about an axis across adds no twist.
     const Eigen::Vector3d across = axis.cross(Eigen::Vector3d(0, 0, 1));
     EXPECT_NEAR(TwistAngle(Rotation(1, across) * Rotation(angle, axis), axis),
                 angle,
-                kRounding);
+                kRotationRounding);
   }
 }
 
 TEST(SegmentRotation, OfARigidMotionIsThatMotion) {
-  const ActionLine line = Line();
+  const ActionLine line = StraightLine();
   const Eigen::Matrix3d r = Rotation(2.5, {1, 1, -3});
   for (const double t : {0.0, 0.3, 1.0}) {
     EXPECT_TRUE(SegmentRotation(line, Target(line, r, r), {0, 0, t}, true)
-                    .isApprox(r, kRounding));
+                    .isApprox(r, kRotationRounding));
   }
 }
 
 TEST(SegmentRotation, WithoutBodiesLeavesTheTwistOut) {
-  const ActionLine line = Line();
+  const ActionLine line = StraightLine();
   const Eigen::Vector3d direction =
       (line.rest.row(1) - line.rest.row(0)).transpose().normalized();
   LineTarget twisted =
       Target(line, Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Identity());
   twisted.body_rotations = {Rotation(1, direction), Rotation(1, direction)};
-  EXPECT_TRUE(
-      SegmentRotation(line, twisted, {0, 0, 0.5}, false).isIdentity(kRounding));
+  EXPECT_TRUE(SegmentRotation(line, twisted, {0, 0, 0.5}, false)
+                  .isIdentity(kRotationRounding));
   EXPECT_TRUE(SegmentRotation(line, twisted, {0, 0, 0.5}, true)
-                  .isApprox(Rotation(1, direction), kRounding));
+                  .isApprox(Rotation(1, direction), kRotationRounding));
   twisted.body_rotations.clear();
-  EXPECT_TRUE(
-      SegmentRotation(line, twisted, {0, 0, 0.5}, true).isIdentity(kRounding));
+  EXPECT_TRUE(SegmentRotation(line, twisted, {0, 0, 0.5}, true)
+                  .isIdentity(kRotationRounding));
 }
 
 TEST(SegmentRotation, SpreadsTheTwistEvenlyTheShortWay) {
-  const ActionLine line = Line();
+  const ActionLine line = StraightLine();
   const Eigen::Vector3d direction =
       (line.rest.row(1) - line.rest.row(0)).transpose().normalized();
   LineTarget target;
@@ -117,20 +118,21 @@ TEST(SegmentRotation, SpreadsTheTwistEvenlyTheShortWay) {
   // From 3 to -3 through pi: 2 pi - 6 rad, not 6.
   const double turn = 2 * M_PI - 6;
   for (const double t : {0.0, 0.25, 1.0}) {
-    EXPECT_TRUE(SegmentRotation(line, target, {0, 0, t}, true)
-                    .isApprox(Rotation(3.0 + t * turn, direction), kRounding));
+    EXPECT_TRUE(
+        SegmentRotation(line, target, {0, 0, t}, true)
+            .isApprox(Rotation(3.0 + t * turn, direction), kRotationRounding));
   }
 }
 
 TEST(SegmentRotation, TakesTheKnownEndForBoth) {
-  const ActionLine line = Line();
+  const ActionLine line = StraightLine();
   const Eigen::Vector3d direction =
       (line.rest.row(1) - line.rest.row(0)).transpose().normalized();
   LineTarget target;
   target.points = line.rest;
   target.body_rotations = {std::nullopt, Rotation(0.4, direction)};
   EXPECT_TRUE(SegmentRotation(line, target, {0, 0, 0}, true)
-                  .isApprox(Rotation(0.4, direction), kRounding));
+                  .isApprox(Rotation(0.4, direction), kRotationRounding));
 }
 
 }  // namespace musclewarp

@@ -13,7 +13,7 @@ namespace {
 
 // Mean value coordinates reproduce linear functions up to rounding; mm, of
 // coordinates of size 100.
-constexpr double kRounding = 1e-11;
+constexpr double kLineRounding = 1e-11;
 
 // Three lines inside the hull, of different lengths; the second has no point.
 std::vector<Points> Lines() {
@@ -40,7 +40,7 @@ TEST(CarriedLines, AreWhereTheyWereInTheRestPose) {
   ASSERT_EQ(rest.size(), 3u);
   for (int k = 0; k < 3; ++k) {
     ASSERT_EQ(rest[k].rows(), Lines()[k].rows());
-    EXPECT_LT(Distance(rest[k], Lines()[k]), kRounding);
+    EXPECT_LT(Distance(rest[k], Lines()[k]), kLineRounding);
   }
 }
 
@@ -57,7 +57,7 @@ TEST(CarriedLines, FollowEveryAffineMotionOfTheHull) {
   };
   const std::vector<Points> lines = LinesAt(carried, moved(hull.points));
   for (int k = 0; k < 3; ++k) {
-    EXPECT_LT(Distance(lines[k], moved(Lines()[k])), kRounding);
+    EXPECT_LT(Distance(lines[k], moved(Lines()[k])), kLineRounding);
   }
 }
 
@@ -72,7 +72,8 @@ TEST(CarriedLines, MoveAsTheFineVerticesDo) {
   bent.col(0) += 0.02 * hull.points.col(2).cwiseAbs2();
   const Points moved =
       MeanValueCoordinates(fine, hull.points, hull.triangles) * bent;
-  EXPECT_LT(Distance(LinesAt(carried, bent)[0], moved.topRows(4)), kRounding);
+  EXPECT_LT(Distance(LinesAt(carried, bent)[0], moved.topRows(4)),
+            kLineRounding);
   EXPECT_GT(Distance(moved.topRows(4), fine.topRows(4)), 1);
 }
 

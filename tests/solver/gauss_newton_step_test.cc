@@ -15,7 +15,7 @@ namespace musclewarp {
 namespace {
 
 // Of sums of N products, relative to their size.
-constexpr double kRounding = 1e-9;
+constexpr double kStepRounding = 1e-9;
 
 Points Shaken(const Points& points, double by) {
   std::mt19937 engine(7);
@@ -62,7 +62,7 @@ TEST(GaussNewtonStep, ShortenedCorrectsTheVolumeToFirstOrder) {
       // J_g (alpha h) = -dV
       EXPECT_NEAR(alpha * volume.gradient.cwiseProduct(step.h).sum(),
                   -volume.error,
-                  kRounding * std::abs(volume.error));
+                  kStepRounding * std::abs(volume.error));
     }
   }
 }
@@ -81,7 +81,8 @@ TEST(GaussNewtonStep, LeavesAResidualAlongTheVolumeGradient) {
   const double lambda =
       -residual.cwiseProduct(gradient).sum() / gradient.squaredNorm();
   EXPECT_NE(lambda, 0);
-  EXPECT_LT((residual + lambda * gradient).norm(), kRounding * residual.norm());
+  EXPECT_LT((residual + lambda * gradient).norm(),
+            kStepRounding * residual.norm());
 }
 
 TEST(GaussNewtonStep, HeldVerticesAreNotMovedByTheVolumeAlone) {
@@ -97,7 +98,7 @@ TEST(GaussNewtonStep, HeldVerticesAreNotMovedByTheVolumeAlone) {
   const Points forces = at.model.normal_matrix.reconstructedMatrix() * step.h;
   for (size_t i = 0; i < is_held.size(); ++i) {
     if (is_held[i]) {
-      EXPECT_LT(forces.row(i).norm(), kRounding * forces.norm());
+      EXPECT_LT(forces.row(i).norm(), kStepRounding * forces.norm());
     }
   }
   EXPECT_GT(step.h.norm(), 0);

@@ -17,9 +17,9 @@ namespace musclewarp {
 namespace {
 
 // Of sums of mean value coordinates times coordinates of size 100, mm.
-constexpr double kRounding = 1e-11;
+constexpr double kCarriedRounding = 1e-11;
 
-MuscleModelOptions WithAttachments() {
+MuscleModelOptions WithFiveAttachmentRows() {
   MuscleModelOptions options;
   options.skeleton_weight = 1.5;
   options.attachment_weight = 2;
@@ -45,17 +45,17 @@ TEST(MuscleModel, FineVerticesFollowTheHull) {
   EXPECT_LT((model.fine_from_coarse * model.coarse_rest - model.fine_rest)
                 .cwiseAbs()
                 .maxCoeff(),
-            kRounding);
+            kCarriedRounding);
 }
 
 TEST(MuscleModel, SkeletonRowsGiveTheWeightedSamples) {
-  const MuscleModel model = SpindleModel(WithAttachments());
+  const MuscleModel model = SpindleModel(WithFiveAttachmentRows());
   const Points samples = model.skeleton * model.coarse_rest;
   ASSERT_EQ(samples.rows(), static_cast<Eigen::Index>(model.samples.size()));
   for (size_t i = 0; i < model.samples.size(); ++i) {
     const Eigen::RowVector3d place = PointOnSegment(
         model.lines[model.samples[i].line].rest, model.samples[i]);
-    EXPECT_LT((samples.row(i) - 1.5 * place).norm(), kRounding);
+    EXPECT_LT((samples.row(i) - 1.5 * place).norm(), kCarriedRounding);
   }
   MuscleModelOptions finer;
   finer.sample_spacing = 5;
@@ -64,7 +64,7 @@ TEST(MuscleModel, SkeletonRowsGiveTheWeightedSamples) {
 
 TEST(MuscleModel, AttachmentRowsShareTheirWeightAndAreLeftOutWithoutOne) {
   EXPECT_EQ(SpindleModel().attachment.rows(), 0);
-  const MuscleModel model = SpindleModel(WithAttachments());
+  const MuscleModel model = SpindleModel(WithFiveAttachmentRows());
   ASSERT_EQ(model.attachment.rows(), 2 * 5);
   const Points places = model.attachment * model.coarse_rest;
   double squared_weight[2] = {0, 0};
@@ -72,7 +72,7 @@ TEST(MuscleModel, AttachmentRowsShareTheirWeightAndAreLeftOutWithoutOne) {
     const double weight = model.attachment_weights[i];
     squared_weight[model.attachment_of[i]] += weight * weight;
     EXPECT_LT((places.row(i) - weight * model.attachment_rest.row(i)).norm(),
-              kRounding);
+              kCarriedRounding);
     // Within the radius of 12 mm about the end of the spindle.
     const Attachment& attachment = model.attachments[model.attachment_of[i]];
     EXPECT_LE((model.attachment_rest.row(i) - attachment.points.row(0)).norm(),
@@ -82,7 +82,7 @@ TEST(MuscleModel, AttachmentRowsShareTheirWeightAndAreLeftOutWithoutOne) {
 }
 
 TEST(MuscleModel, TheNormalMatrixIsThatOfAllRows) {
-  const MuscleModel model = SpindleModel(WithAttachments());
+  const MuscleModel model = SpindleModel(WithFiveAttachmentRows());
   Eigen::MatrixXd laplacian(model.laplacian);
   const Eigen::MatrixXd expected =
       laplacian.transpose() * laplacian +

@@ -10,7 +10,7 @@ namespace musclewarp {
 namespace {
 
 // Of W X_0, mm.
-constexpr double kRounding = 1e-11;
+constexpr double kStateRounding = 1e-11;
 
 // Row i is (i, i, i) + by.
 Points Numbered(int count, double by) {
@@ -56,11 +56,11 @@ TEST(FinePoints, FollowTheCoarseVertices) {
   const MuscleModel model = SpindleModel();
   MuscleState state{model.coarse_rest, {}};
   EXPECT_LT((FinePoints(model, state) - model.fine_rest).cwiseAbs().maxCoeff(),
-            kRounding);
+            kStateRounding);
   state.coarse.rowwise() += Eigen::RowVector3d(1, 2, 3);
   const Points moved = model.fine_rest.rowwise() + Eigen::RowVector3d(1, 2, 3);
   EXPECT_LT((FinePoints(model, state) - moved).cwiseAbs().maxCoeff(),
-            kRounding);
+            kStateRounding);
 }
 
 TEST(FinePoints, IncludeTheOffset) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double kVolume = 1e-10;
 
 // Of W X + offset with coordinates of size 100, mm.
-constexpr double kRounding = 1e-12;
+constexpr double kOffsetRounding = 1e-12;
 
 double VolumeRatio(const MuscleModel& model, const MuscleState& state) {
   return SignedVolume(FinePoints(model, state), model.fine_triangles) /
@@ -82,7 +82,7 @@ TEST(RestoreVolume, LeavesHeldVerticesWhereTheyAreHeld) {
   const HeldVertices& held = state.corrections.held_fine;
   for (size_t k = 0; k < held.vertices.size(); ++k) {
     EXPECT_LT((after.row(held.vertices[k]) - held.positions.row(k)).norm(),
-              kRounding);
+              kOffsetRounding);
   }
 }
 

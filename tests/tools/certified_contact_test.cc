@@ -25,9 +25,9 @@ std::string PhantomScene(const std::string& name, const std::string& dir) {
   return dir + "/scene/scene.json";
 }
 
-void Deform(const std::string& scene,
-            const std::string& flags,
-            const std::string& out) {
+void DeformScene(const std::string& scene,
+                 const std::string& flags,
+                 const std::string& out) {
   const ProgramRun run = RunCommandLine(
       MUSCLEWARP_DEFORM, "--scene=" + scene + " --out=" + out + " " + flags);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
@@ -42,8 +42,8 @@ TEST(CertifiedContact, DoesNotDependOnTheOrderOfMuscles) {
   Json json = Json::parse(FileText(scene));
   std::reverse(json["muscles"].begin(), json["muscles"].end());
   WriteTextAtomically(dir + "/scene/reversed.json", json.dump());
-  Deform(scene, "--frames=0:1", dir + "/out");
-  Deform(dir + "/scene/reversed.json", "--frames=0:1", dir + "/reversed");
+  DeformScene(scene, "--frames=0:1", dir + "/out");
+  DeformScene(dir + "/scene/reversed.json", "--frames=0:1", dir + "/reversed");
   for (const Json& muscle : json["muscles"]) {
     for (const char* frame : {"/frame_0000/", "/frame_0001/"}) {
       const std::string file =
@@ -62,7 +62,7 @@ TEST(CertifiedContact, MovesTheLinesThatAreCarried) {
   const std::string scene = PhantomScene("stress_edge", dir);
   const auto lines = [&](const std::string& contact) {
     const std::string out = dir + "/" + contact;
-    Deform(scene, "--frames=3 --contact=" + contact, out);
+    DeformScene(scene, "--frames=3 --contact=" + contact, out);
     return Json::parse(FileText(
         out + "/frame_0003/lines.json"))["muscles"][0]["lines"][0]["points"];
   };

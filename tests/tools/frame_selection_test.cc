@@ -23,7 +23,7 @@ std::vector<int> Selected(const std::string& frames) {
   return SelectFrames(frames, Motion());
 }
 
-void ExpectRefused(const std::string& frames, const std::string& why) {
+void ExpectFramesRefused(const std::string& frames, const std::string& why) {
   ExpectInputError([&] { Selected(frames); }, {"--frames=" + frames, why});
 }
 
@@ -51,15 +51,15 @@ TEST(SelectFrames, TakesTimesFromTheFirstNotBeforeToTheLastNotAfter) {
 
 TEST(SelectFrames, RefusesWhatIsNoSelection) {
   for (const char* frames : {"", ":", "1:", "1:2:3:4", "x", "-1", "1.5"}) {
-    ExpectRefused(frames, "not a frame number");
+    ExpectFramesRefused(frames, "not a frame number");
   }
-  ExpectRefused("999999999", "not a frame number");
-  ExpectRefused("xs", "not a time");
+  ExpectFramesRefused("999999999", "not a frame number");
+  ExpectFramesRefused("xs", "not a time");
 }
 
 TEST(SelectFrames, SaysWhatTheSceneHasIfNothingIsSelected) {
   for (const char* frames : {"5", "3:2", "0:5", "0:4:0", "0.41s:0.5s"}) {
-    ExpectRefused(frames, "frames 0 to 4, 0s to 0.4s");
+    ExpectFramesRefused(frames, "frames 0 to 4, 0s to 0.4s");
   }
 }
 

@@ -32,8 +32,8 @@ TEST(FlagError, LeavesFieldsWithoutAFlagAsTheyAre) {
 }
 
 // Expects that the options of a run are refused, once changed, with the words.
-void ExpectRefused(const std::function<void(DeformOptions*)>& change,
-                   const std::vector<std::string>& words) {
+void ExpectOptionsRefused(const std::function<void(DeformOptions*)>& change,
+                          const std::vector<std::string>& words) {
   DeformOptions options;
   change(&options);
   ExpectInputError([&] { CheckValid(options); }, words);
@@ -42,12 +42,12 @@ void ExpectRefused(const std::function<void(DeformOptions*)>& change,
 TEST(CheckValid, AcceptsTheDefaults) { CheckValid(DeformOptions()); }
 
 TEST(CheckValid, TellsHullsOfMusclesFromThoseOfBones) {
-  ExpectRefused(
+  ExpectOptionsRefused(
       [](DeformOptions* o) {
         o->deformer.prepare.muscle.hull.coarse_vertices = 19;
       },
       {"--coarse_vertices: is 19; allowed: 20 to 5000"});
-  ExpectRefused(
+  ExpectOptionsRefused(
       [](DeformOptions* o) {
         o->deformer.frames.paper.bone_hull.coarse_vertices = 19;
       },
@@ -55,31 +55,32 @@ TEST(CheckValid, TellsHullsOfMusclesFromThoseOfBones) {
 }
 
 TEST(CheckValid, LooksIntoStructsThatNoFlagReaches) {
-  ExpectRefused(
+  ExpectOptionsRefused(
       [](DeformOptions* o) {
         o->deformer.prepare.repair.stitch_tolerance = -1;
       },
       {"RepairOptions::stitch_tolerance is -1"});
-  ExpectRefused(
+  ExpectOptionsRefused(
       [](DeformOptions* o) { o->deformer.prepare.repair.holes.max_edges = -1; },
       {"HoleLimits::max_edges is -1"});
-  ExpectRefused(
+  ExpectOptionsRefused(
       [](DeformOptions* o) { o->deformer.prepare.slivers.aspect = 2; },
       {"SliverLimits::aspect is 2", "0 to 1"});
-  ExpectRefused([](DeformOptions* o) { o->deformer.prepare.fibres.voxels = 5; },
-                {"FibreOptions::voxels is 5"});
-  ExpectRefused(
+  ExpectOptionsRefused(
+      [](DeformOptions* o) { o->deformer.prepare.fibres.voxels = 5; },
+      {"FibreOptions::voxels is 5"});
+  ExpectOptionsRefused(
       [](DeformOptions* o) { o->deformer.frames.paper_limits.max_turn = 0; },
       {"StepLimits::max_turn is 0"});
-  ExpectRefused(
+  ExpectOptionsRefused(
       [](DeformOptions* o) { o->deformer.frames.certified.rest_sweeps = 0; },
       {"CertifiedContactOptions::rest_sweeps is 0"});
-  ExpectRefused(
+  ExpectOptionsRefused(
       [](DeformOptions* o) {
         o->deformer.frames.certified.separation.cell.voxel_size = 0;
       },
       {"MedialCellOptions::voxel_size is 0"});
-  ExpectRefused(
+  ExpectOptionsRefused(
       [](DeformOptions* o) { o->deformer.frames.paper.group.mask_memory = 0; },
       {"GroupContactOptions::mask_memory is 0"});
 }

@@ -18,7 +18,7 @@
 namespace musclewarp {
 namespace {
 
-std::string ErrorOf(const PhantomRequest& request) {
+std::string PhantomError(const PhantomRequest& request) {
   std::ostringstream log;
   try {
     MakePhantom(request, log);
@@ -42,14 +42,14 @@ TEST(MakePhantom, WritesASceneAndSaysWhatIsInIt) {
 }
 
 TEST(MakePhantom, NeedsAFolder) {
-  EXPECT_THAT(ErrorOf({}), ::testing::HasSubstr("--out"));
+  EXPECT_THAT(PhantomError({}), ::testing::HasSubstr("--out"));
 }
 
 TEST(MakePhantom, AWrongSceneWritesNothing) {
   PhantomRequest request;
   request.out = TestTempDir() + "/knee";
   request.scene = "knee";
-  EXPECT_THAT(ErrorOf(request), ::testing::HasSubstr("knee"));
+  EXPECT_THAT(PhantomError(request), ::testing::HasSubstr("knee"));
   EXPECT_FALSE(std::filesystem::exists(request.out));
 }
 
@@ -86,10 +86,10 @@ TEST(MakePhantom, ABadNumberOfMusclesWritesNothing) {
   request.out = TestTempDir() + "/random";
   request.scene = "random";
   request.num_muscles = 33;
-  EXPECT_THAT(ErrorOf(request), ::testing::HasSubstr("--num_muscles"));
+  EXPECT_THAT(PhantomError(request), ::testing::HasSubstr("--num_muscles"));
   request.scene = "hip";
   request.num_muscles = 3;
-  EXPECT_THAT(ErrorOf(request), ::testing::HasSubstr("--num_muscles"));
+  EXPECT_THAT(PhantomError(request), ::testing::HasSubstr("--num_muscles"));
   EXPECT_FALSE(std::filesystem::exists(request.out));
 }
 

@@ -44,7 +44,7 @@ std::string WriteRun() {
   return dir;
 }
 
-std::string ErrorOf(const RenderRequest& request) {
+std::string RenderError(const RenderRequest& request) {
   std::ostringstream log;
   try {
     Render(request, log);
@@ -151,7 +151,7 @@ TEST(RenderCommand, MistakesNameTheFlagAndLeaveNoPicture) {
                               const std::string& value) {
     RenderRequest request = good;
     request.*field = value;
-    return ErrorOf(request);
+    return RenderError(request);
   };
   EXPECT_THAT(error_with(&RenderRequest::out, good.in + "/a.jpg"),
               HasSubstr("--out"));
@@ -182,7 +182,7 @@ TEST(RenderCommand, TooManyFramesForTheSizeAreAnError) {
   request.out = request.in + "/a.png";
   request.frames = "0,1,2,0,1";
   request.size = "64x64";
-  EXPECT_THAT(ErrorOf(request), HasSubstr("--size"));
+  EXPECT_THAT(RenderError(request), HasSubstr("--size"));
 }
 
 }  // namespace

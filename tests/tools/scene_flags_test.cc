@@ -31,9 +31,9 @@ DeformOptions WithFlags(
   return options;
 }
 
-void ExpectRefused(const std::string& flag,
-                   const std::string& value,
-                   const std::string& allowed) {
+void ExpectFlagRefused(const std::string& flag,
+                       const std::string& value,
+                       const std::string& allowed) {
   ExpectInputError(
       [&] {
         CheckSceneOptions(WithFlags({{flag, value}}));
@@ -113,32 +113,32 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
 
 TEST(SceneFlags, RefusesValuesThatAreNotAllowedByTheNameOfTheFlag) {
   for (const char* value : {"-1", "nan"}) {
-    ExpectRefused("max_hole", value, "0 or above");
-    ExpectRefused("attachment_weight", value, "0 to 1e6");
-    ExpectRefused("skeleton_weight", value, "above 0, at most 1e6");
-    ExpectRefused("sample_spacing", value, "0.01 mm or above");
+    ExpectFlagRefused("max_hole", value, "0 or above");
+    ExpectFlagRefused("attachment_weight", value, "0 to 1e6");
+    ExpectFlagRefused("skeleton_weight", value, "above 0, at most 1e6");
+    ExpectFlagRefused("sample_spacing", value, "0.01 mm or above");
   }
   for (const char* value : {"19", "-5", "5001"}) {
-    ExpectRefused("coarse_vertices", value, "20 to 5000");
-    ExpectRefused("bone_coarse_vertices", value, "20 to 5000");
+    ExpectFlagRefused("coarse_vertices", value, "20 to 5000");
+    ExpectFlagRefused("bone_coarse_vertices", value, "20 to 5000");
   }
-  ExpectRefused("skeleton_weight", "0", "above 0");
-  ExpectRefused("skeleton_weight", "inf", "above 0, at most 1e6");
-  ExpectRefused("attachment_weight", "inf", "0 to 1e6");
-  ExpectRefused("sample_spacing", "0.001", "0.01 mm or above");
-  ExpectRefused("auto_lines", "0", "1 or above");
-  ExpectRefused("max_iterations", "0", "1 or above");
-  ExpectRefused("threads", "-1", "0 (all cores) to 1024");
-  ExpectRefused("threads", "1000000", "0 (all cores) to 1024");
-  ExpectRefused("contact_level", "middle", "coarse, fine");
-  ExpectRefused("remake", "always", "auto, never");
+  ExpectFlagRefused("skeleton_weight", "0", "above 0");
+  ExpectFlagRefused("skeleton_weight", "inf", "above 0, at most 1e6");
+  ExpectFlagRefused("attachment_weight", "inf", "0 to 1e6");
+  ExpectFlagRefused("sample_spacing", "0.001", "0.01 mm or above");
+  ExpectFlagRefused("auto_lines", "0", "1 or above");
+  ExpectFlagRefused("max_iterations", "0", "1 or above");
+  ExpectFlagRefused("threads", "-1", "0 (all cores) to 1024");
+  ExpectFlagRefused("threads", "1000000", "0 (all cores) to 1024");
+  ExpectFlagRefused("contact_level", "middle", "coarse, fine");
+  ExpectFlagRefused("remake", "always", "auto, never");
   for (const char* value : {"0", "-1", "nan", "0.6"}) {
-    ExpectRefused("gap", value, "above 0");
+    ExpectFlagRefused("gap", value, "above 0");
   }
-  ExpectRefused("max_rounds", "0", "1 or above");
-  ExpectRefused("max_step_turn", "0", "above 0");
-  ExpectRefused("max_step_move", "0", "above 0");
-  ExpectRefused("frame_timeout_s", "-1", "0 or above");
+  ExpectFlagRefused("max_rounds", "0", "1 or above");
+  ExpectFlagRefused("max_step_turn", "0", "above 0");
+  ExpectFlagRefused("max_step_move", "0", "above 0");
+  ExpectFlagRefused("frame_timeout_s", "-1", "0 or above");
 }
 
 TEST(SceneFlags, NoMessageNamesAStructOfTheLibrary) {

@@ -88,9 +88,9 @@ double VolumeOf(const std::string& file) {
   return SignedVolume(soup.points, soup.triangles);
 }
 
-void ExpectRefused(const std::vector<std::string>& files,
-                   const SeparateOptions& options,
-                   const std::vector<std::string>& words) {
+void ExpectSeparationRefused(const std::vector<std::string>& files,
+                             const SeparateOptions& options,
+                             const std::vector<std::string>& words) {
   std::ostringstream screen;
   ExpectInputError([&] { SeparateCommand(files, options, screen); }, words);
   EXPECT_FALSE(!options.out.empty() && fs::exists(options.out));
@@ -197,14 +197,15 @@ TEST(SeparateCommand, RefusesBadFiles) {
   WriteTextAtomically(dir + "/torn.off", "OFF\n4 4 0\n0 0 0\n");
   const std::string a = dir + "/a.ply";
   const SeparateOptions options = WithBox(dir, "out");
-  ExpectRefused({}, options, {"files: none given"});
-  ExpectRefused({dir + "/none.ply"}, options, {"none.ply"});
-  ExpectRefused({a, dir + "/notes.txt"}, options, {"notes.txt"});
-  ExpectRefused({dir + "/torn.off", a}, options, {"torn.off"});
-  ExpectRefused({a, dir + "/more/a.obj"},
-                options,
-                {dir + "/more/a.obj: has the name \"a\"", a});
-  ExpectRefused({a, dir + "/box.ply"}, options, {"has the name \"box\""});
+  ExpectSeparationRefused({}, options, {"files: none given"});
+  ExpectSeparationRefused({dir + "/none.ply"}, options, {"none.ply"});
+  ExpectSeparationRefused({a, dir + "/notes.txt"}, options, {"notes.txt"});
+  ExpectSeparationRefused({dir + "/torn.off", a}, options, {"torn.off"});
+  ExpectSeparationRefused({a, dir + "/more/a.obj"},
+                          options,
+                          {dir + "/more/a.obj: has the name \"a\"", a});
+  ExpectSeparationRefused(
+      {a, dir + "/box.ply"}, options, {"has the name \"box\""});
 }
 
 TEST(SeparateCommand, RefusesBadOptions) {
@@ -213,15 +214,15 @@ TEST(SeparateCommand, RefusesBadOptions) {
   const std::vector<std::string> files = {dir + "/a.ply"};
   SeparateOptions options = WithBox(dir, "out");
   options.gap = 0.6;
-  ExpectRefused(files, options, {"--gap: is 0.6", "at most 0.5"});
+  ExpectSeparationRefused(files, options, {"--gap: is 0.6", "at most 0.5"});
   options.gap = 0;
-  ExpectRefused(files, options, {"--gap: is 0", "above 0"});
+  ExpectSeparationRefused(files, options, {"--gap: is 0", "above 0"});
   options = WithBox(dir, "out");
   options.bones = {"", dir + "/box.ply"};
-  ExpectRefused(files, options, {"--bone", "comma"});
+  ExpectSeparationRefused(files, options, {"--bone", "comma"});
   options = WithBox(dir, "out");
   options.out.clear();
-  ExpectRefused(files, options, {"--out: is missing"});
+  ExpectSeparationRefused(files, options, {"--out: is missing"});
 }
 
 TEST(SeparateCommand, DoesNotReplaceItsInput) {
@@ -240,9 +241,9 @@ TEST(SeparateCommand, RefusesAMeshInsideABoneUnderTheNameOfTheMesh) {
   WriteTriangleSoup(dir + "/box.ply", Box(60, 60, 60));
   WriteTriangleSoup(dir + "/inside.ply", Icosphere(10, 2));
   SeparateOptions options = WithBox(dir, "out");
-  ExpectRefused({dir + "/inside.ply"}, options, {"inside"});
+  ExpectSeparationRefused({dir + "/inside.ply"}, options, {"inside"});
   options.remake = RemakeKind::kNever;
-  ExpectRefused(
+  ExpectSeparationRefused(
       {dir + "/inside.ply"}, options, {"cannot be separated", "--remake=auto"});
 }
 

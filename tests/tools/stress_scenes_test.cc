@@ -17,8 +17,6 @@ using Json = nlohmann::json;
 
 class StressScene : public ::testing::TestWithParam<const char*> {};
 
-}  // namespace
-
 // Made by musclewarp-phantom, deformed by musclewarp-deform, and counted again
 // by musclewarp-check.
 TEST_P(StressScene, IsCertifiedInEveryPose) {
@@ -75,4 +73,5 @@ INSTANTIATE_TEST_SUITE_P(Phantom,
                            return std::string(scene.param).substr(7);
                          });
 
+}  // namespace
 }  // namespace musclewarp

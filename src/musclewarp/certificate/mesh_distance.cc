@@ -9,12 +9,11 @@
 #include <limits>
 #include <tuple>
 
+#include "musclewarp/base/infinity.h"
 #include "musclewarp/certificate/triangle_distance_bounds.h"
 
 namespace musclewarp {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // How far the nearest pair of triangles may still be, mm: the limit, or the
 // upper bound of the nearest pair that any thread has found.

@@ -7,18 +7,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <queue>
 #include <utility>
 
+#include "musclewarp/base/infinity.h"
 #include "musclewarp/base/option_check.h"
 
 namespace musclewarp {
 namespace {
 
 using Eigen::RowVector3d;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

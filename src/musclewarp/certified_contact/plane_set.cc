@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
+#include "musclewarp/base/infinity.h"
 #include "musclewarp/geometry/half_space_projection.h"
 
 namespace musclewarp {
 namespace {
 
 using Eigen::RowVector3d;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double LowestAbove(const SeparatingPlane& plane,
                    const std::vector<Points>& points) {

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
+
+#include "musclewarp/base/infinity.h"
 
 namespace musclewarp {
 namespace {
@@ -16,7 +17,7 @@ using Eigen::RowVector3d;
 using Eigen::Vector3d;
 
 // A point that violates a half-space by less than this is inside it, mm.
-constexpr double kInside = 1e-9;
+constexpr double kInsideTolerance = 1e-9;
 
 // If the part of a unit normal that is orthogonal to others is shorter than
 // this, it is rounding error.
@@ -66,14 +67,13 @@ bool ProjectIntoHalfSpaces(const HalfSpace* spaces,
                            double farthest,
                            RowVector3d* point) {
   constexpr int kMostChanges = 60;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   ActiveSet active;
   RowVector3d moved = *point;
   const HalfSpace* worst = nullptr;
   double push = 0;  // the multiplier of the worst one
   for (int change = 0; change < kMostChanges; ++change) {
     if (!worst) {
-      double most = kInside;
+      double most = kInsideTolerance;
       for (int i = 0; i < count; ++i) {
         const double violation = spaces[i].level - spaces[i].normal.dot(moved);
         if (violation > most) {

@@ -13,10 +13,10 @@ namespace {
 
 constexpr int kMaxRays = 4;
 
-// The sides of a cell. A new array holds zeros, so kUnknown must be zero.
-constexpr char kUnknown = 0;
-constexpr char kOutside = 1;
-constexpr char kInside = 2;
+// The sides of a cell. A new array holds zeros, so kUnknownCell must be zero.
+constexpr char kUnknownCell = 0;
+constexpr char kOutsideCell = 1;
+constexpr char kInsideCell = 2;
 
 // The generator of Steele, Lea and Flood 2014, "Fast Splittable Pseudorandom
 // Number Generators". Distributions of the standard library are not used, since
@@ -85,11 +85,11 @@ bool InsideTest::Contains(const Eigen::RowVector3d& point) const {
   const int cell = grid_.EmptyCell(point);
   if (cell < 0) return RayContains(point);
   char side = cell_sides_[cell].load(std::memory_order_relaxed);
-  if (side == kUnknown) {
-    side = RayContains(point) ? kInside : kOutside;
+  if (side == kUnknownCell) {
+    side = RayContains(point) ? kInsideCell : kOutsideCell;
     cell_sides_[cell].store(side, std::memory_order_relaxed);
   }
-  return side == kInside;
+  return side == kInsideCell;
 }
 
 bool InsideTest::RayContains(const Eigen::RowVector3d& point) const {

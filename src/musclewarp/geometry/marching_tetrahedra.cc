@@ -90,9 +90,9 @@ class Border {
     if (is_new) {
       // Away from the ends, so that no triangle is without area. All shares
       // shrink alike: surfaces that meet the edge in different points still do.
-      constexpr double kMargin = 0.02;
+      constexpr double kEdgeMargin = 0.02;
       const double a = samples_.value(inside), b = samples_.value(outside);
-      const double share = kMargin + (1 - 2 * kMargin) * a / (a - b);
+      const double share = kEdgeMargin + (1 - 2 * kEdgeMargin) * a / (a - b);
       points_.push_back(from + share * (to - from));
     }
     return place->second;

@@ -3,14 +3,13 @@
 #include "musclewarp/geometry/solid_distance.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "musclewarp/base/infinity.h"
 
 namespace musclewarp {
 namespace {
 
 using Eigen::RowVector3d;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Of the samples, mm. Finer ones take longer to compute than they save.
 constexpr double kSpacing = 3;

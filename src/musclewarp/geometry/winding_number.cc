@@ -51,7 +51,7 @@ int SideOfPlane(const Corners& t, const RowVector3d& p) {
 // Returns what a triangle adds to the winding number of a closed surface,
 // counted along the ray from p towards +z: 1 where the ray leaves the surface,
 // -1 where it enters it, and 0 if it does not meet the triangle.
-int Crossing(const Corners& t, const RowVector3d& p) {
+int SignedCrossing(const Corners& t, const RowVector3d& p) {
   const int side = SideOfEdge(t.row(0), t.row(1), p);
   if (side == 0 || SideOfEdge(t.row(1), t.row(2), p) != side ||
       SideOfEdge(t.row(2), t.row(0), p) != side) {
@@ -142,7 +142,7 @@ WindingNumber::Fan WindingNumber::FanFrom(const RowVector3d& apex,
     const Corners& owner = bvh_->corners(edge.triangle);
     triangle.row(1) = owner.row(edge.corner);
     triangle.row(2) = owner.row((edge.corner + 1) % 3);
-    fan.crossings += Crossing(triangle, p);
+    fan.crossings += SignedCrossing(triangle, p);
     const SolidAngle angle = SolidAngleOf(triangle, p);
     fan.turns += angle.turns;
     fan.conditioning = std::min(fan.conditioning, angle.conditioning);
@@ -175,7 +175,7 @@ double WindingNumber::At(const RowVector3d& p) const {
                (box.lower[1] <= p[1]) & (p[1] <= box.upper[1]) &
                (p[2] <= box.upper[2]);
       },
-      [&](int f) { crossings += Crossing(bvh_->corners(f), p); });
+      [&](int f) { crossings += SignedCrossing(bvh_->corners(f), p); });
   // The mesh minus the fan is closed, and its winding number is an integer.
   const Fan fan = BorderFan(p);
   return crossings - fan.crossings + fan.turns;

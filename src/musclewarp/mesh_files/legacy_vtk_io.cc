@@ -7,16 +7,14 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh_files/binary_scalar.h"
+#include "musclewarp/mesh_files/export_advice.h"
 #include "musclewarp/mesh_files/soup_builder.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
 namespace musclewarp {
 namespace {
 
-using Words = std::vector<std::string_view>;
 using Integers = std::vector<std::int64_t>;
-
-constexpr char kExportAgain[] = "copy or export it again";
 
 class LegacyVtkReader {
  public:
@@ -62,7 +60,7 @@ class LegacyVtkReader {
   std::int64_t Count(std::size_t word, std::size_t size) const;
   [[noreturn]] void ThrowTruncated(const char* what, std::int64_t count) const;
   [[noreturn]] void ThrowDamaged(const std::string& problem) const {
-    throw InputError(cursor_.Where(), problem, kExportAgain);
+    throw InputError(cursor_.Where(), problem, kCopyAgain);
   }
 
   std::string path_;
@@ -277,9 +275,8 @@ std::string_view LegacyVtkReader::Binary(std::int64_t count,
 std::string_view LegacyVtkReader::Word(const char* what) {
   std::string_view word;
   if (!cursor_.NextWord(&word)) {
-    throw InputError(path_,
-                     "is truncated: it ends within " + std::string(what),
-                     kExportAgain);
+    throw InputError(
+        path_, "is truncated: it ends within " + std::string(what), kCopyAgain);
   }
   return word;
 }
@@ -334,7 +331,7 @@ void LegacyVtkReader::ThrowTruncated(const char* what,
                    std::string(what) + " promises " + std::to_string(count) +
                        " numbers, " + std::to_string(cursor_.bytes_left()) +
                        " bytes follow: the file is truncated",
-                   kExportAgain);
+                   kCopyAgain);
 }
 
 }  // namespace

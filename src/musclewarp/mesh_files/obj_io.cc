@@ -7,13 +7,12 @@
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh_files/export_advice.h"
 #include "musclewarp/mesh_files/soup_builder.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
 namespace musclewarp {
 namespace {
-
-using Words = std::vector<std::string_view>;
 
 // True for the statements of the format that do not concern points and faces.
 bool IsSkipped(std::string_view statement) {
@@ -42,15 +41,15 @@ bool NextStatement(TextCursor* cursor, Words* statement) {
   return true;
 }
 
-void AddPoint(const TextCursor& cursor,
-              const Words& words,
-              SoupBuilder* builder) {
+void AddObjVertex(const TextCursor& cursor,
+                  const Words& words,
+                  SoupBuilder* builder) {
   // x y z, then perhaps a weight or a colour.
   if (words.size() < 4) {
     throw InputError(cursor.Where(),
                      "has " + std::to_string(words.size() - 1) +
                          " coordinates, a vertex has 3",
-                     "export the mesh again");
+                     kExportAgain);
   }
   Eigen::Vector3d point;
   for (int i = 0; i < 3; ++i) {
@@ -80,7 +79,7 @@ std::int64_t CornerFromWord(const TextCursor& cursor,
                      "names vertex " + std::to_string(index) +
                          ", vertices count from 1, or from -1 back to -" +
                          std::to_string(num_points),
-                     "export the mesh again");
+                     kExportAgain);
   }
   return vertex;
 }
@@ -95,7 +94,7 @@ TriangleSoup ReadObj(const std::string& path, std::string_view bytes) {
   while (NextStatement(&cursor, &words)) {
     if (words.empty()) continue;
     if (words[0] == "v") {
-      AddPoint(cursor, words, &builder);
+      AddObjVertex(cursor, words, &builder);
     } else if (words[0] == "f") {
       corners.clear();
       for (std::size_t i = 1; i < words.size(); ++i) {

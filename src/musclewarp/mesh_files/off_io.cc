@@ -6,15 +6,12 @@
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh_files/export_advice.h"
 #include "musclewarp/mesh_files/soup_builder.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
 namespace musclewarp {
 namespace {
-
-using Words = std::vector<std::string_view>;
-
-constexpr char kCopyAgain[] = "copy or export it again";
 
 struct Counts {
   std::int64_t vertices;
@@ -77,12 +74,12 @@ void NextItem(const std::string& path,
   throw InputError(cursor.Where(),
                    "has " + std::to_string(seen) + " values, " +
                        std::to_string(needed) + " needed",
-                   "export the mesh again");
+                   kExportAgain);
 }
 
-void AddPoint(const TextCursor& cursor,
-              const Words& words,
-              SoupBuilder* builder) {
+void AddOffVertex(const TextCursor& cursor,
+                  const Words& words,
+                  SoupBuilder* builder) {
   if (words.size() < 3) ThrowTooFew(cursor, words.size(), 3);
   Eigen::Vector3d point;
   for (int i = 0; i < 3; ++i) point[i] = cursor.Real(words[i], "a coordinate");
@@ -111,7 +108,7 @@ TriangleSoup ReadOff(const std::string& path, std::string_view bytes) {
   Words words;
   for (std::int64_t i = 0; i < counts.vertices; ++i) {
     NextItem(path, "vertices", i, counts.vertices, &cursor, &words);
-    AddPoint(cursor, words, &builder);
+    AddOffVertex(cursor, words, &builder);
   }
   for (std::int64_t i = 0; i < counts.faces; ++i) {
     NextItem(path, "faces", i, counts.faces, &cursor, &words);

@@ -6,15 +6,12 @@
 #include <map>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh_files/export_advice.h"
 
 namespace musclewarp {
 namespace {
 
-using Words = std::vector<std::string_view>;
-
-constexpr char kExportAgain[] = "export the mesh again";
-
-ScalarType TypeFromName(const TextCursor& cursor, std::string_view name) {
+ScalarType PlyTypeFromName(const TextCursor& cursor, std::string_view name) {
   static const std::map<std::string_view, ScalarType> kTypes = {
       {"char", ScalarType::kInt8},
       {"int8", ScalarType::kInt8},
@@ -91,7 +88,7 @@ void AddProperty(const TextCursor& cursor,
                      kExportAgain);
   }
   if (property.is_list) {
-    property.count_type = TypeFromName(cursor, words[2]);
+    property.count_type = PlyTypeFromName(cursor, words[2]);
     if (!IsInteger(property.count_type)) {
       throw InputError(cursor.Where(),
                        "the length of a list is a " + Quoted(words[2]) +
@@ -99,7 +96,7 @@ void AddProperty(const TextCursor& cursor,
                        kExportAgain);
     }
   }
-  property.type = TypeFromName(cursor, words[words.size() - 2]);
+  property.type = PlyTypeFromName(cursor, words[words.size() - 2]);
   property.name = words.back();
   header->elements.back().properties.push_back(property);
 }
@@ -138,7 +135,7 @@ PlyHeader ReadPlyHeader(const std::string& path, TextCursor* cursor) {
   throw InputError(path,
                    "is truncated: it ends in the header, 'end_header' is "
                    "missing",
-                   "copy or export it again");
+                   kCopyAgain);
 }
 
 }  // namespace musclewarp

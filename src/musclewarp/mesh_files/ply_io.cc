@@ -8,14 +8,13 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh_files/binary_scalar.h"
+#include "musclewarp/mesh_files/export_advice.h"
 #include "musclewarp/mesh_files/ply_header.h"
 #include "musclewarp/mesh_files/soup_builder.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
 namespace musclewarp {
 namespace {
-
-constexpr char kCopyAgain[] = "copy or export it again";
 
 // Reads what follows the header, item by item and value by value.
 class PlyBody {
@@ -121,7 +120,7 @@ class AsciiBody : public PlyBody {
                      "has " + std::string(more_or_fewer) + " values (" +
                          std::to_string(words_.size()) +
                          ") than the properties in the header need",
-                     "export the mesh again");
+                     kExportAgain);
   }
 
   std::vector<std::string_view> words_;
@@ -149,7 +148,7 @@ std::int64_t ListLength(const std::string& path,
     throw InputError(path + ": item " + std::to_string(item),
                      "list " + Quoted(property.name) + " has the length " +
                          std::to_string(length),
-                     "export the mesh again");
+                     kExportAgain);
   }
   return length;
 }

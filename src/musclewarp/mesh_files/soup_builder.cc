@@ -6,12 +6,13 @@
 #include <limits>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh_files/export_advice.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
 namespace musclewarp {
 namespace {
 
-using Corners = Eigen::Map<const Eigen::Matrix<std::int64_t, 1, -1>>;
+using PolygonCorners = Eigen::Map<const Eigen::Matrix<std::int64_t, 1, -1>>;
 
 // Twice the area vector of the triangle.
 Eigen::Vector3d Normal(const Points& points,
@@ -28,7 +29,7 @@ Eigen::Vector3d Normal(const Points& points,
 // as a whole does, so that no triangle of a concave polygon folds over; 0 if
 // there is none. Corners beyond the first few are not tried: a fan of a polygon
 // that large is a guess in any case, and the search is quadratic.
-std::size_t FanCorner(const Points& points, const Corners& corners) {
+std::size_t FanCorner(const Points& points, const PolygonCorners& corners) {
   constexpr std::size_t kTried = 64;
   const std::size_t size = corners.size();
   Eigen::Vector3d whole = Eigen::Vector3d::Zero();
@@ -50,7 +51,7 @@ std::size_t FanCorner(const Points& points, const Corners& corners) {
 }
 
 void AppendFan(const Points& points,
-               const Corners& corners,
+               const PolygonCorners& corners,
                std::vector<int>* triangles) {
   const std::size_t size = corners.size();
   const std::size_t first = size == 3 ? 0 : FanCorner(points, corners);
@@ -61,7 +62,7 @@ void AppendFan(const Points& points,
   }
 }
 
-void AppendStrip(const Corners& corners, std::vector<int>* triangles) {
+void AppendStrip(const PolygonCorners& corners, std::vector<int>* triangles) {
   for (Eigen::Index i = 0; i + 2 < corners.size(); ++i) {
     const auto a = static_cast<int>(corners[i + i % 2]);
     const auto b = static_cast<int>(corners[i + 1 - i % 2]);
@@ -137,7 +138,7 @@ void SoupBuilder::CheckCorners() const {
                            ", the file has " + std::to_string(num_points()) +
                            " vertices, numbered from " +
                            std::to_string(first_index_),
-                       "export the mesh again");
+                       kExportAgain);
     }
   }
 }
@@ -150,7 +151,7 @@ TriangleSoup SoupBuilder::Build() const {
   triangles.reserve(3 * faces_.size());
   std::size_t begin = 0;
   for (const Face& face : faces_) {
-    const Corners corners(corners_.data() + begin, face.end - begin);
+    const PolygonCorners corners(corners_.data() + begin, face.end - begin);
     if (face.is_strip) {
       AppendStrip(corners, &triangles);
     } else {

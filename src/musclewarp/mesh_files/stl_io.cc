@@ -8,6 +8,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh_files/binary_scalar.h"
+#include "musclewarp/mesh_files/export_advice.h"
 #include "musclewarp/mesh_files/soup_builder.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
@@ -138,7 +139,7 @@ class AsciiReader {
                        "is truncated: it ends after " +
                            std::to_string(merger_.num_facets()) +
                            " facets without 'endsolid'",
-                       "copy or export it again");
+                       kCopyAgain);
     }
     return word;
   }
@@ -175,7 +176,7 @@ TriangleSoup ReadStl(const std::string& path, std::string_view bytes) {
                  : "is truncated or not an STL file: it has " +
                        std::to_string(bytes.size()) +
                        " bytes and does not start with 'solid'",
-      "copy or export it again");
+      kCopyAgain);
 }
 
 std::string StlBytes(const TriangleSoup& soup) {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh_files/export_advice.h"
 
 namespace musclewarp {
 namespace {
@@ -42,7 +43,7 @@ double BeyondRange(std::string_view word) {
   throw InputError(cursor.Where(),
                    Quoted(word) + " stands where " + what +
                        " is expected, which must be " + kind,
-                   "export the mesh again");
+                   kExportAgain);
 }
 
 }  // namespace
@@ -66,7 +67,7 @@ bool TextCursor::NextLine(std::string_view* line) {
   return true;
 }
 
-bool TextCursor::NextWords(std::vector<std::string_view>* words) {
+bool TextCursor::NextWords(Words* words) {
   words->clear();
   std::string_view line;
   while (words->empty() && NextLine(&line)) {

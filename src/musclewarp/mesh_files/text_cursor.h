@@ -10,12 +10,15 @@
 
 namespace musclewarp {
 
+// The words of a line, views into the text.
+using Words = std::vector<std::string_view>;
+
 // Walks through the text of a mesh file by lines or by words, and knows the
 // line for messages. Lines may end with LF, CR LF or CR. Numbers are read with
 // a decimal point whatever the locale.
 //
 //   TextCursor cursor(path, bytes, '#');
-//   std::vector<std::string_view> words;
+//   Words words;
 //   while (cursor.NextWords(&words)) {
 //     const double x = cursor.Real(words[0], "a coordinate");
 //     ...
@@ -32,7 +35,7 @@ class TextCursor {
 
   // Sets `words` to the words of the next line that has any outside of
   // comments. Returns false, and no words, at the end of the text.
-  bool NextWords(std::vector<std::string_view>* words);
+  bool NextWords(Words* words);
 
   // Sets `word` to the next word on this line or a later one; comments are not
   // known here. Returns false at the end of the text.

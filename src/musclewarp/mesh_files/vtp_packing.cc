@@ -12,13 +12,12 @@
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh_files/export_advice.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 #include "musclewarp/mesh_files/vtk_errors.h"
 
 namespace musclewarp {
 namespace {
-
-constexpr char kCopyAgain[] = "copy or export it again";
 
 vtkSmartPointer<vtkDataCompressor> NewCompressor(const std::string& name) {
   if (name == "vtkZLibDataCompressor") {

@@ -10,6 +10,7 @@
 
 #include "musclewarp/base/base64.h"
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh_files/export_advice.h"
 #include "musclewarp/mesh_files/soup_builder.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 #include "musclewarp/mesh_files/vtp_packing.h"
@@ -17,9 +18,6 @@
 
 namespace musclewarp {
 namespace {
-
-constexpr char kCopyAgain[] = "copy or export it again";
-constexpr std::string_view kBlanks = " \t\r\n";
 
 struct Array {
   XmlTag tag;
@@ -32,7 +30,7 @@ struct Piece {
   std::map<std::string, Array> arrays;
 };
 
-std::optional<ScalarType> TypeFromName(std::string_view name) {
+std::optional<ScalarType> VtpTypeFromName(std::string_view name) {
   static const std::map<std::string_view, ScalarType> kTypes = {
       {"Int8", ScalarType::kInt8},
       {"UInt8", ScalarType::kUInt8},
@@ -119,7 +117,7 @@ void VtpReader::CheckIsWhole() const {
   }
   constexpr std::string_view kEnd = "</VTKFile>";
   const std::string_view text =
-      bytes_.substr(0, bytes_.find_last_not_of(kBlanks) + 1);
+      bytes_.substr(0, bytes_.find_last_not_of(kXmlBlanks) + 1);
   if (text.size() < kEnd.size() ||
       text.substr(text.size() - kEnd.size()) != kEnd) {
     Throw(path_, "is truncated: it does not end with '</VTKFile>'");
@@ -197,7 +195,7 @@ void VtpReader::AddArray(const XmlTag& tag,
 
 // The data start behind an underscore.
 void VtpReader::SetAppended(const XmlTag& tag) {
-  const std::size_t underscore = bytes_.find_first_not_of(kBlanks, tag.end);
+  const std::size_t underscore = bytes_.find_first_not_of(kXmlBlanks, tag.end);
   if (underscore == std::string_view::npos || bytes_[underscore] != '_') {
     Throw(path_, "has appended data that do not start with '_'");
   }
@@ -294,7 +292,7 @@ std::vector<Value> VtpReader::Values(const Piece& piece,
   const auto found = piece.arrays.find(name);
   if (found == piece.arrays.end()) Throw(where, "is missing");
   const Array& array = found->second;
-  const auto type = TypeFromName(array.tag.Attribute("type"));
+  const auto type = VtpTypeFromName(array.tag.Attribute("type"));
   if (!type) {
     Throw(where, "type " + Quoted(array.tag.Attribute("type")) + " is unknown");
   }

@@ -5,7 +5,6 @@
 namespace musclewarp {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n";
 constexpr std::size_t kNone = std::string_view::npos;
 
 // Returns the position of the '>' that ends the tag that begins at `begin`; one
@@ -31,9 +30,9 @@ bool XmlTag::is_empty_element() const {
 }
 
 std::string_view XmlTag::Attribute(std::string_view attribute) const {
-  std::size_t at = text.find_first_of(kBlanks);
+  std::size_t at = text.find_first_of(kXmlBlanks);
   while (at != kNone) {
-    const std::size_t begin = text.find_first_not_of(kBlanks, at);
+    const std::size_t begin = text.find_first_not_of(kXmlBlanks, at);
     const std::size_t equals = text.find('=', at);
     if (begin == kNone || equals == kNone) return "";
     const std::size_t open = text.find_first_of("\"'", equals);
@@ -41,7 +40,7 @@ std::string_view XmlTag::Attribute(std::string_view attribute) const {
     const std::size_t close = text.find(text[open], open + 1);
     if (close == kNone) return "";
     const std::string_view found = text.substr(begin, equals - begin);
-    if (found.substr(0, found.find_first_of(kBlanks)) == attribute) {
+    if (found.substr(0, found.find_first_of(kXmlBlanks)) == attribute) {
       return text.substr(open + 1, close - open - 1);
     }
     at = close + 1;

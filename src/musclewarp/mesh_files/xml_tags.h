@@ -11,6 +11,9 @@ namespace musclewarp {
 // follow raw bytes, at which an XML parser gives up. All texts below are views
 // into the file.
 
+// What stands between attributes, and around numbers and data.
+constexpr std::string_view kXmlBlanks = " \t\r\n";
+
 // A tag: <Piece NumberOfPoints="3">, </Piece>, or <Verts/>.
 struct XmlTag {
   // What stands between the angle brackets.

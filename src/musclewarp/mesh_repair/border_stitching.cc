@@ -15,7 +15,7 @@
 namespace musclewarp {
 namespace {
 
-using Corners = std::array<int, 3>;
+using CornerPoints = std::array<int, 3>;
 
 // A consistently oriented soup that is being stitched: every directed edge has
 // at most one triangle, and on a border the opposite edge has none.
@@ -54,7 +54,7 @@ class Borders {
   void Link(int f);
   void Unlink(int f);
 
-  std::vector<Corners> triangles_;
+  std::vector<CornerPoints> triangles_;
   std::vector<std::vector<int>> triangles_of_point_;
   std::unordered_map<uint64_t, int> triangle_of_edge_;
 };
@@ -89,7 +89,7 @@ void Borders::Unlink(int f) {
 
 std::vector<std::array<int, 2>> Borders::Edges() const {
   std::vector<std::array<int, 2>> edges;
-  for (const Corners& corners : triangles_) {
+  for (const CornerPoints& corners : triangles_) {
     for (int c = 0; c < 3; ++c) {
       const int a = corners[c];
       const int b = corners[(c + 1) % 3];
@@ -102,7 +102,7 @@ std::vector<std::array<int, 2>> Borders::Edges() const {
 
 bool Borders::IsOnBorder(int v) const {
   for (const int f : triangles_of_point_[v]) {
-    const Corners& corners = triangles_[f];
+    const CornerPoints& corners = triangles_[f];
     const int c =
         std::find(corners.begin(), corners.end(), v) - corners.begin();
     if (!HasDirectedEdge(corners[(c + 1) % 3], v)) return true;
@@ -112,7 +112,7 @@ bool Borders::IsOnBorder(int v) const {
 
 bool Borders::Merge(int from, int to) {
   for (const int f : triangles_of_point_[from]) {
-    const Corners& corners = triangles_[f];
+    const CornerPoints& corners = triangles_[f];
     const int c =
         std::find(corners.begin(), corners.end(), from) - corners.begin();
     const int next = corners[(c + 1) % 3];
@@ -122,7 +122,7 @@ bool Borders::Merge(int from, int to) {
     // Two triangles back to back would enclose nothing.
     const auto opposite = triangle_of_edge_.find(Key(last, next));
     if (opposite != triangle_of_edge_.end()) {
-      const Corners& other = triangles_[opposite->second];
+      const CornerPoints& other = triangles_[opposite->second];
       if (std::find(other.begin(), other.end(), to) != other.end()) {
         return false;
       }
@@ -140,7 +140,7 @@ bool Borders::Merge(int from, int to) {
 bool Borders::Insert(int v, int a, int b) {
   if (!IsBorderEdge(a, b)) return false;
   const int f = triangle_of_edge_.at(Key(a, b));
-  const Corners corners = triangles_[f];
+  const CornerPoints corners = triangles_[f];
   int c = corners[0];
   for (const int corner : corners) {
     if (corner != a && corner != b) c = corner;
@@ -151,9 +151,9 @@ bool Borders::Insert(int v, int a, int b) {
     return false;
   }
   Unlink(f);
-  Corners first = corners;
+  CornerPoints first = corners;
   std::replace(first.begin(), first.end(), b, v);
-  Corners second = corners;
+  CornerPoints second = corners;
   std::replace(second.begin(), second.end(), a, v);
   triangles_[f] = first;
   Link(f);

@@ -7,19 +7,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "musclewarp/base/infinity.h"
 #include "musclewarp/base/invalid_option.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Edges = std::set<std::pair<int, int>>;  // lower, higher point
 

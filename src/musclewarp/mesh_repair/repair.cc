@@ -19,7 +19,7 @@
 namespace musclewarp {
 namespace {
 
-std::string At(const Eigen::RowVector3d& point) {
+std::string PlaceText(const Eigen::RowVector3d& point) {
   std::ostringstream text;
   text.precision(5);
   text << "(" << point.x() << ", " << point.y() << ", " << point.z() << ")";
@@ -85,11 +85,12 @@ void PullApartUntilClear(TriangleSoup* soup, RepairReport* report) {
 
 void CheckTwoSided(const Flips& flips, const std::string& name) {
   if (flips.conflicts == 0) return;
-  throw InputError(
-      name,
-      "the surface has one side only (" + std::to_string(flips.conflicts) +
-          " edges contradict each other, one at " + At(flips.conflict) + ")",
-      "cut the twisted strip out of the mesh");
+  throw InputError(name,
+                   "the surface has one side only (" +
+                       std::to_string(flips.conflicts) +
+                       " edges contradict each other, one at " +
+                       PlaceText(flips.conflict) + ")",
+                   "cut the twisted strip out of the mesh");
 }
 
 void CheckClosed(const TriangleSoup& soup,
@@ -106,7 +107,7 @@ void CheckClosed(const TriangleSoup& soup,
   std::ostringstream problem;
   problem << std::fixed << std::setprecision(1) << "an open border of "
           << longest.size() << " edges, " << LoopLength(longest, soup.points)
-          << " mm long, around " << At(centre) << " remains";
+          << " mm long, around " << PlaceText(centre) << " remains";
   if (loops.size() > 1) problem << " and " << loops.size() - 1 << " smaller";
   problem << "; allowed: holes of up to " << limits.max_perimeter
           << " mm or narrow slits of any length, with up to "

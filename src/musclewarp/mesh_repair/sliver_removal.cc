@@ -24,7 +24,7 @@ using Face = Mesh::FaceHandle;
 using HalfEdge = Mesh::HalfedgeHandle;
 using Vertex = Mesh::VertexHandle;
 
-RowVector3d At(const Mesh& mesh, Vertex v) {
+RowVector3d PointOf(const Mesh& mesh, Vertex v) {
   return Eigen::Map<const RowVector3d>(mesh.point(v).data());
 }
 
@@ -96,9 +96,10 @@ class SliverRemover {
   }
 
   Triangle TriangleOf(HalfEdge h) const {
-    return {At(mesh_, mesh_.from_vertex_handle(h)),
-            At(mesh_, mesh_.to_vertex_handle(h)),
-            At(mesh_, mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h)))};
+    return {
+        PointOf(mesh_, mesh_.from_vertex_handle(h)),
+        PointOf(mesh_, mesh_.to_vertex_handle(h)),
+        PointOf(mesh_, mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h)))};
   }
   Triangle TriangleOf(Face f) const {
     return TriangleOf(mesh_.halfedge_handle(f));
@@ -143,8 +144,8 @@ class SliverRemover {
     for (const HalfEdge h : mesh_.fh_range(f)) {
       if (IsLocked(h)) continue;
       if (mesh_.is_collapse_ok(h)) {
-        const RowVector3d from = At(mesh_, mesh_.from_vertex_handle(h));
-        const RowVector3d to = At(mesh_, mesh_.to_vertex_handle(h));
+        const RowVector3d from = PointOf(mesh_, mesh_.from_vertex_handle(h));
+        const RowVector3d to = PointOf(mesh_, mesh_.to_vertex_handle(h));
         // The ends are tried first, so that points that stay keep their place.
         for (const RowVector3d& place :
              {to, from, RowVector3d((from + to) / 2)}) {
@@ -263,7 +264,7 @@ TriangleSoup LeftOf(const Mesh& mesh) {
   TriangleSoup soup;
   soup.points.resize(mesh.n_vertices(), 3);
   for (const auto v : mesh.all_vertices())
-    soup.points.row(v.idx()) = At(mesh, v);
+    soup.points.row(v.idx()) = PointOf(mesh, v);
   soup.triangles.resize(mesh.n_faces(), 3);
   int kept = 0;
   for (const Face f : mesh.faces()) {

@@ -11,8 +11,6 @@
 namespace musclewarp {
 namespace {
 
-constexpr double kMillimetres = 1000;  // in a metre
-
 // The axes of the joints that have no SpatialTransform of their own, in the
 // order of their coordinates: "rz" turns about z, "tx" moves along x.
 const std::map<std::string, std::vector<std::string>>& AxesOfJoints() {
@@ -80,7 +78,7 @@ void SetKnownAxes(const OsimXml& xml,
         name,
         turns ? CoordinateKind::kRotational : CoordinateKind::kTranslational,
         model)};
-    axis.function = MakeLinear({turns ? 1 : kMillimetres, 0});
+    axis.function = MakeLinear({turns ? 1 : kMillimetresPerMetre, 0});
   }
 }
 
@@ -115,7 +113,8 @@ void SetAxis(const OsimXml& xml,
     return;
   }
   if (!turns) {
-    axis->function = MakeMultiplier(kMillimetres, std::move(axis->function));
+    axis->function =
+        MakeMultiplier(kMillimetresPerMetre, std::move(axis->function));
   }
   std::string names = xml.Text(node.child("coordinates"));
   size_t begin = 0;

@@ -20,6 +20,9 @@ namespace musclewarp {
 //   const CoordinateValues values = DefaultValues(model);
 //   const auto ground_from_body = BodyFrames(model, values);
 
+// Files have metres.
+constexpr double kMillimetresPerMetre = 1000;
+
 // What a coordinate measures, which decides about its unit.
 enum class CoordinateKind {
   kRotational,     // an angle, which tables may give in degrees

@@ -7,8 +7,7 @@
 namespace musclewarp {
 namespace {
 
-constexpr double kMillimetres = 1000;  // in a metre
-constexpr int kDeepest = 100;          // more frames on each other are a cycle
+constexpr int kDeepest = 100;  // more frames on each other are a cycle
 
 // Returns the name of the component to which a frame belongs, that of the
 // nearest element above it that has a name.
@@ -38,7 +37,7 @@ Eigen::Matrix4d OffsetTransform(const Eigen::Vector3d& translation_m,
        AngleAxisd(orientation[1], Vector3d::UnitY()) *
        AngleAxisd(orientation[2], Vector3d::UnitZ()))
           .toRotationMatrix();
-  transform.topRightCorner<3, 1>() = kMillimetres * translation_m;
+  transform.topRightCorner<3, 1>() = kMillimetresPerMetre * translation_m;
   return transform;
 }
 

@@ -10,8 +10,6 @@
 namespace musclewarp {
 namespace {
 
-constexpr double kMillimetres = 1000;  // in a metre
-
 // Returns the child with the name of OpenSim 3 if there is one, else that with
 // the name of OpenSim 4.
 pugi::xml_node EitherChild(const OsimXml& xml,
@@ -72,7 +70,7 @@ bool ReadMovement(const OsimXml& xml,
     }
     const bool needs_coordinate = function->Arity() > 0;
     point->moving_functions[i] =
-        MakeMultiplier(kMillimetres, std::move(function));
+        MakeMultiplier(kMillimetresPerMetre, std::move(function));
     if (!needs_coordinate) continue;
     point->moving_coordinates[i] =
         CoordinateOf(xml,
@@ -110,7 +108,8 @@ PathPoint ReadPoint(const OsimXml& xml,
   }
   xml.Child(node, "location");
   const Eigen::Vector3d location =
-      kMillimetres * xml.Vector(node, "location", Eigen::Vector3d::Zero());
+      kMillimetresPerMetre *
+      xml.Vector(node, "location", Eigen::Vector3d::Zero());
   point.location = (frame.body_from_frame * location.homogeneous()).head<3>();
   return point;
 }

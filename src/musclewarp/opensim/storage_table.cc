@@ -18,8 +18,6 @@ namespace {
 
 constexpr char kTime[] = "time";
 
-using Words = std::vector<std::string_view>;
-
 std::string_view Trimmed(std::string_view text) {
   const auto begin = text.find_first_not_of(" \t");
   if (begin == std::string_view::npos) return {};

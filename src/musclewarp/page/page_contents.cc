@@ -16,7 +16,7 @@
 namespace musclewarp {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // The step to which gaps are rounded, mm; the largest gap is 100 steps.
 constexpr double kGapStep = kGapLimit / 100;
@@ -38,10 +38,11 @@ double RoundingStep(const RecordedRun& run) {
 
 // Returns polylines, one after the other; each has the same number of points in
 // all poses.
-Json PolylinesJson(const std::vector<std::vector<const Points*>>& by_pose,
-                   double step,
-                   PackedNumbers* packed) {
-  Json counts = Json::array();
+OrderedJson PolylinesJson(
+    const std::vector<std::vector<const Points*>>& by_pose,
+    double step,
+    PackedNumbers* packed) {
+  OrderedJson counts = OrderedJson::array();
   int points = 0;
   for (const Points* line : by_pose[0]) {
     counts.push_back(line->rows());
@@ -55,9 +56,9 @@ Json PolylinesJson(const std::vector<std::vector<const Points*>>& by_pose,
           {"poses", packed->Add(rounded, std::max(1, 3 * points))}};
 }
 
-Json MuscleJson(const RecordedMuscle& muscle,
-                double step,
-                PackedNumbers* packed) {
+OrderedJson MuscleJson(const RecordedMuscle& muscle,
+                       double step,
+                       PackedNumbers* packed) {
   std::vector<int> positions, gaps;
   std::vector<std::vector<const Points*>> lines, fibres;
   for (std::size_t pose = 0; pose < muscle.points.size(); ++pose) {
@@ -77,12 +78,12 @@ Json MuscleJson(const RecordedMuscle& muscle,
       fibres.back().push_back(&fibre);
     }
   }
-  Json names = Json::array();
+  OrderedJson names = OrderedJson::array();
   for (const NamedLine& line : muscle.lines[0].lines) {
     names.push_back(line.name);
   }
   const int vertices = static_cast<int>(muscle.points[0].rows());
-  Json line_json = PolylinesJson(lines, step, packed);
+  OrderedJson line_json = PolylinesJson(lines, step, packed);
   line_json["names"] = names;
   return {{"name", muscle.name},
           {"vertices", vertices},
@@ -93,16 +94,16 @@ Json MuscleJson(const RecordedMuscle& muscle,
           {"fibres", PolylinesJson(fibres, step, packed)}};
 }
 
-Json BoneJson(const RecordedBone& bone,
-              double step,
-              const PageOptions& options,
-              PackedNumbers* packed) {
+OrderedJson BoneJson(const RecordedBone& bone,
+                     double step,
+                     const PageOptions& options,
+                     PackedNumbers* packed) {
   const ViewMesh view = ViewMeshOf(bone.rest, options.max_bone_triangles);
   std::vector<int> positions;
   AppendRounded(view.soup.points, step, &positions);
-  Json poses = Json::array();
+  OrderedJson poses = OrderedJson::array();
   for (const Eigen::Matrix4d& motion : bone.from_rest) {
-    Json rows = Json::array();
+    OrderedJson rows = OrderedJson::array();
     for (int i = 0; i < 12; ++i) rows.push_back(motion(i / 4, i % 4));
     poses.push_back(rows);
   }
@@ -117,22 +118,22 @@ Json BoneJson(const RecordedBone& bone,
 
 // Returns what crosses, by pose. Triangles of bones are left out, because the
 // page shows simplified bones with other triangles.
-Json CrossingsJson(const RecordedRun& run, PackedNumbers* packed) {
+OrderedJson CrossingsJson(const RecordedRun& run, PackedNumbers* packed) {
   const auto is_muscle = [&](const std::string& name) {
     return std::any_of(run.muscles.begin(),
                        run.muscles.end(),
                        [&](const auto& muscle) { return muscle.name == name; });
   };
-  Json poses = Json::array();
+  OrderedJson poses = OrderedJson::array();
   for (const SceneIntersections& intersections : run.intersections) {
-    Json pairs = Json::array();
+    OrderedJson pairs = OrderedJson::array();
     for (const PairIntersection& pair : intersections.pairs) {
-      Json json = {{"a", pair.a},
-                   {"b", pair.b},
-                   {"triangle_pairs", pair.triangle_pairs},
-                   {"vertices_inside", pair.vertices_inside},
-                   {"max_depth_mm", pair.max_depth_mm},
-                   {"a_triangles", packed->Add(pair.triangles_of_a, 1)}};
+      OrderedJson json = {{"a", pair.a},
+                          {"b", pair.b},
+                          {"triangle_pairs", pair.triangle_pairs},
+                          {"vertices_inside", pair.vertices_inside},
+                          {"max_depth_mm", pair.max_depth_mm},
+                          {"a_triangles", packed->Add(pair.triangles_of_a, 1)}};
       if (is_muscle(pair.b)) {
         json["b_triangles"] = packed->Add(pair.triangles_of_b, 1);
       }
@@ -145,11 +146,11 @@ Json CrossingsJson(const RecordedRun& run, PackedNumbers* packed) {
 
 // Returns the moment arms of the lines that muscles carry, over the frames, in
 // mm (mm/m for a translation), if a single coordinate moves; otherwise null.
-Json CarriedMomentArmsJson(const RecordedRun& run) {
-  const Json motion = run.report.value("motion", Json());
+OrderedJson CarriedMomentArmsJson(const RecordedRun& run) {
+  const OrderedJson motion = run.report.value("motion", OrderedJson());
   if (motion.is_null()) return nullptr;
-  std::vector<Json> moving;
-  for (const Json& coordinate : motion.at("coordinates")) {
+  std::vector<OrderedJson> moving;
+  for (const OrderedJson& coordinate : motion.at("coordinates")) {
     if (coordinate.at("moves").get<bool>()) moving.push_back(coordinate);
   }
   if (moving.size() != 1 || run.frames.size() < 2) return nullptr;
@@ -161,7 +162,7 @@ Json CarriedMomentArmsJson(const RecordedRun& run) {
     if (value == frame.coordinates.end()) return nullptr;
     values.push_back(unit * value->second);
   }
-  Json arms;
+  OrderedJson arms;
   for (std::size_t m = 0; m < run.frames[0].muscles.size(); ++m) {
     const MuscleRecord& muscle = run.frames[0].muscles[m];
     for (const auto& item : muscle.line_lengths_mm) {
@@ -193,22 +194,22 @@ std::vector<std::string> Labels(const std::vector<RecordedRun>& runs) {
   return labels;
 }
 
-Json RunJson(const RecordedRun& run,
-             const std::string& label,
-             const PageOptions& options,
-             PackedNumbers* packed) {
+OrderedJson RunJson(const RecordedRun& run,
+                    const std::string& label,
+                    const PageOptions& options,
+                    PackedNumbers* packed) {
   const double step = RoundingStep(run);
-  Json frames = Json::array();
+  OrderedJson frames = OrderedJson::array();
   for (const FrameRecord& frame : run.frames) frames.push_back(ToJson(frame));
-  Json muscles = Json::array();
+  OrderedJson muscles = OrderedJson::array();
   for (const RecordedMuscle& muscle : run.muscles) {
     muscles.push_back(MuscleJson(muscle, step, packed));
   }
-  Json bones = Json::array();
+  OrderedJson bones = OrderedJson::array();
   for (const RecordedBone& bone : run.bones) {
     bones.push_back(BoneJson(bone, step, options, packed));
   }
-  Json report = run.report;
+  OrderedJson report = run.report;
   report.erase("frames");
   return {{"folder", label},
           {"report", report},
@@ -223,17 +224,17 @@ Json RunJson(const RecordedRun& run,
           {"warnings", run.warnings}};
 }
 
-Json ToJson(const Eigen::Vector3d& vector) {
+OrderedJson ToJson(const Eigen::Vector3d& vector) {
   return {vector[0], vector[1], vector[2]};
 }
 
-Json ViewsJson(const RecordedRun& run, const PageOptions& options) {
+OrderedJson ViewsJson(const RecordedRun& run, const PageOptions& options) {
   const auto chosen = [&](const std::string& option, const char* key) {
     return option.empty() ? run.report.at(key).get<std::string>() : option;
   };
   const std::string axes = chosen(options.axes, "axes");
   const std::string side = chosen(options.side, "side");
-  Json views;
+  OrderedJson views;
   for (const char* name :
        {"anterior", "posterior", "lateral", "medial", "superior", "inferior"}) {
     const View view = ParseView(name, axes, side);
@@ -250,7 +251,7 @@ PageContents PageContentsOf(const std::vector<RecordedRun>& runs,
   PackedNumbers packed;
   PageContents contents;
   contents.json = {{"views", ViewsJson(runs.at(0), options)},
-                   {"runs", Json::array()}};
+                   {"runs", OrderedJson::array()}};
   const std::vector<std::string> labels = Labels(runs);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     contents.json["runs"].push_back(

@@ -11,19 +11,20 @@
 namespace musclewarp::phantom {
 namespace {
 
-constexpr int kSamplesPerSpan = 4;
+constexpr int kSamplesPerOutlineSpan = 4;
 
 }  // namespace
 
 Outline::Outline(const std::vector<Eigen::Vector2d>& controls) {
   CHECK_GE(controls.size(), 3u);
   std::vector<Eigen::Vector2d> curve =
-      SampleCatmullRom(controls, kSamplesPerSpan, true);
+      SampleCatmullRom(controls, kSamplesPerOutlineSpan, true);
   curve.push_back(curve.front());
-  for (size_t first = 0; first + 1 < curve.size(); first += kSamplesPerSpan) {
+  for (size_t first = 0; first + 1 < curve.size();
+       first += kSamplesPerOutlineSpan) {
     Span span;
     span.points.assign(curve.begin() + first,
-                       curve.begin() + first + kSamplesPerSpan + 1);
+                       curve.begin() + first + kSamplesPerOutlineSpan + 1);
     for (const Eigen::Vector2d& p : span.points) span.box.extend(p);
     spans_.push_back(span);
   }

@@ -15,11 +15,11 @@
 namespace musclewarp::phantom {
 namespace {
 
-constexpr int kSamplesPerSpan = 5;
+constexpr int kSamplesPerSweepSpan = 5;
 
 // At larger distances from a part of a shape, mm, a lower bound of the distance
 // is sufficient, because no smooth operator reaches that far.
-constexpr double kFar = 16;
+constexpr double kFarFromSweep = 16;
 
 // Mixes the bits of a lattice point and a seed (constants of the 32-bit
 // finalizer of MurmurHash3, public domain).
@@ -58,13 +58,13 @@ double ValueNoise(const Eigen::Vector3d& p, uint32_t seed) {
 }
 
 // A part of a sweep: nodes are centre and radius.
-struct Span {
+struct SweepSpan {
   std::vector<Eigen::Vector4d> nodes;
   Eigen::AlignedBox3d centres;
   double largest_radius = 0;
 };
 
-double DistanceToSpan(const Span& span, const Eigen::Vector3d& p) {
+double DistanceToSweepSpan(const SweepSpan& span, const Eigen::Vector3d& p) {
   double distance = std::numeric_limits<double>::infinity();
   for (size_t i = 0; i + 1 < span.nodes.size(); ++i) {
     const Eigen::Vector4d step = span.nodes[i + 1] - span.nodes[i];
@@ -124,13 +124,14 @@ Field Sweep(const std::vector<SweepNode>& nodes) {
     controls.emplace_back(
         node.centre.x(), node.centre.y(), node.centre.z(), node.radius);
   }
-  std::vector<Span> spans;
+  std::vector<SweepSpan> spans;
   const std::vector<Eigen::Vector4d> curve =
-      SampleCatmullRom(controls, kSamplesPerSpan, false);
-  for (size_t first = 0; first + 1 < curve.size(); first += kSamplesPerSpan) {
-    Span span;
+      SampleCatmullRom(controls, kSamplesPerSweepSpan, false);
+  for (size_t first = 0; first + 1 < curve.size();
+       first += kSamplesPerSweepSpan) {
+    SweepSpan span;
     span.nodes.assign(curve.begin() + first,
-                      curve.begin() + first + kSamplesPerSpan + 1);
+                      curve.begin() + first + kSamplesPerSweepSpan + 1);
     for (const Eigen::Vector4d& node : span.nodes) {
       span.centres.extend(node.head<3>());
       span.largest_radius = std::max(span.largest_radius, node[3]);
@@ -139,12 +140,13 @@ Field Sweep(const std::vector<SweepNode>& nodes) {
   }
   return [spans](const Eigen::Vector3d& p) {
     double distance = std::numeric_limits<double>::infinity();
-    for (const Span& span : spans) {
+    for (const SweepSpan& span : spans) {
       const double least =
           span.centres.exteriorDistance(p) - span.largest_radius;
       if (least >= distance) continue;
-      distance =
-          std::min(distance, least > kFar ? least : DistanceToSpan(span, p));
+      distance = std::min(
+          distance,
+          least > kFarFromSweep ? least : DistanceToSweepSpan(span, p));
     }
     return distance;
   };

@@ -65,12 +65,12 @@ std::map<std::string, Eigen::Matrix4d> ByBody(
 bool CanFollow(const ActionLine& line,
                const std::vector<RandomBone>& bones,
                const std::vector<Eigen::Matrix4d>& transforms) {
-  constexpr double kShortest = 0.6;
-  constexpr double kLongest = 1.5;
+  constexpr double kLeastRatio = 0.6;
+  constexpr double kLargestRatio = 1.5;
   constexpr double kDeepest = 6;  // mm
   const Points moved = MovedLine(line, ByBody(bones, transforms));
   const double ratio = LengthOf(moved) / LengthOf(line.rest);
-  if (ratio < kShortest || ratio > kLongest) return false;
+  if (ratio < kLeastRatio || ratio > kLargestRatio) return false;
   for (size_t b = 0; b < bones.size(); ++b) {
     const Eigen::Matrix4d rest_from_target = transforms[b].inverse();
     for (Eigen::Index i = 0; i < moved.rows(); ++i) {
@@ -86,7 +86,7 @@ bool CanFollow(const ActionLine& line,
 bool IsPossible(const std::vector<RandomBone>& bones,
                 const std::vector<RandomMuscle>& muscles,
                 const std::vector<JointTurn>& turns) {
-  constexpr double kLeastDistance = 0.5;  // mm between bones
+  constexpr double kLeastBoneGap = 0.5;  // mm between bones
   constexpr int kSteps = 6;
   for (int step = kSteps; step > 0; --step) {
     const std::vector<Eigen::Matrix4d> transforms =
@@ -96,7 +96,7 @@ bool IsPossible(const std::vector<RandomBone>& bones,
         if (!CanFollow(line, bones, transforms)) return false;
       }
     }
-    if (LeastBoneDistance(bones, transforms) < kLeastDistance) return false;
+    if (LeastBoneDistance(bones, transforms) < kLeastBoneGap) return false;
   }
   return true;
 }

@@ -13,10 +13,10 @@ namespace musclewarp::phantom {
 namespace {
 
 // Edges of the polyline between two nodes.
-constexpr int kSamplesPerSpan = 2;
+constexpr int kSamplesPerStrapSpan = 2;
 
 // Farther away than this, mm, a lower bound replaces the distance.
-constexpr double kFar = 30;
+constexpr double kFarFromStrap = 30;
 
 // How much thinner the strap is at its edges, as a share of its thickness.
 constexpr double kEdgeLoss = 0.4;
@@ -24,7 +24,7 @@ constexpr double kEdgeLoss = 0.4;
 // Centre, half width times `across`, and half thickness of a cross section.
 using Section = Eigen::Matrix<double, 7, 1>;
 
-struct Span {
+struct StrapSpan {
   std::vector<Section> sections;
   // Contains the ruled surface.
   Eigen::AlignedBox3d box;
@@ -59,7 +59,7 @@ double DistanceToPiece(const Section& start,
          section[6] * (1 - kEdgeLoss * u * u);
 }
 
-double DistanceToSpan(const Span& span, const Eigen::Vector3d& p) {
+double DistanceToStrapSpan(const StrapSpan& span, const Eigen::Vector3d& p) {
   double distance = std::numeric_limits<double>::infinity();
   for (size_t i = 0; i + 1 < span.sections.size(); ++i) {
     distance = std::min(
@@ -68,7 +68,7 @@ double DistanceToSpan(const Span& span, const Eigen::Vector3d& p) {
   return distance;
 }
 
-std::vector<Span> SpansOf(const std::vector<StrapNode>& nodes) {
+std::vector<StrapSpan> SpansOf(const std::vector<StrapNode>& nodes) {
   CHECK_GE(nodes.size(), 2u);
   std::vector<Section> controls;
   for (const StrapNode& node : nodes) {
@@ -77,12 +77,13 @@ std::vector<Span> SpansOf(const std::vector<StrapNode>& nodes) {
     controls.push_back(section);
   }
   const std::vector<Section> curve =
-      SampleCatmullRom(controls, kSamplesPerSpan, false);
-  std::vector<Span> spans;
-  for (size_t first = 0; first + 1 < curve.size(); first += kSamplesPerSpan) {
-    Span span;
+      SampleCatmullRom(controls, kSamplesPerStrapSpan, false);
+  std::vector<StrapSpan> spans;
+  for (size_t first = 0; first + 1 < curve.size();
+       first += kSamplesPerStrapSpan) {
+    StrapSpan span;
     span.sections.assign(curve.begin() + first,
-                         curve.begin() + first + kSamplesPerSpan + 1);
+                         curve.begin() + first + kSamplesPerStrapSpan + 1);
     for (const Section& section : span.sections) {
       span.box.extend(section.head<3>() + section.segment<3>(3));
       span.box.extend(section.head<3>() - section.segment<3>(3));
@@ -99,7 +100,7 @@ Field Strap(const std::vector<StrapNode>& nodes) {
   return [spans = SpansOf(nodes)](const Eigen::Vector3d& p) {
     // The span with the nearest box goes first: it is likely the nearest span,
     // and then most others need not be looked at.
-    const auto least = [&](const Span& span) {
+    const auto least = [&](const StrapSpan& span) {
       return span.box.exteriorDistance(p) - span.largest_thickness;
     };
     size_t first = 0;
@@ -109,11 +110,11 @@ Field Strap(const std::vector<StrapNode>& nodes) {
       least_of_all = least(spans[i]);
       first = i;
     }
-    if (least_of_all > kFar) return least_of_all;
-    double distance = DistanceToSpan(spans[first], p);
+    if (least_of_all > kFarFromStrap) return least_of_all;
+    double distance = DistanceToStrapSpan(spans[first], p);
     for (size_t i = 0; i < spans.size(); ++i) {
       if (i == first || least(spans[i]) >= distance) continue;
-      distance = std::min(distance, DistanceToSpan(spans[i], p));
+      distance = std::min(distance, DistanceToStrapSpan(spans[i], p));
     }
     return distance;
   };
@@ -122,7 +123,7 @@ Field Strap(const std::vector<StrapNode>& nodes) {
 Eigen::AlignedBox3d StrapBox(const std::vector<StrapNode>& nodes,
                              double margin) {
   Eigen::AlignedBox3d box;
-  for (const Span& span : SpansOf(nodes)) {
+  for (const StrapSpan& span : SpansOf(nodes)) {
     const Eigen::Vector3d room =
         Eigen::Vector3d::Constant(span.largest_thickness + margin);
     box.extend(span.box.min() - room);

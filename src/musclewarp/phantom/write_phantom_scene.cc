@@ -12,24 +12,24 @@
 namespace musclewarp {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json JsonOf(
+OrderedJson JsonOf(
     const Eigen::Ref<
         const Eigen::
             Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>&
         rows) {
-  Json json = Json::array();
+  OrderedJson json = OrderedJson::array();
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    Json row = Json::array();
+    OrderedJson row = OrderedJson::array();
     for (Eigen::Index j = 0; j < rows.cols(); ++j) row.push_back(rows(i, j));
     json.push_back(row);
   }
   return json;
 }
 
-Json JsonOf(const SceneMuscle& muscle) {
-  Json json;
+OrderedJson JsonOf(const SceneMuscle& muscle) {
+  OrderedJson json;
   json["name"] = muscle.name;
   json["mesh"] = muscle.mesh_path;
   for (const ActionLine& line : muscle.lines) {
@@ -45,8 +45,8 @@ Json JsonOf(const SceneMuscle& muscle) {
   return json;
 }
 
-Json JsonOf(const ScenePose& pose) {
-  Json json;
+OrderedJson JsonOf(const ScenePose& pose) {
+  OrderedJson json;
   json["name"] = pose.name;
   json["time"] = pose.time;
   for (const auto& [body, matrix] : pose.bodies) {
@@ -58,8 +58,8 @@ Json JsonOf(const ScenePose& pose) {
   return json;
 }
 
-Json JsonOf(const Scene& scene) {
-  Json json;
+OrderedJson JsonOf(const Scene& scene) {
+  OrderedJson json;
   json["name"] = scene.name;
   json["units"] = "mm";
   json["axes"] = scene.axes;
@@ -79,12 +79,12 @@ Json JsonOf(const Scene& scene) {
 
 // Returns the scene with its poses and lines taken from an OpenSim model and
 // motion.
-Json MotionJsonOf(const Scene& scene) {
-  Json json = JsonOf(scene);
+OrderedJson MotionJsonOf(const Scene& scene) {
+  OrderedJson json = JsonOf(scene);
   json.erase("poses");
   json["name"] = scene.name + "_motion";
-  for (Json& muscle : json["muscles"]) {
-    for (Json& line : muscle["lines"]) line = Json(line["name"]);
+  for (OrderedJson& muscle : json["muscles"]) {
+    for (OrderedJson& line : muscle["lines"]) line = OrderedJson(line["name"]);
   }
   json["model"] = scene.name + ".osim";
   json["motion"] = scene.name + ".mot";
@@ -93,9 +93,11 @@ Json MotionJsonOf(const Scene& scene) {
 
 // Writes JSON like dump(), but keeps a list of plain values on one line, so
 // that each point has a line.
-void Print(const Json& json, const std::string& indent, std::string* text) {
+void Print(const OrderedJson& json,
+           const std::string& indent,
+           std::string* text) {
   bool is_plain = true;
-  for (const Json& child : json) is_plain &= child.is_primitive();
+  for (const OrderedJson& child : json) is_plain &= child.is_primitive();
   if (json.is_primitive() || (json.is_array() && is_plain)) {
     *text += json.dump();
     return;
@@ -105,7 +107,7 @@ void Print(const Json& json, const std::string& indent, std::string* text) {
   *text += json.is_array() ? "[" : "{";
   for (const auto& item : json.items()) {
     *text += separator + inner;
-    if (json.is_object()) *text += Json(item.key()).dump() + ": ";
+    if (json.is_object()) *text += OrderedJson(item.key()).dump() + ": ";
     Print(item.value(), inner, text);
     separator = ",\n";
   }

@@ -11,7 +11,7 @@
 namespace musclewarp {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 MuscleRecord RecordOf(const MuscleModel& model, const MuscleFrame& frame) {
   MuscleRecord record;
@@ -44,7 +44,7 @@ MuscleRecord RecordOf(const MuscleModel& model, const MuscleFrame& frame) {
   return record;
 }
 
-Json ToJson(const MuscleRecord& record) {
+OrderedJson ToJson(const MuscleRecord& record) {
   return {{"name", record.name},
           {"volume_mm3", record.volume_mm3},
           {"volume_ratio", record.volume_ratio},
@@ -68,7 +68,7 @@ Json ToJson(const MuscleRecord& record) {
           {"fibre_lengths_mm", record.fibre_lengths_mm}};
 }
 
-MuscleRecord MuscleRecordFromJson(const Json& json) {
+MuscleRecord MuscleRecordFromJson(const OrderedJson& json) {
   MuscleRecord record;
   json.at("name").get_to(record.name);
   json.at("volume_mm3").get_to(record.volume_mm3);
@@ -97,8 +97,8 @@ MuscleRecord MuscleRecordFromJson(const Json& json) {
   return record;
 }
 
-Json ToJson(const std::vector<MeshGap>& gaps) {
-  Json list = Json::array();
+OrderedJson ToJson(const std::vector<MeshGap>& gaps) {
+  OrderedJson list = OrderedJson::array();
   for (const MeshGap& gap : gaps) {
     list.push_back({{"a", gap.a},
                     {"b", gap.b},
@@ -109,9 +109,9 @@ Json ToJson(const std::vector<MeshGap>& gaps) {
   return list;
 }
 
-std::vector<MeshGap> GapsFromJson(const Json& json) {
+std::vector<MeshGap> GapsFromJson(const OrderedJson& json) {
   std::vector<MeshGap> gaps;
-  for (const Json& item : json) {
+  for (const OrderedJson& item : json) {
     MeshGap gap;
     item.at("a").get_to(gap.a);
     item.at("b").get_to(gap.b);
@@ -123,14 +123,14 @@ std::vector<MeshGap> GapsFromJson(const Json& json) {
   return gaps;
 }
 
-SceneIntersections IntersectionsFromJson(const Json& json) {
+SceneIntersections IntersectionsFromJson(const OrderedJson& json) {
   SceneIntersections intersections;
   json.at("triangle_pairs").get_to(intersections.triangle_pairs);
   json.at("vertices_inside").get_to(intersections.vertices_inside);
   json.at("max_depth_mm").get_to(intersections.max_depth_mm);
   json.at("self_pairs").get_to(intersections.self_pairs);
   json.at("exempt_pairs").get_to(intersections.exempt_pairs);
-  for (const Json& item : json.at("pairs")) {
+  for (const OrderedJson& item : json.at("pairs")) {
     PairIntersection pair;
     item.at("a").get_to(pair.a);
     item.at("b").get_to(pair.b);
@@ -183,8 +183,8 @@ FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame) {
   return record;
 }
 
-Json ToJson(const SceneIntersections& intersections) {
-  Json pairs = Json::array();
+OrderedJson ToJson(const SceneIntersections& intersections) {
+  OrderedJson pairs = OrderedJson::array();
   for (const PairIntersection& pair : intersections.pairs) {
     pairs.push_back({{"a", pair.a},
                      {"b", pair.b},
@@ -201,8 +201,8 @@ Json ToJson(const SceneIntersections& intersections) {
           {"pairs", pairs}};
 }
 
-Json ToJson(const FrameRecord& record) {
-  Json muscles = Json::array();
+OrderedJson ToJson(const FrameRecord& record) {
+  OrderedJson muscles = OrderedJson::array();
   for (const MuscleRecord& muscle : record.muscles) {
     muscles.push_back(ToJson(muscle));
   }
@@ -223,10 +223,10 @@ Json ToJson(const FrameRecord& record) {
           {"path_moment_arms_mm", record.path_moment_arms_mm},
           {"intersections", ToJson(record.intersections)},
           {"gaps", ToJson(record.intersections.gaps)},
-          {"smallest_gap_mm", gap ? Json(*gap) : Json()}};
+          {"smallest_gap_mm", gap ? OrderedJson(*gap) : OrderedJson()}};
 }
 
-FrameRecord FrameRecordFromJson(const Json& json) {
+FrameRecord FrameRecordFromJson(const OrderedJson& json) {
   FrameRecord record;
   json.at("index").get_to(record.index);
   json.at("name").get_to(record.name);
@@ -240,7 +240,7 @@ FrameRecord FrameRecordFromJson(const Json& json) {
   json.at("stop_reason").get_to(record.stop_reason);
   json.at("usable").get_to(record.usable);
   json.at("shortcomings").get_to(record.shortcomings);
-  for (const Json& muscle : json.at("muscles")) {
+  for (const OrderedJson& muscle : json.at("muscles")) {
     record.muscles.push_back(MuscleRecordFromJson(muscle));
   }
   json.at("path_moment_arms_mm").get_to(record.path_moment_arms_mm);

@@ -10,9 +10,9 @@
 namespace musclewarp {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json ToJson(const MeshPreparation& mesh) {
+OrderedJson ToJson(const MeshPreparation& mesh) {
   const RepairReport& repairs = mesh.repairs;
   return {{"merged_points", repairs.point_merges.merged},
           {"longest_merge_mm", repairs.point_merges.longest},
@@ -44,7 +44,7 @@ Json ToJson(const MeshPreparation& mesh) {
 }
 
 // How a muscle was made anew; null if it was not.
-Json ToJson(const Remaking& remaking) {
+OrderedJson ToJson(const Remaking& remaking) {
   if (!remaking.is_done) return nullptr;
   const Eigen::RowVector3d& place = remaking.place;
   return {{"volume_before_mm3", remaking.volume_before},
@@ -54,8 +54,8 @@ Json ToJson(const Remaking& remaking) {
           {"farthest_mm", remaking.farthest}};
 }
 
-Json PrepareJson(const PreparedScene& scene) {
-  Json muscles = Json::array();
+OrderedJson PrepareJson(const PreparedScene& scene) {
+  OrderedJson muscles = OrderedJson::array();
   for (const PreparedMuscle& muscle : scene.muscles) {
     muscles.push_back({{"name", muscle.model.name},
                        {"mesh", muscle.mesh.path},
@@ -72,7 +72,7 @@ Json PrepareJson(const PreparedScene& scene) {
                        {"repairs", ToJson(muscle.mesh)},
                        {"remade", ToJson(muscle.mesh.remaking)}});
   }
-  Json bones = Json::array();
+  OrderedJson bones = OrderedJson::array();
   for (const PreparedBone& bone : scene.bones) {
     bones.push_back({{"name", bone.mesh.name},
                      {"mesh", bone.mesh.path},
@@ -89,10 +89,10 @@ Json PrepareJson(const PreparedScene& scene) {
 }
 
 // Where the poses come from, and in which unit each coordinate is.
-Json MotionJson(const Scene& scene) {
+OrderedJson MotionJson(const Scene& scene) {
   if (!scene.model) return nullptr;
   const Model& model = scene.model->model;
-  Json coordinates = Json::array();
+  OrderedJson coordinates = OrderedJson::array();
   for (const int index : scene.model->given_coordinates) {
     const auto& moving = scene.model->moving_coordinates;
     const CoordinateKind kind = model.coordinates[index].kind;
@@ -157,8 +157,8 @@ nlohmann::ordered_json MachineJson() {
 }
 
 nlohmann::ordered_json ReportJson(const RunRecord& run) {
-  Json prepare = PrepareJson(*run.scene);
-  Json rest = {{"intersections", ToJson(run.rest)}};
+  OrderedJson prepare = PrepareJson(*run.scene);
+  OrderedJson rest = {{"intersections", ToJson(run.rest)}};
   if (run.contact.rest) {
     prepare["contact_ms"] = run.contact.prepare_ms;
     for (const std::string& warning : run.contact.warnings) {
@@ -167,7 +167,7 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
     rest["after_initial_fix"] = ToJson(*run.contact.rest);
   }
   const RunTotals totals = TotalsOf(run);
-  Json frames = Json::array();
+  OrderedJson frames = OrderedJson::array();
   for (const FrameRecord& frame : run.frames) frames.push_back(ToJson(frame));
   return {{"scene", run.scene->scene.name},
           {"axes", run.scene->scene.axes},
@@ -192,7 +192,8 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
             {"wall_ms_per_frame_median", totals.wall_ms_per_frame_median},
             {"frames_planned", run.frames_planned},
             {"finished", run.finished},
-            {"stopped", run.stopped.empty() ? Json() : Json(run.stopped)},
+            {"stopped",
+             run.stopped.empty() ? OrderedJson() : OrderedJson(run.stopped)},
             {"usable", totals.usable}}}};
 }
 

@@ -15,20 +15,20 @@ namespace musclewarp {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json ToJson(const Points& points) {
+OrderedJson ToJson(const Points& points) {
   return std::vector<double>(points.data(), points.data() + points.size());
 }
 
-Points PointsFromJson(const Json& json) {
+Points PointsFromJson(const OrderedJson& json) {
   const auto values = json.get<std::vector<double>>();
   return Eigen::Map<const Points>(values.data(), values.size() / 3, 3);
 }
 
 // A pose may lie between those of the scene, if a frame was given up.
-Json ToJson(const ScenePose& pose) {
-  Json bodies = Json::object(), lines = Json::object();
+OrderedJson ToJson(const ScenePose& pose) {
+  OrderedJson bodies = OrderedJson::object(), lines = OrderedJson::object();
   for (const auto& [name, target] : pose.bodies) {
     bodies[name] =
         std::vector<double>(target.data(), target.data() + target.size());
@@ -43,7 +43,7 @@ Json ToJson(const ScenePose& pose) {
           {"path_lengths", pose.path_lengths}};
 }
 
-ScenePose PoseFromJson(const Json& json) {
+ScenePose PoseFromJson(const OrderedJson& json) {
   ScenePose pose;
   json.at("name").get_to(pose.name);
   json.at("time").get_to(pose.time);
@@ -72,29 +72,29 @@ struct LoggedFrame {
   SceneState state;
 };
 
-LoggedFrame LoggedFrameFromJson(const Json& json) {
+LoggedFrame LoggedFrameFromJson(const OrderedJson& json) {
   LoggedFrame frame;
   frame.record = FrameRecordFromJson(json.at("record"));
   frame.state.pose = PoseFromJson(json.at("pose"));
-  for (const Json& item : json.at("muscles")) {
+  for (const OrderedJson& item : json.at("muscles")) {
     MuscleState muscle;
     muscle.coarse = PointsFromJson(item.at("coarse"));
     muscle.corrections.fine_offset = PointsFromJson(item.at("fine_offset"));
     frame.state.muscles.push_back(std::move(muscle));
   }
-  for (const Json& coarse : json.at("free_coarse")) {
+  for (const OrderedJson& coarse : json.at("free_coarse")) {
     frame.state.free_coarse.push_back(PointsFromJson(coarse));
   }
   return frame;
 }
 
 LoggedFrame ReadLoggedFrame(const std::string& file) {
-  const Json json =
-      Json::from_cbor(ReadFile(file), true, /*allow_exceptions=*/false);
+  const OrderedJson json =
+      OrderedJson::from_cbor(ReadFile(file), true, /*allow_exceptions=*/false);
   if (json.is_discarded()) throw InputError(file, "is damaged", kAdvice);
   try {
     return LoggedFrameFromJson(json);
-  } catch (const Json::exception&) {
+  } catch (const OrderedJson::exception&) {
     throw InputError(
         file,
         "does not hold what this build of musclewarp keeps of a frame",
@@ -151,7 +151,8 @@ void ResumeLog::StartAnew() const {
 
 void ResumeLog::FrameDone(const FrameRecord& record,
                           const SceneState& state) const {
-  Json muscles = Json::array(), free_coarse = Json::array();
+  OrderedJson muscles = OrderedJson::array(),
+              free_coarse = OrderedJson::array();
   for (const MuscleState& muscle : state.muscles) {
     muscles.push_back(
         {{"coarse", ToJson(muscle.coarse)},
@@ -160,10 +161,11 @@ void ResumeLog::FrameDone(const FrameRecord& record,
   for (const Points& coarse : state.free_coarse) {
     free_coarse.push_back(ToJson(coarse));
   }
-  const auto bytes = Json::to_cbor(Json{{"record", musclewarp::ToJson(record)},
-                                        {"pose", ToJson(state.pose)},
-                                        {"muscles", muscles},
-                                        {"free_coarse", free_coarse}});
+  const auto bytes =
+      OrderedJson::to_cbor(OrderedJson{{"record", musclewarp::ToJson(record)},
+                                       {"pose", ToJson(state.pose)},
+                                       {"muscles", muscles},
+                                       {"free_coarse", free_coarse}});
   WriteTextAtomically(FrameFile(record.index),
                       std::string(bytes.begin(), bytes.end()));
 }

@@ -3,7 +3,6 @@
 #include "musclewarp/scene/model_scene.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
@@ -59,7 +58,6 @@ std::string FindGeometry(const Model& model, const ModelGeometry& geometry) {
 std::vector<SceneBone> BonesOfModel(const SceneBone& bone,
                                     const ModelPoses& poses,
                                     const std::string& where) {
-  constexpr double kMillimetres = 1000;  // in a metre
   const int body = poses.model.FindBody(bone.body);
   const auto& geometry = poses.model.bodies[body].geometry;
   if (geometry.empty()) {
@@ -76,32 +74,12 @@ std::vector<SceneBone> BonesOfModel(const SceneBone& bone,
     }
     one.mesh_path = FindGeometry(poses.model, mesh);
     Eigen::Matrix4d scale = Eigen::Matrix4d::Identity();
-    scale.diagonal().head<3>() = kMillimetres * mesh.scale;
+    scale.diagonal().head<3>() = kMillimetresPerMetre * mesh.scale;
     one.rest_from_file =
         poses.body_from_rest[body].inverse() * mesh.body_from_mesh * scale;
     bones.push_back(std::move(one));
   }
   return bones;
-}
-
-// Bodies in the order in which bones, lines and attachments name them.
-std::vector<std::string> BodiesInUse(const Scene& scene) {
-  std::vector<std::string> bodies;
-  const auto add = [&](const std::string& body) {
-    if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) {
-      bodies.push_back(body);
-    }
-  };
-  for (const SceneBone& bone : scene.bones) add(bone.body);
-  for (const SceneMuscle& muscle : scene.muscles) {
-    for (const ActionLine& line : muscle.lines) {
-      for (const std::string& body : line.bodies) add(body);
-    }
-    for (const Attachment& attachment : muscle.attachments) {
-      add(attachment.body);
-    }
-  }
-  return bodies;
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace musclewarp {
 namespace {
 
-ActionLine ReadLine(const std::string& name, const JsonField& field) {
+ActionLine ReadLineOfFile(const std::string& name, const JsonField& field) {
   ActionLine line;
   line.name = name;
   line.rest = field.At("rest").AsPoints();
@@ -19,7 +19,7 @@ ActionLine ReadLine(const std::string& name, const JsonField& field) {
 
 using BodyKeys = std::map<std::string, std::vector<std::string>>;
 
-ScenePose ReadPose(const JsonField& field, const BodyKeys& body_keys) {
+ScenePose ReadPoseOfFile(const JsonField& field, const BodyKeys& body_keys) {
   field.CheckObject();
   ScenePose pose;
   std::ostringstream coordinates_text;
@@ -58,11 +58,11 @@ PosesFile ReadPosesFile(const std::string& path, const BodyKeys& body_keys) {
   const JsonField lines = root.At("lines");
   lines.CheckObject();
   for (const auto& item : lines.value().items()) {
-    file.lines[item.key()] = ReadLine(item.key(), lines.At(item.key()));
+    file.lines[item.key()] = ReadLineOfFile(item.key(), lines.At(item.key()));
   }
   const JsonField poses = root.At("poses");
   for (size_t i = 0; i < poses.ArraySize(); ++i) {
-    file.poses.push_back(ReadPose(poses.At(i), body_keys));
+    file.poses.push_back(ReadPoseOfFile(poses.At(i), body_keys));
   }
   return file;
 }

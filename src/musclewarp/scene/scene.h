@@ -110,6 +110,10 @@ ScenePose PoseBetween(const Scene& scene,
                       const ScenePose& to,
                       double part);
 
+// Returns the bodies that bones, lines and attachments name: each once, in the
+// order in which they come.
+std::vector<std::string> BodiesInUse(const Scene& scene);
+
 // Returns the pose in which the meshes were made.
 ScenePose RestPose(const Scene& scene);
 

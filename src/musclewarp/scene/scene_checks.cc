@@ -109,22 +109,6 @@ void CheckTargets(const Scene& scene,
   }
 }
 
-// The bodies that bones, lines and attachments name, and those of the model
-// that the scene uses.
-std::set<std::string> BodiesInUse(const Scene& scene) {
-  std::set<std::string> bodies;
-  for (const SceneBone& bone : scene.bones) bodies.insert(bone.body);
-  for (const SceneMuscle& muscle : scene.muscles) {
-    for (const ActionLine& line : muscle.lines) {
-      bodies.insert(line.bodies.begin(), line.bodies.end());
-    }
-    for (const Attachment& attachment : muscle.attachments) {
-      bodies.insert(attachment.body);
-    }
-  }
-  return bodies;
-}
-
 // The bodies that bones have, poses move, or the model has: of those it is
 // known how they move.
 std::set<std::string> KnownBodies(const Scene& scene) {
@@ -167,7 +151,8 @@ void CheckMuscle(const Scene& scene,
 
 void CheckPoses(const Scene& scene,
                 const std::map<std::string, const ActionLine*>& lines) {
-  const std::set<std::string> in_use = BodiesInUse(scene);
+  const std::vector<std::string> bodies = BodiesInUse(scene);
+  const std::set<std::string> in_use(bodies.begin(), bodies.end());
   std::set<std::string> names;
   for (const ScenePose& pose : scene.poses) {
     CheckPrintable(scene.path, "pose", pose.name);

@@ -37,8 +37,6 @@ class ContactCallbackTest : public ::testing::Test {
   ceres::Solver::Options options_;
 };
 
-}  // namespace
-
 TEST_F(ContactCallbackTest, CeresIgnoresWhatACallbackWrites) {
   // Why the solve has to end: this one writes and goes on.
   struct Writer : public ceres::IterationCallback {
@@ -96,4 +94,5 @@ TEST_F(ContactCallbackTest, EndsBeforeTheFirstStepIfTheStartChanged) {
   EXPECT_EQ(x_, 8);
 }
 
+}  // namespace
 }  // namespace musclewarp

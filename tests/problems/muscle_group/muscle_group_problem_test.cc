@@ -15,8 +15,6 @@ namespace {
 // What Ceres evaluates after contact has put vertices back and masked them.
 class AfterContact : public ::testing::TestWithParam<MuscleFormulation> {};
 
-}  // namespace
-
 TEST_P(AfterContact, CeresSeesTheRolledBackStateAndNoMaskedRow) {
   const TouchingSpindles scene(ContactLevel::kCoarse);
   GroupContact contact = scene.Contact();
@@ -115,4 +113,5 @@ TEST(MuscleGroupProblem, CostsTheSumOfItsMuscles) {
   }
 }
 
+}  // namespace
 }  // namespace musclewarp

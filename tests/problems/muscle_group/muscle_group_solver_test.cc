@@ -24,8 +24,6 @@ std::vector<MuscleState> Solve(const TouchingSpindles& scene,
 
 class MuscleGroup : public ::testing::TestWithParam<ContactLevel> {};
 
-}  // namespace
-
 TEST_P(MuscleGroup, PartsMusclesAndKeepsTheirVolume) {
   const TouchingSpindles scene(GetParam());
   std::vector<SolverSummary> summaries;
@@ -121,4 +119,5 @@ TEST(MuscleGroupSolver, PlainBlocksPartThemToo) {
   EXPECT_LT((a[0].coarse - b[0].coarse).rowwise().norm().maxCoeff(), 0.05);
 }
 
+}  // namespace
 }  // namespace musclewarp

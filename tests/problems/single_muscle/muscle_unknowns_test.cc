@@ -11,7 +11,7 @@ namespace musclewarp {
 namespace {
 
 // Through U and back, of coordinates of size 100, mm.
-constexpr double kRounding = 1e-9;
+constexpr double kRoundTripRounding = 1e-9;
 
 class MuscleUnknownsTest : public ::testing::TestWithParam<MuscleFormulation> {
  protected:
@@ -25,13 +25,12 @@ class MuscleUnknownsTest : public ::testing::TestWithParam<MuscleFormulation> {
   const Points start_ = model_.coarse_rest + RandomPoints(count_);
 };
 
-}  // namespace
-
 TEST_P(MuscleUnknownsTest, GiveBackTheCoarseVerticesThatWereSet) {
   MuscleUnknowns unknowns(model_, target_, GetParam(), start_);
-  EXPECT_LT(Distance(unknowns.Coarse(), start_), kRounding);
+  EXPECT_LT(Distance(unknowns.Coarse(), start_), kRoundTripRounding);
   unknowns.SetCoarse(model_.coarse_rest);
-  EXPECT_LT(Distance(unknowns.Coarse(), model_.coarse_rest), kRounding);
+  EXPECT_LT(Distance(unknowns.Coarse(), model_.coarse_rest),
+            kRoundTripRounding);
 }
 
 TEST_P(MuscleUnknownsTest, BlocksAreTheRowsOfTheValues) {
@@ -72,13 +71,13 @@ TEST_P(MuscleUnknownsTest, RowsAndGradientsAreDerivativesOfTheCoarseVertices) {
   // X is an affine function of the values: differences are exact.
   const RowMajorMatrix rows = model_.skeleton;
   const Points change = unknowns.RowsOf(rows) * step;
-  EXPECT_LT(Distance(change, rows * (after - before)), kRounding);
+  EXPECT_LT(Distance(change, rows * (after - before)), kRoundTripRounding);
   EXPECT_GT(change.norm(), 1e-3);
   const Points gradient = RandomPoints(count_).array() + 1;
   const double expected = gradient.cwiseProduct(after - before).sum();
   EXPECT_NEAR(unknowns.GradientOf(gradient).cwiseProduct(step).sum(),
               expected,
-              kRounding * std::abs(expected));
+              kRoundTripRounding * std::abs(expected));
 }
 
 INSTANTIATE_TEST_SUITE_P(Formulations,
@@ -86,4 +85,5 @@ INSTANTIATE_TEST_SUITE_P(Formulations,
                          ::testing::Values(MuscleFormulation::kBlocks,
                                            MuscleFormulation::kWhitened));
 
+}  // namespace
 }  // namespace musclewarp

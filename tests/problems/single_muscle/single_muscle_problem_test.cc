@@ -11,7 +11,7 @@ namespace musclewarp {
 namespace {
 
 // Relative, of sums of squares.
-constexpr double kRounding = 1e-9;
+constexpr double kCostRounding = 1e-9;
 
 // The cost of the problem of a muscle at `coarse`.
 double Cost(const MuscleModel& model,
@@ -56,15 +56,13 @@ HardConstraint NoVolume() {
   return constraint;
 }
 
-}  // namespace
-
 TEST_P(SingleMuscleProblem, TheTermsAddUpToTheLinearEnergy) {
   for (const Points& coarse : {model_.coarse_rest, place_}) {
     const double energy = LinearEnergy(model_, target_, coarse);
     EXPECT_NEAR(
         Cost(model_, target_, GetParam(), NoVolume(), coarse) + Constant(),
         energy,
-        kRounding * energy);
+        kCostRounding * energy);
   }
 }
 
@@ -77,7 +75,7 @@ TEST_P(SingleMuscleProblem, TheVolumeAddsHalfItsSquaredResidual) {
       constraint.Residual(0.331 * model_.rest_volume / model_.rest_area);
   const double with = Cost(model_, target_, GetParam(), constraint, place_);
   const double without = Cost(model_, target_, GetParam(), NoVolume(), place_);
-  EXPECT_NEAR(with - without, 0.5 * residual * residual, kRounding * with);
+  EXPECT_NEAR(with - without, 0.5 * residual * residual, kCostRounding * with);
 }
 
 TEST_P(SingleMuscleProblem, OneSidedRowsAddHalfTheirSquaredDepths) {
@@ -87,7 +85,7 @@ TEST_P(SingleMuscleProblem, OneSidedRowsAddHalfTheirSquaredDepths) {
   target_.one_sided = OneSidedRowsOf(
       {{5, {{1, 0, 0}, fine(5, 0) + 3}}, {9, {{0, 1, 0}, fine(9, 1) - 3}}}, 2);
   const double with = Cost(model_, target_, GetParam(), NoVolume(), place_);
-  EXPECT_NEAR(with - without, 0.5 * (2 * 3) * (2 * 3), kRounding * with);
+  EXPECT_NEAR(with - without, 0.5 * (2 * 3) * (2 * 3), kCostRounding * with);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formulations,
@@ -95,4 +93,5 @@ INSTANTIATE_TEST_SUITE_P(Formulations,
                          ::testing::Values(MuscleFormulation::kBlocks,
                                            MuscleFormulation::kWhitened));
 
+}  // namespace
 }  // namespace musclewarp

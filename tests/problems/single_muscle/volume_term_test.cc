@@ -15,7 +15,7 @@ namespace musclewarp {
 namespace {
 
 // Of volumes of 1e4 mm^3, over the area and times the root of the penalty.
-constexpr double kRounding = 1e-9;
+constexpr double kVolumeRounding = 1e-9;
 
 }  // namespace
 
@@ -27,10 +27,10 @@ TEST(VolumeTerm, IsZeroAtRestAndAtTheTarget) {
   const MuscleUnknowns unknowns(
       model, MuscleTarget(), MuscleFormulation::kBlocks, model.coarse_rest);
   const VolumeTerm term(&unknowns, &volume, &constraint);
-  EXPECT_NEAR(Residuals(term, model.coarse_rest)[0], 0, kRounding);
+  EXPECT_NEAR(Residuals(term, model.coarse_rest)[0], 0, kVolumeRounding);
   // Twice the size has eight times the volume.
   constraint.target = 7 * model.rest_volume / model.rest_area;
-  EXPECT_NEAR(Residuals(term, 2 * model.coarse_rest)[0], 0, kRounding);
+  EXPECT_NEAR(Residuals(term, 2 * model.coarse_rest)[0], 0, kVolumeRounding);
 }
 
 TEST(VolumeTerm, IsTheErrorAsAThicknessPlusTheMultiplier) {
@@ -44,9 +44,9 @@ TEST(VolumeTerm, IsTheErrorAsAThicknessPlusTheMultiplier) {
   // Twice the size has eight times the volume.
   EXPECT_NEAR(Residuals(term, 2 * model.coarse_rest)[0],
               10 * 7 * model.rest_volume / model.rest_area,
-              kRounding);
+              kVolumeRounding);
   constraint.multiplier = 30;
-  EXPECT_NEAR(Residuals(term, model.coarse_rest)[0], 3, kRounding);
+  EXPECT_NEAR(Residuals(term, model.coarse_rest)[0], 3, kVolumeRounding);
 }
 
 TEST(VolumeTerm, HasTheRightDerivative) {
