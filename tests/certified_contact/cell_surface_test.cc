@@ -24,6 +24,19 @@ CellSurfaceOptions SurfaceOptions() {
   return options;
 }
 
+// With triangles of the size that those of the muscle have.
+TriangleSoup EvenCellSurface(const Solid& muscle,
+                             const std::vector<const SolidDistance*>& others,
+                             const std::vector<const SolidDistance*>& bones) {
+  const double typical =
+      TypicalEdge(muscle.mesh.points(), muscle.mesh.triangles());
+  const double spacing = SurfaceOptions().spacing;
+  return WithEvenTriangles(
+      CellSurface(SurfaceOptions(), muscle.distance, others, bones),
+      spacing,
+      std::max(spacing, typical));
+}
+
 void ExpectClean(const TriangleSoup& surface) {
   EXPECT_TRUE(CountDefects(surface).IsClean());
   EXPECT_TRUE(SelfIntersections(surface).empty());
@@ -34,8 +47,7 @@ void ExpectClean(const TriangleSoup& surface) {
 
 TEST(CellSurface, OfAMuscleAloneIsItsOwn) {
   const Solid muscle(Icosphere(10, 4));
-  const TriangleSoup surface =
-      CellSurface(SurfaceOptions(), muscle.distance, {}, {});
+  const TriangleSoup surface = EvenCellSurface(muscle, {}, {});
   ExpectClean(surface);
   for (const auto p : surface.points.rowwise()) {
     EXPECT_NEAR(p.norm(), 10, 0.2);
@@ -50,10 +62,10 @@ TEST(CellSurface, DoesNotCrossBoneOrTheOtherMuscle) {
   const Solid left(MovedBy(Icosphere(10, 4), {-7, 0, 0}));
   const Solid right(MovedBy(Icosphere(10, 3), {7, 0, 0}));
   const Solid bone(MovedBy(Box(60, 60, 10), {0, 0, -10}));
-  const TriangleSoup a = CellSurface(
-      SurfaceOptions(), left.distance, {&right.distance}, {&bone.distance});
-  const TriangleSoup b = CellSurface(
-      SurfaceOptions(), right.distance, {&left.distance}, {&bone.distance});
+  const TriangleSoup a =
+      EvenCellSurface(left, {&right.distance}, {&bone.distance});
+  const TriangleSoup b =
+      EvenCellSurface(right, {&left.distance}, {&bone.distance});
   ExpectClean(a);
   ExpectClean(b);
   EXPECT_TRUE(IntersectMeshes(SearchableMesh(a), SearchableMesh(b)).IsEmpty());
@@ -64,8 +76,7 @@ TEST(CellSurface, DoesNotCrossBoneOrTheOtherMuscle) {
 TEST(CellSurface, KeepsTheLargerPartOfAMuscleThatABoneCuts) {
   const Solid muscle(Spindle(8, 40, 4));
   const Solid plate(MovedBy(Box(60, 60, 4), {0, 0, 15}));
-  const TriangleSoup surface =
-      CellSurface(SurfaceOptions(), muscle.distance, {}, {&plate.distance});
+  const TriangleSoup surface = EvenCellSurface(muscle, {}, {&plate.distance});
   ExpectClean(surface);
   EXPECT_LT(surface.points.col(2).maxCoeff(), 13);
   EXPECT_LT(surface.points.col(2).minCoeff(), -37);
@@ -74,8 +85,7 @@ TEST(CellSurface, KeepsTheLargerPartOfAMuscleThatABoneCuts) {
 TEST(CellSurface, HasTrianglesOfTheSizeOfTheOldOnes) {
   const TriangleSoup sphere = Icosphere(10, 2);
   const Solid muscle(sphere);
-  const TriangleSoup surface =
-      CellSurface(SurfaceOptions(), muscle.distance, {}, {});
+  const TriangleSoup surface = EvenCellSurface(muscle, {}, {});
   ExpectClean(surface);
   const double old = TypicalEdge(sphere.points, sphere.triangles);
   ASSERT_GT(old, SurfaceOptions().spacing);

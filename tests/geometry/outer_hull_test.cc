@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/random_meshes.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"

@@ -41,15 +41,4 @@ inline TriangleSoup RandomSoup(int count, double size, std::mt19937* random) {
   return soup;
 }
 
-// Both, with the triangles of `a` first.
-inline TriangleSoup Together(const TriangleSoup& a, const TriangleSoup& b) {
-  TriangleSoup both;
-  both.points.resize(a.points.rows() + b.points.rows(), 3);
-  both.points << a.points, b.points;
-  both.triangles.resize(a.triangles.rows() + b.triangles.rows(), 3);
-  both.triangles << a.triangles,
-      (b.triangles.array() + static_cast<int>(a.points.rows())).matrix();
-  return both;
-}
-
 }  // namespace musclewarp

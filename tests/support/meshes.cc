@@ -134,4 +134,14 @@ Points RandomPoints(int count, std::uint32_t seed) {
   return points;
 }
 
+TriangleSoup Together(const TriangleSoup& a, const TriangleSoup& b) {
+  TriangleSoup both;
+  both.points.resize(a.points.rows() + b.points.rows(), 3);
+  both.points << a.points, b.points;
+  both.triangles.resize(a.triangles.rows() + b.triangles.rows(), 3);
+  both.triangles << a.triangles,
+      (b.triangles.array() + static_cast<int>(a.points.rows())).matrix();
+  return both;
+}
+
 }  // namespace musclewarp

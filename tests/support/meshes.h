@@ -38,4 +38,7 @@ inline TriangleSoup MovedBy(TriangleSoup soup, const Eigen::RowVector3d& by) {
   return soup;
 }
 
+// Both in one mesh, with the triangles of `a` first.
+TriangleSoup Together(const TriangleSoup& a, const TriangleSoup& b);
+
 }  // namespace musclewarp

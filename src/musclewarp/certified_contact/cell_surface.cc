@@ -12,6 +12,7 @@
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh_repair/self_crossing_removal.h"
 
 namespace musclewarp {
 namespace {
@@ -55,17 +56,25 @@ TriangleSoup CellSurface(const CellSurfaceOptions& options,
       [&](const Eigen::RowVector3d& p) { return cell.RegionDistance(p); },
       muscle.mesh().bvh().box(),
       options.spacing);
-  if (surface.triangles.rows() == 0) return surface;
-  KeepLargestBody(&surface);
-  TriangleSoup even = Remeshed(
-      surface,
-      std::max(options.spacing,
-               TypicalEdge(muscle.mesh().points(), muscle.mesh().triangles())));
-  // Thin parts may not survive the new size of triangles.
-  if (CountDefects(even).IsClean() && SelfIntersections(even).empty()) {
-    return even;
-  }
+  if (surface.triangles.rows() > 0) KeepLargestBody(&surface);
   return surface;
+}
+
+TriangleSoup WithEvenTriangles(const TriangleSoup& surface,
+                               double shortest,
+                               double longest) {
+  constexpr double kShorter = 0.7;
+  for (double length = longest;;
+       length = std::max(kShorter * length, shortest)) {
+    TriangleSoup even = Remeshed(surface, length);
+    const SelfCrossingRemoval removal = RemoveSelfCrossings(&even);
+    VLOG(1) << "surface of a cell: " << surface.triangles.rows()
+            << " triangles, " << even.triangles.rows() << " with edges of "
+            << length << " mm, self-crossings " << removal.pairs_before
+            << " before and " << removal.pairs_after << " after their removal";
+    if (removal.pairs_after == 0 && CountDefects(even).IsClean()) return even;
+    if (length <= shortest) return surface;
+  }
 }
 
 }  // namespace musclewarp

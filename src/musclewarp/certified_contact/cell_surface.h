@@ -25,12 +25,20 @@ struct CellSurfaceOptions {
 // moving its vertices: because a bone cuts a part off, a tendon lies inside a
 // bone, or the mesh crosses itself. It is the border of the largest part of the
 // muscle that lies in its medial cell: a closed, outward oriented manifold that
-// does not cross itself, with even triangles of the size that the old ones
-// have, but not smaller than the spacing. Without vertices if nothing of the
-// muscle is left. Precondition (CHECKed): the options are valid.
+// does not cross itself, with many small triangles. Without vertices if nothing
+// of the muscle is left. Precondition (CHECKed): the options are valid.
 TriangleSoup CellSurface(const CellSurfaceOptions& options,
                          const SolidDistance& muscle,
                          const std::vector<const SolidDistance*>& other_muscles,
                          const std::vector<const SolidDistance*>& bones);
+
+// Returns such a surface with even triangles: the largest, from edges of
+// `longest` down to `shortest` (mm), with which it does not cross itself, as
+// thin parts may not survive large triangles. The surface as it is if there are
+// none. Where triangles cut corners, it may come to cross other meshes a
+// little. Precondition (CHECKed): both lengths are above zero.
+TriangleSoup WithEvenTriangles(const TriangleSoup& surface,
+                               double shortest,
+                               double longest);
 
 }  // namespace musclewarp

@@ -85,18 +85,32 @@ class Separator {
     for (size_t i = 0; i < num_muscles; ++i) {
       for (size_t j = i + 1; j < num_muscles; ++j) {
         if (!has_moved_[i] && !has_moved_[j]) continue;
-        found_[{i, j}] = CrossingsOfMuscles(i, j);
+        found_[{i, j}].crossings = CrossingsOfMuscles(i, j);
       }
       for (size_t b = 0; b < bones_.size(); ++b) {
-        if (has_moved_[i]) found_[{i, num_muscles + b}] = CrossingsOfBone(i, b);
+        if (!has_moved_[i]) continue;
+        found_[{i, num_muscles + b}].crossings = CrossingsOfBone(i, b);
       }
     }
     has_moved_.assign(num_muscles, false);
     std::vector<Crossing> crossings;
-    for (const auto& [pair, of_pair] : found_) {
-      crossings.insert(crossings.end(), of_pair.begin(), of_pair.end());
+    for (auto& [pair, found] : found_) {
+      const int count = static_cast<int>(found.crossings.size());
+      std::vector<int>& fewest = found.fewest;
+      fewest.push_back(fewest.empty() ? count : std::min(fewest.back(), count));
+      crossings.insert(
+          crossings.end(), found.crossings.begin(), found.crossings.end());
     }
     return crossings;
+  }
+
+  // True if in no pair of meshes that cross they have become much fewer in the
+  // last rounds.
+  bool IsIdle() const {
+    return std::all_of(found_.begin(), found_.end(), [&](const auto& item) {
+      const PairOfMeshes& pair = item.second;
+      return pair.crossings.empty() || IsPairIdle(pair.fewest);
+    });
   }
 
   // Returns in which directions the vertices of crossing triangles should go.
@@ -142,6 +156,18 @@ class Separator {
   std::vector<Points> TakePoints() { return std::move(points_); }
 
  private:
+  struct PairOfMeshes {
+    std::vector<Crossing> crossings;
+    std::vector<int> fewest;  // so far, by round
+  };
+
+  bool IsPairIdle(const std::vector<int>& fewest) const {
+    const size_t window = options_.idle_rounds;
+    return fewest.size() > window &&
+           fewest.back() >
+               options_.idle_share * fewest[fewest.size() - 1 - window];
+  }
+
   std::vector<Crossing> CrossingsOfMuscles(size_t i, size_t j) const {
     std::vector<Crossing> crossings;
     for (const auto& [f, g] : IntersectingTriangles(trees_[i], trees_[j])) {
@@ -217,20 +243,12 @@ class Separator {
   std::vector<Points> points_;
   std::vector<TriangleBvh> trees_;
 
-  // By muscle: whether it has moved since crossings were looked for. By pair of
-  // meshes, bones after muscles: what was found.
+  // By muscle: whether it has moved since crossings were looked for.
   std::vector<char> has_moved_;
-  std::map<std::pair<size_t, size_t>, std::vector<Crossing>> found_;
-};
 
-// True if crossings have hardly become fewer in the last rounds.
-bool IsIdle(const InitialSeparationOptions& options,
-            const std::vector<int>& fewest) {
-  const size_t window = options.idle_rounds;
-  if (fewest.size() <= window) return false;
-  return fewest.back() >
-         options.idle_share * fewest[fewest.size() - 1 - window];
-}
+  // By numbers, bones after muscles.
+  std::map<std::pair<size_t, size_t>, PairOfMeshes> found_;
+};
 
 }  // namespace
 
@@ -260,7 +278,6 @@ InitialSeparation SeparateInitially(
     separator.AddMuscle(i);
   }
   InitialSeparation result;
-  std::vector<int> fewest;  // so far, by round
   for (;; ++result.rounds) {
     const std::vector<Crossing> crossings = separator.FindCrossings();
     result.crossing_pairs = static_cast<int>(std::count_if(
@@ -269,11 +286,8 @@ InitialSeparation SeparateInitially(
         }));
     VLOG(2) << "separation, round " << result.rounds << ": "
             << result.crossing_pairs << " crossing pairs";
-    fewest.push_back(fewest.empty()
-                         ? result.crossing_pairs
-                         : std::min(fewest.back(), result.crossing_pairs));
     if (result.crossing_pairs == 0 || result.rounds == options.max_rounds ||
-        IsIdle(options, fewest)) {
+        separator.IsIdle()) {
       break;
     }
     if (on_round) on_round(result.rounds, result.crossing_pairs);

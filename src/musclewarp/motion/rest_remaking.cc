@@ -8,6 +8,7 @@
 #include <cmath>
 #include <deque>
 #include <iomanip>
+#include <map>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -20,23 +21,32 @@
 namespace musclewarp {
 namespace {
 
-// The muscles, by number, that cross something in the rest pose.
+// The muscles, by number, whose meshes have to be made anew. What crosses a
+// bone holds up the muscles around it, and a muscle may cross itself as long as
+// it crosses others: so these come only if there is nothing worse.
 std::vector<int> UncleanMuscles(const PreparedScene& scene,
                                 const SceneIntersections& rest) {
-  std::set<std::string> names;
+  std::map<std::string, int> numbers;
+  std::set<int> beside_bones, beside_muscles, by_themselves;
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    const int number = static_cast<int>(i);
+    numbers[scene.muscles[i].model.name] = number;
+    if (rest.self_pairs_of_muscles[i] > 0) by_themselves.insert(number);
+  }
   for (const PairIntersection& pair : rest.pairs) {
     if (pair.triangle_pairs + pair.vertices_inside == 0) continue;
-    names.insert(pair.a);
-    names.insert(pair.b);
-  }
-  std::vector<int> unclean;
-  for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    if (rest.self_pairs_of_muscles[i] > 0 ||
-        names.count(scene.muscles[i].model.name) > 0) {
-      unclean.push_back(static_cast<int>(i));
+    const auto a = numbers.find(pair.a), b = numbers.find(pair.b);
+    const bool are_muscles = a != numbers.end() && b != numbers.end();
+    for (const auto& muscle : {a, b}) {
+      if (muscle == numbers.end()) continue;
+      (are_muscles ? beside_muscles : beside_bones).insert(muscle->second);
     }
   }
-  return unclean;
+  for (const std::set<int>& unclean :
+       {beside_bones, beside_muscles, by_themselves}) {
+    if (!unclean.empty()) return {unclean.begin(), unclean.end()};
+  }
+  return {};
 }
 
 // The places, a clause each.
@@ -169,8 +179,16 @@ void Remake(const RestRemakingOptions& options,
   for (const int i : unclean) {
     std::vector<const SolidDistance*> others = muscles;
     others.erase(others.begin() + i);
-    surfaces.push_back(SurfaceBesideBones(
-        options, surface_options, attempt, *muscles[i], others, bones));
+    const TriangleSoup surface = SurfaceBesideBones(
+        options, surface_options, attempt, *muscles[i], others, bones);
+    const MuscleModel& model = scene->muscles[i].model;
+    const double typical = TypicalEdge(model.fine_rest, model.fine_triangles);
+    surfaces.push_back(
+        surface.triangles.rows() == 0
+            ? surface
+            : WithEvenTriangles(surface,
+                                surface_options.spacing,
+                                std::max(surface_options.spacing, typical)));
   }
   for (size_t k = 0; k < unclean.size(); ++k) {
     const int i = unclean[k];
