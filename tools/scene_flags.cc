@@ -73,15 +73,14 @@ DEFINE_string(remake,
               "separated from bones and each other by moving their vertices: "
               "auto (their meshes are made anew) or never (the scene is "
               "refused)");
-DEFINE_double(
-    max_step_turn,
-    2.5,
-    "largest turn of a body in the first step of certified contact to "
-    "a pose, degrees; later steps are up to three times as long where "
-    "contact allows");
+DEFINE_double(max_step_turn,
+              2.5,
+              "largest turn of a body in one step of certified contact, "
+              "degrees");
 DEFINE_double(max_step_move,
               10,
-              "largest move of a point of a line in that first step, mm");
+              "largest move of a point of a line in one step of certified "
+              "contact, mm");
 DEFINE_bool(body_twist,
             true,
             "muscles turn about their lines as the bones at the ends do");

@@ -53,10 +53,8 @@ TEST(MoveCertified, ReachesAPoseWithoutCrossings) {
   const CertifiedMotion motion =
       Move(scene, certified, FlexedPose(0.3), certified.rest);
   EXPECT_EQ(motion.state.pose.name, "flexed");
-  // 17.2 degrees in steps of 2.5, 3.7, 5.5 and 7.4, and no more than two in
-  // which the muscles settle.
-  EXPECT_GE(motion.summary.steps, 4);
-  EXPECT_LE(motion.summary.steps, 6);
+  // 17.2 degrees in steps of 2.5.
+  EXPECT_GE(motion.summary.steps, 7);
   ASSERT_EQ(motion.summary.summaries.size(), 2u);
   const Frame frame = MeasureFrame(scene,
                                    motion.state.pose,
@@ -81,19 +79,6 @@ double LargestDifference(const PreparedScene& scene,
             .maxCoeff());
   }
   return largest;
-}
-
-TEST(MoveCertified, LongerStepsLeadToTheSamePlaceWhereNothingIsInTheWay) {
-  const PreparedScene scene = PreparedSmallScene();
-  CertifiedContactOptions options;
-  options.step_growth = 1;
-  const CertifiedScene even = Certified(scene, options);
-  const CertifiedScene growing = Certified(scene);
-  const CertifiedMotion a = Move(scene, even, FlexedPose(0.1), even.rest);
-  const CertifiedMotion b = Move(scene, growing, FlexedPose(0.1), growing.rest);
-  // 5.7 degrees.
-  EXPECT_EQ(a.summary.steps, 3);
-  EXPECT_LT(LargestDifference(scene, a.state, b.state), 1e-3);
 }
 
 // Returns whether nothing crosses in a state.
@@ -175,11 +160,6 @@ TEST(CertifiedContactOptions, NameWhatIsWrong) {
   EXPECT_FALSE(options.IsValid(&error));
   EXPECT_EQ(error,
             "CertifiedContactOptions::max_halvings is -1, allowed: 0 to 20");
-  options = {};
-  options.step_growth = 0.5;
-  EXPECT_FALSE(options.IsValid(&error));
-  EXPECT_EQ(error,
-            "CertifiedContactOptions::step_growth is 0.5, allowed: 1 or above");
   options = {};
   options.step.volume.tolerance = 0;
   EXPECT_FALSE(options.IsValid(&error));

@@ -74,10 +74,6 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
              .IsAbove("reach_growth", reach_growth, 1)
              .IsAbove("max_rest_reach", max_rest_reach, 0)
              .IsWithin("max_halvings", max_halvings, 0, 20)
-             .IsAtLeast("step_growth", step_growth, 1)
-             .IsAtLeast("longest_step", longest_step, 1)
-             .IsAtLeast("max_settling_steps", max_settling_steps, 0)
-             .IsAbove("settling_tolerance", settling_tolerance, 0)
              .IsAtLeast("frame_timeout_s", frame_timeout_s, 0)
              .is_valid() &&
          step.IsValid(error) && limits.IsValid(error) &&
@@ -125,7 +121,6 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
   walk.step.sweeps = options.rest_sweeps;
   walk.reach_growth = options.reach_growth;
   walk.max_reach = options.max_rest_reach;
-  walk.always_settles = true;
   walk.max_settling_steps = options.max_rest_steps;
   walk.settling_tolerance = options.rest_tolerance;
   walk.accepts_self_crossings = true;
@@ -149,13 +144,9 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
   const CertifiedContactOptions& options = certified.options;
   WalkOptions walk;
   walk.step = options.step;
-  walk.first_step =
+  walk.longest_step =
       1.0 / StepsBetween(scene.scene, before.pose, pose, options.limits);
-  walk.step_growth = options.step_growth;
-  walk.longest_step = std::min(1.0, options.longest_step * walk.first_step);
   walk.max_halvings = options.max_halvings;
-  walk.max_settling_steps = options.max_settling_steps;
-  walk.settling_tolerance = options.settling_tolerance;
   walk.max_reach = options.step.reach;
   walk.timeout_s = options.frame_timeout_s;
   Place place = PlaceOf(mover, before);

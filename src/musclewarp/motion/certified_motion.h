@@ -43,20 +43,10 @@ struct CertifiedContactOptions {
   double reach_growth = 1.5;
   double max_rest_reach = 4;
 
-  // A pose is reached in steps, the first of which is within these limits. A
-  // step after which triangles cross is halved, so many times. After one that
-  // needs a single round the next one is longer by the growth, up to
-  // `longest_step` times the first.
+  // A pose is reached in steps within these limits. A step after which
+  // triangles cross is halved, so many times.
   StepLimits limits = {2.5 * M_PI / 180, 10};
   int max_halvings = 4;
-  double step_growth = 1.5;
-  double longest_step = 3;
-
-  // After a last step that is longer than the first, the muscles settle at the
-  // pose in so many steps at most, until no more than one vertex in five
-  // hundred moves by more than the tolerance, mm.
-  int max_settling_steps = 2;
-  double settling_tolerance = 0.2;
 
   // A pose that is not reached in this time is given up, s; 0: no limit. The
   // last step may take longer.

@@ -170,7 +170,7 @@ class Walker {
         from_(place->pose),
         goal_(goal),
         step_(options.step),
-        length_(options.first_step),
+        length_(options.longest_step),
         at_(at),
         place_(place) {}
 
@@ -192,7 +192,8 @@ class Walker {
     const SolvedPose free = SolveFree(mover_, *place_, pose);
     Attempt attempt = Try(pose, free, MovedAlong(*place_, free));
     const bool crosses = Crosses(attempt.summary);
-    const double shortest = options_.first_step / (1 << options_.max_halvings);
+    const double shortest =
+        options_.longest_step / (1 << options_.max_halvings);
     if (crosses && !summary_.last_clean && length_ > 1.01 * shortest) {
       length_ /= 2;
       return;
@@ -200,9 +201,8 @@ class Walker {
     if (crosses && CanReachFarther()) return;
     if (crosses && !summary_.last_clean) summary_.last_clean = *place_;
     if (!crosses) summary_.last_clean.reset();
-    SetNextLength(attempt.summary);
+    length_ = std::min(options_.longest_step, 2 * length_);
     Accept(std::move(attempt));
-    last_length_ = to - at_;
     at_ = to;
   }
 
@@ -215,11 +215,6 @@ class Walker {
         options_.settling_tolerance;
     Accept(std::move(attempt));
     return has_settled;
-  }
-
-  // True if the last step may have left muscles on their way.
-  bool IsUnsettled() const {
-    return options_.always_settles || last_length_ > 1.01 * options_.first_step;
   }
 
   // Goes the rest of the way without contact.
@@ -241,15 +236,6 @@ class Walker {
             << attempt.summary.crossing_pairs << " crossing pairs, "
             << (attempt.summary.is_intersection_free ? "free" : "not free");
     return attempt;
-  }
-
-  // A step that took many rounds was about as long as contact allows.
-  void SetNextLength(const StepSummary& step) {
-    if (step.rounds == 1) length_ *= options_.step_growth;
-    if (step.rounds > 2) length_ /= options_.step_growth;
-    length_ = std::clamp(length_,
-                         std::min(options_.first_step, 2 * length_),
-                         options_.longest_step);
   }
 
   bool Crosses(const StepSummary& step) const {
@@ -278,7 +264,6 @@ class Walker {
   StepOptions step_;
   double length_;
   double at_;
-  double last_length_ = 0;  // of the way
   Place* place_;
   WalkSummary summary_;
 };
@@ -337,7 +322,6 @@ WalkSummary Walk(const Mover& mover,
     }
     walker.Advance();
   }
-  if (!walker.IsUnsettled()) return walker.TakeSummary();
   for (int step = 0; step < options.max_settling_steps; ++step) {
     say("relaxing", walker.steps(), options.max_settling_steps);
     if (walker.Settle()) break;

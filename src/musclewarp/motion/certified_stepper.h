@@ -46,22 +46,17 @@ struct Attempt {
 struct WalkOptions {
   StepOptions step;
 
-  // The first step as a share of the way, and how often it may be halved. A
-  // step after which triangles cross is halved; after one that needs a single
-  // round the next one is longer by the growth, up to the longest.
-  double first_step = 1;
-  int max_halvings = 0;
-  double step_growth = 1;
+  // The longest step as a share of the way, and how often a step after which
+  // triangles cross is halved.
   double longest_step = 1;
+  int max_halvings = 0;
 
   // A step that cannot be halved is tried again with more reach.
   double reach_growth = 1;
   double max_reach = 0;  // mm
 
   // Once the pose is reached, steps go on there until no more than one vertex
-  // in five hundred moves by more than the tolerance, mm; none if the last step
-  // was as short as the first, unless the walk always settles.
-  bool always_settles = false;
+  // in five hundred moves by more than the tolerance, mm.
   int max_settling_steps = 0;
   double settling_tolerance = 0;
 
