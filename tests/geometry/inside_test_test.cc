@@ -85,8 +85,8 @@ TEST(InsideTest, KnowsLatticeSolidsExactly) {
     ASSERT_TRUE(test.IsClosed());
     // Corners, edges, faces and middles of all cubes, and outside.
     for (int i = 0; i < 10 * 10 * 10; ++i) {
-      const RowVector3d p =
-          0.5 * RowVector3d(i % 10 - 1, i / 10 % 10 - 1, i / 100 - 1);
+      const Eigen::RowVector3i place(i % 10, i / 10 % 10, i / 100);
+      const RowVector3d p = 0.5 * (place.cast<double>().array() - 1);
       EXPECT_EQ(test.Contains(p), solid.Contains(p)) << p;
     }
   }

@@ -24,7 +24,6 @@ namespace {
 using Eigen::RowVector3d;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-using ::testing::SizeIs;
 using PairList = std::vector<std::pair<int, int>>;
 
 // Every triangle against every other.

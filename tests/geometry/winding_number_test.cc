@@ -122,7 +122,8 @@ TEST(WindingNumber, RaysThroughCornersAndEdgesCountRight) {
   const WindingNumber winding(&bvh, box.triangles);
   EXPECT_TRUE(winding.IsClosed());
   for (int i = 0; i < 343; ++i) {
-    const Eigen::RowVector3d p(i % 7 - 3, i / 7 % 7 - 3, i / 49 - 3);
+    const Eigen::RowVector3i place(i % 7, i / 7 % 7, i / 49);
+    const Eigen::RowVector3d p = place.cast<double>().array() - 3;
     const double reach = p.cwiseAbs().maxCoeff();
     EXPECT_EQ(winding.IsInside(p), reach < 2) << p;
     EXPECT_EQ(winding.IsOnSurface(p), reach == 2) << p;
