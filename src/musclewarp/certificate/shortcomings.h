@@ -57,9 +57,9 @@ struct MuscleMeasures {
 
 // Returns what a frame does not hold of the requirements, a sentence each:
 // triangles that cross (how many, where, how deep), vertices inside another
-// mesh, gaps, volume, self-intersections, folded
-// triangles, displacement. A frame is certified if there are none. Precondition
-// (CHECKed): the requirements are valid.
+// mesh, gaps, volume, self-intersections, folded triangles, displacement. A
+// frame is certified if there are none. Precondition (CHECKed): the
+// requirements are valid.
 std::vector<std::string> Shortcomings(
     const FrameRequirements& requirements,
     const SceneIntersections& intersections,

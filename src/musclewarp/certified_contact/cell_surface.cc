@@ -63,6 +63,7 @@ TriangleSoup CellSurface(const CellSurfaceOptions& options,
 TriangleSoup WithEvenTriangles(const TriangleSoup& surface,
                                double shortest,
                                double longest) {
+  CHECK_GT(shortest, 0);
   constexpr double kShorter = 0.7;
   for (double length = longest;;
        length = std::max(kShorter * length, shortest)) {
