@@ -161,10 +161,12 @@ class Separator {
     std::vector<int> fewest;  // so far, by round
   };
 
+  // A pair that crosses again after it was apart is idle, too: the others push
+  // it back and forth.
   bool IsPairIdle(const std::vector<int>& fewest) const {
     const size_t window = options_.idle_rounds;
     return fewest.size() > window &&
-           fewest.back() >
+           fewest.back() >=
                options_.idle_share * fewest[fewest.size() - 1 - window];
   }
 

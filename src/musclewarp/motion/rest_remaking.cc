@@ -23,9 +23,11 @@ namespace {
 
 // The muscles, by number, whose meshes have to be made anew. What crosses a
 // bone holds up the muscles around it, and a muscle may cross itself as long as
-// it crosses others: so these come only if there is nothing worse.
+// it crosses others: so these come only if there is nothing worse, or in the
+// last attempt, which takes all.
 std::vector<int> UncleanMuscles(const PreparedScene& scene,
-                                const SceneIntersections& rest) {
+                                const SceneIntersections& rest,
+                                bool is_last_attempt) {
   std::map<std::string, int> numbers;
   std::set<int> beside_bones, beside_muscles, by_themselves;
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
@@ -42,11 +44,14 @@ std::vector<int> UncleanMuscles(const PreparedScene& scene,
       (are_muscles ? beside_muscles : beside_bones).insert(muscle->second);
     }
   }
-  for (const std::set<int>& unclean :
+  std::set<int> unclean;
+  for (const std::set<int>& worst :
        {beside_bones, beside_muscles, by_themselves}) {
-    if (!unclean.empty()) return {unclean.begin(), unclean.end()};
+    if (unclean.empty() || is_last_attempt) {
+      unclean.insert(worst.begin(), worst.end());
+    }
   }
-  return {};
+  return {unclean.begin(), unclean.end()};
 }
 
 // The places, a clause each.
@@ -245,7 +250,8 @@ std::unique_ptr<FrameSolver> MakeCleanFrameSolver(
                                   on_progress);
     if (options.contact != ContactKind::kCertified) return solver;
     const SceneIntersections& rest = *solver->contact().rest;
-    const std::vector<int> unclean = UncleanMuscles(*scene, rest);
+    const std::vector<int> unclean =
+        UncleanMuscles(*scene, rest, attempt + 1 == remaking.max_attempts);
     if (unclean.empty()) {
       for (const PreparedMuscle& muscle : scene->muscles) {
         if (!muscle.mesh.remaking.is_done) continue;
