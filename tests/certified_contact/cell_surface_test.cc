@@ -33,7 +33,6 @@ TriangleSoup EvenCellSurface(const Solid& muscle,
   const double spacing = SurfaceOptions().spacing;
   return WithEvenTriangles(
       CellSurface(SurfaceOptions(), muscle.distance, others, bones),
-      spacing,
       std::max(spacing, typical));
 }
 

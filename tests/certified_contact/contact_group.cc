@@ -33,7 +33,7 @@ StepSummary ContactGroup::StepTo(const ContactState& next,
                                  const StepOptions& options) {
   StepResult result = AdvanceWithoutIntersection(
       options, scene, state, next.targets, next.bones_from_rest);
-  if (result.summary.is_intersection_free) state = std::move(result.state);
+  if (!result.summary.faults.HasCrossings()) state = std::move(result.state);
   return result.summary;
 }
 

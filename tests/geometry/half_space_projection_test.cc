@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -118,6 +119,78 @@ TEST(ProjectIntoHalfSpaces, GoesNoFartherThanAllowed) {
 }
 
 // Between two that have no point in common; a third one is not in the way.
+// The greatest distance of a point from the half-spaces that it is outside of.
+double WorstViolation(const std::vector<HalfSpace>& spaces,
+                      const RowVector3d& point) {
+  double worst = 0;
+  for (const HalfSpace& space : spaces) {
+    worst = std::max(worst, space.level - space.normal.dot(point));
+  }
+  return worst;
+}
+
+// How much a millimetre of violation counts.
+constexpr double kWeight = 10;
+
+void Compromise(const std::vector<HalfSpace>& spaces, RowVector3d* point) {
+  CompromiseBetweenHalfSpaces(
+      spaces.data(), static_cast<int>(spaces.size()), kWeight, point);
+}
+
+// What CompromiseBetweenHalfSpaces makes least.
+double Cost(const std::vector<HalfSpace>& spaces,
+            const RowVector3d& from,
+            const RowVector3d& to) {
+  const double violation = kWeight * WorstViolation(spaces, to);
+  return (to - from).squaredNorm() + violation * violation;
+}
+
+TEST(CompromiseBetweenHalfSpaces, SharesTheViolationWhateverTheOrder) {
+  // Half a millimetre is missing, however often one side says so.
+  std::vector<HalfSpace> spaces(9, {RowVector3d(1, 0, 0), 0.25});
+  spaces.push_back({RowVector3d(-1, 0, 0), 0.25});
+  for (int order = 0; order < 2; ++order) {
+    RowVector3d point(0.25, 2, -1);
+    Compromise(spaces, &point);
+    EXPECT_NEAR(point[0], 0, kInside);
+    EXPECT_EQ(point[1], 2);
+    EXPECT_EQ(point[2], -1);
+    std::reverse(spaces.begin(), spaces.end());
+  }
+}
+
+TEST(CompromiseBetweenHalfSpaces, IsBetterThanThePlacesAround) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  const auto draw = [&] {
+    return RowVector3d(normal(random), normal(random), normal(random));
+  };
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<HalfSpace> spaces(4 + trial % 20);
+    for (HalfSpace& space : spaces) {
+      space = {draw().normalized(), normal(random)};
+    }
+    const RowVector3d from = draw();
+    RowVector3d point = from;
+    Compromise(spaces, &point);
+    const double cost = Cost(spaces, from, point);
+    for (const double far : {1e-3, 0.1, 1.0}) {
+      for (int other = 0; other < 20; ++other) {
+        EXPECT_GE(Cost(spaces, from, point + far * draw()), cost - kInside)
+            << "trial " << trial;
+      }
+    }
+  }
+}
+
+TEST(CompromiseBetweenHalfSpaces, LeavesAPointThatIsInAll) {
+  const std::vector<HalfSpace> spaces = {{RowVector3d(1, 0, 0), 1},
+                                         {RowVector3d(0, 1, 0), 2}};
+  RowVector3d point(1.5, 2.5, 7);
+  Compromise(spaces, &point);
+  EXPECT_EQ(point, RowVector3d(1.5, 2.5, 7));
+}
+
 TEST(ApproachHalfSpaces, EndsBetweenThoseWithoutACommonPoint) {
   const std::vector<HalfSpace> spaces = {{RowVector3d(1, 0, 0), 1},
                                          {RowVector3d(-1, 0, 0), 1},

@@ -66,6 +66,26 @@ TEST(Remeshed, LongTrianglesBecomeEven) {
   EXPECT_LT(*std::max_element(lengths.begin(), lengths.end()), 6);
 }
 
+TEST(Remeshed, LeavesTrianglesThatAreKept) {
+  const TriangleSoup ball = Icosphere(20, 4);
+  std::vector<bool> is_kept(ball.triangles.rows());
+  for (Eigen::Index f = 0; f < ball.triangles.rows(); ++f) {
+    is_kept[f] =
+        CornersOf(ball.points, ball.triangles.row(f)).col(2).minCoeff() > 0;
+  }
+  const TriangleSoup mixed = Remeshed(ball, 6, is_kept);
+  EXPECT_TRUE(CountDefects(mixed).IsClean());
+  // Vertices on the border may go, those beyond the next ring stay.
+  constexpr double kRing = 2;  // mm
+  const TriangleBvh tree(mixed.points, mixed.triangles);
+  int above = 0;
+  for (const auto p : mixed.points.rowwise()) above += p.z() > kRing;
+  int expected = 0;
+  for (const auto p : ball.points.rowwise()) expected += p.z() > kRing;
+  EXPECT_EQ(above, expected);
+  EXPECT_LT(mixed.points.rows() - above, expected / 4);
+}
+
 TEST(RemeshedDeathTest, NeedsAnEdgeLengthAboveZero) {
   EXPECT_DEATH(Remeshed(Icosphere(1, 1), 0), "edge_length");
 }

@@ -5,14 +5,16 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "musclewarp/base/option_check.h"
 #include "musclewarp/geometry/marching_tetrahedra.h"
+#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/remeshing.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
-#include "musclewarp/mesh_repair/self_crossing_removal.h"
 
 namespace musclewarp {
 namespace {
@@ -34,6 +36,25 @@ void KeepLargestBody(TriangleSoup* soup) {
   }
   KeepTriangles(keep, &soup->triangles);
   DropUnreferencedPoints(soup);
+}
+
+// Marks the triangles of `surface` that are near those of `even` that cross.
+void KeepAround(const TriangleSoup& even,
+                const std::vector<std::pair<int, int>>& crossings,
+                double distance,
+                const TriangleSoup& surface,
+                std::vector<bool>* is_kept) {
+  std::set<int> crossing;
+  for (const auto& [f, g] : crossings) crossing.insert({f, g});
+  const Triangles triangles =
+      even.triangles(std::vector<int>(crossing.begin(), crossing.end()),
+                     Eigen::all);
+  const TriangleBvh tree(even.points, triangles);
+  for (Eigen::Index f = 0; f < surface.triangles.rows(); ++f) {
+    const Eigen::RowVector3d middle =
+        CornersOf(surface.points, surface.triangles.row(f)).colwise().mean();
+    if (tree.IsWithin(middle, distance)) (*is_kept)[f] = true;
+  }
 }
 
 }  // namespace
@@ -61,21 +82,23 @@ TriangleSoup CellSurface(const CellSurfaceOptions& options,
 }
 
 TriangleSoup WithEvenTriangles(const TriangleSoup& surface,
-                               double shortest,
-                               double longest) {
-  CHECK_GT(shortest, 0);
-  constexpr double kShorter = 0.7;
-  for (double length = longest;;
-       length = std::max(kShorter * length, shortest)) {
-    TriangleSoup even = Remeshed(surface, length);
-    const SelfCrossingRemoval removal = RemoveSelfCrossings(&even);
+                               double edge_length) {
+  CHECK_GT(edge_length, 0);
+  constexpr int kMaxAttempts = 5;
+  std::vector<bool> is_kept(surface.triangles.rows(), false);
+  for (int attempt = 1; attempt <= kMaxAttempts; ++attempt) {
+    const TriangleSoup even = Remeshed(surface, edge_length, is_kept);
+    const std::vector<std::pair<int, int>> crossings = SelfIntersections(even);
     VLOG(1) << "surface of a cell: " << surface.triangles.rows()
             << " triangles, " << even.triangles.rows() << " with edges of "
-            << length << " mm, self-crossings " << removal.pairs_before
-            << " before and " << removal.pairs_after << " after their removal";
-    if (removal.pairs_after == 0 && CountDefects(even).IsClean()) return even;
-    if (length <= shortest) return surface;
+            << edge_length << " mm, " << crossings.size()
+            << " pairs cross each other";
+    if (crossings.empty() && CountDefects(even).IsClean()) return even;
+    // In later attempts farther around, so that the border of what is kept
+    // moves away from thin parts.
+    KeepAround(even, crossings, attempt * edge_length, surface, &is_kept);
   }
+  return surface;
 }
 
 }  // namespace musclewarp

@@ -32,13 +32,11 @@ TriangleSoup CellSurface(const CellSurfaceOptions& options,
                          const std::vector<const SolidDistance*>& other_muscles,
                          const std::vector<const SolidDistance*>& bones);
 
-// Returns such a surface with even triangles: the largest, from edges of
-// `longest` down to `shortest` (mm), with which it does not cross itself, as
-// thin parts may not survive large triangles. The surface as it is if there are
-// none. Where triangles cut corners, it may come to cross other meshes a
-// little. Precondition (CHECKed): both lengths are above zero.
-TriangleSoup WithEvenTriangles(const TriangleSoup& surface,
-                               double shortest,
-                               double longest);
+// Returns such a surface with triangles of one size, edges of `edge_length`, mm,
+// but for its thin parts and narrow creases: where it would cross itself with
+// large triangles, it keeps the small ones. The surface as it is if that does
+// not help. Where triangles cut corners, it may come to cross other meshes a
+// little. Precondition (CHECKed): the length is above zero.
+TriangleSoup WithEvenTriangles(const TriangleSoup& surface, double edge_length);
 
 }  // namespace musclewarp

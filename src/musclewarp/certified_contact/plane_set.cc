@@ -182,18 +182,18 @@ RowVector3d PlaneSet::Projected(int muscle,
     is_inside &= spaces[i].normal.dot(point) >= spaces[i].level;
   }
   if (is_inside) return point;
-  RowVector3d nearest = point;
-  if (ProjectIntoHalfSpaces(spaces.data(), count, options_.reach, &nearest)) {
-    return nearest;
-  }
   const RelaxationOptions& relaxation = options_.relaxation;
-  ApproachHalfSpaces(
-      spaces.data(), count, relaxation.compromise_turns, &nearest);
-  int bones = 0;
-  for (int i = 0; i < count; ++i) {
-    if (sides_[muscle][near[i]].plane < 0) spaces[bones++] = spaces[i];
+  RowVector3d nearest = point;
+  if (!ProjectIntoHalfSpaces(
+          spaces.data(), count, relaxation.max_push, &nearest)) {
+    CompromiseBetweenHalfSpaces(
+        spaces.data(), count, relaxation.violation_weight, &nearest);
+    int bones = 0;
+    for (int i = 0; i < count; ++i) {
+      if (sides_[muscle][near[i]].plane < 0) spaces[bones++] = spaces[i];
+    }
+    ApproachHalfSpaces(spaces.data(), bones, relaxation.bone_turns, &nearest);
   }
-  ApproachHalfSpaces(spaces.data(), bones, relaxation.bone_turns, &nearest);
   const RowVector3d carried = step_.carried[muscle].row(vertex);
   const RowVector3d push = nearest - carried;
   if (push.norm() <= relaxation.max_push) return nearest;

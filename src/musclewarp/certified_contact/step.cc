@@ -16,46 +16,43 @@
 namespace musclewarp {
 namespace {
 
-// What is wrong after a round, the worst first: triangles that cross, a plane
-// that a vertex is beyond by more than the gap has to spare, and triangles that
-// are folded.
-using RoundFaults = std::tuple<size_t, bool, int>;
-
-RoundFaults FaultsOf(const StepOptions& options,
-                     const StepDefects& defects,
-                     double violation) {
+StepFaults FaultsOf(const StepOptions& options,
+                    const StepDefects& defects,
+                    double violation) {
+  StepFaults faults;
+  faults.crossing_pairs = defects.num_crossings();
+  faults.self_crossing_pairs = static_cast<int>(defects.self_crossings.size());
   // Two muscles share a gap.
-  const double allowed = (options.AimedGap() - options.gap) / 2;
-  return {defects.num_crossings() + defects.self_crossings.size(),
-          violation > allowed,
-          defects.num_folded()};
+  faults.is_gap_violated = violation > (options.AimedGap() - options.gap) / 2;
+  faults.folded_triangles = defects.num_folded();
+  return faults;
 }
 
 // What a round has come to.
 struct Round {
-  RoundFaults faults;
+  StepSummary summary;
   std::vector<Points> points;
-  int crossing_pairs = 0;
-  double violation = 0;
-  double volume_error = 0;
-
-  bool IsFree() const { return std::get<0>(faults) == 0; }
 };
 
 StepResult ResultOf(const ContactStep& step,
                     const std::vector<Points>& targets,
                     int rounds,
                     Round best) {
-  StepSummary summary;
-  summary.is_intersection_free = best.IsFree();
-  summary.rounds = rounds;
-  summary.crossing_pairs = best.crossing_pairs;
-  summary.violation = best.violation;
-  summary.volume_error = best.volume_error;
-  return {{std::move(best.points), targets, step.bones_from_rest}, summary};
+  best.summary.rounds = rounds;
+  return {{std::move(best.points), targets, step.bones_from_rest},
+          best.summary};
 }
 
 }  // namespace
+
+bool IsBetter(const StepFaults& a, const StepFaults& b) {
+  const auto rank = [](const StepFaults& faults) {
+    return std::make_tuple(faults.crossing_pairs + faults.self_crossing_pairs,
+                           faults.is_gap_violated,
+                           faults.folded_triangles);
+  };
+  return rank(a) < rank(b);
+}
 
 OpenStep BeginStep(const StepOptions& options,
                    const ContactStep& step,
@@ -103,21 +100,17 @@ StepResult FinishStep(const StepOptions& options,
     const StepDefects defects =
         FindDefects(options, step, targets, relaxed.points, &open.trees);
     const double violation = open.planes.WorstViolation(relaxed.points);
-    const RoundFaults faults = FaultsOf(options, defects, violation);
-    VLOG(2) << "round " << round << ": " << defects.num_crossings()
-            << " crossings, " << defects.self_crossings.size()
-            << " of muscles with themselves, " << defects.num_folded()
+    const StepFaults faults = FaultsOf(options, defects, violation);
+    VLOG(2) << "round " << round << ": " << faults.crossing_pairs
+            << " crossings, " << faults.self_crossing_pairs
+            << " of muscles with themselves, " << faults.folded_triangles
             << " folded, violation " << violation << " mm";
-    if (!best || faults < best->faults) {
-      best = {faults,
-              relaxed.points,
-              defects.num_crossings(),
-              violation,
-              restored.worst_error};
+    if (!best || IsBetter(faults, best->summary.faults)) {
+      best = {{faults, round, violation, restored.worst_error}, relaxed.points};
     }
-    if (best->faults == RoundFaults() ||
-        (best->IsFree() &&
-         polishing_rounds++ == options.max_polishing_rounds)) {
+    const StepFaults& left = best->summary.faults;
+    if (left.IsEmpty() || (!left.HasCrossings() &&
+                           polishing_rounds++ == options.max_polishing_rounds)) {
       return ResultOf(step, targets, round, std::move(*best));
     }
     open.planes.Add(PlanesAgainst(defects, options, step, targets));

@@ -12,11 +12,30 @@
 
 namespace musclewarp {
 
+// What is wrong at the end of a step.
+struct StepFaults {
+  int crossing_pairs = 0;       // of triangles of two meshes
+  int self_crossing_pairs = 0;  // of triangles of one muscle
+
+  // A vertex is beyond a plane by more than the gap has to spare.
+  bool is_gap_violated = false;
+
+  // If a muscle has more of them than DefectOptions::max_folded_share.
+  int folded_triangles = 0;
+
+  bool HasCrossings() const { return crossing_pairs + self_crossing_pairs > 0; }
+  bool IsEmpty() const {
+    return !HasCrossings() && !is_gap_violated && folded_triangles == 0;
+  }
+};
+
+// Returns true if `a` is less bad than `b`: crossings are the worst, then the
+// gap.
+bool IsBetter(const StepFaults& a, const StepFaults& b);
+
 struct StepSummary {
-  // No triangles cross, of two meshes or of one.
-  bool is_intersection_free = false;
+  StepFaults faults;
   int rounds = 0;
-  int crossing_pairs = 0;   // of triangles of two meshes
   double violation = 0;     // of a plane by a vertex, at most, mm
   double volume_error = 0;  // relative, the worst of all muscles
 };
@@ -45,8 +64,8 @@ OpenStep BeginStep(const StepOptions& options,
 // Ends a step: relaxes by `sweeps` sweeps, restores volumes, finds defects, and
 // goes on with planes against these until there are none, at most so many
 // rounds. The best round counts. `targets`: where the coarse meshes have the
-// vertices now, #V x 3 each, mm. If the result is not free of intersections,
-// the step was too long or there is no room.
+// vertices now, #V x 3 each, mm. If triangles cross at the end, the step was
+// too long or there is no room.
 StepResult FinishStep(const StepOptions& options,
                       const ContactStep& step,
                       const std::vector<Points>& targets,

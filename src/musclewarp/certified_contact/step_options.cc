@@ -23,7 +23,7 @@ bool RelaxationOptions::IsValid(std::string* error) const {
       .IsAbove("max_push", max_push, 0)
       .IsWithin("room_decay", room_decay, 0, 1)
       .IsAtLeast("room_tolerance", room_tolerance, 0)
-      .IsAtLeast("compromise_turns", compromise_turns, 1)
+      .IsAbove("violation_weight", violation_weight, 0)
       .IsAtLeast("bone_turns", bone_turns, 1)
       .IsAtLeast("contact_distance", contact_distance, 0)
       .is_valid();

@@ -71,10 +71,12 @@ struct RelaxationOptions {
   // mm, does not need that room.
   double room_tolerance = 1e-3;
 
-  // Turns of Hildreth's method by which a vertex whose half-spaces have no
-  // common point within its reach finds a place between them: against all of
-  // its half-spaces, then against those of bones alone, which do not give way.
-  int compromise_turns = 10;
+  // A vertex whose half-spaces have no common point so near is put between
+  // them, a millimetre of the worst violation counting as so many millimetres of
+  // the way (CompromiseBetweenHalfSpaces); then towards those of bones, which do
+  // not give way, in so many turns (ApproachHalfSpaces). The planes that it
+  // violates are shifted, so that what is beyond them gives way.
+  double violation_weight = 10;
   int bone_turns = 20;
 
   // A vertex nearer to a plane than this, mm, counts as one that the plane

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/geometry/half_space_projection.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +14,6 @@ namespace musclewarp {
 namespace {
 
 using Eigen::RowVector3d;
-using Eigen::Vector3d;
 
 // A point that violates a half-space by less than this is inside it, mm.
 constexpr double kInsideTolerance = 1e-9;
@@ -23,10 +22,17 @@ constexpr double kInsideTolerance = 1e-9;
 // this, it is rounding error.
 constexpr double kParallel = 1e-4;
 
+template <int kDimension>
+using Vector = Eigen::Matrix<double, 1, kDimension>;
+
 // The planes that push the point, and their multipliers.
+template <int kDimension>
 struct ActiveSet {
-  std::array<RowVector3d, 3> normals;
-  std::array<double, 3> pushes;
+  // One number for each plane.
+  using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kDimension, 1>;
+
+  std::array<Vector<kDimension>, kDimension> normals;
+  std::array<double, kDimension> pushes;
   int size = 0;
 
   void Drop(int i) {
@@ -37,65 +43,66 @@ struct ActiveSet {
 
   // Splits normal = sum_i shares_i normals_i + across, where `across` is
   // orthogonal to all normals of the set, and returns `across`.
-  RowVector3d Split(const RowVector3d& normal, Vector3d* shares) const {
-    shares->setZero();
+  Vector<kDimension> Split(const Vector<kDimension>& normal,
+                           Numbers* shares) const {
+    Eigen::Matrix<double,
+                  Eigen::Dynamic,
+                  kDimension,
+                  Eigen::RowMajor,
+                  kDimension,
+                  kDimension>
+        all(size, kDimension);
+    for (int i = 0; i < size; ++i) all.row(i) = normals[i];
+    shares->resize(size);
     if (size == 0) return normal;
-    if (size == 1) {
-      (*shares)[0] = normal.dot(normals[0]);
-      return normal - (*shares)[0] * normals[0];
-    }
-    const RowVector3d& a = normals[0];
-    const RowVector3d& b = normals[1];
-    const RowVector3d c = size == 3 ? normals[2] : RowVector3d(a.cross(b));
-    // Solve by Cramer's rule. If there are two normals, c is orthogonal to
-    // both.
-    const RowVector3d bc = b.cross(c);
-    const double determinant = a.dot(bc);
-    (*shares)[0] = normal.dot(bc) / determinant;
-    (*shares)[1] = normal.dot(c.cross(a)) / determinant;
-    const double along = normal.dot(a.cross(b)) / determinant;
-    if (size == 2) return along * c;
-    (*shares)[2] = along;
-    return RowVector3d::Zero();
+    // Accurate even where the normals are nearly parallel.
+    const Eigen::HouseholderQR<
+        Eigen::
+            Matrix<double, kDimension, Eigen::Dynamic, 0, kDimension, kDimension>>
+        qr(all.transpose());
+    *shares = qr.solve(normal.transpose());
+    if (size == kDimension) return Vector<kDimension>::Zero();
+    return normal - shares->transpose() * all;
   }
 };
 
-}  // namespace
-
-bool ProjectIntoHalfSpaces(const HalfSpace* spaces,
-                           int count,
-                           double farthest,
-                           RowVector3d* point) {
+// The method of ProjectIntoHalfSpaces, in any dimension. `violation(i, point)`
+// and `normal(i)` belong to the half-space i.
+template <int kDimension, class Violation, class Normal>
+bool Project(int count,
+             const Violation& violation,
+             const Normal& normal,
+             double farthest,
+             Vector<kDimension>* point) {
   constexpr int kMostChanges = 60;
-  ActiveSet active;
-  RowVector3d moved = *point;
-  const HalfSpace* worst = nullptr;
+  ActiveSet<kDimension> active;
+  Vector<kDimension> moved = *point;
+  int worst = -1;
   double push = 0;  // the multiplier of the worst one
   for (int change = 0; change < kMostChanges; ++change) {
-    if (!worst) {
+    if (worst < 0) {
       double most = kInsideTolerance;
       for (int i = 0; i < count; ++i) {
-        const double violation = spaces[i].level - spaces[i].normal.dot(moved);
-        if (violation > most) {
-          most = violation;
-          worst = &spaces[i];
+        const double here = violation(i, moved);
+        if (here > most) {
+          most = here;
+          worst = i;
         }
       }
-      if (!worst) {
+      if (worst < 0) {
         *point = moved;
         return true;
       }
       push = 0;
     }
-    Vector3d shares;
-    const RowVector3d across = active.Split(worst->normal, &shares);
+    typename ActiveSet<kDimension>::Numbers shares;
+    const Vector<kDimension> across = active.Split(normal(worst), &shares);
     const double slope = across.squaredNorm();
     // The step until the plane is reached, and the step until one of the active
     // planes would have to pull.
-    const double to_border =
-        slope > kParallel * kParallel
-            ? (worst->level - worst->normal.dot(moved)) / slope
-            : kInfinity;
+    const double to_border = slope > kParallel * kParallel
+                                 ? violation(worst, moved) / slope
+                                 : kInfinity;
     double to_release = kInfinity;
     int released = -1;
     for (int i = 0; i < active.size; ++i) {
@@ -111,15 +118,58 @@ bool ProjectIntoHalfSpaces(const HalfSpace* spaces,
     for (int i = 0; i < active.size; ++i) active.pushes[i] -= step * shares[i];
     push += step;
     if (step == to_border) {
-      active.normals[active.size] = worst->normal;
+      active.normals[active.size] = normal(worst);
       active.pushes[active.size] = push;
       ++active.size;
-      worst = nullptr;
+      worst = -1;
     } else {
       active.Drop(released);
     }
   }
   return false;
+}
+
+}  // namespace
+
+bool ProjectIntoHalfSpaces(const HalfSpace* spaces,
+                           int count,
+                           double farthest,
+                           RowVector3d* point) {
+  return Project<3>(
+      count,
+      [&](int i, const RowVector3d& p) {
+        return spaces[i].level - spaces[i].normal.dot(p);
+      },
+      [&](int i) -> const RowVector3d& { return spaces[i].normal; },
+      farthest,
+      point);
+}
+
+void CompromiseBetweenHalfSpaces(const HalfSpace* spaces,
+                                 int count,
+                                 double violation_weight,
+                                 RowVector3d* point) {
+  // The fourth unknown is the violation times its weight, so that the sum that
+  // is least is a squared distance.
+  const double share = 1 / violation_weight;
+  const double length = std::sqrt(1 + share * share);
+  Vector<4> lifted;
+  lifted << *point, 0;
+  const bool is_found = Project<4>(
+      count,
+      [&](int i, const Vector<4>& p) {
+        return (spaces[i].level - spaces[i].normal.dot(p.head<3>()) -
+                share * p[3]) /
+               length;
+      },
+      [&](int i) {
+        Vector<4> normal;
+        normal << spaces[i].normal, share;
+        return Vector<4>(normal / length);
+      },
+      kInfinity,
+      &lifted);
+  if (is_found) *point = lifted.head<3>();
 }
 
 void ApproachHalfSpaces(const HalfSpace* spaces,

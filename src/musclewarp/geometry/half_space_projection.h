@@ -24,6 +24,17 @@ bool ProjectIntoHalfSpaces(const HalfSpace* spaces,
                            double farthest,
                            Eigen::RowVector3d* point);
 
+// Moves `point` to a compromise between `count` half-spaces that have no common
+// point, or none that is near: where the square of the way plus the square of
+// `violation_weight` times the worst violation is least. It does not depend on
+// the order of the half-spaces, nor on how many of them say the same. The method
+// is the same, with the violation as a fourth unknown. If rounding keeps it from
+// ending, the point stays. Precondition: the weight is above zero.
+void CompromiseBetweenHalfSpaces(const HalfSpace* spaces,
+                                 int count,
+                                 double violation_weight,
+                                 Eigen::RowVector3d* point);
+
 // Moves `point` towards the intersection of `count` half-spaces by at most
 // `turns` rounds of Hildreth's method ("A quadratic programming procedure",
 // 1957). If the intersection is empty, the point ends at a compromise between

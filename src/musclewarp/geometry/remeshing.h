@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
@@ -11,10 +13,12 @@ namespace musclewarp {
 // vertices are spread evenly over the old surface (Botsch and Kobbelt 2004, "A
 // Remeshing Approach to Multiresolution Modeling"; isotropic_remeshing of
 // CGAL). The new vertices lie on the old surface, and its details below the
-// edge length are lost. Preconditions (CHECKed): the mesh is a manifold, the
-// edge length is above zero.
+// edge length are lost. Triangles for which `is_kept` (#F, or empty for none)
+// is true keep their size; only their edges beside others may change.
+// Preconditions (CHECKed): the mesh is a manifold, the edge length is above
+// zero.
 TriangleSoup Remeshed(const TriangleSoup& soup,
                       double edge_length,
-                      int iterations = 5);
+                      const std::vector<bool>& is_kept = {});
 
 }  // namespace musclewarp

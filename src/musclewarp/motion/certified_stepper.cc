@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/infinity.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/scene/line_targets.h"
 
@@ -206,15 +207,23 @@ class Walker {
     at_ = to;
   }
 
-  // Tries a step at the pose. Returns true if no other one is needed.
+  // Tries a step at the pose. Returns true if no other one is needed or helps.
   bool Settle() {
     Attempt attempt = Try(goal_, place_->free, place_->solved);
     if (Crosses(attempt.summary)) return !CanReachFarther();
-    const bool has_settled =
-        MoveOfMost(place_->surfaces.points, attempt.place.surfaces.points) <
-        options_.settling_tolerance;
+    const double move =
+        MoveOfMost(place_->surfaces.points, attempt.place.surfaces.points);
+    VLOG(1) << "most vertices have moved by less than " << move << " mm";
     Accept(std::move(attempt));
-    return has_settled;
+    // Squeezed vertices may go back and forth for ever.
+    if (move < kLessMove * least_move_) {
+      least_move_ = move;
+      idle_steps_ = 0;
+    } else {
+      ++idle_steps_;
+    }
+    return move < options_.settling_tolerance ||
+           idle_steps_ == options_.max_idle_settling_steps;
   }
 
   // Goes the rest of the way without contact.
@@ -226,6 +235,9 @@ class Walker {
   }
 
  private:
+  // A settling step moves less than those before if it moves by this share.
+  static constexpr double kLessMove = 0.9;
+
   Attempt Try(const ScenePose& pose,
               const SolvedPose& free,
               const SolvedPose& start) {
@@ -233,14 +245,15 @@ class Walker {
     Attempt attempt = TryStep(mover_, step_, *place_, pose, free, start);
     VLOG(1) << "step from " << at_ << " of length " << length_ << ", reach "
             << step_.reach << " mm: " << attempt.summary.rounds << " rounds, "
-            << attempt.summary.crossing_pairs << " crossing pairs, "
-            << (attempt.summary.is_intersection_free ? "free" : "not free");
+            << attempt.summary.faults.crossing_pairs << " crossing pairs, "
+            << attempt.summary.faults.self_crossing_pairs
+            << " of muscles with themselves";
     return attempt;
   }
 
   bool Crosses(const StepSummary& step) const {
-    return options_.accepts_self_crossings ? step.crossing_pairs > 0
-                                           : !step.is_intersection_free;
+    return options_.accepts_self_crossings ? step.faults.crossing_pairs > 0
+                                           : step.faults.HasCrossings();
   }
 
   // Lets the next step reach farther, if it may.
@@ -264,6 +277,8 @@ class Walker {
   StepOptions step_;
   double length_;
   double at_;
+  double least_move_ = kInfinity;  // of settling steps, mm
+  int idle_steps_ = 0;             // since then
   Place* place_;
   WalkSummary summary_;
 };

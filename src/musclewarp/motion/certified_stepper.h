@@ -56,8 +56,10 @@ struct WalkOptions {
   double max_reach = 0;  // mm
 
   // Once the pose is reached, steps go on there until no more than one vertex
-  // in five hundred moves by more than the tolerance, mm.
+  // in five hundred moves by more than the tolerance, mm, or until this does
+  // not become less in so many steps.
   int max_settling_steps = 0;
+  int max_idle_settling_steps = 4;
   double settling_tolerance = 0;
 
   // If true, a step may leave more crossings of a muscle with itself.

@@ -192,7 +192,6 @@ void Remake(const RestRemakingOptions& options,
         surface.triangles.rows() == 0
             ? surface
             : WithEvenTriangles(surface,
-                                surface_options.spacing,
                                 std::max(surface_options.spacing, typical)));
   }
   for (size_t k = 0; k < unclean.size(); ++k) {
