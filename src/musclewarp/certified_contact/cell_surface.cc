@@ -46,9 +46,8 @@ void KeepAround(const TriangleSoup& even,
                 std::vector<bool>* is_kept) {
   std::set<int> crossing;
   for (const auto& [f, g] : crossings) crossing.insert({f, g});
-  const Triangles triangles =
-      even.triangles(std::vector<int>(crossing.begin(), crossing.end()),
-                     Eigen::all);
+  const Triangles triangles = even.triangles(
+      std::vector<int>(crossing.begin(), crossing.end()), Eigen::all);
   const TriangleBvh tree(even.points, triangles);
   for (Eigen::Index f = 0; f < surface.triangles.rows(); ++f) {
     const Eigen::RowVector3d middle =

@@ -109,8 +109,9 @@ StepResult FinishStep(const StepOptions& options,
       best = {{faults, round, violation, restored.worst_error}, relaxed.points};
     }
     const StepFaults& left = best->summary.faults;
-    if (left.IsEmpty() || (!left.HasCrossings() &&
-                           polishing_rounds++ == options.max_polishing_rounds)) {
+    if (left.IsEmpty() ||
+        (!left.HasCrossings() &&
+         polishing_rounds++ == options.max_polishing_rounds)) {
       return ResultOf(step, targets, round, std::move(*best));
     }
     open.planes.Add(PlanesAgainst(defects, options, step, targets));

@@ -72,10 +72,10 @@ struct RelaxationOptions {
   double room_tolerance = 1e-3;
 
   // A vertex whose half-spaces have no common point so near is put between
-  // them, a millimetre of the worst violation counting as so many millimetres of
-  // the way (CompromiseBetweenHalfSpaces); then towards those of bones, which do
-  // not give way, in so many turns (ApproachHalfSpaces). The planes that it
-  // violates are shifted, so that what is beyond them gives way.
+  // them: a millimetre of the worst violation counts as so many of the way
+  // (CompromiseBetweenHalfSpaces). From there it goes towards those of bones,
+  // which do not give way, in so many turns (ApproachHalfSpaces). The planes
+  // that it violates are shifted, so that what is beyond them gives way.
   double violation_weight = 10;
   int bone_turns = 20;
 

@@ -56,9 +56,12 @@ struct ActiveSet {
     shares->resize(size);
     if (size == 0) return normal;
     // Accurate even where the normals are nearly parallel.
-    const Eigen::HouseholderQR<
-        Eigen::
-            Matrix<double, kDimension, Eigen::Dynamic, 0, kDimension, kDimension>>
+    const Eigen::HouseholderQR<Eigen::Matrix<double,
+                                             kDimension,
+                                             Eigen::Dynamic,
+                                             0,
+                                             kDimension,
+                                             kDimension>>
         qr(all.transpose());
     *shares = qr.solve(normal.transpose());
     if (size == kDimension) return Vector<kDimension>::Zero();

@@ -27,9 +27,9 @@ bool ProjectIntoHalfSpaces(const HalfSpace* spaces,
 // Moves `point` to a compromise between `count` half-spaces that have no common
 // point, or none that is near: where the square of the way plus the square of
 // `violation_weight` times the worst violation is least. It does not depend on
-// the order of the half-spaces, nor on how many of them say the same. The method
-// is the same, with the violation as a fourth unknown. If rounding keeps it from
-// ending, the point stays. Precondition: the weight is above zero.
+// the order of the half-spaces, nor on how many of them say the same. The
+// method is the same, with the violation as a fourth unknown. If it does not
+// end, the point stays. Precondition: the weight is above zero.
 void CompromiseBetweenHalfSpaces(const HalfSpace* spaces,
                                  int count,
                                  double violation_weight,
@@ -37,9 +37,9 @@ void CompromiseBetweenHalfSpaces(const HalfSpace* spaces,
 
 // Moves `point` towards the intersection of `count` half-spaces by at most
 // `turns` rounds of Hildreth's method ("A quadratic programming procedure",
-// 1957). If the intersection is empty, the point ends at a compromise between
-// the half-spaces, which ProjectIntoHalfSpaces does not provide. If it is not,
-// the point approaches its projection but may still be outside.
+// 1957). If the intersection is empty, the point ends between the half-spaces,
+// on the border of the last one that it violated. If it is not, the point
+// approaches its projection but may still be outside.
 void ApproachHalfSpaces(const HalfSpace* spaces,
                         int count,
                         int turns,

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "musclewarp/base/infinity.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/scene/line_targets.h"
 
@@ -207,7 +206,7 @@ class Walker {
     at_ = to;
   }
 
-  // Tries a step at the pose. Returns true if no other one is needed or helps.
+  // Tries a step at the pose. Returns true if no other one is needed.
   bool Settle() {
     Attempt attempt = Try(goal_, place_->free, place_->solved);
     if (Crosses(attempt.summary)) return !CanReachFarther();
@@ -215,15 +214,7 @@ class Walker {
         MoveOfMost(place_->surfaces.points, attempt.place.surfaces.points);
     VLOG(1) << "most vertices have moved by less than " << move << " mm";
     Accept(std::move(attempt));
-    // Squeezed vertices may go back and forth for ever.
-    if (move < kLessMove * least_move_) {
-      least_move_ = move;
-      idle_steps_ = 0;
-    } else {
-      ++idle_steps_;
-    }
-    return move < options_.settling_tolerance ||
-           idle_steps_ == options_.max_idle_settling_steps;
+    return move < options_.settling_tolerance;
   }
 
   // Goes the rest of the way without contact.
@@ -235,9 +226,6 @@ class Walker {
   }
 
  private:
-  // A settling step moves less than those before if it moves by this share.
-  static constexpr double kLessMove = 0.9;
-
   Attempt Try(const ScenePose& pose,
               const SolvedPose& free,
               const SolvedPose& start) {
@@ -277,8 +265,6 @@ class Walker {
   StepOptions step_;
   double length_;
   double at_;
-  double least_move_ = kInfinity;  // of settling steps, mm
-  int idle_steps_ = 0;             // since then
   Place* place_;
   WalkSummary summary_;
 };

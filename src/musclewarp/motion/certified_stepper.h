@@ -56,10 +56,8 @@ struct WalkOptions {
   double max_reach = 0;  // mm
 
   // Once the pose is reached, steps go on there until no more than one vertex
-  // in five hundred moves by more than the tolerance, mm, or until this does
-  // not become less in so many steps.
+  // in five hundred moves by more than the tolerance, mm.
   int max_settling_steps = 0;
-  int max_idle_settling_steps = 4;
   double settling_tolerance = 0;
 
   // If true, a step may leave more crossings of a muscle with itself.
