@@ -118,7 +118,6 @@ TEST(ProjectIntoHalfSpaces, GoesNoFartherThanAllowed) {
   EXPECT_EQ(point, RowVector3d(2, 1, 0));
 }
 
-// Between two that have no point in common; a third one is not in the way.
 // The greatest distance of a point from the half-spaces that it is outside of.
 double WorstViolation(const std::vector<HalfSpace>& spaces,
                       const RowVector3d& point) {
@@ -191,6 +190,7 @@ TEST(CompromiseBetweenHalfSpaces, LeavesAPointThatIsInAll) {
   EXPECT_EQ(point, RowVector3d(1.5, 2.5, 7));
 }
 
+// Between two that have no point in common; a third one is not in the way.
 TEST(ApproachHalfSpaces, EndsBetweenThoseWithoutACommonPoint) {
   const std::vector<HalfSpace> spaces = {{RowVector3d(1, 0, 0), 1},
                                          {RowVector3d(-1, 0, 0), 1},

@@ -77,7 +77,6 @@ TEST(Remeshed, LeavesTrianglesThatAreKept) {
   EXPECT_TRUE(CountDefects(mixed).IsClean());
   // Vertices on the border may go, those beyond the next ring stay.
   constexpr double kRing = 2;  // mm
-  const TriangleBvh tree(mixed.points, mixed.triangles);
   int above = 0;
   for (const auto p : mixed.points.rowwise()) above += p.z() > kRing;
   int expected = 0;

@@ -92,7 +92,7 @@ TriangleSoup WithEvenTriangles(const TriangleSoup& surface,
             << " triangles, " << even.triangles.rows() << " with edges of "
             << edge_length << " mm, " << crossings.size()
             << " pairs cross each other";
-    if (crossings.empty() && CountDefects(even).IsClean()) return even;
+    if (crossings.empty()) return CountDefects(even).IsClean() ? even : surface;
     // In later attempts farther around, so that the border of what is kept
     // moves away from thin parts.
     KeepAround(even, crossings, attempt * edge_length, surface, &is_kept);

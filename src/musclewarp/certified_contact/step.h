@@ -20,7 +20,7 @@ struct StepFaults {
   // A vertex is beyond a plane by more than the gap has to spare.
   bool is_gap_violated = false;
 
-  // If a muscle has more of them than DefectOptions::max_folded_share.
+  // Of the muscles that have more of them than DefectOptions::max_folded_share.
   int folded_triangles = 0;
 
   bool HasCrossings() const { return crossing_pairs + self_crossing_pairs > 0; }
