@@ -20,10 +20,13 @@ include(GNUInstallDirs)
 set(MUSCLEWARP_INSTALL_INCLUDEDIR ${CMAKE_INSTALL_INCLUDEDIR}/musclewarp)
 
 # g++ 12 reports uninitialised values inside libstdc++ and Eigen that are none.
+# clang++ suggests && for the & of boxes, which is there to save branches.
 add_library(musclewarp_compile_options INTERFACE)
 target_compile_options(
-  musclewarp_compile_options INTERFACE -Wall -Wextra -Wshadow
-                                       -Wno-maybe-uninitialized)
+  musclewarp_compile_options
+  INTERFACE -Wall -Wextra -Wshadow
+            $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
+            $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 if(MUSCLEWARP_WARNINGS_AS_ERRORS)
   target_compile_options(musclewarp_compile_options INTERFACE -Werror)
 endif()

@@ -139,7 +139,7 @@ TEST(FindDefects, LeavesCrossingsThatNoPlaneCanSeparate) {
 TEST(Stiffened, GrowsToALimit) {
   Moved moved(ContactGroup({SphereAt({0, 0, 0}, 10, 1)}, {}));
   StepDefects defects;
-  defects.folded = {{0}};
+  defects.folded = {{{0, Eigen::Matrix3d::Identity()}}};
   Stiffness stiffness = UniformStiffness(moved.group.scene);
   for (int i = 0; i < 10; ++i) {
     stiffness =

@@ -40,12 +40,13 @@ TEST(FoldedTriangles, FindsTheOnesAroundAPushedVertex) {
   const int across = sphere.triangles(100, 1);
   pushed.row(vertex) +=
       2.5 * (sphere.points.row(across) - sphere.points.row(vertex));
-  const std::vector<int> folded =
+  const std::vector<FoldedTriangle> folded =
       FoldedTriangles(sphere.points, pushed, sphere.triangles);
   EXPECT_GE(folded.size(), 1u);
   EXPECT_LE(folded.size(), 6u);
-  for (const int f : folded) {
-    EXPECT_TRUE((sphere.triangles.row(f).array() == vertex).any());
+  for (const FoldedTriangle& triangle : folded) {
+    EXPECT_TRUE(
+        (sphere.triangles.row(triangle.triangle).array() == vertex).any());
   }
 }
 

@@ -17,19 +17,13 @@ namespace {
 using Eigen::RowVector3d;
 using Eigen::RowVector3i;
 
-std::vector<int> FoldedTriangles(const DefectOptions& options,
-                                 const Triangles& triangles,
-                                 const Points& targets,
-                                 const Points& points) {
-  std::vector<int> folded;
-  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
-    const Corners now = CornersOf(points, triangles.row(f));
-    const Corners target = CornersOf(targets, triangles.row(f));
-    if (AreaVector(now).dot(AreaVector(target)) < 0) {
-      folded.push_back(static_cast<int>(f));
-    }
-  }
-  const auto count = static_cast<double>(triangles.rows());
+// Returns none if the muscle may have as many as it has.
+std::vector<FoldedTriangle> TooManyFolded(const DefectOptions& options,
+                                          const MuscleSurface& muscle,
+                                          const Points& points) {
+  std::vector<FoldedTriangle> folded =
+      FoldedTriangles(muscle.rest, points, muscle.triangles);
+  const auto count = static_cast<double>(muscle.triangles.rows());
   if (static_cast<double>(folded.size()) <= options.max_folded_share * count) {
     folded.clear();
   }
@@ -39,26 +33,27 @@ std::vector<int> FoldedTriangles(const DefectOptions& options,
 // The plane that keeps the corner opposite to the longest edge of a triangle
 // above that edge: over its longest edge a triangle is lowest, and folds.
 std::optional<SeparatingPlane> PlaneAgainstFold(const DefectOptions& options,
-                                                const ContactStep& step,
-                                                const Points& targets,
+                                                const ContactScene& scene,
                                                 int muscle,
-                                                int f) {
-  const RowVector3i corners = step.scene.muscles[muscle].triangles.row(f);
-  const Corners target = CornersOf(targets, corners);
+                                                const FoldedTriangle& folded) {
+  const MuscleSurface& surface = scene.muscles[muscle];
+  const RowVector3i corners = surface.triangles.row(folded.triangle);
+  const Corners unfolded =
+      CornersOf(surface.rest, corners) * folded.rotation.transpose();
   int top = 0;
   double longest = 0;
   for (int k = 0; k < 3; ++k) {
     const double length =
-        (target.row((k + 1) % 3) - target.row((k + 2) % 3)).norm();
+        (unfolded.row((k + 1) % 3) - unfolded.row((k + 2) % 3)).norm();
     if (length > longest) {
       longest = length;
       top = k;
     }
   }
-  const RowVector3d area = AreaVector(target);
+  const RowVector3d area = AreaVector(unfolded);
   const int u = (top + 1) % 3, v = (top + 2) % 3;
   const RowVector3d inward =
-      area.cross(RowVector3d(target.row(v) - target.row(u)));
+      area.cross(RowVector3d(unfolded.row(v) - unfolded.row(u)));
   if (!(inward.norm() > 0)) return std::nullopt;
   const double height = area.norm() / longest;
   SeparatingPlane plane;
@@ -154,10 +149,8 @@ StepDefects FindDefects(const StepOptions& options,
   StepDefects defects;
   for (int i = 0; i < step.num_muscles(); ++i) {
     (*trees)[i].Refit(points[i]);
-    defects.folded.push_back(FoldedTriangles(options.defects,
-                                             step.scene.muscles[i].triangles,
-                                             targets[i],
-                                             points[i]));
+    defects.folded.push_back(
+        TooManyFolded(options.defects, step.scene.muscles[i], points[i]));
   }
   for (int a = 0; a < step.num_muscles(); ++a) {
     AddSelfCrossings(options, step, targets[a], a, (*trees)[a], &defects);
@@ -183,8 +176,8 @@ std::vector<SeparatingPlane> PlanesAgainst(const StepDefects& defects,
     if (plane) planes.push_back(*plane);
   };
   for (int i = 0; i < static_cast<int>(defects.folded.size()); ++i) {
-    for (const int f : defects.folded[i]) {
-      add(PlaneAgainstFold(options.defects, step, targets[i], i, f));
+    for (const FoldedTriangle& folded : defects.folded[i]) {
+      add(PlaneAgainstFold(options.defects, step.scene, i, folded));
     }
   }
   for (const CrossingTriangle& pair : defects.self_crossings) {
@@ -215,14 +208,17 @@ Stiffness Stiffened(const StepDefects& defects,
                     const ContactScene& scene,
                     Stiffness stiffness) {
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    std::vector<int> crossing;
+    std::vector<int> folded, crossing;
+    for (const FoldedTriangle& triangle : defects.folded[i]) {
+      folded.push_back(triangle.triangle);
+    }
     for (const CrossingTriangle& pair : defects.self_crossings) {
       if (pair.a != static_cast<int>(i)) continue;
       crossing.push_back(pair.f);
       crossing.push_back(pair.g);
     }
     const Triangles& triangles = scene.muscles[i].triangles;
-    Stiffen(options, triangles, defects.folded[i], &stiffness[i]);
+    Stiffen(options, triangles, folded, &stiffness[i]);
     Stiffen(options, triangles, crossing, &stiffness[i]);
   }
   return stiffness;

@@ -8,6 +8,7 @@
 #include "musclewarp/certified_contact/relaxation.h"
 #include "musclewarp/certified_contact/separating_planes.h"
 #include "musclewarp/certified_contact/step_options.h"
+#include "musclewarp/geometry/folded_triangles.h"
 
 namespace musclewarp {
 
@@ -27,9 +28,9 @@ struct StepDefects {
   // were apart before the step or are apart where the coarse mesh has them.
   std::vector<CrossingTriangle> self_crossings;
 
-  // By muscle: triangles turned over against their targets, if the muscle has
+  // By muscle: triangles that folded since the rest pose, if the muscle has
   // more of them than DefectOptions::max_folded_share.
-  std::vector<std::vector<int>> folded;
+  std::vector<std::vector<FoldedTriangle>> folded;
 
   // Pairs of triangles of two meshes that cross.
   int num_crossings() const;
@@ -52,7 +53,8 @@ StepDefects FindDefects(const StepOptions& options,
 // Returns planes that separate the triangles again: those of two meshes, and of
 // one muscle, as they were separated before the step or, of one muscle, as they
 // are where the coarse mesh has them. A folded triangle gets a plane through
-// its longest edge that its third corner has to stay above.
+// its longest edge that its third corner has to stay above, in the direction
+// that it would have if it had turned with its surroundings.
 std::vector<SeparatingPlane> PlanesAgainst(const StepDefects& defects,
                                            const StepOptions& options,
                                            const ContactStep& step,

@@ -27,6 +27,7 @@ MuscleSurface MakeMuscleSurface(const Points& rest,
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   MuscleSurface surface;
+  surface.rest = rest;
   surface.triangles = triangles;
   surface.volume = volume;
   surface.tree = std::make_shared<TriangleBvh>(rest, triangles);

@@ -25,6 +25,7 @@ struct MuscleSurfaceOptions {
 // pose to pose. The graph of its edges, with weights, carries the offsets by
 // which contact moves single vertices (relaxation.h).
 struct MuscleSurface {
+  Points rest;          // #V x 3, mm
   Triangles triangles;  // closed, outward
   double volume = 0;    // to be kept, mm^3
 

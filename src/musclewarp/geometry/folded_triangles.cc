@@ -110,20 +110,22 @@ bool IsNeedle(const Points& points, const Eigen::RowVector3i& f) {
 
 }  // namespace
 
-std::vector<int> FoldedTriangles(const Points& rest,
-                                 const Points& deformed,
-                                 const Triangles& triangles) {
+std::vector<FoldedTriangle> FoldedTriangles(const Points& rest,
+                                            const Points& deformed,
+                                            const Triangles& triangles) {
   CHECK_EQ(rest.rows(), deformed.rows());
   const Matrices covariances = SummedOverNeighbours(
       EdgeCovariances(rest, deformed, triangles), triangles);
-  std::vector<char> is_folded(triangles.rows(), false);
+  std::vector<FoldedTriangle> folded;
   // Triangles with neighbouring numbers are mostly neighbours on the surface
   // and have similar rotations, so that each starts from that of the one
   // before.
-  constexpr Eigen::Index kBlock = 128;
+  constexpr Eigen::Index kTrianglesPerBlock = 128;
 #pragma omp parallel for schedule(static)
-  for (Eigen::Index begin = 0; begin < triangles.rows(); begin += kBlock) {
-    const Eigen::Index end = std::min(begin + kBlock, triangles.rows());
+  for (Eigen::Index begin = 0; begin < triangles.rows();
+       begin += kTrianglesPerBlock) {
+    const Eigen::Index end =
+        std::min(begin + kTrianglesPerBlock, triangles.rows());
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     for (Eigen::Index f = begin; f < end; ++f) {
       if (IsNeedle(rest, triangles.row(f))) continue;
@@ -133,13 +135,15 @@ std::vector<int> FoldedTriangles(const Points& rest,
                               rotation);
       const Eigen::RowVector3d turned =
           Normal(rest, triangles.row(f)) * rotation.transpose();
-      is_folded[f] = Normal(deformed, triangles.row(f)).dot(turned) < 0;
+      if (Normal(deformed, triangles.row(f)).dot(turned) < 0) {
+#pragma omp critical(folded_triangles)
+        folded.push_back({static_cast<int>(f), rotation});
+      }
     }
   }
-  std::vector<int> folded;
-  for (size_t f = 0; f < is_folded.size(); ++f) {
-    if (is_folded[f]) folded.push_back(static_cast<int>(f));
-  }
+  std::sort(folded.begin(), folded.end(), [](const auto& a, const auto& b) {
+    return a.triangle < b.triangle;
+  });
   return folded;
 }
 

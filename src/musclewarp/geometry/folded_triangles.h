@@ -2,11 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
+
+// A triangle that a deformation folded over.
+struct FoldedTriangle {
+  int triangle;
+
+  // Of the surroundings of the triangle, from the rest pose, for columns.
+  Eigen::Matrix3d rotation;
+};
 
 // Returns the triangles that a deformation folded over, in ascending order. A
 // fold leaves no trace in the volume and need not make triangles cross, but it
@@ -21,8 +30,8 @@ namespace musclewarp {
 //
 // `rest` and `deformed` are the positions of the same vertices (#V x 3), and
 // `triangles` is #F x 3.
-std::vector<int> FoldedTriangles(const Points& rest,
-                                 const Points& deformed,
-                                 const Triangles& triangles);
+std::vector<FoldedTriangle> FoldedTriangles(const Points& rest,
+                                            const Points& deformed,
+                                            const Triangles& triangles);
 
 }  // namespace musclewarp

@@ -213,7 +213,9 @@ class Walker {
     const double move =
         MoveOfMost(place_->surfaces.points, attempt.place.surfaces.points);
     VLOG(1) << "most vertices have moved by less than " << move << " mm";
-    Accept(std::move(attempt));
+    const bool stops_short =
+        attempt.summary.faults.IsEmpty() && move > step_.reach;
+    Accept(std::move(attempt), stops_short);
     return move < options_.settling_tolerance;
   }
 
@@ -252,8 +254,13 @@ class Walker {
     return true;
   }
 
-  void Accept(Attempt attempt) {
-    step_.reach = options_.step.reach;
+  // If muscles have farther to go, the next step reaches farther.
+  void Accept(Attempt attempt, bool stops_short = false) {
+    if (!stops_short) {
+      step_.reach = options_.step.reach;
+    } else {
+      CanReachFarther();
+    }
     *place_ = std::move(attempt.place);
   }
 
