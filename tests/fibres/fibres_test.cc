@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "fibres/ball_bones.h"
+#include "fibres/tendon_muscle.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/geometry/inside_test.h"
 #include "musclewarp/skeleton/polyline.h"
@@ -92,6 +93,27 @@ TEST_F(FibresTest, OneLineIsTheCentreLine) {
   const Eigen::RowVector3d middle = lines[0].rest.row(2);
   // In the middle of the section at z = 0, whose radius is 10.
   EXPECT_LT((middle - Eigen::RowVector3d(0, 0, middle[2])).norm(), 2);
+}
+
+TEST_F(FibresTest, LinesReachTheTipsThroughATendon) {
+  BallBones bones;
+  bones.Add("pelvis", {0, 0, -72});
+  bones.Add("femur", {0, 0, 72});
+  const TriangleSoup muscle = MuscleWithTendon();
+  const TriangleBvh surface(muscle.points, muscle.triangles);
+  const InsideTest inside(muscle.points, muscle.triangles, 3);
+  for (const ActionLine& line : MakeLines("m", muscle, bones.bodies(), {}, 3)) {
+    // 95 % of the 120 mm of the muscle.
+    EXPECT_LT(line.rest(0, 2), -57);
+    EXPECT_GT(line.rest(4, 2), 57);
+    EXPECT_EQ(line.bodies.front(), "pelvis");
+    EXPECT_EQ(line.bodies.back(), "femur");
+    for (Eigen::Index i = 0; i < line.rest.rows(); ++i) {
+      const Eigen::RowVector3d point = line.rest.row(i);
+      EXPECT_TRUE(inside.Contains(point) ||
+                  surface.ClosestPoint(point).distance < 1e-9);
+    }
+  }
 }
 
 TEST_F(FibresTest, AMuscleOverThreeBodiesFollowsTheOneBetween) {

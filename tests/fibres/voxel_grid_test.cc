@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "fibres/tendon_muscle.h"
 #include "musclewarp/geometry/inside_test.h"
 #include "musclewarp/mesh/measures.h"
 #include "support/meshes.h"
@@ -57,6 +59,38 @@ TEST(VoxelGrid, KeepsTheLargestPiece) {
   const VoxelGrid grid = Voxelize(two, 2000);
   for (int v = 0; v < grid.num_voxels(); ++v) {
     EXPECT_LT(grid.Center(v).norm(), 10);
+  }
+}
+
+TEST(VoxelGrid, FollowsATendonThinnerThanAVoxel) {
+  const TriangleSoup muscle = MuscleWithTendon();
+  const VoxelGrid grid = Voxelize(muscle, 2000);
+  ASSERT_GT(grid.size, 1);  // the tendon is 0.6 mm thick
+  const InsideTest inside(muscle.points, muscle.triangles, 1);
+  double highest = 0;
+  for (int v = 0; v < grid.num_voxels(); ++v) {
+    const Eigen::RowVector3d center = grid.Center(v);
+    highest = std::max(highest, center[2]);
+    // The belly is as without a tendon.
+    if (center[2] < 0) {
+      EXPECT_TRUE(inside.Contains(center));
+    }
+  }
+  EXPECT_GT(highest, 60 - 2 * grid.size);
+  const int bottom = grid.Nearest(Eigen::RowVector3d(0, 0, -57));
+  ASSERT_GE(bottom, 0);
+  EXPECT_TRUE(DistancesWithin(grid, {bottom}).allFinite());
+}
+
+TEST(VoxelGrid, KnowsWhatIsAround) {
+  const VoxelGrid grid = Voxelize(Box(10, 10, 10), 1000);
+  const int middle = grid.Nearest(Eigen::RowVector3d(0, 0, 0));
+  ASSERT_GE(middle, 0);
+  EXPECT_EQ(grid.Around(middle, 1).size(), 26u);
+  EXPECT_EQ(grid.Around(middle, 2).size(), 124u);
+  for (const int voxel : grid.Around(middle, 1)) {
+    EXPECT_LT((grid.Center(voxel) - grid.Center(middle)).norm(),
+              1.8 * grid.size);
   }
 }
 

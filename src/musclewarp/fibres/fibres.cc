@@ -13,6 +13,7 @@
 #include "musclewarp/fibres/laplacian_flow.h"
 #include "musclewarp/fibres/voxel_grid.h"
 #include "musclewarp/geometry/inside_test.h"
+#include "musclewarp/geometry/triangle_bvh.h"
 #include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp {
@@ -30,20 +31,69 @@ void Smooth(int rounds, Points* line) {
 }
 
 // Corners of voxels stick out of the surface, and smoothing may cut a bend. So
-// points outside are moved towards the centre of their voxel, which is inside.
-void PullInside(const VoxelGrid& grid, const InsideTest& inside, Points* line) {
+// points outside are moved towards the centre of their voxel until they are
+// inside or, where the muscle is thinner than a voxel, to the surface.
+void PullInside(const VoxelGrid& grid,
+                const InsideTest& inside,
+                const TriangleBvh& surface,
+                Points* line) {
   constexpr double kPart = 0.2;
   for (Eigen::Index i = 0; i < line->rows(); ++i) {
-    if (inside.Contains(line->row(i))) continue;
-    const int voxel = grid.Nearest(line->row(i));
+    const Eigen::RowVector3d outside = line->row(i);
+    if (inside.Contains(outside)) continue;
+    const int voxel = grid.Nearest(outside);
     if (voxel < 0) continue;
     const Eigen::RowVector3d center = grid.Center(voxel);
-    const Eigen::RowVector3d outside = line->row(i);
-    for (double part = kPart; part < 1 + kPart / 2; part += kPart) {
+    bool is_inside = false;
+    for (double part = kPart; part < 1 + kPart / 2 && !is_inside;
+         part += kPart) {
       line->row(i) = outside + std::min(1.0, part) * (center - outside);
-      if (inside.Contains(line->row(i))) break;
+      is_inside = inside.Contains(line->row(i));
     }
+    if (!is_inside) line->row(i) = surface.ClosestPoint(outside).point;
   }
+}
+
+// Returns the way from a place in the muscle to where the distance (#V) from
+// its other end is largest, without going back: the centres of voxels, in steps
+// of at most two cells, so that no bump of the surface ends it.
+Points WayToTip(const VoxelGrid& grid,
+                const Eigen::RowVector3d& start,
+                const Eigen::VectorXd& distance) {
+  constexpr int kStep = 2;
+  constexpr double kLongest = 1.2;  // a way in the voxels over a straight line
+  std::vector<Eigen::RowVector3d> way;
+  for (int here = grid.Nearest(start), next = -1; here >= 0; here = next) {
+    next = -1;
+    double most = distance[here];
+    for (const int voxel : grid.Around(here, kStep)) {
+      const double apart = (grid.Center(voxel) - grid.Center(here)).norm();
+      // What is near but far to go to is another part of the muscle.
+      if (distance[voxel] <= most ||
+          distance[voxel] - distance[here] > kLongest * apart) {
+        continue;
+      }
+      most = distance[voxel];
+      next = voxel;
+    }
+    if (next >= 0) way.push_back(grid.Center(next));
+  }
+  Points points(way.size(), 3);
+  for (size_t i = 0; i < way.size(); ++i) points.row(i) = way[i];
+  return points;
+}
+
+// One polyline after the other.
+Points Together(const std::vector<Points>& lines) {
+  Eigen::Index count = 0;
+  for (const Points& line : lines) count += line.rows();
+  Points together(count, 3);
+  Eigen::Index row = 0;
+  for (const Points& line : lines) {
+    together.middleRows(row, line.rows()) = line;
+    row += line.rows();
+  }
+  return together;
 }
 
 struct Courses {
@@ -51,31 +101,51 @@ struct Courses {
   std::vector<Points> lines;
 };
 
-// Returns `count` courses from origin to insertion with `points` points each.
+struct CourseOptions {
+  int count;
+  int points;  // of each course
+  int voxels;
+
+  // If true, a course does not stop where it enters an end of the muscle but
+  // goes on to the tip.
+  bool reaches_tips;
+};
+
+// Returns courses from origin to insertion.
 Courses FindCourses(const TriangleSoup& muscle,
                     const std::vector<BodySurface>& bodies,
                     const std::vector<Attachment>& attachments,
-                    int count,
-                    int points,
-                    int voxels) {
+                    const CourseOptions& options) {
   constexpr int kFine = 4;  // points smoothed for one that is kept
   constexpr int kRounds = 4;
   constexpr int kFewest = 20;  // voxels that a course can run through
-  const VoxelGrid grid = Voxelize(muscle, voxels);
+  const VoxelGrid grid = Voxelize(muscle, options.voxels);
   Courses courses;
   if (grid.num_voxels() < kFewest) return courses;
   courses.ends = FindMuscleEnds(muscle, grid, bodies, attachments);
   const LaplacianFlow flow = SolveFlow(
       grid, courses.ends.origin.voxels, courses.ends.insertion.voxels);
   const InsideTest inside(muscle.points, muscle.triangles, /*seed=*/1);
-  const Points seeds = SpreadOverSection(flow, count);
+  const TriangleBvh surface(muscle.points, muscle.triangles);
+  const Points seeds = SpreadOverSection(flow, options.count);
+  Eigen::VectorXd to_origin, to_insertion;
+  if (options.reaches_tips) {
+    to_origin = DistancesWithin(grid, courses.ends.origin.voxels);
+    to_insertion = DistancesWithin(grid, courses.ends.insertion.voxels);
+  }
   for (Eigen::Index i = 0; i < seeds.rows(); ++i) {
     Points line = StreamLine(flow, seeds.row(i));
     if (line.rows() < 2) continue;
-    line = Resampled(line, kFine * (points - 1) + 1);
+    if (options.reaches_tips) {
+      line = Together(
+          {WayToTip(grid, line.row(0), to_insertion).colwise().reverse(),
+           line,
+           WayToTip(grid, line.row(line.rows() - 1), to_origin)});
+    }
+    line = Resampled(line, kFine * (options.points - 1) + 1);
     Smooth(kRounds, &line);
-    line = Resampled(line, points);
-    PullInside(grid, inside, &line);
+    line = Resampled(line, options.points);
+    PullInside(grid, inside, surface, &line);
     courses.lines.push_back(std::move(line));
   }
   return courses;
@@ -144,9 +214,10 @@ std::vector<Points> MakeFibres(const TriangleSoup& muscle,
   return FindCourses(muscle,
                      bodies,
                      attachments,
-                     options.fibres,
-                     options.segments + 1,
-                     options.voxels)
+                     {options.fibres,
+                      options.segments + 1,
+                      options.voxels,
+                      /*reaches_tips=*/false})
       .lines;
 }
 
@@ -163,8 +234,11 @@ std::vector<ActionLine> MakeLines(const std::string& name,
         "add \"bones\" or \"lines\"");
   }
   constexpr int kPoints = 5;
-  const Courses courses = FindCourses(
-      muscle, bodies, attachments, count, kPoints, FibreOptions().voxels);
+  const Courses courses =
+      FindCourses(muscle,
+                  bodies,
+                  attachments,
+                  {count, kPoints, FibreOptions().voxels, attachments.empty()});
   std::vector<ActionLine> lines;
   for (const Points& course : courses.lines) {
     ActionLine line;

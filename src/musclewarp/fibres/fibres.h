@@ -49,7 +49,9 @@ std::vector<Points> MakeFibres(const TriangleSoup& muscle,
 // line if `count` is 1, else a fan of `count` courses of its fibres. A line has
 // five points and is called `name`_1, `name`_2 and so on.
 //
-// The ends of a line are fixed to the bodies of the origin and the insertion.
+// A line goes on to the tips of the muscle, through tendons too. If there are
+// attachments it ends there. The ends of a line are fixed to the bodies of the
+// origin and the insertion.
 // The points between are fixed to the nearest body, with the bodies in one
 // order along the line. Preconditions: count is above 0 (CHECKed); the mesh is
 // closed and oriented outward. Throws InputError if there is no bone to follow

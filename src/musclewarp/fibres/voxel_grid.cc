@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "musclewarp/fibres/surface_cells.h"
 #include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {
@@ -83,34 +84,91 @@ std::vector<char> InsideCells(const TriangleSoup& mesh, const VoxelGrid& grid) {
   return inside;
 }
 
-// Numbers the cells of the largest set that is connected over faces.
-void NumberLargestPiece(const std::vector<char>& inside, VoxelGrid* grid) {
-  const int strides[3] = {
-      1, grid->counts[0], grid->counts[0] * grid->counts[1]};
-  std::vector<int> piece_of(inside.size(), -1);
+// The numbers of the six neighbours of a cell. The outermost layer of cells is
+// empty, so that all exist for a cell that is not.
+std::array<int, 6> NeighboursOf(const VoxelGrid& grid, int cell) {
+  const int row = grid.counts[0];
+  const int layer = grid.counts[0] * grid.counts[1];
+  return {
+      cell - 1, cell + 1, cell - row, cell + row, cell - layer, cell + layer};
+}
+
+// Cells in the order in which they are reached from the first ones, and for
+// each the place in this order of the one before; -1 for the first ones.
+struct Reached {
+  std::vector<int> cells;
+  std::vector<int> before;
+};
+
+// Goes on over faces from `first` through the cells in which one can be, and
+// marks those that are reached.
+Reached Flood(const VoxelGrid& grid,
+              std::vector<int> first,
+              const std::vector<char>& is_open,
+              std::vector<char>* is_reached) {
+  Reached reached;
+  reached.cells = std::move(first);
+  reached.before.assign(reached.cells.size(), -1);
+  for (const int cell : reached.cells) (*is_reached)[cell] = 1;
+  for (size_t i = 0; i < reached.cells.size(); ++i) {
+    for (const int neighbour : NeighboursOf(grid, reached.cells[i])) {
+      if (!is_open[neighbour] || (*is_reached)[neighbour]) continue;
+      (*is_reached)[neighbour] = 1;
+      reached.cells.push_back(neighbour);
+      reached.before.push_back(static_cast<int>(i));
+    }
+  }
+  return reached;
+}
+
+// The largest set of cells that is connected over faces.
+std::vector<int> LargestPiece(const VoxelGrid& grid,
+                              const std::vector<char>& inside) {
+  std::vector<char> is_reached(inside.size(), 0);
   std::vector<int> largest;
   for (size_t start = 0; start < inside.size(); ++start) {
-    if (!inside[start] || piece_of[start] >= 0) continue;
-    std::vector<int> piece = {static_cast<int>(start)};
-    piece_of[start] = static_cast<int>(start);
-    for (size_t i = 0; i < piece.size(); ++i) {
-      // The outermost layer of cells is empty, so that every neighbour exists.
-      for (const int stride : strides) {
-        for (const int neighbour : {piece[i] - stride, piece[i] + stride}) {
-          if (!inside[neighbour] || piece_of[neighbour] >= 0) continue;
-          piece_of[neighbour] = static_cast<int>(start);
-          piece.push_back(neighbour);
-        }
-      }
-    }
+    if (!inside[start] || is_reached[start]) continue;
+    std::vector<int> piece =
+        Flood(grid, {static_cast<int>(start)}, inside, &is_reached).cells;
     if (piece.size() > largest.size()) largest = std::move(piece);
   }
-  std::sort(largest.begin(), largest.end());
-  for (const int cell : largest) {
+  return largest;
+}
+
+// Adds the parts of the mesh that are thinner than a voxel: the cells inside or
+// on the surface that are more than kThick cells away from the piece, and the
+// shortest ways to them. Nearer cells are the rim of the piece.
+std::vector<int> WithThinParts(const VoxelGrid& grid,
+                               std::vector<int> piece,
+                               const std::vector<char>& inside,
+                               const std::vector<char>& surface) {
+  constexpr int kThick = 3;
+  std::vector<char> is_open = surface;
+  for (size_t i = 0; i < inside.size(); ++i) is_open[i] |= inside[i];
+  std::vector<char> is_reached(inside.size(), 0);
+  const Reached reached = Flood(grid, piece, is_open, &is_reached);
+  std::vector<int> depth(reached.cells.size(), 0);
+  std::vector<char> is_kept(reached.cells.size(), 0);
+  for (size_t i = piece.size(); i < reached.cells.size(); ++i) {
+    depth[i] = depth[reached.before[i]] + 1;
+    if (depth[i] <= kThick) continue;
+    for (int k = static_cast<int>(i); depth[k] > 0 && !is_kept[k];
+         k = reached.before[k]) {
+      is_kept[k] = 1;
+      piece.push_back(reached.cells[k]);
+    }
+  }
+  return piece;
+}
+
+void NumberCells(std::vector<int> cells, VoxelGrid* grid) {
+  std::sort(cells.begin(), cells.end());
+  const int layer = grid->counts[0] * grid->counts[1];
+  for (const int cell : cells) {
     grid->index_of[cell] = grid->num_voxels();
     grid->cells.push_back({cell % grid->counts[0],
-                           cell / strides[1] % grid->counts[1],
-                           cell / strides[2]});
+                           cell / grid->counts[0] % grid->counts[1],
+                           cell / layer});
   }
 }
 
@@ -126,7 +184,7 @@ int VoxelGrid::At(const Cell& cell) const {
   for (int k = 0; k < 3; ++k) {
     if (cell[k] < 0 || cell[k] >= counts[k]) return -1;
   }
-  return index_of[(cell[2] * counts[1] + cell[1]) * counts[0] + cell[0]];
+  return index_of[NumberOf(cell)];
 }
 
 VoxelGrid::Cell VoxelGrid::CellOf(const Eigen::RowVector3d& point) const {
@@ -135,6 +193,20 @@ VoxelGrid::Cell VoxelGrid::CellOf(const Eigen::RowVector3d& point) const {
     cell[k] = static_cast<int>(std::floor((point[k] - origin[k]) / size));
   }
   return cell;
+}
+
+std::vector<int> VoxelGrid::Around(int voxel, int reach) const {
+  const Cell& center = cells[voxel];
+  std::vector<int> around;
+  for (int dz = -reach; dz <= reach; ++dz) {
+    for (int dy = -reach; dy <= reach; ++dy) {
+      for (int dx = -reach; dx <= reach; ++dx) {
+        const int other = At({center[0] + dx, center[1] + dy, center[2] + dz});
+        if (other >= 0 && other != voxel) around.push_back(other);
+      }
+    }
+  }
+  return around;
 }
 
 int VoxelGrid::Nearest(const Eigen::RowVector3d& point) const {
@@ -183,7 +255,13 @@ VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted) {
         static_cast<int>(std::ceil((upper[k] - grid.origin[k]) / grid.size));
   }
   grid.index_of.assign(grid.counts[0] * grid.counts[1] * grid.counts[2], -1);
-  NumberLargestPiece(InsideCells(mesh, grid), &grid);
+  const std::vector<char> inside = InsideCells(mesh, grid);
+  std::vector<int> piece = LargestPiece(grid, inside);
+  if (!piece.empty()) {
+    piece =
+        WithThinParts(grid, std::move(piece), inside, SurfaceCells(mesh, grid));
+  }
+  NumberCells(std::move(piece), &grid);
   return grid;
 }
 

@@ -11,8 +11,9 @@
 namespace musclewarp {
 
 // The inside of a closed mesh as a set of cubes, the voxels, in a regular grid
-// of cells. A cell is a voxel if its centre is inside the mesh. Distances and
-// flows through a muscle are computed on it.
+// of cells. A cell is a voxel if its centre is inside the mesh. Where the mesh
+// is too thin for that, as tendons are, the cells that its surface passes
+// through are voxels. Distances and flows through a muscle are computed on it.
 struct VoxelGrid {
   // The position of a cell in the grid along x, y and z, counted from 0.
   using Cell = std::array<int, 3>;
@@ -33,12 +34,21 @@ struct VoxelGrid {
   // Returns the centre of a voxel, mm.
   Eigen::RowVector3d Center(int voxel) const;
 
+  // Returns the number of a cell of the grid, its place in `index_of`.
+  int NumberOf(const Cell& cell) const {
+    return (cell[2] * counts[1] + cell[1]) * counts[0] + cell[0];
+  }
+
   // Returns the index of the voxel of a cell, or -1 if the cell is not a voxel
   // or is beyond the grid.
   int At(const Cell& cell) const;
 
   // Returns the cell that contains a point, which may be beyond the grid.
   Cell CellOf(const Eigen::RowVector3d& point) const;
+
+  // Returns the voxels that are at most `reach` cells away along each axis,
+  // without the one itself.
+  std::vector<int> Around(int voxel, int reach) const;
 
   // Returns the voxel nearest to a point among those at most two cells away, or
   // -1 if there is none.
@@ -48,7 +58,8 @@ struct VoxelGrid {
 // Fills a closed mesh with about `wanted` voxels. A thin mesh gets more, so
 // that there are at least three across its mean thickness, but at most eight
 // times as many. Only the largest set of voxels that is connected over faces is
-// kept. The result has no voxels if the mesh is too thin even for that.
+// kept, and what is connected to it by parts of the mesh that are thinner than
+// a voxel. The result has no voxels if the mesh is too thin everywhere.
 // Precondition (CHECKed): the mesh has a positive volume.
 VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted);
 
