@@ -4,6 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "musclewarp/mesh/transformed.h"
+#include "musclewarp/skeleton/polyline.h"
+
 namespace musclewarp {
 namespace {
 
@@ -16,6 +22,31 @@ ActionLine Line() {
   return line;
 }
 
+// Along x, over a joint at the origin.
+ActionLine SlidingLine() {
+  ActionLine line;
+  line.name = "sliding";
+  line.rest = Points::Zero(9, 3);
+  line.rest.col(0).setLinSpaced(-40, 40);
+  line.rest.col(1).setConstant(10);
+  line.bodies.assign(9, "pelvis");
+  std::fill(line.bodies.begin() + 4, line.bodies.end(), "femur");
+  line.slides = true;
+  return line;
+}
+
+// The femur turned about z.
+ScenePose Turned(double angle) {
+  ScenePose pose;
+  Eigen::Matrix4d& femur = pose.bodies["femur"];
+  femur.setIdentity();
+  femur.topLeftCorner<2, 2>() << std::cos(angle), -std::sin(angle),
+      std::sin(angle), std::cos(angle);
+  return pose;
+}
+
+constexpr double kRounding = 1e-12;  // of coordinates of tens of mm
+
 ScenePose Pose() {
   ScenePose pose;
   pose.bodies["femur"] = Eigen::Matrix4d::Identity();
@@ -26,6 +57,55 @@ ScenePose Pose() {
 }
 
 }  // namespace
+
+TEST(LineTargets, ASlidingLineIsStretchedEvenlyBetweenItsEnds) {
+  const ActionLine line = SlidingLine();
+  for (const double angle : {-1.5, 0.0, 0.4, 1.5}) {
+    const ScenePose pose = Turned(angle);
+    const Points points = LineTargets({line}, pose)[0].points;
+    EXPECT_EQ(points.row(0), line.rest.row(0));
+    EXPECT_LT(
+        (points.row(8) - Transformed(line.rest.row(8), pose.bodies.at("femur")))
+            .norm(),
+        kRounding);
+    // Corners are cut by the segments across them.
+    const double mean = PolylineLength(points) / 8;
+    for (int i = 0; i < 8; ++i) {
+      EXPECT_NEAR((points.row(i + 1) - points.row(i)).norm(), mean, 0.15 * mean);
+    }
+  }
+}
+
+TEST(LineTargets, ASlidingLineDoesNotFoldBackWhereAJointCloses) {
+  ActionLine line = SlidingLine();
+  for (const bool slides : {true, false}) {
+    line.slides = slides;
+    const Points points = LineTargets({line}, Turned(1.5))[0].points;
+    double least = 1;  // cosine of the angle between neighbouring segments
+    for (int i = 1; i < 8; ++i) {
+      const Eigen::RowVector3d before = points.row(i) - points.row(i - 1);
+      const Eigen::RowVector3d after = points.row(i + 1) - points.row(i);
+      least = std::min(least, before.normalized().dot(after.normalized()));
+    }
+    if (slides) {
+      EXPECT_GT(least, 0);
+    } else {
+      EXPECT_LT(least, 0);  // it does where points have one body each
+    }
+  }
+}
+
+TEST(LineTargets, ASlidingLineMovesRigidlyWithAllBodies) {
+  const ActionLine line = SlidingLine();
+  ScenePose pose = Turned(2);
+  pose.bodies["femur"](0, 3) = 7;
+  pose.bodies["pelvis"] = pose.bodies["femur"];
+  EXPECT_LT((LineTargets({line}, pose)[0].points -
+             Transformed(line.rest, pose.bodies["femur"]))
+                .cwiseAbs()
+                .maxCoeff(),
+            kRounding);
+}
 
 TEST(LineTargets, PointsMoveWithTheirBodies) {
   const LineTarget target = LineTargets({Line()}, Pose())[0];

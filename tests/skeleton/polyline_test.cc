@@ -46,6 +46,18 @@ TEST(Polyline, EndsAreKept) {
   }
 }
 
+TEST(Polyline, SharesAreThoseOfTheLength) {
+  const Eigen::VectorXd shares = SharesAlong(Corner());
+  ASSERT_EQ(shares.size(), 3);
+  EXPECT_EQ(shares[0], 0);
+  EXPECT_DOUBLE_EQ(shares[1], 3.0 / 7);
+  EXPECT_EQ(shares[2], 1);
+  EXPECT_LT(Difference(PointsAtShares(Corner(), shares), Corner()),
+            kCoordinateRounding);
+  EXPECT_EQ(SharesAlong(Corner().row(1).replicate<3, 1>()),
+            Eigen::VectorXd::Zero(3));
+}
+
 TEST(Polyline, SamplesOfSamplesOfASegmentAreTheSame) {
   const Points samples = Resampled(Corner().topRows(2), 9);
   EXPECT_LT(Difference(Resampled(samples, 9), samples), kCoordinateRounding);

@@ -233,7 +233,7 @@ std::vector<ActionLine> MakeLines(const std::string& name,
         "has no lines, and the scene has no bones to make them from",
         "add \"bones\" or \"lines\"");
   }
-  constexpr int kPoints = 5;
+  constexpr int kPoints = 9;
   const Courses courses =
       FindCourses(muscle,
                   bodies,
@@ -245,6 +245,7 @@ std::vector<ActionLine> MakeLines(const std::string& name,
     line.name = name + "_" + std::to_string(lines.size() + 1);
     line.rest = course;
     line.bodies = BodiesAlong(course, courses.ends, bodies);
+    line.slides = true;
     lines.push_back(std::move(line));
   }
   if (lines.empty()) {

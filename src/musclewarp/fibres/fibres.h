@@ -47,7 +47,7 @@ std::vector<Points> MakeFibres(const TriangleSoup& muscle,
 
 // Returns lines of action for a muscle that has none in the scene: its centre
 // line if `count` is 1, else a fan of `count` courses of its fibres. A line has
-// five points and is called `name`_1, `name`_2 and so on.
+// nine points and is called `name`_1, `name`_2 and so on.
 //
 // A line goes on to the tips of the muscle, through tendons too. If there are
 // attachments it ends there. The ends of a line are fixed to the bodies of the

@@ -15,8 +15,10 @@ Eigen::Matrix4d BodyTransform(const ScenePose& pose, const std::string& body);
 
 // Returns where a pose puts the lines of a muscle, one target for each line: at
 // the target points that the pose gives, else at the rest points moved with
-// their bodies, else at the rest points. If a line names bodies, the target has
-// their rotations too, for the twist of the muscle about the line.
+// their bodies, else at the rest points. The points between the ends of a line
+// that slides move with the bodies of their neighbours too, and are then spread
+// along the line as at rest. If a line names bodies, the target has their
+// rotations too, for the twist of the muscle about the line.
 std::vector<LineTarget> LineTargets(const std::vector<ActionLine>& lines,
                                     const ScenePose& pose);
 

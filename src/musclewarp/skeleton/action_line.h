@@ -23,6 +23,11 @@ struct ActionLine {
   // The name of the body to which each point is fixed, #P entries. Empty if the
   // bodies are not known.
   std::vector<std::string> bodies;
+
+  // If true, only the ends are fixed to the muscle: it slides along the line
+  // between them, and all of it is stretched by the same factor. The bodies of
+  // the points between only guide the line. Needs `bodies`.
+  bool slides = false;
 };
 
 // A line of action in the pose to which a muscle is deformed.

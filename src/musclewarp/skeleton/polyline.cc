@@ -5,7 +5,6 @@
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <vector>
 
 namespace musclewarp {
 
@@ -17,23 +16,36 @@ double PolylineLength(const Points& points) {
   return length;
 }
 
-Points Resampled(const Points& points, int count) {
-  CHECK_GE(points.rows(), 2);
-  CHECK_GE(count, 2);
-  std::vector<double> along = {0};
-  for (Eigen::Index i = 0; i + 1 < points.rows(); ++i) {
-    along.push_back(along.back() + (points.row(i + 1) - points.row(i)).norm());
+Eigen::VectorXd SharesAlong(const Points& points) {
+  Eigen::VectorXd along = Eigen::VectorXd::Zero(points.rows());
+  for (Eigen::Index i = 1; i < points.rows(); ++i) {
+    along[i] = along[i - 1] + (points.row(i) - points.row(i - 1)).norm();
   }
-  Points samples(count, 3);
-  for (int i = 0; i < count; ++i) {
-    const double at = along.back() * i / (count - 1);
-    const auto above = std::upper_bound(along.begin() + 1, along.end() - 1, at);
-    const Eigen::Index k = above - along.begin() - 1;
+  const double length = along.size() > 0 ? along[along.size() - 1] : 0;
+  if (length > 0) along /= length;
+  return along;
+}
+
+Points PointsAtShares(const Points& points, const Eigen::VectorXd& shares) {
+  CHECK_GE(points.rows(), 2);
+  const Eigen::VectorXd along = SharesAlong(points);
+  const double* const first = along.data();
+  const double* const last = first + along.size() - 1;
+  Points samples(shares.size(), 3);
+  for (Eigen::Index i = 0; i < shares.size(); ++i) {
+    const Eigen::Index k =
+        std::upper_bound(first + 1, last, shares[i]) - first - 1;
     const double width = along[k + 1] - along[k];
-    const double t = width > 0 ? std::min(1.0, (at - along[k]) / width) : 0;
+    const double t =
+        width > 0 ? std::min(1.0, (shares[i] - along[k]) / width) : 0;
     samples.row(i) = (1 - t) * points.row(k) + t * points.row(k + 1);
   }
   return samples;
+}
+
+Points Resampled(const Points& points, int count) {
+  CHECK_GE(count, 2);
+  return PointsAtShares(points, Eigen::VectorXd::LinSpaced(count, 0, 1));
 }
 
 }  // namespace musclewarp

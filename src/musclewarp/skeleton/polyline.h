@@ -10,6 +10,15 @@ namespace musclewarp {
 // points.
 double PolylineLength(const Points& points);
 
+// Returns for each point of a polyline (#P x 3) at which share of its length it
+// lies: from 0 to 1, #P. All are 0 if the polyline has no length.
+Eigen::VectorXd SharesAlong(const Points& points);
+
+// Returns the points at these shares of the length of a polyline (#P x 3), #S x
+// 3. Preconditions (CHECKed): the polyline has at least two points. The shares
+// are from 0 to 1.
+Points PointsAtShares(const Points& points, const Eigen::VectorXd& shares);
+
 // Resamples a polyline (#P x 3): returns `count` points on it, count x 3, at
 // equal distances along it. The first and the last one are its ends. The points
 // between are not kept, so that corners are cut. Preconditions (CHECKed): the
