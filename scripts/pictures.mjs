@@ -1,13 +1,15 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 
-// Takes the pictures of the README from pages of musclewarp-report.
+// Takes the pictures of README and docs from pages of musclewarp-report.
 //
 // usage: node scripts/pictures.mjs page PAGE.html OUT.png
 //            the page at its last frame
-//        node scripts/pictures.mjs contact PAGE.html OUT.png RUN RUN
-//            the views of two runs at the last frame, lateral; RUN is the
-//            folder of a run, in the order of the page
+//        node scripts/pictures.mjs contact PAGE.html OUT.png RUN RUN [FRAME
+//            [VIEW]]
+//            the views of two runs at a frame (a number, by default the last),
+//            lateral or as VIEW says; RUN is the folder of a run, in the order
+//            of the page
 //        node scripts/pictures.mjs frames PAGE.html FOLDER
 //            the view of every frame, one picture each
 
@@ -16,7 +18,9 @@ import { join, resolve } from "node:path";
 
 import { Browser } from "../tests/tools/report/browser.mjs";
 
-const [what, file, out, ...runs] = process.argv.slice(2);
+const [what, file, out, ...rest] = process.argv.slice(2);
+const runs = rest.slice(0, 2);
+const [chosenFrame, view = "lateral"] = rest.slice(2);
 const runsNeeded = { page: 0, contact: 2, frames: 0 }[what];
 if (!out || runs.length !== runsNeeded) {
   throw new Error("usage: see the head of scripts/pictures.mjs");
@@ -35,10 +39,10 @@ function fillWindow(page, { width, height }, band) {
   });
 }
 
-// What the last frame of a run says about crossing triangles.
+// What the frame of a run says about crossing triangles.
 function caption(run) {
   const report = JSON.parse(readFileSync(join(run, "report.json"), "utf8"));
-  const pairs = report.frames.at(-1).intersections.triangle_pairs;
+  const pairs = report.frames.at(frame).intersections.triangle_pairs;
   const cross = pairs ? `${pairs} triangle pairs cross` : "no triangles cross";
   return report.contact === "none"
     ? `Without contact: ${cross}`
@@ -51,7 +55,9 @@ async function takeContact(page, viewport) {
   await page.locator(".pane-labels div").evaluateAll((labels, texts) => {
     labels.forEach((label, i) => (label.textContent = texts[i]));
   }, runs.map(caption));
-  await page.getByRole("button", { name: /lateral/i }).dispatchEvent("click");
+  await page
+    .getByRole("button", { name: new RegExp(view, "i") })
+    .dispatchEvent("click");
   await browser.settle(page);
   await page.screenshot({ path: out });
 }
@@ -77,7 +83,8 @@ const viewport = {
 const browser = await Browser.launch();
 const page = await browser.openReady(resolve(file), { viewport });
 const last = await page.locator("#slider").getAttribute("max");
-await page.locator("#slider").fill(last);
+const frame = Number(chosenFrame ?? last);
+await page.locator("#slider").fill(String(frame));
 await page.evaluate(() => document.activeElement.blur());
 if (what === "page") {
   // As the page is in a lower window, with more below it.
