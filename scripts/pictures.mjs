@@ -56,7 +56,7 @@ async function takeContact(page, viewport) {
     labels.forEach((label, i) => (label.textContent = texts[i]));
   }, runs.map(caption));
   await page
-    .getByRole("button", { name: new RegExp(view, "i") })
+    .getByRole("button", { name: new RegExp(`^View from ${view}`) })
     .dispatchEvent("click");
   await browser.settle(page);
   await page.screenshot({ path: out });
@@ -82,9 +82,10 @@ const viewport = {
 }[what];
 const browser = await Browser.launch();
 const page = await browser.openReady(resolve(file), { viewport });
+// The slider begins with the scene as it came, before the first frame.
 const last = await page.locator("#slider").getAttribute("max");
-const frame = Number(chosenFrame ?? last);
-await page.locator("#slider").fill(String(frame));
+const frame = Number(chosenFrame ?? last - 1);
+await page.locator("#slider").fill(String(frame + 1));
 await page.evaluate(() => document.activeElement.blur());
 if (what === "page") {
   // As the page is in a lower window, with more below it.

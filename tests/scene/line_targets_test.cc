@@ -71,7 +71,8 @@ TEST(LineTargets, ASlidingLineIsStretchedEvenlyBetweenItsEnds) {
     // Corners are cut by the segments across them.
     const double mean = PolylineLength(points) / 8;
     for (int i = 0; i < 8; ++i) {
-      EXPECT_NEAR((points.row(i + 1) - points.row(i)).norm(), mean, 0.15 * mean);
+      EXPECT_NEAR(
+          (points.row(i + 1) - points.row(i)).norm(), mean, 0.15 * mean);
     }
   }
 }
