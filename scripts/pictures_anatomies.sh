@@ -37,4 +37,4 @@ picture() {
 
 picture thigh data/scenes/bodyparts3d_thigh.json 2 lateral
 picture shank "$data/bodyparts3d_shank/scene_uniform.json" 5 lateral
-picture shoulder "$data/bodyparts3d_shoulder/scene_uniform.json" 3 posterior
+picture shoulder "$data/bodyparts3d_shoulder/scene_uniform.json" 2 posterior
