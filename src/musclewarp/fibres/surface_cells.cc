@@ -6,6 +6,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
 
+#include "musclewarp/mesh/triangle.h"
+
 namespace musclewarp {
 namespace {
 

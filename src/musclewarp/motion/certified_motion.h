@@ -42,7 +42,9 @@ struct CertifiedContactOptions {
   double rest_tolerance = 0.05;
 
   // A step of the rest pose after which triangles cross is tried again with
-  // this many times the reach, up to the limit (mm).
+  // this many times the reach, up to the limit (mm). One after which none do,
+  // but in which muscles moved by all of the reach, is followed by one with so
+  // much more of it.
   double reach_growth = 1.5;
   double max_rest_reach = 4;
 

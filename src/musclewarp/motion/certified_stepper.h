@@ -17,7 +17,7 @@ namespace musclewarp {
 // reached by the same steps, with other options:
 //
 //   Place place = PlaceOf(mover, state);
-//   const int steps = Walk(mover, options, pose, /*at=*/0, {}, &place);
+//   const WalkSummary walk = Walk(mover, options, pose, /*at=*/0, {}, &place);
 //   state = StateOf(mover, place);
 
 // What does not change while a scene moves. Keeps references.
@@ -51,7 +51,8 @@ struct WalkOptions {
   double longest_step = 1;
   int max_halvings = 0;
 
-  // A step that cannot be halved is tried again with more reach.
+  // A step that cannot be halved is tried again with more reach. A settling
+  // step gets more of it if muscles moved by all that the one before had.
   double reach_growth = 1;
   double max_reach = 0;  // mm
 

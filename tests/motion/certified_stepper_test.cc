@@ -1,0 +1,81 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/certified_stepper.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "motion/prepared_small_scene.h"
+#include "musclewarp/motion/certified_motion.h"
+
+namespace musclewarp {
+namespace {
+
+class CertifiedStepperTest : public ::testing::Test {
+ protected:
+  CertifiedStepperTest()
+      : scene_(PreparedSmallScene()),
+        solver_(ReferenceSolvers().single),
+        certified_(PrepareCertifiedScene(
+            scene_, SceneMeshes(scene_), {}, {}, solver_, {})),
+        mover_{scene_, certified_, pre_rotation_, solver_} {}
+
+  // The rest pose with all muscles 12 mm aside, where nothing is in their way.
+  Place Aside() const {
+    Place place = PlaceOf(mover_, certified_.rest);
+    for (Points& points : place.surfaces.points) {
+      points.rowwise() += Eigen::RowVector3d(0, 12, 0);
+    }
+    return place;
+  }
+
+  // How far the farthest vertex is from where its coarse mesh has it, mm.
+  static double LargestOffset(const Place& place) {
+    double largest = 0;
+    for (size_t i = 0; i < place.surfaces.points.size(); ++i) {
+      largest = std::max(largest,
+                         (place.surfaces.points[i] - place.surfaces.targets[i])
+                             .rowwise()
+                             .norm()
+                             .maxCoeff());
+    }
+    return largest;
+  }
+
+  const PreparedScene scene_;
+  const PreRotationOptions pre_rotation_;
+  const MuscleSolver solver_;
+  const CertifiedScene certified_;
+  const Mover mover_;
+};
+
+TEST_F(CertifiedStepperTest, SettlingStepsReachFartherWhileThereIsFarToGo) {
+  WalkOptions walk;
+  walk.step = certified_.options.step;
+  walk.max_settling_steps = 6;
+  walk.settling_tolerance = 0.05;
+  Place place = Aside();
+  Walk(mover_, walk, place.pose, /*at=*/1, {}, &place);
+  // By the reach of 1 mm in each step.
+  EXPECT_GT(LargestOffset(place), 5.9);
+
+  walk.reach_growth = 1.5;
+  walk.max_reach = 4;
+  place = Aside();
+  Walk(mover_, walk, place.pose, /*at=*/1, {}, &place);
+  // 1 + 1.5 + 2.25 + 3.375 + 4 mm are more than 12.
+  EXPECT_LT(LargestOffset(place), 0.1);
+}
+
+TEST_F(CertifiedStepperTest, SettlingEndsWhereNothingMoves) {
+  WalkOptions walk;
+  walk.step = certified_.options.step;
+  walk.max_settling_steps = 6;
+  walk.settling_tolerance = 0.05;
+  Place place = PlaceOf(mover_, certified_.rest);
+  EXPECT_EQ(Walk(mover_, walk, place.pose, /*at=*/1, {}, &place).steps, 1);
+}
+
+}  // namespace
+}  // namespace musclewarp
