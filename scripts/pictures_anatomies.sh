@@ -22,9 +22,8 @@ mkdir -p docs/pictures
 picture() {
   local name=$1 scene=$2 frame=$3 view=$4
   for contact in none certified; do
-    [[ -f $out/${name}_$contact/report.json ]] ||
-      "$bin/musclewarp-deform" --scene="$scene" --data_root="$data" \
-        --contact=$contact --out="$out/${name}_$contact"
+    "$bin/musclewarp-deform" --scene="$scene" --data_root="$data" \
+      --contact=$contact --out="$out/${name}_$contact"
   done
   "$bin/musclewarp-report" --in="$out/${name}_none" \
     --compare="$out/${name}_certified" --out="$out/$name.html"

@@ -31,9 +31,10 @@ struct FibreOptions {
   bool IsValid(std::string* error) const;
 };
 
-// Returns fibres of a muscle in the rest pose. Each is a polyline inside the
-// surface from the origin to the insertion, with options.segments + 1 points
-// (rows, mm) at equal distances. The fibres do not cross, and each stands for
+// Returns fibres of a muscle in the rest pose. Each is a polyline from the
+// origin to the insertion, with options.segments + 1 points (rows, mm) at equal
+// distances, inside the surface or, where the muscle is thinner than a voxel,
+// on it. The fibres do not cross, and each stands for
 // an equal share of the muscle's widest section. There are fewer than asked for
 // if the section is too small, and none if the muscle is too thin.
 //
@@ -50,12 +51,14 @@ std::vector<Points> MakeFibres(const TriangleSoup& muscle,
 // nine points and is called `name`_1, `name`_2 and so on.
 //
 // A line goes on to the tips of the muscle, through tendons too. If there are
-// attachments it ends there. The ends of a line are fixed to the bodies of the
-// origin and the insertion.
-// The points between are fixed to the nearest body, with the bodies in one
-// order along the line. Preconditions: count is above 0 (CHECKed); the mesh is
-// closed and oriented outward. Throws InputError if there is no bone to follow
-// or the muscle is too thin.
+// attachments, it ends there. The ends of a line are fixed to the bodies of the
+// origin and the insertion. The points between are guided by the nearest body,
+// with the bodies in one order along the line, and the muscle slides past them
+// (ActionLine::slides).
+//
+// Preconditions: count is above 0 (CHECKed); the mesh is closed and oriented
+// outward. Throws InputError if there is no bone to follow or the muscle is too
+// thin.
 std::vector<ActionLine> MakeLines(const std::string& name,
                                   const TriangleSoup& muscle,
                                   const std::vector<BodySurface>& bodies,

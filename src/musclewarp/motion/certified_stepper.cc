@@ -198,7 +198,7 @@ class Walker {
       length_ /= 2;
       return;
     }
-    if (crosses && CanReachFarther()) return;
+    if (crosses && ReachFarther()) return;
     if (crosses && !summary_.last_clean) summary_.last_clean = *place_;
     if (!crosses) summary_.last_clean.reset();
     length_ = std::min(options_.longest_step, 2 * length_);
@@ -209,7 +209,7 @@ class Walker {
   // Tries a step at the pose. Returns true if no other one is needed.
   bool Settle() {
     Attempt attempt = Try(goal_, place_->free, place_->solved);
-    if (Crosses(attempt.summary)) return !CanReachFarther();
+    if (Crosses(attempt.summary)) return !ReachFarther();
     const double move =
         MoveOfMost(place_->surfaces.points, attempt.place.surfaces.points);
     VLOG(1) << "most vertices have moved by less than " << move << " mm";
@@ -246,8 +246,8 @@ class Walker {
                                            : step.faults.HasCrossings();
   }
 
-  // Lets the next step reach farther, if it may.
-  bool CanReachFarther() {
+  // Lets the next step reach farther. Returns false if it may not.
+  bool ReachFarther() {
     if (step_.reach >= options_.max_reach) return false;
     step_.reach =
         std::min(options_.reach_growth * step_.reach, options_.max_reach);
@@ -256,10 +256,10 @@ class Walker {
 
   // If muscles have farther to go, the next step reaches farther.
   void Accept(Attempt attempt, bool stops_short = false) {
-    if (!stops_short) {
-      step_.reach = options_.step.reach;
+    if (stops_short) {
+      ReachFarther();
     } else {
-      CanReachFarther();
+      step_.reach = options_.step.reach;
     }
     *place_ = std::move(attempt.place);
   }
