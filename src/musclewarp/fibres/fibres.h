@@ -34,9 +34,9 @@ struct FibreOptions {
 // Returns fibres of a muscle in the rest pose. Each is a polyline from the
 // origin to the insertion, with options.segments + 1 points (rows, mm) at equal
 // distances, inside the surface or, where the muscle is thinner than a voxel,
-// on it. The fibres do not cross, and each stands for
-// an equal share of the muscle's widest section. There are fewer than asked for
-// if the section is too small, and none if the muscle is too thin.
+// on it. The fibres do not cross, and each stands for an equal share of the
+// muscle's widest section. There are fewer than asked for if the section is too
+// small, and none if the muscle is too thin.
 //
 // `bodies` and `attachments` say where the muscle begins and ends, as for
 // FindMuscleEnds. Preconditions: the options are valid (CHECKed); the mesh is
