@@ -74,11 +74,11 @@ DEFINE_string(remake,
               "auto (their meshes are made anew) or never (the scene is "
               "refused)");
 DEFINE_double(max_step_turn,
-              2.5,
+              20,
               "largest turn of a body in one step of certified contact, "
               "degrees");
 DEFINE_double(max_step_move,
-              10,
+              80,
               "largest move of a point of a line in one step of certified "
               "contact, mm");
 DEFINE_bool(body_twist,

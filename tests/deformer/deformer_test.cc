@@ -124,7 +124,7 @@ TEST(Deformer, CanBeStoppedAndLeavesTheStateAsItWas) {
   const Frame expected = deformer.MoveTo(FlexedPose(0.02));
   const SceneState before = deformer.state();
   stops = true;
-  EXPECT_THROW(deformer.MoveTo(FlexedPose(0.3)), std::runtime_error);
+  EXPECT_THROW(deformer.MoveTo(FlexedPose(0.8)), std::runtime_error);
   EXPECT_EQ(deformer.state().pose.time, before.pose.time);
   EXPECT_EQ(deformer.state().muscles[0].coarse, before.muscles[0].coarse);
 }
@@ -132,7 +132,8 @@ TEST(Deformer, CanBeStoppedAndLeavesTheStateAsItWas) {
 TEST(Deformer, ForetellsTheStepsToAPose) {
   const Deformer deformer(SmallScene(), QuickOptions(ContactKind::kCertified));
   const ScenePose rest = RestPose(SmallScene());
-  // Turns of 2.5 degrees; ends of lines, 55 mm away, move less than 10 mm.
+  // Short steps turn by 2.5 degrees; ends of lines, 55 mm away, move less than
+  // 10 mm.
   EXPECT_EQ(deformer.ExpectedSteps(&rest, FlexedPose(10.1 * M_PI / 180)), 5);
   EXPECT_EQ(deformer.ExpectedSteps(nullptr, FlexedPose(2.4 * M_PI / 180)), 1);
 }

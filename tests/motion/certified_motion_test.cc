@@ -53,8 +53,6 @@ TEST(MoveCertified, ReachesAPoseWithoutCrossings) {
   const CertifiedMotion motion =
       Move(scene, certified, FlexedPose(0.3), certified.rest);
   EXPECT_EQ(motion.state.pose.name, "flexed");
-  // 17.2 degrees in steps of 2.5.
-  EXPECT_GE(motion.summary.steps, 7);
   ASSERT_EQ(motion.summary.summaries.size(), 2u);
   const Frame frame = MeasureFrame(scene,
                                    motion.state.pose,
@@ -111,7 +109,8 @@ TEST(MoveCertified, GoesOnFromTheLastCleanStateAfterAFailure) {
   ASSERT_FALSE(IsClean(scene, failed.state));
   EXPECT_EQ(failed.state.pose.name, "into the muscles");
   EXPECT_TRUE(IsClean(scene, failed.next));
-  EXPECT_EQ(LargestDifference(scene, failed.next, certified.rest), 0);
+  // It may have settled in its own pose, where it was at rest but for rounding.
+  EXPECT_LT(LargestDifference(scene, failed.next, certified.rest), 1e-9);
   const CertifiedMotion back =
       Move(scene, certified, FlexedPose(0.05), failed.next);
   EXPECT_TRUE(IsClean(scene, back.state));
@@ -130,6 +129,21 @@ TEST(MoveCertified, GoesTheRestOfTheWayWithoutContactWhenTheTimeRunsOut) {
   EXPECT_EQ(motion.state.pose.name, "flexed");
   EXPECT_GT(LargestDifference(scene, motion.state, certified.rest), 1);
   EXPECT_EQ(LargestDifference(scene, motion.next, certified.rest), 0);
+}
+
+TEST(MoveCertified, DoesNotDependOnTheLengthOfSteps) {
+  const PreparedScene scene = PreparedSmallScene();
+  const CertifiedScene certified = Certified(scene);
+  CertifiedContactOptions options;
+  options.limits = {M_PI / 180, 10};
+  const CertifiedScene short_steps = Certified(scene, options);
+  const CertifiedMotion a =
+      Move(scene, certified, FlexedPose(0.3), certified.rest);
+  const CertifiedMotion b =
+      Move(scene, short_steps, FlexedPose(0.3), short_steps.rest);
+  EXPECT_LE(a.summary.steps, 3);
+  EXPECT_GE(b.summary.steps, 17);
+  EXPECT_LT(LargestDifference(scene, a.state, b.state), 1e-3);
 }
 
 TEST(MoveCertified, DoesNotDependOnTheCoarseWeightWhereNothingIsInTheWay) {

@@ -77,9 +77,9 @@ class Deformer {
   // Returns a description of the contact as it was prepared.
   const ContactReport& contact() const { return frame_solver_->contact(); }
 
-  // Returns in how many steps a pose is likely to be reached from the pose
-  // `from` or, if that is null, by SolveAlone(): by that the time of a frame
-  // can be foretold.
+  // Returns in how many steps a pose can be reached from the pose `from` or, if
+  // that is null, by SolveAlone(), if they are short. Fewer may do, but the
+  // time of a frame can be foretold by their number.
   int ExpectedSteps(const ScenePose* from, const ScenePose& pose) const {
     return frame_solver_->ExpectedSteps(from, pose);
   }

@@ -42,10 +42,12 @@ SceneState CertifiedFrameSolver::StartOfMotion(
 
 int CertifiedFrameSolver::ExpectedSteps(const ScenePose* from,
                                         const ScenePose& pose) const {
+  const CertifiedContactOptions& options = options_.certified;
   return StepsBetween(scene_.scene,
                       from ? *from : certified_.rest.pose,
                       pose,
-                      options_.certified.limits);
+                      {options.unchecked_share * options.limits.max_turn,
+                       options.unchecked_share * options.limits.max_move});
 }
 
 SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,

@@ -72,7 +72,11 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
              .IsAtLeast("rest_sweeps", rest_sweeps, 1)
              .IsAbove("rest_tolerance", rest_tolerance, 0)
              .IsAbove("reach_growth", reach_growth, 1)
-             .IsAbove("max_rest_reach", max_rest_reach, 0)
+             .IsAbove("max_reach", max_reach, 0)
+             .IsAtLeast("max_settling_steps", max_settling_steps, 0)
+             .IsAbove("settling_tolerance", settling_tolerance, 0)
+             .IsAbove("max_push", max_push, 0)
+             .IsWithin("unchecked_share", unchecked_share, 1e-3, 1)
              .IsWithin("max_halvings", max_halvings, 0, 20)
              .IsAtLeast("frame_timeout_s", frame_timeout_s, 0)
              .is_valid() &&
@@ -120,7 +124,7 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
   walk.step = options.step;
   walk.step.sweeps = options.rest_sweeps;
   walk.reach_growth = options.reach_growth;
-  walk.max_reach = options.max_rest_reach;
+  walk.max_reach = options.max_reach;
   walk.max_settling_steps = options.max_rest_steps;
   walk.settling_tolerance = options.rest_tolerance;
   walk.accepts_self_crossings = true;
@@ -144,10 +148,16 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
   const CertifiedContactOptions& options = certified.options;
   WalkOptions walk;
   walk.step = options.step;
-  walk.longest_step =
-      1.0 / StepsBetween(scene.scene, before.pose, pose, options.limits);
-  walk.max_halvings = options.max_halvings;
-  walk.max_reach = options.step.reach;
+  const double way =
+      WayBetween(scene.scene, before.pose, pose, options.limits);
+  walk.length.longest = 1 / std::max(1.0, way);
+  walk.length.unchecked = 1 / std::max(1.0, way / options.unchecked_share);
+  walk.length.max_push = options.max_push;
+  walk.length.max_halvings = options.max_halvings;
+  walk.reach_growth = options.reach_growth;
+  walk.max_reach = options.max_reach;
+  walk.max_settling_steps = options.max_settling_steps;
+  walk.settling_tolerance = options.settling_tolerance;
   walk.timeout_s = options.frame_timeout_s;
   Place place = PlaceOf(mover, before);
   CertifiedMotion motion;

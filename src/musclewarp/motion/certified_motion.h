@@ -41,17 +41,33 @@ struct CertifiedContactOptions {
   int rest_sweeps = 30;
   double rest_tolerance = 0.05;
 
-  // A step of the rest pose after which triangles cross is tried again with
-  // this many times the reach, up to the limit (mm). One after which none do,
-  // but in which muscles moved by all of the reach, is followed by one with so
-  // much more of it.
+  // A step that cannot be shorter and after which triangles cross is tried
+  // again with this many times the reach, up to the limit (mm). One at the pose
+  // after which none do, but in which muscles moved by all of the reach, is
+  // followed by one with so much more of it.
   double reach_growth = 1.5;
-  double max_rest_reach = 4;
+  double max_reach = 4;
 
-  // A pose is reached in steps within these limits. A step after which
-  // triangles cross is halved, so many times.
-  StepLimits limits = {2.5 * M_PI / 180, 10};
+  // A pose is reached in steps within these limits. Steps are shorter where
+  // contact would push muscles by more than `max_push` in one, mm, but not for
+  // that reason shorter than a share of the limits. A muscle that a bone
+  // sweeps along is moved by 11 mm in steps of 2 mm as in shorter ones, and by
+  // 16 mm in steps of 3 mm (stress_sweep).
+  StepLimits limits = {20 * M_PI / 180, 80};
+  double max_push = 2;
+  double unchecked_share = 1.0 / 8;
+
+  // A step after which triangles cross is shortened to that share, and then
+  // halved so many times.
   int max_halvings = 4;
+
+  // If muscles are pushed by more than the reach up to the end, they settle in
+  // so many steps, until no more than one vertex in five hundred moves by more
+  // than the tolerance, mm. Two steps undo most of what long steps displace
+  // muscles by too much (thigh, flexion by 45 degrees: 0.12 of 0.16 mm on
+  // average).
+  int max_settling_steps = 2;
+  double settling_tolerance = 0.5;
 
   // A pose that is not reached in this time is given up, s; 0: no limit. The
   // last step may take longer.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/infinity.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/scene/line_targets.h"
 
@@ -83,15 +84,44 @@ SolvedPose SolveWithContactRows(const Mover& mover,
                        start.states);
 }
 
+// The distance that all points but a share of them move by less than, mm.
+// Where muscles are squeezed, single vertices never settle.
+double MoveOfMost(const std::vector<Points>& a,
+                  const std::vector<Points>& b,
+                  double share) {
+  std::vector<double> moves;
+  for (size_t i = 0; i < a.size(); ++i) {
+    for (Eigen::Index v = 0; v < a[i].rows(); ++v) {
+      moves.push_back((a[i].row(v) - b[i].row(v)).norm());
+    }
+  }
+  if (moves.empty()) return 0;
+  const auto most = moves.end() - 1 -
+                    static_cast<int>(share * static_cast<double>(moves.size()));
+  std::nth_element(moves.begin(), most, moves.end());
+  return *most;
+}
+
+// How far contact has pushed the muscle that it pushed most, mm.
+double PushOf(const ContactStep& step, const std::vector<Points>& points) {
+  double push = 0;
+  for (size_t i = 0; i < points.size(); ++i) {
+    push = std::max(push, MoveOfMost({points[i]}, {step.carried[i]}, 0.01));
+  }
+  return push;
+}
+
 // One step: planes, half of the sweeps, the coarse solve with contact rows, the
 // other half, and rounds until nothing crosses. `start` is where the coarse
-// meshes are predicted.
+// meshes are predicted. The step is given up before the coarse solve if it
+// pushes muscles by more than `max_push`, mm.
 Attempt TryStep(const Mover& mover,
                 const StepOptions& options,
                 const Place& from,
                 const ScenePose& pose,
                 const SolvedPose& free,
-                const SolvedPose& start) {
+                const SolvedPose& start,
+                double max_push) {
   Attempt attempt;
   attempt.place.pose = pose;
   attempt.place.free = free;
@@ -104,6 +134,9 @@ Attempt TryStep(const Mover& mover,
   const bool has_rows = mover.certified.options.coarse_weight > 0;
   const int sweeps_before = has_rows ? options.sweeps / 2 : 0;
   OpenStep open = BeginStep(options, step, targets, sweeps_before);
+  // The other sweeps change little in the push.
+  attempt.push = PushOf(step, open.relaxed.points);
+  if (attempt.push > max_push) return attempt;
   if (has_rows) {
     attempt.place.solved =
         SolveWithContactRows(mover, open, targets, pose, free, start);
@@ -113,22 +146,9 @@ Attempt TryStep(const Mover& mover,
       options, step, targets, options.sweeps - sweeps_before, std::move(open));
   attempt.place.surfaces = std::move(result.state);
   attempt.summary = result.summary;
+  attempt.push = PushOf(step, attempt.place.surfaces.points) +
+                 attempt.summary.violation;
   return attempt;
-}
-
-// The distance that all vertices but a few move by less than, mm. Few are one
-// in five hundred: where muscles are squeezed, single vertices never settle.
-double MoveOfMost(const std::vector<Points>& a, const std::vector<Points>& b) {
-  std::vector<double> moves;
-  for (size_t i = 0; i < a.size(); ++i) {
-    for (Eigen::Index v = 0; v < a[i].rows(); ++v) {
-      moves.push_back((a[i].row(v) - b[i].row(v)).norm());
-    }
-  }
-  if (moves.empty()) return 0;
-  const auto most = moves.end() - 1 - static_cast<int>(moves.size() / 500);
-  std::nth_element(moves.begin(), most, moves.end());
-  return *most;
 }
 
 // Predicts the coarse meshes of the next step: they keep the displacement by
@@ -170,53 +190,63 @@ class Walker {
         from_(place->pose),
         goal_(goal),
         step_(options.step),
-        length_(options.longest_step),
+        length_(options.length),
         at_(at),
         place_(place) {}
 
   bool IsAtGoal() const { return at_ >= 1; }
+  bool IsSettled() const { return is_settled_; }
   bool IsTimedOut() const {
     return options_.timeout_s > 0 &&
            watch_.Milliseconds() > 1000 * options_.timeout_s;
   }
   double at() const { return at_; }
   WalkSummary TakeSummary() { return std::move(summary_); }
-  int steps() const { return summary_.steps; }
 
   // Tries a step on the way.
   void Advance() {
-    // A step that ends just before the pose would leave one of rounding size.
-    const double to = at_ + 1.01 * length_ >= 1 ? 1 : at_ + length_;
+    const double to = length_.NextFrom(at_);
     const ScenePose pose =
         to == 1 ? goal_ : PoseBetween(mover_.scene.scene, from_, goal_, to);
     const SolvedPose free = SolveFree(mover_, *place_, pose);
-    Attempt attempt = Try(pose, free, MovedAlong(*place_, free));
+    Attempt attempt =
+        Try(pose, free, MovedAlong(*place_, free), length_.max_push());
+    if (length_.ShortenFor(attempt.push)) return;
     const bool crosses = Crosses(attempt.summary);
-    const double shortest =
-        options_.longest_step / (1 << options_.max_halvings);
-    if (crosses && !summary_.last_clean && length_ > 1.01 * shortest) {
-      length_ /= 2;
-      return;
+    if (crosses && !summary_.last_clean) {
+      SettleOnce();
+      if (length_.Halve() || ReachFarther()) return;
+      summary_.last_clean = *place_;
     }
-    if (crosses && ReachFarther()) return;
-    if (crosses && !summary_.last_clean) summary_.last_clean = *place_;
-    if (!crosses) summary_.last_clean.reset();
-    length_ = std::min(options_.longest_step, 2 * length_);
+    length_.Grow(attempt.push);
+    if (crosses) {
+      length_.BeCareful();
+    } else {
+      summary_.last_clean.reset();
+    }
+    // Muscles that are pushed by less than the reach get there in one step.
+    is_settled_ = attempt.push < step_.reach;
     Accept(std::move(attempt));
     at_ = to;
   }
 
-  // Tries a step at the pose. Returns true if no other one is needed.
-  bool Settle() {
-    Attempt attempt = Try(goal_, place_->free, place_->solved);
-    if (Crosses(attempt.summary)) return !ReachFarther();
+  // Tries a step at the pose.
+  void Settle() {
+    Attempt attempt = Try(goal_, place_->free, place_->solved, kInfinity);
+    if (Crosses(attempt.summary)) {
+      is_settled_ = !ReachFarther();
+      return;
+    }
     const double move =
-        MoveOfMost(place_->surfaces.points, attempt.place.surfaces.points);
+        MoveOfMost(place_->surfaces.points,
+                   attempt.place.surfaces.points,
+                   1.0 / 500);
     VLOG(1) << "most vertices have moved by less than " << move << " mm";
+    summary_.last_clean.reset();
     const bool stops_short =
         attempt.summary.faults.IsEmpty() && move > step_.reach;
     Accept(std::move(attempt), stops_short);
-    return move < options_.settling_tolerance;
+    is_settled_ = move < options_.settling_tolerance;
   }
 
   // Goes the rest of the way without contact.
@@ -228,13 +258,24 @@ class Walker {
   }
 
  private:
+  // Lets the muscles settle where they are.
+  void SettleOnce() {
+    if (is_settled_) return;
+    Attempt attempt = Try(place_->pose, place_->free, place_->solved, kInfinity);
+    is_settled_ = true;
+    if (!Crosses(attempt.summary)) *place_ = std::move(attempt.place);
+  }
+
   Attempt Try(const ScenePose& pose,
               const SolvedPose& free,
-              const SolvedPose& start) {
+              const SolvedPose& start,
+              double max_push) {
     ++summary_.steps;
-    Attempt attempt = TryStep(mover_, step_, *place_, pose, free, start);
-    VLOG(1) << "step from " << at_ << " of length " << length_ << ", reach "
-            << step_.reach << " mm: " << attempt.summary.rounds << " rounds, "
+    Attempt attempt =
+        TryStep(mover_, step_, *place_, pose, free, start, max_push);
+    VLOG(1) << "step from " << at_ << " of length " << length_.length()
+            << ", reach " << step_.reach << " mm: push " << attempt.push
+            << " mm, " << attempt.summary.rounds << " rounds, "
             << attempt.summary.faults.crossing_pairs << " crossing pairs, "
             << attempt.summary.faults.self_crossing_pairs
             << " of muscles with themselves";
@@ -270,8 +311,9 @@ class Walker {
   const ScenePose& goal_;
   const Stopwatch watch_;
   StepOptions step_;
-  double length_;
+  StepLength length_;
   double at_;
+  bool is_settled_ = false;
   Place* place_;
   WalkSummary summary_;
 };
@@ -331,8 +373,9 @@ WalkSummary Walk(const Mover& mover,
     walker.Advance();
   }
   for (int step = 0; step < options.max_settling_steps; ++step) {
-    say("relaxing", walker.steps(), options.max_settling_steps);
-    if (walker.Settle()) break;
+    if (walker.IsSettled() || walker.IsTimedOut()) break;
+    say("relaxing", step, options.max_settling_steps);
+    walker.Settle();
   }
   return walker.TakeSummary();
 }

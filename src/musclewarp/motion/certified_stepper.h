@@ -10,6 +10,7 @@
 #include "musclewarp/motion/muscle_solvers.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/solved_pose.h"
+#include "musclewarp/motion/step_length.h"
 
 namespace musclewarp {
 
@@ -40,18 +41,19 @@ struct Place {
 struct Attempt {
   Place place;
   StepSummary summary;
+
+  // How far contact has pushed muscles beside the way that they are carried,
+  // mm: less than this for all but one in a hundred vertices of each.
+  double push = 0;
 };
 
 // How a scene goes from one place to another.
 struct WalkOptions {
   StepOptions step;
 
-  // The longest step as a share of the way, and how often a step after which
-  // triangles cross is halved.
-  double longest_step = 1;
-  int max_halvings = 0;
+  StepLengthOptions length;  // of steps to the pose
 
-  // A step that cannot be halved is tried again with more reach. A settling
+  // A step that cannot be shorter is tried again with more reach. A settling
   // step gets more of it if muscles moved by all that the one before had.
   double reach_growth = 1;
   double max_reach = 0;  // mm
@@ -86,12 +88,17 @@ Place PlaceOf(const Mover& mover, const SceneState& state);
 SceneState StateOf(const Mover& mover, const Place& place);
 
 // Moves on from `place` to a pose, and settles there. `at` is the share of the
-// way that is already done: 1 if the place is the pose. A step after which
-// triangles cross is halved or, where it cannot be, tried with more reach. If
-// that does not help either, it ends the settling; on the way to a pose it is
-// taken all the same, as what follows may part the triangles, but no step is
-// halved again until nothing crosses. `on_progress` may be empty, and may
-// throw: the place is then where the last step has left it.
+// way that is already done: 1 if the place is the pose.
+//
+// A step that pushes muscles too far is shortened (StepLength). After one after
+// which triangles cross, muscles settle where they were before it, and the step
+// is halved or, where it cannot be, tried with more reach. If that does not
+// help either, it ends the settling; on the way to a pose it is taken all the
+// same, as what follows may part the triangles, but no step is halved again
+// until nothing crosses.
+//
+// `on_progress` may be empty, and may throw: the place is then where the last
+// step has left it.
 WalkSummary Walk(const Mover& mover,
                  const WalkOptions& options,
                  const ScenePose& goal,

@@ -92,9 +92,9 @@ class FrameSolver {
   // Returns the state that the first frame of a motion starts from.
   virtual SceneState StartOfMotion(const MuscleSolvers& solvers) = 0;
 
-  // Returns in how many steps a pose is likely to be reached from the pose
-  // `from` (null: on its own, see Solve): by that the time of a frame can be
-  // foretold.
+  // Returns in how many steps a pose can be reached from the pose `from` (null:
+  // on its own, see Solve) if they are short. Fewer may do, but the time of a
+  // frame can be foretold by their number.
   virtual int ExpectedSteps(const ScenePose* from,
                             const ScenePose& pose) const = 0;
 

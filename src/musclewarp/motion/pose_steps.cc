@@ -26,15 +26,15 @@ bool StepLimits::IsValid(std::string* error) const {
       .is_valid();
 }
 
-int StepsBetween(const Scene& scene,
-                 const ScenePose& from,
-                 const ScenePose& to,
-                 const StepLimits& limits) {
-  double steps = 1;
+double WayBetween(const Scene& scene,
+                  const ScenePose& from,
+                  const ScenePose& to,
+                  const StepLimits& limits) {
+  double way = 0;
   for (const SceneBone& bone : scene.bones) {
     const double turn = TurnBetween(BodyTransform(from, bone.body),
                                     BodyTransform(to, bone.body));
-    steps = std::max(steps, turn / limits.max_turn);
+    way = std::max(way, turn / limits.max_turn);
   }
   for (const SceneMuscle& muscle : scene.muscles) {
     const auto targets_0 = LineTargets(muscle.lines, from);
@@ -44,10 +44,18 @@ int StepsBetween(const Scene& scene,
                               .rowwise()
                               .norm()
                               .maxCoeff();
-      steps = std::max(steps, move / limits.max_move);
+      way = std::max(way, move / limits.max_move);
     }
   }
-  return static_cast<int>(std::ceil(steps));
+  return way;
+}
+
+int StepsBetween(const Scene& scene,
+                 const ScenePose& from,
+                 const ScenePose& to,
+                 const StepLimits& limits) {
+  return static_cast<int>(
+      std::ceil(std::clamp(WayBetween(scene, from, to, limits), 1.0, 1e9)));
 }
 
 }  // namespace musclewarp

@@ -18,6 +18,12 @@ struct StepLimits {
   bool IsValid(std::string* error) const;
 };
 
+// Returns the way from one pose to another in units of the limits.
+double WayBetween(const Scene& scene,
+                  const ScenePose& from,
+                  const ScenePose& to,
+                  const StepLimits& limits);
+
 // Returns the number of steps from one pose to another within the limits; at
 // least 1.
 int StepsBetween(const Scene& scene,
