@@ -101,7 +101,7 @@ TEST(MoveCertified, GoesOnFromTheLastCleanStateAfterAFailure) {
   CertifiedContactOptions options;
   // One step for the whole way, with nothing done against crossings.
   options.limits = {M_PI, 1000};
-  options.max_halvings = 0;
+  options.max_returns = 0;
   options.step.max_rounds = 1;
   const CertifiedScene certified = Certified(scene, options);
   const CertifiedMotion failed =
@@ -114,6 +114,27 @@ TEST(MoveCertified, GoesOnFromTheLastCleanStateAfterAFailure) {
   const CertifiedMotion back =
       Move(scene, certified, FlexedPose(0.05), failed.next);
   EXPECT_TRUE(IsClean(scene, back.state));
+}
+
+TEST(MoveCertified, GoesBackForShorterStepsWhereItIsStuck) {
+  const PreparedScene scene = PreparedSmallScene();
+  CertifiedContactOptions options;
+  // One step for the whole way, with nothing done against crossings.
+  options.limits = {M_PI, 1000};
+  options.unchecked_share = 1;
+  options.step.max_rounds = 1;
+  options.max_reach = options.step.reach;
+  options.max_returns = 0;
+  ScenePose pose = IntoTheMuscles();
+  pose.bodies["femur"](2, 3) = -45;
+  CertifiedScene certified = Certified(scene, options);
+  const CertifiedMotion stuck = Move(scene, certified, pose, certified.rest);
+  EXPECT_FALSE(IsClean(scene, stuck.state));
+  certified.options.max_returns = 1;
+  const CertifiedMotion back = Move(scene, certified, pose, certified.rest);
+  EXPECT_TRUE(IsClean(scene, back.state));
+  // Four steps more, and those that settle.
+  EXPECT_GE(back.summary.steps, 5);
 }
 
 TEST(MoveCertified, GoesTheRestOfTheWayWithoutContactWhenTheTimeRunsOut) {
@@ -170,10 +191,10 @@ TEST(CertifiedContactOptions, NameWhatIsWrong) {
   CertifiedContactOptions options;
   std::string error;
   EXPECT_TRUE(options.IsValid(&error));
-  options.max_halvings = -1;
+  options.max_returns = -1;
   EXPECT_FALSE(options.IsValid(&error));
   EXPECT_EQ(error,
-            "CertifiedContactOptions::max_halvings is -1, allowed: 0 to 20");
+            "CertifiedContactOptions::max_returns is -1, allowed: 0 or above");
   options = {};
   options.step.volume.tolerance = 0;
   EXPECT_FALSE(options.IsValid(&error));

@@ -16,7 +16,6 @@ StepLengthOptions Options() {
   options.longest = 0.4;
   options.max_push = 2;
   options.unchecked = 0.05;
-  options.max_halvings = 2;
   return options;
 }
 
@@ -56,13 +55,12 @@ TEST(StepLength, IsNotShortenedForThePushBelowTheUncheckedLength) {
   EXPECT_DOUBLE_EQ(length.length(), 0.05);
 }
 
-TEST(StepLength, IsHalvedBelowTheUncheckedLengthSoManyTimes) {
+TEST(StepLength, IsHalvedDownToTheUncheckedLength) {
   StepLength length(Options());
   int halvings = 0;
   while (length.Halve()) ++halvings;
-  // 0.4 to 0.05, and twice more.
-  EXPECT_EQ(halvings, 3 + 2);
-  EXPECT_DOUBLE_EQ(length.length(), 0.05 / 4);
+  EXPECT_EQ(halvings, 3);
+  EXPECT_DOUBLE_EQ(length.length(), 0.05);
 }
 
 TEST(StepLength, GrowsAsThePushAllows) {
@@ -81,24 +79,6 @@ TEST(StepLength, GrowsAsThePushAllows) {
   EXPECT_DOUBLE_EQ(length.length(), 2 * before);
   for (int i = 0; i < 9; ++i) length.Grow(0);
   EXPECT_EQ(length.length(), options.longest);
-}
-
-TEST(StepLength, GrowsBackToTheUncheckedLengthWhateverThePush) {
-  StepLength length(Options());
-  while (length.Halve()) {
-  }
-  length.Grow(1000);
-  length.Grow(1000);
-  EXPECT_DOUBLE_EQ(length.length(), 0.05 / 2);
-  length.Grow(1000);
-  length.Grow(1000);
-  EXPECT_DOUBLE_EQ(length.length(), 0.05);
-}
-
-TEST(StepLength, IsNoLongerThanUncheckedWhereCareIsNeeded) {
-  StepLength length(Options());
-  length.BeCareful();
-  EXPECT_DOUBLE_EQ(length.length(), 0.05);
 }
 
 // A push that is proportional to the length stays within the limit, with few

@@ -77,7 +77,7 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
              .IsAbove("settling_tolerance", settling_tolerance, 0)
              .IsAbove("max_push", max_push, 0)
              .IsWithin("unchecked_share", unchecked_share, 1e-3, 1)
-             .IsWithin("max_halvings", max_halvings, 0, 20)
+             .IsAtLeast("max_returns", max_returns, 0)
              .IsAtLeast("frame_timeout_s", frame_timeout_s, 0)
              .is_valid() &&
          step.IsValid(error) && limits.IsValid(error) &&
@@ -148,12 +148,11 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
   const CertifiedContactOptions& options = certified.options;
   WalkOptions walk;
   walk.step = options.step;
-  const double way =
-      WayBetween(scene.scene, before.pose, pose, options.limits);
+  const double way = WayBetween(scene.scene, before.pose, pose, options.limits);
   walk.length.longest = 1 / std::max(1.0, way);
   walk.length.unchecked = 1 / std::max(1.0, way / options.unchecked_share);
   walk.length.max_push = options.max_push;
-  walk.length.max_halvings = options.max_halvings;
+  walk.max_returns = options.max_returns;
   walk.reach_growth = options.reach_growth;
   walk.max_reach = options.max_reach;
   walk.max_settling_steps = options.max_settling_steps;

@@ -57,9 +57,11 @@ struct CertifiedContactOptions {
   double max_push = 2;
   double unchecked_share = 1.0 / 8;
 
-  // A step after which triangles cross is shortened to that share, and then
-  // halved so many times.
-  int max_halvings = 4;
+  // Where triangles cross even after so short a step, the scene goes back a few
+  // steps, and on by steps a quarter as long, so many times. How creases form
+  // depends on the steps before: shorter ones from where muscles are stuck do
+  // not help.
+  int max_returns = 2;
 
   // If muscles are pushed by more than the reach up to the end, they settle in
   // so many steps, until no more than one vertex in five hundred moves by more

@@ -5,6 +5,7 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,37 +16,6 @@
 
 namespace musclewarp {
 namespace {
-
-// Returns the fine vertices of the muscles, in the order of contact.
-std::vector<Points> FineMeshes(const Mover& mover,
-                               const std::vector<MuscleState>& muscles) {
-  const std::vector<int>& order = mover.certified.order;
-  std::vector<Points> meshes(order.size());
-#pragma omp parallel for schedule(dynamic, 1)
-  for (size_t k = 0; k < order.size(); ++k) {
-    meshes[k] =
-        FinePoints(mover.scene.muscles[order[k]].model, muscles[order[k]]);
-  }
-  return meshes;
-}
-
-std::vector<MuscleState> WithoutOffsets(
-    const std::vector<MuscleState>& muscles) {
-  std::vector<MuscleState> coarse;
-  for (const MuscleState& muscle : muscles) {
-    coarse.push_back({muscle.coarse, {}});
-  }
-  return coarse;
-}
-
-std::vector<Eigen::Matrix4d> BonesFromRest(const PreparedScene& scene,
-                                           const ScenePose& pose) {
-  std::vector<Eigen::Matrix4d> transforms;
-  for (const PreparedBone& bone : scene.bones) {
-    transforms.push_back(BodyTransform(pose, bone.body));
-  }
-  return transforms;
-}
 
 SolvedPose SolveFree(const Mover& mover,
                      const Place& from,
@@ -146,8 +116,8 @@ Attempt TryStep(const Mover& mover,
       options, step, targets, options.sweeps - sweeps_before, std::move(open));
   attempt.place.surfaces = std::move(result.state);
   attempt.summary = result.summary;
-  attempt.push = PushOf(step, attempt.place.surfaces.points) +
-                 attempt.summary.violation;
+  attempt.push =
+      PushOf(step, attempt.place.surfaces.points) + attempt.summary.violation;
   return attempt;
 }
 
@@ -175,6 +145,23 @@ void GoWithoutContact(const Mover& mover, const ScenePose& goal, Place* place) {
   place->pose = goal;
   place->free = free;
   place->solved = std::move(solved);
+}
+
+// How many places a walk may go back.
+constexpr size_t kMaxWaypoints = 4;
+
+// A place on the way, in which nothing crosses.
+struct Waypoint {
+  double at;
+  Place place;
+};
+
+// The length of steps after a walk has gone back so many times: a quarter each
+// time, whatever the push.
+StepLength ShorterSteps(StepLengthOptions options, int returns) {
+  options.unchecked *= std::pow(0.25, returns);
+  options.longest = options.unchecked;
+  return StepLength(options);
 }
 
 // A walk that is under way.
@@ -214,18 +201,14 @@ class Walker {
     if (length_.ShortenFor(attempt.push)) return;
     const bool crosses = Crosses(attempt.summary);
     if (crosses && !summary_.last_clean) {
-      SettleOnce();
-      if (length_.Halve() || ReachFarther()) return;
+      if (length_.Halve() || GoBack() || ReachFarther()) return;
       summary_.last_clean = *place_;
     }
     length_.Grow(attempt.push);
-    if (crosses) {
-      length_.BeCareful();
-    } else {
-      summary_.last_clean.reset();
-    }
+    if (!crosses) summary_.last_clean.reset();
     // Muscles that are pushed by less than the reach get there in one step.
     is_settled_ = attempt.push < step_.reach;
+    if (!crosses) LeaveWaypoint();
     Accept(std::move(attempt));
     at_ = to;
   }
@@ -237,10 +220,8 @@ class Walker {
       is_settled_ = !ReachFarther();
       return;
     }
-    const double move =
-        MoveOfMost(place_->surfaces.points,
-                   attempt.place.surfaces.points,
-                   1.0 / 500);
+    const double move = MoveOfMost(
+        place_->surfaces.points, attempt.place.surfaces.points, 1.0 / 500);
     VLOG(1) << "most vertices have moved by less than " << move << " mm";
     summary_.last_clean.reset();
     const bool stops_short =
@@ -258,12 +239,27 @@ class Walker {
   }
 
  private:
-  // Lets the muscles settle where they are.
-  void SettleOnce() {
-    if (is_settled_) return;
-    Attempt attempt = Try(place_->pose, place_->free, place_->solved, kInfinity);
-    is_settled_ = true;
-    if (!Crosses(attempt.summary)) *place_ = std::move(attempt.place);
+  // Remembers the place before a step, unless it is close to the last one.
+  void LeaveWaypoint() {
+    const double spacing = options_.length.unchecked;
+    if (!trail_.empty() && at_ - trail_.back().at < 0.99 * spacing) return;
+    if (trail_.size() == kMaxWaypoints) trail_.erase(trail_.begin());
+    trail_.push_back({at_, *place_});
+  }
+
+  // Goes back to the first waypoint, if there is one, for shorter steps from
+  // there on. Returns false if that was done often enough.
+  bool GoBack() {
+    if (returns_ == options_.max_returns) return false;
+    ++returns_;
+    if (!trail_.empty()) {
+      at_ = trail_.front().at;
+      *place_ = std::move(trail_.front().place);
+      trail_.clear();
+    }
+    length_ = ShorterSteps(options_.length, returns_);
+    VLOG(1) << "back to " << at_ << ", for steps of " << length_.length();
+    return true;
   }
 
   Attempt Try(const ScenePose& pose,
@@ -314,45 +310,13 @@ class Walker {
   StepLength length_;
   double at_;
   bool is_settled_ = false;
+  int returns_ = 0;
+  std::vector<Waypoint> trail_;  // the latest last
   Place* place_;
   WalkSummary summary_;
 };
 
 }  // namespace
-
-Place PlaceOf(const Mover& mover, const SceneState& state) {
-  Place place;
-  place.pose = state.pose;
-  for (const Points& coarse : state.free_coarse) {
-    place.free.states.push_back({coarse, {}});
-  }
-  place.free.summaries.resize(state.muscles.size());
-  place.solved.states = WithoutOffsets(state.muscles);
-  place.solved.summaries = place.free.summaries;
-  place.surfaces.targets = FineMeshes(mover, place.solved.states);
-  place.surfaces.points = place.surfaces.targets;
-  for (size_t k = 0; k < mover.certified.order.size(); ++k) {
-    const MuscleState& muscle = state.muscles[mover.certified.order[k]];
-    if (muscle.corrections.fine_offset.rows() == 0) continue;
-    place.surfaces.points[k] += muscle.corrections.fine_offset;
-  }
-  place.surfaces.bones_from_rest = BonesFromRest(mover.scene, state.pose);
-  return place;
-}
-
-SceneState StateOf(const Mover& mover, const Place& place) {
-  SceneState state;
-  state.pose = place.pose;
-  state.muscles = place.solved.states;
-  for (const MuscleState& muscle : place.free.states) {
-    state.free_coarse.push_back(muscle.coarse);
-  }
-  for (size_t k = 0; k < mover.certified.order.size(); ++k) {
-    state.muscles[mover.certified.order[k]].corrections.fine_offset =
-        place.surfaces.points[k] - place.surfaces.targets[k];
-  }
-  return state;
-}
 
 WalkSummary Walk(const Mover& mover,
                  const WalkOptions& options,

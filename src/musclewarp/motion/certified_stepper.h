@@ -6,10 +6,7 @@
 
 #include "musclewarp/base/progress.h"
 #include "musclewarp/certified_contact/step.h"
-#include "musclewarp/motion/certified_motion.h"
-#include "musclewarp/motion/muscle_solvers.h"
-#include "musclewarp/motion/prepared_scene.h"
-#include "musclewarp/motion/solved_pose.h"
+#include "musclewarp/motion/place.h"
 #include "musclewarp/motion/step_length.h"
 
 namespace musclewarp {
@@ -20,22 +17,6 @@ namespace musclewarp {
 //   Place place = PlaceOf(mover, state);
 //   const WalkSummary walk = Walk(mover, options, pose, /*at=*/0, {}, &place);
 //   state = StateOf(mover, place);
-
-// What does not change while a scene moves. Keeps references.
-struct Mover {
-  const PreparedScene& scene;
-  const CertifiedScene& certified;
-  const PreRotationOptions& pre_rotation;
-  const MuscleSolver& solver;
-};
-
-// Where a scene has come to on its way to a pose.
-struct Place {
-  ScenePose pose;
-  SolvedPose free;    // without contact: what displacement is measured against
-  SolvedPose solved;  // with contact rows
-  ContactState surfaces;
-};
 
 // A step that was tried from one place to another.
 struct Attempt {
@@ -52,6 +33,10 @@ struct WalkOptions {
   StepOptions step;
 
   StepLengthOptions length;  // of steps to the pose
+
+  // Where triangles cross even after a step of the unchecked length, the walk
+  // goes back a few steps for shorter ones, so many times.
+  int max_returns = 0;
 
   // A step that cannot be shorter is tried again with more reach. A settling
   // step gets more of it if muscles moved by all that the one before had.
@@ -80,22 +65,16 @@ struct WalkSummary {
   std::optional<Place> last_clean;
 };
 
-// Returns the place of a state. An offset of fine vertices that is missing
-// counts as zero.
-Place PlaceOf(const Mover& mover, const SceneState& state);
-
-// Returns the state of a place.
-SceneState StateOf(const Mover& mover, const Place& place);
-
 // Moves on from `place` to a pose, and settles there. `at` is the share of the
 // way that is already done: 1 if the place is the pose.
 //
-// A step that pushes muscles too far is shortened (StepLength). After one after
-// which triangles cross, muscles settle where they were before it, and the step
-// is halved or, where it cannot be, tried with more reach. If that does not
-// help either, it ends the settling; on the way to a pose it is taken all the
-// same, as what follows may part the triangles, but no step is halved again
-// until nothing crosses.
+// A step that pushes muscles too far is shortened (StepLength), and one after
+// which triangles cross is halved. If it cannot be, muscles are in a dead end:
+// the walk goes back a few steps, and on from there by steps a quarter as long.
+// If it may not go back again, the step is tried with more reach. If that does
+// not help either, it ends the settling; on the way to a pose it is taken all
+// the same, as what follows may part the triangles, but nothing more is tried
+// until they have parted.
 //
 // `on_progress` may be empty, and may throw: the place is then where the last
 // step has left it.

@@ -22,8 +22,7 @@ StepLength::StepLength(const StepLengthOptions& options)
     : options_(options), length_(options.longest) {}
 
 double StepLength::NextFrom(double at) {
-  const double steps =
-      std::max(1.0, std::ceil((1 - at) / length_ - kRounding));
+  const double steps = std::max(1.0, std::ceil((1 - at) / length_ - kRounding));
   length_ = (1 - at) / steps;
   return steps == 1 ? 1 : at + length_;
 }
@@ -43,10 +42,8 @@ bool StepLength::ShortenFor(double push) {
 }
 
 bool StepLength::Halve() {
-  const double shortest =
-      options_.unchecked / std::exp2(options_.max_halvings);
-  if (length_ <= (1 + kRounding) * shortest) return false;
-  length_ /= 2;
+  if (length_ <= (1 + kRounding) * options_.unchecked) return false;
+  length_ = std::max(options_.unchecked, length_ / 2);
   was_shortened_ = true;
   return true;
 }
@@ -58,13 +55,7 @@ void StepLength::Grow(double push) {
   }
   const double share =
       push > 0 ? std::clamp(kAim * options_.max_push / push, 1.0, 2.0) : 2;
-  const double grown = std::max(share * length_,
-                                std::min(2 * length_, options_.unchecked));
-  length_ = std::min(options_.longest, grown);
-}
-
-void StepLength::BeCareful() {
-  length_ = std::min(length_, options_.unchecked);
+  length_ = std::min(options_.longest, share * length_);
 }
 
 }  // namespace musclewarp

@@ -14,10 +14,6 @@ struct StepLengthOptions {
   // that is as short as `unchecked`.
   double max_push = 2;
   double unchecked = 1;
-
-  // A step of the unchecked length after which triangles cross is halved so
-  // many times.
-  int max_halvings = 0;
 };
 
 // Chooses the length of each step by what came of the one before, as solvers of
@@ -52,15 +48,13 @@ class StepLength {
   // false if it did not.
   bool ShortenFor(double push);
 
-  // Halves the next step. Returns false if it is the shortest.
+  // Halves the next step, down to the unchecked length. Returns false if it is
+  // as short as that.
   bool Halve();
 
   // Lets the next step be longer, up to twice, as the push (mm) allows. Not if
   // the last one had to be shortened: it would be again.
   void Grow(double push);
-
-  // Makes the next step no longer than the unchecked length.
-  void BeCareful();
 
  private:
   StepLengthOptions options_;
