@@ -62,7 +62,7 @@ DEFINE_double(gap,
 DEFINE_int32(max_rounds,
              6,
              "rounds in which a step of certified contact resolves what still "
-             "crosses, before it is halved");
+             "crosses, before it is given up for a shorter one");
 DEFINE_double(frame_timeout_s,
               0,
               "a frame of certified contact that takes longer than this is "
@@ -76,7 +76,7 @@ DEFINE_string(remake,
 DEFINE_double(max_step_turn,
               20,
               "largest turn of a body in one step of certified contact, "
-              "degrees");
+              "degrees; steps are shorter where contact pushes muscles far");
 DEFINE_double(max_step_move,
               80,
               "largest move of a point of a line in one step of certified "

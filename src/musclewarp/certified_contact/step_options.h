@@ -58,9 +58,9 @@ struct RelaxationOptions {
   // shows.
   int full_sweep_interval = 6;
 
-  // No vertex is pushed farther than this from where it is carried to, mm; a
-  // step that asks for more is halved. It keeps planes that cannot be satisfied
-  // together from throwing a vertex far away.
+  // No vertex is pushed farther than this from where it is carried to, mm. It
+  // keeps planes that cannot be satisfied together from throwing a vertex far
+  // away. Steps are made shorter long before (motion/step_length.h).
   double max_push = 5;
 
   // After each sweep, a muscle keeps this share of the room that another one

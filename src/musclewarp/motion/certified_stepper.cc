@@ -12,7 +12,6 @@
 
 #include "musclewarp/base/infinity.h"
 #include "musclewarp/base/stopwatch.h"
-#include "musclewarp/scene/line_targets.h"
 
 namespace musclewarp {
 namespace {
