@@ -12,6 +12,7 @@
 
 #include "musclewarp/base/infinity.h"
 #include "musclewarp/base/stopwatch.h"
+#include "musclewarp/certified_contact/passages.h"
 
 namespace musclewarp {
 namespace {
@@ -83,7 +84,7 @@ double PushOf(const ContactStep& step, const std::vector<Points>& points) {
 // One step: planes, half of the sweeps, the coarse solve with contact rows, the
 // other half, and rounds until nothing crosses. `start` is where the coarse
 // meshes are predicted. The step is given up before the coarse solve if it
-// pushes muscles by more than `max_push`, mm.
+// pushes muscles by more than `max_push`, mm, or carries them through a bone.
 Attempt TryStep(const Mover& mover,
                 const StepOptions& options,
                 const Place& from,
@@ -100,6 +101,10 @@ Attempt TryStep(const Mover& mover,
                                            from.surfaces,
                                            targets,
                                            BonesFromRest(mover.scene, pose));
+  if (max_push < kInfinity) {
+    attempt.push = LongestPassage(step);
+    if (attempt.push > options.relaxation.max_push) return attempt;
+  }
   const bool has_rows = mover.certified.options.coarse_weight > 0;
   const int sweeps_before = has_rows ? options.sweeps / 2 : 0;
   OpenStep open = BeginStep(options, step, targets, sweeps_before);
