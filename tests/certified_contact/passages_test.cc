@@ -23,7 +23,8 @@ class PassagesTest : public ::testing::Test {
         MakeContactStep(group_.scene, group_.state, targets, bones));
   }
 
-  ContactGroup group_{{SphereAt({0, 0, 20}, 1, 1)}, {SphereAt({0, 0, 0}, 5, 3)}};
+  ContactGroup group_{{SphereAt({0, 0, 20}, 1, 1)},
+                      {SphereAt({0, 0, 0}, 5, 3)}};
 };
 
 TEST_F(PassagesTest, AreZeroWhereNothingIsInTheWay) {

@@ -101,6 +101,7 @@ TEST(MoveCertified, GoesOnFromTheLastCleanStateAfterAFailure) {
   CertifiedContactOptions options;
   // One step for the whole way, with nothing done against crossings.
   options.limits = {M_PI, 1000};
+  options.max_halvings = 0;
   options.max_returns = 0;
   options.step.max_rounds = 1;
   const CertifiedScene certified = Certified(scene, options);
@@ -124,6 +125,7 @@ TEST(MoveCertified, GoesBackForShorterStepsWhereItIsStuck) {
   options.unchecked_share = 1;
   options.step.max_rounds = 1;
   options.max_reach = options.step.reach;
+  options.max_halvings = 0;
   options.max_returns = 0;
   ScenePose pose = IntoTheMuscles();
   pose.bodies["femur"](2, 3) = -45;

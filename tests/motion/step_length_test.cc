@@ -16,6 +16,7 @@ StepLengthOptions Options() {
   options.longest = 0.4;
   options.max_push = 2;
   options.unchecked = 0.05;
+  options.shortest = 0.0125;
   return options;
 }
 
@@ -55,12 +56,12 @@ TEST(StepLength, IsNotShortenedForThePushBelowTheUncheckedLength) {
   EXPECT_DOUBLE_EQ(length.length(), 0.05);
 }
 
-TEST(StepLength, IsHalvedDownToTheUncheckedLength) {
+TEST(StepLength, IsHalvedDownToTheShortest) {
   StepLength length(Options());
   int halvings = 0;
   while (length.Halve()) ++halvings;
-  EXPECT_EQ(halvings, 3);
-  EXPECT_DOUBLE_EQ(length.length(), 0.05);
+  EXPECT_EQ(halvings, 5);
+  EXPECT_DOUBLE_EQ(length.length(), 0.0125);
 }
 
 TEST(StepLength, GrowsAsThePushAllows) {

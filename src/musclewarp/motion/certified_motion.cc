@@ -5,6 +5,7 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -77,6 +78,7 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
              .IsAbove("settling_tolerance", settling_tolerance, 0)
              .IsAbove("max_push", max_push, 0)
              .IsWithin("unchecked_share", unchecked_share, 1e-3, 1)
+             .IsWithin("max_halvings", max_halvings, 0, 20)
              .IsAtLeast("max_returns", max_returns, 0)
              .IsAtLeast("frame_timeout_s", frame_timeout_s, 0)
              .is_valid() &&
@@ -151,6 +153,8 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
   const double way = WayBetween(scene.scene, before.pose, pose, options.limits);
   walk.length.longest = 1 / std::max(1.0, way);
   walk.length.unchecked = 1 / std::max(1.0, way / options.unchecked_share);
+  walk.length.shortest =
+      walk.length.unchecked / std::exp2(options.max_halvings);
   walk.length.max_push = options.max_push;
   walk.max_returns = options.max_returns;
   walk.reach_growth = options.reach_growth;

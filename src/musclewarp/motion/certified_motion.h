@@ -57,10 +57,13 @@ struct CertifiedContactOptions {
   double max_push = 2;
   double unchecked_share = 1.0 / 8;
 
-  // Where triangles cross even after so short a step, the scene goes back a few
-  // steps, and on by steps a quarter as long, so many times. How creases form
-  // depends on the steps before: shorter ones from where muscles are stuck do
-  // not help.
+  // A step after which triangles cross is halved, down to that share halved so
+  // many times.
+  int max_halvings = 2;
+
+  // Where they cross even then, the scene goes back a few steps, and on by
+  // steps of a quarter of the share, and the next time of a sixteenth, so many
+  // times: creases form by way of the steps before.
   int max_returns = 2;
 
   // If muscles are pushed by more than the reach up to the end, they settle in

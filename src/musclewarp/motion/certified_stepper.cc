@@ -160,11 +160,12 @@ struct Waypoint {
   Place place;
 };
 
-// The length of steps after a walk has gone back so many times: a quarter each
-// time, whatever the push.
+// The length of steps after a walk has gone back so many times: a quarter of
+// the unchecked length each time, whatever the push.
 StepLength ShorterSteps(StepLengthOptions options, int returns) {
-  options.unchecked *= std::pow(0.25, returns);
-  options.longest = options.unchecked;
+  options.longest = options.unchecked * std::pow(0.25, returns);
+  options.unchecked = options.longest;
+  options.shortest = options.longest;
   return StepLength(options);
 }
 

@@ -34,8 +34,8 @@ struct WalkOptions {
 
   StepLengthOptions length;  // of steps to the pose
 
-  // Where triangles cross even after a step of the unchecked length, the walk
-  // goes back a few steps for shorter ones, so many times.
+  // Where triangles cross even after the shortest step, the walk goes back a
+  // few steps for shorter ones all the way, so many times.
   int max_returns = 0;
 
   // A step that cannot be shorter is tried again with more reach. A settling

@@ -42,8 +42,8 @@ bool StepLength::ShortenFor(double push) {
 }
 
 bool StepLength::Halve() {
-  if (length_ <= (1 + kRounding) * options_.unchecked) return false;
-  length_ = std::max(options_.unchecked, length_ / 2);
+  if (length_ <= (1 + kRounding) * options_.shortest) return false;
+  length_ = std::max(options_.shortest, length_ / 2);
   was_shortened_ = true;
   return true;
 }

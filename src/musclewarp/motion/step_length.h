@@ -14,6 +14,9 @@ struct StepLengthOptions {
   // that is as short as `unchecked`.
   double max_push = 2;
   double unchecked = 1;
+
+  // No step is halved to less than this.
+  double shortest = 1;
 };
 
 // Chooses the length of each step by what came of the one before, as solvers of
@@ -48,8 +51,8 @@ class StepLength {
   // false if it did not.
   bool ShortenFor(double push);
 
-  // Halves the next step, down to the unchecked length. Returns false if it is
-  // as short as that.
+  // Halves the next step, down to the shortest. Returns false if it is as short
+  // as that.
   bool Halve();
 
   // Lets the next step be longer, up to twice, as the push (mm) allows. Not if
