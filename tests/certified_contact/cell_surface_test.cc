@@ -44,6 +44,17 @@ void ExpectClean(const TriangleSoup& surface) {
 
 }  // namespace
 
+TEST(WithEvenTriangles, LeavesAThinMuscleItsVolume) {
+  // A strap 2 mm thick: with edges of 6 mm a third of its volume would go.
+  TriangleSoup strap = Icosphere(1, 4);
+  strap.points *= Eigen::Vector3d(30, 5, 1).asDiagonal();
+  const double volume = SignedVolume(strap.points, strap.triangles);
+  const TriangleSoup even = WithEvenTriangles(strap, 6);
+  ExpectClean(even);
+  EXPECT_GT(SignedVolume(even.points, even.triangles), 0.95 * volume);
+  EXPECT_LT(even.triangles.rows(), strap.triangles.rows());
+}
+
 TEST(CellSurface, OfAMuscleAloneIsItsOwn) {
   const Solid muscle(Icosphere(10, 4));
   const TriangleSoup surface = EvenCellSurface(muscle, {}, {});

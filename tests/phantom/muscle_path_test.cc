@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "musclewarp/skeleton/polyline.h"
+
 namespace musclewarp::phantom {
 namespace {
 
@@ -33,18 +35,6 @@ std::vector<StrapNode> Arc(double z, double rise, double half_width) {
                      3});
   }
   return nodes;
-}
-
-TEST(MusclePath, LengthAndTurnsAreThoseOfThePolyline) {
-  std::vector<StrapNode> nodes(3);
-  nodes[0].centre = {0, 0, 0};
-  nodes[1].centre = {3, 4, 0};
-  nodes[2].centre = {3, 4, 12};
-  EXPECT_NEAR(PathLength(nodes), 17, kPathRounding);
-  EXPECT_NEAR(SharpestTurn(nodes), 90, 1e-9);  // degrees, of an arc cosine
-  nodes[2].centre = {6, 8, 0};
-  // The arc cosine turns rounding by 1e-16 into 1e-8 rad.
-  EXPECT_NEAR(SharpestTurn(nodes), 0, 2e-6);
 }
 
 TEST(MusclePath, TheNormalOfABallPointsAwayFromItsCentre) {
@@ -77,8 +67,9 @@ TEST(MusclePath, APathLiesOnWhatIsInItsWay) {
     // It touches the ball and is no deeper in it than it may be; the pushes
     // along differences of 0.05 mm leave an error of their square.
     EXPECT_NEAR(largest, 0, 1e-3);
-    EXPECT_LT(PathLength(path), PathLength(start));
-    EXPECT_GT(PathLength(path), 80);
+    EXPECT_LT(PolylineLength(CentresOf(path)),
+              PolylineLength(CentresOf(start)));
+    EXPECT_GT(PolylineLength(CentresOf(path)), 80);
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace musclewarp {
 namespace {
 
@@ -77,6 +79,16 @@ TEST(Polyline, RepeatedPointsDoNotMatter) {
   EXPECT_EQ(Resampled(repeated, 8), Resampled(Corner(), 8));
   const Points at_one_place = Corner().row(1).replicate<3, 1>();
   EXPECT_EQ(Resampled(at_one_place, 3), at_one_place);
+}
+
+TEST(Polyline, TheSharpestTurnIsThatOfTwoSegments) {
+  EXPECT_EQ(SharpestTurn(Corner().topRows(2)), 0);
+  Points turns(5, 3);  // by a quarter, not at all, and all the way back
+  turns << 0, 0, 0, 3, 4, 0, 3, 4, 12, 3, 4, 12, 3, 4, 10;
+  const double half_turn = std::acos(-1.0);
+  EXPECT_NEAR(SharpestTurn(turns.topRows(3)), half_turn / 2, 1e-15);
+  EXPECT_NEAR(SharpestTurn(turns.topRows(4)), half_turn / 2, 1e-15);
+  EXPECT_NEAR(SharpestTurn(turns), half_turn, 1e-15);
 }
 
 }  // namespace musclewarp

@@ -95,9 +95,7 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
                                      most_folded));
   }
   const double depth = muscle.depth_without_contact;
-  const double farthest = requirements.displacement_per_depth * depth +
-                          std::max(0.0, muscle.push_depth - depth) +
-                          requirements.displacement_allowance;
+  const double farthest = LargestDisplacement(requirements, muscle);
   if (!(muscle.max_contact_displacement <= farthest)) {
     std::ostringstream chain;
     if (muscle.pushed_by.size() > 1) {
@@ -129,6 +127,14 @@ bool FrameRequirements::IsValid(std::string* error) const {
       .IsAtLeast("displacement_allowance", displacement_allowance, 0)
       .IsWithin("gap", gap, 0, kMeshGapLimit)
       .is_valid();
+}
+
+double LargestDisplacement(const FrameRequirements& requirements,
+                           const MuscleMeasures& muscle) {
+  const double depth = muscle.depth_without_contact;
+  return requirements.displacement_per_depth * depth +
+         std::max(0.0, muscle.push_depth - depth) +
+         requirements.displacement_allowance;
 }
 
 std::vector<std::string> Shortcomings(

@@ -55,6 +55,11 @@ struct MuscleMeasures {
   std::vector<std::string> pushed_by;
 };
 
+// Returns how far contact may move a vertex of a muscle, mm: what
+// FrameRequirements says of the depths that were measured.
+double LargestDisplacement(const FrameRequirements& requirements,
+                           const MuscleMeasures& muscle);
+
 // Returns what a frame does not hold of the requirements, a sentence each:
 // triangles that cross (how many, where, how deep), vertices inside another
 // mesh, gaps, volume, self-intersections, folded triangles, displacement. A

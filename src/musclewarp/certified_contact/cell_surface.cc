@@ -56,6 +56,27 @@ void KeepAround(const TriangleSoup& even,
   }
 }
 
+// Returns the surface with triangles of one size but around places where it
+// would cross itself with them.
+TriangleSoup EvenWithoutCrossings(const TriangleSoup& surface,
+                                  double edge_length) {
+  constexpr int kMaxAttempts = 5;
+  std::vector<bool> is_kept(surface.triangles.rows(), false);
+  for (int attempt = 1; attempt <= kMaxAttempts; ++attempt) {
+    const TriangleSoup even = Remeshed(surface, edge_length, is_kept);
+    const std::vector<std::pair<int, int>> crossings = SelfIntersections(even);
+    VLOG(1) << "surface of a cell: " << surface.triangles.rows()
+            << " triangles, " << even.triangles.rows() << " with edges of "
+            << edge_length << " mm, " << crossings.size()
+            << " pairs cross each other";
+    if (crossings.empty()) return CountDefects(even).IsClean() ? even : surface;
+    // In later attempts farther around, so that the border of what is kept
+    // moves away from thin parts.
+    KeepAround(even, crossings, attempt * edge_length, surface, &is_kept);
+  }
+  return surface;
+}
+
 }  // namespace
 
 bool CellSurfaceOptions::IsValid(std::string* error) const {
@@ -83,21 +104,15 @@ TriangleSoup CellSurface(const CellSurfaceOptions& options,
 TriangleSoup WithEvenTriangles(const TriangleSoup& surface,
                                double edge_length) {
   CHECK_GT(edge_length, 0);
-  constexpr int kMaxAttempts = 5;
-  std::vector<bool> is_kept(surface.triangles.rows(), false);
-  for (int attempt = 1; attempt <= kMaxAttempts; ++attempt) {
-    const TriangleSoup even = Remeshed(surface, edge_length, is_kept);
-    const std::vector<std::pair<int, int>> crossings = SelfIntersections(even);
-    VLOG(1) << "surface of a cell: " << surface.triangles.rows()
-            << " triangles, " << even.triangles.rows() << " with edges of "
-            << edge_length << " mm, " << crossings.size()
-            << " pairs cross each other";
-    if (crossings.empty()) return CountDefects(even).IsClean() ? even : surface;
-    // In later attempts farther around, so that the border of what is kept
-    // moves away from thin parts.
-    KeepAround(even, crossings, attempt * edge_length, surface, &is_kept);
+  constexpr double kMaxLoss = 0.05;  // of the volume
+  constexpr int kMaxHalvings = 3;
+  const double least =
+      (1 - kMaxLoss) * SignedVolume(surface.points, surface.triangles);
+  for (int halving = 0;; ++halving, edge_length /= 2) {
+    TriangleSoup even = EvenWithoutCrossings(surface, edge_length);
+    const double volume = SignedVolume(even.points, even.triangles);
+    if (volume >= least || halving == kMaxHalvings) return even;
   }
-  return surface;
 }
 
 }  // namespace musclewarp

@@ -22,7 +22,7 @@ CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
                                            std::shared_ptr<SceneMeshes> meshes,
                                            const ProgressCallback& on_progress)
     : FrameSolver(scene, options, std::move(meshes)) {
-  RestFrame();  // moves the meshes to rest, and is the baseline of Judge()
+  RestFrame();  // moves the meshes to rest
   certified_ = PrepareCertifiedScene(scene,
                                      *meshes_,
                                      options.certified,
@@ -33,6 +33,29 @@ CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
   contact_.prepare_ms = certified_.wall_ms;
   contact_.rest =
       IntersectAtRest(scene, certified_.rest.muscles, meshes_.get());
+  contact_.displaced_at_rest = DisplacedAtRest();
+}
+
+std::vector<int> CertifiedFrameSolver::DisplacedAtRest() {
+  Frame rest;
+  rest.intersections = *contact_.rest;
+  rest.bones = RestFrame().bones;
+  for (size_t i = 0; i < scene_.muscles.size(); ++i) {
+    MuscleFrame& muscle = rest.muscles.emplace_back();
+    muscle.name = scene_.muscles[i].model.name;
+    muscle.points =
+        FinePoints(scene_.muscles[i].model, certified_.rest.muscles[i]);
+  }
+  MeasureContact(certified_.rest, &rest);
+  std::vector<int> displaced;
+  for (size_t i = 0; i < rest.muscles.size(); ++i) {
+    if (rest.muscles[i].max_contact_displacement >
+        LargestDisplacement(options_.requirements,
+                            MeasuresOf(rest.muscles[i], i))) {
+      displaced.push_back(static_cast<int>(i));
+    }
+  }
+  return displaced;
 }
 
 SceneState CertifiedFrameSolver::StartOfMotion(
@@ -140,22 +163,26 @@ void CertifiedFrameSolver::MeasureContact(const SceneState& state,
   }
 }
 
+MuscleMeasures CertifiedFrameSolver::MeasuresOf(const MuscleFrame& muscle,
+                                                size_t number) const {
+  MuscleMeasures measures;
+  measures.name = muscle.name;
+  measures.volume_ratio = muscle.volume_ratio;
+  measures.num_triangles =
+      static_cast<int>(scene_.muscles[number].model.fine_triangles.rows());
+  measures.folded_triangles = muscle.folded_triangles;
+  measures.self_pairs = muscle.self_pairs;
+  measures.max_contact_displacement = muscle.max_contact_displacement;
+  measures.depth_without_contact = muscle.depth_without_contact;
+  measures.push_depth = muscle.push_depth;
+  measures.pushed_by = muscle.pushed_by;
+  return measures;
+}
+
 void CertifiedFrameSolver::Judge(Frame* frame) {
   std::vector<MuscleMeasures> measures;
   for (size_t i = 0; i < frame->muscles.size(); ++i) {
-    const MuscleFrame& muscle = frame->muscles[i];
-    MuscleMeasures measure;
-    measure.name = muscle.name;
-    measure.volume_ratio = muscle.volume_ratio;
-    measure.num_triangles =
-        static_cast<int>(scene_.muscles[i].model.fine_triangles.rows());
-    measure.folded_triangles = muscle.folded_triangles;
-    measure.self_pairs = muscle.self_pairs;
-    measure.max_contact_displacement = muscle.max_contact_displacement;
-    measure.depth_without_contact = muscle.depth_without_contact;
-    measure.push_depth = muscle.push_depth;
-    measure.pushed_by = muscle.pushed_by;
-    measures.push_back(measure);
+    measures.push_back(MeasuresOf(frame->muscles[i], i));
   }
   FrameRequirements requirements = options_.requirements;
   requirements.gap = std::max(requirements.gap, options_.certified.step.gap);

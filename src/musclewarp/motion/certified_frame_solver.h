@@ -37,6 +37,13 @@ class CertifiedFrameSolver : public FrameSolver {
   // Measures what contact has done to the muscles of a frame, against their
   // shapes without contact.
   void MeasureContact(const SceneState& state, Frame* frame);
+
+  // Returns the muscles that contact has moved too far in the rest pose.
+  std::vector<int> DisplacedAtRest();
+
+  // Returns what the certificate judges of a muscle.
+  MuscleMeasures MeasuresOf(const MuscleFrame& muscle, size_t number) const;
+
   // Lists what the frame does not hold of the requirements.
   void Judge(Frame* frame);
 

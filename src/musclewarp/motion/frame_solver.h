@@ -63,6 +63,10 @@ struct ContactReport {
   // The intersections in the rest pose once contact has separated the meshes as
   // they were delivered. Nothing without contact.
   std::optional<SceneIntersections> rest;
+
+  // The muscles, by number, that contact has moved farther in the rest pose
+  // than the requirements allow: a part of each is cut off from the rest.
+  std::vector<int> displaced_at_rest;
 };
 
 // A frame, and the state that the next frame starts from.

@@ -16,6 +16,7 @@
 #include "musclewarp/scene/attachment_area.h"
 #include "musclewarp/scene/coordinate_limits.h"
 #include "musclewarp/scene/far_lines.h"
+#include "musclewarp/scene/folded_lines.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/skeleton/sampling.h"
 
@@ -202,6 +203,9 @@ void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
          FarLineWarnings(prepared->scene.muscles[i], model.fine_rest)) {
       warnings.push_back(warning);
     }
+  }
+  for (const std::string& warning : FoldedLineWarnings(prepared->scene)) {
+    warnings.push_back(warning);
   }
   for (const std::string& warning :
        ScaleWarnings(sizes, options.scale_warning_ratio)) {

@@ -22,12 +22,13 @@ namespace musclewarp {
 namespace {
 
 // The muscles, by number, whose meshes have to be made anew. What crosses a
-// bone holds up the muscles around it, and a muscle may cross itself as long as
-// it crosses others: so these come only if there is nothing worse, or in the
-// last attempt, which takes all.
+// bone holds up the muscles around it, and a muscle may cross itself or be far
+// from where it was as long as it crosses others: so these come only if there
+// is nothing worse, or in the last attempt, which takes all.
 std::vector<int> UncleanMuscles(const PreparedScene& scene,
-                                const SceneIntersections& rest,
+                                const ContactReport& contact,
                                 bool is_last_attempt) {
+  const SceneIntersections& rest = *contact.rest;
   std::map<std::string, int> numbers;
   std::set<int> beside_bones, beside_muscles, by_themselves;
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
@@ -44,9 +45,11 @@ std::vector<int> UncleanMuscles(const PreparedScene& scene,
       (are_muscles ? beside_muscles : beside_bones).insert(muscle->second);
     }
   }
+  const std::set<int> displaced(contact.displaced_at_rest.begin(),
+                                contact.displaced_at_rest.end());
   std::set<int> unclean;
   for (const std::set<int>& worst :
-       {beside_bones, beside_muscles, by_themselves}) {
+       {beside_bones, beside_muscles, by_themselves, displaced}) {
     if (unclean.empty() || is_last_attempt) {
       unclean.insert(worst.begin(), worst.end());
     }
@@ -95,7 +98,9 @@ CellSurfaceOptions SurfaceOptions(const RestRemakingOptions& options,
 }
 
 // Makes a surface that crosses no bone, with as large a margin as that takes: a
-// bone may have details between the samples of a surface.
+// bone may have details between the samples of a surface. Where a thin muscle
+// would lose too much by the margin, such details are left to the separation of
+// the new surfaces.
 TriangleSoup SurfaceBesideBones(
     const RestRemakingOptions& options,
     CellSurfaceOptions surface_options,
@@ -104,10 +109,19 @@ TriangleSoup SurfaceBesideBones(
     const std::vector<const SolidDistance*>& others,
     const std::vector<const SolidDistance*>& bones) {
   surface_options.cell.margin *= std::pow(options.margin_growth, attempt);
+  TriangleSoup before;
+  double least_volume = 0;
   for (int growth = 0;; ++growth) {
     TriangleSoup surface = CellSurface(surface_options, muscle, others, bones);
+    const double volume = SignedVolume(surface.points, surface.triangles);
+    VLOG(1) << "cell with a margin of " << surface_options.cell.margin
+            << " mm: " << volume << " mm3";
+    if (growth > 0 && volume < least_volume) return before;
     if (surface.triangles.rows() == 0 || growth == options.max_growths) {
       return surface;
+    }
+    if (growth == 0) {
+      least_volume = (1 - options.max_loss_by_margin) * volume;
     }
     const TriangleBvh tree(surface.points, surface.triangles);
     const bool crosses =
@@ -115,6 +129,7 @@ TriangleSoup SurfaceBesideBones(
           return !IntersectingTriangles(tree, bone->mesh().bvh()).empty();
         });
     if (!crosses) return surface;
+    before = std::move(surface);
     surface_options.cell.margin *= options.margin_growth;
     // A cell is bounded by what is in range of its margin.
     surface_options.cell.range =
@@ -225,6 +240,7 @@ bool RestRemakingOptions::IsValid(std::string* error) const {
       .IsAtLeast("margin_growth", margin_growth, 1)
       .IsAtLeast("max_growths", max_growths, 0)
       .IsAtLeast("max_attempts", max_attempts, 1)
+      .IsWithin("max_loss_by_margin", max_loss_by_margin, 0, 1)
       .IsAbove("spacing_share", spacing_share, 0)
       .IsAbove("min_spacing", min_spacing, 0)
       .IsAtLeast("max_spacing", max_spacing, min_spacing)
@@ -249,9 +265,12 @@ std::unique_ptr<FrameSolver> MakeCleanFrameSolver(
                                   on_progress);
     if (options.contact != ContactKind::kCertified) return solver;
     const SceneIntersections& rest = *solver->contact().rest;
-    const std::vector<int> unclean =
-        UncleanMuscles(*scene, rest, attempt + 1 == remaking.max_attempts);
-    if (unclean.empty()) {
+    const std::vector<int> unclean = UncleanMuscles(
+        *scene, solver->contact(), attempt + 1 == remaking.max_attempts);
+    const bool is_over =
+        remaking.kind == RemakeKind::kNever || attempt == remaking.max_attempts;
+    if (unclean.empty() ||
+        (is_over && rest.IsClean() && rest.self_pairs == 0)) {
       for (const PreparedMuscle& muscle : scene->muscles) {
         if (!muscle.mesh.remaking.is_done) continue;
         scene->warnings.push_back(
@@ -260,8 +279,7 @@ std::unique_ptr<FrameSolver> MakeCleanFrameSolver(
       }
       return solver;
     }
-    if (remaking.kind == RemakeKind::kNever ||
-        attempt == remaking.max_attempts) {
+    if (is_over) {
       throw InputError(
           scene->scene.name,
           "the meshes cannot be separated in the rest pose: " +

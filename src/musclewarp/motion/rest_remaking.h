@@ -29,6 +29,11 @@ struct RestRemakingOptions {
   // and once with each further attempt to separate the new surfaces.
   double margin_growth = 3;
   int max_growths = 2;
+
+  // The margin of a surface does not grow so far that more than this share of
+  // its volume is lost: there would be little left of a thin muscle.
+  double max_loss_by_margin = 0.25;
+
   int max_attempts = 3;
 
   // The distance of the samples of a surface, as a share of the typical edge of

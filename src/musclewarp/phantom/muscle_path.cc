@@ -120,23 +120,12 @@ std::vector<StrapNode> TautPath(std::vector<StrapNode> nodes,
   return nodes;
 }
 
-double PathLength(const std::vector<StrapNode>& nodes) {
-  double length = 0;
-  for (size_t i = 0; i + 1 < nodes.size(); ++i) {
-    length += (nodes[i + 1].centre - nodes[i].centre).norm();
+Points CentresOf(const std::vector<StrapNode>& nodes) {
+  Points centres(static_cast<Eigen::Index>(nodes.size()), 3);
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    centres.row(i) = nodes[i].centre.transpose();
   }
-  return length;
-}
-
-double SharpestTurn(const std::vector<StrapNode>& nodes) {
-  constexpr double kDegrees = 57.29577951308232;
-  double least_cosine = 1;
-  for (size_t i = 1; i + 1 < nodes.size(); ++i) {
-    const Vector3d in = (nodes[i].centre - nodes[i - 1].centre).normalized();
-    const Vector3d out = (nodes[i + 1].centre - nodes[i].centre).normalized();
-    least_cosine = std::min(least_cosine, in.dot(out));
-  }
-  return kDegrees * std::acos(std::clamp(least_cosine, -1.0, 1.0));
+  return centres;
 }
 
 }  // namespace musclewarp::phantom

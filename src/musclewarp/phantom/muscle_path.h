@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/phantom/field.h"
 #include "musclewarp/phantom/strap.h"
 
@@ -39,11 +40,7 @@ std::vector<StrapNode> TautPath(std::vector<StrapNode> nodes,
                                 const std::vector<PathObstacle>& obstacles,
                                 const Field& ground);
 
-// Returns the length of the polyline through the centres, mm.
-double PathLength(const std::vector<StrapNode>& nodes);
-
-// Returns the largest angle between an edge of this polyline and the next one,
-// degrees.
-double SharpestTurn(const std::vector<StrapNode>& nodes);
+// Returns the polyline through the centres, #N x 3, mm.
+Points CentresOf(const std::vector<StrapNode>& nodes);
 
 }  // namespace musclewarp::phantom

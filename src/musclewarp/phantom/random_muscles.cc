@@ -11,6 +11,7 @@
 #include "musclewarp/phantom/muscle_shape.h"
 #include "musclewarp/phantom/polygonize.h"
 #include "musclewarp/phantom/scene_parts.h"
+#include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp::phantom {
 namespace {
@@ -191,11 +192,11 @@ bool IsPathSound(const MuscleShape& shape,
                  const std::vector<StrapNode>& nodes,
                  const std::vector<PathObstacle>& obstacles) {
   constexpr double kLargestExcess = 1.5;  // mm; the rest is cut off
-  constexpr double kSharpestTurn = 40;    // degrees
-  const double length = PathLength(nodes);
+  constexpr double kSharpestTurn = 0.7;   // rad
+  const double length = PolylineLength(CentresOf(nodes));
   if (length < kShortest || length > kLongest - 2 * shape.tendon ||
       length < 6 * shape.belly || length < 2 * shape.width[1] ||
-      SharpestTurn(nodes) > kSharpestTurn) {
+      SharpestTurn(CentresOf(nodes)) > kSharpestTurn) {
     return false;
   }
   for (const StrapNode& node : nodes) {
@@ -284,12 +285,13 @@ ActionLine LineAlong(const std::string& name,
                      const std::vector<RandomBone>& bones,
                      const std::array<MuscleEnd, 2>& ends) {
   constexpr double kSpacing = 30;  // mm
-  const int count =
-      std::clamp(2 + static_cast<int>(PathLength(nodes) / kSpacing), 3, 10);
+  const int count = std::clamp(
+      2 + static_cast<int>(PolylineLength(CentresOf(nodes)) / kSpacing), 3, 10);
   const std::vector<int> chain =
       ChainBetween(bones, ends[0].bone, ends[1].bone);
   ActionLine line;
   line.name = name;
+  line.slides = true;  // the muscle is attached at its ends only
   line.rest.resize(count, 3);
   for (int i = 0; i < count; ++i) {
     // The mesh is shorter than the strap: its ends are not sharp.
@@ -369,7 +371,7 @@ std::optional<RandomMuscle> DrawMuscle(const std::string& name,
   if (!HasEnoughVolume(muscle.strap, cut, ground, muscle.box)) return {};
 
   Solid solid = {name, cut, StrapBox(nodes, 6), 0, {}};
-  solid.cell = DrawCellSize(shape, PathLength(nodes), draws);
+  solid.cell = DrawCellSize(shape, PolylineLength(CentresOf(nodes)), draws);
   solid.roughness = draws->Uniform(0.05, 0.3);
   muscle.mesh =
       MeshOf(solid, static_cast<uint32_t>(draws->Integer(0, 1000000)));

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "musclewarp/phantom/scene_parts.h"
+#include "musclewarp/scene/line_targets.h"
+#include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp::phantom {
 namespace {
@@ -42,14 +44,6 @@ std::vector<Eigen::Matrix4d> Transforms(const std::vector<RandomBone>& bones,
   return all;
 }
 
-double LengthOf(const Points& points) {
-  const Eigen::Index segments = points.rows() - 1;
-  return (points.bottomRows(segments) - points.topRows(segments))
-      .rowwise()
-      .norm()
-      .sum();
-}
-
 std::map<std::string, Eigen::Matrix4d> ByBody(
     const std::vector<RandomBone>& bones,
     const std::vector<Eigen::Matrix4d>& transforms) {
@@ -60,17 +54,20 @@ std::map<std::string, Eigen::Matrix4d> ByBody(
   return bodies;
 }
 
-// True if the points of the line, moved with their bodies, are where a muscle
-// can follow them.
+// True if the line goes where a muscle can follow it.
 bool CanFollow(const ActionLine& line,
                const std::vector<RandomBone>& bones,
                const std::vector<Eigen::Matrix4d>& transforms) {
   constexpr double kLeastRatio = 0.6;
   constexpr double kLargestRatio = 1.5;
   constexpr double kDeepest = 6;  // mm
-  const Points moved = MovedLine(line, ByBody(bones, transforms));
-  const double ratio = LengthOf(moved) / LengthOf(line.rest);
+  constexpr double kSharpestTurn = 0.5 * 3.14159265358979323846;
+  ScenePose pose;
+  pose.bodies = ByBody(bones, transforms);
+  const Points moved = LineTargets({line}, pose)[0].points;
+  const double ratio = PolylineLength(moved) / PolylineLength(line.rest);
   if (ratio < kLeastRatio || ratio > kLargestRatio) return false;
+  if (SharpestTurn(moved) > kSharpestTurn) return false;
   for (size_t b = 0; b < bones.size(); ++b) {
     const Eigen::Matrix4d rest_from_target = transforms[b].inverse();
     for (Eigen::Index i = 0; i < moved.rows(); ++i) {

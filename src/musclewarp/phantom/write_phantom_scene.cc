@@ -33,9 +33,11 @@ OrderedJson JsonOf(const SceneMuscle& muscle) {
   json["name"] = muscle.name;
   json["mesh"] = muscle.mesh_path;
   for (const ActionLine& line : muscle.lines) {
-    json["lines"].push_back({{"name", line.name},
-                             {"rest", JsonOf(line.rest)},
-                             {"bodies", line.bodies}});
+    OrderedJson of_line = {{"name", line.name},
+                           {"rest", JsonOf(line.rest)},
+                           {"bodies", line.bodies}};
+    if (line.slides) of_line["slides"] = true;
+    json["lines"].push_back(of_line);
   }
   for (const Attachment& attachment : muscle.attachments) {
     json["attachments"].push_back({{"body", attachment.body},

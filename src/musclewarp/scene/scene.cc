@@ -23,11 +23,16 @@ std::string Resolve(const std::string& path, const std::string& root) {
 }
 
 ActionLine ReadInlineLine(const JsonField& field) {
-  field.CheckKeys({"name", "rest", "bodies"});
+  field.CheckKeys({"name", "rest", "bodies", "slides"});
   ActionLine line;
   line.name = field.At("name").AsString();
   line.rest = field.At("rest").AsPoints();
   if (field.Has("bodies")) line.bodies = field.At("bodies").AsStrings();
+  if (field.Has("slides")) line.slides = field.At("slides").AsBool();
+  if (line.slides && line.bodies.empty()) {
+    field.At("slides").Fail("needs bodies that guide the line",
+                            "add \"bodies\", or leave it out");
+  }
   return line;
 }
 

@@ -4,7 +4,9 @@
 
 #include <glog/logging.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace musclewarp {
 
@@ -24,6 +26,20 @@ Eigen::VectorXd SharesAlong(const Points& points) {
   const double length = along.size() > 0 ? along[along.size() - 1] : 0;
   if (length > 0) along /= length;
   return along;
+}
+
+double SharpestTurn(const Points& points) {
+  double sharpest = 0;
+  Eigen::RowVector3d before = Eigen::RowVector3d::Zero();
+  for (Eigen::Index i = 1; i < points.rows(); ++i) {
+    const Eigen::RowVector3d segment = points.row(i) - points.row(i - 1);
+    if (segment.norm() == 0) continue;
+    const double turn =
+        std::atan2(before.cross(segment).norm(), before.dot(segment));
+    if (before.norm() > 0) sharpest = std::max(sharpest, turn);
+    before = segment;
+  }
+  return sharpest;
 }
 
 Points PointsAtShares(const Points& points, const Eigen::VectorXd& shares) {

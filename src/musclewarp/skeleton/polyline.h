@@ -14,6 +14,11 @@ double PolylineLength(const Points& points);
 // lies: from 0 to 1, #P. All are 0 if the polyline has no length.
 Eigen::VectorXd SharesAlong(const Points& points);
 
+// Returns the largest angle by which the direction of a polyline (#P x 3) turns
+// from a segment to the next, rad: pi where it goes back the way it came. It is
+// 0 for fewer than three points; segments without a length do not count.
+double SharpestTurn(const Points& points);
+
 // Returns the points at these shares of the length of a polyline (#P x 3), #S x
 // 3. Preconditions (CHECKed): the polyline has at least two points. The shares
 // are from 0 to 1.

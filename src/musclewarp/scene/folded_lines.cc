@@ -1,0 +1,45 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/scene/folded_lines.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "musclewarp/scene/line_targets.h"
+#include "musclewarp/skeleton/polyline.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr double kDegrees = 57.29577951308232;
+constexpr double kSharpestTurn = 120 / kDegrees;  // rad
+
+}  // namespace
+
+std::vector<std::string> FoldedLineWarnings(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (const SceneMuscle& muscle : scene.muscles) {
+    for (const ActionLine& line : muscle.lines) {
+      double sharpest = kSharpestTurn;
+      const ScenePose* folded = nullptr;
+      for (const ScenePose& pose : scene.poses) {
+        const double turn = SharpestTurn(LineTargets({line}, pose)[0].points);
+        if (turn <= sharpest) continue;
+        sharpest = turn;
+        folded = &pose;
+      }
+      if (!folded) continue;
+      std::ostringstream text;
+      text << "line " << line.name << " of muscle " << muscle.name
+           << " turns back on itself in pose " << folded->name << ", by "
+           << std::round(sharpest * kDegrees)
+           << " degrees from a segment to the next, where the muscle will have "
+              "folds: leave out points near the joint, or let the line slide "
+              "(\"slides\": true)";
+      warnings.push_back(text.str());
+    }
+  }
+  return warnings;
+}
+
+}  // namespace musclewarp
