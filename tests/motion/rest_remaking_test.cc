@@ -41,6 +41,15 @@ Scene SceneWithAnEndInABone() {
   return scene;
 }
 
+// One muscle with a plate across it that cuts off the uppermost 10 mm.
+Scene SceneWithAnEndCutOff() {
+  Scene scene = SceneWithAnEndInABone();
+  const TriangleSoup plate = MovedBy(Box(40, 40, 6), {-12.5, 0, 47});
+  scene.bones[1].points = plate.points;
+  scene.bones[1].triangles = plate.triangles;
+  return scene;
+}
+
 FrameSolverOptions Certified() {
   FrameSolverOptions options;
   options.contact = ContactKind::kCertified;
@@ -112,6 +121,22 @@ TEST(MakeCleanFrameSolver, RefusesSuchASceneIfNothingMayBeMadeAnew) {
   ExpectInputError([&] { Make(RemakeKind::kNever, &scene); },
                    {"psoas crosses femur", "--remake=auto", "mm deep"});
   EXPECT_EQ(scene.muscles[0].model.fine_rest, before);
+}
+
+TEST(MakeCleanFrameSolver, RemakesAMuscleOfWhichABoneCutsOffAnEnd) {
+  PreparedScene scene = PreparedSmallScene(SceneWithAnEndCutOff());
+  const auto as_it_is = Make(RemakeKind::kNever, &scene);
+  // Its end is pulled through to the side of its bulk, clean but far.
+  EXPECT_TRUE(as_it_is->contact().rest->IsClean());
+  EXPECT_EQ(as_it_is->contact().displaced_at_rest, std::vector<int>{0});
+  EXPECT_FALSE(scene.muscles[0].mesh.remaking.is_done);
+
+  const auto remade = Make(RemakeKind::kAuto, &scene);
+  EXPECT_TRUE(remade->contact().rest->IsClean());
+  EXPECT_TRUE(remade->contact().displaced_at_rest.empty());
+  EXPECT_TRUE(scene.muscles[0].mesh.remaking.is_done);
+  constexpr double kPlateBegins = 44;
+  EXPECT_LT(scene.muscles[0].model.fine_rest.col(2).maxCoeff(), kPlateBegins);
 }
 
 TEST(MakeCleanFrameSolver, RefusesAMuscleOfWhichLittleIsLeft) {

@@ -104,14 +104,16 @@ TriangleSoup CellSurface(const CellSurfaceOptions& options,
 TriangleSoup WithEvenTriangles(const TriangleSoup& surface,
                                double edge_length) {
   CHECK_GT(edge_length, 0);
+  if (surface.triangles.rows() == 0) return surface;
   constexpr double kMaxLoss = 0.05;  // of the volume
-  constexpr int kMaxHalvings = 3;
   const double least =
       (1 - kMaxLoss) * SignedVolume(surface.points, surface.triangles);
-  for (int halving = 0;; ++halving, edge_length /= 2) {
+  // Triangles that are kept have to be the smaller ones.
+  const double shortest = 2 * TypicalEdge(surface.points, surface.triangles);
+  for (;; edge_length /= 2) {
     TriangleSoup even = EvenWithoutCrossings(surface, edge_length);
     const double volume = SignedVolume(even.points, even.triangles);
-    if (volume >= least || halving == kMaxHalvings) return even;
+    if (volume >= least || edge_length / 2 < shortest) return even;
   }
 }
 

@@ -18,15 +18,24 @@ TriangleSoup Remeshed(const TriangleSoup& soup,
   constexpr int kIterations = 5;
   namespace pmp = CGAL::Polygon_mesh_processing;
   CgalMesh mesh = ToCgalMesh(soup);
-  std::vector<CgalMesh::Face_index> faces;
+  // All faces are remeshed, and those that are kept have fixed edges: CGAL 5.5
+  // may fail where only a part of the faces is remeshed (out_of_range).
+  auto is_fixed =
+      mesh.add_property_map<CgalMesh::Edge_index, bool>("e:is_fixed", false)
+          .first;
   for (const CgalMesh::Face_index face : mesh.faces()) {
     // Faces have the numbers of the triangles.
-    if (is_kept.empty() || !is_kept[face]) faces.push_back(face);
+    if (is_kept.empty() || !is_kept[face]) continue;
+    for (const auto edge : halfedges_around_face(mesh.halfedge(face), mesh)) {
+      is_fixed[mesh.edge(edge)] = true;
+    }
   }
-  pmp::isotropic_remeshing(faces,
+  pmp::isotropic_remeshing(mesh.faces(),
                            edge_length,
                            mesh,
-                           pmp::parameters::number_of_iterations(kIterations));
+                           pmp::parameters::number_of_iterations(kIterations)
+                               .edge_is_constrained_map(is_fixed)
+                               .protect_constraints(true));
   return FromCgalMesh(mesh);
 }
 

@@ -14,9 +14,9 @@ namespace musclewarp {
 // Remeshing Approach to Multiresolution Modeling"; isotropic_remeshing of
 // CGAL). The new vertices lie on the old surface, and its details below the
 // edge length are lost. Triangles for which `is_kept` (#F, or empty for none)
-// is true keep their size; only their edges beside others may change.
-// Preconditions (CHECKed): the mesh is a manifold, the edge length is above
-// zero.
+// is true stay as they are; their edges must not be longer than the edge
+// length. Preconditions (CHECKed): the mesh is a manifold, the edge length is
+// above zero.
 TriangleSoup Remeshed(const TriangleSoup& soup,
                       double edge_length,
                       const std::vector<bool>& is_kept = {});

@@ -9,6 +9,7 @@
 #include <deque>
 #include <iomanip>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -97,6 +98,19 @@ CellSurfaceOptions SurfaceOptions(const RestRemakingOptions& options,
   return surface;
 }
 
+// Halves the spacing of the samples until there are several across a thin
+// muscle: twice its volume by its area is what a plate of its thickness has.
+double SpacingWithin(const RestRemakingOptions& options,
+                     const MuscleModel& muscle,
+                     double spacing) {
+  const double thickness = 2 * muscle.rest_volume /
+                           SurfaceArea(muscle.fine_rest, muscle.fine_triangles);
+  const double largest =
+      std::max(options.min_spacing, thickness / options.samples_across);
+  while (spacing > largest) spacing /= 2;
+  return spacing;
+}
+
 // Makes a surface that crosses no bone, with as large a margin as that takes: a
 // bone may have details between the samples of a surface. Where a thin muscle
 // would lose too much by the margin, such details are left to the separation of
@@ -178,37 +192,96 @@ std::string Warning(const std::string& name, const Remaking& remaking) {
   return text.str();
 }
 
+// The signed distances to all meshes, in scene order.
+class Solids {
+ public:
+  explicit Solids(const SceneMeshes& meshes) {
+    for (const NamedMesh& muscle : meshes.muscles()) {
+      muscles_.push_back(&all_.emplace_back(*muscle.mesh));
+    }
+    for (const NamedMesh& bone : meshes.bones()) {
+      bones_.push_back(&all_.emplace_back(*bone.mesh));
+    }
+  }
+  const SolidDistance& muscle(int i) const { return *muscles_[i]; }
+  const std::vector<const SolidDistance*>& bones() const { return bones_; }
+  std::vector<const SolidDistance*> MusclesBut(int i) const {
+    std::vector<const SolidDistance*> others = muscles_;
+    others.erase(others.begin() + i);
+    return others;
+  }
+
+ private:
+  std::deque<SolidDistance> all_;
+  std::vector<const SolidDistance*> muscles_, bones_;
+};
+
+// Makes the surface of a muscle anew from its cell among the solids.
+TriangleSoup SurfaceOf(const RestRemakingOptions& options,
+                       CellSurfaceOptions surface_options,
+                       int attempt,
+                       const MuscleModel& muscle,
+                       int number,
+                       const Solids& solids) {
+  surface_options.spacing =
+      SpacingWithin(options, muscle, surface_options.spacing);
+  const TriangleSoup surface = SurfaceBesideBones(options,
+                                                  surface_options,
+                                                  attempt,
+                                                  solids.muscle(number),
+                                                  solids.MusclesBut(number),
+                                                  solids.bones());
+  if (surface.triangles.rows() == 0) return surface;
+  const double typical = TypicalEdge(muscle.fine_rest, muscle.fine_triangles);
+  return WithEvenTriangles(surface, std::max(surface_options.spacing, typical));
+}
+
+// Makes the surfaces of the unclean muscles anew, from the meshes as they were
+// delivered. A muscle of which the others and the bones would leave too little
+// is made from the meshes where contact has moved them: these hardly overlap,
+// and have their volumes.
+std::vector<TriangleSoup> NewSurfaces(const RestRemakingOptions& options,
+                                      const MedialCellOptions& cell,
+                                      const std::vector<int>& unclean,
+                                      int attempt,
+                                      const PreparedScene& scene,
+                                      const std::vector<Points>& separated) {
+  const CellSurfaceOptions surface_options =
+      SurfaceOptions(options, cell, scene, unclean);
+  SceneMeshes meshes(scene);
+  std::optional<Solids> solids(meshes);
+  std::vector<TriangleSoup> surfaces;
+  std::vector<size_t> too_small;
+  for (const int i : unclean) {
+    const MuscleModel& muscle = scene.muscles[i].model;
+    const TriangleSoup& surface = surfaces.emplace_back(
+        SurfaceOf(options, surface_options, attempt, muscle, i, *solids));
+    if (SignedVolume(surface.points, surface.triangles) <
+        options.least_share_as_delivered * muscle.rest_volume) {
+      too_small.push_back(surfaces.size() - 1);
+    }
+  }
+  if (too_small.empty()) return surfaces;
+  std::vector<Points> bones;
+  for (const PreparedBone& bone : scene.bones) {
+    bones.push_back(bone.rest.points);
+  }
+  meshes.MoveTo(separated, bones);
+  solids.emplace(meshes);
+  for (const size_t k : too_small) {
+    const int i = unclean[k];
+    surfaces[k] = SurfaceOf(
+        options, surface_options, attempt, scene.muscles[i].model, i, *solids);
+  }
+  return surfaces;
+}
+
 void Remake(const RestRemakingOptions& options,
             const PrepareOptions& prepare,
-            const MedialCellOptions& cell,
             const std::vector<int>& unclean,
-            int attempt,
+            std::vector<TriangleSoup> surfaces,
             PreparedScene* scene) {
   const SceneMeshes meshes(*scene);
-  const CellSurfaceOptions surface_options =
-      SurfaceOptions(options, cell, *scene, unclean);
-  std::deque<SolidDistance> solids;
-  std::vector<const SolidDistance*> muscles, bones;
-  for (const NamedMesh& muscle : meshes.muscles()) {
-    muscles.push_back(&solids.emplace_back(*muscle.mesh));
-  }
-  for (const NamedMesh& bone : meshes.bones()) {
-    bones.push_back(&solids.emplace_back(*bone.mesh));
-  }
-  std::vector<TriangleSoup> surfaces;
-  for (const int i : unclean) {
-    std::vector<const SolidDistance*> others = muscles;
-    others.erase(others.begin() + i);
-    const TriangleSoup surface = SurfaceBesideBones(
-        options, surface_options, attempt, *muscles[i], others, bones);
-    const MuscleModel& model = scene->muscles[i].model;
-    const double typical = TypicalEdge(model.fine_rest, model.fine_triangles);
-    surfaces.push_back(
-        surface.triangles.rows() == 0
-            ? surface
-            : WithEvenTriangles(surface,
-                                std::max(surface_options.spacing, typical)));
-  }
   for (size_t k = 0; k < unclean.size(); ++k) {
     const int i = unclean[k];
     const std::string name = scene->muscles[i].model.name;
@@ -233,6 +306,16 @@ void Remake(const RestRemakingOptions& options,
   }
 }
 
+// The vertices of all muscles where contact has moved them in the rest pose.
+std::vector<Points> SeparatedPoints(const PreparedScene& scene,
+                                    const SceneState& rest) {
+  std::vector<Points> points;
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    points.push_back(FinePoints(scene.muscles[i].model, rest.muscles[i]));
+  }
+  return points;
+}
+
 }  // namespace
 
 bool RestRemakingOptions::IsValid(std::string* error) const {
@@ -244,6 +327,8 @@ bool RestRemakingOptions::IsValid(std::string* error) const {
       .IsAbove("spacing_share", spacing_share, 0)
       .IsAbove("min_spacing", min_spacing, 0)
       .IsAtLeast("max_spacing", max_spacing, min_spacing)
+      .IsAtLeast("samples_across", samples_across, 1)
+      .IsWithin("least_share_as_delivered", least_share_as_delivered, 0, 1)
       .IsWithin("least_volume_share", least_volume_share, 0, 1)
       .is_valid();
 }
@@ -295,9 +380,13 @@ std::unique_ptr<FrameSolver> MakeCleanFrameSolver(
     if (on_progress) on_progress({"remaking", attempt, 0});
     Remake(remaking,
            prepare,
-           options.certified.separation.cell,
            unclean,
-           attempt,
+           NewSurfaces(remaking,
+                       options.certified.separation.cell,
+                       unclean,
+                       attempt,
+                       *scene,
+                       SeparatedPoints(*scene, solver->StartOfMotion(solvers))),
            scene);
   }
 }

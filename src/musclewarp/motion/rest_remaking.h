@@ -42,6 +42,15 @@ struct RestRemakingOptions {
   double min_spacing = 0.4;
   double max_spacing = 1.5;
 
+  // At least so many samples across the mean thickness of a muscle, unless they
+  // would be nearer than min_spacing.
+  double samples_across = 4;
+
+  // A muscle is made anew as it was delivered if the bones and muscles that
+  // overlap it leave this share of its volume, and else where contact has moved
+  // it, as far as it could.
+  double least_share_as_delivered = 0.75;
+
   // Less than this share of a muscle's volume must not be left.
   double least_volume_share = 0.5;
 
