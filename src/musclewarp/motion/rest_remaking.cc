@@ -15,6 +15,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/option_check.h"
+#include "musclewarp/base/parallel_for.h"
 #include "musclewarp/certified_contact/cell_surface.h"
 #include "musclewarp/mesh/measures.h"
 
@@ -163,6 +164,23 @@ std::string Warning(const std::string& name, const Remaking& remaking) {
   return text.str();
 }
 
+// Throws InputError if too little of a muscle is left.
+void CheckEnoughIsLeft(const RestRemakingOptions& options,
+                       const std::string& name,
+                       const Remaking& remaking) {
+  if (remaking.volume_after >=
+      options.least_volume_share * remaking.volume_before) {
+    return;
+  }
+  throw InputError(
+      name,
+      "only " +
+          std::to_string(static_cast<int>(100 * remaking.volume_after /
+                                          remaking.volume_before)) +
+          " % of the muscle are outside bones and other muscles",
+      "check that the meshes are in one frame, or correct them");
+}
+
 void Remake(const RestRemakingOptions& options,
             const PrepareOptions& prepare,
             const MedialCellOptions& cell,
@@ -180,41 +198,34 @@ void Remake(const RestRemakingOptions& options,
   for (const NamedMesh& bone : meshes.bones()) {
     bones.push_back(&solids.emplace_back(*bone.mesh));
   }
-  std::vector<TriangleSoup> surfaces;
-  for (const int i : unclean) {
+  std::vector<TriangleSoup> surfaces(unclean.size());
+  std::vector<Remaking> remakings(unclean.size());
+  ParallelFor(unclean.size(), [&](size_t k) {
+    const int i = unclean[k];
     std::vector<const SolidDistance*> others = muscles;
     others.erase(others.begin() + i);
-    const TriangleSoup surface = SurfaceBesideBones(
+    TriangleSoup surface = SurfaceBesideBones(
         options, surface_options, attempt, *muscles[i], others, bones);
     const MuscleModel& model = scene->muscles[i].model;
-    const double typical = TypicalEdge(model.fine_rest, model.fine_triangles);
-    surfaces.push_back(
-        surface.triangles.rows() == 0
-            ? surface
-            : WithEvenTriangles(surface,
-                                std::max(surface_options.spacing, typical)));
-  }
+    if (surface.triangles.rows() > 0) {
+      surface = WithEvenTriangles(
+          surface,
+          std::max(surface_options.spacing,
+                   TypicalEdge(model.fine_rest, model.fine_triangles)));
+    }
+    remakings[k] = Compare(*meshes.muscles()[i].mesh, surface);
+    CheckEnoughIsLeft(options, model.name, remakings[k]);
+    surfaces[k] = std::move(surface);
+  });
+  ReplaceMuscleMeshes(prepare, unclean, std::move(surfaces), scene);
   for (size_t k = 0; k < unclean.size(); ++k) {
-    const int i = unclean[k];
-    const std::string name = scene->muscles[i].model.name;
-    Remaking remaking = Compare(*meshes.muscles()[i].mesh, surfaces[k]);
-    if (remaking.volume_after <
-        options.least_volume_share * remaking.volume_before) {
-      throw InputError(
-          name,
-          "only " +
-              std::to_string(static_cast<int>(100 * remaking.volume_after /
-                                              remaking.volume_before)) +
-              " % of the muscle are outside bones and other muscles",
-          "check that the meshes are in one frame, or correct them");
-    }
-    ReplaceMuscleMesh(prepare, i, std::move(surfaces[k]), scene);
+    PreparedMuscle& muscle = scene->muscles[unclean[k]];
     // Without slivers, which take a little volume with them.
-    remaking.volume_after = scene->muscles[i].model.rest_volume;
-    if (scene->muscles[i].mesh.remaking.is_done) {
-      remaking.volume_before = scene->muscles[i].mesh.remaking.volume_before;
+    remakings[k].volume_after = muscle.model.rest_volume;
+    if (muscle.mesh.remaking.is_done) {
+      remakings[k].volume_before = muscle.mesh.remaking.volume_before;
     }
-    scene->muscles[i].mesh.remaking = remaking;
+    muscle.mesh.remaking = remakings[k];
   }
 }
 
