@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "certified_contact/solid.h"
 #include "support/meshes.h"
@@ -79,6 +80,18 @@ TEST(MedialCell, IsWhatAPlateDoesNotCutOff) {
   const Points points = cell.Project(muscle.points());
   EXPECT_GT(points.col(2).minCoeff(), 2.65);
   EXPECT_EQ(points.col(2).maxCoeff(), 9);
+}
+
+TEST(MedialCell, OfSeveralMusclesAreThoseOfEach) {
+  const Solid lower(LatticeBox(6, 6, 5));
+  const Solid upper(MovedBy(LatticeBox(6, 6, 4), {0, 0, 4}));
+  const MedialCell below(CellOptions(), lower.distance, {&upper.distance}, {});
+  const MedialCell above(CellOptions(), upper.distance, {&lower.distance}, {});
+  const std::vector<Points> both =
+      MedialCell::Project({&below, &above}, {&lower.points(), &upper.points()});
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0], below.Project(lower.points()));
+  EXPECT_EQ(both[1], above.Project(upper.points()));
 }
 
 TEST(MedialCell, LeavesWhatIsApart) {

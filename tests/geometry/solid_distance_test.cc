@@ -14,6 +14,9 @@ namespace {
 
 using Eigen::RowVector3d;
 
+// Of sums and differences of distances, mm.
+constexpr double kDistanceRounding = 1e-12;
+
 double SearchedEverywhere(const SearchableMesh& mesh, const RowVector3d& p) {
   const double distance = mesh.bvh().ClosestPoint(p).distance;
   return mesh.winding().IsInside(p) ? -distance : distance;
@@ -28,6 +31,7 @@ void ExpectAsSearched(TriangleSoup soup, double half_size, double limit) {
   for (const auto p : places.rowwise()) {
     const double expected = std::min(SearchedEverywhere(mesh, p), limit);
     ASSERT_EQ(distance.At(p, limit), expected) << p;
+    ASSERT_LE(expected, distance.UpperBound(p) + kDistanceRounding) << p;
     num_inside += expected < 0;
     num_limited += expected == limit;
   }
@@ -59,6 +63,15 @@ TEST(SolidDistance, IsNoMoreThanTheLimitOutside) {
 TEST(SolidDistance, KnowsTwoSheetsBetweenTwoSamples) {
   // A plate of 0.3 mm is thinner than the way between samples.
   ExpectAsSearched(Box(40, 40, 0.3), 20, kInfinity);
+}
+
+TEST(SolidDistance, IsBoundedByItsSamples) {
+  const SearchableMesh mesh(Icosphere(30, 3));
+  const SolidDistance distance(mesh);
+  // By the way to the nearest sample, at most 1.5 mm along each axis.
+  EXPECT_LT(distance.UpperBound({0, 0, 28}), 1);
+  EXPECT_LT(distance.UpperBound({1, 1, 1}), -10);
+  EXPECT_EQ(distance.UpperBound({100, 0, 0}), kInfinity);
 }
 
 TEST(SolidDistance, IsExactInsideWhateverTheLimit) {

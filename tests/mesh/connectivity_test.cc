@@ -64,7 +64,8 @@ TEST(UsesOfEdges, AreTwoPerEdgeOfAClosedManifold) {
 TEST(UsesOfEdges, MayBeAnyNumber) {
   const EdgeUses edges = UsesOfEdges(ThreeAroundAnEdge());
   ASSERT_EQ(edges.size(), 7u);
-  EXPECT_EQ(edges[0], (std::vector<int>{0, 3, 6}));
+  EXPECT_EQ(std::vector<int>(edges[0].begin(), edges[0].end()),
+            (std::vector<int>{0, 3, 6}));
   for (size_t i = 1; i < edges.size(); ++i) EXPECT_EQ(edges[i].size(), 1u);
 }
 

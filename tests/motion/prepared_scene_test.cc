@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -77,7 +78,11 @@ TEST(PrepareScene, SaysHowFarItIs) {
     EXPECT_EQ(progress.total, 4);
     done.push_back(progress.done);
   });
-  EXPECT_EQ(done, (std::vector<int>{0, 1, 2, 3}));
+  // Meshes are prepared several at a time, and progress is said in between.
+  ASSERT_FALSE(done.empty());
+  EXPECT_EQ(done.front(), 0);
+  EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
+  EXPECT_LT(done.back(), 4);
 }
 
 TEST(PrepareOptions, NameWhatIsWrong) {

@@ -57,25 +57,33 @@ class Separator {
     }
   }
 
-  // Brings the vertices of a muscle into its medial cell.
-  void AddMuscle(size_t i) {
-    std::vector<const SolidDistance*> others, bones;
-    for (size_t j = 0; j < muscles_.size(); ++j) {
-      if (j != i) others.push_back(&muscle_distances_[j]);
-    }
+  // Brings the vertices of the muscles into their medial cells.
+  void EnterCells() {
+    std::vector<const SolidDistance*> bones;
     for (const SolidDistance& bone : bone_distances_) bones.push_back(&bone);
-    cells_.emplace_back(options_.cell, muscle_distances_[i], others, bones);
-    const Points& rest = muscles_[i]->points();
-    Points points = cells_[i].Project(rest);
+    cells_.reserve(muscles_.size());
+    std::vector<const MedialCell*> cells;
+    std::vector<const Points*> rest;
+    for (size_t i = 0; i < muscles_.size(); ++i) {
+      std::vector<const SolidDistance*> others;
+      for (size_t j = 0; j < muscles_.size(); ++j) {
+        if (j != i) others.push_back(&muscle_distances_[j]);
+      }
+      cells.push_back(&cells_.emplace_back(
+          options_.cell, muscle_distances_[i], std::move(others), bones));
+      rest.push_back(&muscles_[i]->points());
+    }
+    points_ = MedialCell::Project(cells, rest);
     for (const ExemptArea& area : exempt_) {
-      if (area.muscle != static_cast<int>(i)) continue;
-      for (Eigen::Index v = 0; v < points.rows(); ++v) {
-        if (area.vertices[v]) points.row(v) = rest.row(v);
+      for (Eigen::Index v = 0; v < points_[area.muscle].rows(); ++v) {
+        if (!area.vertices[v]) continue;
+        points_[area.muscle].row(v) = rest[area.muscle]->row(v);
       }
     }
-    trees_.emplace_back(points, muscles_[i]->triangles());
-    points_.push_back(std::move(points));
-    has_moved_.push_back(true);
+    for (size_t i = 0; i < muscles_.size(); ++i) {
+      trees_.emplace_back(points_[i], muscles_[i]->triangles());
+    }
+    has_moved_.assign(muscles_.size(), true);
   }
 
   // Finds the triangles of muscles that cross others. Pairs of meshes that have
@@ -275,10 +283,8 @@ InitialSeparation SeparateInitially(
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   Separator separator(muscles, bones, exempt, options);
-  for (size_t i = 0; i < muscles.size(); ++i) {
-    if (on_round) on_round(0, 0);
-    separator.AddMuscle(i);
-  }
+  if (on_round) on_round(0, 0);
+  separator.EnterCells();
   InitialSeparation result;
   for (;; ++result.rounds) {
     const std::vector<Crossing> crossings = separator.FindCrossings();

@@ -26,6 +26,9 @@ struct MedialCell::VoxelGrid {
   double voxel_size;
   std::array<int, 3> size;
 
+  // By voxel: the signed distance of its centre to the cell, or above zero.
+  std::vector<double> distance;
+
   // By voxel: the nearest voxel of the main part, or -1.
   std::vector<int> nearest;
 
@@ -39,12 +42,15 @@ struct MedialCell::VoxelGrid {
   }
 
   int count() const { return size[0] * size[1] * size[2]; }
-  RowVector3d Centre(int index) const {
-    const int x = index % size[0];
-    const int y = index / size[0] % size[1];
-    const int z = index / (size[0] * size[1]);
-    return origin + voxel_size * RowVector3d(x, y, z);
+  std::array<int, 3> PlaceOf(int index) const {
+    return {index % size[0],
+            index / size[0] % size[1],
+            index / (size[0] * size[1])};
   }
+  RowVector3d Centre(const std::array<int, 3>& at) const {
+    return origin + voxel_size * RowVector3d(at[0], at[1], at[2]);
+  }
+  RowVector3d Centre(int index) const { return Centre(PlaceOf(index)); }
   int IndexOf(const RowVector3d& p) const {
     std::array<int, 3> at;
     for (int k = 0; k < 3; ++k) {
@@ -55,17 +61,23 @@ struct MedialCell::VoxelGrid {
     }
     return (at[2] * size[1] + at[1]) * size[0] + at[0];
   }
+  // Calls visit(index, place) for the voxels beside one.
   template <typename Visit>
   void ForEachNeighbour(int index, const Visit& visit) const {
-    const int x = index % size[0];
-    const int y = index / size[0] % size[1];
-    const int z = index / (size[0] * size[1]);
-    if (x > 0) visit(index - 1);
-    if (x + 1 < size[0]) visit(index + 1);
-    if (y > 0) visit(index - size[0]);
-    if (y + 1 < size[1]) visit(index + size[0]);
-    if (z > 0) visit(index - size[0] * size[1]);
-    if (z + 1 < size[2]) visit(index + size[0] * size[1]);
+    std::array<int, 3> at = PlaceOf(index);
+    const std::array<int, 3> strides = {1, size[0], size[0] * size[1]};
+    for (int k = 0; k < 3; ++k) {
+      if (at[k] > 0) {
+        --at[k];
+        visit(index - strides[k], at);
+        ++at[k];
+      }
+      if (at[k] + 1 < size[k]) {
+        ++at[k];
+        visit(index + strides[k], at);
+        --at[k];
+      }
+    }
   }
 
   // The voxels of the largest part of those that are free, in which two
@@ -83,7 +95,7 @@ struct MedialCell::VoxelGrid {
       while (!front.empty()) {
         const int at = front.back();
         front.pop_back();
-        ForEachNeighbour(at, [&](int next) {
+        ForEachNeighbour(at, [&](int next, const auto& /*place*/) {
           if (!is_free(next) || is_visited[next]) return;
           if (!are_connected(at, next)) return;
           is_visited[next] = true;
@@ -101,22 +113,24 @@ struct MedialCell::VoxelGrid {
   void SpreadFrom(const std::vector<int>& part) {
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    std::vector<double> distance(count(), kInfinity);
+    std::vector<double> way(count(), kInfinity);
     nearest.assign(count(), -1);
     for (const int i : part) {
       nearest[i] = i;
-      distance[i] = 0;
+      way[i] = 0;
       queue.emplace(0, i);
     }
     while (!queue.empty()) {
       const auto [d, at] = queue.top();
       queue.pop();
-      if (d > distance[at]) continue;
-      ForEachNeighbour(at, [&, at = at](int next) {
-        const double through = (Centre(next) - Centre(nearest[at])).norm();
-        if (through < distance[next] - 1e-9) {
-          distance[next] = through;
-          nearest[next] = nearest[at];
+      if (d > way[at]) continue;
+      const int source = nearest[at];
+      const RowVector3d centre = Centre(source);
+      ForEachNeighbour(at, [&](int next, const auto& place) {
+        const double through = (Centre(place) - centre).norm();
+        if (through < way[next] - 1e-9) {
+          way[next] = through;
+          nearest[next] = source;
           queue.emplace(through, next);
         }
       });
@@ -165,6 +179,30 @@ double MedialCell::SignedDistance(const RowVector3d& p) const {
   return distance;
 }
 
+double MedialCell::DistanceDownTo(double depth, const RowVector3d& p) const {
+  const double margin = options_.margin;
+  double distance = -depth;
+  for (const SolidDistance* bone : bones_) {
+    const double limit = std::min(options_.range, depth + margin / 2);
+    distance = std::max(distance, margin / 2 - bone->At(p, limit));
+  }
+  // Deep in the muscle, only what reaches as deep can bound the cell.
+  const double limit = std::clamp(
+      muscle_.UpperBound(p) + margin + 2 * depth, 0.0, options_.range);
+  double own = 0;
+  bool is_own_known = false;
+  for (const SolidDistance* other : other_muscles_) {
+    const double theirs = other->At(p, limit);
+    if (theirs >= limit) continue;
+    if (!is_own_known) {
+      own = muscle_.At(p, 4 * options_.range);
+      is_own_known = true;
+    }
+    distance = std::max(distance, (own - theirs + margin) / 2);
+  }
+  return distance;
+}
+
 double MedialCell::RegionDistance(const RowVector3d& p) const {
   const double own = muscle_.At(p, kInfinity);
   // Farther outside, the own distance is enough for the sum with others.
@@ -200,25 +238,32 @@ bool MedialCell::IsPathFree(const RowVector3d& a,
          IsPathFree(middle, distance, b, distance_b);
 }
 
-MedialCell::VoxelGrid MedialCell::MainPart() const {
+MedialCell::VoxelGrid MedialCell::SampledVoxels() const {
   VoxelGrid grid(muscle_.mesh().bvh().box(), options_.voxel_size);
   // Parts of the muscle thinner than a voxel are connected by the voxels beside
   // them.
-  std::vector<double> distance(grid.count(), 1);
+  grid.distance.assign(grid.count(), 1);
+  const double voxel = grid.voxel_size;
+  // The path between two neighbours is free if one is deeper than its length.
+  const double depth = 1.01 * voxel;
 #pragma omp parallel for schedule(dynamic, 256)
   for (int i = 0; i < grid.count(); ++i) {
     const RowVector3d p = grid.Centre(i);
-    if (muscle_.At(p, grid.voxel_size) < grid.voxel_size) {
-      distance[i] = SignedDistance(p);
+    if (muscle_.UpperBound(p) < voxel || muscle_.At(p, voxel) < voxel) {
+      grid.distance[i] = DistanceDownTo(depth, p);
     }
   }
-  grid.SpreadFrom(grid.LargestPart(
+  return grid;
+}
+
+void MedialCell::FindMainPart(VoxelGrid* grid) const {
+  const std::vector<double>& distance = grid->distance;
+  grid->SpreadFrom(grid->LargestPart(
       [&](int i) { return distance[i] <= 0; },
       [&](int i, int j) {
         return IsPathFree(
-            grid.Centre(i), distance[i], grid.Centre(j), distance[j]);
+            grid->Centre(i), distance[i], grid->Centre(j), distance[j]);
       }));
-  return grid;
 }
 
 RowVector3d MedialCell::Border(const RowVector3d& q,
@@ -236,7 +281,25 @@ RowVector3d MedialCell::Border(const RowVector3d& q,
 }
 
 Points MedialCell::Project(const Points& points) const {
-  const VoxelGrid grid = MainPart();
+  return Project({this}, {&points})[0];
+}
+
+std::vector<Points> MedialCell::Project(
+    const std::vector<const MedialCell*>& cells,
+    const std::vector<const Points*>& points) {
+  CHECK_EQ(cells.size(), points.size());
+  std::vector<VoxelGrid> grids;
+  for (const MedialCell* cell : cells) grids.push_back(cell->SampledVoxels());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (size_t i = 0; i < cells.size(); ++i) cells[i]->FindMainPart(&grids[i]);
+  std::vector<Points> projected;
+  for (size_t i = 0; i < cells.size(); ++i) {
+    projected.push_back(cells[i]->Project(*points[i], grids[i]));
+  }
+  return projected;
+}
+
+Points MedialCell::Project(const Points& points, const VoxelGrid& grid) const {
   Points projected = points;
 #pragma omp parallel for schedule(dynamic, 64)
   for (Eigen::Index v = 0; v < points.rows(); ++v) {

@@ -70,12 +70,28 @@ class MedialCell {
   // its border near them.
   Points Project(const Points& points) const;
 
+  // The same for several muscles. It takes less time than one after the other,
+  // as work that cannot be divided is done for several of them at once.
+  // Precondition (CHECKed): there are points for every cell.
+  static std::vector<Points> Project(
+      const std::vector<const MedialCell*>& cells,
+      const std::vector<const Points*>& points);
+
  private:
   struct VoxelGrid;
 
-  // Returns voxels over the muscle with the nearest one in the largest
-  // connected part for each.
-  VoxelGrid MainPart() const;
+  // Returns the signed distance, or -depth where it is below that, which takes
+  // less time the less depth is asked for.
+  double DistanceDownTo(double depth, const Eigen::RowVector3d& p) const;
+
+  // Returns voxels over the muscle with their signed distances to the cell, as
+  // far as they say whether the paths between neighbours are free.
+  VoxelGrid SampledVoxels() const;
+
+  // Finds for each voxel the nearest one in the largest connected part.
+  void FindMainPart(VoxelGrid* grid) const;
+
+  Points Project(const Points& points, const VoxelGrid& grid) const;
 
   // True if the straight path between two points in the cell stays in it; the
   // signed distances are those of the points.

@@ -104,9 +104,11 @@ void PlaneSet::SortSides() {
       return key(a) < key(b);
     };
     for (size_t v = 1; v < first.size(); ++v) {
-      std::stable_sort(sorted.begin() + first[v - 1],
-                       sorted.begin() + first[v],
-                       comes_first);
+      const auto begin = sorted.begin() + first[v - 1];
+      const auto end = sorted.begin() + first[v];
+      // Most have been sorted when planes were added before.
+      if (std::is_sorted(begin, end, comes_first)) continue;
+      std::stable_sort(begin, end, comes_first);
     }
     near_[i].resize(sorted.size());
     num_near_[i].assign(num_vertices, 0);

@@ -4,21 +4,22 @@
 
 #include <glog/logging.h>
 
-#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace musclewarp {
 namespace {
 
 using Eigen::RowVector3d;
 
-constexpr std::int64_t kBlock = 8;  // points along an edge of a block
+constexpr std::int64_t kBlock = 4;  // points along an edge of a block
 
 }  // namespace
 
-DistanceSamples::DistanceSamples(const SignedDistanceFunction& distance,
+DistanceSamples::DistanceSamples(SignedDistanceFunction distance,
                                  const Box3& box,
                                  double spacing)
-    : spacing_(spacing) {
+    : distance_(std::move(distance)), spacing_(spacing) {
   CHECK_GT(spacing, 0);
   for (int k = 0; k < 3; ++k) {
     first_[k] =
@@ -26,22 +27,18 @@ DistanceSamples::DistanceSamples(const SignedDistanceFunction& distance,
     size_[k] = static_cast<std::int64_t>(std::ceil(box.upper[k] / spacing)) +
                2 - first_[k];
   }
-  values_.resize(size_.prod());
-  const Place blocks = (size_ + kBlock - 1) / kBlock;
-#pragma omp parallel for schedule(dynamic, 4)
-  for (std::int64_t b = 0; b < blocks.prod(); ++b) {
-    FillBlock(distance,
-              kBlock * Place(b % blocks[0],
-                             b / blocks[0] % blocks[1],
-                             b / (blocks[0] * blocks[1])));
-  }
+  blocks_ = (size_ + kBlock - 1) / kBlock;
+  values_ = Unknown(size_.prod());
+  middles_ = Unknown(blocks_.prod());
+}
+
+void DistanceSamples::SampleAll() {
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::int64_t i = 0; i < size_.prod(); ++i) value(i);
 }
 
 RowVector3d DistanceSamples::Position(std::int64_t index) const {
-  const Place at(index % size_[0],
-                 index / size_[0] % size_[1],
-                 index / (size_[0] * size_[1]));
-  return spacing_ * (first_ + at).cast<double>().matrix();
+  return Position(PlaceOf(index));
 }
 
 std::int64_t DistanceSamples::NearestTo(const RowVector3d& p) const {
@@ -53,26 +50,47 @@ std::int64_t DistanceSamples::NearestTo(const RowVector3d& p) const {
   return IndexOf(at);
 }
 
-void DistanceSamples::FillBlock(const SignedDistanceFunction& distance,
-                                const Place& first) {
-  const Place last = (first + kBlock).min(size_);
-  const RowVector3d low = Position(IndexOf(first));
-  const RowVector3d high = Position(IndexOf(last - 1));
+DistanceSamples::Values DistanceSamples::Unknown(std::int64_t count) {
+  Values values(new std::atomic<double>[count]);
+  for (std::int64_t i = 0; i < count; ++i) {
+    values[i].store(std::numeric_limits<double>::quiet_NaN(),
+                    std::memory_order_relaxed);
+  }
+  return values;
+}
+
+DistanceSamples::Place DistanceSamples::PlaceOf(std::int64_t index) const {
+  return {index % size_[0],
+          index / size_[0] % size_[1],
+          index / (size_[0] * size_[1])};
+}
+
+RowVector3d DistanceSamples::Position(const Place& at) const {
+  return spacing_ * (first_ + at).cast<double>().matrix();
+}
+
+double DistanceSamples::Sample(std::int64_t index) const {
+  const Place at = PlaceOf(index);
+  const Place block = at / kBlock;
+  const RowVector3d low = Position(kBlock * block);
+  const RowVector3d high =
+      Position(Place((kBlock * block + kBlock).min(size_) - 1));
   const RowVector3d middle = (low + high) / 2;
-  const double at_middle = distance(middle);
+  std::atomic<double>& known =
+      middles_[block[0] + blocks_[0] * (block[1] + blocks_[1] * block[2])];
+  double at_middle = known.load(std::memory_order_relaxed);
+  if (std::isnan(at_middle)) {
+    at_middle = distance_(middle);
+    known.store(at_middle, std::memory_order_relaxed);
+  }
+  const RowVector3d p = Position(at);
   const bool is_far =
       std::abs(at_middle) > (high - low).norm() / 2 + 2 * spacing_;
-  for (std::int64_t z = first[2]; z < last[2]; ++z) {
-    for (std::int64_t y = first[1]; y < last[1]; ++y) {
-      for (std::int64_t x = first[0]; x < last[0]; ++x) {
-        const std::int64_t index = IndexOf({x, y, z});
-        const RowVector3d p = Position(index);
-        values_[index] =
-            is_far ? at_middle - std::copysign((p - middle).norm(), at_middle)
-                   : distance(p);
-      }
-    }
-  }
+  const double value =
+      is_far ? at_middle - std::copysign((p - middle).norm(), at_middle)
+             : distance_(p);
+  values_[index].store(value, std::memory_order_relaxed);
+  return value;
 }
 
 }  // namespace musclewarp

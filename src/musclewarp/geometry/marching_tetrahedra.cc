@@ -134,7 +134,8 @@ bool IsCrossed(const DistanceSamples& samples, const Place& lowest) {
 TriangleSoup MarchingTetrahedra(const SignedDistanceFunction& distance,
                                 const Box3& box,
                                 double spacing) {
-  const DistanceSamples samples(distance, box, spacing);
+  DistanceSamples samples(distance, box, spacing);
+  samples.SampleAll();
   Border border(samples);
   // The paths along the edges of a cell from its lowest to its highest corner,
   // one for each order of the axes, are its six tetrahedra (Kuhn 1960). Every

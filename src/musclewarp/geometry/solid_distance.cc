@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// Of the samples, mm. Finer ones take longer to compute than they save.
+// Of the samples, mm.
 constexpr double kSpacing = 3;
 
 double SearchedDistance(const SearchableMesh& mesh, const RowVector3d& p) {
@@ -20,16 +20,22 @@ double SearchedDistance(const SearchableMesh& mesh, const RowVector3d& p) {
                                                                     : distance;
 }
 
+// True if a sample is the distance itself. It is less than the distance in
+// magnitude elsewhere.
+bool IsExact(double sample) { return std::abs(sample) <= 2 * kSpacing; }
+
 }  // namespace
 
 SolidDistance::SolidDistance(const SearchableMesh& mesh)
     : mesh_(mesh),
-      samples_([&](const RowVector3d& p) { return SearchedDistance(mesh, p); },
-               mesh.bvh().box(),
-               kSpacing) {}
+      samples_(
+          [&mesh](const RowVector3d& p) { return SearchedDistance(mesh, p); },
+          mesh.bvh().box(),
+          kSpacing) {}
 
 double SolidDistance::At(const RowVector3d& p, double limit) const {
   bool is_inside = false, is_known = false;
+  double farthest = kInfinity;
   const std::int64_t nearest = samples_.NearestTo(p);
   if (nearest >= 0) {
     // A way shorter than the distance does not reach the surface.
@@ -38,13 +44,28 @@ double SolidDistance::At(const RowVector3d& p, double limit) const {
     if (sample - way >= limit) return limit;
     is_known = way < std::abs(sample);
     is_inside = sample < 0;
+    // The surface is no farther than it is from the sample, if that is exact.
+    // More than rounding is added, so that the nearest triangle is found.
+    if (IsExact(sample)) {
+      farthest = (std::abs(sample) + way) * (1 + 1e-9) + 1e-9;
+    }
   }
   if (!is_known) {
     is_inside = mesh_.bvh().box().Contains(p) && mesh_.winding().IsInside(p);
   }
   const double distance =
-      mesh_.bvh().ClosestPoint(p, is_inside ? kInfinity : limit).distance;
+      mesh_.bvh()
+          .ClosestPoint(p, is_inside ? farthest : std::min(farthest, limit))
+          .distance;
   return is_inside ? -distance : std::min(distance, limit);
+}
+
+double SolidDistance::UpperBound(const RowVector3d& p) const {
+  const std::int64_t nearest = samples_.NearestTo(p);
+  if (nearest < 0) return kInfinity;
+  const double sample = samples_.value(nearest);
+  if (sample > 0 && !IsExact(sample)) return kInfinity;
+  return sample + (p - samples_.Position(nearest)).norm();
 }
 
 }  // namespace musclewarp

@@ -17,13 +17,17 @@ namespace musclewarp {
 //   if (distance.At(p, /*limit=*/3) < 0) ...  // p is inside
 class SolidDistance {
  public:
-  // Samples the distance to a mesh where it is now. Keeps a reference: the mesh
-  // must neither move nor go away.
+  // Samples the distance to a mesh where that is asked for. Keeps a reference:
+  // the mesh must neither move nor go away.
   explicit SolidDistance(const SearchableMesh& mesh);
 
   // Returns the signed distance of a place. Places farther outside than the
   // limit have the limit; inside it is always exact.
   double At(const Eigen::RowVector3d& p, double limit) const;
+
+  // Returns an upper bound of the signed distance that needs no search;
+  // infinity where the samples tell nothing.
+  double UpperBound(const Eigen::RowVector3d& p) const;
 
   const SearchableMesh& mesh() const { return mesh_; }
 

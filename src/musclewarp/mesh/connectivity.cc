@@ -4,31 +4,44 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
+#include <utility>
 
 namespace musclewarp {
 
-EdgeUses UsesOfEdges(const Triangles& triangles) {
-  std::vector<std::tuple<int, int, int>> keys;
-  keys.reserve(triangles.size());
-  for (int f = 0; f < triangles.rows(); ++f) {
-    if (HasRepeatedCorner(triangles, f)) continue;
-    for (int h = 3 * f; h < 3 * f + 3; ++h) {
-      const auto [low, high] =
-          std::minmax({OriginOf(triangles, h), TargetOf(triangles, h)});
-      keys.emplace_back(low, high, h);
+EdgeUses::EdgeUses(const Triangles& triangles) {
+  const int num_triangles = static_cast<int>(triangles.rows());
+  const int num_points = num_triangles > 0 ? triangles.maxCoeff() + 1 : 0;
+  const auto for_each_half_edge = [&](const auto& visit) {
+    for (int f = 0; f < num_triangles; ++f) {
+      if (HasRepeatedCorner(triangles, f)) continue;
+      for (int h = 3 * f; h < 3 * f + 3; ++h) {
+        const auto [low, high] =
+            std::minmax({OriginOf(triangles, h), TargetOf(triangles, h)});
+        visit(low, high, h);
+      }
+    }
+  };
+  // Few half-edges have the same lower point: they are grouped by that first.
+  std::vector<int> first(num_points + 1, 0);
+  for_each_half_edge([&](int low, int, int) { ++first[low + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::pair<int, int>> keys(first.back());  // higher point, h
+  std::vector<int> next = first;
+  for_each_half_edge([&](int low, int high, int h) {
+    keys[next[low]++] = {high, h};
+  });
+  half_edges_.reserve(keys.size());
+  edges_.reserve(keys.size() / 2);
+  for (int low = 0; low < num_points; ++low) {
+    std::sort(keys.begin() + first[low], keys.begin() + first[low + 1]);
+    for (int i = first[low], end = i; i < first[low + 1]; i = end) {
+      const int* const begin = half_edges_.data() + half_edges_.size();
+      for (; end < first[low + 1] && keys[end].first == keys[i].first; ++end) {
+        half_edges_.push_back(keys[end].second);
+      }
+      edges_.emplace_back(begin, begin + (end - i));
     }
   }
-  std::sort(keys.begin(), keys.end());
-  EdgeUses edges;
-  for (size_t i = 0; i < keys.size(); ++i) {
-    const auto [low, high, h] = keys[i];
-    const bool is_new = i == 0 || std::get<0>(keys[i - 1]) != low ||
-                        std::get<1>(keys[i - 1]) != high;
-    if (is_new) edges.emplace_back();
-    edges.back().push_back(h);
-  }
-  return edges;
 }
 
 DisjointSets::DisjointSets(int size) : parent_(size) {

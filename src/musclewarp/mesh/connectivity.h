@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
@@ -40,8 +41,48 @@ inline bool HasRepeatedCorner(const Triangles& triangles, int f) {
 // a border, two inside a manifold, more where sheets meet. Edges are in
 // ascending order of (lower point, higher point). Triangles with a repeated
 // corner have no edges.
-using EdgeUses = std::vector<std::vector<int>>;
-EdgeUses UsesOfEdges(const Triangles& triangles);
+//
+//   for (const EdgeUses::Uses& uses : UsesOfEdges(triangles)) {
+//     if (uses.size() == 1) ...  // uses[0] is on a border
+//   }
+class EdgeUses {
+ public:
+  // The half-edges along one edge.
+  class Uses {
+   public:
+    Uses(const int* begin, const int* end) : begin_(begin), end_(end) {}
+    const int* begin() const { return begin_; }
+    const int* end() const { return end_; }
+    size_t size() const { return end_ - begin_; }
+    int operator[](size_t i) const { return begin_[i]; }
+
+   private:
+    const int* begin_;
+    const int* end_;
+  };
+
+  explicit EdgeUses(const Triangles& triangles);
+
+  // The edges point to the half-edges, which a copy would have elsewhere.
+  EdgeUses(const EdgeUses&) = delete;
+  EdgeUses& operator=(const EdgeUses&) = delete;
+  EdgeUses(EdgeUses&&) = default;
+  EdgeUses& operator=(EdgeUses&&) = default;
+
+  size_t size() const { return edges_.size(); }
+  bool empty() const { return edges_.empty(); }
+  const Uses& operator[](size_t edge) const { return edges_[edge]; }
+  std::vector<Uses>::const_iterator begin() const { return edges_.begin(); }
+  std::vector<Uses>::const_iterator end() const { return edges_.end(); }
+
+ private:
+  std::vector<int> half_edges_;  // edge by edge
+  std::vector<Uses> edges_;
+};
+
+inline EdgeUses UsesOfEdges(const Triangles& triangles) {
+  return EdgeUses(triangles);
+}
 
 // Disjoint sets of the numbers 0 .. size - 1 (union-find), each represented by
 // its lowest member, so that the outcome does not depend on the order in which

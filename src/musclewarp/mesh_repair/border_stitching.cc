@@ -3,8 +3,8 @@
 #include "musclewarp/mesh_repair/border_stitching.h"
 
 #include <glog/logging.h>
-#include <Eigen/Geometry>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -24,8 +24,8 @@ class Borders {
   explicit Borders(const TriangleSoup& soup);
 
   // Returns the border edges in ascending order, each in the direction in which
-  // its triangle runs.
-  std::vector<std::array<int, 2>> Edges() const;
+  // its triangle runs. They are valid until a triangle changes.
+  const std::vector<std::array<int, 2>>& Edges();
 
   bool IsBorderEdge(int a, int b) const {
     return HasDirectedEdge(a, b) && !HasDirectedEdge(b, a);
@@ -57,10 +57,15 @@ class Borders {
   std::vector<CornerPoints> triangles_;
   std::vector<std::vector<int>> triangles_of_point_;
   std::unordered_map<uint64_t, int> triangle_of_edge_;
+
+  // Found when they are asked for, and forgotten when a triangle changes.
+  std::vector<std::array<int, 2>> edges_;
+  bool are_edges_known_ = false;
 };
 
 Borders::Borders(const TriangleSoup& soup)
     : triangles_of_point_(soup.points.rows()) {
+  triangle_of_edge_.reserve(soup.triangles.size());
   for (int f = 0; f < soup.triangles.rows(); ++f) {
     triangles_.push_back(
         {soup.triangles(f, 0), soup.triangles(f, 1), soup.triangles(f, 2)});
@@ -69,6 +74,7 @@ Borders::Borders(const TriangleSoup& soup)
 }
 
 void Borders::Link(int f) {
+  are_edges_known_ = false;
   for (int c = 0; c < 3; ++c) {
     const int a = triangles_[f][c];
     triangles_of_point_[a].push_back(f);
@@ -79,6 +85,7 @@ void Borders::Link(int f) {
 }
 
 void Borders::Unlink(int f) {
+  are_edges_known_ = false;
   for (int c = 0; c < 3; ++c) {
     const int a = triangles_[f][c];
     auto& around = triangles_of_point_[a];
@@ -87,17 +94,19 @@ void Borders::Unlink(int f) {
   }
 }
 
-std::vector<std::array<int, 2>> Borders::Edges() const {
-  std::vector<std::array<int, 2>> edges;
+const std::vector<std::array<int, 2>>& Borders::Edges() {
+  if (are_edges_known_) return edges_;
+  edges_.clear();
   for (const CornerPoints& corners : triangles_) {
     for (int c = 0; c < 3; ++c) {
       const int a = corners[c];
       const int b = corners[(c + 1) % 3];
-      if (!HasDirectedEdge(b, a)) edges.push_back({a, b});
+      if (!HasDirectedEdge(b, a)) edges_.push_back({a, b});
     }
   }
-  std::sort(edges.begin(), edges.end());
-  return edges;
+  std::sort(edges_.begin(), edges_.end());
+  are_edges_known_ = true;
+  return edges_;
 }
 
 bool Borders::IsOnBorder(int v) const {
@@ -263,7 +272,7 @@ void InsertBorderPoints(double tolerance,
                         const Points& points,
                         Borders* borders,
                         Stitches* stitches) {
-  const auto edges = borders->Edges();
+  const auto& edges = borders->Edges();
   const auto by_x = PointsByX(edges, points);
   for (const Candidate& candidate :
        PointsBesideEdges(edges, by_x, points, tolerance)) {

@@ -106,7 +106,7 @@ void PairByWedges(std::vector<Use> uses, Mates* mates) {
 }
 
 void PairAtCrowdedEdge(const TriangleSoup& soup,
-                       const std::vector<int>& half_edges,
+                       const EdgeUses::Uses& half_edges,
                        const Sheets& sheets,
                        Mates* mates) {
   std::vector<Use> uses;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "musclewarp/base/invalid_option.h"
+#include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
@@ -107,25 +108,45 @@ void PrepareModel(const std::vector<BodySurface>& bodies,
   }
 }
 
-// Adds lines to the muscle if it has none.
-PreparedMuscle PrepareOne(const std::vector<BodySurface>& bodies,
-                          const PrepareOptions& options,
-                          SceneMuscle* muscle) {
-  PreparedMuscle prepared;
-  TriangleSoup fine = Repaired(DeliveredMesh(*muscle),
-                               muscle->name,
-                               muscle->mesh_path,
-                               options,
-                               &prepared.mesh);
-  if (options.remove_slivers) {
-    prepared.mesh.slivers = RemoveSlivers(options.slivers, &fine);
+// Reads and repairs the mesh of a bone.
+PreparedBone RepairBone(const PrepareOptions& options, const SceneBone& bone) {
+  PreparedBone prepared;
+  TriangleSoup delivered = DeliveredMesh(bone);
+  if (!bone.rest_from_file.isIdentity(0)) {
+    delivered.points = Transformed(delivered.points, bone.rest_from_file);
   }
+  prepared.rest =
+      Repaired(delivered, bone.name, bone.mesh_path, options, &prepared.mesh);
+  prepared.body = bone.body;
+  return prepared;
+}
+
+// Reads and repairs the mesh of a muscle; returns it.
+TriangleSoup RepairMuscle(const PrepareOptions& options,
+                          const SceneMuscle& muscle,
+                          PreparedMuscle* prepared) {
+  TriangleSoup fine = Repaired(DeliveredMesh(muscle),
+                               muscle.name,
+                               muscle.mesh_path,
+                               options,
+                               &prepared->mesh);
+  if (options.remove_slivers) {
+    prepared->mesh.slivers = RemoveSlivers(options.slivers, &fine);
+  }
+  return fine;
+}
+
+// Adds lines to the muscle if it has none, and prepares the rest.
+void PrepareOne(const std::vector<BodySurface>& bodies,
+                const PrepareOptions& options,
+                const TriangleSoup& fine,
+                SceneMuscle* muscle,
+                PreparedMuscle* prepared) {
   if (muscle->lines.empty()) {
     muscle->lines = MakeLines(
         muscle->name, fine, bodies, muscle->attachments, options.auto_lines);
   }
-  PrepareModel(bodies, options, *muscle, fine, &prepared);
-  return prepared;
+  PrepareModel(bodies, options, *muscle, fine, prepared);
 }
 
 struct MeshSize {
@@ -230,22 +251,25 @@ bool PrepareOptions::IsValid(std::string* error) const {
          slivers.IsValid(error) && fibres.IsValid(error);
 }
 
-void ReplaceMuscleMesh(const PrepareOptions& options,
-                       int muscle,
-                       TriangleSoup mesh,
-                       PreparedScene* prepared) {
-  if (options.remove_slivers) {
-    prepared->muscles[muscle].mesh.slivers =
-        RemoveSlivers(options.slivers, &mesh);
-  }
+void ReplaceMuscleMeshes(const PrepareOptions& options,
+                         const std::vector<int>& muscles,
+                         std::vector<TriangleSoup> meshes,
+                         PreparedScene* prepared) {
+  CHECK_EQ(muscles.size(), meshes.size());
   const BodySurfaces surfaces(options.fibres.fibres > 0
                                   ? prepared->bones
                                   : std::vector<PreparedBone>());
-  PrepareModel(surfaces.bodies(),
-               options,
-               prepared->scene.muscles[muscle],
-               mesh,
-               &prepared->muscles[muscle]);
+  ParallelFor(meshes.size(), [&](size_t k) {
+    PreparedMuscle& muscle = prepared->muscles[muscles[k]];
+    if (options.remove_slivers) {
+      muscle.mesh.slivers = RemoveSlivers(options.slivers, &meshes[k]);
+    }
+    PrepareModel(surfaces.bodies(),
+                 options,
+                 prepared->scene.muscles[muscles[k]],
+                 meshes[k],
+                 &muscle);
+  });
   prepared->exempt = ExemptAreas(*prepared);
 }
 
@@ -257,26 +281,27 @@ PreparedScene PrepareScene(const Scene& scene,
   CHECK(options.IsValid(&error)) << error;
   PreparedScene prepared;
   prepared.scene = scene;
-  const auto say_progress = [&] {
+  prepared.bones.resize(scene.bones.size());
+  prepared.muscles.resize(scene.muscles.size());
+  const size_t num_bones = scene.bones.size();
+  const size_t num_meshes = num_bones + scene.muscles.size();
+  const auto say_progress = [&](size_t done) {
     if (!on_progress) return;
     on_progress(
-        {"preparing",
-         static_cast<int>(prepared.bones.size() + prepared.muscles.size()),
-         static_cast<int>(scene.bones.size() + scene.muscles.size())});
+        {"preparing", static_cast<int>(done), static_cast<int>(num_meshes)});
   };
-  // Bones first: reading them is quick, so that bad files are found early.
-  for (const SceneBone& bone : scene.bones) {
-    say_progress();
-    PreparedBone one;
-    TriangleSoup delivered = DeliveredMesh(bone);
-    if (!bone.rest_from_file.isIdentity(0)) {
-      delivered.points = Transformed(delivered.points, bone.rest_from_file);
+  say_progress(0);
+  // Bones first: they have the largest meshes.
+  std::vector<TriangleSoup> fine(scene.muscles.size());
+  ParallelFor(num_meshes, [&](size_t i) {
+    if (i < num_bones) {
+      prepared.bones[i] = RepairBone(options, scene.bones[i]);
+      return;
     }
-    one.rest =
-        Repaired(delivered, bone.name, bone.mesh_path, options, &one.mesh);
-    one.body = bone.body;
-    prepared.bones.push_back(std::move(one));
-  }
+    const size_t m = i - num_bones;
+    fine[m] = RepairMuscle(options, scene.muscles[m], &prepared.muscles[m]);
+  });
+  say_progress(num_bones);
   const bool needs_bodies =
       options.fibres.fibres > 0 || std::any_of(scene.muscles.begin(),
                                                scene.muscles.end(),
@@ -285,10 +310,13 @@ PreparedScene PrepareScene(const Scene& scene,
                                                });
   const BodySurfaces surfaces(needs_bodies ? prepared.bones
                                            : std::vector<PreparedBone>());
-  for (SceneMuscle& muscle : prepared.scene.muscles) {
-    say_progress();
-    prepared.muscles.push_back(PrepareOne(surfaces.bodies(), options, &muscle));
-  }
+  ParallelFor(scene.muscles.size(), [&](size_t m) {
+    PrepareOne(surfaces.bodies(),
+               options,
+               fine[m],
+               &prepared.scene.muscles[m],
+               &prepared.muscles[m]);
+  });
   prepared.exempt = ExemptAreas(prepared);
   AddWarnings(options, &prepared);
   for (const std::string& warning : prepared.warnings) LOG(WARNING) << warning;

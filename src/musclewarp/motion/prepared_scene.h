@@ -109,16 +109,17 @@ struct PreparedScene {
   double wall_ms = 0;
 };
 
-// Gives a muscle of a prepared scene another mesh, with which everything about
-// it is prepared again. Its lines stay. Precondition (CHECKed): the mesh is a
-// closed manifold.
-void ReplaceMuscleMesh(const PrepareOptions& options,
-                       int muscle,
-                       TriangleSoup mesh,
-                       PreparedScene* prepared);
+// Gives muscles of a prepared scene, by number, other meshes, with which
+// everything about them is prepared again. Their lines stay. Precondition
+// (CHECKed): there is a mesh for every muscle, and it is a closed manifold.
+void ReplaceMuscleMeshes(const PrepareOptions& options,
+                         const std::vector<int>& muscles,
+                         std::vector<TriangleSoup> meshes,
+                         PreparedScene* prepared);
 
-// Prepares a scene. Throws InputError if a mesh cannot be read or repaired.
-// `on_progress` may be empty. Precondition (CHECKed): the options are valid.
+// Prepares a scene, several meshes at a time. Throws InputError if a mesh
+// cannot be read or repaired. `on_progress` may be empty, and is called by the
+// calling thread. Precondition (CHECKed): the options are valid.
 PreparedScene PrepareScene(const Scene& scene,
                            const PrepareOptions& options,
                            const ProgressCallback& on_progress = {});

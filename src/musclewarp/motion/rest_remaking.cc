@@ -5,19 +5,17 @@
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <cmath>
-#include <deque>
 #include <iomanip>
 #include <map>
-#include <optional>
 #include <set>
 #include <sstream>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/option_check.h"
-#include "musclewarp/certified_contact/cell_surface.h"
+#include "musclewarp/base/parallel_for.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/motion/remade_surfaces.h"
 
 namespace musclewarp {
 namespace {
@@ -80,77 +78,6 @@ std::string Describe(const PreparedScene& scene,
   return text.str();
 }
 
-CellSurfaceOptions SurfaceOptions(const RestRemakingOptions& options,
-                                  const MedialCellOptions& cell,
-                                  const PreparedScene& scene,
-                                  const std::vector<int>& unclean) {
-  CellSurfaceOptions surface;
-  surface.cell = cell;
-  surface.spacing = options.max_spacing;
-  for (const int i : unclean) {
-    surface.spacing = std::min(
-        surface.spacing,
-        std::max(options.min_spacing,
-                 options.spacing_share *
-                     TypicalEdge(scene.muscles[i].model.fine_rest,
-                                 scene.muscles[i].model.fine_triangles)));
-  }
-  return surface;
-}
-
-// Halves the spacing of the samples until there are several across a thin
-// muscle: twice its volume by its area is what a plate of its thickness has.
-double SpacingWithin(const RestRemakingOptions& options,
-                     const MuscleModel& muscle,
-                     double spacing) {
-  const double thickness = 2 * muscle.rest_volume /
-                           SurfaceArea(muscle.fine_rest, muscle.fine_triangles);
-  const double largest =
-      std::max(options.min_spacing, thickness / options.samples_across);
-  while (spacing > largest) spacing /= 2;
-  return spacing;
-}
-
-// Makes a surface that crosses no bone, with as large a margin as that takes: a
-// bone may have details between the samples of a surface. Where a thin muscle
-// would lose too much by the margin, such details are left to the separation of
-// the new surfaces.
-TriangleSoup SurfaceBesideBones(
-    const RestRemakingOptions& options,
-    CellSurfaceOptions surface_options,
-    int attempt,
-    const SolidDistance& muscle,
-    const std::vector<const SolidDistance*>& others,
-    const std::vector<const SolidDistance*>& bones) {
-  surface_options.cell.margin *= std::pow(options.margin_growth, attempt);
-  TriangleSoup before;
-  double least_volume = 0;
-  for (int growth = 0;; ++growth) {
-    TriangleSoup surface = CellSurface(surface_options, muscle, others, bones);
-    const double volume = SignedVolume(surface.points, surface.triangles);
-    VLOG(1) << "cell with a margin of " << surface_options.cell.margin
-            << " mm: " << volume << " mm3";
-    if (growth > 0 && volume < least_volume) return before;
-    if (surface.triangles.rows() == 0 || growth == options.max_growths) {
-      return surface;
-    }
-    if (growth == 0) {
-      least_volume = (1 - options.max_loss_by_margin) * volume;
-    }
-    const TriangleBvh tree(surface.points, surface.triangles);
-    const bool crosses =
-        std::any_of(bones.begin(), bones.end(), [&](const SolidDistance* bone) {
-          return !IntersectingTriangles(tree, bone->mesh().bvh()).empty();
-        });
-    if (!crosses) return surface;
-    before = std::move(surface);
-    surface_options.cell.margin *= options.margin_growth;
-    // A cell is bounded by what is in range of its margin.
-    surface_options.cell.range =
-        std::max(surface_options.cell.range, 2 * surface_options.cell.margin);
-  }
-}
-
 // Compares the new surface of a muscle with the old one.
 Remaking Compare(const SearchableMesh& before, const TriangleSoup& after) {
   Remaking remaking;
@@ -192,88 +119,21 @@ std::string Warning(const std::string& name, const Remaking& remaking) {
   return text.str();
 }
 
-// The signed distances to all meshes, in scene order.
-class Solids {
- public:
-  explicit Solids(const SceneMeshes& meshes) {
-    for (const NamedMesh& muscle : meshes.muscles()) {
-      muscles_.push_back(&all_.emplace_back(*muscle.mesh));
-    }
-    for (const NamedMesh& bone : meshes.bones()) {
-      bones_.push_back(&all_.emplace_back(*bone.mesh));
-    }
+// Throws InputError if too little of a muscle is left.
+void CheckEnoughIsLeft(const RestRemakingOptions& options,
+                       const std::string& name,
+                       const Remaking& remaking) {
+  if (remaking.volume_after >=
+      options.least_volume_share * remaking.volume_before) {
+    return;
   }
-  const SolidDistance& muscle(int i) const { return *muscles_[i]; }
-  const std::vector<const SolidDistance*>& bones() const { return bones_; }
-  std::vector<const SolidDistance*> MusclesBut(int i) const {
-    std::vector<const SolidDistance*> others = muscles_;
-    others.erase(others.begin() + i);
-    return others;
-  }
-
- private:
-  std::deque<SolidDistance> all_;
-  std::vector<const SolidDistance*> muscles_, bones_;
-};
-
-// Makes the surface of a muscle anew from its cell among the solids.
-TriangleSoup SurfaceOf(const RestRemakingOptions& options,
-                       CellSurfaceOptions surface_options,
-                       int attempt,
-                       const MuscleModel& muscle,
-                       int number,
-                       const Solids& solids) {
-  surface_options.spacing =
-      SpacingWithin(options, muscle, surface_options.spacing);
-  const TriangleSoup surface = SurfaceBesideBones(options,
-                                                  surface_options,
-                                                  attempt,
-                                                  solids.muscle(number),
-                                                  solids.MusclesBut(number),
-                                                  solids.bones());
-  if (surface.triangles.rows() == 0) return surface;
-  const double typical = TypicalEdge(muscle.fine_rest, muscle.fine_triangles);
-  return WithEvenTriangles(surface, std::max(surface_options.spacing, typical));
-}
-
-// Makes the surfaces of the unclean muscles anew, from the meshes as they were
-// delivered. A muscle of which the others and the bones would leave too little
-// is made from the meshes where contact has moved them: these hardly overlap,
-// and have their volumes.
-std::vector<TriangleSoup> NewSurfaces(const RestRemakingOptions& options,
-                                      const MedialCellOptions& cell,
-                                      const std::vector<int>& unclean,
-                                      int attempt,
-                                      const PreparedScene& scene,
-                                      const std::vector<Points>& separated) {
-  const CellSurfaceOptions surface_options =
-      SurfaceOptions(options, cell, scene, unclean);
-  SceneMeshes meshes(scene);
-  std::optional<Solids> solids(meshes);
-  std::vector<TriangleSoup> surfaces;
-  std::vector<size_t> too_small;
-  for (const int i : unclean) {
-    const MuscleModel& muscle = scene.muscles[i].model;
-    const TriangleSoup& surface = surfaces.emplace_back(
-        SurfaceOf(options, surface_options, attempt, muscle, i, *solids));
-    if (SignedVolume(surface.points, surface.triangles) <
-        options.least_share_as_delivered * muscle.rest_volume) {
-      too_small.push_back(surfaces.size() - 1);
-    }
-  }
-  if (too_small.empty()) return surfaces;
-  std::vector<Points> bones;
-  for (const PreparedBone& bone : scene.bones) {
-    bones.push_back(bone.rest.points);
-  }
-  meshes.MoveTo(separated, bones);
-  solids.emplace(meshes);
-  for (const size_t k : too_small) {
-    const int i = unclean[k];
-    surfaces[k] = SurfaceOf(
-        options, surface_options, attempt, scene.muscles[i].model, i, *solids);
-  }
-  return surfaces;
+  throw InputError(
+      name,
+      "only " +
+          std::to_string(static_cast<int>(100 * remaking.volume_after /
+                                          remaking.volume_before)) +
+          " % of the muscle are outside bones and other muscles",
+      "check that the meshes are in one frame, or correct them");
 }
 
 void Remake(const RestRemakingOptions& options,
@@ -282,27 +142,21 @@ void Remake(const RestRemakingOptions& options,
             std::vector<TriangleSoup> surfaces,
             PreparedScene* scene) {
   const SceneMeshes meshes(*scene);
-  for (size_t k = 0; k < unclean.size(); ++k) {
+  std::vector<Remaking> remakings(unclean.size());
+  ParallelFor(unclean.size(), [&](size_t k) {
     const int i = unclean[k];
-    const std::string name = scene->muscles[i].model.name;
-    Remaking remaking = Compare(*meshes.muscles()[i].mesh, surfaces[k]);
-    if (remaking.volume_after <
-        options.least_volume_share * remaking.volume_before) {
-      throw InputError(
-          name,
-          "only " +
-              std::to_string(static_cast<int>(100 * remaking.volume_after /
-                                              remaking.volume_before)) +
-              " % of the muscle are outside bones and other muscles",
-          "check that the meshes are in one frame, or correct them");
-    }
-    ReplaceMuscleMesh(prepare, i, std::move(surfaces[k]), scene);
+    remakings[k] = Compare(*meshes.muscles()[i].mesh, surfaces[k]);
+    CheckEnoughIsLeft(options, scene->muscles[i].model.name, remakings[k]);
+  });
+  ReplaceMuscleMeshes(prepare, unclean, std::move(surfaces), scene);
+  for (size_t k = 0; k < unclean.size(); ++k) {
+    PreparedMuscle& muscle = scene->muscles[unclean[k]];
     // Without slivers, which take a little volume with them.
-    remaking.volume_after = scene->muscles[i].model.rest_volume;
-    if (scene->muscles[i].mesh.remaking.is_done) {
-      remaking.volume_before = scene->muscles[i].mesh.remaking.volume_before;
+    remakings[k].volume_after = muscle.model.rest_volume;
+    if (muscle.mesh.remaking.is_done) {
+      remakings[k].volume_before = muscle.mesh.remaking.volume_before;
     }
-    scene->muscles[i].mesh.remaking = remaking;
+    muscle.mesh.remaking = remakings[k];
   }
 }
 
@@ -378,16 +232,17 @@ std::unique_ptr<FrameSolver> MakeCleanFrameSolver(
       scene->as_delivered = solver->RestFrame().intersections;
     }
     if (on_progress) on_progress({"remaking", attempt, 0});
-    Remake(remaking,
-           prepare,
-           unclean,
-           NewSurfaces(remaking,
+    Remake(
+        remaking,
+        prepare,
+        unclean,
+        RemadeSurfaces(remaking,
                        options.certified.separation.cell,
                        unclean,
                        attempt,
                        *scene,
                        SeparatedPoints(*scene, solver->StartOfMotion(solvers))),
-           scene);
+        scene);
   }
 }
 

@@ -1,0 +1,175 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/remade_surfaces.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <utility>
+
+#include "musclewarp/base/parallel_for.h"
+#include "musclewarp/certified_contact/cell_surface.h"
+#include "musclewarp/mesh/measures.h"
+#include "musclewarp/motion/scene_meshes.h"
+
+namespace musclewarp {
+namespace {
+
+CellSurfaceOptions SurfaceOptions(const RestRemakingOptions& options,
+                                  const MedialCellOptions& cell,
+                                  const PreparedScene& scene,
+                                  const std::vector<int>& muscles) {
+  CellSurfaceOptions surface;
+  surface.cell = cell;
+  surface.spacing = options.max_spacing;
+  for (const int i : muscles) {
+    surface.spacing = std::min(
+        surface.spacing,
+        std::max(options.min_spacing,
+                 options.spacing_share *
+                     TypicalEdge(scene.muscles[i].model.fine_rest,
+                                 scene.muscles[i].model.fine_triangles)));
+  }
+  return surface;
+}
+
+// Halves the spacing of the samples until there are several across a thin
+// muscle: twice its volume by its area is what a plate of its thickness has.
+double SpacingWithin(const RestRemakingOptions& options,
+                     const MuscleModel& muscle,
+                     double spacing) {
+  const double thickness = 2 * muscle.rest_volume /
+                           SurfaceArea(muscle.fine_rest, muscle.fine_triangles);
+  const double largest =
+      std::max(options.min_spacing, thickness / options.samples_across);
+  while (spacing > largest) spacing /= 2;
+  return spacing;
+}
+
+// Makes a surface that crosses no bone, with as large a margin as that takes: a
+// bone may have details between the samples of a surface. Where a thin muscle
+// would lose too much by the margin, such details are left to the separation of
+// the new surfaces.
+TriangleSoup SurfaceBesideBones(
+    const RestRemakingOptions& options,
+    CellSurfaceOptions surface_options,
+    int attempt,
+    const SolidDistance& muscle,
+    const std::vector<const SolidDistance*>& others,
+    const std::vector<const SolidDistance*>& bones) {
+  surface_options.cell.margin *= std::pow(options.margin_growth, attempt);
+  TriangleSoup before;
+  double least_volume = 0;
+  for (int growth = 0;; ++growth) {
+    TriangleSoup surface = CellSurface(surface_options, muscle, others, bones);
+    const double volume = SignedVolume(surface.points, surface.triangles);
+    VLOG(1) << "cell with a margin of " << surface_options.cell.margin
+            << " mm: " << volume << " mm3";
+    if (growth > 0 && volume < least_volume) return before;
+    if (surface.triangles.rows() == 0 || growth == options.max_growths) {
+      return surface;
+    }
+    if (growth == 0) {
+      least_volume = (1 - options.max_loss_by_margin) * volume;
+    }
+    const TriangleBvh tree(surface.points, surface.triangles);
+    const bool crosses =
+        std::any_of(bones.begin(), bones.end(), [&](const SolidDistance* bone) {
+          return !IntersectingTriangles(tree, bone->mesh().bvh()).empty();
+        });
+    if (!crosses) return surface;
+    before = std::move(surface);
+    surface_options.cell.margin *= options.margin_growth;
+    // A cell is bounded by what is in range of its margin.
+    surface_options.cell.range =
+        std::max(surface_options.cell.range, 2 * surface_options.cell.margin);
+  }
+}
+
+// The signed distances to all meshes, in scene order.
+class Solids {
+ public:
+  explicit Solids(const SceneMeshes& meshes) {
+    for (const NamedMesh& muscle : meshes.muscles()) {
+      muscles_.push_back(&all_.emplace_back(*muscle.mesh));
+    }
+    for (const NamedMesh& bone : meshes.bones()) {
+      bones_.push_back(&all_.emplace_back(*bone.mesh));
+    }
+  }
+  const SolidDistance& muscle(int i) const { return *muscles_[i]; }
+  const std::vector<const SolidDistance*>& bones() const { return bones_; }
+  std::vector<const SolidDistance*> MusclesBut(int i) const {
+    std::vector<const SolidDistance*> others = muscles_;
+    others.erase(others.begin() + i);
+    return others;
+  }
+
+ private:
+  std::deque<SolidDistance> all_;
+  std::vector<const SolidDistance*> muscles_, bones_;
+};
+
+// Makes the surface of a muscle anew from its cell among the solids.
+TriangleSoup SurfaceOf(const RestRemakingOptions& options,
+                       CellSurfaceOptions surface_options,
+                       int attempt,
+                       const MuscleModel& muscle,
+                       int number,
+                       const Solids& solids) {
+  surface_options.spacing =
+      SpacingWithin(options, muscle, surface_options.spacing);
+  const TriangleSoup surface = SurfaceBesideBones(options,
+                                                  surface_options,
+                                                  attempt,
+                                                  solids.muscle(number),
+                                                  solids.MusclesBut(number),
+                                                  solids.bones());
+  const double typical = TypicalEdge(muscle.fine_rest, muscle.fine_triangles);
+  return WithEvenTriangles(surface, std::max(surface_options.spacing, typical));
+}
+
+}  // namespace
+
+std::vector<TriangleSoup> RemadeSurfaces(const RestRemakingOptions& options,
+                                      const MedialCellOptions& cell,
+                                      const std::vector<int>& muscles,
+                                      int attempt,
+                                      const PreparedScene& scene,
+                                      const std::vector<Points>& separated) {
+  const CellSurfaceOptions surface_options =
+      SurfaceOptions(options, cell, scene, muscles);
+  std::vector<TriangleSoup> surfaces(muscles.size());
+  const auto make = [&](size_t k, const Solids& solids) {
+    const int i = muscles[k];
+    surfaces[k] = SurfaceOf(
+        options, surface_options, attempt, scene.muscles[i].model, i, solids);
+  };
+  SceneMeshes meshes(scene);
+  {
+    const Solids delivered(meshes);
+    ParallelFor(muscles.size(), [&](size_t k) { make(k, delivered); });
+  }
+  std::vector<size_t> too_small;
+  for (size_t k = 0; k < muscles.size(); ++k) {
+    const double volume =
+        SignedVolume(surfaces[k].points, surfaces[k].triangles);
+    if (volume < options.least_share_as_delivered *
+                     scene.muscles[muscles[k]].model.rest_volume) {
+      too_small.push_back(k);
+    }
+  }
+  if (too_small.empty()) return surfaces;
+  std::vector<Points> bones;
+  for (const PreparedBone& bone : scene.bones) {
+    bones.push_back(bone.rest.points);
+  }
+  meshes.MoveTo(separated, bones);
+  const Solids moved(meshes);
+  ParallelFor(too_small.size(), [&](size_t n) { make(too_small[n], moved); });
+  return surfaces;
+}
+
+}  // namespace musclewarp
