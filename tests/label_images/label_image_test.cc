@@ -10,6 +10,7 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <Eigen/Dense>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -124,6 +125,37 @@ TEST(LabelImage, ReversedSlicesOfNiftiStayInPlace) {
   const MadeImage image = ManyLabels({12, 5, 4});
   WriteNifti(path, image, NiftiForm::kQform, -1);
   ExpectImage(path, image, kSinglePrecision);
+}
+
+// The sform of many files is left-handed. VTK then reverses the slices, unless
+// the file has a qform, too: the labels have to be where the file says.
+TEST(LabelImage, LabelsOfALeftHandedSformStayInPlace) {
+  const std::string path = TestTempDir() + "/a.nii";
+  MadeImage made = ManyLabels({12, 5, 4});
+  WriteNifti(path, made, NiftiForm::kSform);
+  std::string bytes = BytesOf(path);
+  constexpr int kSform = 280, kQformCode = 252, kFloat = 4;
+  for (int row = 0; row < 3; ++row) {
+    // The sign of a little-endian number is in its last byte.
+    bytes[kSform + kFloat * (4 * row + 2) + 3] ^= '\x80';
+  }
+  made.lps_from_index.col(2) *= -1;
+  const Eigen::Matrix4d index_from_lps = made.lps_from_index.inverse();
+  for (const bool has_qform : {false, true}) {
+    bytes[kQformCode] = has_qform ? 1 : 0;
+    WriteTextAtomically(path, bytes);
+    const LabelImage image = ReadLabelImage(path);
+    for (int at = 0; at < 12 * 5 * 4; ++at) {
+      const Eigen::Vector4d index(at % 12, at / 12 % 5, at / 12 / 5, 1);
+      const Eigen::Array4i there =
+          (index_from_lps * (image.grid.world_from_index * index))
+              .array()
+              .round()
+              .cast<int>();
+      EXPECT_EQ(image.labels[at],
+                made.labels[(there[2] * 5 + there[1]) * 12 + there[0]]);
+    }
+  }
 }
 
 TEST(LabelImage, NiftiWithoutAFrameIsTakenAsItIs) {

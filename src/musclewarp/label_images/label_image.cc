@@ -66,6 +66,7 @@ void WithVtkErrors(const std::string& path, const Read& read) {
     if (error.empty()) error = printed.FirstLine();
   }
   if (error.empty()) return;
+  if (error.back() == '.') error.pop_back();
   throw InputError(path, "cannot be read: " + error, kCopyAgain);
 }
 
