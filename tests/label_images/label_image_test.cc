@@ -146,7 +146,8 @@ TEST(LabelImage, LabelsOfALeftHandedSformStayInPlace) {
     WriteTextAtomically(path, bytes);
     const LabelImage image = ReadLabelImage(path);
     for (int at = 0; at < 12 * 5 * 4; ++at) {
-      const Eigen::Vector4d index(at % 12, at / 12 % 5, at / 12 / 5, 1);
+      const int i = at % 12, j = at / 12 % 5, k = at / 12 / 5;
+      const Eigen::Vector4d index(i, j, k, 1);
       const Eigen::Array4i there =
           (index_from_lps * (image.grid.world_from_index * index))
               .array()

@@ -16,9 +16,7 @@
 namespace musclewarp {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 // The volume is restored to 1e-4 of that of the voxels.
 constexpr double kOfVoxels = 2e-4;

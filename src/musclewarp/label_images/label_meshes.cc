@@ -7,8 +7,10 @@
 #ifdef MUSCLEWARP_WITH_VTK
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/label_images/label_image.h"

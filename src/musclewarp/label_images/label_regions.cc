@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/label_images/label_regions.h"
 
+#include <cstdlib>
+
 namespace musclewarp {
 namespace {
 

@@ -10,7 +10,10 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
+#include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/label_images/nrrd_header.h"
 
-#include <filesystem>
+#include <cstdlib>
 #include <fstream>
 #include <map>
 
