@@ -14,6 +14,6 @@ set(MUSCLEWARP_PACKAGES
     "OpenMP COMPONENTS CXX")
 if(MUSCLEWARP_WITH_VTK)
   list(APPEND MUSCLEWARP_PACKAGES
-       "VTK 9.1 COMPONENTS CommonCore CommonDataModel FiltersCore IOLegacy IOXML IOXMLParser IOImage RenderingCore RenderingFreeType RenderingOpenGL2 glew"
+       "VTK 9.1 COMPONENTS CommonCore CommonDataModel CommonExecutionModel FiltersCore ImagingGeneral IOLegacy IOXML IOXMLParser IOImage RenderingCore RenderingFreeType RenderingOpenGL2 glew"
        "OpenGL COMPONENTS EGL")
 endif()

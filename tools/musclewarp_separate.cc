@@ -11,7 +11,16 @@
 #include "tools/split.h"
 
 DEFINE_string(out, "", "folder for the separated meshes");
-DEFINE_string(bone, "", "files of meshes that must not move; commas");
+DEFINE_string(bone,
+              "",
+              "files of meshes and names of labels that must not move; commas");
+DEFINE_string(labels,
+              "",
+              "table of the labels of an image: label,name,kind, or that of 3D "
+              "Slicer or ITK-SNAP; labels that are not in it are left out");
+DEFINE_double(edge,
+              0,
+              "edges of the triangles of labels, mm; 0: twice a voxel");
 DEFINE_double(gap,
               0.1,
               "distance that is kept between meshes, mm; at most 0.5");
@@ -28,16 +37,25 @@ int main(int argc, char** argv) {
   return musclewarp::RunProgram(
       argc,
       argv,
-      "musclewarp-separate --out=DIR [--bone=FILE,...] FILE... [flags]\n\n"
+      "musclewarp-separate --out=DIR [--bone=FILE,...] FILE... [flags]\n"
+      "       musclewarp-separate --out=DIR [--labels=TABLE] [--bone=NAME,...] "
+      "IMAGE [flags]\n\n"
       "Moves the vertices of surface meshes as little as it takes for no two "
       "meshes to\ncross, while each keeps its volume. The meshes of --bone do "
       "not move. Reads .ply,\n.obj, .off, .stl, .vtk, and with VTK .vtp; "
-      "repairs the meshes; writes all of\nthem to DIR/<name>.ply.\n"
+      "repairs the meshes; writes all of\nthem to DIR/<name>.ply.\n\n"
+      "With VTK also takes one label image (.nii, .nii.gz, .nrrd, .mha, .mhd): "
+      "each label\nbecomes a closed surface with the volume of its voxels, in "
+      "mm, in LPS (+x left,\n+y back, +z head), named by TABLE, a line a "
+      "label: 3,femur,bone. Without a table\nall labels are taken, as "
+      "label_3.\n\n"
       "Exit code: 0 separated, 1 not (the summary says why), 2 bad input.",
       [](const std::vector<std::string>& files) {
         musclewarp::SeparateOptions options;
         options.out = FLAGS_out;
         options.bones = musclewarp::Split(FLAGS_bone, ',');
+        options.labels = FLAGS_labels;
+        options.edge = FLAGS_edge;
         options.gap = FLAGS_gap;
         options.remake = musclewarp::ParseRemake(FLAGS_remake);
         options.formats = musclewarp::ParseFormats(FLAGS_format);

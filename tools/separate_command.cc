@@ -12,6 +12,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
@@ -21,17 +22,24 @@
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/report/report_json.h"
 #include "musclewarp/report/screen_progress.h"
-#include "musclewarp/scene/coordinate_limits.h"
-#include "musclewarp/scene/scene_names.h"
 #include "tools/interruption.h"
 #include "tools/option_flags.h"
 #include "tools/program.h"
+#include "tools/separate_input.h"
 
 namespace musclewarp {
 namespace {
 
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
+
+constexpr double kLongestEdge = 100;  // mm
+
+std::string NumberText(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
 
 DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
   DeformerOptions deformer;
@@ -51,99 +59,26 @@ DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
 void CheckSeparateOptions(const std::vector<std::string>& files,
                           const SeparateOptions& options) {
   if (files.empty()) {
-    throw InputError("files", "none given", "name at least one mesh file");
+    throw InputError(
+        "files", "none given", "name at least one mesh file, or a label image");
   }
   for (const std::string& bone : options.bones) {
     if (!bone.empty()) continue;
     throw InputError("--bone",
-                     "has a comma without a file before it",
-                     "allowed: mesh files with commas between them");
+                     "has a comma without a name before it",
+                     "allowed: mesh files and names of labels with commas "
+                     "between them");
+  }
+  if (!(options.edge >= 0 && options.edge <= kLongestEdge)) {
+    throw InputError("--edge",
+                     "is " + NumberText(options.edge),
+                     "allowed: 0 (twice a voxel) to 100 mm");
   }
   CheckThreads(options.threads);
   CheckWritable(options.out);
   DeformOptions run;
   run.deformer = DeformerOptionsOf(options);
   CheckValid(run);
-}
-
-std::string NameOf(const std::string& file) {
-  return fs::path(file).stem().string();
-}
-
-// Throws InputError unless every mesh has a name of its own.
-void CheckNames(const std::vector<std::string>& files) {
-  std::map<std::string, std::string> file_of_name;
-  for (const std::string& file : files) {
-    const std::string name = NameOf(file);
-    CheckFileName(file, "mesh", name);
-    const auto [other, is_new] = file_of_name.emplace(name, file);
-    if (is_new) continue;
-    throw InputError(
-        file,
-        "has the name " + QuotedName(name) + ", as " + other->second + " has",
-        "meshes are named by their files without extension; rename one file");
-  }
-}
-
-// Throws InputError if the results would replace a file that is read.
-void CheckResultsAreNew(const std::vector<std::string>& files,
-                        const SeparateOptions& options) {
-  for (const std::string& file : files) {
-    for (const std::string& format : options.formats) {
-      const fs::path result =
-          fs::path(options.out) / (NameOf(file) + "." + format);
-      std::error_code error;
-      if (!fs::equivalent(result, file, error)) continue;
-      throw InputError("--out=" + options.out,
-                       "has the input " + file + ", which would be replaced",
-                       "choose another folder");
-    }
-  }
-}
-
-// A line for a mesh that has none to follow, from end to end along its longest
-// axis. A muscle of a scene needs one; in the rest pose it moves nothing.
-ActionLine LineThrough(const std::string& file,
-                       const Points& points,
-                       const std::string& name) {
-  Eigen::Index axis, low, high;
-  (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff(&axis);
-  points.col(axis).minCoeff(&low);
-  points.col(axis).maxCoeff(&high);
-  if (points(low, axis) == points(high, axis)) {
-    throw InputError(file, "has all its points in one place", "check the mesh");
-  }
-  ActionLine line;
-  line.name = name;
-  line.rest.resize(2, 3);
-  line.rest << points.row(low), points.row(high);
-  return line;
-}
-
-// Returns the scene in which the meshes are muscles, with their lines, and
-// bones. Every file is read, so that bad ones are found early.
-Scene SceneOf(const std::vector<std::string>& files,
-              const std::vector<std::string>& bones) {
-  Scene scene;
-  scene.name = "the files";
-  for (const std::string& file : bones) {
-    SceneBone bone;
-    bone.name = NameOf(file);
-    bone.mesh_path = file;
-    ReadTriangleSoup(file);
-    scene.bones.push_back(std::move(bone));
-  }
-  for (const std::string& file : files) {
-    SceneMuscle mesh;
-    mesh.name = NameOf(file);
-    mesh.mesh_path = file;
-    const Points points = ReadTriangleSoup(file).points;
-    CheckCoordinates(file, points);
-    mesh.lines.push_back(LineThrough(
-        file, points, "line_" + std::to_string(scene.muscles.size() + 1)));
-    scene.muscles.push_back(std::move(mesh));
-  }
-  return scene;
 }
 
 // The result, and what is said of it.
@@ -186,8 +121,26 @@ Separation Separate(Deformer* deformer) {
   return result;
 }
 
+// Returns what became of a label image.
+OrderedJson LabelImageJson(const SeparateInput& input) {
+  OrderedJson labels = OrderedJson::array();
+  for (const LabelMesh& label : input.labels.meshes) {
+    labels.push_back({{"label", label.label},
+                      {"name", label.name},
+                      {"bone", label.is_bone},
+                      {"voxel_volume_mm3", label.voxel_volume},
+                      {"volume_mm3", label.volume}});
+  }
+  return {{"file", input.image},
+          {"frame", input.labels.frame},
+          {"labels", labels},
+          {"notes", input.labels.notes}};
+}
+
 // Returns all of separation.json, with the keys of report.json.
-OrderedJson SeparationJson(const Separation& result, double wall_ms) {
+OrderedJson SeparationJson(const SeparateInput& input,
+                           const Separation& result,
+                           double wall_ms) {
   const OrderedJson& report = result.report;
   const OrderedJson& frame = report.at("frames").at(0);
   OrderedJson muscles = OrderedJson::array();
@@ -211,6 +164,8 @@ OrderedJson SeparationJson(const Separation& result, double wall_ms) {
     muscles.push_back(std::move(entry));
   }
   return {{"version", report.at("version")},
+          {"label_image",
+           input.image.empty() ? OrderedJson() : LabelImageJson(input)},
           {"machine", report.at("machine")},
           {"wall_ms", wall_ms},
           {"gap_mm", report.at("contact_options").at("gap_mm")},
@@ -248,6 +203,15 @@ int NameWidth(const PreparedScene& scene) {
   for (const auto& bone : scene.bones)
     width = std::max(width, bone.mesh.name.size());
   return static_cast<int>(width);
+}
+
+void PrintLabels(const SeparateInput& input, std::ostream& screen) {
+  if (input.image.empty()) return;
+  screen << input.image << ": " << input.labels.meshes.size()
+         << " labels became meshes, in mm, frame " << input.labels.frame
+         << "\n";
+  for (const std::string& note : input.labels.notes) screen << note << "\n";
+  screen << "\n";
 }
 
 void PrintPairs(const Separation& result, int width, std::ostream& screen) {
@@ -340,11 +304,13 @@ class SeparateRun {
         ThrowIfInterrupted();
         progress_.Say(progress);
       };
-      Deformer deformer(SceneOf(files_, options_.bones), options);
+      SeparateInput input = ReadSeparateInput(files_, options_);
+      PrintLabels(input, screen_);
+      Deformer deformer(std::move(input.scene), options);
       const Separation result = Separate(&deformer);
       ThrowIfInterrupted();
       progress_.Clear();
-      Write(result, stopwatch.Milliseconds());
+      Write(input, result, stopwatch.Milliseconds());
       PrintSeparation(result, screen_);
       return result.frame.IsUsable() ? kExitUsable : kExitNotUsable;
     } catch (const Interrupted& interrupted) {
@@ -355,7 +321,9 @@ class SeparateRun {
   }
 
  private:
-  void Write(const Separation& result, double wall_ms) {
+  void Write(const SeparateInput& input,
+             const Separation& result,
+             double wall_ms) {
     is_writing_ = true;
     MakeFolder(options_.out);
     RemovePartialOutput(options_.out);
@@ -363,7 +331,7 @@ class SeparateRun {
     if (!options_.json) return;
     WriteTextAtomically(
         (fs::path(options_.out) / "separation.json").string(),
-        SeparationJson(result, wall_ms)
+        SeparationJson(input, result, wall_ms)
                 .dump(2, ' ', false, OrderedJson::error_handler_t::replace) +
             "\n");
   }
@@ -388,10 +356,6 @@ int SeparateCommand(const std::vector<std::string>& files,
                     const SeparateOptions& options,
                     std::ostream& screen) {
   CheckSeparateOptions(files, options);
-  std::vector<std::string> all = options.bones;
-  all.insert(all.end(), files.begin(), files.end());
-  CheckNames(all);
-  CheckResultsAreNew(all, options);
   if (options.threads > 0) omp_set_num_threads(options.threads);
   return SeparateRun(files, options, screen).Execute();
 }

@@ -13,9 +13,18 @@ namespace musclewarp {
 // What musclewarp-separate is asked for beside the files that may move; the
 // fields are its flags.
 struct SeparateOptions {
-  std::string out;                 // folder for the results
-  std::vector<std::string> bones;  // files of meshes that must not move
-  double gap = 0.1;                // mm, that meshes keep at least
+  std::string out;  // folder for the results
+
+  // Meshes that must not move: files, and names of labels.
+  std::vector<std::string> bones;
+
+  // For a label image: the table of its labels, empty if every label is taken
+  // (label_table.h), and the length of the edges of its surfaces, mm, at most
+  // 100; 0: twice the edge of a voxel.
+  std::string labels;
+  double edge = 0;
+
+  double gap = 0.1;  // mm, that meshes keep at least
 
   // What happens to meshes that cannot be separated by moving their vertices.
   RemakeKind remake = RemakeKind::kAuto;
@@ -31,17 +40,22 @@ struct SeparateOptions {
 // certified contact separates. Bones stay where they are. They are tested
 // neither against each other nor with themselves.
 //
-// Meshes are named by the stems of their files, and are repaired first. All of
-// them, bones too, are written to out/<name>.<format>, and tables of what
-// crossed and what moved to `screen`. With `json`, out/separation.json has the
-// same figures under the keys of report.json (docs/report.md).
+// `files` are mesh files and at most one label image (label_image_file.h), of
+// which every label becomes a mesh in millimetres and in LPS (label_meshes.h).
+//
+// Meshes are named by the stems of their files, those of labels by the table,
+// and are repaired first. All of them, bones too, are written to
+// out/<name>.<format>, and tables of what crossed and what moved to `screen`.
+// With `json`, out/separation.json has the same figures under the keys of
+// report.json (docs/report.md).
 //
 // Returns 0 if the certificate of the result has no shortcomings
 // (certificate/shortcomings.h; how far meshes move does not count), and 1 if it
 // has, or if the program was interrupted (SIGINT, SIGTERM). Throws InputError,
 // before anything is written, for files that cannot be read or repaired, two
 // files of one name, options that are not allowed, results that would replace a
-// file that was read, and meshes that cannot be separated.
+// file that was read, a label image that cannot be read or has a label of which
+// no surface can be made, and meshes that cannot be separated.
 int SeparateCommand(const std::vector<std::string>& files,
                     const SeparateOptions& options,
                     std::ostream& screen);

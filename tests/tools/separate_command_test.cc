@@ -218,6 +218,9 @@ TEST(SeparateCommand, RefusesBadOptions) {
   options.gap = 0;
   ExpectSeparationRefused(files, options, {"--gap: is 0", "above 0"});
   options = WithBox(dir, "out");
+  options.edge = 200;
+  ExpectSeparationRefused(files, options, {"--edge: is 200", "to 100 mm"});
+  options = WithBox(dir, "out");
   options.bones = {"", dir + "/box.ply"};
   ExpectSeparationRefused(files, options, {"--bone", "comma"});
   options = WithBox(dir, "out");

@@ -1,0 +1,58 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "musclewarp/mesh/triangle_soup.h"
+
+namespace musclewarp {
+
+// A label that became a mesh.
+struct LabelMesh {
+  int label = 0;
+  std::string name;
+  bool is_bone = false;  // by the table; false if it does not say
+  TriangleSoup mesh;     // mm, closed, outward oriented, one piece
+
+  // Of the voxels from which the mesh was made, with cavities but without the
+  // pieces that were left out, and of the mesh, mm^3.
+  double voxel_volume = 0;
+  double volume = 0;
+};
+
+// What a label image and a table give.
+struct LabelMeshes {
+  std::vector<LabelMesh> meshes;  // by label
+
+  // The frame of the points: "LPS" (+x left, +y back, +z head), or "of the
+  // file" if it does not say.
+  std::string frame;
+
+  // What was left out, filled or not found, each a sentence for the user.
+  std::vector<std::string> notes;
+};
+
+struct LabelMeshOptions {
+  // The table of labels (label_table.h). Labels that it does not have are left
+  // out. Empty: every label but 0 is taken, under the name that the file has
+  // for it (.seg.nrrd) or else as "label_<number>".
+  std::string table;
+
+  // The length of the edges of triangles, mm; 0: twice the edge of a cube with
+  // the volume of a voxel.
+  double edge_length = 0;
+};
+
+// Reads a label image (label_image.h) and makes a mesh of each label: of its
+// largest piece, with cavities filled (label_regions.h, label_surface.h).
+//
+// Throws InputError for what these refuse, for an image in which no label of
+// the table occurs, or only 0, or more than 1000 different labels without a
+// table, and in a build without VTK. Precondition: IsLabelImageFile(path); the
+// edge length is not negative.
+LabelMeshes ReadLabelMeshes(const std::string& path,
+                            const LabelMeshOptions& options);
+
+}  // namespace musclewarp

@@ -1,0 +1,230 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/label_images/label_table.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/input_file.h"
+#include "musclewarp/mesh_files/text_cursor.h"
+#include "musclewarp/scene/scene_names.h"
+
+namespace musclewarp {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+constexpr char kTableAdvice[] =
+    "write lines such as 3,femur,bone (docs/separate.md)";
+
+// The places of the columns in a line; -1 for one that is not there.
+struct Columns {
+  int label = 0, name = 1, kind = 2;
+};
+
+// The text without blanks around it, and without the quotes around that.
+std::string CellText(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return "";
+  text = text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
+    return CellText(text.substr(1, text.size() - 2));
+  }
+  return std::string(text);
+}
+
+// Splits a line. Separators within quotes are text.
+Cells CellsOf(std::string_view line, char separator) {
+  Cells cells;
+  std::string cell;
+  bool is_quoted = false;
+  for (const char letter : line) {
+    if (letter == '"') is_quoted = !is_quoted;
+    const bool ends = !is_quoted && (letter == separator ||
+                                     (separator == ' ' && letter == '\t'));
+    if (!ends) {
+      cell += letter;
+    } else if (separator != ' ' || !cell.empty()) {
+      cells.push_back(CellText(cell));
+      cell.clear();
+    }
+  }
+  if (separator != ' ' || !cell.empty()) cells.push_back(CellText(cell));
+  return cells;
+}
+
+bool IsNumber(const std::string& text) {
+  return !text.empty() &&
+         text.find_first_not_of("+-.0123456789") == std::string::npos;
+}
+
+bool AreNumbers(const Cells& cells, std::size_t begin, std::size_t end) {
+  return std::all_of(cells.begin() + begin, cells.begin() + end, IsNumber);
+}
+
+// The name of a column, as it is compared.
+std::string ColumnName(const std::string& cell) {
+  std::string name;
+  for (const char letter : LowerCase(cell)) {
+    if (letter != ' ' && letter != '_') name += letter;
+  }
+  return name;
+}
+
+int ColumnOf(const Cells& header, const std::set<std::string>& names) {
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (names.count(ColumnName(header[i]))) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+class TableReader {
+ public:
+  explicit TableReader(const std::string& path) : path_(path) {}
+
+  std::vector<LabelEntry> Read() {
+    const std::string text = ReadFile(path_);
+    TextCursor cursor(path_, text);
+    std::string_view line;
+    while (cursor.NextLine(&line)) {
+      where_ = cursor.Where();
+      const std::string content = CellText(line);
+      if (!content.empty() && content[0] != '#') ReadLine(content);
+    }
+    if (entries_.empty()) {
+      throw InputError(path_, "has no label above 0", kTableAdvice);
+    }
+    return entries_;
+  }
+
+ private:
+  void ReadLine(const std::string& line) {
+    for (const char separator : {'\t', ',', ';'}) {
+      if (CellsOf(line, separator).size() < 2) continue;
+      ReadColumns(CellsOf(line, separator));
+      return;
+    }
+    ReadWords(CellsOf(line, ' '));
+  }
+
+  void ReadColumns(const Cells& cells) {
+    if (is_first_ && !IsNumber(cells[0])) {
+      SetColumns(cells);
+      return;
+    }
+    const auto cell = [&](int column) {
+      const bool is_there =
+          column >= 0 && column < static_cast<int>(cells.size());
+      return is_there ? cells[column] : std::string();
+    };
+    Add(cell(columns_.label), cell(columns_.name), cell(columns_.kind));
+  }
+
+  void SetColumns(const Cells& cells) {
+    is_first_ = false;
+    columns_.label =
+        ColumnOf(cells, {"label", "labelvalue", "value", "index", "idx", "id"});
+    columns_.name = ColumnOf(cells, {"name", "labelname", "structure"});
+    columns_.kind = ColumnOf(cells, {"kind", "type"});
+    for (const auto& [column, name] :
+         {std::pair(columns_.label, "label"), {columns_.name, "name"}}) {
+      if (column >= 0) continue;
+      throw InputError(where_,
+                       "names the columns, and none of them is " + Quoted(name),
+                       "name the columns label, name, kind");
+    }
+  }
+
+  void ReadWords(const Cells& cells) {
+    if (is_first_ && ColumnOf(cells, {"label"}) == 0) {
+      is_first_ = false;  // "label name kind" over plain words
+    } else if (cells.size() == 8 && AreNumbers(cells, 0, 7)) {
+      Add(cells[0], cells[7], "");  // ITK-SNAP
+    } else if (cells.size() == 6 && AreNumbers(cells, 2, 6)) {
+      Add(cells[0], cells[1], "");  // 3D Slicer
+    } else if (cells.size() == 2 || cells.size() == 3) {
+      Add(cells[0], cells[1], cells.size() == 3 ? cells[2] : "");
+    } else {
+      throw InputError(where_,
+                       "has " + std::to_string(cells.size()) +
+                           " words; allowed: label, name and kind",
+                       kTableAdvice);
+    }
+  }
+
+  void Add(const std::string& label_text,
+           const std::string& name,
+           const std::string& kind_text) {
+    is_first_ = false;
+    LabelEntry entry;
+    entry.label = Label(label_text);
+    if (entry.label == 0) return;
+    if (name.empty()) {
+      throw InputError(
+          where_, "label " + label_text + " has no name", kTableAdvice);
+    }
+    CheckFileName(where_, "label", name);
+    entry.name = name;
+    const std::string kind = LowerCase(kind_text);
+    if (kind == "muscle" || kind == "bone") {
+      entry.is_bone = kind == "bone";
+    } else if (!kind.empty()) {
+      throw InputError(where_,
+                       "has the kind " + Quoted(kind_text) +
+                           "; allowed: muscle, bone, or nothing",
+                       "correct it, or leave the column out");
+    }
+    CheckIsNew(entry);
+    entries_.push_back(entry);
+  }
+
+  int Label(const std::string& text) const {
+    constexpr std::size_t kMostDigits = 10;
+    const bool is_whole =
+        !text.empty() && text.size() <= kMostDigits &&
+        text.find_first_not_of("0123456789") == std::string::npos;
+    const long long label = is_whole ? std::stoll(text) : -1;
+    if (label >= 0 && label <= std::numeric_limits<int>::max()) {
+      return static_cast<int>(label);
+    }
+    throw InputError(where_,
+                     "has the label " + Quoted(text) +
+                         "; allowed: whole numbers from 0 to 2147483647",
+                     kTableAdvice);
+  }
+
+  void CheckIsNew(const LabelEntry& entry) const {
+    for (const LabelEntry& other : entries_) {
+      if (other.label == entry.label) {
+        throw InputError(where_,
+                         "has label " + std::to_string(entry.label) +
+                             ", as an earlier line has",
+                         "name each label once");
+      }
+      if (other.name == entry.name) {
+        throw InputError(where_,
+                         "has the name " + QuotedName(entry.name) +
+                             ", as label " + std::to_string(other.label) +
+                             " has",
+                         "give each label a name of its own");
+      }
+    }
+  }
+
+  std::string path_;
+  std::string where_;  // the line that is being read
+  bool is_first_ = true;
+  Columns columns_;
+  std::vector<LabelEntry> entries_;
+};
+
+}  // namespace
+
+std::vector<LabelEntry> ReadLabelTable(const std::string& path) {
+  return TableReader(path).Read();
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,40 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace musclewarp {
+
+// A row of a table of labels.
+struct LabelEntry {
+  int label = 0;  // above 0
+  std::string name;
+  std::optional<bool> is_bone;  // none: the table does not say
+};
+
+// Reads a table that names labels, one a line, in any of these forms:
+//
+//   label,name,kind          commas, semicolons or tabs between the columns;
+//   1,gluteus_medius,muscle  the first line may name them. "kind" (muscle or
+//   2,femur,bone             bone) may be empty or missing, further columns are
+//                            passed over
+//   1 femur 128 174 128 255  colour table of 3D Slicer (.ctbl)
+//   1 255 0 0 1 1 1 "femur"  label descriptions of ITK-SNAP
+//   1 femur bone             words between blanks
+//
+// In the line that names the columns, "label", "labelvalue", "value", "index",
+// "idx" and "id" are the label, "name", "labelname" and "structure" the name,
+// "kind" and "type" the kind; case, blanks and underscores do not matter.
+// Empty lines and those that begin with # are passed over, and so is label 0,
+// the background. Rows come in the order of the file.
+//
+// Throws InputError that names the file and the line, for a line of another
+// form, a label that is not a whole number from 0 to 2147483647, a name that
+// cannot be the name of a file (CheckFileName), a kind other than muscle and
+// bone, and labels and names that occur twice; also if the table has no row.
+std::vector<LabelEntry> ReadLabelTable(const std::string& path);
+
+}  // namespace musclewarp

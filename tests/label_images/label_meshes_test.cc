@@ -1,0 +1,152 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/label_images/label_meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/mesh/defects.h"
+#include "musclewarp/mesh/measures.h"
+#include "support/input_errors.h"
+#include "support/made_images.h"
+#include "support/temp_dir.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::HasSubstr;
+
+// The volume is restored to 1e-4 of that of the voxels.
+constexpr double kOfVoxels = 2e-4;
+
+// Two half balls that touch each other (1 and 2), a bar (5) and a crumb (5).
+MadeImage TouchingLabels() {
+  return MakeImage({30, 24, 24},
+                   TurnedSteps({1, 1, 1.5}, {3, -7, 40}),
+                   [](const Eigen::Vector3d&) { return 0; });
+}
+
+MadeImage WithShapes() {
+  MadeImage image = TouchingLabels();
+  int at = 0;
+  for (int k = 0; k < 24; ++k) {
+    for (int j = 0; j < 24; ++j) {
+      for (int i = 0; i < 30; ++i, ++at) {
+        const double radius =
+            std::hypot(std::hypot(i - 9.5, j - 11.5), 1.5 * (k - 11.5));
+        if (radius < 9) image.labels[at] = i < 10 ? 1 : 2;
+        const bool is_bar = i > 21 && i < 28 && j > 5 && j < 12;
+        if (is_bar && (k < 17 || k == 20)) image.labels[at] = 5;
+      }
+    }
+  }
+  return image;
+}
+
+// Writes the image and returns its path.
+std::string WriteImage(const std::string& dir, const MadeImage& image) {
+  WriteTextAtomically(dir + "/image.nrrd", NrrdBytes(image));
+  return dir + "/image.nrrd";
+}
+
+LabelMeshes MeshesBy(const std::string& table) {
+  const std::string dir = TestTempDir();
+  LabelMeshOptions options;
+  if (!table.empty()) {
+    options.table = dir + "/table.csv";
+    WriteTextAtomically(options.table, table);
+  }
+  return ReadLabelMeshes(WriteImage(dir, WithShapes()), options);
+}
+
+}  // namespace
+
+TEST(LabelMeshes, EveryLabelGivesAClosedMeshWithTheVolumeOfItsVoxels) {
+  const LabelMeshes meshes = MeshesBy("");
+  const MadeImage image = WithShapes();
+  ASSERT_EQ(meshes.meshes.size(), 3u);
+  EXPECT_EQ(meshes.frame, "LPS");
+  for (const LabelMesh& mesh : meshes.meshes) {
+    EXPECT_EQ(mesh.name, "label_" + std::to_string(mesh.label));
+    EXPECT_FALSE(mesh.is_bone);
+    EXPECT_TRUE(CountDefects(mesh.mesh).IsClean());
+    EXPECT_NEAR(
+        SignedVolume(mesh.mesh.points, mesh.mesh.triangles) / mesh.voxel_volume,
+        1,
+        kOfVoxels);
+    if (mesh.label == 5) continue;  // its crumb is left out
+    EXPECT_NEAR(mesh.voxel_volume / VoxelVolumeOf(image, mesh.label), 1, 1e-12);
+  }
+  ASSERT_EQ(meshes.notes.size(), 1u);
+  EXPECT_THAT(meshes.notes[0],
+              HasSubstr("label_5 (label 5): 0.054 cm3 in 1 piece besides the "
+                        "largest are left out"));
+}
+
+TEST(LabelMeshes, TheTableNamesAndSelects) {
+  const LabelMeshes meshes =
+      MeshesBy("label,name,kind\n5,femur,bone\n1,psoas,muscle\n9,tibia,bone\n");
+  ASSERT_EQ(meshes.meshes.size(), 2u);
+  EXPECT_EQ(meshes.meshes[0].name, "psoas");
+  EXPECT_FALSE(meshes.meshes[0].is_bone);
+  EXPECT_EQ(meshes.meshes[1].name, "femur");
+  EXPECT_TRUE(meshes.meshes[1].is_bone);
+  ASSERT_EQ(meshes.notes.size(), 3u);
+  EXPECT_THAT(meshes.notes[0], HasSubstr("label 9 (tibia)"));
+  EXPECT_THAT(meshes.notes[0], HasSubstr("is not in the image"));
+  EXPECT_THAT(meshes.notes[1], HasSubstr("are left out: 2"));
+}
+
+TEST(LabelMeshes, SegmentsOfSlicerBringTheirNames) {
+  const std::string dir = TestTempDir();
+  std::string bytes = NrrdBytes(WithShapes());
+  bytes.insert(bytes.find("kinds:"),
+               "Segment0_LabelValue:=2\nSegment0_Name:=iliacus\n");
+  WriteTextAtomically(dir + "/a.seg.nrrd", bytes);
+  const LabelMeshes meshes = ReadLabelMeshes(dir + "/a.seg.nrrd", {});
+  ASSERT_EQ(meshes.meshes.size(), 3u);
+  EXPECT_EQ(meshes.meshes[0].name, "label_1");
+  EXPECT_EQ(meshes.meshes[1].name, "iliacus");
+}
+
+TEST(LabelMeshes, TheEdgeLengthSetsTheNumberOfTriangles) {
+  const std::string path = WriteImage(TestTempDir(), WithShapes());
+  LabelMeshOptions options;
+  options.edge_length = 1.5;
+  const auto fine = ReadLabelMeshes(path, options).meshes[0].mesh;
+  options.edge_length = 3;
+  const auto coarse = ReadLabelMeshes(path, options).meshes[0].mesh;
+  EXPECT_GT(fine.triangles.rows(), 2 * coarse.triangles.rows());
+}
+
+TEST(LabelMeshes, RefusesImagesAndTablesThatDoNotFit) {
+  const std::string dir = TestTempDir();
+  ExpectInputError([] { MeshesBy("7,a\n8,b\n"); },
+                   {"table.csv: has none of the labels of", "(1, 2, 5)"});
+  ExpectInputError(
+      [&] { ReadLabelMeshes(WriteImage(dir, TouchingLabels()), {}); },
+      {"image.nrrd: has no label above 0"});
+  MadeImage crumb = TouchingLabels();
+  crumb.labels[5000] = 4;
+  ExpectInputError([&] { ReadLabelMeshes(WriteImage(dir, crumb), {}); },
+                   {"image.nrrd: label 4 (label_4): has 1 voxels"});
+}
+
+TEST(LabelMeshes, AnImageWithAThousandValuesIsNoLabelMap) {
+  const std::string dir = TestTempDir();
+  std::string data;
+  for (int i = 0; i < 2048; ++i) {
+    data += static_cast<char>(i % 256);
+    data += static_cast<char>(i / 256);
+  }
+  WriteTextAtomically(dir + "/ct.nrrd",
+                      "NRRD0004\ntype: uint16\ndimension: 3\nendian: little\n"
+                      "sizes: 16 16 8\nspacings: 1 1 1\nencoding: raw\n\n" +
+                          data);
+  ExpectInputError([&] { ReadLabelMeshes(dir + "/ct.nrrd", {}); },
+                   {"ct.nrrd: has 2047 different values", "at most 1000"});
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,234 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/separate_input.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/label_images/label_image_file.h"
+#include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/scene/coordinate_limits.h"
+#include "musclewarp/scene/scene_names.h"
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A mesh before it is in the scene: of a file, or of a label.
+struct InputMesh {
+  std::string name;
+  std::string where;  // for messages: the file, or the image and the label
+  std::string file;   // empty for a label
+  TriangleSoup soup;  // empty for a file
+};
+
+std::string NameOf(const std::string& file) {
+  return fs::path(file).stem().string();
+}
+
+// A line for a mesh that has none to follow, from end to end along its longest
+// axis. A muscle of a scene needs one; in the rest pose it moves nothing.
+ActionLine LineThrough(const std::string& where,
+                       const Points& points,
+                       const std::string& name) {
+  Eigen::Index axis, low, high;
+  (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff(&axis);
+  points.col(axis).minCoeff(&low);
+  points.col(axis).maxCoeff(&high);
+  if (points(low, axis) == points(high, axis)) {
+    throw InputError(
+        where, "has all its points in one place", "check the mesh");
+  }
+  ActionLine line;
+  line.name = name;
+  line.rest.resize(2, 3);
+  line.rest << points.row(low), points.row(high);
+  return line;
+}
+
+class InputReader {
+ public:
+  InputReader(const std::vector<std::string>& files,
+              const SeparateOptions& options)
+      : files_(files), options_(options), bones_left_(options.bones) {}
+
+  SeparateInput Read() {
+    FindImage();
+    // Names come before anything is read, which may take long. Those of --bone
+    // may be labels if there is an image.
+    if (input_.image.empty()) CheckBoneFiles();
+    for (const std::string& file : files_) {
+      if (file != input_.image) CheckNamedOnce(file, NameOf(file));
+    }
+    if (!input_.image.empty()) ReadImage();
+    for (const std::string& file : bones_left_) {
+      AddBone({NameOf(file), file, file, {}});
+    }
+    for (const std::string& file : files_) {
+      if (file != input_.image) AddMuscle({NameOf(file), file, file, {}});
+    }
+    input_.scene.name = "the files";
+    return std::move(input_);
+  }
+
+ private:
+  void FindImage() {
+    for (const std::string& file : files_) {
+      if (!IsLabelImageFile(file)) continue;
+      CheckLabelImagesAreRead(file);
+      if (!input_.image.empty()) {
+        throw InputError(
+            file,
+            "is a second label image beside " + input_.image + "; allowed: one",
+            "join the images, or export meshes of one of them");
+      }
+      input_.image = file;
+    }
+    if (!input_.image.empty()) return;
+    if (!options_.labels.empty()) {
+      throw InputError("--labels=" + options_.labels,
+                       "names labels, and no file is a label image",
+                       std::string("give an image (") + kLabelImageFormats +
+                           "), or leave --labels out");
+    }
+    if (options_.edge > 0) {
+      throw InputError("--edge",
+                       "is for the surfaces of labels, and no file is a label "
+                       "image",
+                       "leave --edge out");
+    }
+  }
+
+  void ReadImage() {
+    input_.labels =
+        ReadLabelMeshes(input_.image, {options_.labels, options_.edge});
+    std::vector<InputMesh> muscles;
+    for (LabelMesh& label : input_.labels.meshes) {
+      InputMesh mesh = {label.name,
+                        input_.image + ": label " + std::to_string(label.label),
+                        "",
+                        std::move(label.mesh)};
+      CheckNamedOnce(mesh.where, mesh.name);
+      const auto named =
+          std::find(bones_left_.begin(), bones_left_.end(), label.name);
+      if (named != bones_left_.end()) {
+        bones_left_.erase(named);
+        label.is_bone = true;
+      }
+      if (label.is_bone) {
+        AddBone(std::move(mesh));
+      } else {
+        muscles.push_back(std::move(mesh));
+      }
+    }
+    CheckBonesAreFiles();
+    CheckBoneFiles();
+    for (InputMesh& mesh : muscles) AddMuscle(std::move(mesh));
+    if (input_.scene.muscles.empty() && files_.size() == 1) {
+      throw InputError(input_.image,
+                       "has bones only, which do not move",
+                       "correct --bone, or the kinds in the table of labels");
+    }
+  }
+
+  // A name that is no label has to be a file.
+  void CheckBonesAreFiles() const {
+    for (const std::string& bone : bones_left_) {
+      std::error_code error;
+      if (IsMeshExtension(fs::path(bone).extension().string()) ||
+          IsLabelImageFile(bone) || fs::exists(bone, error)) {
+        continue;
+      }
+      std::string names;
+      for (const LabelMesh& label : input_.labels.meshes) {
+        names += (names.empty() ? "" : ", ") + label.name;
+      }
+      throw InputError("--bone",
+                       "has " + QuotedName(bone) +
+                           ", which is neither a label of " + input_.image +
+                           " nor a mesh file",
+                       "the labels are " + names);
+    }
+  }
+
+  void CheckBoneFiles() {
+    for (const std::string& file : bones_left_) {
+      if (IsLabelImageFile(file)) {
+        throw InputError("--bone=" + file,
+                         "is a label image; allowed: mesh files and names of "
+                         "labels",
+                         "give the image without --bone, and the names of its "
+                         "bones by --bone");
+      }
+      CheckNamedOnce(file, NameOf(file));
+    }
+  }
+
+  void AddBone(InputMesh mesh) {
+    SceneBone bone;
+    bone.name = mesh.name;
+    bone.mesh_path = mesh.file;
+    if (!mesh.file.empty()) ReadTriangleSoup(mesh.file);
+    bone.points = std::move(mesh.soup.points);
+    bone.triangles = std::move(mesh.soup.triangles);
+    input_.scene.bones.push_back(std::move(bone));
+  }
+
+  void AddMuscle(InputMesh mesh) {
+    SceneMuscle muscle;
+    muscle.name = mesh.name;
+    muscle.mesh_path = mesh.file;
+    const Points points = mesh.file.empty()
+                              ? mesh.soup.points
+                              : ReadTriangleSoup(mesh.file).points;
+    CheckCoordinates(mesh.where, points);
+    muscle.lines.push_back(
+        LineThrough(mesh.where,
+                    points,
+                    "line_" + std::to_string(input_.scene.muscles.size() + 1)));
+    muscle.points = std::move(mesh.soup.points);
+    muscle.triangles = std::move(mesh.soup.triangles);
+    input_.scene.muscles.push_back(std::move(muscle));
+  }
+
+  // Throws InputError unless a mesh has a name of its own, and its result does
+  // not replace the file.
+  void CheckNamedOnce(const std::string& where, const std::string& name) {
+    CheckFileName(where, "mesh", name);
+    const auto [other, is_new] = where_of_name_.emplace(name, where);
+    if (!is_new) {
+      throw InputError(
+          where,
+          "has the name " + QuotedName(name) + ", as " + other->second + " has",
+          "meshes are named by their files without extension, and by the table "
+          "of labels; rename one");
+    }
+    for (const std::string& format : options_.formats) {
+      const fs::path result = fs::path(options_.out) / (name + "." + format);
+      std::error_code error;
+      if (!fs::equivalent(result, where, error)) continue;
+      throw InputError("--out=" + options_.out,
+                       "has the input " + where + ", which would be replaced",
+                       "choose another folder");
+    }
+  }
+
+  const std::vector<std::string>& files_;
+  const SeparateOptions& options_;
+  std::vector<std::string> bones_left_;  // that are no labels
+  std::map<std::string, std::string> where_of_name_;
+  SeparateInput input_;
+};
+
+}  // namespace
+
+SeparateInput ReadSeparateInput(const std::vector<std::string>& files,
+                                const SeparateOptions& options) {
+  return InputReader(files, options).Read();
+}
+
+}  // namespace musclewarp
