@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace musclewarp {
@@ -32,6 +34,27 @@ TEST(ParallelFor, ThrowsWhatTheLowestNumberThrew) {
       EXPECT_STREQ(error.what(), "5");
     }
   }
+}
+
+TEST(ParallelFor, SaysOnTheCallingThreadHowManyAreDone) {
+  const std::thread::id caller = std::this_thread::get_id();
+  std::vector<size_t> done;
+  ParallelFor(
+      100,
+      [](size_t) {},
+      [&](size_t count) {
+        EXPECT_EQ(std::this_thread::get_id(), caller);
+        done.push_back(count);
+      });
+  EXPECT_TRUE(std::is_sorted(done.begin(), done.end()));
+  for (const size_t count : done) EXPECT_LT(count, 100u);
+}
+
+TEST(ParallelFor, MayBeStoppedInBetween) {
+  const auto stop = [](size_t) { throw std::runtime_error("stopped"); };
+  EXPECT_THROW(ParallelFor(
+                   1, [](size_t) { FAIL(); }, stop),
+               std::runtime_error);
 }
 
 }  // namespace

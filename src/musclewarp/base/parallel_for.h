@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cstddef>
 #include <exception>
+#include <functional>
+#include <thread>
 #include <vector>
 
 namespace musclewarp {
@@ -15,15 +17,24 @@ namespace musclewarp {
 // after one that threw may be left out, but none before it, so that what is
 // thrown does not depend on the number of threads. Parallel loops within
 // body(i) run on one thread, unless there is only one item.
+//
+// on_item(done), if given, is called by the calling thread before each of its
+// items, with the number of items that are done; it may throw to stop.
 template <typename Body>
-void ParallelFor(size_t count, const Body& body) {
+void ParallelFor(size_t count,
+                 const Body& body,
+                 const std::function<void(size_t done)>& on_item = {}) {
+  const std::thread::id caller = std::this_thread::get_id();
   std::vector<std::exception_ptr> thrown(count);
   std::atomic<size_t> first_thrown(count);
+  std::atomic<size_t> done(0);
 #pragma omp parallel for schedule(dynamic, 1) if (count > 1)
   for (size_t i = 0; i < count; ++i) {
     if (i > first_thrown) continue;
     try {
+      if (on_item && std::this_thread::get_id() == caller) on_item(done);
       body(i);
+      ++done;
     } catch (...) {
       thrown[i] = std::current_exception();
       size_t first = first_thrown;

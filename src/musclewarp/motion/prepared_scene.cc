@@ -284,24 +284,25 @@ PreparedScene PrepareScene(const Scene& scene,
   prepared.bones.resize(scene.bones.size());
   prepared.muscles.resize(scene.muscles.size());
   const size_t num_bones = scene.bones.size();
-  const size_t num_meshes = num_bones + scene.muscles.size();
+  const size_t num_muscles = scene.muscles.size();
+  const size_t num_meshes = num_bones + num_muscles;
   const auto say_progress = [&](size_t done) {
     if (!on_progress) return;
-    on_progress(
-        {"preparing", static_cast<int>(done), static_cast<int>(num_meshes)});
+    on_progress({"preparing",
+                 static_cast<int>(done),
+                 static_cast<int>(num_meshes + num_muscles)});
   };
-  say_progress(0);
   // Bones first: they have the largest meshes.
-  std::vector<TriangleSoup> fine(scene.muscles.size());
-  ParallelFor(num_meshes, [&](size_t i) {
+  std::vector<TriangleSoup> fine(num_muscles);
+  const auto repair = [&](size_t i) {
     if (i < num_bones) {
       prepared.bones[i] = RepairBone(options, scene.bones[i]);
       return;
     }
     const size_t m = i - num_bones;
     fine[m] = RepairMuscle(options, scene.muscles[m], &prepared.muscles[m]);
-  });
-  say_progress(num_bones);
+  };
+  ParallelFor(num_meshes, repair, say_progress);
   const bool needs_bodies =
       options.fibres.fibres > 0 || std::any_of(scene.muscles.begin(),
                                                scene.muscles.end(),
@@ -310,12 +311,15 @@ PreparedScene PrepareScene(const Scene& scene,
                                                });
   const BodySurfaces surfaces(needs_bodies ? prepared.bones
                                            : std::vector<PreparedBone>());
-  ParallelFor(scene.muscles.size(), [&](size_t m) {
+  const auto prepare = [&](size_t m) {
     PrepareOne(surfaces.bodies(),
                options,
                fine[m],
                &prepared.scene.muscles[m],
                &prepared.muscles[m]);
+  };
+  ParallelFor(num_muscles, prepare, [&](size_t done) {
+    say_progress(num_meshes + done);
   });
   prepared.exempt = ExemptAreas(prepared);
   AddWarnings(options, &prepared);

@@ -134,11 +134,11 @@ TriangleSoup SurfaceOf(const RestRemakingOptions& options,
 }  // namespace
 
 std::vector<TriangleSoup> RemadeSurfaces(const RestRemakingOptions& options,
-                                      const MedialCellOptions& cell,
-                                      const std::vector<int>& muscles,
-                                      int attempt,
-                                      const PreparedScene& scene,
-                                      const std::vector<Points>& separated) {
+                                         const MedialCellOptions& cell,
+                                         const std::vector<int>& muscles,
+                                         int attempt,
+                                         const PreparedScene& scene,
+                                         const std::vector<Points>& separated) {
   const CellSurfaceOptions surface_options =
       SurfaceOptions(options, cell, scene, muscles);
   std::vector<TriangleSoup> surfaces(muscles.size());
