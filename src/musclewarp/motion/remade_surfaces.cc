@@ -137,38 +137,17 @@ std::vector<TriangleSoup> RemadeSurfaces(const RestRemakingOptions& options,
                                          const MedialCellOptions& cell,
                                          const std::vector<int>& muscles,
                                          int attempt,
-                                         const PreparedScene& scene,
-                                         const std::vector<Points>& separated) {
+                                         const PreparedScene& scene) {
   const CellSurfaceOptions surface_options =
       SurfaceOptions(options, cell, scene, muscles);
+  const SceneMeshes meshes(scene);
+  const Solids solids(meshes);
   std::vector<TriangleSoup> surfaces(muscles.size());
-  const auto make = [&](size_t k, const Solids& solids) {
+  ParallelFor(muscles.size(), [&](size_t k) {
     const int i = muscles[k];
     surfaces[k] = SurfaceOf(
         options, surface_options, attempt, scene.muscles[i].model, i, solids);
-  };
-  SceneMeshes meshes(scene);
-  {
-    const Solids delivered(meshes);
-    ParallelFor(muscles.size(), [&](size_t k) { make(k, delivered); });
-  }
-  std::vector<size_t> too_small;
-  for (size_t k = 0; k < muscles.size(); ++k) {
-    const double volume =
-        SignedVolume(surfaces[k].points, surfaces[k].triangles);
-    if (volume < options.least_share_as_delivered *
-                     scene.muscles[muscles[k]].model.rest_volume) {
-      too_small.push_back(k);
-    }
-  }
-  if (too_small.empty()) return surfaces;
-  std::vector<Points> bones;
-  for (const PreparedBone& bone : scene.bones) {
-    bones.push_back(bone.rest.points);
-  }
-  meshes.MoveTo(separated, bones);
-  const Solids moved(meshes);
-  ParallelFor(too_small.size(), [&](size_t n) { make(too_small[n], moved); });
+  });
   return surfaces;
 }
 

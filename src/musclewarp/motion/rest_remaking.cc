@@ -160,16 +160,6 @@ void Remake(const RestRemakingOptions& options,
   }
 }
 
-// The vertices of all muscles where contact has moved them in the rest pose.
-std::vector<Points> SeparatedPoints(const PreparedScene& scene,
-                                    const SceneState& rest) {
-  std::vector<Points> points;
-  for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    points.push_back(FinePoints(scene.muscles[i].model, rest.muscles[i]));
-  }
-  return points;
-}
-
 }  // namespace
 
 bool RestRemakingOptions::IsValid(std::string* error) const {
@@ -182,7 +172,6 @@ bool RestRemakingOptions::IsValid(std::string* error) const {
       .IsAbove("min_spacing", min_spacing, 0)
       .IsAtLeast("max_spacing", max_spacing, min_spacing)
       .IsAtLeast("samples_across", samples_across, 1)
-      .IsWithin("least_share_as_delivered", least_share_as_delivered, 0, 1)
       .IsWithin("least_volume_share", least_volume_share, 0, 1)
       .is_valid();
 }
@@ -232,17 +221,15 @@ std::unique_ptr<FrameSolver> MakeCleanFrameSolver(
       scene->as_delivered = solver->RestFrame().intersections;
     }
     if (on_progress) on_progress({"remaking", attempt, 0});
-    Remake(
-        remaking,
-        prepare,
-        unclean,
-        RemadeSurfaces(remaking,
-                       options.certified.separation.cell,
-                       unclean,
-                       attempt,
-                       *scene,
-                       SeparatedPoints(*scene, solver->StartOfMotion(solvers))),
-        scene);
+    Remake(remaking,
+           prepare,
+           unclean,
+           RemadeSurfaces(remaking,
+                          options.certified.separation.cell,
+                          unclean,
+                          attempt,
+                          *scene),
+           scene);
   }
 }
 

@@ -46,13 +46,9 @@ struct RestRemakingOptions {
   // would be nearer than min_spacing.
   double samples_across = 4;
 
-  // A muscle is made anew as it was delivered if the bones and muscles that
-  // overlap it leave this share of its volume, and else where contact has moved
-  // it, as far as it could.
-  double least_share_as_delivered = 0.75;
-
-  // Less than this share of a muscle's volume must not be left.
-  double least_volume_share = 0.5;
+  // Less than this share of a muscle's volume must not be left. Two muscles
+  // that overlap by most of their thickness keep half of it each.
+  double least_volume_share = 0.25;
 
   bool IsValid(std::string* error) const;
 };
