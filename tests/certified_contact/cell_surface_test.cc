@@ -46,7 +46,7 @@ void ExpectClean(const TriangleSoup& surface) {
 
 TEST(WithEvenTriangles, LeavesAThinMuscleItsVolume) {
   // A strap 2 mm thick: with edges of 6 mm a third of its volume would go.
-  TriangleSoup strap = Icosphere(1, 4);
+  TriangleSoup strap = Icosphere(1, 5);
   strap.points *= Eigen::Vector3d(30, 5, 1).asDiagonal();
   const double volume = SignedVolume(strap.points, strap.triangles);
   const TriangleSoup even = WithEvenTriangles(strap, 6);

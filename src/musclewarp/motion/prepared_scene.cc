@@ -302,6 +302,7 @@ PreparedScene PrepareScene(const Scene& scene,
     const size_t m = i - num_bones;
     fine[m] = RepairMuscle(options, scene.muscles[m], &prepared.muscles[m]);
   };
+  say_progress(0);
   ParallelFor(num_meshes, repair, say_progress);
   const bool needs_bodies =
       options.fibres.fibres > 0 || std::any_of(scene.muscles.begin(),
