@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/geometry/remeshing.h"
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <glog/logging.h>
 
@@ -27,7 +28,9 @@ TriangleSoup Remeshed(const TriangleSoup& soup,
     // Faces have the numbers of the triangles.
     if (is_kept.empty() || !is_kept[face]) continue;
     for (const auto edge : halfedges_around_face(mesh.halfedge(face), mesh)) {
-      is_fixed[mesh.edge(edge)] = true;
+      // CGAL refuses longer ones.
+      is_fixed[mesh.edge(edge)] =
+          pmp::edge_length(edge, mesh) <= 4.0 / 3 * edge_length;
     }
   }
   pmp::isotropic_remeshing(mesh.faces(),

@@ -14,8 +14,8 @@ namespace musclewarp {
 // Remeshing Approach to Multiresolution Modeling"; isotropic_remeshing of
 // CGAL). The new vertices lie on the old surface, and its details below the
 // edge length are lost. Triangles for which `is_kept` (#F, or empty for none)
-// is true stay as they are; their edges must not be longer than the edge
-// length. Preconditions (CHECKed): the mesh is a manifold, the edge length is
+// is true stay as they are, but for edges of more than 4/3 of the edge length.
+// Preconditions (CHECKed): the mesh is a manifold, the edge length is
 // above zero.
 TriangleSoup Remeshed(const TriangleSoup& soup,
                       double edge_length,
