@@ -18,7 +18,7 @@ packages="
   libvtk9-dev libegl-dev libgl1-mesa-dri
   libgtest-dev libgmock-dev libbenchmark-dev
   clang-format-14 clang-tidy-14 python3 chromium
-  clang-14 libclang-rt-14-dev libomp-14-dev
+  clang-14 libclang-rt-14-dev libomp-14-dev lld-14
 "
 # Node.js may have come another way than from Debian, which its npm would not
 # go with.
