@@ -323,6 +323,15 @@ RemakeKind ParseRemake(const std::string& text) {
                    "allowed: auto, never");
 }
 
+AttachmentKind ParseAttachments(const std::string& text) {
+  if (text == "auto") return AttachmentKind::kAuto;
+  if (text == "scene") return AttachmentKind::kScene;
+  if (text == "none") return AttachmentKind::kNone;
+  throw InputError("--attachments=" + text,
+                   "is not a choice of attachments",
+                   "allowed: auto, scene, none");
+}
+
 std::vector<std::string> ParseFormats(const std::string& text) {
   const std::vector<std::string> formats = Split(text, ',');
   for (const std::string& format : formats) {

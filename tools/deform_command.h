@@ -38,6 +38,7 @@ SolverConfiguration ParseSolver(const std::string& text);
 ContactKind ParseContact(const std::string& text);
 ContactLevel ParseContactLevel(const std::string& text);
 RemakeKind ParseRemake(const std::string& text);
+AttachmentKind ParseAttachments(const std::string& text);
 std::vector<std::string> ParseFormats(const std::string& text);
 
 // Throws InputError if no scene can be run with the options.

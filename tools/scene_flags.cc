@@ -52,6 +52,11 @@ DEFINE_double(skeleton_weight,
 DEFINE_double(attachment_weight,
               0,
               "how strongly attachment areas follow their bones; 0: not");
+DEFINE_string(attachments,
+              "auto",
+              "which areas of muscles follow their bones: auto (those of the "
+              "scene; for a muscle without any, they are found on the meshes), "
+              "scene or none");
 DEFINE_int32(auto_lines,
              3,
              "lines made for a muscle that has none; 1: a centre line");
@@ -154,6 +159,7 @@ DeformOptions SceneOptionsFromFlags() {
   options.deformer.prepare.muscle.sample_spacing = FLAGS_sample_spacing;
   options.deformer.prepare.muscle.skeleton_weight = FLAGS_skeleton_weight;
   options.deformer.prepare.muscle.attachment_weight = FLAGS_attachment_weight;
+  options.deformer.prepare.attachments = ParseAttachments(FLAGS_attachments);
   options.command =
       std::string(gflags::ProgramInvocationShortName()) + SetFlags({"resume"});
   // Files count by their contents, threads make no difference.

@@ -52,6 +52,7 @@ DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
   // mesh moves farther than it is deep if a part has to leave a pocket.
   deformer.frames.requirements.displacement_allowance =
       std::numeric_limits<double>::infinity();
+  deformer.prepare.attachments = AttachmentKind::kNone;  // nothing moves
   deformer.remaking.kind = options.remake;
   return deformer;
 }

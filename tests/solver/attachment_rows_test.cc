@@ -14,7 +14,7 @@ namespace musclewarp {
 TEST(AttachmentRows, AreTheVerticesWithinTheRadius) {
   const Attachment attachment = SpindleMuscle().attachments[0];
   const Points points = Spindle(12, 60, 3).points;
-  const std::vector<int> rows = AttachedVertices(attachment, points, 10000);
+  const std::vector<int> rows = VerticesWithRows(attachment, points, 10000);
   ASSERT_FALSE(rows.empty());
   for (int v = 0; v < points.rows(); ++v) {
     const bool is_near =
@@ -26,8 +26,8 @@ TEST(AttachmentRows, AreTheVerticesWithinTheRadius) {
 TEST(AttachmentRows, AreThinnedToTheLimit) {
   const Attachment attachment = SpindleMuscle().attachments[0];
   const Points points = Spindle(12, 60, 3).points;
-  const std::vector<int> all = AttachedVertices(attachment, points, 10000);
-  const std::vector<int> rows = AttachedVertices(attachment, points, 5);
+  const std::vector<int> all = VerticesWithRows(attachment, points, 10000);
+  const std::vector<int> rows = VerticesWithRows(attachment, points, 5);
   EXPECT_EQ(rows.size(), 5u);
   EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end()));
   EXPECT_TRUE(std::includes(all.begin(), all.end(), rows.begin(), rows.end()));

@@ -30,13 +30,21 @@ Eigen::Matrix3d RotationBetween(const Corners& a, const Corners& b) {
 ContactStep MakeContactStep(const ContactScene& scene,
                             const ContactState& before,
                             const std::vector<Points>& targets,
-                            std::vector<Eigen::Matrix4d> bones_from_rest) {
+                            std::vector<Eigen::Matrix4d> bones_from_rest,
+                            std::vector<AttachedPoints> attached) {
   CHECK_EQ(before.points.size(), scene.muscles.size());
   CHECK_EQ(before.targets.size(), scene.muscles.size());
   CHECK_EQ(targets.size(), scene.muscles.size());
   CHECK_EQ(before.bones_from_rest.size(), scene.bones.size());
   CHECK_EQ(bones_from_rest.size(), scene.bones.size());
-  ContactStep step{scene, before, std::move(bones_from_rest), {}, {}, {}};
+  attached.resize(scene.muscles.size());
+  ContactStep step{scene,
+                   before,
+                   std::move(bones_from_rest),
+                   std::move(attached),
+                   {},
+                   {},
+                   {}};
   for (const MuscleSurface& muscle : scene.muscles) {
     step.trees_before.push_back(*muscle.tree);
   }

@@ -32,6 +32,12 @@ struct ContactState {
   std::vector<Eigen::Matrix4d> bones_from_rest;
 };
 
+// The vertices of a muscle that follow a bone, because it is attached there.
+struct AttachedPoints {
+  std::vector<int> vertices;  // in rising order
+  Points positions;           // #vertices x 3, mm: where the bone has them
+};
+
 // One step of contact, from a state in which no triangles cross to a nearby
 // place of the bones and of the coarse meshes: everything about it that is
 // known before it is taken.
@@ -41,6 +47,9 @@ struct ContactStep {
 
   // The place of each bone after the step.
   std::vector<Eigen::Matrix4d> bones_from_rest;
+
+  // By muscle: what is attached, where it is after the step.
+  std::vector<AttachedPoints> attached;
 
   // Where the vertices of each muscle are carried by their coarse mesh if they
   // keep their offsets, #V x 3, mm.
@@ -58,13 +67,15 @@ struct ContactStep {
 };
 
 // Describes the step from `before` to where the coarse meshes have the vertices
-// at `targets` (#V x 3 each, mm) and the bones are at `bones_from_rest`. Keeps
-// references to the scene and to `before`. Preconditions (CHECKed): there is a
-// state for every muscle and bone.
+// at `targets` (#V x 3 each, mm) and the bones are at `bones_from_rest`.
+// `attached`: by muscle, or empty if nothing is attached. Keeps references to
+// the scene and to `before`. Preconditions (CHECKed): there is a state for
+// every muscle and bone.
 ContactStep MakeContactStep(const ContactScene& scene,
                             const ContactState& before,
                             const std::vector<Points>& targets,
-                            std::vector<Eigen::Matrix4d> bones_from_rest);
+                            std::vector<Eigen::Matrix4d> bones_from_rest,
+                            std::vector<AttachedPoints> attached = {});
 
 // Returns a tree over the triangles of each muscle where the step carries them.
 // The functions of a step fit these trees to the places that they search, so

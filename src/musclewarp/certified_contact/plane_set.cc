@@ -67,7 +67,9 @@ void PlaneSet::AddSides(const SeparatingPlane& plane) {
     return;
   }
   const int index = static_cast<int>(moving_.size());
-  moving_.push_back({plane});
+  const double share_above =
+      (1 + AttachedShare(a, plane.above) - AttachedShare(b, plane.below)) / 2;
+  moving_.push_back({plane, share_above, 0});
   levels_.push_back(plane.level);
   for (int k = 0; k < 3; ++k) {
     sides_[a].push_back({plane.above[k],
@@ -81,6 +83,16 @@ void PlaneSet::AddSides(const SeparatingPlane& plane) {
                          {-plane.normal, plane.half_gap},
                          plane.distance});
   }
+}
+
+double PlaneSet::AttachedShare(int muscle,
+                               const Eigen::RowVector3i& corners) const {
+  const std::vector<int>& attached = step_.attached[muscle].vertices;
+  double count = 0;
+  for (const int v : corners) {
+    count += std::binary_search(attached.begin(), attached.end(), v);
+  }
+  return count / 3;
 }
 
 void PlaneSet::SortSides() {
@@ -151,8 +163,10 @@ void PlaneSet::UpdateLevel(const std::vector<Points>& unprojected,
     }
     moving->shift += up - down;
   }
+  const double share = moving->share_above;
   plane.level =
-      (LowestAbove(plane, unprojected) + HighestBelow(plane, unprojected)) / 2 +
+      share * (LowestAbove(plane, unprojected) - plane.half_gap) +
+      (1 - share) * (HighestBelow(plane, unprojected) + plane.half_gap) +
       moving->shift;
 }
 

@@ -35,7 +35,8 @@ class PlaneSet {
   void Add(const std::vector<SeparatingPlane>& planes);
 
   // Places the planes between muscles (and sheets of one) half way between
-  // where the two sides want to go, `unprojected`. Unless this is the first
+  // where the two sides want to go, `unprojected`, or where an attached side
+  // wants to go: the other one gives way. Unless this is the first
   // time in a run of sweeps, a side that did not get there in `points`, as
   // something else holds it, shifts the plane by what it lacks: the other side
   // has to go farther. #V x 3 each, mm.
@@ -68,9 +69,11 @@ class PlaneSet {
   double WorstViolation(const std::vector<Points>& points) const;
 
  private:
-  // A plane between muscles, and how far it was shifted to make room.
+  // A plane between muscles, how much the side above it decides on its level
+  // (0 to 1), and how far it was shifted to make room.
   struct MovingPlane {
     SeparatingPlane plane;
+    double share_above = 0.5;
     double shift = 0;  // mm
   };
   // A half-space of a vertex. The plane of a bone has its final level; else the
@@ -84,6 +87,9 @@ class PlaneSet {
   };
 
   void AddSides(const SeparatingPlane& plane);
+
+  // Returns how many corners of a triangle are attached, as a share.
+  double AttachedShare(int muscle, const Eigen::RowVector3i& corners) const;
   void SortSides();
   double LevelOf(const Side& side) const;
   void UpdateLevel(const std::vector<Points>& unprojected,

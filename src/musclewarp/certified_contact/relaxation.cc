@@ -16,12 +16,24 @@ struct MuscleSweep {
   const Points& carried;
   const Points& targets;
   const Eigen::VectorXd& stiffness;
+  const AttachedPoints& attached;
   int muscle;
 };
 
-// Where the energy would put a vertex if its neighbours kept their offsets, but
-// no farther than the reach from where it is carried.
-RowVector3d Unprojected(const MuscleSweep& sweep, int v, const Points& points) {
+// Returns the place, or the nearest one within the reach of where the vertex is
+// carried.
+RowVector3d WithinReach(const MuscleSweep& sweep,
+                        int v,
+                        const RowVector3d& place) {
+  const RowVector3d beyond = place - sweep.carried.row(v);
+  const double far = beyond.norm();
+  const double reach = sweep.options.reach;
+  if (far <= reach) return place;
+  return sweep.carried.row(v) + reach / far * beyond;
+}
+
+// Where the energy would put a vertex if its neighbours kept their offsets.
+RowVector3d LowestPlace(const MuscleSweep& sweep, int v, const Points& points) {
   const MuscleSurface& surface = sweep.surface;
   const double length = sweep.options.relaxation.smoothing_length;
   RowVector3d sum = RowVector3d::Zero();
@@ -33,12 +45,7 @@ RowVector3d Unprojected(const MuscleSweep& sweep, int v, const Points& points) {
     sum += weight * (points.row(u) - sweep.targets.row(u));
     weights += weight;
   }
-  const RowVector3d place = sweep.targets.row(v) + sum / weights;
-  const RowVector3d beyond = place - sweep.carried.row(v);
-  const double far = beyond.norm();
-  const double reach = sweep.options.reach;
-  if (far <= reach) return place;
-  return sweep.carried.row(v) + reach / far * beyond;
+  return sweep.targets.row(v) + sum / weights;
 }
 
 void SweepMuscle(const MuscleSweep& sweep,
@@ -46,8 +53,16 @@ void SweepMuscle(const MuscleSweep& sweep,
                  PlaneSet* planes,
                  Points* points,
                  Points* unprojected) {
+  const std::vector<int>& attached = sweep.attached.vertices;
+  size_t next = 0;  // of the attached vertices
   for (int v = 0; v < sweep.surface.num_vertices(); ++v) {
-    const RowVector3d place = Unprojected(sweep, v, *points);
+    const bool is_attached = next < attached.size() && attached[next] == v;
+    const RowVector3d place = WithinReach(
+        sweep,
+        v,
+        is_attached ? RowVector3d(sweep.attached.positions.row(next))
+                    : LowestPlace(sweep, v, *points));
+    next += is_attached;
     unprojected->row(v) = place;
     if (looks_at_all_planes) planes->FindNear(sweep.muscle, v, place);
     points->row(v) = planes->Projected(sweep.muscle, v, place);
@@ -88,6 +103,7 @@ RelaxedPoints Relax(const StepOptions& options,
                    step.carried[i],
                    targets[i],
                    stiffness[i],
+                   step.attached[i],
                    i},
                   looks_at_all_planes,
                   planes,

@@ -35,6 +35,8 @@ Stiffness UniformStiffness(const ContactScene& scene);
 // over all vertices: an obstacle problem, whose solution is as small and smooth
 // as contact lets it be, and zero where there is no contact. l is the smoothing
 // length, w the weight of an edge times the larger stiffness of its ends.
+// Attached vertices go to where their bone has them instead, as far as the
+// half-spaces let them.
 //
 // `targets`: #V x 3 each, mm. The planes between muscles follow the sweeps.
 // Muscles are treated alike: nothing depends on their order but rounding.

@@ -14,9 +14,10 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// How much each vertex takes part, #V: one where no plane holds it, zero where
-// one does, and in between beside such a vertex.
+// How much each vertex takes part, #V: one where neither a plane nor a bone
+// holds it, zero where one does, and in between beside such a vertex.
 Eigen::VectorXd SharesOf(const MuscleSurface& surface,
+                         const AttachedPoints& attached,
                          const Points& points,
                          const Points& unprojected,
                          int smoothing_passes) {
@@ -25,6 +26,7 @@ Eigen::VectorXd SharesOf(const MuscleSurface& surface,
   for (int v = 0; v < count; ++v) {
     shares[v] = points.row(v) == unprojected.row(v);
   }
+  for (const int v : attached.vertices) shares[v] = 0;
   for (int pass = 0; pass < smoothing_passes; ++pass) {
     Eigen::VectorXd smooth = shares;
     for (int v = 0; v < count; ++v) {
@@ -55,13 +57,14 @@ Points NormalsOf(const Points& points, const Triangles& triangles) {
 // Returns the relative error that is left.
 double RestoreVolume(const StepOptions& options,
                      const MuscleSurface& surface,
+                     const AttachedPoints& attached,
                      int muscle,
                      const Points& unprojected,
                      PlaneSet* planes,
                      Points* points) {
   const VolumeOptions& limits = options.volume;
-  const Eigen::VectorXd shares =
-      SharesOf(surface, *points, unprojected, limits.smoothing_passes);
+  const Eigen::VectorXd shares = SharesOf(
+      surface, attached, *points, unprojected, limits.smoothing_passes);
   double error = 0;
   for (int step = 0;; ++step) {
     error = SignedVolume(*points, surface.triangles) - surface.volume;
@@ -100,6 +103,7 @@ RestoredVolumes RestoreVolumes(const StepOptions& options,
     worst = std::max(worst,
                      RestoreVolume(options,
                                    step.scene.muscles[i],
+                                   step.attached[i],
                                    i,
                                    relaxed.unprojected[i],
                                    planes,

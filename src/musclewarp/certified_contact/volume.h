@@ -17,10 +17,10 @@ struct RestoredVolumes {
 };
 
 // Makes the volume of every muscle exact again after a relaxation: vertices
-// that no plane holds move along their normals, those beside held ones less,
-// and all of them stay in their half-spaces. As in the paper, vertices in
-// contact take no part (section 3.3). An error remains if planes hold too much
-// of a muscle, or the steps run out.
+// that neither a plane nor a bone holds move along their normals, those beside
+// held ones less, and all of them stay in their half-spaces. As in the paper,
+// vertices in contact take no part (section 3.3). An error remains if planes
+// hold too much of a muscle, or the steps run out.
 RestoredVolumes RestoreVolumes(const StepOptions& options,
                                const ContactStep& step,
                                const RelaxedPoints& relaxed,

@@ -14,11 +14,6 @@
 namespace musclewarp {
 namespace {
 
-// A muscle may be attached to a bone that is not farther away than this, mm.
-constexpr double kNear = 10;
-// The area of the attachment is what is farther from the bone than the nearest
-// point by at most this, mm.
-constexpr double kAreaDepth = 3;
 // If a tip of the muscle is farther from all areas than this share of the
 // muscle's length, its bone is missing.
 constexpr double kLoneEnd = 0.3;
@@ -109,7 +104,7 @@ std::vector<MuscleEnd> NearAreas(const TriangleSoup& muscle,
 #pragma omp parallel for schedule(dynamic, 64)
   for (Eigen::Index v = 0; v < count; ++v) {
     for (size_t b = 0; b < bodies.size(); ++b) {
-      double distance = kNear + kAreaDepth;
+      double distance = kNearBone + kAreaDepth;
       for (const TriangleBvh* bone : bodies[b].bones) {
         distance = std::min(
             distance,
@@ -121,7 +116,7 @@ std::vector<MuscleEnd> NearAreas(const TriangleSoup& muscle,
   std::vector<MuscleEnd> areas;
   for (size_t b = 0; b < bodies.size(); ++b) {
     const double nearest = distances.col(b).minCoeff();
-    if (nearest > kNear) continue;
+    if (nearest > kNearBone) continue;
     std::vector<int> vertices;
     for (Eigen::Index v = 0; v < count; ++v) {
       if (distances(v, b) <= nearest + kAreaDepth &&

@@ -12,6 +12,13 @@
 
 namespace musclewarp {
 
+// A muscle may be attached to a bone that is not farther away than this, mm.
+constexpr double kNearBone = 10;
+
+// The area of an attachment is what is farther from the bone than the nearest
+// point of the muscle by at most this, mm.
+constexpr double kAreaDepth = 3;
+
 // The surface of a body in the rest pose: that of all bones that move with it.
 struct BodySurface {
   std::string body;                       // its name

@@ -93,6 +93,7 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
                               motion.state.muscles,
                               std::move(motion.summary.summaries),
                               meshes_.get());
+  MeasureDrift(pose, &result.frame);
   MeasureContact(motion.state, &result.frame);
   Judge(&result.frame);
   if (motion.summary.timed_out_at) {
@@ -127,14 +128,44 @@ std::vector<std::pair<int, int>> CertifiedFrameSolver::TouchingMuscles(
   return touching;
 }
 
+std::vector<Points> CertifiedFrameSolver::MeshesWithoutContact(
+    const SceneState& state) const {
+  std::vector<Points> meshes(scene_.muscles.size());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (size_t k = 0; k < certified_.order.size(); ++k) {
+    const int i = certified_.order[k];
+    const PreparedMuscle& muscle = scene_.muscles[i];
+    Points& points = meshes[i];
+    points = FinePoints(muscle.model, {state.free_coarse[i], {}});
+    const Points attached = AttachedPositions(muscle.model.attachments,
+                                              muscle.attached,
+                                              certified_.attached_rest[k],
+                                              state.pose);
+    points += certified_.extensions[k]->Extended(
+        attached - Points(points(muscle.attached.vertices, Eigen::all)));
+  }
+  return meshes;
+}
+
+void CertifiedFrameSolver::MeasureDrift(const ScenePose& pose,
+                                        Frame* frame) const {
+  for (size_t k = 0; k < certified_.order.size(); ++k) {
+    const int i = certified_.order[k];
+    const PreparedMuscle& muscle = scene_.muscles[i];
+    frame->muscles[i].attachments =
+        DriftOf(muscle.model.attachments,
+                muscle.attached,
+                AttachedPositions(muscle.model.attachments,
+                                  muscle.attached,
+                                  certified_.attached_rest[k],
+                                  pose),
+                frame->muscles[i].points);
+  }
+}
+
 void CertifiedFrameSolver::MeasureContact(const SceneState& state,
                                           Frame* frame) {
-  std::vector<Points> without_contact(frame->muscles.size());
-#pragma omp parallel for schedule(dynamic, 1)
-  for (size_t i = 0; i < frame->muscles.size(); ++i) {
-    without_contact[i] =
-        FinePoints(scene_.muscles[i].model, {state.free_coarse[i], {}});
-  }
+  const std::vector<Points> without_contact = MeshesWithoutContact(state);
   meshes_->MoveTo(without_contact, frame->bones);
   const std::vector<PairDepth> overlaps =
       PenetrationDepths(meshes_->muscles(), meshes_->bones());

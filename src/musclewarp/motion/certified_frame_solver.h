@@ -34,6 +34,13 @@ class CertifiedFrameSolver : public FrameSolver {
   // The pairs of muscles that lie on each other in a frame.
   std::vector<std::pair<int, int>> TouchingMuscles(const Frame& frame) const;
 
+  // Returns the fine meshes of a state as they would be without contact, in the
+  // order of the scene: each free shape, with its attachments in place.
+  std::vector<Points> MeshesWithoutContact(const SceneState& state) const;
+
+  // Measures how far attachments have left their bodies in a pose.
+  void MeasureDrift(const ScenePose& pose, Frame* frame) const;
+
   // Measures what contact has done to the muscles of a frame, against their
   // shapes without contact.
   void MeasureContact(const SceneState& state, Frame* frame);

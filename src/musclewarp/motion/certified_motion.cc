@@ -63,6 +63,23 @@ void AddSurfaces(const PreparedScene& scene,
   }
 }
 
+// From here on, attached vertices follow their bodies from where they are in
+// the rest pose. They could not before, as they may have been in a bone.
+void HoldAttachments(const PreparedScene& scene,
+                     const std::vector<Points>& points,
+                     CertifiedScene* certified) {
+  for (size_t k = 0; k < certified->order.size(); ++k) {
+    const AttachedVertices& attached =
+        scene.muscles[certified->order[k]].attached;
+    certified->attached_rest.push_back(
+        points[k](attached.vertices, Eigen::all));
+    certified->extensions.push_back(std::make_shared<OffsetExtension>(
+        certified->contact.muscles[k],
+        attached.vertices,
+        certified->options.step.relaxation.smoothing_length));
+  }
+}
+
 }  // namespace
 
 bool CertifiedContactOptions::IsValid(std::string* error) const {
@@ -135,6 +152,7 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
     Walk(mover, walk, rest.pose, /*at=*/1, on_progress, &place);
   }
   certified.rest = StateOf(mover, place);
+  HoldAttachments(scene, place.surfaces.points, &certified);
   certified.wall_ms = preparing.Milliseconds();
   return certified;
 }

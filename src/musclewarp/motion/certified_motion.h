@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "musclewarp/base/progress.h"
 #include "musclewarp/certified_contact/initial_separation.h"
+#include "musclewarp/certified_contact/offset_extension.h"
 #include "musclewarp/certified_contact/step.h"
 #include "musclewarp/motion/pose_steps.h"
 #include "musclewarp/motion/prepared_scene.h"
@@ -97,6 +99,13 @@ struct CertifiedScene {
   std::vector<std::vector<int>> samples;
 
   SceneState rest;
+
+  // In that order: where the attached vertices are in that state, #attached x
+  // 3, mm. Their bodies carry them along from there.
+  std::vector<Points> attached_rest;
+
+  // In that order: what attachments make of the shape without contact.
+  std::vector<std::shared_ptr<const OffsetExtension>> extensions;
   double wall_ms = 0;
 };
 

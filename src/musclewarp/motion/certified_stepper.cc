@@ -100,7 +100,8 @@ Attempt TryStep(const Mover& mover,
   const ContactStep step = MakeContactStep(mover.certified.contact,
                                            from.surfaces,
                                            targets,
-                                           BonesFromRest(mover.scene, pose));
+                                           BonesFromRest(mover.scene, pose),
+                                           AttachedIn(mover, pose));
   if (max_push < kInfinity) {
     attempt.push = LongestPassage(step);
     if (attempt.push > options.relaxation.max_push) return attempt;

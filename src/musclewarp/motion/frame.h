@@ -8,6 +8,7 @@
 
 #include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/motion/attachments.h"
 #include "musclewarp/solver/solver_summary.h"
 
 namespace musclewarp {
@@ -38,6 +39,9 @@ struct MuscleFrame {
   // judged by.
   std::vector<std::string> pushed_by;
   double push_depth = 0;
+
+  // How far each attachment area has left its body.
+  std::vector<AttachmentDrift> attachments;
 
   // The action lines, sampled, and the fibres, as the muscle carries them; #P x
   // 3 each, mm.

@@ -29,6 +29,14 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
   frame.folded_triangles = static_cast<int>(
       FoldedTriangles(model.fine_rest, frame.points, model.fine_triangles)
           .size());
+  frame.attachments = DriftOf(
+      model.attachments,
+      muscle.attached,
+      AttachedPositions(model.attachments,
+                        muscle.attached,
+                        model.fine_rest(muscle.attached.vertices, Eigen::all),
+                        pose),
+      frame.points);
   frame.lines = LinesAt(muscle.lines, state.coarse);
   frame.fibres = LinesAt(muscle.fibres, state.coarse);
   for (const ActionLine& line : model.lines) {

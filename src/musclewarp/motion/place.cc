@@ -39,6 +39,21 @@ std::vector<Eigen::Matrix4d> BonesFromRest(const PreparedScene& scene,
   return transforms;
 }
 
+std::vector<AttachedPoints> AttachedIn(const Mover& mover,
+                                       const ScenePose& pose) {
+  const CertifiedScene& certified = mover.certified;
+  std::vector<AttachedPoints> all;
+  for (size_t k = 0; k < certified.attached_rest.size(); ++k) {
+    const PreparedMuscle& muscle = mover.scene.muscles[certified.order[k]];
+    all.push_back({muscle.attached.vertices,
+                   AttachedPositions(muscle.model.attachments,
+                                     muscle.attached,
+                                     certified.attached_rest[k],
+                                     pose)});
+  }
+  return all;
+}
+
 Place PlaceOf(const Mover& mover, const SceneState& state) {
   Place place;
   place.pose = state.pose;

@@ -38,6 +38,11 @@ std::vector<Points> FineMeshes(const Mover& mover,
 std::vector<Eigen::Matrix4d> BonesFromRest(const PreparedScene& scene,
                                            const ScenePose& pose);
 
+// Returns where bones have the attached vertices of muscles in a pose, in the
+// order of contact; none before the rest pose is known.
+std::vector<AttachedPoints> AttachedIn(const Mover& mover,
+                                       const ScenePose& pose);
+
 // Returns the place of a state. An offset of fine vertices that is missing
 // counts as zero.
 Place PlaceOf(const Mover& mover, const SceneState& state);

@@ -5,6 +5,7 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/motion/surroundings.h"
 #include "musclewarp/scene/attachment_area.h"
 #include "musclewarp/scene/coordinate_limits.h"
 #include "musclewarp/scene/far_lines.h"
@@ -63,47 +65,44 @@ CarriedLines CarryActionLines(const MuscleModel& model) {
   return CarryLines(lines, model.coarse_rest, model.coarse_triangles);
 }
 
-// The bones as lines and fibres find their ends on them.
-class BodySurfaces {
- public:
-  explicit BodySurfaces(const std::vector<PreparedBone>& bones) {
-    for (const PreparedBone& bone : bones) {
-      trees_.push_back(
-          std::make_unique<TriangleBvh>(bone.rest.points, bone.rest.triangles));
-      auto body = std::find_if(
-          bodies_.begin(), bodies_.end(), [&](const BodySurface& surface) {
-            return surface.body == bone.body;
-          });
-      if (body == bodies_.end()) {
-        bodies_.push_back({bone.body, {}});
-        body = bodies_.end() - 1;
-      }
-      body->bones.push_back(trees_.back().get());
-    }
+void AddBones(const std::vector<PreparedBone>& bones,
+              Surroundings* surroundings) {
+  for (const PreparedBone& bone : bones) {
+    surroundings->AddBone(bone.body, bone.rest);
   }
-  const std::vector<BodySurface>& bodies() const { return bodies_; }
+}
 
- private:
-  std::vector<std::unique_ptr<TriangleBvh>> trees_;
-  std::vector<BodySurface> bodies_;
-};
-
-// Prepares everything that follows from the mesh of a muscle.
-void PrepareModel(const std::vector<BodySurface>& bodies,
+// Prepares everything that follows from the mesh of muscle `m`.
+void PrepareModel(const Surroundings& surroundings,
                   const PrepareOptions& options,
-                  const SceneMuscle& muscle,
+                  const Scene& scene,
+                  int m,
                   const TriangleSoup& fine,
                   PreparedMuscle* prepared) {
+  SceneMuscle muscle = scene.muscles[m];
+  muscle.attachments = ChooseAttachments(options.attachments,
+                                         muscle,
+                                         scene.poses,
+                                         fine,
+                                         surroundings.bodies(),
+                                         surroundings.MusclesBeside(m),
+                                         &prepared->attachment_warnings);
   const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
   prepared->hull_encloses = Encloses(hull, fine);
   prepared->model = PrepareMuscle(muscle, fine, hull, options.muscle);
+  if (options.attachments != AttachmentKind::kNone) {
+    prepared->attached =
+        FindAttachedVertices(prepared->model.attachments, fine.points);
+  }
   prepared->lines = CarryActionLines(prepared->model);
   if (options.fibres.fibres > 0) {
     const Stopwatch stopwatch;
-    prepared->fibres =
-        CarryLines(MakeFibres(fine, bodies, muscle.attachments, options.fibres),
-                   hull.points,
-                   hull.triangles);
+    prepared->fibres = CarryLines(MakeFibres(fine,
+                                             surroundings.bodies(),
+                                             scene.muscles[m].attachments,
+                                             options.fibres),
+                                  hull.points,
+                                  hull.triangles);
     prepared->fibres_ms = stopwatch.Milliseconds();
   }
 }
@@ -137,16 +136,21 @@ TriangleSoup RepairMuscle(const PrepareOptions& options,
 }
 
 // Adds lines to the muscle if it has none, and prepares the rest.
-void PrepareOne(const std::vector<BodySurface>& bodies,
+void PrepareOne(const Surroundings& surroundings,
                 const PrepareOptions& options,
+                int m,
                 const TriangleSoup& fine,
-                SceneMuscle* muscle,
+                Scene* scene,
                 PreparedMuscle* prepared) {
-  if (muscle->lines.empty()) {
-    muscle->lines = MakeLines(
-        muscle->name, fine, bodies, muscle->attachments, options.auto_lines);
+  SceneMuscle& muscle = scene->muscles[m];
+  if (muscle.lines.empty()) {
+    muscle.lines = MakeLines(muscle.name,
+                             fine,
+                             surroundings.bodies(),
+                             muscle.attachments,
+                             options.auto_lines);
   }
-  PrepareModel(bodies, options, *muscle, fine, prepared);
+  PrepareModel(surroundings, options, *scene, m, fine, prepared);
 }
 
 struct MeshSize {
@@ -208,6 +212,9 @@ void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
   std::vector<std::string>& warnings = prepared->warnings;
   warnings = prepared->scene.warnings;
   for (const PreparedMuscle& muscle : prepared->muscles) {
+    warnings.insert(warnings.end(),
+                    muscle.attachment_warnings.begin(),
+                    muscle.attachment_warnings.end());
     if (muscle.fibres.num_lines() >= options.fibres.fibres) continue;
     warnings.push_back(muscle.model.name + " has room for " +
                        std::to_string(muscle.fibres.num_lines()) +
@@ -256,19 +263,19 @@ void ReplaceMuscleMeshes(const PrepareOptions& options,
                          std::vector<TriangleSoup> meshes,
                          PreparedScene* prepared) {
   CHECK_EQ(muscles.size(), meshes.size());
-  const BodySurfaces surfaces(options.fibres.fibres > 0
-                                  ? prepared->bones
-                                  : std::vector<PreparedBone>());
+  Surroundings surroundings;
+  AddBones(prepared->bones, &surroundings);
+  for (const PreparedMuscle& muscle : prepared->muscles) {
+    surroundings.AddMuscle(
+        {muscle.model.fine_rest, muscle.model.fine_triangles});
+  }
   ParallelFor(meshes.size(), [&](size_t k) {
     PreparedMuscle& muscle = prepared->muscles[muscles[k]];
     if (options.remove_slivers) {
       muscle.mesh.slivers = RemoveSlivers(options.slivers, &meshes[k]);
     }
-    PrepareModel(surfaces.bodies(),
-                 options,
-                 prepared->scene.muscles[muscles[k]],
-                 meshes[k],
-                 &muscle);
+    PrepareModel(
+        surroundings, options, prepared->scene, muscles[k], meshes[k], &muscle);
   });
   prepared->exempt = ExemptAreas(*prepared);
 }
@@ -304,19 +311,17 @@ PreparedScene PrepareScene(const Scene& scene,
   };
   say_progress(0);
   ParallelFor(num_meshes, repair, say_progress);
-  const bool needs_bodies =
-      options.fibres.fibres > 0 || std::any_of(scene.muscles.begin(),
-                                               scene.muscles.end(),
-                                               [](const SceneMuscle& muscle) {
-                                                 return muscle.lines.empty();
-                                               });
-  const BodySurfaces surfaces(needs_bodies ? prepared.bones
-                                           : std::vector<PreparedBone>());
+  Surroundings surroundings;
+  AddBones(prepared.bones, &surroundings);
+  for (const TriangleSoup& muscle : fine) {
+    surroundings.AddMuscle(muscle);
+  }
   const auto prepare = [&](size_t m) {
-    PrepareOne(surfaces.bodies(),
+    PrepareOne(surroundings,
                options,
+               static_cast<int>(m),
                fine[m],
-               &prepared.scene.muscles[m],
+               &prepared.scene,
                &prepared.muscles[m]);
   };
   ParallelFor(num_muscles, prepare, [&](size_t done) {

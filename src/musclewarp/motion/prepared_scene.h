@@ -15,6 +15,8 @@
 #include "musclewarp/mesh_repair/repair.h"
 #include "musclewarp/mesh_repair/self_crossing_removal.h"
 #include "musclewarp/mesh_repair/sliver_removal.h"
+#include "musclewarp/motion/attachment_choice.h"
+#include "musclewarp/motion/attachments.h"
 #include "musclewarp/scene/exempt_area.h"
 #include "musclewarp/scene/scene.h"
 #include "musclewarp/solver/carried_lines.h"
@@ -35,6 +37,8 @@ struct PrepareOptions {
   // The same for sliver triangles of muscle meshes.
   bool remove_slivers = false;
   SliverLimits slivers;
+
+  AttachmentKind attachments = AttachmentKind::kAuto;
 
   // The number of action lines that are made for a muscle which has none.
   int auto_lines = 3;
@@ -80,6 +84,10 @@ struct MeshPreparation {
 struct PreparedMuscle {
   MeshPreparation mesh;
   MuscleModel model;
+  AttachedVertices attached;
+
+  // Lines that contradict the attachments, a sentence each.
+  std::vector<std::string> attachment_warnings;
 
   // True if the coarse hull encloses the fine mesh, by an exact test.
   bool hull_encloses = false;

@@ -28,6 +28,7 @@ MuscleRecord RecordOf(const MuscleModel& model, const MuscleFrame& frame) {
   record.depth_without_contact_mm = frame.depth_without_contact;
   record.push_depth_mm = frame.push_depth;
   record.pushed_by = frame.pushed_by;
+  record.attachments = frame.attachments;
   record.iterations = frame.solver.iterations;
   record.solve_ms = frame.solver.wall_ms;
   record.initial_energy_mm2 = frame.solver.initial_energy;
@@ -44,6 +45,29 @@ MuscleRecord RecordOf(const MuscleModel& model, const MuscleFrame& frame) {
   return record;
 }
 
+OrderedJson ToJson(const std::vector<AttachmentDrift>& drifts) {
+  OrderedJson list = OrderedJson::array();
+  for (const AttachmentDrift& drift : drifts) {
+    list.push_back({{"body", drift.body},
+                    {"vertices", drift.vertices},
+                    {"mean_drift_mm", drift.mean},
+                    {"max_drift_mm", drift.max}});
+  }
+  return list;
+}
+
+std::vector<AttachmentDrift> DriftsFromJson(const OrderedJson& json) {
+  std::vector<AttachmentDrift> drifts;
+  for (const OrderedJson& item : json) {
+    AttachmentDrift& drift = drifts.emplace_back();
+    item.at("body").get_to(drift.body);
+    item.at("vertices").get_to(drift.vertices);
+    item.at("mean_drift_mm").get_to(drift.mean);
+    item.at("max_drift_mm").get_to(drift.max);
+  }
+  return drifts;
+}
+
 OrderedJson ToJson(const MuscleRecord& record) {
   return {{"name", record.name},
           {"volume_mm3", record.volume_mm3},
@@ -58,6 +82,7 @@ OrderedJson ToJson(const MuscleRecord& record) {
           {"depth_without_contact_mm", record.depth_without_contact_mm},
           {"push_depth_mm", record.push_depth_mm},
           {"pushed_by", record.pushed_by},
+          {"attachments", ToJson(record.attachments)},
           {"iterations", record.iterations},
           {"solve_ms", record.solve_ms},
           {"initial_energy_mm2", record.initial_energy_mm2},
@@ -86,6 +111,8 @@ MuscleRecord MuscleRecordFromJson(const OrderedJson& json) {
   // Reports of older versions lack them.
   record.push_depth_mm = json.value("push_depth_mm", 0.0);
   record.pushed_by = json.value("pushed_by", std::vector<std::string>());
+  record.attachments =
+      DriftsFromJson(json.value("attachments", OrderedJson::array()));
   json.at("iterations").get_to(record.iterations);
   json.at("solve_ms").get_to(record.solve_ms);
   json.at("initial_energy_mm2").get_to(record.initial_energy_mm2);

@@ -31,6 +31,7 @@ struct MuscleRecord {
   double depth_without_contact_mm = 0;
   double push_depth_mm = 0;
   std::vector<std::string> pushed_by;
+  std::vector<AttachmentDrift> attachments;
 
   // The solve. Energies are those of the linear rows, 1/2 |f|^2.
   int iterations = 0;

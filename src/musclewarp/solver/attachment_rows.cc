@@ -6,7 +6,7 @@
 
 namespace musclewarp {
 
-std::vector<int> AttachedVertices(const Attachment& attachment,
+std::vector<int> VerticesWithRows(const Attachment& attachment,
                                   const Points& points,
                                   int max_rows) {
   const std::vector<int> near = VerticesInArea(attachment, points);

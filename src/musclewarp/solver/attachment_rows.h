@@ -18,7 +18,7 @@ namespace musclewarp {
 // than `max_rows` of them, every so-many-th is kept, so that exactly `max_rows`
 // remain: each row is dense, and more rows would cost time without changing the
 // shape. Precondition: max_rows is above 0.
-std::vector<int> AttachedVertices(const Attachment& attachment,
+std::vector<int> VerticesWithRows(const Attachment& attachment,
                                   const Points& points,
                                   int max_rows);
 

@@ -33,7 +33,7 @@ void AddAttachmentRows(const MuscleModelOptions& options, MuscleModel* model) {
   std::vector<double> weights;
   if (options.attachment_weight > 0) {
     for (size_t a = 0; a < model->attachments.size(); ++a) {
-      const auto attached = AttachedVertices(
+      const auto attached = VerticesWithRows(
           model->attachments[a], model->fine_rest, options.attachment_rows);
       for (const int v : attached) {
         vertices.push_back(v);

@@ -1,0 +1,68 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/attachments.h"
+
+#include <algorithm>
+#include <map>
+
+#include "musclewarp/mesh/transformed.h"
+#include "musclewarp/scene/attachment_area.h"
+#include "musclewarp/scene/line_targets.h"
+
+namespace musclewarp {
+
+AttachedVertices FindAttachedVertices(
+    const std::vector<Attachment>& attachments, const Points& rest) {
+  std::map<int, int> attachment_of;
+  for (size_t a = 0; a < attachments.size(); ++a) {
+    for (const int v : VerticesInArea(attachments[a], rest)) {
+      attachment_of.emplace(v, static_cast<int>(a));
+    }
+  }
+  AttachedVertices attached;
+  for (const auto& [vertex, attachment] : attachment_of) {
+    attached.vertices.push_back(vertex);
+    attached.attachment.push_back(attachment);
+  }
+  return attached;
+}
+
+Points AttachedPositions(const std::vector<Attachment>& attachments,
+                         const AttachedVertices& attached,
+                         const Points& rest,
+                         const ScenePose& pose) {
+  std::vector<Eigen::Matrix4d> transforms;
+  for (const Attachment& attachment : attachments) {
+    transforms.push_back(BodyTransform(pose, attachment.body));
+  }
+  Points positions(rest.rows(), 3);
+  for (Eigen::Index i = 0; i < rest.rows(); ++i) {
+    positions.row(i) =
+        Transformed(rest.row(i), transforms[attached.attachment[i]]);
+  }
+  return positions;
+}
+
+std::vector<AttachmentDrift> DriftOf(const std::vector<Attachment>& attachments,
+                                     const AttachedVertices& attached,
+                                     const Points& positions,
+                                     const Points& points) {
+  std::vector<AttachmentDrift> drifts;
+  for (const Attachment& attachment : attachments) {
+    drifts.push_back({attachment.body, 0, 0, 0});
+  }
+  for (size_t i = 0; i < attached.vertices.size(); ++i) {
+    AttachmentDrift& drift = drifts[attached.attachment[i]];
+    const double distance =
+        (points.row(attached.vertices[i]) - positions.row(i)).norm();
+    ++drift.vertices;
+    drift.mean += distance;
+    drift.max = std::max(drift.max, distance);
+  }
+  for (AttachmentDrift& drift : drifts) {
+    if (drift.vertices > 0) drift.mean /= drift.vertices;
+  }
+  return drifts;
+}
+
+}  // namespace musclewarp
