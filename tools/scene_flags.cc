@@ -50,8 +50,8 @@ DEFINE_double(skeleton_weight,
               1,
               "how strongly a muscle follows its lines, against its shape");
 DEFINE_double(attachment_weight,
-              0,
-              "how strongly attachment areas follow their bones; 0: not");
+              8,
+              "how strongly coarse meshes follow the attachment areas; 0: not");
 DEFINE_string(attachments,
               "auto",
               "which areas of muscles follow their bones: auto (those of the "

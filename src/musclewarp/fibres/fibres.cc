@@ -114,7 +114,7 @@ struct CourseOptions {
 // Returns courses from origin to insertion.
 Courses FindCourses(const TriangleSoup& muscle,
                     const std::vector<BodySurface>& bodies,
-                    const std::vector<Attachment>& attachments,
+                    const KnownEnds& known,
                     const CourseOptions& options) {
   constexpr int kFine = 4;  // points smoothed for one that is kept
   constexpr int kRounds = 4;
@@ -122,7 +122,7 @@ Courses FindCourses(const TriangleSoup& muscle,
   const VoxelGrid grid = Voxelize(muscle, options.voxels);
   Courses courses;
   if (grid.num_voxels() < kFewest) return courses;
-  courses.ends = FindMuscleEnds(muscle, grid, bodies, attachments);
+  courses.ends = FindMuscleEnds(muscle, grid, bodies, known);
   const LaplacianFlow flow = SolveFlow(
       grid, courses.ends.origin.voxels, courses.ends.insertion.voxels);
   const InsideTest inside(muscle.points, muscle.triangles, /*seed=*/1);
@@ -207,13 +207,13 @@ bool FibreOptions::IsValid(std::string* error) const {
 
 std::vector<Points> MakeFibres(const TriangleSoup& muscle,
                                const std::vector<BodySurface>& bodies,
-                               const std::vector<Attachment>& attachments,
+                               const KnownEnds& known,
                                const FibreOptions& options) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   return FindCourses(muscle,
                      bodies,
-                     attachments,
+                     known,
                      {options.fibres,
                       options.segments + 1,
                       options.voxels,
@@ -237,7 +237,7 @@ std::vector<ActionLine> MakeLines(const std::string& name,
   const Courses courses =
       FindCourses(muscle,
                   bodies,
-                  attachments,
+                  {attachments, {}},
                   {count, kPoints, FibreOptions().voxels, attachments.empty()});
   std::vector<ActionLine> lines;
   for (const Points& course : courses.lines) {

@@ -38,12 +38,12 @@ struct FibreOptions {
 // muscle's widest section. There are fewer than asked for if the section is too
 // small, and none if the muscle is too thin.
 //
-// `bodies` and `attachments` say where the muscle begins and ends, as for
+// `bodies` and `known` say where the muscle begins and ends, as for
 // FindMuscleEnds. Preconditions: the options are valid (CHECKed); the mesh is
 // closed and oriented outward.
 std::vector<Points> MakeFibres(const TriangleSoup& muscle,
                                const std::vector<BodySurface>& bodies,
-                               const std::vector<Attachment>& attachments,
+                               const KnownEnds& known,
                                const FibreOptions& options);
 
 // Returns lines of action for a muscle that has none in the scene: its centre

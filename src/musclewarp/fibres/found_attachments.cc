@@ -136,11 +136,12 @@ bool LiesOnSoftPart(const std::vector<int>& vertices,
 std::vector<Attachment> FindAttachments(
     const TriangleSoup& muscle,
     const std::vector<BodySurface>& bodies,
-    const std::vector<const TriangleBvh*>& soft_parts) {
+    const std::vector<const TriangleBvh*>& soft_parts,
+    const std::vector<ActionLine>& lines) {
   const VoxelGrid grid = Voxelize(muscle, kVoxels);
   std::vector<Attachment> attachments;
   if (bodies.empty() || grid.num_voxels() < 2) return attachments;
-  const MuscleEnds ends = FindMuscleEnds(muscle, grid, bodies, {});
+  const MuscleEnds ends = FindMuscleEnds(muscle, grid, bodies, {{}, lines});
   for (const MuscleEnd* end : {&ends.origin, &ends.insertion}) {
     const auto body = std::find_if(
         bodies.begin(), bodies.end(), [&](const BodySurface& surface) {

@@ -18,12 +18,14 @@ namespace musclewarp {
 // it lies on another soft part, as a muscle does that ends in a tendon of its
 // own mesh: to what that is attached is not known here.
 //
-// All meshes are those of the rest pose, in mm. The points of an attachment are
+// All meshes and `lines`, the action lines of the muscle, are those of the rest
+// pose, in mm. The points of an attachment are
 // vertices of `muscle`, and its radius is next to nothing, so that it covers
 // just these. There may be two attachments, one, or none.
 std::vector<Attachment> FindAttachments(
     const TriangleSoup& muscle,
     const std::vector<BodySurface>& bodies,
-    const std::vector<const TriangleBvh*>& soft_parts);
+    const std::vector<const TriangleBvh*>& soft_parts,
+    const std::vector<ActionLine>& lines);
 
 }  // namespace musclewarp

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "musclewarp/scene/attachment_area.h"
@@ -17,6 +19,9 @@ namespace {
 // If a tip of the muscle is farther from all areas than this share of the
 // muscle's length, its bone is missing.
 constexpr double kLoneEnd = 0.3;
+// The same if a line of the muscle ends at the tip, too, which says that no
+// area in between is the end of the muscle.
+constexpr double kLoneLineEnd = 0.1;
 // Of an area, the part is kept whose distance from the other area is at least
 // this share of the largest such distance. The same holds for a lone tip.
 constexpr double kEndShare = 0.7;
@@ -140,9 +145,26 @@ std::pair<int, int> Tips(const VoxelGrid& grid) {
   return {static_cast<int>(first), static_cast<int>(second)};
 }
 
+// Returns the body of a line that ends in the far part of the muscle, as
+// `distances` of voxels have it, or nothing.
+std::optional<std::string> BodyOfLineEnd(const VoxelGrid& grid,
+                                         const std::vector<ActionLine>& lines,
+                                         const Eigen::VectorXd& distances) {
+  for (const ActionLine& line : lines) {
+    for (const Eigen::Index end : {Eigen::Index{0}, line.rest.rows() - 1}) {
+      const int voxel = grid.Nearest(line.rest.row(end));
+      if (voxel >= 0 && distances[voxel] >= kEndShare * distances.maxCoeff()) {
+        return line.bodies[end];
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 // Adds a tip of the muscle as an area if no area is near it.
 void AddLoneEnd(const VoxelGrid& grid,
                 const std::vector<BodySurface>& bodies,
+                const std::vector<ActionLine>& lines,
                 std::vector<MuscleEnd>* areas) {
   const auto [first, second] = Tips(grid);
   const double length = DistancesWithin(grid, {first})[second];
@@ -163,9 +185,11 @@ void AddLoneEnd(const VoxelGrid& grid,
         voxels.push_back(v);
       }
     }
-    const std::string body =
-        NearestBody(bodies, grid.Center(static_cast<int>(farthest)));
-    areas->push_back({body, std::move(voxels)});
+    const auto body = BodyOfLineEnd(grid, lines, distances);
+    areas->push_back(
+        {body ? *body
+              : NearestBody(bodies, grid.Center(static_cast<int>(farthest))),
+         std::move(voxels)});
   };
   if (all.empty()) {
     add(DistancesWithin(grid, {second}));
@@ -173,7 +197,9 @@ void AddLoneEnd(const VoxelGrid& grid,
     return;
   }
   const Eigen::VectorXd distances = DistancesWithin(grid, all);
-  if (distances.maxCoeff() > kLoneEnd * length || areas->size() == 1) {
+  const double far =
+      BodyOfLineEnd(grid, lines, distances) ? kLoneLineEnd : kLoneEnd;
+  if (distances.maxCoeff() > far * length || areas->size() == 1) {
     add(distances);
   }
 }
@@ -214,11 +240,11 @@ void DropSharedVoxels(MuscleEnds* ends) {
 MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
                           const VoxelGrid& grid,
                           const std::vector<BodySurface>& bodies,
-                          const std::vector<Attachment>& attachments) {
-  std::vector<MuscleEnd> areas = GivenAreas(muscle, grid, attachments);
+                          const KnownEnds& known) {
+  std::vector<MuscleEnd> areas = GivenAreas(muscle, grid, known.attachments);
   if (areas.empty()) areas = NearAreas(muscle, grid, bodies);
-  if (areas.size() < 2 || attachments.empty()) {
-    AddLoneEnd(grid, bodies, &areas);
+  if (areas.size() < 2 || known.attachments.empty()) {
+    AddLoneEnd(grid, bodies, known.lines, &areas);
   }
   std::vector<Eigen::VectorXd> distances;
   for (const MuscleEnd& area : areas) {

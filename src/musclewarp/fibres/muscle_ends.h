@@ -9,6 +9,7 @@
 #include "musclewarp/geometry/triangle_bvh.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/scene/scene.h"
+#include "musclewarp/skeleton/action_line.h"
 
 namespace musclewarp {
 
@@ -41,6 +42,12 @@ struct MuscleEnds {
   MuscleEnd origin, insertion;
 };
 
+// What a scene says about the ends of a muscle. Either may be empty.
+struct KnownEnds {
+  std::vector<Attachment> attachments;
+  std::vector<ActionLine> lines;
+};
+
 // Finds where a muscle begins and ends, which meshes from segmentation do not
 // say. `grid` holds the voxels of the mesh `muscle`, in the rest pose.
 //
@@ -48,7 +55,8 @@ struct MuscleEnds {
 // apart. Otherwise they are two areas in which the muscle lies near its bones,
 // again those farthest apart by the way through the muscle. A tip of the muscle
 // that is far from all of these areas, for example because its bone is not in
-// the scene, counts as such an area and belongs to the nearest body.
+// the scene, counts as such an area and belongs to the nearest body. So does a
+// tip at which one of the action lines ends; it belongs to the line's body.
 //
 // Of areas that run along the muscle only the far parts are kept. If no two
 // ends remain, the two tips of the muscle are the ends. The origin is the end
@@ -57,6 +65,6 @@ struct MuscleEnds {
 MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
                           const VoxelGrid& grid,
                           const std::vector<BodySurface>& bodies,
-                          const std::vector<Attachment>& attachments);
+                          const KnownEnds& known);
 
 }  // namespace musclewarp

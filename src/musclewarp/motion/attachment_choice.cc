@@ -23,7 +23,8 @@ std::vector<Attachment> ChooseAttachments(
   const bool finds =
       kind == AttachmentKind::kAuto && muscle.attachments.empty();
   std::vector<Attachment> attachments =
-      finds ? FindAttachments(fine, bodies, soft_parts) : muscle.attachments;
+      finds ? FindAttachments(fine, bodies, soft_parts, muscle.lines)
+            : muscle.attachments;
   const auto is_dropped = [&](const Attachment& attachment) {
     const auto leaving = FindLeavingLine(muscle.lines, attachment, poses);
     if (!leaving) return false;

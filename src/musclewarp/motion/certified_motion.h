@@ -73,8 +73,8 @@ struct CertifiedContactOptions {
   // than the tolerance, mm. Two steps undo most of what long steps displace
   // muscles by too much (thigh, flexion by 45 degrees: 0.12 of 0.16 mm on
   // average).
-  int max_settling_steps = 2;
-  double settling_tolerance = 0.5;
+  int max_settling_steps = 8;
+  double settling_tolerance = 0.9;
 
   // A pose that is not reached in this time is given up, s; 0: no limit. The
   // last step may take longer.

@@ -72,13 +72,23 @@ double MoveOfMost(const std::vector<Points>& a,
   return *most;
 }
 
-// How far contact has pushed the muscle that it pushed most, mm.
-double PushOf(const ContactStep& step, const std::vector<Points>& points) {
+// How far contact has pushed all but a share of the vertices of the muscle that
+// it pushed most, mm.
+double PushOfMost(const ContactStep& step,
+                  const std::vector<Points>& points,
+                  double share) {
   double push = 0;
   for (size_t i = 0; i < points.size(); ++i) {
-    push = std::max(push, MoveOfMost({points[i]}, {step.carried[i]}, 0.01));
+    push = std::max(push, MoveOfMost({points[i]}, {step.carried[i]}, share));
   }
   return push;
+}
+
+// The vertices that may not have settled, as a share of all.
+constexpr double kUnsettled = 1.0 / 500;
+
+double PushOf(const ContactStep& step, const std::vector<Points>& points) {
+  return PushOfMost(step, points, 0.01);
 }
 
 // One step: planes, half of the sweeps, the coarse solve with contact rows, the
@@ -123,6 +133,10 @@ Attempt TryStep(const Mover& mover,
   attempt.summary = result.summary;
   attempt.push =
       PushOf(step, attempt.place.surfaces.points) + attempt.summary.violation;
+  attempt.is_short_of_reach =
+      attempt.push < options.reach &&
+      PushOfMost(step, attempt.place.surfaces.points, kUnsettled) <
+          0.99 * options.reach;
   return attempt;
 }
 
@@ -213,7 +227,7 @@ class Walker {
     length_.Grow(attempt.push);
     if (!crosses) summary_.last_clean.reset();
     // Muscles that are pushed by less than the reach get there in one step.
-    is_settled_ = attempt.push < step_.reach;
+    is_settled_ = attempt.is_short_of_reach;
     if (!crosses) LeaveWaypoint();
     Accept(std::move(attempt));
     at_ = to;
@@ -227,7 +241,7 @@ class Walker {
       return;
     }
     const double move = MoveOfMost(
-        place_->surfaces.points, attempt.place.surfaces.points, 1.0 / 500);
+        place_->surfaces.points, attempt.place.surfaces.points, kUnsettled);
     VLOG(1) << "most vertices have moved by less than " << move << " mm";
     summary_.last_clean.reset();
     const bool stops_short =

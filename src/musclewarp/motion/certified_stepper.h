@@ -26,6 +26,10 @@ struct Attempt {
   // How far contact has pushed muscles beside the way that they are carried,
   // mm: less than this for all but one in a hundred vertices of each.
   double push = 0;
+
+  // True if muscles are pushed by less than they may be: for all but one in
+  // five hundred vertices of each.
+  bool is_short_of_reach = false;
 };
 
 // How a scene goes from one place to another.

@@ -89,7 +89,11 @@ void PrepareModel(const Surroundings& surroundings,
                                          &prepared->attachment_warnings);
   const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
   prepared->hull_encloses = Encloses(hull, fine);
-  prepared->model = PrepareMuscle(muscle, fine, hull, options.muscle);
+  MuscleModelOptions model_options = options.muscle;
+  if (options.attachments == AttachmentKind::kNone) {
+    model_options.attachment_weight = 0;
+  }
+  prepared->model = PrepareMuscle(muscle, fine, hull, model_options);
   if (options.attachments != AttachmentKind::kNone) {
     prepared->attached =
         FindAttachedVertices(prepared->model.attachments, fine.points);
@@ -99,7 +103,7 @@ void PrepareModel(const Surroundings& surroundings,
     const Stopwatch stopwatch;
     prepared->fibres = CarryLines(MakeFibres(fine,
                                              surroundings.bodies(),
-                                             scene.muscles[m].attachments,
+                                             {muscle.attachments, muscle.lines},
                                              options.fibres),
                                   hull.points,
                                   hull.triangles);
