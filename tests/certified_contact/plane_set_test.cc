@@ -142,6 +142,34 @@ TEST(PlaneSet, PutsAPlaneHalfWayBetweenWhereTwoMusclesWantToGo) {
   }
 }
 
+TEST(PlaneSet, OfTwoMusclesTheAttachedOneStaysAndTheOtherGivesWay) {
+  for (const int attached : {0, 1}) {
+    TwoSpheres spheres;
+    SeparatingPlane plane;
+    plane.muscle_above = 0;
+    plane.muscle_below = 1;
+    plane.above = RowVector3i::Constant(0);
+    plane.below = RowVector3i::Constant(0);
+    plane.normal = RowVector3d(0, 0, 1);
+    plane.half_gap = 0.05;
+    spheres.step.attached[attached].vertices = {0};
+    PlaneSet planes(spheres.options, spheres.step);
+    planes.Add({plane});
+    // Both want to go 0.4 beyond the other.
+    std::vector<Points> wanted = spheres.step.carried;
+    wanted[0].row(0) << 0, 0, 0;
+    wanted[1].row(0) << 0, 0, 0.4;
+    planes.UpdateLevels(wanted, wanted, true);
+    for (const int muscle : {0, 1}) {
+      const RowVector3d p = wanted[muscle].row(0);
+      planes.FindNear(muscle, 0, p);
+      const double moved = (planes.Projected(muscle, 0, p) - p).norm();
+      // The other one gives way by what both lack, and the gap.
+      EXPECT_NEAR(moved, muscle == attached ? 0 : 0.5, kProjection);
+    }
+  }
+}
+
 TEST(PlaneSet, ShiftsAPlaneToTheSideThatCannotMove) {
   TwoSpheres spheres;
   PlaneSet planes(spheres.options, spheres.step);

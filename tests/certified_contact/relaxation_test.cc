@@ -101,6 +101,48 @@ TEST(Relax, MovesNoVertexFartherThanTheReachFromWhereItIsCarried) {
   EXPECT_NEAR(moves.rowwise().norm().maxCoeff(), relaxed.options.reach, 1e-9);
 }
 
+TEST(Relax, TakesAttachedVerticesWhereTheirBoneHasThemUnlessABoneIsInTheWay) {
+  const ContactGroup group = SpheresOverABone();
+  const StepOptions options;
+  const Points& rest = group.state.targets[0];
+  // The top goes up by half a millimetre, the lowest vertex into the bone.
+  std::vector<int> vertices(2);
+  rest.col(2).maxCoeff(&vertices[0]);
+  rest.col(2).minCoeff(&vertices[1]);
+  ASSERT_NE(vertices[0], vertices[1]);
+  std::vector<double> moves = {0.5, -0.9};
+  if (vertices[1] < vertices[0]) {
+    std::swap(vertices[0], vertices[1]);
+    std::swap(moves[0], moves[1]);
+  }
+  AttachedPoints attached{vertices, rest(vertices, Eigen::all)};
+  for (int i = 0; i < 2; ++i) attached.positions(i, 2) += moves[i];
+  const ContactStep step = MakeContactStep(group.scene,
+                                           group.state,
+                                           group.state.targets,
+                                           group.state.bones_from_rest,
+                                           {attached});
+  std::vector<TriangleBvh> trees = CarriedTrees(step);
+  PlaneSet planes(options, step);
+  planes.Add(FindSeparatingPlanes(options, step, &trees));
+  const Points points = Relax(options,
+                              step,
+                              group.state.targets,
+                              UniformStiffness(group.scene),
+                              50,
+                              &planes,
+                              StartOf(step))
+                            .points[0];
+  for (int i = 0; i < 2; ++i) {
+    if (moves[i] > 0) {
+      EXPECT_EQ(points.row(vertices[i]), attached.positions.row(i));
+    } else {
+      EXPECT_NEAR(points(vertices[i], 2), options.gap, 0.1);
+      EXPECT_GE(points(vertices[i], 2), options.gap - 1e-8);
+    }
+  }
+}
+
 TEST(Relax, StiffTrianglesMoveAsOnePiece) {
   ContactGroup group({SphereAt({0, 0, 0}, 10, 2)}, {});
   const StepOptions options;

@@ -74,6 +74,21 @@ TEST(RestoreVolumes, LeavesHeldVerticesWhereTheyAre) {
   EXPECT_GT(held, 100);
 }
 
+TEST(RestoreVolumes, LeavesAttachedVerticesWhereTheyAre) {
+  Squeezed squeezed(0.99);
+  const Points& points = squeezed.relaxed.points[0];
+  std::vector<int>& attached = squeezed.step.attached[0].vertices;
+  for (Eigen::Index v = 0; v < points.rows(); ++v) {
+    if (points(v, 2) > 10) attached.push_back(static_cast<int>(v));
+  }
+  ASSERT_GT(attached.size(), 50u);
+  const RestoredVolumes restored = RestoreVolumes(
+      squeezed.options, squeezed.step, squeezed.relaxed, &squeezed.planes);
+  EXPECT_LE(restored.worst_error, squeezed.options.volume.tolerance);
+  EXPECT_EQ(Points(restored.points[0](attached, Eigen::all)),
+            Points(points(attached, Eigen::all)));
+}
+
 TEST(RestoreVolumes, SaysWhatIsLeftWhereAllVerticesAreHeld) {
   Squeezed squeezed(0.99);
   for (Points& points : squeezed.relaxed.unprojected) {

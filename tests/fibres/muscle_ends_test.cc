@@ -13,8 +13,10 @@ namespace {
 // A spindle along z from -50 to 50 and balls of bone at heights along it.
 class MuscleEndsTest : public ::testing::Test {
  protected:
-  MuscleEnds Find(const std::vector<Attachment>& attachments = {}) const {
-    return FindMuscleEnds(muscle_, grid_, bones_.bodies(), attachments);
+  MuscleEnds Find(const std::vector<Attachment>& attachments = {},
+                  const std::vector<ActionLine>& lines = {}) const {
+    return FindMuscleEnds(
+        muscle_, grid_, bones_.bodies(), {attachments, lines});
   }
 
   double MeanHeight(const MuscleEnd& end) const {
@@ -55,6 +57,22 @@ TEST_F(MuscleEndsTest, AnEndWithoutBoneGoesToTheNearestBody) {
   // Not where the pelvis touches, but at the tip beyond.
   EXPECT_GT(MeanHeight(ends.origin), 30);
   EXPECT_LT(MeanHeight(ends.insertion), -35);
+}
+
+TEST_F(MuscleEndsTest, ATipWhereALineEndsIsAnEnd) {
+  // The pelvis touches a quarter of the length below the tip.
+  bones_.Add("pelvis", {16, 0, 26});
+  bones_.Add("femur", {0, 0, -56});
+  EXPECT_NEAR(MeanHeight(Find().origin), 26, 5);
+  ActionLine line;
+  line.name = "line";
+  line.rest.resize(2, 3);
+  line.rest << 0, 0, -50, 0, 0, 49;
+  line.bodies = {"femur", "vertebra"};
+  const MuscleEnds ends = Find({}, {line});
+  EXPECT_EQ(ends.insertion.body, "vertebra");
+  EXPECT_GT(MeanHeight(ends.insertion), 38);
+  EXPECT_EQ(ends.origin.body, "femur");
 }
 
 TEST_F(MuscleEndsTest, OneBoneOrNoneIsEnough) {

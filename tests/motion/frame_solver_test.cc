@@ -89,6 +89,39 @@ TEST(FrameSolver, CertifiedFramesKeepTheGap) {
   EXPECT_LT(least, 1);
 }
 
+TEST(FrameSolver, CertifiedFramesKeepAttachmentsOnTheirBones) {
+  const PreparedScene scene = PreparedSmallScene();
+  const auto solver = SolverFor(scene, {});
+  const MuscleSolvers solvers = ReferenceSolvers();
+  SceneState state = solver->StartOfMotion(solvers);
+  for (const double angle : {0.0, 0.2, 0.4}) {
+    SolvedFrame solved = solver->Solve(solvers, FlexedPose(angle), &state, {});
+    EXPECT_TRUE(solved.frame.IsUsable()) << solved.frame.FullReport();
+    for (const MuscleFrame& muscle : solved.frame.muscles) {
+      ASSERT_EQ(muscle.attachments.size(), 2u);
+      for (const AttachmentDrift& drift : muscle.attachments) {
+        EXPECT_GT(drift.vertices, 5);
+        // The reach does not hold back what is carried so near.
+        EXPECT_LT(drift.max, 1e-6) << drift.body << " at " << angle;
+      }
+    }
+    state = std::move(solved.state);
+  }
+}
+
+TEST(FrameSolver, WithoutContactTheDriftIsMeasured) {
+  const PreparedScene scene = PreparedSmallScene();
+  FrameSolverOptions options;
+  options.contact = ContactKind::kNone;
+  const Frame frame =
+      SolverFor(scene, options)
+          ->Solve(ReferenceSolvers(), FlexedPose(0.4), nullptr, {})
+          .frame;
+  // The coarse mesh follows, but is not held.
+  EXPECT_GT(frame.muscles[0].attachments[1].max, 1e-3);
+  EXPECT_LT(frame.muscles[0].attachments[1].max, 5);
+}
+
 // The same motion against requirements that no frame meets: what is measured is
 // what is judged.
 TEST(FrameSolver, CertifiedFramesAreJudged) {

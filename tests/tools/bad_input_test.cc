@@ -183,6 +183,7 @@ TEST_F(BadInput, FlagsThatAreNotAllowedAreRefusedByTheirName) {
       {"contact", "soft", "certified, paper, none"},
       {"contact_level", "middle", "coarse, fine"},
       {"remake", "always", "auto, never"},
+      {"attachments", "all", "auto, scene, none"},
       {"format", "doc", "ply, obj, vtp"},
       {"frames", "2:9", "frames 0 to 1"}};
   for (const Case& bad : cases) {

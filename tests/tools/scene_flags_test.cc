@@ -83,6 +83,7 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
                                            {"threads", "8"},
                                            {"contact_level", "fine"},
                                            {"remake", "never"},
+                                           {"attachments", "scene"},
                                            {"gap", "0.2"},
                                            {"max_rounds", "9"},
                                            {"max_step_turn", "1"},
@@ -132,6 +133,7 @@ TEST(SceneFlags, RefusesValuesThatAreNotAllowedByTheNameOfTheFlag) {
   ExpectFlagRefused("threads", "1000000", "0 (all cores) to 1024");
   ExpectFlagRefused("contact_level", "middle", "coarse, fine");
   ExpectFlagRefused("remake", "always", "auto, never");
+  ExpectFlagRefused("attachments", "all", "auto, scene, none");
   for (const char* value : {"0", "-1", "nan", "0.6"}) {
     ExpectFlagRefused("gap", value, "above 0");
   }
