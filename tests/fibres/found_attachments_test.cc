@@ -43,8 +43,7 @@ TEST_F(FindAttachmentsTest, AreTheVerticesOnTheBonesOfBothEnds) {
     EXPECT_FALSE(attachment.may_penetrate);
     for (const auto& p : attachment.points.rowwise()) {
       EXPECT_EQ(vertices.count({p[0], p[1], p[2]}), 1u);
-      const double distance =
-          (p - Eigen::RowVector3d(0, 0, height)).norm() - 8;
+      const double distance = (p - Eigen::RowVector3d(0, 0, height)).norm() - 8;
       // Within 3 mm of what is nearest, which touches.
       EXPECT_LT(distance, 3.01);
     }
@@ -91,9 +90,7 @@ TEST_F(FindAttachmentsTest, OnePatchIsTakenOfSeveral) {
   EXPECT_EQ(two.points.rows(), 2 * count);
 }
 
-TEST_F(FindAttachmentsTest, NoneWithoutBones) {
-  EXPECT_TRUE(Find().empty());
-}
+TEST_F(FindAttachmentsTest, NoneWithoutBones) { EXPECT_TRUE(Find().empty()); }
 
 }  // namespace
 }  // namespace musclewarp

@@ -29,9 +29,7 @@ struct Line {
   AttachedVertices Attached() const {
     return FindAttachedVertices(attachments, rest);
   }
-  Points AttachedRest() const {
-    return rest(Attached().vertices, Eigen::all);
-  }
+  Points AttachedRest() const { return rest(Attached().vertices, Eigen::all); }
 };
 
 TEST(FindAttachedVertices, ListsEveryVertexOnceForTheFirstArea) {
@@ -55,8 +53,8 @@ TEST(DriftOf, IsTheMeanAndTheLargestDistanceOfEachArea) {
   Points points = line.rest;
   points(5, 0) += 3;
   points(6, 1) -= 1;
-  const auto drifts = DriftOf(
-      line.attachments, line.Attached(), line.AttachedRest(), points);
+  const auto drifts =
+      DriftOf(line.attachments, line.Attached(), line.AttachedRest(), points);
   ASSERT_EQ(drifts.size(), 2u);
   EXPECT_EQ(drifts[0].body, "pelvis");
   EXPECT_EQ(drifts[0].vertices, 4);

@@ -21,25 +21,23 @@ constexpr int kVoxels = 6000;
 // Of an end without a bone, what is attached reaches so far from its tip, as a
 // share of the length of the muscle.
 constexpr double kTipShare = 0.1;
-// A tip lies on another soft part if half of it is at most so far away, mm.
+// A tip lies on another soft part if half of it is at most so far away, or in
+// it, mm.
 constexpr double kTouching = 1;
 // A radius that covers the points of an attachment themselves, mm.
 constexpr double kNoRadius = 1e-6;
 
-// The distance from a point to the nearest bone, mm: zero in a bone, infinity
-// beyond `limit`.
-double DistanceOutside(const BodySurface& body,
-                       const RowVector3d& point,
-                       double limit) {
+// The distance from a point to the nearest of several meshes, mm: zero inside
+// of one, infinity if there is none.
+double DistanceOutside(const std::vector<const TriangleBvh*>& meshes,
+                       const RowVector3d& point) {
   double distance = kInfinity;
-  for (const TriangleBvh* bone : body.bones) {
-    const TriangleBvh::Closest closest = bone->ClosestPoint(point);
+  for (const TriangleBvh* mesh : meshes) {
+    const TriangleBvh::Closest closest = mesh->ClosestPoint(point);
     if (closest.triangle < 0) continue;
-    const RowVector3d normal = AreaVector(bone->corners(closest.triangle));
+    const RowVector3d normal = AreaVector(mesh->corners(closest.triangle));
     if (normal.dot(point - closest.point) <= 0) return 0;
-    if (closest.distance <= limit) {
-      distance = std::min(distance, closest.distance);
-    }
+    distance = std::min(distance, closest.distance);
   }
   return distance;
 }
@@ -88,8 +86,7 @@ std::vector<int> OnBones(const BodySurface& body,
   std::vector<double> distances;
   double nearest = kInfinity;
   for (const int v : vertices) {
-    distances.push_back(
-        DistanceOutside(body, points.row(v), kNearBone + kAreaDepth));
+    distances.push_back(DistanceOutside(body.bones, points.row(v)));
     nearest = std::min(nearest, distances.back());
   }
   std::vector<int> on_bones;
@@ -123,10 +120,7 @@ bool LiesOnSoftPart(const std::vector<int>& vertices,
                     const std::vector<const TriangleBvh*>& soft_parts) {
   size_t touching = 0;
   for (const int v : vertices) {
-    touching += std::any_of(
-        soft_parts.begin(), soft_parts.end(), [&](const TriangleBvh* part) {
-          return part->IsWithin(points.row(v), kTouching);
-        });
+    touching += DistanceOutside(soft_parts, points.row(v)) <= kTouching;
   }
   return 2 * touching >= vertices.size();
 }

@@ -145,62 +145,66 @@ std::pair<int, int> Tips(const VoxelGrid& grid) {
   return {static_cast<int>(first), static_cast<int>(second)};
 }
 
-// Returns the body of a line that ends in the far part of the muscle, as
-// `distances` of voxels have it, or nothing.
-std::optional<std::string> BodyOfLineEnd(const VoxelGrid& grid,
-                                         const std::vector<ActionLine>& lines,
-                                         const Eigen::VectorXd& distances) {
+// Returns the body of a line that ends within a distance of a tip, as
+// `from_tip` of voxels has it, or nothing.
+std::optional<std::string> BodyOfLineAt(const VoxelGrid& grid,
+                                        const std::vector<ActionLine>& lines,
+                                        const Eigen::VectorXd& from_tip,
+                                        double distance) {
   for (const ActionLine& line : lines) {
+    if (line.bodies.empty()) continue;  // the poses say where it goes
     for (const Eigen::Index end : {Eigen::Index{0}, line.rest.rows() - 1}) {
       const int voxel = grid.Nearest(line.rest.row(end));
-      if (voxel >= 0 && distances[voxel] >= kEndShare * distances.maxCoeff()) {
-        return line.bodies[end];
-      }
+      if (voxel >= 0 && from_tip[voxel] <= distance) return line.bodies[end];
     }
   }
   return std::nullopt;
 }
 
-// Adds a tip of the muscle as an area if no area is near it.
-void AddLoneEnd(const VoxelGrid& grid,
-                const std::vector<BodySurface>& bodies,
-                const std::vector<ActionLine>& lines,
-                std::vector<MuscleEnd>* areas) {
+// Adds the tips of the muscle as areas to which no area is near.
+void AddLoneEnds(const VoxelGrid& grid,
+                 const std::vector<BodySurface>& bodies,
+                 const std::vector<ActionLine>& lines,
+                 std::vector<MuscleEnd>* areas) {
   const auto [first, second] = Tips(grid);
   const double length = DistancesWithin(grid, {first})[second];
   std::vector<int> all;
   for (const MuscleEnd& area : *areas) {
     all.insert(all.end(), area.voxels.begin(), area.voxels.end());
   }
-  // Without any area, both tips are added.
-  const auto add = [&](const Eigen::VectorXd& distances) {
-    Eigen::Index farthest;
-    const double distance = distances.maxCoeff(&farthest);
+  const auto add = [&](int tip, const Eigen::VectorXd& distances) {
+    const Eigen::VectorXd from_tip = DistancesWithin(grid, {tip});
+    const double distance = distances[tip];
     std::vector<int> voxels;
-    const Eigen::VectorXd around =
-        DistancesWithin(grid, {static_cast<int>(farthest)});
     for (int v = 0; v < grid.num_voxels(); ++v) {
       if (distances[v] >= kEndShare * distance &&
-          around[v] <= (1 - kEndShare) * distance) {
+          from_tip[v] <= (1 - kEndShare) * distance) {
         voxels.push_back(v);
       }
     }
-    const auto body = BodyOfLineEnd(grid, lines, distances);
-    areas->push_back(
-        {body ? *body
-              : NearestBody(bodies, grid.Center(static_cast<int>(farthest))),
-         std::move(voxels)});
+    const auto body =
+        BodyOfLineAt(grid, lines, from_tip, kLoneLineEnd * length);
+    areas->push_back({body ? *body : NearestBody(bodies, grid.Center(tip)),
+                      std::move(voxels)});
   };
+  // Without any area, both tips are added.
   if (all.empty()) {
-    add(DistancesWithin(grid, {second}));
-    add(DistancesWithin(grid, {first}));
+    add(first, DistancesWithin(grid, {second}));
+    add(second, DistancesWithin(grid, {first}));
     return;
   }
   const Eigen::VectorXd distances = DistancesWithin(grid, all);
-  const double far =
-      BodyOfLineEnd(grid, lines, distances) ? kLoneLineEnd : kLoneEnd;
-  if (distances.maxCoeff() > far * length || areas->size() == 1) {
-    add(distances);
+  for (const int tip : {first, second}) {
+    if (distances[tip] > kLoneLineEnd * length &&
+        distances[tip] <= kLoneEnd * length &&
+        BodyOfLineAt(
+            grid, lines, DistancesWithin(grid, {tip}), kLoneLineEnd * length)) {
+      add(tip, distances);
+    }
+  }
+  Eigen::Index farthest;
+  if (distances.maxCoeff(&farthest) > kLoneEnd * length || areas->size() == 1) {
+    add(static_cast<int>(farthest), distances);
   }
 }
 
@@ -244,7 +248,7 @@ MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
   std::vector<MuscleEnd> areas = GivenAreas(muscle, grid, known.attachments);
   if (areas.empty()) areas = NearAreas(muscle, grid, bodies);
   if (areas.size() < 2 || known.attachments.empty()) {
-    AddLoneEnd(grid, bodies, known.lines, &areas);
+    AddLoneEnds(grid, bodies, known.lines, &areas);
   }
   std::vector<Eigen::VectorXd> distances;
   for (const MuscleEnd& area : areas) {

@@ -50,7 +50,14 @@ struct PrepareOptions {
   // factor, as one of them is likely in other units.
   double scale_warning_ratio = 100;
 
-  PrepareOptions() { fibres.fibres = 0; }
+  // A muscle without fibres that follows its attachments. With an attachment
+  // weight of 1 the coarse meshes leave them to the offsets of the fine ones,
+  // by up to 11 mm (thigh, flexion by 45 degrees); with 8 by 4 mm at most,
+  // where no tendon is in the way.
+  PrepareOptions() {
+    fibres.fibres = 0;
+    muscle.attachment_weight = 8;
+  }
 
   // Also checks the options within.
   bool IsValid(std::string* error) const;

@@ -31,7 +31,7 @@ struct MuscleModelOptions {
 
   // Weight of all rows of one attachment together. Attachment rows go beyond
   // the paper; 0 leaves them out.
-  double attachment_weight = 8;
+  double attachment_weight = 0;
 
   // Largest number of rows per attachment. If more fine vertices lie in the
   // area, they are thinned to this many.
