@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/transformed.h"
+#include "support/meshes.h"
 #include "support/small_scene.h"
 
 namespace musclewarp {
@@ -36,6 +38,24 @@ TEST(FindAttachedVertices, ListsEveryVertexOnceForTheFirstArea) {
   const AttachedVertices attached = Line().Attached();
   EXPECT_EQ(attached.vertices, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7}));
   EXPECT_EQ(attached.attachment, (std::vector<int>{0, 0, 0, 0, 1, 1, 1, 1}));
+}
+
+TEST(AttachedAreas, OfAllVerticesAreTheSurface) {
+  const TriangleSoup sphere = Icosphere(10, 3);
+  std::vector<Attachment> halves(2);
+  halves[0].points = Eigen::RowVector3d(0, 0, 20);
+  halves[0].radius = 20;
+  halves[1].points = Eigen::RowVector3d(0, 0, 0);
+  halves[1].radius = 11;
+  const auto areas = AttachedAreas(halves,
+                                   FindAttachedVertices(halves, sphere.points),
+                                   sphere.points,
+                                   sphere.triangles);
+  ASSERT_EQ(areas.size(), 2u);
+  EXPECT_NEAR(
+      areas[0] + areas[1], SurfaceArea(sphere.points, sphere.triangles), 1e-9);
+  // A cap of height 5, less what a ring of triangles adds or takes.
+  EXPECT_NEAR(areas[0], 2 * M_PI * 10 * 5, 30);
 }
 
 TEST(AttachedPositions, MoveWithTheBodies) {

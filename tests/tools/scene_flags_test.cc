@@ -95,6 +95,7 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
   EXPECT_EQ(options.deformer.prepare.muscle.sample_spacing, 5);
   EXPECT_EQ(options.deformer.prepare.muscle.skeleton_weight, 2);
   EXPECT_EQ(options.deformer.prepare.muscle.attachment_weight, 3);
+  EXPECT_EQ(options.deformer.prepare.attachments, AttachmentKind::kScene);
   EXPECT_EQ(options.deformer.prepare.auto_lines, 4);
   EXPECT_EQ(options.deformer.prepare.repair.holes.max_perimeter, 50);
   EXPECT_EQ(options.deformer.solver.gauss_newton.max_iterations, 60);

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/mesh/triangle.h"
 #include "musclewarp/scene/attachment_area.h"
 #include "musclewarp/scene/line_targets.h"
 
@@ -25,6 +26,26 @@ AttachedVertices FindAttachedVertices(
     attached.attachment.push_back(attachment);
   }
   return attached;
+}
+
+std::vector<double> AttachedAreas(const std::vector<Attachment>& attachments,
+                                  const AttachedVertices& attached,
+                                  const Points& points,
+                                  const Triangles& triangles) {
+  constexpr int kNone = -1;
+  std::vector<int> attachment_of(points.rows(), kNone);
+  for (size_t i = 0; i < attached.vertices.size(); ++i) {
+    attachment_of[attached.vertices[i]] = attached.attachment[i];
+  }
+  std::vector<double> areas(attachments.size(), 0);
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    const double area =
+        AreaVector(CornersOf(points, triangles.row(f))).norm() / 2;
+    for (const int v : triangles.row(f)) {
+      if (attachment_of[v] != kNone) areas[attachment_of[v]] += area / 3;
+    }
+  }
+  return areas;
 }
 
 Points AttachedPositions(const std::vector<Attachment>& attachments,

@@ -22,6 +22,13 @@ struct AttachedVertices {
 AttachedVertices FindAttachedVertices(
     const std::vector<Attachment>& attachments, const Points& rest);
 
+// Returns the area of each attachment on the surface, mm^2: a third of every
+// triangle for each of its corners that is attached. `points`: #V x 3, mm.
+std::vector<double> AttachedAreas(const std::vector<Attachment>& attachments,
+                                  const AttachedVertices& attached,
+                                  const Points& points,
+                                  const Triangles& triangles);
+
 // Returns where the bodies have the attached vertices in a pose, #attached x 3,
 // mm. `rest`: where they have them in the rest pose.
 Points AttachedPositions(const std::vector<Attachment>& attachments,

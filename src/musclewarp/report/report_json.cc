@@ -54,9 +54,28 @@ OrderedJson ToJson(const Remaking& remaking) {
           {"farthest_mm", remaking.farthest}};
 }
 
+// The attachment areas of a muscle. `is_found`: on the meshes, not in the
+// scene.
+OrderedJson AttachmentsJson(const PreparedMuscle& muscle, bool is_found) {
+  const MuscleModel& model = muscle.model;
+  const std::vector<double> areas = AttachedAreas(model.attachments,
+                                                  muscle.attached,
+                                                  model.fine_rest,
+                                                  model.fine_triangles);
+  OrderedJson list = OrderedJson::array();
+  for (size_t a = 0; a < areas.size(); ++a) {
+    list.push_back({{"body", model.attachments[a].body},
+                    {"area_mm2", areas[a]},
+                    {"found", is_found}});
+  }
+  return list;
+}
+
 OrderedJson PrepareJson(const PreparedScene& scene) {
   OrderedJson muscles = OrderedJson::array();
-  for (const PreparedMuscle& muscle : scene.muscles) {
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    const PreparedMuscle& muscle = scene.muscles[i];
+    const bool has_named = !scene.scene.muscles[i].attachments.empty();
     muscles.push_back({{"name", muscle.model.name},
                        {"mesh", muscle.mesh.path},
                        {"fine_vertices", muscle.model.fine_rest.rows()},
@@ -68,6 +87,7 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
                        {"fibres", muscle.fibres.num_lines()},
                        {"fibres_ms", muscle.fibres_ms},
                        {"attachment_rows", muscle.model.attachment_of.size()},
+                       {"attachments", AttachmentsJson(muscle, !has_named)},
                        {"defects", DefectsJson(muscle.mesh.defects)},
                        {"repairs", ToJson(muscle.mesh)},
                        {"remade", ToJson(muscle.mesh.remaking)}});
