@@ -54,8 +54,8 @@ TEST(AttachedAreas, OfAllVerticesAreTheSurface) {
   ASSERT_EQ(areas.size(), 2u);
   EXPECT_NEAR(
       areas[0] + areas[1], SurfaceArea(sphere.points, sphere.triangles), 1e-9);
-  // A cap of height 5, less what a ring of triangles adds or takes.
-  EXPECT_NEAR(areas[0], 2 * M_PI * 10 * 5, 30);
+  // A cap of height 7.5, less what a ring of triangles adds or takes.
+  EXPECT_NEAR(areas[0], 2 * M_PI * 10 * 7.5, 30);
 }
 
 TEST(AttachedPositions, MoveWithTheBodies) {
