@@ -44,7 +44,7 @@ TEST(HalfEdges, GoRoundTheirTriangle) {
 
 TEST(UsesOfEdges, AreTwoPerEdgeOfAClosedManifold) {
   const TriangleSoup ball = Icosphere(10, 2);
-  const EdgeUses edges = UsesOfEdges(ball.triangles);
+  const EdgeUses edges(ball.triangles);
   // Euler: V - E + F = 2.
   EXPECT_EQ(static_cast<Eigen::Index>(edges.size()),
             ball.points.rows() + ball.triangles.rows() - 2);
@@ -62,7 +62,7 @@ TEST(UsesOfEdges, AreTwoPerEdgeOfAClosedManifold) {
 }
 
 TEST(UsesOfEdges, MayBeAnyNumber) {
-  const EdgeUses edges = UsesOfEdges(ThreeAroundAnEdge());
+  const EdgeUses edges(ThreeAroundAnEdge());
   ASSERT_EQ(edges.size(), 7u);
   EXPECT_EQ(std::vector<int>(edges[0].begin(), edges[0].end()),
             (std::vector<int>{0, 3, 6}));
@@ -73,7 +73,7 @@ TEST(UsesOfEdges, ATriangleWithARepeatedCornerHasNone) {
   Triangles triangles(1, 3);
   triangles << 4, 5, 4;
   EXPECT_TRUE(HasRepeatedCorner(triangles, 0));
-  EXPECT_TRUE(UsesOfEdges(triangles).empty());
+  EXPECT_TRUE(EdgeUses(triangles).empty());
 }
 
 TEST(DisjointSets, AreRepresentedByTheirLowestMember) {
@@ -118,8 +118,7 @@ TEST(ConnectedComponents, AreNumberedByTheirFirstTriangles) {
     mixed.row(2 * f) = balls.triangles.row(half + f);
     mixed.row(2 * f + 1) = balls.triangles.row(f);
   }
-  const Components components =
-      ConnectedComponents(mixed, UsesOfEdges(mixed), 2);
+  const Components components = ConnectedComponents(mixed, EdgeUses(mixed), 2);
   EXPECT_EQ(components.count, 2);
   for (int f = 0; f < mixed.rows(); ++f) {
     EXPECT_EQ(components.label[f], f % 2);
@@ -128,7 +127,7 @@ TEST(ConnectedComponents, AreNumberedByTheirFirstTriangles) {
 
 TEST(ConnectedComponents, MayEndAtCrowdedEdges) {
   const Triangles triangles = ThreeAroundAnEdge();
-  const EdgeUses edges = UsesOfEdges(triangles);
+  const EdgeUses edges(triangles);
   EXPECT_EQ(ConnectedComponents(triangles, edges, 2).count, 3);
   EXPECT_EQ(ConnectedComponents(triangles, edges, 3).count, 1);
 }
@@ -136,7 +135,7 @@ TEST(ConnectedComponents, MayEndAtCrowdedEdges) {
 TEST(ConnectedComponents, ASharedPointDoesNotConnect) {
   Triangles triangles(2, 3);
   triangles << 0, 1, 2, 0, 3, 4;
-  EXPECT_EQ(ConnectedComponents(triangles, UsesOfEdges(triangles), 2).count, 2);
+  EXPECT_EQ(ConnectedComponents(triangles, EdgeUses(triangles), 2).count, 2);
 }
 
 TEST(DropUnreferencedPoints, KeepsTheOrderOfTheOthers) {

@@ -82,6 +82,7 @@ TEST(DriftOf, IsTheMeanAndTheLargestDistanceOfEachArea) {
   EXPECT_EQ(drifts[1].body, "femur");
   EXPECT_NEAR(drifts[1].mean, 1, 1e-14);
   EXPECT_NEAR(drifts[1].max, 3, 1e-14);
+  EXPECT_EQ(drifts[1].place, points.row(5));
 }
 
 TEST(DriftOf, OfAnAreaWithoutVerticesIsZero) {

@@ -28,7 +28,7 @@ inline FrameRecord SomeRecord(int index) {
   muscle.max_displacement_mm = 12;
   muscle.min_gap_mm = -0.5;
   muscle.folded_triangles = 3;
-  muscle.attachments = {{"pelvis", 12, 0.1 / 3, 0.7}};
+  muscle.attachments = {{"pelvis", 12, 0.1 / 3, 0.7, {1, 2, 1.0 / 3}}};
   muscle.iterations = 17;
   muscle.solve_ms = 0.6;
   muscle.initial_energy_mm2 = 5;

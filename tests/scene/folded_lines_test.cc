@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include "musclewarp/scene/line_targets.h"
+
 namespace musclewarp {
 namespace {
 
@@ -14,6 +16,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 // A line beside a joint at the origin, which two poses close by these angles,
 // in degrees.
@@ -47,6 +50,17 @@ TEST(FoldedLineWarnings, NameTheLineAndTheWorstPose) {
               ElementsAre(AllOf(HasSubstr("line elbow of muscle brachialis"),
                                 HasSubstr("in pose closed by 100, by 130"),
                                 HasSubstr("slide"))));
+}
+
+TEST(FoldedLineWarnings, ProposeToSlideOnlyWhereTheLineCould) {
+  Scene scene = BesideAJoint(110, 100);
+  const ActionLine& line = scene.muscles[0].lines[0];
+  for (ScenePose& pose : scene.poses) {
+    pose.lines[line.name] = LineTargets({line}, pose)[0].points;
+  }
+  EXPECT_THAT(FoldedLineWarnings(scene),
+              ElementsAre(AllOf(HasSubstr("leave out points"),
+                                Not(HasSubstr("slide")))));
 }
 
 TEST(FoldedLineWarnings, AreNotGivenForLinesThatOnlyBend) {

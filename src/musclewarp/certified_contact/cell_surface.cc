@@ -22,7 +22,7 @@ namespace {
 // Deletes all components but the one that encloses the largest volume.
 void KeepLargestBody(TriangleSoup* soup) {
   const Components components = ConnectedComponents(
-      soup->triangles, UsesOfEdges(soup->triangles), soup->triangles.size());
+      soup->triangles, EdgeUses(soup->triangles), soup->triangles.size());
   std::vector<double> volumes(components.count, 0);
   for (Eigen::Index f = 0; f < soup->triangles.rows(); ++f) {
     volumes[components.label[f]] +=

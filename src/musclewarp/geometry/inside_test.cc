@@ -54,7 +54,7 @@ Eigen::RowVector3d RandomDirection(const Eigen::RowVector3d& point,
 }
 
 bool HasEvenEdges(const Triangles& triangles) {
-  const EdgeUses edges = UsesOfEdges(triangles);
+  const EdgeUses edges(triangles);
   return std::all_of(edges.begin(), edges.end(), [](const auto& uses) {
     return uses.size() % 2 == 0;
   });

@@ -38,7 +38,7 @@ TriangleSoup Wrap(const TriangleSoup&, double) {
 // part of the coarse mesh of one muscle.
 TriangleSoup LargestComponent(TriangleSoup soup) {
   const Components components = ConnectedComponents(
-      soup.triangles, UsesOfEdges(soup.triangles), /*max_uses=*/2);
+      soup.triangles, EdgeUses(soup.triangles), /*max_uses=*/2);
   if (components.count == 1) return soup;
   TriangleSoup largest;
   double largest_volume = -INFINITY;

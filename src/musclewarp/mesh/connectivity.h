@@ -42,7 +42,7 @@ inline bool HasRepeatedCorner(const Triangles& triangles, int f) {
 // ascending order of (lower point, higher point). Triangles with a repeated
 // corner have no edges.
 //
-//   for (const EdgeUses::Uses& uses : UsesOfEdges(triangles)) {
+//   for (const EdgeUses::Uses& uses : EdgeUses(triangles)) {
 //     if (uses.size() == 1) ...  // uses[0] is on a border
 //   }
 class EdgeUses {
@@ -80,10 +80,6 @@ class EdgeUses {
   std::vector<Uses> edges_;
 };
 
-inline EdgeUses UsesOfEdges(const Triangles& triangles) {
-  return EdgeUses(triangles);
-}
-
 // Disjoint sets of the numbers 0 .. size - 1 (union-find), each represented by
 // its lowest member, so that the outcome does not depend on the order in which
 // sets are joined.
@@ -113,7 +109,7 @@ struct Components {
 // Finds the components. Two triangles are connected if they share an edge that
 // has at most `max_uses` triangles: with 2, sheets end where three or more
 // meet; with the number of triangles, they do not. `edges` is
-// UsesOfEdges(triangles).
+// EdgeUses(triangles).
 Components ConnectedComponents(const Triangles& triangles,
                                const EdgeUses& edges,
                                size_t max_uses);

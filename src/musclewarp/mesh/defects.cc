@@ -111,7 +111,7 @@ MeshDefects CountDefects(const TriangleSoup& soup) {
     if (HasRepeatedCorner(soup.triangles, f)) has_repeated_corner = true;
   }
   defects.duplicate_triangles = CountDuplicateTriangles(soup.triangles);
-  const EdgeUses edges = UsesOfEdges(soup.triangles);
+  const EdgeUses edges(soup.triangles);
   CountEdges(soup, edges, &defects);
   defects.non_manifold_vertices = CountNonManifoldVertices(soup, edges);
   defects.components =

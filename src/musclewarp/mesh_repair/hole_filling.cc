@@ -180,7 +180,7 @@ Triangles FillLoop(const BorderLoop& loop, const Edges& taken, Points* points) {
 
 std::vector<BorderLoop> FindBorderLoops(const Triangles& triangles) {
   std::set<std::pair<int, int>> open;
-  for (const auto& uses : UsesOfEdges(triangles)) {
+  for (const auto& uses : EdgeUses(triangles)) {
     if (uses.size() != 1) continue;
     open.emplace(TargetOf(triangles, uses[0]), OriginOf(triangles, uses[0]));
   }

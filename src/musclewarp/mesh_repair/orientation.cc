@@ -88,7 +88,7 @@ std::vector<int> RelativeSides(
 
 Flips OrientConsistently(TriangleSoup* soup) {
   Triangles& triangles = soup->triangles;
-  const EdgeUses edges = UsesOfEdges(triangles);
+  const EdgeUses edges(triangles);
   const Components components = ConnectedComponents(triangles, edges, 2);
   const std::vector<bool> encloses = EnclosingComponents(edges, components);
 

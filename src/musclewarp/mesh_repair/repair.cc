@@ -32,7 +32,7 @@ void DropComponents(const Keep& keep,
                     TriangleSoup* soup,
                     RepairReport* report) {
   const Components components = ConnectedComponents(
-      soup->triangles, UsesOfEdges(soup->triangles), soup->triangles.size());
+      soup->triangles, EdgeUses(soup->triangles), soup->triangles.size());
   std::vector<double> area(components.count, 0);
   for (int f = 0; f < soup->triangles.rows(); ++f) {
     area[components.label[f]] +=

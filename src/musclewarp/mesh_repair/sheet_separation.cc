@@ -194,7 +194,7 @@ int SplitSharedEdges(Mates* mates, TriangleSoup* soup) {
     return h >= 3 * static_cast<int>(is_touched.size()) ||
            (h >= 0 && is_touched[h / 3]);
   };
-  for (const auto& uses : UsesOfEdges(triangles)) {
+  for (const auto& uses : EdgeUses(triangles)) {
     const bool is_shared =
         uses.size() > 2 || (uses.size() == 2 && (*mates)[uses[0]] != uses[1]);
     if (!is_shared || std::any_of(uses.begin(), uses.end(), [&](int h) {
@@ -229,7 +229,7 @@ int SplitSharedEdges(Mates* mates, TriangleSoup* soup) {
 }  // namespace
 
 Separation SeparateAtNonManifoldEdges(TriangleSoup* soup) {
-  const EdgeUses edges = UsesOfEdges(soup->triangles);
+  const EdgeUses edges(soup->triangles);
   const Sheets sheets = FindSheets(*soup, edges);
   std::vector<bool> is_crowded(soup->points.rows(), false);
   Mates mates(soup->triangles.size(), -1);
@@ -252,7 +252,7 @@ Separation SeparateAtNonManifoldEdges(TriangleSoup* soup) {
 
 int SeparateAtNonManifoldVertices(TriangleSoup* soup) {
   Mates mates(soup->triangles.size(), -1);
-  for (const auto& uses : UsesOfEdges(soup->triangles)) {
+  for (const auto& uses : EdgeUses(soup->triangles)) {
     if (uses.size() == 2) Pair(uses[0], uses[1], &mates);
   }
   const std::vector<bool> all(soup->points.rows(), true);

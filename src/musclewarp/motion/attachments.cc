@@ -70,7 +70,7 @@ std::vector<AttachmentDrift> DriftOf(const std::vector<Attachment>& attachments,
                                      const Points& points) {
   std::vector<AttachmentDrift> drifts;
   for (const Attachment& attachment : attachments) {
-    drifts.push_back({attachment.body, 0, 0, 0});
+    drifts.emplace_back().body = attachment.body;
   }
   for (size_t i = 0; i < attached.vertices.size(); ++i) {
     AttachmentDrift& drift = drifts[attached.attachment[i]];
@@ -78,7 +78,9 @@ std::vector<AttachmentDrift> DriftOf(const std::vector<Attachment>& attachments,
         (points.row(attached.vertices[i]) - positions.row(i)).norm();
     ++drift.vertices;
     drift.mean += distance;
-    drift.max = std::max(drift.max, distance);
+    if (distance < drift.max) continue;
+    drift.max = distance;
+    drift.place = points.row(attached.vertices[i]);
   }
   for (AttachmentDrift& drift : drifts) {
     if (drift.vertices > 0) drift.mean /= drift.vertices;

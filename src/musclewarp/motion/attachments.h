@@ -41,6 +41,7 @@ struct AttachmentDrift {
   std::string body;
   int vertices = 0;
   double mean = 0, max = 0;  // of the distances of its vertices, mm
+  Eigen::RowVector3d place = Eigen::RowVector3d::Zero();  // of the farthest one
 };
 
 // Returns the drift of each attachment. `points`: the fine mesh, #V x 3, mm;

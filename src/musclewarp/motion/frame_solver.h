@@ -65,7 +65,8 @@ struct ContactReport {
   std::optional<SceneIntersections> rest;
 
   // The muscles, by number, that contact has moved farther in the rest pose
-  // than the requirements allow: a part of each is cut off from the rest.
+  // than the requirements allow, most likely because a bone or another muscle
+  // cuts off a part of them.
   std::vector<int> displaced_at_rest;
 };
 

@@ -17,8 +17,7 @@ namespace musclewarp::phantom {
 // way the bones keep 0.5 mm apart, no line becomes shorter than 0.6 or longer
 // than 1.5 times its length at rest, none turns by more than 90 degrees from a
 // segment to the next, and no point of a line comes more than 6 mm deep into a
-// bone. Where a drawn angle is too large for that, a smaller
-// one is taken.
+// bone. Where a drawn angle is too large for that, a smaller one is taken.
 //
 // Returns no poses if no turn of 8 degrees or more was found.
 std::vector<ScenePose> DrawPoses(const std::vector<RandomBone>& bones,

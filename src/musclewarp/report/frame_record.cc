@@ -48,10 +48,12 @@ MuscleRecord RecordOf(const MuscleModel& model, const MuscleFrame& frame) {
 OrderedJson ToJson(const std::vector<AttachmentDrift>& drifts) {
   OrderedJson list = OrderedJson::array();
   for (const AttachmentDrift& drift : drifts) {
-    list.push_back({{"body", drift.body},
-                    {"vertices", drift.vertices},
-                    {"mean_drift_mm", drift.mean},
-                    {"max_drift_mm", drift.max}});
+    list.push_back(
+        {{"body", drift.body},
+         {"vertices", drift.vertices},
+         {"mean_drift_mm", drift.mean},
+         {"max_drift_mm", drift.max},
+         {"place_mm", {drift.place.x(), drift.place.y(), drift.place.z()}}});
   }
   return list;
 }
@@ -64,6 +66,7 @@ std::vector<AttachmentDrift> DriftsFromJson(const OrderedJson& json) {
     item.at("vertices").get_to(drift.vertices);
     item.at("mean_drift_mm").get_to(drift.mean);
     item.at("max_drift_mm").get_to(drift.max);
+    for (int k = 0; k < 3; ++k) item.at("place_mm")[k].get_to(drift.place[k]);
   }
   return drifts;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "musclewarp/report/drift_warnings.h"
 #include "musclewarp/report/machine.h"
 
 namespace musclewarp {
@@ -204,6 +205,7 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
           {"prepare", prepare},
           {"rest", rest},
           {"frames", frames},
+          {"warnings", DriftWarnings(run.frames)},
           {"summary",
            {{"frames", totals.frames},
             {"frames_clean", totals.frames_clean},

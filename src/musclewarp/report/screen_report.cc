@@ -6,6 +6,9 @@
 #include <cmath>
 #include <iomanip>
 #include <string>
+#include <vector>
+
+#include "musclewarp/report/drift_warnings.h"
 
 namespace musclewarp {
 
@@ -17,19 +20,29 @@ std::string OutcomeOf(const FrameRecord& frame) {
   return frame.shortcomings.empty() ? frame.stop_reason : "NOT usable";
 }
 
-void PrintShortcomings(const RunRecord& run, std::ostream& out) {
-  constexpr size_t kMost = 12;  // lines; the rest is in report.json
-  size_t count = 0;
+// Prints a list under a title, unless it is empty.
+void PrintList(const std::string& title,
+               const std::vector<std::string>& lines,
+               std::ostream& out) {
+  constexpr size_t kMost = 12;  // the rest is in report.json
+  if (lines.empty()) return;
+  out << "\n" << title << ":\n";
+  for (size_t i = 0; i < std::min(kMost, lines.size()); ++i) {
+    out << "  " << lines[i] << "\n";
+  }
+  if (lines.size() > kMost) {
+    out << "  ... and " << lines.size() - kMost << " more in report.json\n";
+  }
+}
+
+std::vector<std::string> Shortcomings(const RunRecord& run) {
+  std::vector<std::string> lines;
   for (const FrameRecord& frame : run.frames) {
     for (const std::string& shortcoming : frame.shortcomings) {
-      if (++count > kMost) continue;
-      out << (count == 1 ? "\nnot usable:\n" : "") << "  " << frame.name << ": "
-          << shortcoming << "\n";
+      lines.push_back(frame.name + ": " + shortcoming);
     }
   }
-  if (count > kMost) {
-    out << "  ... and " << count - kMost << " more in report.json\n";
-  }
+  return lines;
 }
 
 // Returns what was done to a mesh, for the end of its line.
@@ -104,7 +117,8 @@ void PrintFrames(const RunRecord& run, std::ostream& out) {
     print_counts(frame.intersections);
     out << "  " << OutcomeOf(frame) << "\n";
   }
-  PrintShortcomings(run, out);
+  PrintList("not usable", Shortcomings(run), out);
+  PrintList("warnings", DriftWarnings(run.frames), out);
   const RunTotals totals = TotalsOf(run);
   out << "\n"
       << totals.frames << " frames, " << totals.frames_clean

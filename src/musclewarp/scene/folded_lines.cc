@@ -14,6 +14,13 @@ namespace {
 constexpr double kDegrees = 57.29577951308232;
 constexpr double kSharpestTurn = 120 / kDegrees;  // rad
 
+// Whether a scene file may say that the line slides: its points follow bodies,
+// and the pose does not say where they are.
+bool CouldSlide(const ActionLine& line, const ScenePose& pose) {
+  return !line.slides && !line.bodies.empty() &&
+         pose.lines.count(line.name) == 0;
+}
+
 }  // namespace
 
 std::vector<std::string> FoldedLineWarnings(const Scene& scene) {
@@ -34,8 +41,10 @@ std::vector<std::string> FoldedLineWarnings(const Scene& scene) {
            << " turns back on itself in pose " << folded->name << ", by "
            << std::round(sharpest * kDegrees)
            << " degrees from a segment to the next, where the muscle will have "
-              "folds: leave out points near the joint, or let the line slide "
-              "(\"slides\": true)";
+              "folds: leave out points near the joint";
+      if (CouldSlide(line, *folded)) {
+        text << ", or let the line slide (\"slides\": true)";
+      }
       warnings.push_back(text.str());
     }
   }
