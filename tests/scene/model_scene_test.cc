@@ -96,16 +96,16 @@ TEST_F(ModelScene, BodiesTurnFromTheRestPoseToThePose) {
       kTransformRounding);
 }
 
-TEST_F(ModelScene, LinesAreThePathsWithoutConditionalPoints) {
+TEST_F(ModelScene, LinesAreThePathsWithConditionalPoints) {
   const Scene scene = Read();
   const ActionLine& line = scene.muscles[0].lines[0];
-  ASSERT_EQ(line.rest.rows(), 2);
-  EXPECT_THAT(line.bodies, ElementsAre("thigh", "shank"));
+  ASSERT_EQ(line.rest.rows(), 3);
+  EXPECT_THAT(line.bodies, ElementsAre("thigh", "thigh", "shank"));
   const Eigen::Vector3d last = kKnee + Eigen::Vector3d(30, -100, 0);
-  EXPECT_LT((line.rest.row(1).transpose() - Turned(last, -20)).norm(),
+  EXPECT_LT((line.rest.row(2).transpose() - Turned(last, -20)).norm(),
             kTransformRounding);
   const Points target = LineTargets({line}, scene.poses[2])[0].points;
-  EXPECT_LT((target.row(1).transpose() - Turned(last, -60)).norm(),
+  EXPECT_LT((target.row(2).transpose() - Turned(last, -60)).norm(),
             kTransformRounding);
   // The length of the path counts the point that is active at -60.
   const Eigen::Vector3d first(20, -100, 0), between(50, -400, 0);
@@ -179,7 +179,7 @@ TEST_F(ModelScene, TheRestPoseIsFoundWhereFramesCoincide) {
                 .cwiseAbs()
                 .maxCoeff(),
             1e-3);
-  EXPECT_EQ(scene.muscles[0].lines[0].rest(1, 0), 30);
+  EXPECT_EQ(scene.muscles[0].lines[0].rest(2, 0), 30);
 }
 
 TEST_F(ModelScene, MeshesMayBeInTheFrameOfABody) {

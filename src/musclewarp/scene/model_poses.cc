@@ -9,6 +9,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/opensim/guiding_path.h"
 #include "musclewarp/opensim/rest_pose.h"
 
 namespace musclewarp {
@@ -88,23 +89,6 @@ CoordinateValues FoundRest(const Model& model,
   return pose.values;
 }
 
-// The points of the path that are there in every pose.
-Points PointsOf(const ModelMuscle& muscle,
-                const CoordinateValues& values,
-                const std::vector<Eigen::Matrix4d>& scene_from_body) {
-  Points points(muscle.path.size(), 3);
-  Eigen::Index count = 0;
-  for (const PathPoint& point : muscle.path) {
-    if (point.condition >= 0) continue;
-    points.row(count++) = (scene_from_body[point.body] *
-                           LocationOnBody(point, values).homogeneous())
-                              .head<3>()
-                              .transpose();
-  }
-  points.conservativeResize(count, 3);
-  return points;
-}
-
 }  // namespace
 
 ModelPoses BindModel(Model model,
@@ -144,9 +128,8 @@ ActionLine LineOfMuscle(const ModelPoses& poses, int muscle) {
   }
   ActionLine line;
   line.name = path.name;
-  line.rest = PointsOf(path, poses.rest, rest_from_body);
+  line.rest = GuidingPath(poses.model, path, rest_from_body, poses.rest);
   for (const PathPoint& point : path.path) {
-    if (point.condition >= 0) continue;
     line.bodies.push_back(poses.model.bodies[point.body].name);
   }
   return line;
@@ -173,7 +156,8 @@ ScenePose PoseAt(const ModelPoses& poses, const CoordinateValues& values) {
   }
   for (const int index : poses.muscles) {
     const ModelMuscle& muscle = model.muscles[index];
-    pose.lines[muscle.name] = PointsOf(muscle, values, scene_from_body);
+    pose.lines[muscle.name] =
+        GuidingPath(model, muscle, scene_from_body, values);
     pose.path_lengths[muscle.name] =
         PathLength(muscle, ground_from_body, values);
   }

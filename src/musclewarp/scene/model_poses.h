@@ -63,8 +63,8 @@ ModelPoses BindModel(Model model,
                      std::vector<std::string>* notes);
 
 // Returns the path of a muscle of the model, by its index, as a line of the
-// scene in the rest pose. It has the fixed and moving points of the path;
-// conditional points, which come and go with the pose, are left out.
+// scene in the rest pose. It has all points of the path; conditional points,
+// which come and go with the pose, do so gradually (GuidingPath).
 ActionLine LineOfMuscle(const ModelPoses& poses, int muscle);
 
 // Returns the bodies and lines of the scene at some values of the model's

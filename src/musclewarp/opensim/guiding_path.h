@@ -1,0 +1,45 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <vector>
+
+#include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/opensim/kinematics.h"
+#include "musclewarp/opensim/model.h"
+
+namespace musclewarp {
+
+// A conditional point is switched on and off at the ends of its range, where
+// the path jumps. A muscle that jumped along would not be smooth in time. So
+// the path that guides a muscle leaves and reaches the point gradually, within
+// the range: over this much of its coordinate next to either end, but at most a
+// quarter of the range.
+constexpr double kGuidingFadeAngle = 20 * M_PI / 180;  // rad
+constexpr double kGuidingFadeLength = 0.02;            // m
+
+// Returns how much of a path point guides the muscle: 1 for a point that is
+// always part of the path, 0 for a conditional one that is switched off, and
+// between for one that is near an end of its range. It is a continuously
+// differentiable function of the coordinate.
+double GuidingShare(const Model& model,
+                    const PathPoint& point,
+                    const CoordinateValues& values);
+
+// Returns the polyline along which a muscle is guided, #P x 3, mm: all points
+// of its path, conditional ones included, so that their number is the same in
+// every pose. A conditional point lies between its location on its body, with a
+// share of GuidingShare, and the straight way past it, from the point before to
+// the point after that are always there. While no conditional point is near an
+// end of its range, this is the path of the model.
+//
+// `ground_from_body` is the result of BodyFrames or those frames as seen from
+// elsewhere; the result is in the same frame.
+Points GuidingPath(const Model& model,
+                   const ModelMuscle& muscle,
+                   const std::vector<Eigen::Matrix4d>& ground_from_body,
+                   const CoordinateValues& values);
+
+}  // namespace musclewarp
