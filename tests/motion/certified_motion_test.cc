@@ -57,6 +57,7 @@ TEST(MoveCertified, ReachesAPoseWithoutCrossings) {
   const Frame frame = MeasureFrame(scene,
                                    motion.state.pose,
                                    motion.state.muscles,
+                                   &certified.rest,
                                    motion.summary.summaries,
                                    &meshes);
   EXPECT_TRUE(frame.intersections.IsClean());
@@ -82,7 +83,8 @@ double LargestDifference(const PreparedScene& scene,
 // Returns whether nothing crosses in a state.
 bool IsClean(const PreparedScene& scene, const SceneState& state) {
   SceneMeshes meshes(scene);
-  return MeasureFrame(scene, state.pose, state.muscles, {{}, {}}, &meshes)
+  return MeasureFrame(
+             scene, state.pose, state.muscles, nullptr, {{}, {}}, &meshes)
       .intersections.IsClean();
 }
 

@@ -22,8 +22,8 @@ TEST(MeasureFrame, OfMusclesAtRestIsTheRestFrame) {
   SceneMeshes meshes(scene);
   const Frame rest = RestFrame(scene, &meshes);
   const SceneState state = RestState(scene);
-  const Frame frame =
-      MeasureFrame(scene, state.pose, state.muscles, TwoSummaries(), &meshes);
+  const Frame frame = MeasureFrame(
+      scene, state.pose, state.muscles, nullptr, TwoSummaries(), &meshes);
   for (size_t i = 0; i < 2; ++i) {
     // W X_0 is the fine rest mesh to 1e-12 mm.
     EXPECT_LT((frame.muscles[i].points - rest.muscles[i].points)
@@ -49,7 +49,7 @@ TEST(MeasureFrame, CountsWhatCrossesAndMovesTheBones) {
   down(2, 3) = -15;  // 10 mm into the muscles
   pose.bodies["femur"] = down;
   const Frame frame = MeasureFrame(
-      scene, pose, RestState(scene).muscles, TwoSummaries(), &meshes);
+      scene, pose, RestState(scene).muscles, nullptr, TwoSummaries(), &meshes);
   EXPECT_EQ(frame.name, "down");
   EXPECT_EQ(frame.bones[1], Transformed(scene.bones[1].rest.points, down));
   EXPECT_GT(frame.intersections.triangle_pairs, 0);

@@ -29,6 +29,16 @@ inline FrameRecord SomeRecord(int index) {
   muscle.min_gap_mm = -0.5;
   muscle.folded_triangles = 3;
   muscle.attachments = {{"pelvis", 12, 0.1 / 3, 0.7, {1, 2, 1.0 / 3}}};
+  muscle.shape.max_stretch = 1.2 / 7;
+  muscle.shape.max_stretch_along = 1.1;
+  muscle.shape.max_stretch_across = 1.05;
+  muscle.shape.stretch_place << 1, -2, 1.0 / 7;
+  muscle.shape.min_area_ratio = 0.9;
+  muscle.shape.max_area_ratio = 1.3;
+  muscle.shape.max_bend = 100.0 / 3;
+  muscle.shape.bend_place << 4, 5, 6;
+  muscle.shape.max_change = 0.7;
+  muscle.shape.change_place << 7, 8, 9;
   muscle.iterations = 17;
   muscle.solve_ms = 0.6;
   muscle.initial_energy_mm2 = 5;

@@ -91,6 +91,7 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
   result.frame = MeasureFrame(scene_,
                               pose,
                               motion.state.muscles,
+                              before,
                               std::move(motion.summary.summaries),
                               meshes_.get());
   MeasureDrift(pose, &result.frame);

@@ -9,6 +9,7 @@
 #include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/motion/attachments.h"
+#include "musclewarp/motion/shape_measures.h"
 #include "musclewarp/solver/solver_summary.h"
 
 namespace musclewarp {
@@ -42,6 +43,9 @@ struct MuscleFrame {
 
   // How far each attachment area has left its body.
   std::vector<AttachmentDrift> attachments;
+
+  // What the pose does to its shape.
+  ShapeMeasures shape;
 
   // The action lines, sampled, and the fibres, as the muscle carries them; #P x
   // 3 each, mm.

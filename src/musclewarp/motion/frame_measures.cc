@@ -7,6 +7,7 @@
 #include "musclewarp/geometry/folded_triangles.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/motion/shape_measures.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/scene/path_moment_arms.h"
 
@@ -16,6 +17,7 @@ namespace {
 MuscleFrame FrameOf(const PreparedMuscle& muscle,
                     const ScenePose& pose,
                     const MuscleState& state,
+                    const MuscleState* before,
                     SolverSummary summary) {
   const MuscleModel& model = muscle.model;
   MuscleFrame frame;
@@ -29,6 +31,8 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
   frame.folded_triangles = static_cast<int>(
       FoldedTriangles(model.fine_rest, frame.points, model.fine_triangles)
           .size());
+  frame.shape = MeasureShape(
+      model, frame.points, before ? FinePoints(model, *before) : Points());
   frame.attachments = DriftOf(
       model.attachments,
       muscle.attached,
@@ -82,6 +86,7 @@ void AddIntersections(const PreparedScene& scene,
 Frame MeasureFrame(const PreparedScene& scene,
                    const ScenePose& pose,
                    const std::vector<MuscleState>& states,
+                   const SceneState* before,
                    std::vector<SolverSummary> summaries,
                    SceneMeshes* meshes) {
   Frame frame;
@@ -91,8 +96,11 @@ Frame MeasureFrame(const PreparedScene& scene,
   frame.muscles.resize(scene.muscles.size());
 #pragma omp parallel for schedule(dynamic, 1)
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    frame.muscles[i] =
-        FrameOf(scene.muscles[i], pose, states[i], std::move(summaries[i]));
+    frame.muscles[i] = FrameOf(scene.muscles[i],
+                               pose,
+                               states[i],
+                               before ? &before->muscles[i] : nullptr,
+                               std::move(summaries[i]));
   }
   frame.bones = BonesIn(scene, pose);
   frame.path_moment_arms = PathMomentArms(scene.scene, pose);

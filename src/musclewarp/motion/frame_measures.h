@@ -7,6 +7,7 @@
 #include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_meshes.h"
+#include "musclewarp/motion/solved_pose.h"
 #include "musclewarp/solver/muscle_state.h"
 
 namespace musclewarp {
@@ -14,10 +15,13 @@ namespace musclewarp {
 // Returns the frame of muscles that a solver has moved to a pose: their points,
 // volumes, folded triangles, lines and fibres, and everything that crosses. The
 // times, `pose_steps` and what concerns contact are left to the caller.
-// `meshes` are those of the scene and are moved to the pose.
+// `before` is the state that the pose was reached from, or null if it was
+// reached on its own. `meshes` are those of the scene and are moved to the
+// pose.
 Frame MeasureFrame(const PreparedScene& scene,
                    const ScenePose& pose,
                    const std::vector<MuscleState>& states,
+                   const SceneState* before,
                    std::vector<SolverSummary> summaries,
                    SceneMeshes* meshes);
 

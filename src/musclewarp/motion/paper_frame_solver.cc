@@ -110,8 +110,12 @@ SolvedFrame PaperFrameSolver::Solve(const MuscleSolvers& solvers,
   const double wall_ms = moving.Milliseconds();
   const Stopwatch certifying;
   SolvedFrame result;
-  result.frame = MeasureFrame(
-      scene_, pose, solved.states, std::move(solved.summaries), meshes_.get());
+  result.frame = MeasureFrame(scene_,
+                              pose,
+                              solved.states,
+                              before,
+                              std::move(solved.summaries),
+                              meshes_.get());
   result.frame.pose_steps = steps;
   result.frame.wall_ms = wall_ms;
   result.frame.solve_ms = solve_ms;

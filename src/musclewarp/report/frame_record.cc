@@ -29,6 +29,7 @@ MuscleRecord RecordOf(const MuscleModel& model, const MuscleFrame& frame) {
   record.push_depth_mm = frame.push_depth;
   record.pushed_by = frame.pushed_by;
   record.attachments = frame.attachments;
+  record.shape = frame.shape;
   record.iterations = frame.solver.iterations;
   record.solve_ms = frame.solver.wall_ms;
   record.initial_energy_mm2 = frame.solver.initial_energy;
@@ -45,15 +46,24 @@ MuscleRecord RecordOf(const MuscleModel& model, const MuscleFrame& frame) {
   return record;
 }
 
+OrderedJson ToJson(const Eigen::RowVector3d& place) {
+  return {place.x(), place.y(), place.z()};
+}
+
+Eigen::RowVector3d PlaceFromJson(const OrderedJson& json) {
+  return {json.at(0).get<double>(),
+          json.at(1).get<double>(),
+          json.at(2).get<double>()};
+}
+
 OrderedJson ToJson(const std::vector<AttachmentDrift>& drifts) {
   OrderedJson list = OrderedJson::array();
   for (const AttachmentDrift& drift : drifts) {
-    list.push_back(
-        {{"body", drift.body},
-         {"vertices", drift.vertices},
-         {"mean_drift_mm", drift.mean},
-         {"max_drift_mm", drift.max},
-         {"place_mm", {drift.place.x(), drift.place.y(), drift.place.z()}}});
+    list.push_back({{"body", drift.body},
+                    {"vertices", drift.vertices},
+                    {"mean_drift_mm", drift.mean},
+                    {"max_drift_mm", drift.max},
+                    {"place_mm", ToJson(drift.place)}});
   }
   return list;
 }
@@ -66,9 +76,37 @@ std::vector<AttachmentDrift> DriftsFromJson(const OrderedJson& json) {
     item.at("vertices").get_to(drift.vertices);
     item.at("mean_drift_mm").get_to(drift.mean);
     item.at("max_drift_mm").get_to(drift.max);
-    for (int k = 0; k < 3; ++k) item.at("place_mm")[k].get_to(drift.place[k]);
+    drift.place = PlaceFromJson(item.at("place_mm"));
   }
   return drifts;
+}
+
+OrderedJson ToJson(const ShapeMeasures& shape) {
+  return {{"max_stretch", shape.max_stretch},
+          {"max_stretch_along", shape.max_stretch_along},
+          {"max_stretch_across", shape.max_stretch_across},
+          {"stretch_place_mm", ToJson(shape.stretch_place)},
+          {"min_area_ratio", shape.min_area_ratio},
+          {"max_area_ratio", shape.max_area_ratio},
+          {"max_bend_deg", shape.max_bend},
+          {"bend_place_mm", ToJson(shape.bend_place)},
+          {"max_change_mm", shape.max_change},
+          {"change_place_mm", ToJson(shape.change_place)}};
+}
+
+ShapeMeasures ShapeFromJson(const OrderedJson& json) {
+  ShapeMeasures shape;
+  json.at("max_stretch").get_to(shape.max_stretch);
+  json.at("max_stretch_along").get_to(shape.max_stretch_along);
+  json.at("max_stretch_across").get_to(shape.max_stretch_across);
+  shape.stretch_place = PlaceFromJson(json.at("stretch_place_mm"));
+  json.at("min_area_ratio").get_to(shape.min_area_ratio);
+  json.at("max_area_ratio").get_to(shape.max_area_ratio);
+  json.at("max_bend_deg").get_to(shape.max_bend);
+  shape.bend_place = PlaceFromJson(json.at("bend_place_mm"));
+  json.at("max_change_mm").get_to(shape.max_change);
+  shape.change_place = PlaceFromJson(json.at("change_place_mm"));
+  return shape;
 }
 
 OrderedJson ToJson(const MuscleRecord& record) {
@@ -86,6 +124,7 @@ OrderedJson ToJson(const MuscleRecord& record) {
           {"push_depth_mm", record.push_depth_mm},
           {"pushed_by", record.pushed_by},
           {"attachments", ToJson(record.attachments)},
+          {"shape", ToJson(record.shape)},
           {"iterations", record.iterations},
           {"solve_ms", record.solve_ms},
           {"initial_energy_mm2", record.initial_energy_mm2},
@@ -116,6 +155,7 @@ MuscleRecord MuscleRecordFromJson(const OrderedJson& json) {
   record.pushed_by = json.value("pushed_by", std::vector<std::string>());
   record.attachments =
       DriftsFromJson(json.value("attachments", OrderedJson::array()));
+  if (json.contains("shape")) record.shape = ShapeFromJson(json.at("shape"));
   json.at("iterations").get_to(record.iterations);
   json.at("solve_ms").get_to(record.solve_ms);
   json.at("initial_energy_mm2").get_to(record.initial_energy_mm2);

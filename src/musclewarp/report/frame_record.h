@@ -32,6 +32,7 @@ struct MuscleRecord {
   double push_depth_mm = 0;
   std::vector<std::string> pushed_by;
   std::vector<AttachmentDrift> attachments;
+  ShapeMeasures shape;
 
   // The solve. Energies are those of the linear rows, 1/2 |f|^2.
   int iterations = 0;

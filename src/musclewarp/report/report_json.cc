@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "musclewarp/report/drift_warnings.h"
 #include "musclewarp/report/machine.h"
+#include "musclewarp/report/shape_warnings.h"
 
 namespace musclewarp {
 namespace {
@@ -205,7 +205,7 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
           {"prepare", prepare},
           {"rest", rest},
           {"frames", frames},
-          {"warnings", DriftWarnings(run.frames)},
+          {"warnings", ShapeWarnings(run.frames)},
           {"summary",
            {{"frames", totals.frames},
             {"frames_clean", totals.frames_clean},

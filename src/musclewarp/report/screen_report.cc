@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/report/drift_warnings.h"
+#include "musclewarp/report/shape_warnings.h"
 
 namespace musclewarp {
 
@@ -118,7 +118,7 @@ void PrintFrames(const RunRecord& run, std::ostream& out) {
     out << "  " << OutcomeOf(frame) << "\n";
   }
   PrintList("not usable", Shortcomings(run), out);
-  PrintList("warnings", DriftWarnings(run.frames), out);
+  PrintList("warnings", ShapeWarnings(run.frames), out);
   const RunTotals totals = TotalsOf(run);
   out << "\n"
       << totals.frames << " frames, " << totals.frames_clean

@@ -21,6 +21,23 @@ export interface IntersectionsRecord {
   pairs: PairRecord[];
 }
 
+// What a pose does to the shape of a muscle, where it is largest.
+export interface ShapeRecord {
+  max_stretch: number;
+  max_stretch_along: number;
+  max_stretch_across: number;
+  min_area_ratio: number;
+  max_area_ratio: number;
+  max_bend_deg: number;
+  max_change_mm: number;
+}
+
+export interface AttachmentRecord {
+  body: string;
+  mean_drift_mm: number;
+  max_drift_mm: number;
+}
+
 export interface MuscleRecord {
   name: string;
   volume_ratio: number;
@@ -31,6 +48,8 @@ export interface MuscleRecord {
   stop_reason: string;
   line_lengths_mm: Record<string, number>;
   path_lengths_mm: Record<string, number>;
+  attachments?: AttachmentRecord[]; // since 0.1.0
+  shape?: ShapeRecord; // since 0.1.0
 }
 
 export interface FrameRecord {
@@ -83,6 +102,7 @@ export interface Report {
     intersections: IntersectionsRecord;
     after_initial_fix?: IntersectionsRecord;
   };
+  warnings?: string[]; // since 0.1.0
   summary: {
     finished: boolean;
     usable: boolean;

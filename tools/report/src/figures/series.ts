@@ -119,6 +119,58 @@ function carriedMomentArms(runs: Run[]): Figure[] {
   ];
 }
 
+// A curve for each attachment area of each muscle.
+function byAttachment(runs: Run[]): Series[] {
+  return runs.flatMap((run, i) =>
+    (run.frames[0]?.muscles ?? []).flatMap((muscle, m) =>
+      (muscle.attachments ?? []).map(({ body }, area) => ({
+        name: `${muscle.name} on ${body}`,
+        muscle: muscle.name,
+        run: i,
+        values: run.frames.map(
+          ({ muscles }) => muscles[m].attachments?.[area]?.max_drift_mm ?? NaN,
+        ),
+      })),
+    ),
+  );
+}
+
+// What poses do to the shapes of muscles; none for runs that did not measure it.
+function shapeFigures(runs: Run[]): Figure[] {
+  const shape = (value: (muscle: MuscleRecord) => number | undefined) =>
+    byMuscle(runs, value).filter(({ values }) => values.some(Number.isFinite));
+  return [
+    {
+      id: "drift",
+      title: "Drift of attachments",
+      label: "mm",
+      note: "largest distance of an attachment area from where its body has it; beyond 2 mm it is warned of",
+      series: byAttachment(runs),
+    },
+    {
+      id: "stretch",
+      title: "Largest stretch",
+      label: "ratio of lengths",
+      note: "of a length on the surface to that at rest; beyond 1.6 it is warned of",
+      series: shape((muscle) => muscle.shape?.max_stretch),
+    },
+    {
+      id: "bend",
+      title: "Largest bend",
+      label: "degrees",
+      note: "change of the angle between neighbouring normals against rest",
+      series: shape((muscle) => muscle.shape?.max_bend_deg),
+    },
+    {
+      id: "change",
+      title: "Change from frame to frame",
+      label: "mm",
+      note: "largest distance of a vertex from its place in the frame before; in the first frame of a motion from rest",
+      series: shape((muscle) => muscle.shape?.max_change_mm),
+    },
+  ];
+}
+
 export function figuresOf(runs: Run[]): Figure[] {
   const figures: Figure[] = [
     {
@@ -158,6 +210,7 @@ export function figuresOf(runs: Run[]): Figure[] {
     },
     ...momentArms(runs),
     ...carriedMomentArms(runs),
+    ...shapeFigures(runs),
     {
       id: "time",
       title: "Time per frame",

@@ -181,6 +181,7 @@ function runSummary(run: Run): HTMLElement {
   }
   const said = [
     ...run.warnings,
+    ...(report.warnings ?? []),
     ...report.prepare.warnings,
     ...(report.prepare.notes ?? []),
   ];

@@ -1,0 +1,117 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/report/shape_warnings.h"
+
+#include <algorithm>
+#include <functional>
+#include <iomanip>
+#include <sstream>
+
+namespace musclewarp {
+namespace {
+
+constexpr size_t kFewestFrames = 5;
+
+std::string At(const Eigen::RowVector3d& place) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << "at (" << place.x() << ", "
+       << place.y() << ", " << place.z() << ")";
+  return text.str();
+}
+
+std::string WithDigits(double value, int digits) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
+}
+
+// Returns the number of the frame with the largest value, or -1 if no value is
+// above the limit.
+int Worst(const std::vector<FrameRecord>& frames,
+          double limit,
+          const std::function<double(const FrameRecord&)>& value) {
+  int worst = -1;
+  for (size_t f = 0; f < frames.size(); ++f) {
+    const double here = value(frames[f]);
+    if (!(here > limit)) continue;
+    limit = here;
+    worst = static_cast<int>(f);
+  }
+  return worst;
+}
+
+void WarnOfDrift(const std::vector<FrameRecord>& frames,
+                 size_t muscle,
+                 std::vector<std::string>* warnings) {
+  const size_t count = frames[0].muscles[muscle].attachments.size();
+  for (size_t area = 0; area < count; ++area) {
+    const auto drift_in = [&](const FrameRecord& f) -> const AttachmentDrift& {
+      return f.muscles[muscle].attachments[area];
+    };
+    const int worst = Worst(frames, kLargestDrift, [&](const FrameRecord& f) {
+      return drift_in(f).max;
+    });
+    if (worst < 0) continue;
+    const AttachmentDrift& drift = drift_in(frames[worst]);
+    warnings->push_back(frames[worst].muscles[muscle].name + " leaves " +
+                        drift.body + ", to which it is attached, by up to " +
+                        WithDigits(drift.max, 1) + " mm (" +
+                        WithDigits(drift.mean, 1) + " on average) in " +
+                        frames[worst].name + " " + At(drift.place));
+  }
+}
+
+void WarnOfStretch(const std::vector<FrameRecord>& frames,
+                   size_t muscle,
+                   std::vector<std::string>* warnings) {
+  const int worst = Worst(frames, kLargestStretch, [&](const FrameRecord& f) {
+    return f.muscles[muscle].shape.max_stretch;
+  });
+  if (worst < 0) return;
+  const MuscleRecord& record = frames[worst].muscles[muscle];
+  warnings->push_back(record.name + " is stretched to " +
+                      WithDigits(record.shape.max_stretch, 2) +
+                      " times its length at rest in " + frames[worst].name +
+                      " " + At(record.shape.stretch_place));
+}
+
+// The first frame has no frame before it.
+void WarnOfJumps(const std::vector<FrameRecord>& frames,
+                 size_t muscle,
+                 std::vector<std::string>* warnings) {
+  if (frames.size() < kFewestFrames) return;
+  const auto change_in = [&](const FrameRecord& f) {
+    return &f == &frames[0] ? 0 : f.muscles[muscle].shape.max_change;
+  };
+  std::vector<double> changes;
+  for (size_t f = 1; f < frames.size(); ++f) {
+    changes.push_back(change_in(frames[f]));
+  }
+  const auto middle = changes.begin() + changes.size() / 2;
+  std::nth_element(changes.begin(), middle, changes.end());
+  const double median = *middle;
+  const int worst =
+      Worst(frames, std::max(kLeastJump, kJumpRatio * median), change_in);
+  if (worst < 0) return;
+  const MuscleRecord& record = frames[worst].muscles[muscle];
+  warnings->push_back(
+      record.name + " jumps by " + WithDigits(record.shape.max_change, 1) +
+      " mm from " + frames[worst - 1].name + " to " + frames[worst].name +
+      " (the median of its changes is " + WithDigits(median, 1) + " mm) " +
+      At(record.shape.change_place));
+}
+
+}  // namespace
+
+std::vector<std::string> ShapeWarnings(const std::vector<FrameRecord>& frames) {
+  std::vector<std::string> warnings;
+  if (frames.empty()) return warnings;
+  for (size_t muscle = 0; muscle < frames[0].muscles.size(); ++muscle) {
+    WarnOfDrift(frames, muscle, &warnings);
+    WarnOfStretch(frames, muscle, &warnings);
+    WarnOfJumps(frames, muscle, &warnings);
+  }
+  return warnings;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,81 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/report/shape_warnings.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "report/records.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+// Three frames of a muscle whose second attachment leaves its body so far, mm.
+std::vector<FrameRecord> Frames(double first, double second, double third) {
+  std::vector<FrameRecord> frames;
+  for (const double drift : {first, second, third}) {
+    FrameRecord& frame =
+        frames.emplace_back(SomeRecord(static_cast<int>(frames.size())));
+    frame.name = "pose " + std::to_string(frames.size());
+    frame.muscles[0].name = "psoas";
+    frame.muscles[0].attachments = {
+        {"pelvis", 3, 0.1, 0.2, {0, 0, 0}},
+        {"femur", 4, drift / 10, drift, {1, 2, drift}}};
+  }
+  return frames;
+}
+
+TEST(ShapeWarnings, NameTheWorstFrameOfAnAttachment) {
+  EXPECT_THAT(
+      ShapeWarnings(Frames(2.5, 4, 3)),
+      ElementsAre("psoas leaves femur, to which it is attached, by up to 4.0 "
+                  "mm (0.4 on average) in pose 2 at (1.0, 2.0, 4.0)"));
+}
+
+TEST(ShapeWarnings, OfDriftAreGivenBeyondTwoMillimetresOnly) {
+  EXPECT_THAT(ShapeWarnings(Frames(0, 2, 1)), IsEmpty());
+  EXPECT_THAT(ShapeWarnings({}), IsEmpty());
+}
+
+TEST(ShapeWarnings, NameTheFrameOfTheLargestStretch) {
+  std::vector<FrameRecord> frames = Frames(0, 0, 0);
+  frames[0].muscles[0].shape.max_stretch = kLargestStretch;
+  EXPECT_THAT(ShapeWarnings(frames), IsEmpty());
+  frames[1].muscles[0].shape.max_stretch = 1.8;
+  frames[1].muscles[0].shape.stretch_place << 3, 2, 1;
+  frames[2].muscles[0].shape.max_stretch = 1.7;
+  EXPECT_THAT(ShapeWarnings(frames),
+              ElementsAre("psoas is stretched to 1.80 times its length at rest "
+                          "in pose 2 at (3.0, 2.0, 1.0)"));
+}
+
+// A motion of six frames, with the largest change of a muscle in each, mm.
+std::vector<FrameRecord> Motion(const std::vector<double>& changes) {
+  std::vector<FrameRecord> frames;
+  for (const double change : changes) {
+    FrameRecord& frame =
+        frames.emplace_back(SomeRecord(static_cast<int>(frames.size())));
+    frame.name = "t=" + std::to_string(frames.size());
+    frame.muscles[0].name = "psoas";
+    frame.muscles[0].attachments.clear();
+    frame.muscles[0].shape = ShapeMeasures();
+    frame.muscles[0].shape.max_change = change;
+  }
+  return frames;
+}
+
+TEST(ShapeWarnings, NameJumps) {
+  EXPECT_THAT(ShapeWarnings(Motion({60, 2, 2, 2, 7, 2})),
+              ElementsAre("psoas jumps by 7.0 mm from t=4 to t=5 (the median "
+                          "of its changes is 2.0 mm) at (0.0, 0.0, 0.0)"));
+  // Neither the way to the first frame, nor steady changes, nor small ones.
+  EXPECT_THAT(ShapeWarnings(Motion({60, 2, 3, 4, 5, 6})), IsEmpty());
+  EXPECT_THAT(ShapeWarnings(Motion({0, 0.1, 0.1, 0.1, 0.9, 0.1})), IsEmpty());
+  EXPECT_THAT(ShapeWarnings(Motion({60, 1, 1, 50})), IsEmpty());
+}
+
+}  // namespace
+}  // namespace musclewarp
