@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+#
+# Makes the runs that docs/validation.md reports, and writes that page and its
+# plots (docs/validation/*.svg). Takes some minutes on two cores. Needs
+# python3-numpy of Debian.
+#
+# usage: benchmarks/validation.sh DATA [OUT] [options]
+#
+#   DATA             the folder with lhdl_hip, bodyparts3d and literature
+#   OUT              where the runs are kept; without it they are removed
+#   --all            also the thigh of BodyParts3D, which takes minutes more
+#   --reuse          keep the finished runs of OUT
+#   --programs=DIR   the programs; build/release/tools, built if need be
+#   --opensim=TABLE  compare straight moment arms with a table of OpenSim:
+#                    a_MSK_model/c_MSK_results/LHDL_hip_flexion.mot of
+#                    modenaxe/3d-muscles
+#   --page=FILE      another page; its plots are in the folder of its name
+set -euo pipefail
+
+usage() {
+  sed -n '/^# usage/,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0" >&2
+  exit 2
+}
+
+data='' out='' all='' reuse='' programs='' table='' page=()
+for word in "$@"; do
+  case $word in
+    --all) all=yes ;;
+    --reuse) reuse=yes ;;
+    --programs=*) programs=$(realpath -e "${word#*=}") ;;
+    --opensim=*) table=$(realpath -e "${word#*=}") ;;
+    --page=*) page=("--page=$(realpath -m "${word#*=}")") ;;
+    -*) usage ;;
+    *) if [[ -z $data ]]; then data=$word; elif [[ -z $out ]]; then out=$word; else usage; fi ;;
+  esac
+done
+[[ -n $data ]] || usage
+for part in lhdl_hip bodyparts3d literature; do
+  if [[ ! -d $data/$part ]]; then
+    echo "validation: $data has no folder $part" >&2
+    exit 2
+  fi
+done
+if ! /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
+  echo "validation: /usr/bin/python3 has no numpy: apt-get install python3-numpy" >&2
+  exit 2
+fi
+data=$(realpath "$data")
+if [[ -n $out ]]; then
+  mkdir -p "$out"
+  out=$(realpath "$out")
+else
+  [[ -z $reuse ]] || usage
+  out=$(mktemp -d)
+  trap 'rm -rf "$out"' EXIT
+fi
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+if [[ -z $programs ]]; then
+  programs=build/release/tools
+  [[ -x $programs/musclewarp-deform ]] || scripts/build.sh release
+fi
+
+if [[ -z $reuse ]]; then # what other options left is not for this page
+  rm -rf "${out:?}/bodyparts3d_thigh" "$out/opensim.txt"
+fi
+
+# NAME SCENE FLAG...: a run in OUT/NAME. Frames that are not usable (exit code
+# 1) are for the page to report.
+deform() {
+  local name=$1 scene=$2 code=0 started=$SECONDS
+  shift 2
+  local words=("--scene=$scene" "$@")
+  if [[ -n $reuse && -e $out/$name/command.txt ]] &&
+    grep -q '"finished": *true' "$out/$name/report.json"; then
+    echo "validation: $name is there"
+    return
+  fi
+  rm -rf "${out:?}/$name"
+  "$programs/musclewarp-deform" "${words[@]}" --data_root="$data" \
+    --out="$out/$name" >"$out/$name.log" 2>&1 || code=$?
+  if ((code > 1)); then
+    tail -n 20 "$out/$name.log" >&2
+    echo "validation: musclewarp-deform failed with exit code $code" >&2
+    exit 1
+  fi
+  echo "musclewarp-deform ${words[*]} --data_root=DATA --out=OUT/$name" \
+    >"$out/$name/command.txt"
+  echo "validation: $name took $((SECONDS - started)) s"
+}
+
+for motion in flexion adduction rotation; do
+  deform hip_$motion data/scenes/lhdl_hip_motion.json \
+    --motion=lhdl_hip/motions/hip_$motion.mot --fibres=100
+done
+deform bodyparts3d_hip data/scenes/bodyparts3d_hip.json
+deform bodyparts3d_hamstrings data/scenes/bodyparts3d_hamstrings.json
+[[ -z $all ]] || deform bodyparts3d_thigh data/scenes/bodyparts3d_thigh.json
+if [[ -n $table ]]; then
+  scripts/compare_moment_arms.py motion "$table" hip_flexion_r "$out/opensim.mot"
+  deform opensim data/scenes/lhdl_hip_motion.json --motion="$out/opensim.mot" --contact=none
+  scripts/compare_moment_arms.py compare "$table" hip_flexion_r \
+    "$out/opensim/moment_arms.sto" >"$out/opensim.txt"
+fi
+/usr/bin/python3 -B benchmarks/validation/page.py "$data" "$out" "${page[@]}"

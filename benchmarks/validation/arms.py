@@ -1,0 +1,340 @@
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Moment arms against OpenSim and against the literature."""
+
+import csv
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ET
+
+import numpy as np
+
+import svg
+from table import Row, Section, commands, mark, number, paragraphs, plain, power, prose
+from table import span, table, table_of
+
+# What Modenese and Kohout (2020), table 1, cover of the published bands, in %.
+COVERED = {
+    "psoas_major_r": 62,
+    "iliacus_r": 71,
+    "gluteus_maximus_r": 65,
+    "gluteus_medius_r": 81,
+}
+IOU = 50  # %
+SLOPE = 0.1  # mm a degree, as the test of results.md allows
+ARNOLD_MARGIN = 3  # mm
+
+ABOUT_BANDS = """
+The moment arms of the fibres are compared with the bands of Blemker and Delp
+(2005, doi 10.1007/s10439-005-3320-7), which are those of another person.
+"Covered" is the part of the published area that the band of our fibres covers,
+IoU the area of the intersection over that of the union. The targets for the
+covered part are what Modenese and Kohout (2020, doi 10.1007/s10439-020-02490-4)
+reach with their fibres. The published bounds are smoothed by polynomials of
+fourth order; below the angle at which they begin the polynomials extrapolate,
+and the plots are fainter. Moment arms of flexors are positive.
+"""
+
+
+def conditional_ranges(model, coordinate):
+    """The ends (degrees) of the ranges of conditional points of each muscle
+    of an OpenSim model: {muscle: [degrees]}."""
+    root = ET.fromstring(model.read_text(encoding="latin-1"))
+    ends = {}
+    for muscle in root.iterfind(".//ForceSet/objects/*"):
+        for point in muscle.iter("ConditionalPathPoint"):
+            if point.findtext("coordinate", "").strip() == coordinate:
+                values = [float(v) for v in point.findtext("range").split()]
+                ends.setdefault(muscle.get("name"), []).extend(np.degrees(values))
+    return ends
+
+
+def slope_rows(run, ends):
+    """Compares moment arms of straight paths with the slopes of the lengths;
+    intervals in which a conditional point comes or goes do not count."""
+    x, rows = run.angles, []
+    lines = [name for lines in run.lines.values() for name in lines]
+    for line in lines:
+        length = run.column("lengths.sto", f"{line}_path")
+        arm = run.column("moment_arms.sto", f"{line}_path.{run.moving}")
+        slope = np.diff(length) / np.diff(x)
+        difference = np.abs(slope + np.radians((arm[1:] + arm[:-1]) / 2))
+        low, high = np.minimum(x[1:], x[:-1]), np.maximum(x[1:], x[:-1])
+        steps = np.zeros(len(slope), bool)
+        for end in ends.get(line, []):
+            steps |= (low - 1e-3 <= end) & (end <= high + 1e-3) & (difference > SLOPE)
+        where = [
+            f"{difference[k]:.2f} from {low[k]:g} to {high[k]:g} degrees"
+            for k in np.flatnonzero(steps)
+        ]
+        rows.append((line, difference[~steps].max(), "; ".join(where)))
+    return rows
+
+
+def opensim_row(out, results):
+    """The comparison with OpenSim's table if there was one, else what
+    docs/results.md reports of it."""
+    requirement = "straight moment arms, all eight lines, against OpenSim 3.3"
+    target = "at most 1e-5 mm, the last digit that OpenSim wrote"
+    compared = out / "opensim.txt"
+    if compared.exists():
+        words = [line.split() for line in compared.read_text().splitlines()[1:]]
+        name, worst = max(((w[0], float(w[1])) for w in words), key=lambda w: w[1])
+        measured = f"{power(worst)} mm ({name})"
+        return Row(requirement, target, measured, worst <= 1e-5)
+    words = " ".join(results.read_text().split())
+    found = re.search(r"difference is at most ([0-9.e-]+[0-9]) mm; TABLE", words)
+    if not found:
+        return Row(requirement, target, "not measured by this command", None)
+    worst = float(found[1])
+    source = "measured earlier, [results.md](results.md#moment-arms)"
+    measured = f"{power(worst)} mm ({source})"
+    return Row(requirement, target, measured, worst <= 1e-5)
+
+
+def opensim_section(run, data, out, results):
+    ends = conditional_ranges(data / "lhdl_hip/LHDL_hip_r.osim", run.moving)
+    x = run.angles
+    switches = [
+        f"{name} at {end:.1f} degrees"
+        for name, values in sorted(ends.items())
+        for end in values
+        if x.min() < end < x.max()
+    ]
+    slopes = slope_rows(run, ends)
+    worst = max(slopes, key=lambda row: row[1])
+    rows = [
+        opensim_row(out, results),
+        Row(
+            "straight moment arms are the slopes of straight lengths",
+            f"at most {SLOPE:g} mm a degree",
+            f"{number(worst[1], 4)} mm a degree ({worst[0]})",
+            worst[1] <= SLOPE,
+        ),
+    ]
+    cells = [
+        [name, number(value, 4), f"{SLOPE:g}", mark(value <= SLOPE), where or "none"]
+        for name, value, where in slopes
+    ]
+    head = ["line", "largest difference, mm a degree", "target", "met?"]
+    head += ["steps left out"]
+    explained = prose(
+        "The table of OpenSim is a file of modenaxe/3d-muscles and not part of DATA;",
+        "`--opensim=TABLE` compares with it again. Two lines have a conditional point,"
+        if len(switches) == 2
+        else "Some lines have a conditional point,",
+        f"which is switched off during the flexion: {', '.join(switches)}. There the",
+        "straight length has a step and the moment arm a jump, in OpenSim as here. At",
+        "OpenSim's own angles these lines agree as the others do. Between its angles a",
+        "comparison interpolates across the jump, so that these lines differ near it,",
+        "and only there.",
+    )
+    second = prose(
+        "The second table compares the moment arms of this run with the slopes of its",
+        "own straight lengths between two frames.",
+    )
+    body = paragraphs(
+        explained, second, commands([run.command]), table_of(rows), table(head, cells)
+    )
+    return Section("Straight paths against OpenSim 3.3", body, rows)
+
+
+class Published:
+    """The bands of a table of lower and upper bounds over an angle, smoothed
+    by polynomials of fourth order as score_moment_arms.py has them."""
+
+    def __init__(self, path):
+        self.bounds = {}
+        with open(path, encoding="utf-8") as file:
+            for row in csv.DictReader(file):
+                points = self.bounds.setdefault((row["muscle"], row["bound"]), [])
+                points.append((float(row["angle_deg"]), float(row["moment_arm_mm"])))
+
+    def band(self, muscle, x):
+        return [
+            np.polyval(np.polyfit(*np.array(self.bounds[muscle, bound]).T, 4), x)
+            for bound in ("lower", "upper")
+        ]
+
+    def known(self, muscle):
+        """The angles for which both bounds were published."""
+        x = [np.array(self.bounds[muscle, bound])[:, 0] for bound in ("lower", "upper")]
+        return max(min(values) for values in x), min(max(values) for values in x)
+
+    def drawn(self, muscle, low, high):
+        """Bands for a plot: fainter beyond the published angles."""
+        known = np.clip(self.known(muscle), low, high)
+        pieces = [(known[0], known[1], "Blemker and Delp 2005", 0.38)]
+        pieces += [(low, known[0], "", 0.15), (known[1], high, "", 0.15)]
+        bands = []
+        for start, end, label, opacity in pieces:
+            if end - start > 0.05:
+                x = np.linspace(start, end, 41)
+                band = self.band(muscle, x)
+                bands.append(svg.Band(label, x, *band, svg.BLUE, opacity=opacity))
+        return bands
+
+
+def scores(run, data):
+    """What score_moment_arms.py makes of a run."""
+    literature = data / "literature"
+    with tempfile.NamedTemporaryFile(suffix=".json") as file:
+        script = literature / "score_moment_arms.py"
+        bands = literature / "blemker2005_hip_flexion.csv"
+        command = [script, run.folder, bands, f"--json={file.name}"]
+        subprocess.run(
+            [sys.executable, *map(str, command)], check=True, stdout=subprocess.PIPE
+        )
+        return json.load(file)
+
+
+def fibre_band(run, muscle, coordinate):
+    """The lowest and the highest moment arm of the fibres in each frame, mm."""
+    arms = run.columns(
+        "fibre_moment_arms.sto", f"{muscle}_fibre_", f".{coordinate}"
+    )
+    return arms.min(axis=1), arms.max(axis=1)
+
+
+def draw_fibres(run, muscle, published, plots):
+    x = run.angles
+    low, high = fibre_band(run, muscle, run.moving)
+    band = svg.Band("fibres of musclewarp", x, low, high, svg.ORANGE, filled=False)
+    name = f"flexion_{muscle.removesuffix('_r')}.svg"
+    svg.Plot(
+        f"Hip flexion, {plain(muscle)}",
+        "hip flexion, degrees",
+        "moment arm, mm",
+        [*published.drawn(muscle, x.min(), x.max()), band],
+    ).write(plots / name)
+    return f"![Moment arms of {plain(muscle)} over hip flexion]({plots.name}/{name})"
+
+
+def fibres_section(flexion, others, data, plots):
+    published = Published(data / "literature/blemker2005_hip_flexion.csv")
+    found = scores(flexion, data)
+    rows, cells, pictures = [], [], []
+    for muscle, wanted in COVERED.items():
+        covered, iou = 100 * found[muscle]["covered"], 100 * found[muscle]["iou"]
+        what = f"fibres over hip flexion, {plain(muscle)}"
+        met = [covered >= wanted, iou >= IOU]
+        rows += [
+            Row(f"{what}: covered", f"at least {wanted} %", f"{covered:.1f} %", met[0]),
+            Row(f"{what}: IoU", f"at least {IOU} %", f"{iou:.1f} %", met[1]),
+        ]
+        cells.append(
+            [plain(muscle), found[muscle]["fibres"]]
+            + [f"{covered:.1f}", wanted, mark(met[0]), f"{iou:.1f}", IOU, mark(met[1])]
+            + [span(found[muscle][key]) for key in ("band_mm", "published_mm")]
+            + [f"{published.known(muscle)[0]:.1f}"]
+        )
+        pictures.append(draw_fibres(flexion, muscle, published, plots))
+    head = ["muscle", "fibres", "covered, %", "target", "met?"]
+    head += ["IoU, %", "target", "met?"]
+    head += ["moment arms, mm", "published, mm", "published from, degrees"]
+    ranges = [
+        [run.moving.removesuffix("_r").replace("_", " "), plain(muscle)]
+        + [span([band[0].min(), band[1].max()])]
+        for run in (flexion, *others)
+        for muscle in run.muscles
+        for band in [fibre_band(run, muscle, run.moving)]
+    ]
+    score = "DATA/literature/score_moment_arms.py OUT/hip_flexion"
+    bands = "DATA/literature/blemker2005_hip_flexion.csv"
+    body = paragraphs(
+        prose(ABOUT_BANDS),
+        commands([flexion.command, f"{score} {bands}"]),
+        table(head, cells),
+        "\n".join(pictures),
+        prose(
+            "DATA has no published bands for adduction and rotation. The ranges of the",
+            "fibres' moment arms over these motions are given without a target:",
+        ),
+        commands([run.command for run in others]),
+        table(["coordinate", "muscle", "moment arms, mm"], ranges),
+    )
+    return Section("Fibres against the literature", body, rows)
+
+
+def arnold_band(data, x):
+    """The specimens of Arnold et al. at the angles x: angles x 3."""
+    path = data / "literature/arnold2000_psoas_flexion.csv"
+    table_ = np.loadtxt(path, delimiter=",", skiprows=1)
+    return np.stack([np.interp(x, table_[:, 0], c) for c in table_[:, 1:].T], axis=1)
+
+
+def inside_row(requirement, x, arm, low, high):
+    """How many frames lie in a band, and where the others are how far off."""
+    off = np.maximum(low - arm, arm - high)
+    outside = off > 0
+    measured = f"{(~outside).sum()} of {len(x)}"
+    if outside.any():
+        where = x[outside]
+        measured += (
+            f" (outside at {outside.sum()} angles between {where.min():g} and "
+            f"{where.max():g} degrees, by up to {off.max():.1f} mm)"
+        )
+    return Row(requirement, f"{len(x)} of {len(x)} frames", measured, not outside.any())
+
+
+def psoas_section(run, data, plots):
+    x, line = run.angles, "psoas_r"
+    carried = run.column("moment_arms.sto", f"{line}.{run.moving}")
+    straight = run.column("moment_arms.sto", f"{line}_path.{run.moving}")
+    published = Published(data / "literature/blemker2005_hip_flexion.csv")
+    specimens = arnold_band(data, x)
+    low = specimens.min(axis=1) - ARNOLD_MARGIN
+    high = specimens.max(axis=1) + ARNOLD_MARGIN
+    rows = [
+        inside_row(
+            "carried psoas line in the band of Blemker and Delp",
+            x,
+            carried,
+            *published.band("psoas_major_r", x),
+        ),
+        inside_row(
+            f"carried psoas line in the range of Arnold et al., extended by "
+            f"{ARNOLD_MARGIN} mm",
+            x,
+            carried,
+            low,
+            high,
+        ),
+    ]
+    curves = [svg.Curve("", x, s, svg.GREEN, width=1) for s in specimens.T]
+    label = f"Arnold et al. 2000, ±{ARNOLD_MARGIN} mm"
+    range_ = svg.Band(label, x, low, high, svg.GREEN, opacity=0.18)
+    svg.Plot(
+        "Hip flexion, psoas line",
+        "hip flexion, degrees",
+        "moment arm, mm",
+        [
+            *published.drawn("psoas_major_r", x.min(), x.max()),
+            range_,
+            *curves,
+            svg.Curve("carried", x, carried, svg.ORANGE, width=2.5),
+            svg.Curve("straight", x, straight, svg.ORANGE, "5 4", 1.5),
+        ],
+    ).write(plots / "psoas_line.svg")
+    cells = [
+        [f"{x[k]:g}", f"{carried[k]:.1f}", f"{straight[k]:.1f}", span(specimens[k])]
+        for k in range(0, len(x), 5)
+    ]
+    head = ["hip flexion, degrees", "carried, mm", "straight, mm", "specimens, mm"]
+    picture = f"{plots.name}/psoas_line.svg"
+    body = paragraphs(
+        prose(
+            "Arnold et al. (2000, doi 10.3109/10929080009148877) measured the psoas of",
+            "three specimens by the excursion of its tendon; thin curves in the plot.",
+            f"The line `{line}` as its muscle carries it is compared with their range,",
+            f"extended by {ARNOLD_MARGIN} mm, and with the band of Blemker and Delp.",
+        ),
+        commands([run.command]),
+        table_of(rows),
+        f"![Moment arms of the psoas line over hip flexion]({picture})",
+        table(head, cells),
+    )
+    return Section("Psoas against measurements on specimens", body, rows)

@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Writes docs/validation.md and its plots from finished runs; called by
+benchmarks/validation.sh, which makes the runs.
+
+  benchmarks/validation/page.py DATA OUT [--page=docs/validation.md]
+
+Needs the python3-numpy of Debian. OUT/<run>/command.txt has the command of
+each run as the page shows it.
+"""
+
+import argparse
+import pathlib
+import sys
+
+import arms
+import frames
+from runs import Run
+from table import paragraphs, prose, table_of
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+MOTIONS = ["hip_flexion", "hip_adduction", "hip_rotation"]
+POSES = ["bodyparts3d_hip", "bodyparts3d_hamstrings", "bodyparts3d_thigh"]
+
+NOTE = "<!-- Written by benchmarks/validation.sh; do not edit. -->"
+
+
+def head(unmet, report, flags):
+    machine = report["machine"]
+    return [
+        "# Validation",
+        NOTE,
+        prose(
+            "What is asked of musclewarp with certified contact, and what it reaches",
+            "on public data ([where they come from](../README.md#public-data-sets)).",
+            unmet,
+        ),
+        "    benchmarks/validation.sh DATA OUT" + flags,
+        prose(
+            "makes the runs and writes this page and its plots. The version is",
+            f"{report['version']}, the processor {machine['processor']}, used with",
+            f"{machine['threads']} threads. OUT has a folder for each run, of the name",
+            "that the tables give. [report.md](report.md) and the",
+            "[glossary](glossary.md) explain the terms, [results.md](results.md) has",
+            "further results.",
+        ),
+    ]
+
+
+def summary(sections):
+    """The summary: what is not met is red."""
+    rows = [row for section in sections for row in section.rows]
+    asked = [row for row in rows if row.met is not None]
+    failed = sum(not row.met for row in asked)
+    if failed:
+        unmet = f"Of {len(asked)} targets {failed} are not met; 🔴 marks them."
+    else:
+        unmet = f"All {len(asked)} targets are met."
+    return unmet, table_of(rows)
+
+
+def write_page(data, out, page):
+    plots = page.parent / page.stem
+    plots.mkdir(parents=True, exist_ok=True)
+    runs = {}
+    for name in MOTIONS + POSES:
+        command = out / name / "command.txt"
+        if command.exists():
+            runs[name] = Run(out / name, command.read_text().strip())
+        elif name != "bodyparts3d_thigh":
+            raise ValueError(f"{out / name}: there is no finished run")
+    motions = [runs[name] for name in MOTIONS]
+    flexion, *others = motions
+    sections = [
+        arms.opensim_section(flexion, data, out, REPOSITORY / "docs/results.md"),
+        arms.fibres_section(flexion, others, data, plots),
+        arms.psoas_section(flexion, data, plots),
+        frames.attachments_section(list(runs.values())),
+        frames.slices_section(list(runs.values())),
+        frames.smoothness_section(motions),
+    ]
+    unmet, rows = summary(sections)
+    flags = " --all" if "bodyparts3d_thigh" in runs else ""
+    flags += " --opensim=TABLE" if (out / "opensim.txt").exists() else ""
+    parts = [*head(unmet, flexion.report, flags), rows]
+    for k, section in enumerate(sections, 1):
+        parts += [f"## {k}. {section.title}", section.text.rstrip()]
+    page.write_text(paragraphs(*parts), encoding="utf-8")
+    print(f"{page}: {unmet}")
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("data", type=pathlib.Path)
+    parser.add_argument("out", type=pathlib.Path)
+    parser.add_argument(
+        "--page", type=pathlib.Path, default=REPOSITORY / "docs/validation.md"
+    )
+    args = parser.parse_args()
+    try:
+        write_page(args.data.resolve(), args.out.resolve(), args.page.resolve())
+    except (ValueError, OSError) as error:
+        sys.exit(f"validation: {error}")
+
+
+if __name__ == "__main__":
+    main()
