@@ -72,9 +72,11 @@ endfunction()
 # sanitizers, the program is one ctest case, <folder>_test). The sources
 # named *_data_test.cc need real data; their cases carry the label "data", all
 # others the label "unit", unless RUNS_PROGRAMS says that they start programs of
-# tools/. The target musclewarp_unit_tests builds what the label "unit" runs.
+# tools/. COMPUTES says that the tests compute so much themselves that they have
+# to be optimised with the sanitizers, too. The target musclewarp_unit_tests
+# builds what the label "unit" runs.
 function(musclewarp_test NAME)
-  cmake_parse_arguments(ARG "RUNS_PROGRAMS" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "RUNS_PROGRAMS;COMPUTES" "" "SOURCES;LINK" ${ARGN})
   set(DATA_SOURCES ${ARG_SOURCES})
   list(FILTER DATA_SOURCES INCLUDE REGEX "_data_test\\.cc$")
   list(FILTER ARG_SOURCES EXCLUDE REGEX "_data_test\\.cc$")
@@ -102,6 +104,12 @@ function(_musclewarp_test_program PROGRAM SOURCES)
   # of the time.
   target_compile_options(${PROGRAM} PRIVATE $<$<CONFIG:Release>:-O1>)
   if(MUSCLEWARP_SANITIZE)
+    # The libraries are what the sanitizers watch. Instrumented and optimised,
+    # the tests would take as long to compile as all that they test.
+    target_compile_options(${PROGRAM} PRIVATE -fno-sanitize=all)
+    if(NOT ARG_COMPUTES)
+      target_compile_options(${PROGRAM} PRIVATE -O0)
+    endif()
     # A process for every case would take longer to start than most cases run.
     add_test(NAME ${PROGRAM} COMMAND ${PROGRAM} --gtest_brief=1)
     set_tests_properties(${PROGRAM} PROPERTIES ${ARGN})

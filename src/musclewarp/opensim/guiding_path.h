@@ -13,9 +13,9 @@
 namespace musclewarp {
 
 // A conditional point is switched on and off at the ends of its range, where
-// the path jumps. A muscle that jumped along would not be smooth in time. So the
-// path that guides a muscle leaves and reaches the point gradually, within the
-// range: over this much of its coordinate next to either end, but at most a
+// the path jumps. A muscle that jumped along would not be smooth in time. So
+// the path that guides a muscle leaves and reaches the point gradually, within
+// the range: over this much of its coordinate next to either end, but at most a
 // quarter of the range. If the path is 1 mm shorter without the point, that
 // changes a moment arm by 2 mm at most. With half of it by 4 mm; the bands of
 // moment arms of the fibres of the LHDL hip change by 5 per cent of their area.
