@@ -54,15 +54,13 @@ double LengthOf(const Points& path) {
 
 TEST(GuidingPath, IsThePathOfTheModelAwayFromTheEndsOfTheRange) {
   const Model model = OnePointModel();
-  const double within = kRangeEnd - kGuidingFadeAngle;
-  for (const double q : {-1.2, within, kRangeEnd, -0.2, 0.4}) {
+  const double within = kRangeEnd - kGuidingFadeAngle / 2;
+  const double beyond = kRangeEnd + kGuidingFadeAngle / 2;
+  for (const double q : {-1.2, within, beyond, 0.4}) {
     const Points path = PathAt(model, q);
     EXPECT_EQ(path.rows(), 3);
     EXPECT_NEAR(LengthOf(path),
-                PathLength(model.muscles[0],
-                           BodyFrames(model, {q}),
-                           // Beyond the slack that OpenSim adds to the range.
-                           {q == kRangeEnd ? q + 1e-3 : q}),
+                PathLength(model.muscles[0], BodyFrames(model, {q}), {q}),
                 1e-9)
         << q;
   }
@@ -75,13 +73,13 @@ TEST(GuidingPath, NothingJumpsWhereAPointIsSwitched) {
     return PathLength(model.muscles[0], BodyFrames(model, {q}), {q});
   };
   ASSERT_GT(std::abs(model_length(-0.5) - model_length(-0.499)), 2);
-  // Steps of 1 mrad change no point by more than 0.4 mm: the points of the
-  // shank by 0.1, and the switched one by 1.5/0.35 of the 40 mm to its straight
+  // Steps of 1 mrad change no point by more than 0.25 mm: the points of the
+  // shank by 0.1, and the switched one by 1.5/0.7 of the 40 mm to its straight
   // place, at most.
   constexpr double kStep = 1e-3;
   for (double q = -1.2; q < 0.2; q += kStep) {
     const Points change = PathAt(model, q + kStep) - PathAt(model, q);
-    ASSERT_LT(change.rowwise().norm().maxCoeff(), 0.4) << q;
+    ASSERT_LT(change.rowwise().norm().maxCoeff(), 0.25) << q;
   }
 }
 
@@ -101,15 +99,15 @@ TEST(GuidingShare, IsOneForPointsThatAreAlwaysThere) {
   EXPECT_EQ(GuidingShare(model, model.muscles[0].path[0], {0.4}), 1);
 }
 
-TEST(GuidingShare, FadesOverAtMostAQuarterOfTheRange) {
+TEST(GuidingShare, FadesOverAtMostHalfOfTheRange) {
   const Model model = ModelWith(OnThigh("p2", "0.06 -0.4 0", "-0.4 0"));
   const PathPoint& point = model.muscles[0].path[1];
-  EXPECT_EQ(GuidingShare(model, point, {-0.4}), 0);
-  EXPECT_NEAR(GuidingShare(model, point, {-0.35}), 0.5, 1e-12);
+  EXPECT_NEAR(GuidingShare(model, point, {-0.5}), 0, 1e-12);
+  EXPECT_NEAR(GuidingShare(model, point, {-0.4}), 0.5, 1e-12);
   EXPECT_NEAR(GuidingShare(model, point, {-0.3}), 1, 1e-12);
   EXPECT_NEAR(GuidingShare(model, point, {-0.1}), 1, 1e-12);
-  EXPECT_NEAR(GuidingShare(model, point, {-0.05}), 0.5, 1e-12);
-  EXPECT_EQ(GuidingShare(model, point, {0.0}), 0);
+  EXPECT_NEAR(GuidingShare(model, point, {0.0}), 0.5, 1e-12);
+  EXPECT_NEAR(GuidingShare(model, point, {0.1}), 0, 1e-12);
 }
 
 TEST(GuidingShare, RangesWithoutWidthSwitchAtOnce) {

@@ -47,11 +47,11 @@ double GuidingShare(const Model& model,
       model.coordinates[point.condition].kind == CoordinateKind::kRotational;
   const double fade =
       std::min(is_angle ? kGuidingFadeAngle : kGuidingFadeLength,
-               (point.range[1] - point.range[0]) / 4);
+               (point.range[1] - point.range[0]) / 2);
   if (!(fade > 0)) return IsActive(point, values) ? 1 : 0;
   const double value = values[point.condition];
-  return SmoothStep((value - point.range[0]) / fade) *
-         SmoothStep((point.range[1] - value) / fade);
+  return SmoothStep(0.5 + (value - point.range[0]) / fade) *
+         SmoothStep(0.5 + (point.range[1] - value) / fade);
 }
 
 Points GuidingPath(const Model& model,

@@ -14,17 +14,17 @@ namespace musclewarp {
 
 // A conditional point is switched on and off at the ends of its range, where
 // the path jumps. A muscle that jumped along would not be smooth in time. So
-// the path that guides a muscle leaves and reaches the point gradually, within
-// the range: over this much of its coordinate next to either end, but at most a
-// quarter of the range. If the path is 1 mm shorter without the point, that
-// changes a moment arm by 2 mm at most. With half of it by 4 mm; the bands of
-// moment arms of the fibres of the LHDL hip change by 5 per cent of their area.
+// the path that guides a muscle leaves and reaches the point gradually: over
+// this much of its coordinate, half of it on either side of the end, but at
+// most over half of the range. If the path is 1 mm shorter without the point,
+// that changes a moment arm by 2 mm at most. Twice as much changes the bands of
+// moment arms of the fibres of the LHDL hip by 2 per cent of their area.
 constexpr double kGuidingFadeAngle = 40 * M_PI / 180;  // rad
 constexpr double kGuidingFadeLength = 0.04;            // m
 
 // Returns how much of a path point guides the muscle: 1 for a point that is
-// always part of the path, 0 for a conditional one that is switched off, and
-// between for one that is near an end of its range. It is a continuously
+// always part of the path, 0 for a conditional one that is switched off, a half
+// at an end of its range, and between near there. It is a continuously
 // differentiable function of the coordinate.
 double GuidingShare(const Model& model,
                     const PathPoint& point,
