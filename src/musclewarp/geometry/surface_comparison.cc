@@ -1,0 +1,212 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/geometry/surface_comparison.h"
+
+#include <glog/logging.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "musclewarp/base/option_check.h"
+#include "musclewarp/geometry/inside_test.h"
+#include "musclewarp/geometry/triangle_bvh.h"
+#include "musclewarp/mesh/measures.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+
+// A body to measure distances from.
+class Body {
+ public:
+  explicit Body(const TriangleSoup& mesh)
+      : surface_(mesh.points, mesh.triangles),
+        inside_(mesh.points, mesh.triangles, /*seed=*/1) {}
+
+  bool Contains(const RowVector3d& point) const {
+    return inside_.Contains(point);
+  }
+
+  double SignedDistance(const RowVector3d& point) const {
+    const double distance = surface_.ClosestPoint(point).distance;
+    return Contains(point) ? -distance : distance;
+  }
+
+ private:
+  TriangleBvh surface_;
+  InsideTest inside_;
+};
+
+// Places on a surface, each of which stands for some area.
+struct Samples {
+  Points places;                     // #S x 3, mm
+  Eigen::VectorXd areas;             // #S, mm^2
+  Eigen::VectorXd signed_distances;  // #S, mm
+};
+
+// Returns into how many parts the edges of a triangle are cut.
+int NumParts(const RowVector3d& a,
+             const RowVector3d& b,
+             const RowVector3d& c,
+             double spacing) {
+  const double longest =
+      std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+  return std::max(1, static_cast<int>(std::ceil(longest / spacing)));
+}
+
+// Cuts every triangle into equal ones whose edges are at most `spacing` long,
+// and takes their centres.
+Samples SampleSurface(const TriangleSoup& mesh, double spacing) {
+  std::vector<RowVector3d> places;
+  std::vector<double> areas;
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    const RowVector3d a = mesh.points.row(mesh.triangles(f, 0));
+    const RowVector3d b = mesh.points.row(mesh.triangles(f, 1));
+    const RowVector3d c = mesh.points.row(mesh.triangles(f, 2));
+    const int parts = NumParts(a, b, c, spacing);
+    const double area = (b - a).cross(c - a).norm() / 2 / (parts * parts);
+    const auto add = [&](double u, double v) {
+      places.push_back(a + u / parts * (b - a) + v / parts * (c - a));
+      areas.push_back(area);
+    };
+    for (int i = 0; i < parts; ++i) {
+      for (int k = 0; i + k < parts; ++k) {
+        add(i + 1.0 / 3, k + 1.0 / 3);
+        if (i + k + 1 < parts) add(i + 2.0 / 3, k + 2.0 / 3);
+      }
+    }
+  }
+  Samples samples;
+  samples.places.resize(places.size(), 3);
+  samples.areas.resize(areas.size());
+  for (size_t i = 0; i < places.size(); ++i) {
+    samples.places.row(i) = places[i];
+    samples.areas[i] = areas[i];
+  }
+  return samples;
+}
+
+Eigen::VectorXd SignedDistances(const Body& body, const Points& points) {
+  Eigen::VectorXd distances(points.rows());
+#pragma omp parallel for schedule(dynamic, 256)
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    distances[i] = body.SignedDistance(points.row(i));
+  }
+  return distances;
+}
+
+SurfaceDistances DistancesOf(const Samples& samples) {
+  const double area = samples.areas.sum();
+  const Eigen::VectorXd distances = samples.signed_distances.cwiseAbs();
+  SurfaceDistances result;
+  result.mean = samples.areas.dot(distances) / area;
+  result.root_mean_square =
+      std::sqrt(samples.areas.dot(distances.cwiseAbs2()) / area);
+  result.signed_mean = samples.areas.dot(samples.signed_distances) / area;
+  result.largest = distances.maxCoeff();
+  std::vector<Eigen::Index> order(distances.size());
+  for (size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](Eigen::Index i, Eigen::Index k) {
+    return distances[i] < distances[k];
+  });
+  double below = 0;
+  for (const Eigen::Index i : order) {
+    below += samples.areas[i];
+    result.percentile_95 = distances[i];
+    if (below >= 0.95 * area) break;
+  }
+  return result;
+}
+
+Samples Together(const Samples& a, const Samples& b) {
+  Samples both;
+  both.areas.resize(a.areas.size() + b.areas.size());
+  both.areas << a.areas, b.areas;
+  both.signed_distances.resize(both.areas.size());
+  both.signed_distances << a.signed_distances, b.signed_distances;
+  return both;
+}
+
+struct Counts {
+  long in_a = 0, in_b = 0, in_both = 0;
+};
+
+// Counts the points of a regular grid in two bodies, within a box.
+Counts CountPoints(const Body& a,
+                   const Body& b,
+                   const RowVector3d& lower,
+                   const RowVector3d& upper,
+                   double spacing) {
+  const Eigen::Array<int, 1, 3> cells =
+      ((upper - lower) / spacing).array().ceil().cast<int>().max(1);
+  long in_a = 0, in_b = 0, in_both = 0;
+#pragma omp parallel for reduction(+ : in_a, in_b, in_both) schedule(dynamic, 1)
+  for (int z = 0; z < cells[2]; ++z) {
+    for (int y = 0; y < cells[1]; ++y) {
+      for (int x = 0; x < cells[0]; ++x) {
+        const RowVector3d point =
+            lower + spacing * RowVector3d(x + 0.5, y + 0.5, z + 0.5);
+        const bool is_in_a = a.Contains(point), is_in_b = b.Contains(point);
+        in_a += is_in_a;
+        in_b += is_in_b;
+        in_both += is_in_a && is_in_b;
+      }
+    }
+  }
+  return {in_a, in_b, in_both};
+}
+
+}  // namespace
+
+bool SurfaceComparisonOptions::IsValid(std::string* error) const {
+  return OptionCheck("SurfaceComparisonOptions", error)
+      .IsAtLeast("spacing", spacing, 0)
+      .IsAtLeast("grid_points", grid_points, 1)
+      .is_valid();
+}
+
+SurfaceComparison CompareSurfaces(const TriangleSoup& a,
+                                  const TriangleSoup& b,
+                                  const SurfaceComparisonOptions& options) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+  CHECK_GT(a.triangles.rows(), 0);
+  CHECK_GT(b.triangles.rows(), 0);
+  const RowVector3d lower =
+      a.points.colwise().minCoeff().cwiseMin(b.points.colwise().minCoeff());
+  const RowVector3d upper =
+      a.points.colwise().maxCoeff().cwiseMax(b.points.colwise().maxCoeff());
+  const Body body_a(a), body_b(b);
+  SurfaceComparison result;
+  result.spacing =
+      options.spacing > 0 ? options.spacing : (upper - lower).norm() / 300;
+  Samples of_a = SampleSurface(a, result.spacing);
+  Samples of_b = SampleSurface(b, result.spacing);
+  of_a.signed_distances = SignedDistances(body_b, of_a.places);
+  of_b.signed_distances = SignedDistances(body_a, of_b.places);
+  result.a_to_b = DistancesOf(of_a);
+  result.b_to_a = DistancesOf(of_b);
+  result.symmetric = DistancesOf(Together(of_a, of_b));
+  result.symmetric.signed_mean = 0;
+  result.vertex_distances = SignedDistances(body_b, a.points);
+
+  result.volume_a = SignedVolume(a.points, a.triangles);
+  result.volume_b = SignedVolume(b.points, b.triangles);
+  result.grid_spacing = std::cbrt(std::max(result.volume_a, result.volume_b) /
+                                  options.grid_points);
+  const Counts counts =
+      CountPoints(body_a, body_b, lower, upper, result.grid_spacing);
+  const auto either =
+      static_cast<double>(counts.in_a + counts.in_b - counts.in_both);
+  if (either > 0) {
+    const auto both = static_cast<double>(counts.in_both);
+    result.dice = 2 * both / static_cast<double>(counts.in_a + counts.in_b);
+    result.jaccard = both / either;
+  }
+  return result;
+}
+
+}  // namespace musclewarp

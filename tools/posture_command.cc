@@ -1,0 +1,182 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/posture_command.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/geometry/surface_comparison.h"
+#include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/mesh_repair/repair.h"
+#include "musclewarp/page/run_files.h"
+#ifdef MUSCLEWARP_WITH_VTK
+#include "musclewarp/mesh_files/vtp_writer.h"
+#endif
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+using OrderedJson = nlohmann::ordered_json;
+
+// Volumes of one muscle in two postures that differ by more than this factor
+// are most likely in different units.
+constexpr double kLargestVolumeRatio = 100;
+
+void CheckOptions(const PostureOptions& options) {
+  if (options.posture.empty()) {
+    throw InputError("--posture",
+                     "is missing",
+                     "give the mesh of the muscle as segmented in the posture");
+  }
+  if (!options.mesh.empty() && !(options.in + options.muscle).empty()) {
+    throw InputError("--mesh=" + options.mesh,
+                     "cannot be used with --in and --muscle",
+                     "compare either a mesh file or a muscle of a run");
+  }
+  if (options.mesh.empty() && options.in.empty()) {
+    throw InputError("--posture",
+                     "needs something to compare with",
+                     "give --mesh=FILE, or --in=RUN and --muscle=NAME");
+  }
+  if (options.mesh.empty() && options.muscle.empty()) {
+    throw InputError("--muscle", "is missing", "name a muscle of --in");
+  }
+  if (!(options.spacing >= 0)) {
+    throw InputError(
+        "--posture_spacing",
+        "is " + std::to_string(options.spacing) + ", allowed: 0 or above",
+        "leave it out for the diagonal over 300");
+  }
+}
+
+// Returns the file of the mesh that is compared with the posture.
+std::string ComparedFile(const PostureOptions& options) {
+  if (!options.mesh.empty()) return options.mesh;
+  const RunFiles run = FindRunFiles(options.in, options.frame);
+  if (run.frames.size() != 1) {
+    throw InputError(
+        "--frame=" + options.frame,
+        "names " + std::to_string(run.frames.size()) + " frames, allowed: one",
+        "give the number of a frame, or last");
+  }
+  const MeshFiles& meshes = run.frames[0].meshes;
+  const auto found = meshes.find(options.muscle);
+  if (found != meshes.end()) return found->second;
+  std::string names;
+  for (const auto& item : meshes) {
+    names += (names.empty() ? "" : ", ") + item.first;
+  }
+  throw InputError("--muscle=" + options.muscle,
+                   "is no mesh of frame " + options.frame + " of " + options.in,
+                   "its meshes: " + names);
+}
+
+TriangleSoup ReadClosed(const std::string& file) {
+  return RepairMesh(ReadTriangleSoup(file), file, RepairOptions(), nullptr);
+}
+
+OrderedJson ToJson(const SurfaceDistances& distances) {
+  return {{"mean_mm", distances.mean},
+          {"root_mean_square_mm", distances.root_mean_square},
+          {"percentile_95_mm", distances.percentile_95},
+          {"hausdorff_mm", distances.largest},
+          {"signed_mean_mm", distances.signed_mean}};
+}
+
+OrderedJson PostureJson(const std::string& file,
+                        const PostureOptions& options,
+                        const SurfaceComparison& found) {
+  return {{"version", MUSCLEWARP_VERSION},
+          {"muscle", file},
+          {"posture", options.posture},
+          {"spacing_mm", found.spacing},
+          {"muscle_to_posture", ToJson(found.a_to_b)},
+          {"posture_to_muscle", ToJson(found.b_to_a)},
+          {"symmetric", ToJson(found.symmetric)},
+          {"muscle_volume_mm3", found.volume_a},
+          {"posture_volume_mm3", found.volume_b},
+          {"volume_ratio", found.volume_a / found.volume_b},
+          {"dice", found.dice},
+          {"jaccard", found.jaccard},
+          {"grid_spacing_mm", found.grid_spacing}};
+}
+
+void PrintRow(const std::string& name,
+              const SurfaceDistances& distances,
+              std::ostream& screen) {
+  screen << std::left << std::setw(20) << name << std::right << std::fixed
+         << std::setprecision(2);
+  for (const double figure : {distances.mean,
+                              distances.root_mean_square,
+                              distances.percentile_95,
+                              distances.largest,
+                              distances.signed_mean}) {
+    screen << std::setw(10) << figure;
+  }
+  screen << "\n";
+}
+
+void Print(const SurfaceComparison& found, std::ostream& screen) {
+  screen << "distance, mm              mean       rms       95 % Hausdorff    "
+            "signed\n";
+  PrintRow("muscle to posture", found.a_to_b, screen);
+  PrintRow("posture to muscle", found.b_to_a, screen);
+  PrintRow("both", found.symmetric, screen);
+  constexpr double kCubicCentimetre = 1000;  // mm^3
+  screen << "(places at most " << found.spacing
+         << " mm apart; signed: negative inside)\n\nvolume "
+         << found.volume_a / kCubicCentimetre << " cm3, in the posture "
+         << found.volume_b / kCubicCentimetre << " cm3, ratio "
+         << std::setprecision(3) << found.volume_a / found.volume_b
+         << "\noverlap: Dice " << found.dice << ", Jaccard " << found.jaccard
+         << " (on a grid of " << std::setprecision(2) << found.grid_spacing
+         << " mm)\n";
+  const double ratio = found.volume_a / found.volume_b;
+  if (std::max(ratio, 1 / ratio) > kLargestVolumeRatio) {
+    screen << "warning: the volumes differ by more than a factor of "
+           << std::setprecision(0) << kLargestVolumeRatio
+           << ": are both files in millimetres?\n";
+  }
+}
+
+void WriteResults(const std::string& file,
+                  const PostureOptions& options,
+                  const TriangleSoup& muscle,
+                  const SurfaceComparison& found) {
+  fs::create_directories(options.out);
+  WriteTextAtomically(
+      (fs::path(options.out) / "posture.json").string(),
+      PostureJson(file, options, found)
+              .dump(2, ' ', false, OrderedJson::error_handler_t::replace) +
+          "\n");
+#ifdef MUSCLEWARP_WITH_VTK
+  WriteTextAtomically(
+      (fs::path(options.out) / "posture.vtp").string(),
+      VtpOfMesh(muscle, {{"distance_mm", found.vertex_distances}}));
+#else
+  (void)muscle;
+#endif
+}
+
+}  // namespace
+
+int PostureCommand(const PostureOptions& options, std::ostream& screen) {
+  CheckOptions(options);
+  const std::string file = ComparedFile(options);
+  const TriangleSoup muscle = ReadClosed(file);
+  const TriangleSoup posture = ReadClosed(options.posture);
+  SurfaceComparisonOptions comparison;
+  comparison.spacing = options.spacing;
+  const SurfaceComparison found = CompareSurfaces(muscle, posture, comparison);
+  screen << file << " against " << options.posture << "\n\n";
+  Print(found, screen);
+  if (!options.out.empty()) WriteResults(file, options, muscle, found);
+  return 0;
+}
+
+}  // namespace musclewarp
