@@ -20,10 +20,12 @@ DEFINE_string(configurations,
 DEFINE_string(contact,
               "none",
               "none, paper, certified, or several with commas");
-DEFINE_string(out,
-              "",
-              "folder for comparison.csv, comparison.json and history.csv; "
-              "without it the table is only printed");
+DEFINE_string(
+    out,
+    "",
+    "folder for comparison.csv, comparison.json and history.csv, or for "
+    "posture.json and posture.vtp; "
+    "without it the table is only printed");
 DEFINE_int32(repeat, 1, "runs of each, of which the median time is given");
 DEFINE_string(posture,
               "",
@@ -31,7 +33,10 @@ DEFINE_string(posture,
               "or --muscle in a --frame of --in, is compared");
 DEFINE_string(mesh, "", "with --posture: mesh file to compare");
 DEFINE_string(in, "", "with --posture: folder of a run of musclewarp-deform");
-DEFINE_string(frame, "last", "with --posture: frame of --in, last or a number");
+DEFINE_string(frame,
+              "",
+              "with --posture: frame of --in, last or a number; without it the "
+              "last");
 DEFINE_string(muscle, "", "with --posture: muscle of --in to compare");
 DEFINE_double(posture_spacing,
               0,
@@ -59,7 +64,8 @@ bool IsGiven(const char* flag) {
 }
 
 PostureOptions PostureOptionsFromFlags() {
-  for (const char* flag : {"scene", "configurations", "contact", "repeat"}) {
+  for (const char* flag :
+       {"scene", "motion", "frames", "configurations", "contact", "repeat"}) {
     if (!IsGiven(flag)) continue;
     throw InputError(std::string("--") + flag,
                      "cannot be used with --posture, which compares meshes",
@@ -99,10 +105,9 @@ int main(int argc, char** argv) {
       "[--out=DIR]\n\n"
       "Solves the poses of a scene with several solvers and puts iterations, "
       "times, cost,\nvolume, distance to the reference and intersections side "
-      "by side.\nWith --posture, compares a muscle of a frame with a mesh of "
-      "it "
-      "that was segmented in\nthat posture: distances of the surfaces, volumes "
-      "and their overlap.\nExit code: 0 the table is complete (a solver that "
+      "by side.\nWith --posture, compares a muscle of a frame with a mesh that "
+      "was segmented in that\nposture: distances of the surfaces, volumes and "
+      "their overlap.\nExit code: 0 the table is complete (a solver that "
       "failed is a "
       "row that says so),\n2 bad input.",
       [](const std::vector<std::string>& arguments) {

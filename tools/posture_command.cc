@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
@@ -13,6 +14,7 @@
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_repair/repair.h"
 #include "musclewarp/page/run_files.h"
+#include "tools/deform_command.h"
 #ifdef MUSCLEWARP_WITH_VTK
 #include "musclewarp/mesh_files/vtp_writer.h"
 #endif
@@ -33,9 +35,10 @@ void CheckOptions(const PostureOptions& options) {
                      "is missing",
                      "give the mesh of the muscle as segmented in the posture");
   }
-  if (!options.mesh.empty() && !(options.in + options.muscle).empty()) {
+  if (!options.mesh.empty() &&
+      !(options.in + options.muscle + options.frame).empty()) {
     throw InputError("--mesh=" + options.mesh,
-                     "cannot be used with --in and --muscle",
+                     "cannot be used with --in, --frame and --muscle",
                      "compare either a mesh file or a muscle of a run");
   }
   if (options.mesh.empty() && options.in.empty()) {
@@ -57,7 +60,8 @@ void CheckOptions(const PostureOptions& options) {
 // Returns the file of the mesh that is compared with the posture.
 std::string ComparedFile(const PostureOptions& options) {
   if (!options.mesh.empty()) return options.mesh;
-  const RunFiles run = FindRunFiles(options.in, options.frame);
+  const std::string frame = options.frame.empty() ? "last" : options.frame;
+  const RunFiles run = FindRunFiles(options.in, frame);
   if (run.frames.size() != 1) {
     throw InputError(
         "--frame=" + options.frame,
@@ -72,7 +76,7 @@ std::string ComparedFile(const PostureOptions& options) {
     names += (names.empty() ? "" : ", ") + item.first;
   }
   throw InputError("--muscle=" + options.muscle,
-                   "is no mesh of frame " + options.frame + " of " + options.in,
+                   "is no mesh of frame " + frame + " of " + options.in,
                    "its meshes: " + names);
 }
 
@@ -80,12 +84,37 @@ TriangleSoup ReadClosed(const std::string& file) {
   return RepairMesh(ReadTriangleSoup(file), file, RepairOptions(), nullptr);
 }
 
+// Throws InputError if the samples asked for are too many to be held.
+void CheckSpacing(const std::string& file,
+                  const TriangleSoup& mesh,
+                  double spacing) {
+  constexpr double kMostSamples = 2e7;
+  if (spacing == 0 || NumSamples(mesh, spacing) <= kMostSamples) return;
+  throw InputError("--posture_spacing",
+                   "would compare " + file +
+                       " at more than 20 million places, which is the limit",
+                   "give a larger one");
+}
+
 OrderedJson ToJson(const SurfaceDistances& distances) {
   return {{"mean_mm", distances.mean},
           {"root_mean_square_mm", distances.root_mean_square},
           {"percentile_95_mm", distances.percentile_95},
-          {"hausdorff_mm", distances.largest},
-          {"signed_mean_mm", distances.signed_mean}};
+          {"hausdorff_mm", distances.largest}};
+}
+
+OrderedJson WithSignedMean(const SurfaceDistances& distances) {
+  OrderedJson json = ToJson(distances);
+  json["signed_mean_mm"] = distances.signed_mean;
+  return json;
+}
+
+std::vector<std::string> WarningsOf(const SurfaceComparison& found) {
+  const double ratio = found.volume_a / found.volume_b;
+  if (std::max(ratio, 1 / ratio) <= kLargestVolumeRatio) return {};
+  return {
+      "the volumes differ by more than a factor of 100: are both files in "
+      "millimetres?"};
 }
 
 OrderedJson PostureJson(const std::string& file,
@@ -95,38 +124,40 @@ OrderedJson PostureJson(const std::string& file,
           {"muscle", file},
           {"posture", options.posture},
           {"spacing_mm", found.spacing},
-          {"muscle_to_posture", ToJson(found.a_to_b)},
-          {"posture_to_muscle", ToJson(found.b_to_a)},
+          {"muscle_to_posture", WithSignedMean(found.a_to_b)},
+          {"posture_to_muscle", WithSignedMean(found.b_to_a)},
           {"symmetric", ToJson(found.symmetric)},
           {"muscle_volume_mm3", found.volume_a},
           {"posture_volume_mm3", found.volume_b},
           {"volume_ratio", found.volume_a / found.volume_b},
           {"dice", found.dice},
           {"jaccard", found.jaccard},
-          {"grid_spacing_mm", found.grid_spacing}};
+          {"grid_spacing_mm", found.grid_spacing},
+          {"warnings", WarningsOf(found)}};
 }
 
 void PrintRow(const std::string& name,
               const SurfaceDistances& distances,
+              bool has_sign,
               std::ostream& screen) {
   screen << std::left << std::setw(20) << name << std::right << std::fixed
          << std::setprecision(2);
   for (const double figure : {distances.mean,
                               distances.root_mean_square,
                               distances.percentile_95,
-                              distances.largest,
-                              distances.signed_mean}) {
+                              distances.largest}) {
     screen << std::setw(10) << figure;
   }
+  if (has_sign) screen << std::setw(10) << distances.signed_mean;
   screen << "\n";
 }
 
 void Print(const SurfaceComparison& found, std::ostream& screen) {
   screen << "distance, mm              mean       rms       95 % Hausdorff    "
             "signed\n";
-  PrintRow("muscle to posture", found.a_to_b, screen);
-  PrintRow("posture to muscle", found.b_to_a, screen);
-  PrintRow("both", found.symmetric, screen);
+  PrintRow("muscle to posture", found.a_to_b, true, screen);
+  PrintRow("posture to muscle", found.b_to_a, true, screen);
+  PrintRow("both", found.symmetric, false, screen);
   constexpr double kCubicCentimetre = 1000;  // mm^3
   screen << "(places at most " << found.spacing
          << " mm apart; signed: negative inside)\n\nvolume "
@@ -136,11 +167,8 @@ void Print(const SurfaceComparison& found, std::ostream& screen) {
          << "\noverlap: Dice " << found.dice << ", Jaccard " << found.jaccard
          << " (on a grid of " << std::setprecision(2) << found.grid_spacing
          << " mm)\n";
-  const double ratio = found.volume_a / found.volume_b;
-  if (std::max(ratio, 1 / ratio) > kLargestVolumeRatio) {
-    screen << "warning: the volumes differ by more than a factor of "
-           << std::setprecision(0) << kLargestVolumeRatio
-           << ": are both files in millimetres?\n";
+  for (const std::string& warning : WarningsOf(found)) {
+    screen << "warning: " << warning << "\n";
   }
 }
 
@@ -148,7 +176,7 @@ void WriteResults(const std::string& file,
                   const PostureOptions& options,
                   const TriangleSoup& muscle,
                   const SurfaceComparison& found) {
-  fs::create_directories(options.out);
+  MakeFolder(options.out);
   WriteTextAtomically(
       (fs::path(options.out) / "posture.json").string(),
       PostureJson(file, options, found)
@@ -167,9 +195,12 @@ void WriteResults(const std::string& file,
 
 int PostureCommand(const PostureOptions& options, std::ostream& screen) {
   CheckOptions(options);
+  if (!options.out.empty()) CheckWritable(options.out);
   const std::string file = ComparedFile(options);
   const TriangleSoup muscle = ReadClosed(file);
   const TriangleSoup posture = ReadClosed(options.posture);
+  CheckSpacing(file, muscle, options.spacing);
+  CheckSpacing(options.posture, posture, options.spacing);
   SurfaceComparisonOptions comparison;
   comparison.spacing = options.spacing;
   const SurfaceComparison found = CompareSurfaces(muscle, posture, comparison);

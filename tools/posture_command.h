@@ -12,10 +12,10 @@ struct PostureOptions {
   std::string posture;
 
   // What is compared with it: a mesh file, or else a muscle in a frame of a run
-  // of musclewarp-deform ("last" or a number).
+  // of musclewarp-deform ("last", a number, or empty for the last).
   std::string mesh;
   std::string in;
-  std::string frame = "last";
+  std::string frame;
   std::string muscle;
 
   std::string out;  // folder for posture.json and the coloured mesh, or empty

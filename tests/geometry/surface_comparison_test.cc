@@ -65,8 +65,21 @@ TEST(CompareSurfaces, TheOrderDoesNotMatter) {
   EXPECT_EQ(one.dice, other.dice);
 }
 
+TEST(CompareSurfaces, MeshesFarApartShareNothing) {
+  const TriangleSoup a = Box(10, 10, 10);
+  const SurfaceComparison found = CompareSurfaces(a, Moved(a, {1e4, 0, 0}), {});
+  EXPECT_EQ(found.dice, 0);
+  EXPECT_EQ(found.jaccard, 0);
+  EXPECT_NEAR(found.symmetric.mean, 1e4, 10);
+}
+
+TEST(NumSamples, IsTheNumberOfPartsOfAllTriangles) {
+  // Edges of up to 10 sqrt(2) mm are cut into three parts, nine triangles.
+  EXPECT_EQ(NumSamples(Box(10, 10, 10), 5), 12 * 9);
+}
+
 TEST(CompareSurfaces, EverythingScales) {
-  TriangleSoup a = Icosphere(10, 2), b = Moved(Icosphere(10, 2), {3, 1, 0});
+  TriangleSoup a = Icosphere(10, 1), b = Moved(Icosphere(10, 1), {3, 1, 0});
   const SurfaceComparison small = CompareSurfaces(a, b, {});
   a.points *= 10;
   b.points *= 10;

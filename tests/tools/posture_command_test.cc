@@ -98,6 +98,13 @@ TEST_F(Posture, NamesWhatIsWrong) {
   options_.spacing = 0;
   options_.frame = "7";
   ExpectInputError(run, {"7"});
+  options_.frame = "0";
+  options_.spacing = 1e-4;
+  ExpectInputError(run, {"--posture_spacing", "20 million"});
+  options_.spacing = 0;
+  options_.out = options_.posture + "/out";
+  ExpectInputError(run, {"--out=", "is not a folder that can be written"});
+  options_.out.clear();
   options_.frame = "0,1";
   ExpectInputError(run, {"--frame=0,1", "allowed: one"});
 }

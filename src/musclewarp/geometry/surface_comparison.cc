@@ -48,13 +48,13 @@ struct Samples {
 };
 
 // Returns into how many parts the edges of a triangle are cut.
-int NumParts(const RowVector3d& a,
-             const RowVector3d& b,
-             const RowVector3d& c,
-             double spacing) {
+double NumParts(const RowVector3d& a,
+                const RowVector3d& b,
+                const RowVector3d& c,
+                double spacing) {
   const double longest =
       std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-  return std::max(1, static_cast<int>(std::ceil(longest / spacing)));
+  return std::max(1.0, std::ceil(longest / spacing));
 }
 
 // Cuts every triangle into equal ones whose edges are at most `spacing` long,
@@ -66,7 +66,7 @@ Samples SampleSurface(const TriangleSoup& mesh, double spacing) {
     const RowVector3d a = mesh.points.row(mesh.triangles(f, 0));
     const RowVector3d b = mesh.points.row(mesh.triangles(f, 1));
     const RowVector3d c = mesh.points.row(mesh.triangles(f, 2));
-    const int parts = NumParts(a, b, c, spacing);
+    const int parts = static_cast<int>(NumParts(a, b, c, spacing));
     const double area = (b - a).cross(c - a).norm() / 2 / (parts * parts);
     const auto add = [&](double u, double v) {
       places.push_back(a + u / parts * (b - a) + v / parts * (c - a));
@@ -131,32 +131,34 @@ Samples Together(const Samples& a, const Samples& b) {
 }
 
 struct Counts {
-  long in_a = 0, in_b = 0, in_both = 0;
+  long in_body = 0, in_both = 0;
 };
 
-// Counts the points of a regular grid in two bodies, within a box.
-Counts CountPoints(const Body& a,
-                   const Body& b,
-                   const RowVector3d& lower,
-                   const RowVector3d& upper,
+// Counts the points of a regular grid, one of which is `origin`, in the box of
+// a mesh that are in its body, and those that are in another one, too.
+Counts CountPoints(const Points& mesh,
+                   const Body& body,
+                   const Body& other,
+                   const RowVector3d& origin,
                    double spacing) {
-  const Eigen::Array<int, 1, 3> cells =
-      ((upper - lower) / spacing).array().ceil().cast<int>().max(1);
-  long in_a = 0, in_b = 0, in_both = 0;
-#pragma omp parallel for reduction(+ : in_a, in_b, in_both) schedule(dynamic, 1)
-  for (int z = 0; z < cells[2]; ++z) {
-    for (int y = 0; y < cells[1]; ++y) {
-      for (int x = 0; x < cells[0]; ++x) {
-        const RowVector3d point =
-            lower + spacing * RowVector3d(x + 0.5, y + 0.5, z + 0.5);
-        const bool is_in_a = a.Contains(point), is_in_b = b.Contains(point);
-        in_a += is_in_a;
-        in_b += is_in_b;
-        in_both += is_in_a && is_in_b;
+  const auto cell = [&](const RowVector3d& point) -> Eigen::Array3i {
+    return ((point - origin) / spacing).array().floor().cast<int>().transpose();
+  };
+  const Eigen::Array3i first = cell(mesh.colwise().minCoeff());
+  const Eigen::Array3i last = cell(mesh.colwise().maxCoeff());
+  long in_body = 0, in_both = 0;
+#pragma omp parallel for reduction(+ : in_body, in_both) schedule(dynamic, 1)
+  for (int z = first[2]; z <= last[2]; ++z) {
+    for (int y = first[1]; y <= last[1]; ++y) {
+      for (int x = first[0]; x <= last[0]; ++x) {
+        const RowVector3d point = origin + spacing * RowVector3d(x, y, z);
+        if (!body.Contains(point)) continue;
+        ++in_body;
+        in_both += other.Contains(point);
       }
     }
   }
-  return {in_a, in_b, in_both};
+  return {in_body, in_both};
 }
 
 }  // namespace
@@ -166,6 +168,18 @@ bool SurfaceComparisonOptions::IsValid(std::string* error) const {
       .IsAtLeast("spacing", spacing, 0)
       .IsAtLeast("grid_points", grid_points, 1)
       .is_valid();
+}
+
+double NumSamples(const TriangleSoup& mesh, double spacing) {
+  double count = 0;
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    const double parts = NumParts(mesh.points.row(mesh.triangles(f, 0)),
+                                  mesh.points.row(mesh.triangles(f, 1)),
+                                  mesh.points.row(mesh.triangles(f, 2)),
+                                  spacing);
+    count += parts * parts;
+  }
+  return count;
 }
 
 SurfaceComparison CompareSurfaces(const TriangleSoup& a,
@@ -190,21 +204,22 @@ SurfaceComparison CompareSurfaces(const TriangleSoup& a,
   result.a_to_b = DistancesOf(of_a);
   result.b_to_a = DistancesOf(of_b);
   result.symmetric = DistancesOf(Together(of_a, of_b));
-  result.symmetric.signed_mean = 0;
   result.vertex_distances = SignedDistances(body_b, a.points);
 
   result.volume_a = SignedVolume(a.points, a.triangles);
   result.volume_b = SignedVolume(b.points, b.triangles);
   result.grid_spacing = std::cbrt(std::max(result.volume_a, result.volume_b) /
                                   options.grid_points);
-  const Counts counts =
-      CountPoints(body_a, body_b, lower, upper, result.grid_spacing);
-  const auto either =
-      static_cast<double>(counts.in_a + counts.in_b - counts.in_both);
-  if (either > 0) {
-    const auto both = static_cast<double>(counts.in_both);
-    result.dice = 2 * both / static_cast<double>(counts.in_a + counts.in_b);
-    result.jaccard = both / either;
+  const RowVector3d origin = lower.array() - result.grid_spacing / 2;
+  const Counts in_a =
+      CountPoints(a.points, body_a, body_b, origin, result.grid_spacing);
+  const Counts in_b =
+      CountPoints(b.points, body_b, body_a, origin, result.grid_spacing);
+  const auto sum = static_cast<double>(in_a.in_body + in_b.in_body);
+  const auto both = static_cast<double>(in_a.in_both);
+  if (sum > 0) {
+    result.dice = 2 * both / sum;
+    result.jaccard = both / (sum - both);
   }
   return result;
 }

@@ -43,7 +43,7 @@ struct SurfaceComparison {
   SurfaceDistances a_to_b, b_to_a;
 
   // Of all places of both, so that it does not depend on the order. Its
-  // signed_mean is 0.
+  // signed_mean has no meaning.
   SurfaceDistances symmetric;
   double spacing = 0;  // mm, as used
 
@@ -57,6 +57,10 @@ struct SurfaceComparison {
   // The distance of each vertex of A from B, mm, negative inside B.
   Eigen::VectorXd vertex_distances;
 };
+
+// Returns at how many places a surface is compared, which is what time and
+// memory grow with. Precondition: spacing is above 0, mm.
+double NumSamples(const TriangleSoup& mesh, double spacing);
 
 // Compares two surfaces, both closed and oriented outward, in mm and in the
 // same frame. The result is the same on every machine. Preconditions (CHECKed):

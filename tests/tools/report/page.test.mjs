@@ -163,6 +163,10 @@ describe("the page", () => {
       "figure-line-lengths",
       "figure-moment-arms-hip_flexion_r",
       "figure-carried-moment-arms-hip_flexion_r",
+      "figure-drift",
+      "figure-stretch",
+      "figure-bend",
+      "figure-change",
       "figure-time",
     ]);
     const curves = () =>
