@@ -8,7 +8,10 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 find_program(MUSCLEWARP_CCACHE ccache)
 if(MUSCLEWARP_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${MUSCLEWARP_CCACHE})
+  # ccache takes no precompiled headers unless it is told to.
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+      ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
+      ${MUSCLEWARP_CCACHE})
 endif()
 # Most of the time to compile a source goes into the headers of Eigen, CGAL,
 # Ceres and GoogleTest, which up to eight sources then share.
@@ -16,6 +19,8 @@ if(MUSCLEWARP_UNITY_BUILD AND NOT DEFINED CMAKE_UNITY_BUILD)
   set(CMAKE_UNITY_BUILD ON)
   set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 endif()
+# The libraries also go into modules of other languages, which are loaded.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 include(GNUInstallDirs)
 set(MUSCLEWARP_INSTALL_INCLUDEDIR ${CMAKE_INSTALL_INCLUDEDIR}/musclewarp)
 
@@ -91,6 +96,21 @@ function(musclewarp_test NAME)
                            LABELS data)
 endfunction()
 
+# What the tests themselves compute is little, and they compile in two thirds of
+# the time. The libraries are what the sanitizers watch: instrumented and
+# optimised, the tests would take as long to compile as all that they test.
+function(musclewarp_test_options TARGET)
+  target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(MUSCLEWARP_SANITIZE)
+    target_compile_options(${TARGET} PRIVATE -fno-sanitize=all)
+    if(NOT ARG_COMPUTES)
+      target_compile_options(${TARGET} PRIVATE -O0)
+    endif()
+  endif()
+  # Precompiled headers are read only where these options are the same.
+  set_target_properties(${TARGET} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+endfunction()
+
 # Uses NAME and ARG_LINK of musclewarp_test; the rest are test properties.
 function(_musclewarp_test_program PROGRAM SOURCES)
   if(NOT SOURCES)
@@ -100,16 +120,11 @@ function(_musclewarp_test_program PROGRAM SOURCES)
   target_link_libraries(
     ${PROGRAM} PRIVATE musclewarp_test_support musclewarp_compile_options
                        ${ARG_LINK})
-  # What the tests themselves compute is little, and they compile in two thirds
-  # of the time.
-  target_compile_options(${PROGRAM} PRIVATE $<$<CONFIG:Release>:-O1>)
+  musclewarp_test_options(${PROGRAM})
+  if(NOT (MUSCLEWARP_SANITIZE AND ARG_COMPUTES))
+    target_precompile_headers(${PROGRAM} REUSE_FROM musclewarp_test_support)
+  endif()
   if(MUSCLEWARP_SANITIZE)
-    # The libraries are what the sanitizers watch. Instrumented and optimised,
-    # the tests would take as long to compile as all that they test.
-    target_compile_options(${PROGRAM} PRIVATE -fno-sanitize=all)
-    if(NOT ARG_COMPUTES)
-      target_compile_options(${PROGRAM} PRIVATE -O0)
-    endif()
     # A process for every case would take longer to start than most cases run.
     add_test(NAME ${PROGRAM} COMMAND ${PROGRAM} --gtest_brief=1)
     set_tests_properties(${PROGRAM} PROPERTIES ${ARGN})
