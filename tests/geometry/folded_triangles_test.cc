@@ -6,10 +6,79 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <vector>
 
+#include "musclewarp/mesh/triangle.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
+namespace {
+
+// The definition: a triangle is folded if its normal points away from that at
+// rest, turned as the corners and their neighbours turn. Covariances are those
+// of the edges of all triangles around a vertex, summed over the triangles
+// around each of the three corners.
+std::vector<int> FoldedByDefinition(const Points& rest,
+                                    const Points& deformed,
+                                    const Triangles& triangles) {
+  using Matrices = std::vector<Eigen::Matrix3d>;
+  Matrices edges(rest.rows(), Eigen::Matrix3d::Zero());
+  Matrices around(rest.rows(), Eigen::Matrix3d::Zero());
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = triangles(f, k), b = triangles(f, (k + 1) % 3);
+      const Eigen::Matrix3d edge = (rest.row(b) - rest.row(a)).transpose() *
+                                   (deformed.row(b) - deformed.row(a));
+      edges[a] += edge;
+      edges[b] += edge;
+    }
+  }
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    for (int k = 0; k < 9; ++k) {
+      around[triangles(f, k / 3)] += edges[triangles(f, k % 3)];
+    }
+  }
+  std::vector<int> folded;
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    const Eigen::RowVector3i t = triangles.row(f);
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
+        around[t[0]] + around[t[1]] + around[t[2]],
+        Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Eigen::Vector3d signs(1, 1, 1);
+    signs[2] = (svd.matrixV() * svd.matrixU().transpose()).determinant();
+    const Eigen::Matrix3d rotation =
+        svd.matrixV() * signs.asDiagonal() * svd.matrixU().transpose();
+    const auto normal = [&](const Points& points) {
+      return AreaVector(CornersOf(points, t));
+    };
+    if (normal(deformed).dot(normal(rest) * rotation.transpose()) < 0) {
+      folded.push_back(static_cast<int>(f));
+    }
+  }
+  return folded;
+}
+
+}  // namespace
+
+TEST(FoldedTriangles, AreThoseOfTheDefinition) {
+  const TriangleSoup sphere = Icosphere(10, 3);
+  // From a few folded triangles to a heap in which no rotation is near another.
+  for (const double noise : {1.0, 1.5, 3.0, 20.0}) {
+    const Points crumpled =
+        sphere.points +
+        noise * RandomPoints(static_cast<int>(sphere.points.rows()), 7);
+    std::vector<int> folded;
+    for (const FoldedTriangle& triangle :
+         FoldedTriangles(sphere.points, crumpled, sphere.triangles)) {
+      folded.push_back(triangle.triangle);
+    }
+    EXPECT_EQ(folded,
+              FoldedByDefinition(sphere.points, crumpled, sphere.triangles))
+        << "noise " << noise;
+    EXPECT_FALSE(folded.empty());
+  }
+}
 
 TEST(FoldedTriangles, NoneInRigidOrSmoothMotion) {
   const TriangleSoup spindle = Spindle(5, 30, 3);

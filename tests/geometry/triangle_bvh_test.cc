@@ -137,6 +137,32 @@ TEST(TriangleBvh, FindsOverlapsOfOtherBoxes) {
   EXPECT_TRUE(Overlaps(tree_a, tree_b).empty());
 }
 
+TEST(TriangleBvh, BoxesOfNodesHoldThoseOfTheirTriangles) {
+  const TriangleSoup sphere = Icosphere(10, 2);
+  const TriangleBvh bvh(sphere.points, sphere.triangles);
+  const int count = bvh.num_triangles();
+  std::vector<Box3> numbers(count);
+  for (int f = 0; f < count; ++f) {
+    const double number = f;
+    numbers[f] = {{number, number, number}, {number, number, number}};
+  }
+  const std::vector<Box3> boxes = bvh.BoxesOfNodes(numbers);
+  // Only the nodes above a triangle may hold its number.
+  for (const int wanted : {0, 17, count - 1}) {
+    const Eigen::RowVector3d point = Eigen::RowVector3d::Constant(wanted);
+    std::vector<int> reached;
+    int nodes = 0;
+    bvh.TraverseNodes(
+        [&](int node) {
+          ++nodes;
+          return boxes[node].Contains(point);
+        },
+        [&](int f) { reached.push_back(f); });
+    EXPECT_EQ(reached, std::vector<int>{wanted});
+    EXPECT_LT(nodes, 2 * count - 1);
+  }
+}
+
 TEST(TriangleBvh, FindsEveryPairOfItsOwnOnce) {
   const TriangleSoup soup = Spindle(4, 15, 1);
   const TriangleBvh bvh(soup.points, soup.triangles);

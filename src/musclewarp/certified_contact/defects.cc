@@ -97,19 +97,32 @@ void AddSelfCrossings(const StepOptions& options,
   }
 }
 
+// Fits the trees to muscles as the bones of a body see them.
+void FitTo(const std::vector<Points>& points,
+           const Eigen::Matrix4d& from_body,
+           std::vector<TriangleBvh>* trees) {
+#pragma omp parallel for schedule(dynamic, 1)
+  for (size_t i = 0; i < points.size(); ++i) {
+    (*trees)[i].Refit(Transformed(points[i], from_body));
+  }
+}
+
 void AddBoneCrossings(const ContactStep& step,
-                      int bone,
                       const std::vector<Points>& points,
                       std::vector<TriangleBvh>* trees,
                       StepDefects* defects) {
-  const Eigen::Matrix4d rest_from_now =
-      RigidInverse(step.bones_from_rest[bone]);
-  for (int i = 0; i < step.num_muscles(); ++i) {
-    (*trees)[i].Refit(Transformed(points[i], rest_from_now));
-    for (const auto& [f, g] :
-         IntersectingTriangles((*trees)[i], *step.scene.bones[bone])) {
-      if (step.scene.muscles[i].IsExempt(bone, f)) continue;
-      defects->bone_crossings.push_back({i, f, bone, g});
+  for (int bone = 0; bone < step.num_bones(); ++bone) {
+    const Eigen::Matrix4d& place = step.bones_from_rest[bone];
+    // Bones of one body mostly follow each other.
+    if (bone == 0 || place != step.bones_from_rest[bone - 1]) {
+      FitTo(points, RigidInverse(place), trees);
+    }
+    for (int i = 0; i < step.num_muscles(); ++i) {
+      for (const auto& [f, g] :
+           IntersectingTriangles((*trees)[i], *step.scene.bones[bone])) {
+        if (step.scene.muscles[i].IsExempt(bone, f)) continue;
+        defects->bone_crossings.push_back({i, f, bone, g});
+      }
     }
   }
 }
@@ -147,10 +160,12 @@ StepDefects FindDefects(const StepOptions& options,
                         const std::vector<Points>& points,
                         std::vector<TriangleBvh>* trees) {
   StepDefects defects;
+  defects.folded.resize(step.num_muscles());
+#pragma omp parallel for schedule(dynamic, 1) if (step.num_muscles() > 1)
   for (int i = 0; i < step.num_muscles(); ++i) {
     (*trees)[i].Refit(points[i]);
-    defects.folded.push_back(
-        TooManyFolded(options.defects, step.scene.muscles[i], points[i]));
+    defects.folded[i] =
+        TooManyFolded(options.defects, step.scene.muscles[i], points[i]);
   }
   for (int a = 0; a < step.num_muscles(); ++a) {
     AddSelfCrossings(options, step, targets[a], a, (*trees)[a], &defects);
@@ -161,9 +176,7 @@ StepDefects FindDefects(const StepOptions& options,
       }
     }
   }
-  for (int bone = 0; bone < step.num_bones(); ++bone) {
-    AddBoneCrossings(step, bone, points, trees, &defects);
-  }
+  AddBoneCrossings(step, points, trees, &defects);
   return defects;
 }
 

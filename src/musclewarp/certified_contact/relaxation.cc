@@ -11,14 +11,49 @@ using Eigen::RowVector3d;
 
 // What stays the same in the sweeps over one muscle.
 struct MuscleSweep {
+  MuscleSweep(const StepOptions& options,
+              const ContactStep& step,
+              const Points& targets,
+              const Eigen::VectorXd& stiffness,
+              int muscle);
+
   const StepOptions& options;
   const MuscleSurface& surface;
   const Points& carried;
   const Points& targets;
-  const Eigen::VectorXd& stiffness;
   const AttachedPoints& attached;
   int muscle;
+
+  // Of the edges to the neighbours of each vertex (MuscleSurface), with the
+  // stiffness, and #V: their sum and the weight of the vertex itself.
+  std::vector<double> weights;
+  Eigen::VectorXd sums_of_weights;
 };
+
+MuscleSweep::MuscleSweep(const StepOptions& options,
+                         const ContactStep& step,
+                         const Points& targets,
+                         const Eigen::VectorXd& stiffness,
+                         int muscle)
+    : options(options),
+      surface(step.scene.muscles[muscle]),
+      carried(step.carried[muscle]),
+      targets(targets),
+      attached(step.attached[muscle]),
+      muscle(muscle),
+      weights(surface.weights.size()),
+      sums_of_weights(surface.num_vertices()) {
+  const double length = options.relaxation.smoothing_length;
+  for (int v = 0; v < surface.num_vertices(); ++v) {
+    double sum = 1 / (length * length) * surface.areas[v];
+    for (int e = surface.first[v]; e < surface.first[v + 1]; ++e) {
+      const int u = surface.neighbours[e];
+      weights[e] = std::max(stiffness[u], stiffness[v]) * surface.weights[e];
+      sum += weights[e];
+    }
+    sums_of_weights[v] = sum;
+  }
+}
 
 // Returns the place, or the nearest one within the reach of where the vertex is
 // carried.
@@ -32,25 +67,23 @@ RowVector3d WithinReach(const MuscleSweep& sweep,
   return sweep.carried.row(v) + reach / far * beyond;
 }
 
-// Where the energy would put a vertex if its neighbours kept their offsets.
-RowVector3d LowestPlace(const MuscleSweep& sweep, int v, const Points& points) {
+// Where the energy would put a vertex if its neighbours kept their offsets, #V
+// x 3.
+RowVector3d LowestPlace(const MuscleSweep& sweep,
+                        int v,
+                        const Points& offsets) {
   const MuscleSurface& surface = sweep.surface;
-  const double length = sweep.options.relaxation.smoothing_length;
   RowVector3d sum = RowVector3d::Zero();
-  double weights = 1 / (length * length) * surface.areas[v];
   for (int e = surface.first[v]; e < surface.first[v + 1]; ++e) {
-    const int u = surface.neighbours[e];
-    const double weight =
-        std::max(sweep.stiffness[u], sweep.stiffness[v]) * surface.weights[e];
-    sum += weight * (points.row(u) - sweep.targets.row(u));
-    weights += weight;
+    sum += sweep.weights[e] * offsets.row(surface.neighbours[e]);
   }
-  return sweep.targets.row(v) + sum / weights;
+  return sweep.targets.row(v) + sum / sweep.sums_of_weights[v];
 }
 
 void SweepMuscle(const MuscleSweep& sweep,
                  bool looks_at_all_planes,
                  PlaneSet* planes,
+                 Points* offsets,
                  Points* points,
                  Points* unprojected) {
   const std::vector<int>& attached = sweep.attached.vertices;
@@ -61,11 +94,12 @@ void SweepMuscle(const MuscleSweep& sweep,
         sweep,
         v,
         is_attached ? RowVector3d(sweep.attached.positions.row(next))
-                    : LowestPlace(sweep, v, *points));
+                    : LowestPlace(sweep, v, *offsets));
     next += is_attached;
     unprojected->row(v) = place;
     if (looks_at_all_planes) planes->FindNear(sweep.muscle, v, place);
     points->row(v) = planes->Projected(sweep.muscle, v, place);
+    offsets->row(v) = points->row(v) - sweep.targets.row(v);
   }
 }
 
@@ -91,6 +125,12 @@ RelaxedPoints Relax(const StepOptions& options,
                     PlaneSet* planes,
                     RelaxedPoints start) {
   RelaxedPoints relaxed = std::move(start);
+  std::vector<MuscleSweep> muscles;
+  std::vector<Points> offsets;
+  for (int i = 0; i < step.num_muscles(); ++i) {
+    muscles.emplace_back(options, step, targets[i], stiffness[i], i);
+    offsets.push_back(relaxed.points[i] - targets[i]);
+  }
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     planes->UpdateLevels(relaxed.unprojected, relaxed.points, sweep == 0);
     const bool looks_at_all_planes =
@@ -98,15 +138,10 @@ RelaxedPoints Relax(const StepOptions& options,
         sweep + 1 == sweeps;
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < step.num_muscles(); ++i) {
-      SweepMuscle({options,
-                   step.scene.muscles[i],
-                   step.carried[i],
-                   targets[i],
-                   stiffness[i],
-                   step.attached[i],
-                   i},
+      SweepMuscle(muscles[i],
                   looks_at_all_planes,
                   planes,
+                  &offsets[i],
                   &relaxed.points[i],
                   &relaxed.unprojected[i]);
     }

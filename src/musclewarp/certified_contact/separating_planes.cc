@@ -48,56 +48,75 @@ void Append(const std::vector<std::vector<SeparatingPlane>>& parts,
   }
 }
 
-// The triangles of `other` whose boxes are near a triangle before the step or
-// where it is carried.
-std::vector<int> NearTriangles(const Corners& before,
-                               const TriangleBvh& other_before,
-                               const Corners& carried,
-                               const TriangleBvh& other_carried,
-                               double square) {
-  std::vector<int> near;
-  const auto collect = [&](const Corners& mine, const TriangleBvh& theirs) {
-    const Box3 box = BoxOf(mine);
-    theirs.Traverse(
-        [&](const Box3& node) { return node.SquaredDistance(box) <= square; },
-        [&](int g) {
-          if (BoxOf(theirs.corners(g)).SquaredDistance(box) <= square) {
-            near.push_back(g);
-          }
-        });
-  };
-  collect(before, other_before);
-  collect(carried, other_carried);
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
-  return near;
+// The boxes of the triangles of a muscle before the step and where the step
+// carries them, #F each.
+struct CarriedBoxes {
+  std::vector<Box3> before, carried;
+};
+
+std::vector<CarriedBoxes> BoxesOf(const ContactStep& step,
+                                  const std::vector<TriangleBvh>& carried) {
+  std::vector<CarriedBoxes> boxes(carried.size());
+  for (size_t i = 0; i < carried.size(); ++i) {
+    const int count = carried[i].num_triangles();
+    boxes[i].before.resize(count);
+    boxes[i].carried.resize(count);
+#pragma omp parallel for schedule(static)
+    for (int f = 0; f < count; ++f) {
+      boxes[i].before[f] = BoxOf(step.trees_before[i].corners(f));
+      boxes[i].carried[f] = BoxOf(carried[i].corners(f));
+    }
+  }
+  return boxes;
 }
+
+// Returns boxes around both boxes of each triangle, #F. Two of them overlap if
+// one of the two is within `radius` (mm) of the same box of the other triangle.
+std::vector<Box3> BoxesAround(const CarriedBoxes& boxes, double radius) {
+  std::vector<Box3> around(boxes.before.size());
+  for (size_t f = 0; f < around.size(); ++f) {
+    around[f] = BoxOf(boxes.before[f], boxes.carried[f]);
+    for (int k = 0; k < 3; ++k) {
+      around[f].lower[k] -= radius / 2;
+      around[f].upper[k] += radius / 2;
+    }
+  }
+  return around;
+}
+
+// What AddPlanesBetweenMuscles() looks for.
+struct NearMuscles {
+  double radius = 0;                        // mm
+  const std::vector<TriangleBvh>& carried;  // with the boxes around the motion
+  const std::vector<CarriedBoxes>& boxes;
+};
 
 void AddPlanesBetweenMuscles(const StepOptions& options,
                              const ContactStep& step,
-                             const std::vector<TriangleBvh>& carried,
+                             const NearMuscles& near,
                              int a,
                              int b,
                              std::vector<SeparatingPlane>* planes) {
-  // Either muscle may move by the reach.
-  const double radius =
-      options.AimedGap() + options.planes.search_share * 2 * options.reach;
-  const double square = radius * radius;
-  const TriangleBvh& tree_a = step.trees_before[a];
-  const TriangleBvh& tree_b = step.trees_before[b];
-  std::vector<std::vector<SeparatingPlane>> found(tree_a.num_triangles());
+  const double square = near.radius * near.radius;
+  const CarriedBoxes &boxes_a = near.boxes[a], &boxes_b = near.boxes[b];
+  const auto are_near = [&](int f, int g) {
+    return boxes_a.before[f].SquaredDistance(boxes_b.before[g]) <= square ||
+           boxes_a.carried[f].SquaredDistance(boxes_b.carried[g]) <= square;
+  };
+  const TriangleBvh &carried_a = near.carried[a], &carried_b = near.carried[b];
+  const Grouped met = ByFirst(carried_a.CollectOverlaps(carried_b, are_near),
+                              carried_a.num_triangles());
+  std::vector<std::vector<SeparatingPlane>> found(carried_a.num_triangles());
 #pragma omp parallel for schedule(dynamic, 64)
-  for (int f = 0; f < tree_a.num_triangles(); ++f) {
-    for (const int g : NearTriangles(tree_a.corners(f),
-                                     tree_b,
-                                     carried[a].corners(f),
-                                     carried[b],
-                                     square)) {
-      const auto separation =
-          SeparateTriangles(tree_a.corners(f), tree_b.corners(g));
+  for (int f = 0; f < carried_a.num_triangles(); ++f) {
+    std::vector<int> others(met.begin(f), met.begin(f) + met.count(f));
+    std::sort(others.begin(), others.end());
+    for (const int g : others) {
+      const auto separation = SeparateTriangles(
+          step.trees_before[a].corners(f), step.trees_before[b].corners(g));
       if (!separation) continue;
-      if (separation->distance > radius &&
-          ClosestPointsOfTriangles(carried[a].corners(f), carried[b].corners(g))
+      if (separation->distance > near.radius &&
+          ClosestPointsOfTriangles(carried_a.corners(f), carried_b.corners(g))
                   .squared_distance > square) {
         continue;
       }
@@ -106,6 +125,26 @@ void AddPlanesBetweenMuscles(const StepOptions& options,
     }
   }
   Append(found, planes);
+}
+
+void AddPlanesBetweenAllMuscles(const StepOptions& options,
+                                const ContactStep& step,
+                                std::vector<TriangleBvh>* carried,
+                                std::vector<SeparatingPlane>* planes) {
+  // Either muscle may move by the reach.
+  const double radius =
+      options.AimedGap() + options.planes.search_share * 2 * options.reach;
+  const std::vector<CarriedBoxes> boxes = BoxesOf(step, *carried);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int i = 0; i < step.num_muscles(); ++i) {
+    (*carried)[i].RefitBoxes(BoxesAround(boxes[i], radius));
+  }
+  for (int a = 0; a < step.num_muscles(); ++a) {
+    for (int b = a + 1; b < step.num_muscles(); ++b) {
+      AddPlanesBetweenMuscles(
+          options, step, {radius, *carried, boxes}, a, b, planes);
+    }
+  }
 }
 
 // The farthest that a vertex of each triangle moves in a step as the bone sees
@@ -229,11 +268,7 @@ std::vector<SeparatingPlane> FindSeparatingPlanes(
     const ContactStep& step,
     std::vector<TriangleBvh>* carried) {
   std::vector<SeparatingPlane> planes;
-  for (int a = 0; a < step.num_muscles(); ++a) {
-    for (int b = a + 1; b < step.num_muscles(); ++b) {
-      AddPlanesBetweenMuscles(options, step, *carried, a, b, &planes);
-    }
-  }
+  AddPlanesBetweenAllMuscles(options, step, carried, &planes);
   for (int bone = 0; bone < step.num_bones(); ++bone) {
     for (int i = 0; i < step.num_muscles(); ++i) {
       AddPlanesOfBone(options, step, i, bone, &(*carried)[i], &planes);

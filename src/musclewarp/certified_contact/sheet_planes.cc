@@ -37,6 +37,27 @@ Points UnitNormals(const TriangleBvh& tree) {
   return normals;
 }
 
+// Returns by node of the tree a box around the normals of its triangles.
+std::vector<Box3> NormalsOfNodes(const TriangleBvh& tree,
+                                 const Points& normals) {
+  std::vector<Box3> boxes(normals.rows());
+  for (Eigen::Index f = 0; f < normals.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      boxes[f].lower[k] = boxes[f].upper[k] = normals(f, k);
+    }
+  }
+  return tree.BoxesOfNodes(boxes);
+}
+
+// Returns the least product of a normal and any in the box.
+double LeastProduct(const RowVector3d& normal, const Box3& box) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    sum += std::min(normal[k] * box.lower[k], normal[k] * box.upper[k]);
+  }
+  return sum;
+}
+
 // The plane between two triangles of a muscle that are separated so.
 SeparatingPlane PlaneAt(const StepOptions& options,
                         const ContactStep& step,
@@ -93,6 +114,7 @@ std::vector<SeparatingPlane> FindPlanesBetweenSheets(const StepOptions& options,
   const Triangles& triangles = step.scene.muscles[muscle].triangles;
   const Points& before = step.before.points[muscle];
   const Points normals = UnitNormals(tree);
+  const std::vector<Box3> normals_of_nodes = NormalsOfNodes(tree, normals);
   std::vector<std::vector<SeparatingPlane>> found(tree.num_triangles());
 #pragma omp parallel for schedule(dynamic, 64)
   for (int f = 0; f < tree.num_triangles(); ++f) {
@@ -113,8 +135,13 @@ std::vector<SeparatingPlane> FindPlanesBetweenSheets(const StepOptions& options,
         found[f].push_back(PlaneAt(options, step, muscle, f, g, *separation));
       }
     };
-    tree.Traverse([&](const Box3& node) { return node.Overlaps(box); },
-                  add_plane);
+    // The surface around a triangle mostly faces the same way.
+    tree.TraverseNodes(
+        [&](int node) {
+          return tree.node_box(node).Overlaps(box) &&
+                 LeastProduct(normals.row(f), normals_of_nodes[node]) < 0;
+        },
+        add_plane);
   }
   std::vector<SeparatingPlane> planes;
   for (const auto& of_triangle : found) {

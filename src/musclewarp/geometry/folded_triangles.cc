@@ -59,6 +59,34 @@ Eigen::Matrix3d BestRotation(const Eigen::Matrix3d& covariance) {
   return svd.matrixV() * signs.asDiagonal() * svd.matrixU().transpose();
 }
 
+// The derivatives of trace(exp([w]) M) at w = 0: how the rotation of which
+// M = R C is made has to be turned to be the best one.
+struct Turn {
+  explicit Turn(const Eigen::Matrix3d& m)
+      : slope(m(1, 2) - m(2, 1), m(2, 0) - m(0, 2), m(0, 1) - m(1, 0)),
+        curvature(m.trace() * Eigen::Matrix3d::Identity() -
+                  (m + m.transpose()) / 2) {}
+
+  // Returns a bound on the sine of the angle to the best rotation, or more than
+  // one. Around an axis u, the trace is largest at the angle with the tangent
+  // slope.u / u^T curvature u, so that the tangent is at most the length of the
+  // slope over the least eigenvalue of the curvature, which Gershgorin's discs
+  // bound from below.
+  double LargestSine() const {
+    double least = curvature(0, 0);
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      least = std::min(least,
+                       curvature(i, i) - std::abs(curvature(i, j)) -
+                           std::abs(curvature(i, k)));
+    }
+    return least > 0 ? slope.norm() / least : 2;
+  }
+
+  Eigen::Vector3d slope;
+  Eigen::Matrix3d curvature;  // its negative
+};
+
 // Returns the same rotation, found from one nearby by Newton's method on
 // trace(exp([w]) R C). The function has no other local maximum on the
 // rotations, so that a stationary point with a negative definite second
@@ -69,11 +97,7 @@ Eigen::Matrix3d BestRotation(const Eigen::Matrix3d& covariance,
   constexpr double kTolerance = 1e-6;  // rad; the error is its square
   Eigen::Matrix3d rotation = nearby;
   for (int step = 0; step < kMaxSteps; ++step) {
-    const Eigen::Matrix3d m = rotation * covariance;
-    const Eigen::Vector3d slope(
-        m(1, 2) - m(2, 1), m(2, 0) - m(0, 2), m(0, 1) - m(1, 0));
-    const Eigen::Matrix3d curvature =
-        m.trace() * Eigen::Matrix3d::Identity() - (m + m.transpose()) / 2;
+    const auto [slope, curvature] = Turn(rotation * covariance);
     const bool is_definite =
         curvature(0, 0) > 0 &&
         curvature.topLeftCorner<2, 2>().determinant() > 0 &&
@@ -129,13 +153,21 @@ std::vector<FoldedTriangle> FoldedTriangles(const Points& rest,
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     for (Eigen::Index f = begin; f < end; ++f) {
       if (IsNeedle(rest, triangles.row(f))) continue;
-      rotation = BestRotation(covariances[triangles(f, 0)] +
-                                  covariances[triangles(f, 1)] +
-                                  covariances[triangles(f, 2)],
-                              rotation);
-      const Eigen::RowVector3d turned =
-          Normal(rest, triangles.row(f)) * rotation.transpose();
-      if (Normal(deformed, triangles.row(f)).dot(turned) < 0) {
+      const Eigen::Matrix3d covariance = covariances[triangles(f, 0)] +
+                                         covariances[triangles(f, 1)] +
+                                         covariances[triangles(f, 2)];
+      const Eigen::RowVector3d rest_normal = Normal(rest, triangles.row(f));
+      const Eigen::RowVector3d normal = Normal(deformed, triangles.row(f));
+      const auto facing = [&] {
+        return normal.dot(rest_normal * rotation.transpose());
+      };
+      // Most are so far from folded that the rotation nearby says so.
+      if (facing() > 1.001 * Turn(rotation * covariance).LargestSine() *
+                         rest_normal.norm() * normal.norm()) {
+        continue;
+      }
+      rotation = BestRotation(covariance, rotation);
+      if (facing() < 0) {
 #pragma omp critical(folded_triangles)
         folded.push_back({static_cast<int>(f), rotation});
       }

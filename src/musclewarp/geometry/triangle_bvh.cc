@@ -73,6 +73,19 @@ void TriangleBvh::RefitBoxes(const std::vector<Box3>& boxes) {
   RefitNodes([&](int triangle) { return boxes[triangle]; });
 }
 
+std::vector<Box3> TriangleBvh::BoxesOfNodes(
+    const std::vector<Box3>& of_triangles) const {
+  CHECK_EQ(of_triangles.size(), corners_.size());
+  std::vector<Box3> boxes(nodes_.size());
+  // Children come after their parents.
+  for (int i = static_cast<int>(nodes_.size()) - 1; i >= 0; --i) {
+    const Node& node = nodes_[i];
+    boxes[i] = node.IsLeaf() ? of_triangles[node.triangle]
+                             : BoxOf(boxes[i + 1], boxes[node.second]);
+  }
+  return boxes;
+}
+
 template <typename BoxOfTriangle>
 void TriangleBvh::RefitNodes(const BoxOfTriangle& box_of) {
   // Children come after their parents.

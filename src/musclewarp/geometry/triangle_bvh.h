@@ -74,6 +74,17 @@ class TriangleBvh {
   template <typename Enter, typename Visit>
   void Traverse(const Enter& enter, const Visit& visit) const;
 
+  // Does the same with the number of a node in place of its box, for searches
+  // that know more of the nodes than their boxes.
+  template <typename Enter, typename Visit>
+  void TraverseNodes(const Enter& enter, const Visit& visit) const;
+
+  const Box3& node_box(int node) const { return nodes_[node].box; }
+
+  // Returns by node the smallest box around the boxes of its triangles (#F),
+  // which may be boxes of anything, such as normals.
+  std::vector<Box3> BoxesOfNodes(const std::vector<Box3>& of_triangles) const;
+
   // Calls visit(triangle) for triangles with bound(box) <= *limit, a lower
   // bound of a quantity that is looked for, such as a distance. Of two nodes
   // the one with the smaller bound is entered first. `visit` may lower *limit,
@@ -168,6 +179,11 @@ std::vector<std::pair<int, int>> TriangleBvh::CollectSelfOverlaps(
 
 template <typename Enter, typename Visit>
 void TriangleBvh::Traverse(const Enter& enter, const Visit& visit) const {
+  TraverseNodes([&](int node) { return enter(nodes_[node].box); }, visit);
+}
+
+template <typename Enter, typename Visit>
+void TriangleBvh::TraverseNodes(const Enter& enter, const Visit& visit) const {
   // The stack holds at most one node per level, and the tree is less than 64
   // levels deep.
   std::array<int, 64> stack;
@@ -175,8 +191,8 @@ void TriangleBvh::Traverse(const Enter& enter, const Visit& visit) const {
   if (!nodes_.empty()) stack[size++] = 0;
   while (size > 0) {
     const int index = stack[--size];
+    if (!enter(index)) continue;
     const Node& node = nodes_[index];
-    if (!enter(node.box)) continue;
     if (node.IsLeaf()) {
       visit(node.triangle);
     } else {

@@ -19,6 +19,65 @@ using Point = Kernel::Point_3;
 using Segment = Kernel::Segment_3;
 using Triangle = Kernel::Triangle_3;
 
+// The height of p over the plane through `origin` with a normal, of any length,
+// and a bound on its rounding error. With e = 2^-53, each difference and each
+// product has a relative error of e, and the sum adds 2 e, so that 5 e is a
+// safe bound.
+struct Height {
+  Height(const RowVector3d& normal,
+         const RowVector3d& origin,
+         const RowVector3d& p) {
+    const double x = normal[0] * (p[0] - origin[0]),
+                 y = normal[1] * (p[1] - origin[1]),
+                 z = normal[2] * (p[2] - origin[2]);
+    value = x + y + z;
+    error = 5 * 0x1p-53 * (std::abs(x) + std::abs(y) + std::abs(z)) +
+            internal::kUnderflow;
+  }
+  double value, error;
+};
+
+// Returns true if a plane orthogonal to the connection of their centres surely
+// separates the triangles. On a smooth surface this is so for nearly all
+// triangles whose boxes overlap, though neither lies beside the plane of the
+// other.
+bool AreSurelyApart(const Corners& a, const Corners& b) {
+  const RowVector3d up = b.colwise().sum() - a.colwise().sum();
+  const RowVector3d origin = a.row(0);
+  double highest_of_a = internal::kUnderflow;  // that of the origin
+  for (const int i : {1, 2}) {
+    const Height height(up, origin, a.row(i));
+    highest_of_a = std::max(highest_of_a, height.value + height.error);
+  }
+  for (int i = 0; i < 3; ++i) {
+    const Height height(up, origin, b.row(i));
+    // The bounds are added with a relative error of e each.
+    if (!(height.value - 2 * height.error > highest_of_a * (1 + 0x1p-50))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Returns true if the triangles, whose corners `of_a` and `of_b` are the same
+// point, surely have no other point in common: a plane through that corner
+// separates the others.
+bool AreSurelyApartBeyond(const Corners& a,
+                          int of_a,
+                          const Corners& b,
+                          int of_b) {
+  const RowVector3d up = b.colwise().sum() - a.colwise().sum();
+  const RowVector3d origin = a.row(of_a);
+  for (const int k : {1, 2}) {
+    const Height below(up, origin, a.row((of_a + k) % 3));
+    const Height above(up, origin, b.row((of_b + k) % 3));
+    if (!(below.value < -below.error) || !(above.value > above.error)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 // Returns true if the corners of b surely lie strictly on one side of the plane
 // of a. If `common` is true, corners that are corners of a as well are left
 // out.
@@ -133,13 +192,20 @@ bool IntersectBeyondCommon(const Simplex& a, const Simplex& b) {
   }
 }
 
-int CommonCorners(const Corners& a, const Corners& b) {
-  int count = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) count += a.row(i) == b.row(j);
+// How many pairs of a corner of a and a corner of b are the same point, and the
+// first of these.
+struct CommonCorners {
+  CommonCorners(const Corners& a, const Corners& b) {
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        if (a(i, 0) != b(j, 0) || a.row(i) != b.row(j)) continue;
+        if (count++ == 0) of_a = i, of_b = j;
+      }
+    }
   }
-  return count;
-}
+  int count = 0;
+  int of_a = -1, of_b = -1;
+};
 
 enum class Answer { kNo, kYes, kTouching };
 
@@ -184,19 +250,10 @@ Answer Both(Answer of_a, Answer of_b) {
   return of_a == Answer::kTouching ? of_a : of_b;
 }
 
-// Returns the first corner of `a` that is a corner of b, or -1.
-int CommonCorner(const Corners& a, const Corners& b) {
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (a.row(i) == b.row(j)) return i;
-    }
-  }
-  return -1;
-}
-
 }  // namespace
 
 bool TrianglesIntersect(const Corners& a, const Corners& b) {
+  if (AreSurelyApart(a, b)) return false;
   if (IsSurelyBeside<false>(a, b) || IsSurelyBeside<false>(b, a)) return false;
   const Answer answer = Both(EdgesMeetTriangle(a, b), EdgesMeetTriangle(b, a));
   if (answer != Answer::kTouching) return answer == Answer::kYes;
@@ -216,12 +273,16 @@ bool TrianglesIntersect(const RowVector3d& a0,
 }
 
 bool TrianglesIntersectBeyondCommon(const Corners& a, const Corners& b) {
+  const CommonCorners common(a, b);
+  if (common.count == 0) return TrianglesIntersect(a, b);
+  const bool is_corner = common.count == 1;
+  if (is_corner && AreSurelyApartBeyond(a, common.of_a, b, common.of_b)) {
+    return false;
+  }
   if (IsSurelyBeside<true>(a, b) || IsSurelyBeside<true>(b, a)) return false;
-  const int common = CommonCorners(a, b);
-  if (common == 0) return TrianglesIntersect(a, b);
-  if (common == 1) {
-    const Answer answer = Both(EdgesMeetTriangle(a, b, CommonCorner(a, b)),
-                               EdgesMeetTriangle(b, a, CommonCorner(b, a)));
+  if (is_corner) {
+    const Answer answer = Both(EdgesMeetTriangle(a, b, common.of_a),
+                               EdgesMeetTriangle(b, a, common.of_b));
     if (answer != Answer::kTouching) return answer == Answer::kYes;
   }
   return IntersectBeyondCommon(SimplexOf(a), SimplexOf(b));
