@@ -204,9 +204,10 @@ TEST(PlaneSet, NamesThePlaneThatATargetViolatesMost) {
   const Points& points = spheres.step.carried[0];
   const auto most = planes.MostViolated(0, {0, 1, 2}, points, points);
   // Vertex 1 is farther than contact_distance from its plane, 2 has none.
-  ASSERT_EQ(most.size(), 1u);
-  EXPECT_EQ(most[0].vertex, 0);
-  EXPECT_EQ(most[0].space.normal, RowVector3d(0, 1, 0));
+  ASSERT_EQ(most.spaces.size(), 1u);
+  EXPECT_EQ(most.spaces[0].vertex, 0);
+  EXPECT_EQ(most.spaces[0].space.normal, RowVector3d(0, 1, 0));
+  ASSERT_EQ(most.carriers.size(), 1u);
 }
 
 }  // namespace

@@ -50,7 +50,8 @@ TEST(Step, ShowsTheCoarseMeshesThePlanesToMakeWayFor) {
   OpenStep open = BeginStep(options, step, targets, options.sweeps / 2);
   double deepest = 0;
   for (const VertexHalfSpace& plane :
-       open.planes.MostViolated(0, all, open.relaxed.points[0], targets[0])) {
+       open.planes.MostViolated(0, all, open.relaxed.points[0], targets[0])
+           .spaces) {
     const RowVector3d& normal = plane.space.normal;
     EXPECT_NEAR(normal.norm(), 1, 1e-12);
     const double depth = plane.space.level - normal.dot(free.row(plane.vertex));

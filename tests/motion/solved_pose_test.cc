@@ -64,8 +64,8 @@ TEST(SolveWithRows, MovesTheMusclesThatHaveRowsAndNoOthers) {
   const SolvedPose free = SolvePose(scene, rest.pose, {}, solver, rest.muscles);
   // Vertex 100 of the first muscle should be 2 mm farther along x.
   const Eigen::RowVector3d p = scene.muscles[0].model.fine_rest.row(100);
-  std::vector<OneSidedRows> rows(2);
-  rows[0] = OneSidedRowsOf({{100, {{1, 0, 0}, p[0] + 2}}}, 10);
+  std::vector<ContactRows> rows(2);
+  rows[0].rows = OneSidedRowsOf({{100, {{1, 0, 0}, p[0] + 2}}}, 10);
   const SolvedPose solved =
       SolveWithRows(scene, free, rest.pose, {}, solver, rows, free.states);
   EXPECT_EQ(solved.states[1].coarse, free.states[1].coarse);
@@ -83,8 +83,8 @@ TEST(SolveWithRows, AMuscleThatFailedWithoutRowsStaysFailed) {
   SolvedPose free = SolvePose(scene, rest.pose, {}, solver, rest.muscles);
   free.summaries[0].stop_reason = StopReason::kFailed;
   free.summaries[0].message = "no step";
-  std::vector<OneSidedRows> rows(2);
-  rows[0] = OneSidedRowsOf({{100, {{1, 0, 0}, 0}}}, 1);
+  std::vector<ContactRows> rows(2);
+  rows[0].rows = OneSidedRowsOf({{100, {{1, 0, 0}, 0}}}, 1);
   const SolvedPose solved =
       SolveWithRows(scene, free, rest.pose, {}, solver, rows, free.states);
   EXPECT_EQ(solved.summaries[0].stop_reason, StopReason::kFailed);

@@ -129,11 +129,22 @@ TEST(Kinematics, CoupledCoordinatesFollow) {
              FrameOf(Turn(0.3, kX) * Turn(2 * (0.5 * 0.3 + 0.1), kY), kKnee));
   EXPECT_TRUE(MovesBody(model, 0, kShank));
   EXPECT_FALSE(MovesBody(model, 0, 1));
+  EXPECT_EQ(FreeCoordinates(model), std::vector<int>{0});
   std::string off = coupler;
   off.replace(off.find("true"), 4, "false");
   ExpectNear(ShankAt(ReadText(Model4(Joint4("UniversalJoint", "a b"), off)),
                      {0.3, 0.5}),
              FrameOf(Turn(0.3, kX) * Turn(0.5, kY), kKnee));
+}
+
+TEST(Kinematics, LockedCoordinatesAreNotFree) {
+  std::string text = Model4(Joint4("UniversalJoint", "a b"));
+  EXPECT_EQ(FreeCoordinates(ReadText(text)), (std::vector<int>{0, 1}));
+  const std::string open = "<Coordinate name=\"a\"/>";
+  text.replace(text.find(open),
+               open.size(),
+               "<Coordinate name=\"a\"><locked>true</locked></Coordinate>");
+  EXPECT_EQ(FreeCoordinates(ReadText(text)), std::vector<int>{1});
 }
 
 // A muscle from the thigh over a point that is only there while the knee is

@@ -51,14 +51,16 @@ TEST(SeriesMomentArms, HaveNothingToSayWithoutMotion) {
   EXPECT_THAT(SeriesMomentArms({1, 3}, {0, 1}), ElementsAre(-2, -2));
 }
 
-Scene SceneOf(const std::vector<std::string>& moving) {
+// The coordinates "hip" and "knee", of which some move.
+Scene LegScene(const std::vector<std::string>& moving) {
   auto poses = std::make_shared<ModelPoses>();
-  for (const std::string& name : moving) {
-    poses->moving_coordinates.push_back(
-        static_cast<int>(poses->model.coordinates.size()));
+  for (const char* name : {"hip", "knee"}) {
     Coordinate coordinate;
     coordinate.name = name;
     poses->model.coordinates.push_back(coordinate);
+  }
+  for (const std::string& name : moving) {
+    poses->moving_coordinates.push_back(poses->model.FindCoordinate(name));
   }
   Scene scene;
   scene.model = poses;
@@ -89,23 +91,41 @@ TEST(MotionTables, AreInMetres) {
   EXPECT_DOUBLE_EQ(fibres.values(1, 0), 0.051);
 }
 
-TEST(MotionTables, MomentArmsAreByRadian) {
-  const StorageTable arms = MomentArmTable(Frames(), SceneOf({"hip"}));
-  EXPECT_THAT(arms.labels, ElementsAre("l.hip", "l_path.hip"));
-  // 2 mm longer for 10 degrees more.
-  EXPECT_NEAR(arms.values(1, 0), -0.002 / (10 * M_PI / 180), kRounding);
-  EXPECT_DOUBLE_EQ(arms.values(1, 1), 0.025);
-  EXPECT_EQ(FibreMomentArmTable(Frames(), SceneOf({"hip"})).labels.size(), 2u);
+TEST(MotionTables, MomentArmsAreOfEveryCoordinate) {
+  const StorageTable arms = MomentArmTable(Frames(), LegScene({"hip"}));
+  EXPECT_THAT(arms.labels,
+              ElementsAre("l.hip", "l.knee", "l_path.hip", "l_path.knee"));
+  EXPECT_DOUBLE_EQ(arms.values(1, 0), 0.02 / 3);
+  EXPECT_EQ(arms.values(1, 1), 0);
+  EXPECT_DOUBLE_EQ(arms.values(1, 2), 0.025);
+  EXPECT_DOUBLE_EQ(arms.values(2, 3), -0.003);
+  const StorageTable fibres = FibreMomentArmTable(Frames(), LegScene({"hip"}));
+  EXPECT_THAT(fibres.labels,
+              ElementsAre("m_fibre_1.hip",
+                          "m_fibre_1.knee",
+                          "m_fibre_2.hip",
+                          "m_fibre_2.knee"));
+  EXPECT_DOUBLE_EQ(fibres.values(0, 0), 0.001 / 7);
+  EXPECT_DOUBLE_EQ(fibres.values(0, 2), -0.002);
+  // The record leaves out what moves no fibre.
+  EXPECT_EQ(fibres.values(0, 1), 0);
+  EXPECT_TRUE(MomentArmTable(Frames(), Scene()).labels.empty());
 }
 
-TEST(MotionTables, CarriedMomentArmsNeedOneMovingCoordinate) {
+TEST(MotionTables, WithoutMomentArmsLengthsAreComparedIfOneCoordinateMoves) {
   std::vector<FrameRecord> frames = Frames();
   for (FrameRecord& frame : frames) {
-    frame.path_moment_arms_mm["l"]["knee"] = -3;
+    frame.muscles[0].line_moment_arms_mm.clear();
+    frame.muscles[0].fibre_moment_arms_mm.clear();
   }
-  const StorageTable arms = MomentArmTable(frames, SceneOf({"hip", "knee"}));
-  EXPECT_THAT(arms.labels, ElementsAre("l_path.hip", "l_path.knee"));
-  EXPECT_TRUE(MomentArmTable(frames, Scene()).labels.empty());
+  const StorageTable arms = MomentArmTable(frames, LegScene({"hip"}));
+  EXPECT_THAT(arms.labels, ElementsAre("l.hip", "l_path.hip", "l_path.knee"));
+  // 2 mm longer for 10 degrees more.
+  EXPECT_NEAR(arms.values(1, 0), -0.002 / (10 * M_PI / 180), kRounding);
+  EXPECT_THAT(FibreMomentArmTable(frames, LegScene({"hip"})).labels,
+              ElementsAre("m_fibre_1.hip", "m_fibre_2.hip"));
+  EXPECT_THAT(MomentArmTable(frames, LegScene({"hip", "knee"})).labels,
+              ElementsAre("l_path.hip", "l_path.knee"));
 }
 
 TEST(MotionTables, BlanksInNamesAndTimesThatStandAreNoTrouble) {
@@ -124,7 +144,7 @@ TEST(MotionTables, BlanksInNamesAndTimesThatStandAreNoTrouble) {
 
 TEST(MotionTables, AreWrittenSoThatTheyReadBack) {
   const std::string dir = TestTempDir();
-  WriteMotionTables(Frames(), SceneOf({"hip"}), dir);
+  WriteMotionTables(Frames(), LegScene({"hip"}), dir);
   for (const char* name : {"lengths",
                            "volumes",
                            "moment_arms",

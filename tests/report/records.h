@@ -16,6 +16,8 @@ inline FrameRecord SomeRecord(int index) {
   record.wall_ms = 1.5;
   record.solve_ms = 0.7;
   record.certify_ms = 3e-300;
+  record.moment_arms_ms = 0.4;
+  record.moment_arms_converged = false;
   record.pose_steps = 4;
   record.iterations = 17;
   record.stop_reason = "converged";
@@ -47,8 +49,10 @@ inline FrameRecord SomeRecord(int index) {
   muscle.line_lengths_mm = {{"l", 100 + index * index}};
   muscle.path_lengths_mm = {{"l", 101}};
   muscle.fibre_lengths_mm = {50.0 + index, 60};
+  muscle.line_moment_arms_mm = {{"l", {{"hip", 20.0 / 3}, {"knee", 0}}}};
+  muscle.fibre_moment_arms_mm = {{"hip", {1.0 / 7, -2}}};
   record.muscles = {muscle};
-  record.path_moment_arms_mm = {{"l", {{"hip", 25}}}};
+  record.path_moment_arms_mm = {{"l", {{"hip", 25}, {"knee", -3}}}};
   record.intersections.triangle_pairs = 9;
   record.intersections.vertices_inside = 2;
   record.intersections.max_depth_mm = 0.3;

@@ -60,7 +60,8 @@ TEST(PathMomentArms, AreTheSameForAPathAndALineBetweenItsPoints) {
     EXPECT_NEAR(PathLengthIn(pose, scene.muscles[0].lines[0]),
                 PathLengthIn(pose, scene.muscles[0].lines[1]),
                 kTransformRounding);
-    const auto arms = PathMomentArms(scene, pose);
+    const auto arms = PathMomentArms(
+        scene, pose, PosesBesideOf(*scene.model, pose));
     EXPECT_NEAR(arms.at("m").at("knee"), arms.at("own").at("knee"), kDifference)
         << knee;
   }
@@ -75,21 +76,12 @@ TEST(PathMomentArms, AreMinusTheSlopeOfTheLength) {
   };
   const double slope = (length(0.5 + kStep) - length(0.5 - kStep)) / 2 / kStep;
   // The second-order error of a step of 1e-3, of arms of some 30 mm.
-  EXPECT_NEAR(
-      PathMomentArms(scene, PoseAt(*scene.model, {0.5})).at("m").at("knee"),
-      -slope,
-      1e-4);
-}
-
-TEST(PathMomentArms, AreNoneWithoutAModelOrMovingCoordinates) {
-  Scene scene = LegScene();
-  const ScenePose pose = PoseAt(*scene.model, {0.0});
-  auto poses = std::make_shared<ModelPoses>(*scene.model);
-  poses->moving_coordinates.clear();
-  scene.model = poses;
-  EXPECT_TRUE(PathMomentArms(scene, pose).empty());
-  scene.model = nullptr;
-  EXPECT_TRUE(PathMomentArms(scene, pose).empty());
+  const ScenePose pose = PoseAt(*scene.model, {0.5});
+  EXPECT_NEAR(PathMomentArms(scene, pose, PosesBesideOf(*scene.model, pose))
+                  .at("m")
+                  .at("knee"),
+              -slope,
+              1e-4);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ void PlaneSet::AddSides(const SeparatingPlane& plane) {
     for (const int v : plane.above) {
       if (plane.normal.dot(step_.carried[a].row(v)) - plane.level <=
           options_.relaxation.max_push) {
-        sides_[a].push_back({v, -1, 1, space, plane.distance});
+        sides_[a].push_back({v, -1 - plane.bone, 1, space, plane.distance});
       }
     }
     return;
@@ -216,15 +216,31 @@ RowVector3d PlaneSet::Projected(int muscle,
   return carried + relaxation.max_push / push.norm() * push;
 }
 
-std::vector<VertexHalfSpace> PlaneSet::MostViolated(
+PlaneCarrier PlaneSet::CarrierOf(const Side& side) const {
+  PlaneCarrier carrier;
+  if (side.plane < 0) {
+    carrier.bone = -1 - side.plane;
+    return carrier;
+  }
+  const MovingPlane& moving = moving_[side.plane];
+  carrier.muscle_above = moving.plane.muscle_above;
+  carrier.muscle_below = moving.plane.muscle_below;
+  carrier.above = moving.plane.above;
+  carrier.below = moving.plane.below;
+  carrier.share_above = moving.share_above;
+  return carrier;
+}
+
+CarriedHalfSpaces PlaneSet::MostViolated(
     int muscle,
     const std::vector<int>& vertices,
     const Points& points,
     const Points& targets) const {
-  std::vector<VertexHalfSpace> most_violated;
+  CarriedHalfSpaces most_violated;
   for (const int v : vertices) {
     double depth = -kInfinity;
     VertexHalfSpace deepest;
+    const Side* side_of_deepest = nullptr;
     for (int i = first_sides_[muscle][v]; i < first_sides_[muscle][v + 1];
          ++i) {
       const Side& side = sides_[muscle][i];
@@ -238,8 +254,11 @@ std::vector<VertexHalfSpace> PlaneSet::MostViolated(
       if (depth_here <= depth) continue;
       depth = depth_here;
       deepest = {v, {normal, level}};
+      side_of_deepest = &side;
     }
-    if (std::isfinite(depth)) most_violated.push_back(deepest);
+    if (!side_of_deepest) continue;
+    most_violated.spaces.push_back(deepest);
+    most_violated.carriers.push_back(CarrierOf(*side_of_deepest));
   }
   return most_violated;
 }

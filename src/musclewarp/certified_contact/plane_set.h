@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "musclewarp/certified_contact/contact_step.h"
+#include "musclewarp/certified_contact/plane_carrier.h"
 #include "musclewarp/certified_contact/separating_planes.h"
 #include "musclewarp/certified_contact/step_options.h"
 #include "musclewarp/geometry/half_space.h"
@@ -59,10 +60,10 @@ class PlaneSet {
   // mm), the half-space in which its target (`targets`) lies deepest on the
   // wrong side, or that it is nearest to. These are the rows of the coarse
   // solve.
-  std::vector<VertexHalfSpace> MostViolated(int muscle,
-                                            const std::vector<int>& vertices,
-                                            const Points& points,
-                                            const Points& targets) const;
+  CarriedHalfSpaces MostViolated(int muscle,
+                                 const std::vector<int>& vertices,
+                                 const Points& points,
+                                 const Points& targets) const;
 
   // Returns by how much a vertex is on the wrong side of a plane against
   // another surface, at most, mm.
@@ -80,7 +81,7 @@ class PlaneSet {
   // level follows from levels_[plane].
   struct Side {
     int vertex;
-    int plane;  // -1: of a bone
+    int plane;  // index of a plane between muscles; -1 - b: of bone b
     double sign;
     HalfSpace space;  // of a plane between muscles the level is half the gap
     double distance;
@@ -91,6 +92,7 @@ class PlaneSet {
   // Returns how many corners of a triangle are attached, as a share.
   double AttachedShare(int muscle, const Eigen::RowVector3i& corners) const;
   void SortSides();
+  PlaneCarrier CarrierOf(const Side& side) const;
   double LevelOf(const Side& side) const;
   void UpdateLevel(const std::vector<Points>& unprojected,
                    const std::vector<Points>& points,

@@ -257,6 +257,7 @@ SeparatingPlane PlaneOfBone(const ContactStep& step,
   const Eigen::Matrix4d& place = step.bones_from_rest[bone];
   SeparatingPlane plane;
   plane.muscle_above = muscle;
+  plane.bone = bone;
   plane.above = step.scene.muscles[muscle].triangles.row(f);
   plane.normal = at_rest.normal * place.topLeftCorner<3, 3>().transpose();
   plane.level = at_rest.level + plane.normal.dot(place.topRightCorner<3, 1>());

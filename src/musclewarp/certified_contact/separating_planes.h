@@ -24,6 +24,7 @@ struct SeparatingPlane {
 
   int muscle_above = -1;
   int muscle_below = kBone;
+  int bone = 0;  // which one, if the plane is that of a bone
   Eigen::RowVector3i above = Eigen::RowVector3i::Constant(-1);  // vertices
   Eigen::RowVector3i below = Eigen::RowVector3i::Constant(-1);  // of a muscle
 

@@ -13,6 +13,7 @@
 #include "musclewarp/certificate/push_chains.h"
 #include "musclewarp/certificate/shortcomings.h"
 #include "musclewarp/motion/frame_measures.h"
+#include "musclewarp/motion/moment_arms.h"
 
 namespace musclewarp {
 
@@ -109,6 +110,13 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
   result.frame.wall_ms = wall_ms;
   result.frame.solve_ms = wall_ms;
   result.frame.certify_ms = certifying.Milliseconds();
+  AddMomentArms(scene_,
+                pose,
+                options_.pre_rotation,
+                {CoarseOf(motion.state.muscles),
+                 std::move(motion.contact),
+                 motion.state.free_coarse},
+                &result.frame);
   result.state = std::move(motion.next);
   return result;
 }

@@ -189,6 +189,7 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
   motion.state = StateOf(mover, place);
   motion.next =
       walked.last_clean ? StateOf(mover, *walked.last_clean) : motion.state;
+  motion.contact = std::move(place.solved.contact);
   motion.summary.summaries = std::move(place.solved.summaries);
   return motion;
 }

@@ -134,6 +134,7 @@ struct CertifiedMotion {
   // What the next pose should be reached from: the same or, if something
   // crosses in it, the last state in which nothing did.
   SceneState next;
+  std::vector<ContactRows> contact;  // of the last solve, see SolvedPose
   MotionSummary summary;
 };
 

@@ -36,21 +36,28 @@ SolvedPose SolveWithContactRows(const Mover& mover,
                                 const SolvedPose& free,
                                 const SolvedPose& start) {
   const CertifiedScene& certified = mover.certified;
-  std::vector<OneSidedRows> rows(mover.scene.muscles.size());
+  std::vector<ContactRows> contact(mover.scene.muscles.size());
   for (size_t k = 0; k < certified.order.size(); ++k) {
-    rows[certified.order[k]] =
-        OneSidedRowsOf(open.planes.MostViolated(static_cast<int>(k),
-                                                certified.samples[k],
-                                                open.relaxed.points[k],
-                                                targets[k]),
-                       certified.options.coarse_weight);
+    CarriedHalfSpaces planes =
+        open.planes.MostViolated(static_cast<int>(k),
+                                 certified.samples[k],
+                                 open.relaxed.points[k],
+                                 targets[k]);
+    for (PlaneCarrier& carrier : planes.carriers) {
+      if (carrier.IsBone()) continue;
+      carrier.muscle_above = certified.order[carrier.muscle_above];
+      carrier.muscle_below = certified.order[carrier.muscle_below];
+    }
+    contact[certified.order[k]] = {
+        OneSidedRowsOf(planes.spaces, certified.options.coarse_weight),
+        std::move(planes.carriers)};
   }
   return SolveWithRows(mover.scene,
                        free,
                        pose,
                        mover.pre_rotation,
                        mover.solver,
-                       std::move(rows),
+                       std::move(contact),
                        start.states);
 }
 

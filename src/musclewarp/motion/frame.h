@@ -54,6 +54,12 @@ struct MuscleFrame {
 
   // The length of each action line straight through its path points, mm.
   std::vector<double> path_lengths;
+
+  // -dl/dq of each line and fibre by coordinate, mm/rad (or mm/m). There are
+  // none without a model, nor with the paper's contact, which ends in no
+  // minimum that could be differentiated.
+  std::map<std::string, std::vector<double>> line_moment_arms;
+  std::map<std::string, std::vector<double>> fibre_moment_arms;
 };
 
 // Gaps to other meshes are measured up to this distance, mm.
@@ -78,6 +84,10 @@ struct Frame {
   // -dl/dq of the straight lines, by line and coordinate, mm/rad (or mm/m).
   std::map<std::string, std::map<std::string, double>> path_moment_arms;
 
+  // False if the shape of a muscle could not be differentiated, which happens
+  // where it is no minimum.
+  bool moment_arms_converged = true;
+
   // What crosses, counted by exact tests on these very points, and the proved
   // gaps between meshes.
   SceneIntersections intersections;
@@ -90,6 +100,7 @@ struct Frame {
   double wall_ms = 0;     // for moving the scene to the pose
   double solve_ms = 0;    // of that, in the solver
   double certify_ms = 0;  // for intersections, gaps and folded triangles
+  double moment_arms_ms = 0;  // for all moment arms
 
   // True if every solve converged and there are no shortcomings.
   bool IsUsable() const;

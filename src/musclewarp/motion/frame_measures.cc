@@ -103,7 +103,6 @@ Frame MeasureFrame(const PreparedScene& scene,
                                std::move(summaries[i]));
   }
   frame.bones = BonesIn(scene, pose);
-  frame.path_moment_arms = PathMomentArms(scene.scene, pose);
   AddIntersections(scene, meshes, &frame);
   return frame;
 }

@@ -14,7 +14,8 @@ namespace musclewarp {
 
 // Returns the frame of muscles that a solver has moved to a pose: their points,
 // volumes, folded triangles, lines and fibres, and everything that crosses. The
-// times, `pose_steps` and what concerns contact are left to the caller.
+// times, `pose_steps`, moment arms and what concerns contact are left to the
+// caller.
 // `before` is the state that the pose was reached from, or null if it was
 // reached on its own. `meshes` are those of the scene and are moved to the
 // pose.

@@ -6,6 +6,7 @@
 
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/motion/frame_measures.h"
+#include "musclewarp/motion/moment_arms.h"
 
 namespace musclewarp {
 
@@ -48,6 +49,11 @@ SolvedFrame FreeFrameSolver::Solve(const MuscleSolvers& solvers,
   result.frame.wall_ms = wall_ms;
   result.frame.solve_ms = solved.solve_ms;
   result.frame.certify_ms = certifying.Milliseconds();
+  AddMomentArms(scene_,
+                pose,
+                options_.pre_rotation,
+                {CoarseOf(solved.states), {}, {}},
+                &result.frame);
   result.state = {pose, std::move(solved.states), {}};
   return result;
 }

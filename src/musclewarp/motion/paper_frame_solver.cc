@@ -7,6 +7,7 @@
 
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/motion/frame_measures.h"
+#include "musclewarp/motion/moment_arms.h"
 #include "musclewarp/scene/line_targets.h"
 
 namespace musclewarp {
@@ -120,6 +121,7 @@ SolvedFrame PaperFrameSolver::Solve(const MuscleSolvers& solvers,
   result.frame.wall_ms = wall_ms;
   result.frame.solve_ms = solve_ms;
   result.frame.certify_ms = certifying.Milliseconds();
+  AddPathMomentArms(scene_, pose, &result.frame);
   result.state = std::move(state);
   return result;
 }

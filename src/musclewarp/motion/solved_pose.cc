@@ -8,6 +8,12 @@
 
 namespace musclewarp {
 
+std::vector<Points> CoarseOf(const std::vector<MuscleState>& states) {
+  std::vector<Points> coarse;
+  for (const MuscleState& state : states) coarse.push_back(state.coarse);
+  return coarse;
+}
+
 SceneState RestState(const PreparedScene& scene) {
   SceneState state;
   state.pose = RestPose(scene.scene);
@@ -56,21 +62,22 @@ SolvedPose SolveWithRows(const PreparedScene& scene,
                          const ScenePose& pose,
                          const PreRotationOptions& pre_rotation,
                          const MuscleSolver& solver,
-                         std::vector<OneSidedRows> rows,
+                         std::vector<ContactRows> contact,
                          const std::vector<MuscleState>& start) {
   std::vector<size_t> with_rows;
   std::vector<const MuscleModel*> models;
   std::vector<MuscleTarget> targets;
   std::vector<MuscleState> states;
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    if (rows[i].size() == 0) continue;
+    if (contact[i].rows.size() == 0) continue;
     with_rows.push_back(i);
     models.push_back(&scene.muscles[i].model);
     targets.push_back(TargetOf(*models.back(), pose, pre_rotation));
-    targets.back().one_sided = std::move(rows[i]);
+    targets.back().one_sided = contact[i].rows;
     states.push_back(start[i]);
   }
   SolvedPose solved = without_rows;
+  solved.contact = std::move(contact);
   std::vector<SolverSummary> summaries;
   const Stopwatch solving;
   SolveEachOnItsOwn(solver, models, targets, &states, &summaries);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "musclewarp/certified_contact/plane_carrier.h"
 #include "musclewarp/motion/muscle_solvers.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/solver/muscle_state.h"
@@ -22,12 +23,25 @@ struct SceneState {
   std::vector<Points> free_coarse;
 };
 
+// The one-sided rows with which contact had a muscle solved, and what the plane
+// of each row goes along with. Muscles and bones are numbered as in the scene.
+struct ContactRows {
+  OneSidedRows rows;
+  std::vector<PlaneCarrier> carriers;
+};
+
 // The muscles of a scene, solved for one pose.
 struct SolvedPose {
   std::vector<MuscleState> states;
   std::vector<SolverSummary> summaries;
   double solve_ms = 0;
+
+  // Of each muscle; empty if all were solved without.
+  std::vector<ContactRows> contact;
 };
+
+// Returns the coarse vertices of muscles.
+std::vector<Points> CoarseOf(const std::vector<MuscleState>& states);
 
 // Returns the state of a scene with every muscle at rest.
 SceneState RestState(const PreparedScene& scene);
@@ -47,7 +61,7 @@ SolvedPose SolvePose(const PreparedScene& scene,
                      const MuscleSolver& solver,
                      std::vector<MuscleState> start);
 
-// Solves the muscles that have one-sided rows (one set for each muscle) with
+// Solves the muscles that contact has rows for (one set for each muscle) with
 // them, from `start`; the others are as in `without_rows`. Of the two summaries
 // of a muscle iterations and times are added up. A muscle that could not be
 // solved without rows counts as failed, as its displacement by contact is
@@ -57,7 +71,7 @@ SolvedPose SolveWithRows(const PreparedScene& scene,
                          const ScenePose& pose,
                          const PreRotationOptions& pre_rotation,
                          const MuscleSolver& solver,
-                         std::vector<OneSidedRows> rows,
+                         std::vector<ContactRows> contact,
                          const std::vector<MuscleState>& start);
 
 }  // namespace musclewarp

@@ -41,6 +41,7 @@ int AddCoordinate(const OsimXml& xml,
   coordinate.name = std::move(name);
   coordinate.kind = kind;
   coordinate.default_value = xml.Number(node, "default_value", 0);
+  coordinate.is_locked = xml.Bool(node, "locked", false);
   model->coordinates.push_back(std::move(coordinate));
   return static_cast<int>(model->coordinates.size()) - 1;
 }

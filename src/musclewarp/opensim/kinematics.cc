@@ -76,6 +76,21 @@ void ApplyCouplers(const Model& model, CoordinateValues* values) {
   }
 }
 
+std::vector<int> FreeCoordinates(const Model& model) {
+  std::vector<char> is_free;
+  for (const Coordinate& coordinate : model.coordinates) {
+    is_free.push_back(!coordinate.is_locked);
+  }
+  for (const CoordinateCoupler& coupler : model.couplers) {
+    is_free[coupler.dependent] = false;
+  }
+  std::vector<int> free;
+  for (size_t i = 0; i < is_free.size(); ++i) {
+    if (is_free[i]) free.push_back(static_cast<int>(i));
+  }
+  return free;
+}
+
 void CheckBodyIsSupported(const Model& model,
                           int body,
                           const std::string& used_by) {

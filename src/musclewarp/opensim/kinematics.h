@@ -26,6 +26,10 @@ CoordinateValues DefaultValues(const Model& model);
 // couplers is followed, whatever their order.
 void ApplyCouplers(const Model& model, CoordinateValues* values);
 
+// Returns the coordinates that can change on their own: those that are neither
+// locked nor a function of others.
+std::vector<int> FreeCoordinates(const Model& model);
+
 // Throws InputError if the motion of a body is not known. This is so if a joint
 // on its way to the ground is missing or not supported. `used_by` says in the
 // message who needs the body, such as "the scene".

@@ -35,6 +35,10 @@ struct Coordinate {
   std::string name;
   CoordinateKind kind = CoordinateKind::kRotational;
   double default_value = 0;
+
+  // True if the model holds the coordinate at its default value. A motion may
+  // move it all the same.
+  bool is_locked = false;
 };
 
 // A constraint that makes a coordinate follow others:

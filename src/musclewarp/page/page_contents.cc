@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include "musclewarp/geometry/view.h"
@@ -144,8 +145,28 @@ OrderedJson CrossingsJson(const RecordedRun& run, PackedNumbers* packed) {
   return poses;
 }
 
+// Returns the moment arms of a line in all frames, or nothing if one lacks
+// them.
+std::optional<std::vector<double>> RecordedMomentArms(
+    const RecordedRun& run,
+    std::size_t muscle,
+    const std::string& line,
+    const std::string& coordinate) {
+  std::vector<double> arms;
+  for (const FrameRecord& frame : run.frames) {
+    const auto& lines = frame.muscles.at(muscle).line_moment_arms_mm;
+    const auto of_line = lines.find(line);
+    if (of_line == lines.end()) return std::nullopt;
+    const auto arm = of_line->second.find(coordinate);
+    if (arm == of_line->second.end()) return std::nullopt;
+    arms.push_back(arm->second);
+  }
+  return arms;
+}
+
 // Returns the moment arms of the lines that muscles carry, over the frames, in
 // mm (mm/m for a translation), if a single coordinate moves; otherwise null.
+// Runs that do not have them get differences of the lengths.
 OrderedJson CarriedMomentArmsJson(const RecordedRun& run) {
   const OrderedJson motion = run.report.value("motion", OrderedJson());
   if (motion.is_null()) return nullptr;
@@ -170,7 +191,9 @@ OrderedJson CarriedMomentArmsJson(const RecordedRun& run) {
       for (const FrameRecord& frame : run.frames) {
         lengths.push_back(frame.muscles.at(m).line_lengths_mm.at(item.first));
       }
-      arms[muscle.name][item.first] = SeriesMomentArms(lengths, values);
+      arms[muscle.name][item.first] =
+          RecordedMomentArms(run, m, item.first, name)
+              .value_or(SeriesMomentArms(lengths, values));
     }
   }
   return {{"coordinate", name}, {"muscles", arms}};

@@ -39,9 +39,19 @@ MuscleRecord RecordOf(const MuscleModel& model, const MuscleFrame& frame) {
     const std::string& name = model.lines[i].name;
     record.line_lengths_mm[name] = PolylineLength(frame.lines[i]);
     record.path_lengths_mm[name] = frame.path_lengths[i];
+    for (const auto& [coordinate, arms] : frame.line_moment_arms) {
+      record.line_moment_arms_mm[name][coordinate] = arms[i];
+    }
   }
   for (const Points& fibre : frame.fibres) {
     record.fibre_lengths_mm.push_back(PolylineLength(fibre));
+  }
+  for (const auto& [coordinate, arms] : frame.fibre_moment_arms) {
+    if (std::all_of(
+            arms.begin(), arms.end(), [](double arm) { return arm == 0; })) {
+      continue;
+    }
+    record.fibre_moment_arms_mm[coordinate] = arms;
   }
   return record;
 }
@@ -132,7 +142,9 @@ OrderedJson ToJson(const MuscleRecord& record) {
           {"stop_reason", record.stop_reason},
           {"line_lengths_mm", record.line_lengths_mm},
           {"path_lengths_mm", record.path_lengths_mm},
-          {"fibre_lengths_mm", record.fibre_lengths_mm}};
+          {"fibre_lengths_mm", record.fibre_lengths_mm},
+          {"line_moment_arms_mm", record.line_moment_arms_mm},
+          {"fibre_moment_arms_mm", record.fibre_moment_arms_mm}};
 }
 
 MuscleRecord MuscleRecordFromJson(const OrderedJson& json) {
@@ -164,6 +176,10 @@ MuscleRecord MuscleRecordFromJson(const OrderedJson& json) {
   json.at("line_lengths_mm").get_to(record.line_lengths_mm);
   json.at("path_lengths_mm").get_to(record.path_lengths_mm);
   json.at("fibre_lengths_mm").get_to(record.fibre_lengths_mm);
+  record.line_moment_arms_mm =
+      json.value("line_moment_arms_mm", record.line_moment_arms_mm);
+  record.fibre_moment_arms_mm =
+      json.value("fibre_moment_arms_mm", record.fibre_moment_arms_mm);
   return record;
 }
 
@@ -238,6 +254,7 @@ FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame) {
   record.wall_ms = frame.wall_ms;
   record.solve_ms = frame.solve_ms;
   record.certify_ms = frame.certify_ms;
+  record.moment_arms_ms = frame.moment_arms_ms;
   record.pose_steps = frame.pose_steps;
   record.iterations = frame.iterations();
   record.stop_reason = frame.stop_reason();
@@ -248,6 +265,7 @@ FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame) {
         RecordOf(scene.muscles[i].model, frame.muscles[i]));
   }
   record.path_moment_arms_mm = frame.path_moment_arms;
+  record.moment_arms_converged = frame.moment_arms_converged;
   record.intersections = frame.intersections;
   record.intersections.DropLists();
   return record;
@@ -284,6 +302,7 @@ OrderedJson ToJson(const FrameRecord& record) {
           {"wall_ms", record.wall_ms},
           {"solve_ms", record.solve_ms},
           {"certify_ms", record.certify_ms},
+          {"moment_arms_ms", record.moment_arms_ms},
           {"pose_steps", record.pose_steps},
           {"iterations", record.iterations},
           {"stop_reason", record.stop_reason},
@@ -291,6 +310,7 @@ OrderedJson ToJson(const FrameRecord& record) {
           {"shortcomings", record.shortcomings},
           {"muscles", muscles},
           {"path_moment_arms_mm", record.path_moment_arms_mm},
+          {"moment_arms_converged", record.moment_arms_converged},
           {"intersections", ToJson(record.intersections)},
           {"gaps", ToJson(record.intersections.gaps)},
           {"smallest_gap_mm", gap ? OrderedJson(*gap) : OrderedJson()}};
@@ -305,6 +325,7 @@ FrameRecord FrameRecordFromJson(const OrderedJson& json) {
   json.at("wall_ms").get_to(record.wall_ms);
   json.at("solve_ms").get_to(record.solve_ms);
   json.at("certify_ms").get_to(record.certify_ms);
+  record.moment_arms_ms = json.value("moment_arms_ms", 0.0);
   json.at("pose_steps").get_to(record.pose_steps);
   json.at("iterations").get_to(record.iterations);
   json.at("stop_reason").get_to(record.stop_reason);
@@ -314,6 +335,7 @@ FrameRecord FrameRecordFromJson(const OrderedJson& json) {
     record.muscles.push_back(MuscleRecordFromJson(muscle));
   }
   json.at("path_moment_arms_mm").get_to(record.path_moment_arms_mm);
+  record.moment_arms_converged = json.value("moment_arms_converged", true);
   record.intersections = IntersectionsFromJson(json.at("intersections"));
   // Reports that were written before gaps were measured can still be read.
   if (json.contains("gaps")) {

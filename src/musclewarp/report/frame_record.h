@@ -46,6 +46,12 @@ struct MuscleRecord {
   std::map<std::string, double> line_lengths_mm;
   std::map<std::string, double> path_lengths_mm;
   std::vector<double> fibre_lengths_mm;
+
+  // Their moment arms as the muscle carries them, mm/rad (or mm/m): of lines by
+  // name and coordinate, of fibres by coordinate. Those of fibres leave out
+  // coordinates by which no fibre is moved. Both are empty if there are none.
+  std::map<std::string, std::map<std::string, double>> line_moment_arms_mm;
+  std::map<std::string, std::vector<double>> fibre_moment_arms_mm;
 };
 
 // The figures of a frame that are kept once its meshes are written: an entry of
@@ -58,6 +64,7 @@ struct FrameRecord {
   double wall_ms = 0;
   double solve_ms = 0;
   double certify_ms = 0;
+  double moment_arms_ms = 0;
   int pose_steps = 1;
   int iterations = 0;
   std::string stop_reason;
@@ -68,6 +75,7 @@ struct FrameRecord {
   // The moment arms of straight paths, by line and coordinate, mm/rad (or
   // mm/m).
   std::map<std::string, std::map<std::string, double>> path_moment_arms_mm;
+  bool moment_arms_converged = true;
   SceneIntersections intersections;  // without lists of triangles
 
   // The largest |volume ratio - 1| of a muscle, and the folded triangles of

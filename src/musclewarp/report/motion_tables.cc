@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/scene/poses_beside.h"
 
 namespace musclewarp {
 namespace {
@@ -40,23 +42,28 @@ class TableBuilder {
     for (const FrameRecord& frame : frames) {
       table_.times.push_back(rises ? frame.time : frame.index);
     }
-    table_.values.resize(frames.size(), 0);
   }
 
-  void Add(const std::string& label, const Series& values) {
+  void Add(const std::string& label, Series values) {
     std::string unique = WithoutBlanks(label);
     while (!labels_.insert(unique).second) unique += "_";
     table_.labels.push_back(unique);
-    table_.values.conservativeResize(Eigen::NoChange, table_.labels.size());
-    for (size_t i = 0; i < values.size(); ++i) {
-      table_.values(i, table_.values.cols() - 1) = values[i];
-    }
+    columns_.push_back(std::move(values));
   }
 
-  StorageTable Table() const { return table_; }
+  StorageTable Table() {
+    table_.values.resize(table_.times.size(), columns_.size());
+    for (size_t k = 0; k < columns_.size(); ++k) {
+      for (size_t i = 0; i < columns_[k].size(); ++i) {
+        table_.values(i, k) = columns_[k][i];
+      }
+    }
+    return table_;
+  }
 
  private:
   StorageTable table_;
+  std::vector<Series> columns_;
   std::set<std::string> labels_;
 };
 
@@ -94,16 +101,6 @@ std::vector<MovingCoordinate> MovingCoordinates(
   return moving;
 }
 
-// Moment arms over the frames, where they have a meaning.
-void AddSeriesMomentArms(const std::string& label,
-                         const Series& lengths_m,
-                         const std::vector<MovingCoordinate>& moving,
-                         TableBuilder* table) {
-  if (moving.size() != 1 || lengths_m.size() < 2) return;
-  table->Add(label + "." + moving[0].name,
-             SeriesMomentArms(lengths_m, moving[0].values));
-}
-
 Series LineLengths(const std::vector<FrameRecord>& frames,
                    size_t muscle,
                    const std::string& line) {
@@ -118,6 +115,77 @@ Series FibreLengths(const std::vector<FrameRecord>& frames,
   return SeriesOf(frames, [&](const FrameRecord& frame) {
     return kMetres * frame.muscles[muscle].fibre_lengths_mm[fibre];
   });
+}
+
+std::vector<std::string> CoordinateNames(const ModelPoses& poses) {
+  std::vector<std::string> names;
+  for (const int coordinate : MomentArmCoordinates(poses)) {
+    names.push_back(poses.model.coordinates[coordinate].name);
+  }
+  return names;
+}
+
+using ArmsByLine = std::map<std::string, std::map<std::string, double>>;
+
+// The moment arm of a line, mm, if the frame has it.
+std::optional<double> ArmOfLine(const ArmsByLine& arms,
+                                const std::string& line,
+                                const std::string& coordinate) {
+  const auto of_line = arms.find(line);
+  if (of_line == arms.end()) return std::nullopt;
+  const auto arm = of_line->second.find(coordinate);
+  if (arm == of_line->second.end()) return std::nullopt;
+  return arm->second;
+}
+
+// The same of a fibre. Its coordinates are those of the lines, but those by
+// which no fibre is moved are left out.
+std::optional<double> ArmOfFibre(const MuscleRecord& muscle,
+                                 size_t fibre,
+                                 const std::string& coordinate) {
+  if (muscle.line_moment_arms_mm.empty()) return std::nullopt;
+  const auto arms = muscle.fibre_moment_arms_mm.find(coordinate);
+  return arms == muscle.fibre_moment_arms_mm.end() ? 0 : arms->second[fibre];
+}
+
+// Adds a column of the moment arms that `arm` returns for each frame, mm. There
+// is none if a frame lacks it.
+template <typename Arm>
+bool AddArms(const std::string& label,
+             const std::vector<FrameRecord>& frames,
+             const Arm& arm,
+             TableBuilder* table) {
+  Series series;
+  for (const FrameRecord& frame : frames) {
+    const std::optional<double> value = arm(frame);
+    if (!value) return false;
+    series.push_back(kMetres * *value);
+  }
+  table->Add(label, std::move(series));
+  return true;
+}
+
+// Adds the columns of a line or fibre: the moment arms that the frames have or,
+// if they have none, differences of lengths where these mean something.
+template <typename Arm>
+void AddCarriedArms(const std::string& label,
+                    const Series& lengths_m,
+                    const std::vector<std::string>& coordinates,
+                    const std::vector<MovingCoordinate>& moving,
+                    const std::vector<FrameRecord>& frames,
+                    const Arm& arm,
+                    TableBuilder* table) {
+  bool has_arms = false;
+  for (const std::string& coordinate : coordinates) {
+    has_arms |= AddArms(
+        label + "." + coordinate,
+        frames,
+        [&](const FrameRecord& frame) { return arm(frame, coordinate); },
+        table);
+  }
+  if (has_arms || moving.size() != 1 || frames.size() < 2) return;
+  table->Add(label + "." + moving[0].name,
+             SeriesMomentArms(lengths_m, moving[0].values));
 }
 
 const std::vector<MuscleRecord>& MusclesOf(
@@ -214,19 +282,31 @@ StorageTable FibreLengthTable(const std::vector<FrameRecord>& frames) {
 StorageTable MomentArmTable(const std::vector<FrameRecord>& frames,
                             const Scene& scene) {
   TableBuilder table("moment_arms", frames);
+  if (!scene.model) return table.Table();
+  const std::vector<std::string> coordinates = CoordinateNames(*scene.model);
   const auto moving = MovingCoordinates(frames, scene);
   const auto& muscles = MusclesOf(frames);
   for (size_t m = 0; m < muscles.size(); ++m) {
     for (const auto& item : muscles[m].line_lengths_mm) {
       const std::string& line = item.first;
-      AddSeriesMomentArms(line, LineLengths(frames, m, line), moving, &table);
-      if (!frames[0].path_moment_arms_mm.count(line)) continue;
-      for (const MovingCoordinate& coordinate : moving) {
-        table.Add(line + "_path." + coordinate.name,
-                  SeriesOf(frames, [&](const FrameRecord& frame) {
-                    return kMetres * frame.path_moment_arms_mm.at(line).at(
-                                         coordinate.name);
-                  }));
+      AddCarriedArms(
+          line,
+          LineLengths(frames, m, line),
+          coordinates,
+          moving,
+          frames,
+          [&](const FrameRecord& frame, const std::string& coordinate) {
+            return ArmOfLine(
+                frame.muscles[m].line_moment_arms_mm, line, coordinate);
+          },
+          &table);
+      for (const std::string& coordinate : coordinates) {
+        AddArms(line + "_path." + coordinate,
+                frames,
+                [&](const FrameRecord& frame) {
+                  return ArmOfLine(frame.path_moment_arms_mm, line, coordinate);
+                },
+                &table);
       }
     }
   }
@@ -236,14 +316,22 @@ StorageTable MomentArmTable(const std::vector<FrameRecord>& frames,
 StorageTable FibreMomentArmTable(const std::vector<FrameRecord>& frames,
                                  const Scene& scene) {
   TableBuilder table("fibre_moment_arms", frames);
+  if (!scene.model) return table.Table();
+  const std::vector<std::string> coordinates = CoordinateNames(*scene.model);
   const auto moving = MovingCoordinates(frames, scene);
   const auto& muscles = MusclesOf(frames);
   for (size_t m = 0; m < muscles.size(); ++m) {
     for (size_t k = 0; k < muscles[m].fibre_lengths_mm.size(); ++k) {
-      AddSeriesMomentArms(FibreLabel(muscles[m].name, k),
-                          FibreLengths(frames, m, k),
-                          moving,
-                          &table);
+      AddCarriedArms(
+          FibreLabel(muscles[m].name, k),
+          FibreLengths(frames, m, k),
+          coordinates,
+          moving,
+          frames,
+          [&](const FrameRecord& frame, const std::string& coordinate) {
+            return ArmOfFibre(frame.muscles[m], k, coordinate);
+          },
+          &table);
     }
   }
   return table.Table();

@@ -29,11 +29,13 @@ StorageTable FibreLengthTable(const std::vector<FrameRecord>& frames);
 
 // Returns moment arms -dl/dq of action lines and of fibres, in metres for
 // angles, in columns such as "glut_med1_r.hip_flexion_r" and
-// "glut_med1_r_path.hip_flexion_r". Those of straight paths are central
-// differences of the model in every coordinate that the motion moves. Those of
-// carried lines are central differences over the frames (three points,
-// one-sided at the ends). They mean something only if a single coordinate
-// moves, and are left out if several do. There are no columns without a model.
+// "glut_med1_r_path.hip_flexion_r", for every coordinate that can change on its
+// own or that the motion moves (MomentArmCoordinates). Those of straight paths
+// are central differences of the model, those of carried lines are exact
+// derivatives of the shapes in each frame. Frames of the paper's contact have
+// no such derivatives: carried lines then have central differences over the
+// frames (three points, one-sided at the ends), if a single coordinate moves.
+// There are no columns without a model.
 StorageTable MomentArmTable(const std::vector<FrameRecord>& frames,
                             const Scene& scene);
 StorageTable FibreMomentArmTable(const std::vector<FrameRecord>& frames,

@@ -4,7 +4,9 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
+#include "musclewarp/scene/poses_beside.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
@@ -14,11 +16,13 @@ namespace musclewarp {
 // that are active in the pose, conditional ones included.
 double PathLengthIn(const ScenePose& pose, const ActionLine& line);
 
-// Returns the moment arms of all lines of a scene, by line and coordinate, for
-// the coordinates that the motion moves: -dl/dq of the straight length l, in
-// mm/rad, or mm/m of a coordinate that is a translation. They are central
-// differences over poses of the model; a scene without one has none.
+// Returns the moment arms of all lines of a scene with a model in a pose, by
+// line and coordinate: -dl/dq of the straight length l, in mm/rad, or mm/m of a
+// coordinate that is a translation. They are central differences over `beside`,
+// the poses on both sides of the pose (PosesBesideOf).
 std::map<std::string, std::map<std::string, double>> PathMomentArms(
-    const Scene& scene, const ScenePose& pose);
+    const Scene& scene,
+    const ScenePose& pose,
+    const std::vector<PosesBeside>& beside);
 
 }  // namespace musclewarp
