@@ -4,13 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "musclewarp/motion/certified_motion.h"
-#include "musclewarp/motion/frame_measures.h"
 #include "musclewarp/motion/scene_meshes.h"
 #include "musclewarp/scene/model_poses.h"
 #include "musclewarp/skeleton/polyline.h"
@@ -24,22 +26,22 @@ namespace {
 
 constexpr double kArmTolerance = 1e-3;  // mm by rad: what is promised
 
-// Two spindles along y over a knee at (0, -400, 0) mm that turns about z, side
-// by side with 1 mm between them, from the thigh to the shank, each with a line
-// of the model; balls of bone at their ends. The ground carries the thigh on a
-// hip that turns about z, too. Coordinates: "hip", then "knee".
+// Two spindles along y, side by side along z with 1 mm between them, beside a
+// knee at (0, -400, 0) mm. The left one goes from the thigh to the shank, along
+// a straight line of the model, the right one stays on the thigh; beside
+// it is a ball of bone of the thigh. The shank, a ball below, leans about x by
+// "lean", with negative angles towards the right muscle, and bends about z by
+// "knee". The ground carries the thigh on a hip that turns about z by "hip".
 Scene TwoOverAKnee() {
   std::string text = Model4(
-      Joint4("PinJoint", "knee"),
+      Joint4("GimbalJoint", "lean twist knee"),
       "",
       Muscle("left",
-             Point4("p1", "thigh", "0.025 -0.345 -0.0125") +
-                 Point4("p2", "thigh", "0.025 -0.38 -0.0125") +
-                 Point4("p3", "shank", "0.025 -0.02 -0.0125") +
-                 Point4("p4", "shank", "0.025 -0.055 -0.0125")) +
+             Point4("p1", "thigh", "0.028 -0.345 -0.0125") +
+                 Point4("p2", "shank", "0.022 -0.055 -0.0125")) +
           Muscle("right",
-                 Point4("p1", "thigh", "0.028 -0.345 0.0125") +
-                     Point4("p4", "shank", "0.022 -0.055 0.0125")));
+                 Point4("p1", "thigh", "0.025 -0.345 0.0125") +
+                     Point4("p2", "thigh", "0.025 -0.455 0.0125")));
   const std::string weld = "<WeldJoint name=\"hip\">";
   text.replace(text.find(weld), weld.size(), "<PinJoint name=\"hip\">");
   text.replace(text.find("</WeldJoint>"),
@@ -53,7 +55,7 @@ Scene TwoOverAKnee() {
   auto poses = std::make_shared<ModelPoses>(
       BindModel(ReadModel(file), rest, {"thigh", "shank"}, file, &notes));
   poses->muscles = {0, 1};
-  poses->given_coordinates = poses->moving_coordinates = {1};
+  poses->moving_coordinates = {poses->model.FindCoordinate("knee")};
   Scene scene;
   for (const int side : {-1, 1}) {
     SceneMuscle muscle;
@@ -67,12 +69,12 @@ Scene TwoOverAKnee() {
     muscle.triangles = soup.triangles;
     muscle.lines = {LineOfMuscle(*poses, side < 0 ? 0 : 1)};
     scene.muscles.push_back(muscle);
-    const TriangleSoup ball =
-        MovedBy(Icosphere(9, 2), {25.0, -400.0 + 66 * side, 0});
-    scene.bones.push_back(
-        {side < 0 ? "shank" : "thigh", ball.points, ball.triangles});
-    scene.bones.back().body = scene.bones.back().name;
   }
+  const TriangleSoup thigh = MovedBy(Icosphere(12, 2), {25, -425, 34});
+  const TriangleSoup shank = MovedBy(Icosphere(9, 2), {25, -475, 0});
+  scene.bones.push_back({"thigh", thigh.points, thigh.triangles});
+  scene.bones.push_back({"shank", shank.points, shank.triangles});
+  for (SceneBone& bone : scene.bones) bone.body = bone.name;
   scene.model = poses;
   return scene;
 }
@@ -110,11 +112,15 @@ MuscleSolver TightCeres() {
   };
 }
 
-ScenePose At(const PreparedScene& scene, double hip, double knee) {
+ScenePose At(const PreparedScene& scene,
+             double hip,
+             double knee,
+             double lean = 0) {
   const Model& model = scene.scene.model->model;
-  CoordinateValues values(2);
+  CoordinateValues values = DefaultValues(model);
   values[model.FindCoordinate("hip")] = hip;
   values[model.FindCoordinate("knee")] = knee;
+  values[model.FindCoordinate("lean")] = lean;
   return PoseAt(*scene.scene.model, values);
 }
 
@@ -189,8 +195,10 @@ TEST(AddMomentArms, AreTheSlopesOfTheLengthsWithBothSolvers) {
       EXPECT_NEAR(
           arms[k], -(after[k] - before[k]) / (2 * kBeside), kArmTolerance)
           << k;
-      EXPECT_GT(std::abs(arms[k]), 5) << k;
     }
+    // A line and four fibres of the left muscle, then those of the right one.
+    for (size_t k = 0; k < 5; ++k) EXPECT_GT(std::abs(arms[k]), 2) << k;
+    for (size_t k = 5; k < 10; ++k) EXPECT_EQ(arms[k], 0) << k;
     // The hip moves everything as one.
     for (const double arm : Arms(frame, "hip")) EXPECT_EQ(arm, 0);
   }
@@ -210,12 +218,11 @@ TEST(AddMomentArms, AreTheDistanceFromTheHingeForAStraightLine) {
         Eigen::Rotation2Dd(knee) * Eigen::Vector2d(22, -55);
     const double cross = from.x() * to.y() - from.y() * to.x();
     const double distance = std::abs(cross) / (to - from).norm();
-    // To positive angles the shank comes nearer in front of the axis. The
-    // samples end 5 mm before the ends of the line.
-    EXPECT_NEAR(frame.muscles[1].line_moment_arms.at("knee")[0],
-                frame.path_moment_arms.at("right").at("knee"),
+    // To positive angles the shank comes nearer in front of the axis.
+    EXPECT_NEAR(frame.muscles[0].line_moment_arms.at("knee")[0],
+                distance,
                 kArmTolerance);
-    EXPECT_NEAR(std::abs(frame.path_moment_arms.at("right").at("knee")),
+    EXPECT_NEAR(frame.path_moment_arms.at("left").at("knee"),
                 distance,
                 kArmTolerance);
   }
@@ -229,19 +236,19 @@ class MomentArmsInContact : public ::testing::Test {
         certified_(PrepareCertifiedScene(
             scene_, SceneMeshes(scene_), {}, {}, TightReference(), {})) {}
 
-  CertifiedMotion Moved(double hip, double knee, const SceneState& before) {
-    return MoveCertified(scene_,
-                         certified_,
-                         At(scene_, hip, knee),
-                         {},
-                         TightReference(),
-                         before,
-                         {});
+  // Where the left muscle presses the right one on the ball, and beside that.
+  ScenePose Pressed(double lean_beside = 0) const {
+    return At(scene_, 0.2, 0, lean_beside - 0.25);
   }
 
-  Frame ArmsIn(double hip, double knee, const CertifiedMotion& motion) {
+  CertifiedMotion Moved(const ScenePose& pose, const SceneState& before) const {
+    return MoveCertified(
+        scene_, certified_, pose, {}, TightReference(), before, {});
+  }
+
+  Frame ArmsOf(const CertifiedMotion& motion) const {
     return FrameWithArms(scene_,
-                         At(scene_, hip, knee),
+                         motion.state.pose,
                          {CoarseOf(motion.state.muscles),
                           motion.contact,
                           motion.state.free_coarse});
@@ -268,32 +275,132 @@ class MomentArmsInContact : public ::testing::Test {
 };
 
 TEST_F(MomentArmsInContact, AreZeroForWhatMovesEverythingAsOne) {
-  const CertifiedMotion motion = Moved(0.3, -0.9, certified_.rest);
+  const CertifiedMotion motion = Moved(Pressed(), certified_.rest);
   EXPECT_GT(ActiveRows(motion, true), 3);
   EXPECT_GT(ActiveRows(motion, false), 3);
-  const Frame frame = ArmsIn(0.3, -0.9, motion);
+  const Frame frame = ArmsOf(motion);
   for (const double arm : Arms(frame, "hip")) {
     EXPECT_NEAR(arm, 0, 1e-6);  // rounding of the rates of planes
   }
-  for (const double arm : Arms(frame, "knee")) EXPECT_GT(std::abs(arm), 1);
+  // Only the left muscle moves the right one.
+  EXPECT_GT(std::abs(frame.muscles[1].line_moment_arms.at("lean")[0]), 0.1);
 }
 
-// Steps from a frame to both sides of it find their planes anew, which are not
-// quite those of the frame; but what a plane goes along with shows.
+// Steps from a frame to both sides of it look for planes anew and make room
+// where a muscle is held back by a bone, so that their planes are not quite
+// those that are held. Without contact the right muscle would not move at all.
 TEST_F(MomentArmsInContact, AreNearTheSlopesOfSteps) {
-  const CertifiedMotion motion = Moved(0, -0.9, certified_.rest);
-  const CertifiedMotion here = Moved(0, -0.9, motion.state);
-  const std::vector<double> arms = Arms(ArmsIn(0, -0.9, here), "knee");
+  const CertifiedMotion before = Moved(Pressed(), certified_.rest);
+  const CertifiedMotion motion = Moved(Pressed(), before.state);
   constexpr double kBeside = 1e-3;
-  const std::vector<double> before = Lengths(
-      scene_, CoarseOf(Moved(0, -0.9 - kBeside, motion.state).state.muscles));
-  const std::vector<double> after = Lengths(
-      scene_, CoarseOf(Moved(0, -0.9 + kBeside, motion.state).state.muscles));
-  for (size_t k = 0; k < arms.size(); ++k) {
-    std::cerr << k << " " << arms[k] << " "
-              << -(after[k] - before[k]) / (2 * kBeside) << "\n";
-    EXPECT_NEAR(arms[k], -(after[k] - before[k]) / (2 * kBeside), 0.1) << k;
+  const auto lengths = [&](double lean) {
+    return Lengths(scene_,
+                   CoarseOf(Moved(Pressed(lean), before.state).state.muscles));
+  };
+  const std::vector<double> low = lengths(-kBeside), high = lengths(kBeside);
+  const std::vector<double> arms = Arms(ArmsOf(motion), "lean");
+  double slopes = 0, differences = 0;
+  for (size_t k = 5; k < arms.size(); ++k) {
+    const double slope = -(high[k] - low[k]) / (2 * kBeside);
+    slopes += slope * slope;
+    differences += (arms[k] - slope) * (arms[k] - slope);
   }
+  EXPECT_GT(std::sqrt(slopes), 5);
+  EXPECT_LT(std::sqrt(differences), 0.2 * std::sqrt(slopes));
+}
+
+// Rows as contact has them, of which the derivative can be told from whole
+// solves.
+class MomentArmsOfHeldRows : public ::testing::Test {
+ protected:
+  // Half-spaces that vertices of both muscles violate by 2 mm, with the planes
+  // half on the right muscle and half on the left one, going with `carrier`.
+  void AddRows(const PlaneCarrier& carrier) {
+    const std::vector<Points> free =
+        SolvedFree(scene_, TightReference(), At(scene_, 0.2, -0.3));
+    for (size_t i = 0; i < 2; ++i) {
+      const MuscleModel& model = scene_.muscles[i].model;
+      const Points fine = model.fine_from_coarse * free[i];
+      const double side = i == 0 ? -1 : 1;
+      std::vector<VertexHalfSpace> spaces;
+      for (int v = 0; v < fine.rows(); v += 10) {
+        if (side * (fine(v, 2) - 12.5 * side) > 0) continue;
+        const Eigen::RowVector3d normal =
+            Eigen::RowVector3d(0.2, 0.1, side).normalized();
+        spaces.push_back({v, {normal, normal.dot(fine.row(v)) + 2}});
+        contact_[i].carriers.push_back(carrier);
+      }
+      contact_[i].rows = OneSidedRowsOf(spaces, 0.3);
+    }
+  }
+
+  // Solves beside the pose with rows whose planes `moved` has moved.
+  template <typename Moved>
+  std::vector<Points> SolvedHeld(double beside, const Moved& moved) const {
+    std::vector<ContactRows> contact = contact_;
+    for (ContactRows& rows : contact) {
+      for (int k = 0; k < rows.rows.size(); ++k) {
+        HalfSpace plane = {rows.rows.normals.row(k), rows.rows.levels[k]};
+        plane = moved(beside, plane);
+        rows.rows.normals.row(k) = plane.normal;
+        rows.rows.levels[k] = plane.level;
+      }
+    }
+    const ScenePose pose = At(scene_, 0.2, -0.3 + beside);
+    const SolvedPose free = SolvePose(
+        scene_, pose, {}, TightReference(), RestState(scene_).muscles);
+    return CoarseOf(SolveWithRows(scene_,
+                                  free,
+                                  pose,
+                                  {},
+                                  TightReference(),
+                                  contact,
+                                  free.states)
+                        .states);
+  }
+
+  template <typename Moved>
+  void ExpectSlopesOfSolves(const Moved& moved) {
+    const ScenePose pose = At(scene_, 0.2, -0.3);
+    const std::vector<Points> coarse = SolvedHeld(0, moved);
+    const Frame frame = FrameWithArms(
+        scene_,
+        pose,
+        {coarse, contact_, SolvedFree(scene_, TightReference(), pose)});
+    constexpr double kBeside = 1e-3;
+    const std::vector<double> low = Lengths(scene_, SolvedHeld(-kBeside, moved));
+    const std::vector<double> high = Lengths(scene_, SolvedHeld(kBeside, moved));
+    const std::vector<double> arms = Arms(frame, "knee");
+    double largest = 0;
+    for (size_t k = 0; k < arms.size(); ++k) {
+      EXPECT_NEAR(
+          arms[k], -(high[k] - low[k]) / (2 * kBeside), kArmTolerance)
+          << k;
+      if (k >= 5) largest = std::max(largest, std::abs(arms[k]));
+    }
+    // The right muscle would stand still without the rows.
+    EXPECT_GT(largest, 0.1);
+  }
+
+  const PreparedScene scene_ = Prepared();
+  std::vector<ContactRows> contact_ = std::vector<ContactRows>(2);
+};
+
+TEST_F(MomentArmsOfHeldRows, GoWithABone) {
+  PlaneCarrier shank;
+  shank.bone = 1;
+  AddRows(shank);
+  ExpectSlopesOfSolves([&](double beside, const HalfSpace& plane) {
+    const auto place = [&](double at) {
+      return At(scene_, 0.2, -0.3 + at).bodies.at("shank");
+    };
+    const Eigen::Matrix4d moved = place(beside) * place(0).inverse();
+    HalfSpace result;
+    result.normal = plane.normal * moved.topLeftCorner<3, 3>().transpose();
+    result.level =
+        plane.level + result.normal.dot(moved.topRightCorner<3, 1>());
+    return result;
+  });
 }
 
 }  // namespace

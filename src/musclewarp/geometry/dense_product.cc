@@ -55,32 +55,53 @@ MUSCLEWARP_WIDE void AddThree(const double* row,
 }  // namespace
 
 Points Product(const RowMajorMatrix& matrix, const Points& points) {
-  CHECK_EQ(matrix.cols(), points.rows());
-  const Eigen::MatrixX3d columns = points;  // column-major
-  Points product(matrix.rows(), 3);
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    ThreeDots(matrix.row(i).data(),
-              columns.col(0).data(),
-              columns.col(1).data(),
-              columns.col(2).data(),
-              matrix.cols(),
-              product.row(i).data());
-  }
-  return product;
+  return Products(matrix, {points})[0];
 }
 
 Points TransposedProduct(const RowMajorMatrix& matrix, const Points& points) {
-  CHECK_EQ(matrix.rows(), points.rows());
-  Eigen::MatrixX3d sum = Eigen::MatrixX3d::Zero(matrix.cols(), 3);
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    AddThree(matrix.row(i).data(),
-             points.row(i).data(),
-             matrix.cols(),
-             sum.col(0).data(),
-             sum.col(1).data(),
-             sum.col(2).data());
+  return TransposedProducts(matrix, {points})[0];
+}
+
+std::vector<Points> Products(const RowMajorMatrix& matrix,
+                             const std::vector<Points>& sets) {
+  std::vector<Eigen::MatrixX3d> columns;  // column-major
+  std::vector<Points> products;
+  for (const Points& points : sets) {
+    CHECK_EQ(matrix.cols(), points.rows());
+    columns.emplace_back(points);
+    products.emplace_back(matrix.rows(), 3);
   }
-  return sum;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (size_t k = 0; k < sets.size(); ++k) {
+      ThreeDots(matrix.row(i).data(),
+                columns[k].col(0).data(),
+                columns[k].col(1).data(),
+                columns[k].col(2).data(),
+                matrix.cols(),
+                products[k].row(i).data());
+    }
+  }
+  return products;
+}
+
+std::vector<Points> TransposedProducts(const RowMajorMatrix& matrix,
+                                       const std::vector<Points>& sets) {
+  std::vector<Eigen::MatrixX3d> sums;
+  for (const Points& points : sets) {
+    CHECK_EQ(matrix.rows(), points.rows());
+    sums.push_back(Eigen::MatrixX3d::Zero(matrix.cols(), 3));
+  }
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (size_t k = 0; k < sets.size(); ++k) {
+      AddThree(matrix.row(i).data(),
+               sets[k].row(i).data(),
+               matrix.cols(),
+               sums[k].col(0).data(),
+               sums[k].col(1).data(),
+               sums[k].col(2).data());
+    }
+  }
+  return {sums.begin(), sums.end()};
 }
 
 }  // namespace musclewarp

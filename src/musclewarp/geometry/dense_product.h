@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "musclewarp/geometry/mean_value_coordinates.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
@@ -20,5 +22,12 @@ Points Product(const RowMajorMatrix& matrix, const Points& points);
 // Returns matrix^T * points, N x 3. It carries gradients with respect to fine
 // points (n x 3) back to the coarse ones.
 Points TransposedProduct(const RowMajorMatrix& matrix, const Points& points);
+
+// The same for several sets of points, which cost less together than one after
+// the other: the matrix is read once for all of them.
+std::vector<Points> Products(const RowMajorMatrix& matrix,
+                             const std::vector<Points>& sets);
+std::vector<Points> TransposedProducts(const RowMajorMatrix& matrix,
+                                       const std::vector<Points>& sets);
 
 }  // namespace musclewarp

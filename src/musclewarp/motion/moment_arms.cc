@@ -43,14 +43,17 @@ MuscleTarget Difference(const MuscleTarget& before, const MuscleTarget& after) {
   return rate;
 }
 
-// Returns minus the derivatives of the lengths of lines, which are carried by
-// the shape `coarse` and so move linearly with its derivative `rate`.
+// Returns minus the derivatives of the lengths of carried lines, which move
+// linearly with the derivative `rate` of the shape that carries them.
 std::vector<double> MomentArmsOf(const CarriedLines& carried,
-                                 const Points& coarse,
+                                 const std::vector<Points>& lines,
                                  const Points& rate) {
-  const std::vector<Points> lines = LinesAt(carried, coarse);
-  const std::vector<Points> velocities = LinesAt(carried, rate);
   std::vector<double> arms;
+  if (rate.isZero(0)) {
+    arms.resize(lines.size(), 0);
+    return arms;
+  }
+  const std::vector<Points> velocities = LinesAt(carried, rate);
   for (size_t k = 0; k < lines.size(); ++k) {
     double arm = 0;
     for (Eigen::Index i = 1; i < lines[k].rows(); ++i) {
@@ -210,14 +213,16 @@ class MomentArms {
                       ? DifferentiateShape(
                             prepared.model, muscle.target, coarse, muscle.rates)
                       : muscle.free;
+    const std::vector<Points> lines = LinesAt(prepared.lines, coarse);
+    const std::vector<Points> fibres = LinesAt(prepared.fibres, coarse);
     MuscleFrame& frame = frame_.muscles[i];
     for (size_t c = 0; c < beside_.size(); ++c) {
       const Points& rate = muscle.held[c].coarse;
       const std::string& name = beside_[c].name;
       frame.line_moment_arms[name] =
-          MomentArmsOf(prepared.lines, coarse, rate);
+          MomentArmsOf(prepared.lines, lines, rate);
       frame.fibre_moment_arms[name] =
-          MomentArmsOf(prepared.fibres, coarse, rate);
+          MomentArmsOf(prepared.fibres, fibres, rate);
     }
   }
 
