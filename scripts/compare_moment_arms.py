@@ -7,6 +7,8 @@ r"""Compares moment arms of straight paths with those that OpenSim computed.
   scripts/compare_moment_arms.py compare TABLE COORDINATE RUN/moment_arms.sto
   scripts/compare_moment_arms.py lengths RUN/lengths.sto COORDINATE \
       RUN/moment_arms.sto [--step=2]
+  scripts/compare_moment_arms.py carried RUN/lengths.sto COORDINATE \
+      RUN/moment_arms.sto [--step=2]
 
 TABLE is a plot of moment arms (m) that the OpenSim GUI saved: a column for the
 coordinate in degrees and one for each muscle. `motion` writes a motion with one
@@ -14,6 +16,8 @@ row for each angle of TABLE, for musclewarp-deform to run. `compare` prints, for
 each muscle, the largest difference from TABLE (mm) and where it is. Rows beyond
 --to degrees are left out of both. `lengths` compares the moment arms of a run,
 whose frames are --step degrees apart, with the slopes of its own lengths.
+`carried` does so for the lines or fibres that muscles carry, with slopes of
+polynomials through five frames.
 """
 
 import argparse
@@ -80,11 +84,33 @@ def compare_with_lengths(args):
         print(f"{name[:-5]:12} {largest:.1e} {at}, next {second:.1e} {at_second}")
 
 
+def compare_carried(args):
+    lines, lengths = read_table(args.table)
+    ours, arms = read_table(args.file)
+    print("differences in mm: median, largest, in which row; range of the arms")
+    for name in lines[1:]:
+        if name.endswith("_path"):
+            continue
+        j, k = lines.index(name), ours.index(f"{name}.{args.coordinate}")
+        length = [1e3 * row[j] for row in lengths]
+        arm = [1e3 * row[k] for row in arms]
+        differences = []
+        for row in range(2, len(arm) - 2):
+            near = 8 * (length[row + 1] - length[row - 1])
+            far = length[row + 2] - length[row - 2]
+            slope = (near - far) / (12 * math.radians(args.step))
+            differences.append((abs(slope + arm[row]), row))
+        differences.sort()
+        median, (largest, at) = differences[len(differences) // 2][0], differences[-1]
+        span = f"{min(arm):.1f} to {max(arm):.1f}"
+        print(f"{name:12} {median:.1e} {largest:.1e} {at}; {span}")
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("what", choices=["motion", "compare", "lengths"])
+    parser.add_argument("what", choices=["motion", "compare", "lengths", "carried"])
     parser.add_argument("table")
     parser.add_argument("coordinate")
     parser.add_argument("file")
@@ -95,6 +121,7 @@ def main():
         "motion": write_motion,
         "compare": compare,
         "lengths": compare_with_lengths,
+        "carried": compare_carried,
     }
     tasks[args.what](args)
 

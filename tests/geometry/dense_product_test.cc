@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <vector>
 
 namespace musclewarp {
 namespace {
@@ -40,6 +41,18 @@ TEST(DenseProduct, IsTheProductForAllSizes) {
                 kProductRounding);
     }
   }
+}
+
+TEST(DenseProduct, SeveralSetsTogetherAreTheSameToTheBit) {
+  const RowMajorMatrix matrix = RandomMatrix(70, 23);
+  const std::vector<Points> few = {RandomMatrix(23, 3), RandomMatrix(23, 3)};
+  const std::vector<Points> many = {RandomMatrix(70, 3), RandomMatrix(70, 3)};
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_EQ(Products(matrix, few)[k], Product(matrix, few[k]));
+    EXPECT_EQ(TransposedProducts(matrix, many)[k],
+              TransposedProduct(matrix, many[k]));
+  }
+  EXPECT_TRUE(Products(matrix, {}).empty());
 }
 
 }  // namespace musclewarp

@@ -33,15 +33,15 @@ constexpr double kArmTolerance = 1e-3;  // mm by rad: what is promised
 // "lean", with negative angles towards the right muscle, and bends about z by
 // "knee". The ground carries the thigh on a hip that turns about z by "hip".
 Scene TwoOverAKnee() {
-  std::string text = Model4(
-      Joint4("GimbalJoint", "lean twist knee"),
-      "",
-      Muscle("left",
-             Point4("p1", "thigh", "0.028 -0.345 -0.0125") +
-                 Point4("p2", "shank", "0.022 -0.055 -0.0125")) +
-          Muscle("right",
-                 Point4("p1", "thigh", "0.025 -0.345 0.0125") +
-                     Point4("p2", "thigh", "0.025 -0.455 0.0125")));
+  std::string text =
+      Model4(Joint4("GimbalJoint", "lean twist knee"),
+             "",
+             Muscle("left",
+                    Point4("p1", "thigh", "0.028 -0.345 -0.0125") +
+                        Point4("p2", "shank", "0.022 -0.055 -0.0125")) +
+                 Muscle("right",
+                        Point4("p1", "thigh", "0.025 -0.345 0.0125") +
+                            Point4("p2", "thigh", "0.025 -0.455 0.0125")));
   const std::string weld = "<WeldJoint name=\"hip\">";
   text.replace(text.find(weld), weld.size(), "<PinJoint name=\"hip\">");
   text.replace(text.find("</WeldJoint>"),
@@ -181,8 +181,8 @@ TEST(AddMomentArms, AreTheSlopesOfTheLengthsWithBothSolvers) {
   const PreparedScene scene = Prepared();
   for (const MuscleSolver& solver : {TightReference(), TightCeres()}) {
     const ScenePose pose = At(scene, 0.3, -0.6);
-    const Frame frame = FrameWithArms(
-        scene, pose, {SolvedFree(scene, solver, pose), {}, {}});
+    const Frame frame =
+        FrameWithArms(scene, pose, {SolvedFree(scene, solver, pose), {}, {}});
     const std::vector<double> arms = Arms(frame, "knee");
     ASSERT_EQ(arms.size(), 10u);
     // The third derivative of lengths about 25 mm from the axis adds 1e-5 mm.
@@ -222,9 +222,8 @@ TEST(AddMomentArms, AreTheDistanceFromTheHingeForAStraightLine) {
     EXPECT_NEAR(frame.muscles[0].line_moment_arms.at("knee")[0],
                 distance,
                 kArmTolerance);
-    EXPECT_NEAR(frame.path_moment_arms.at("left").at("knee"),
-                distance,
-                kArmTolerance);
+    EXPECT_NEAR(
+        frame.path_moment_arms.at("left").at("knee"), distance, kArmTolerance);
   }
 }
 
@@ -259,10 +258,10 @@ class MomentArmsInContact : public ::testing::Test {
     int count = 0;
     for (size_t i = 0; i < motion.contact.size(); ++i) {
       const ContactRows& contact = motion.contact[i];
-      const Eigen::VectorXd depths = OneSidedDepths(
-          contact.rows,
-          FineFromCoarse(scene_.muscles[i].model, contact.rows),
-          motion.state.muscles[i].coarse);
+      const Eigen::VectorXd depths =
+          OneSidedDepths(contact.rows,
+                         FineFromCoarse(scene_.muscles[i].model, contact.rows),
+                         motion.state.muscles[i].coarse);
       for (int k = 0; k < contact.rows.size(); ++k) {
         count += depths[k] > 0 && contact.carriers[k].IsBone() == of_bones;
       }
@@ -349,14 +348,10 @@ class MomentArmsOfHeldRows : public ::testing::Test {
     const ScenePose pose = At(scene_, 0.2, -0.3 + beside);
     const SolvedPose free = SolvePose(
         scene_, pose, {}, TightReference(), RestState(scene_).muscles);
-    return CoarseOf(SolveWithRows(scene_,
-                                  free,
-                                  pose,
-                                  {},
-                                  TightReference(),
-                                  contact,
-                                  free.states)
-                        .states);
+    return CoarseOf(
+        SolveWithRows(
+            scene_, free, pose, {}, TightReference(), contact, free.states)
+            .states);
   }
 
   template <typename Moved>
@@ -368,13 +363,14 @@ class MomentArmsOfHeldRows : public ::testing::Test {
         pose,
         {coarse, contact_, SolvedFree(scene_, TightReference(), pose)});
     constexpr double kBeside = 1e-3;
-    const std::vector<double> low = Lengths(scene_, SolvedHeld(-kBeside, moved));
-    const std::vector<double> high = Lengths(scene_, SolvedHeld(kBeside, moved));
+    const std::vector<double> low =
+        Lengths(scene_, SolvedHeld(-kBeside, moved));
+    const std::vector<double> high =
+        Lengths(scene_, SolvedHeld(kBeside, moved));
     const std::vector<double> arms = Arms(frame, "knee");
     double largest = 0;
     for (size_t k = 0; k < arms.size(); ++k) {
-      EXPECT_NEAR(
-          arms[k], -(high[k] - low[k]) / (2 * kBeside), kArmTolerance)
+      EXPECT_NEAR(arms[k], -(high[k] - low[k]) / (2 * kBeside), kArmTolerance)
           << k;
       if (k >= 5) largest = std::max(largest, std::abs(arms[k]));
     }

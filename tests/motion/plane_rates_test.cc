@@ -60,10 +60,10 @@ TEST(AddPlaneRates, APlaneOfABoneGoesWithIt) {
   carriers.bones = {RateAboutZ(5, 100), RateAboutZ(0.5, 3)};
   const TargetRate rate = spindle.Rates(carriers);
   const RowVector3d spin(0, 0, 0.5);
-  EXPECT_NEAR(rate.plane_speeds[0],
-              spindle.normal.dot(spin.cross(spindle.foot)) +
-                  3 * spindle.normal[2],
-              1e-12);
+  EXPECT_NEAR(
+      rate.plane_speeds[0],
+      spindle.normal.dot(spin.cross(spindle.foot)) + 3 * spindle.normal[2],
+      1e-12);
   EXPECT_LT((RowVector3d(rate.plane_turns.row(0)) - spin.cross(spindle.normal))
                 .norm(),
             1e-12);
@@ -100,10 +100,10 @@ TEST(AddPlaneRates, APlaneBetweenMusclesGoesWithBothTriangles) {
                                         RowVector3d(0, 0, 6)) +
                   0.75 * spindle.normal.dot(RowVector3d(0, -2, 0)),
               kRatesRounding);
-  EXPECT_LT((RowVector3d(rate.plane_turns.row(0)) -
-             spin.cross(spindle.normal) / 2)
-                .norm(),
-            kRatesRounding);
+  EXPECT_LT(
+      (RowVector3d(rate.plane_turns.row(0)) - spin.cross(spindle.normal) / 2)
+          .norm(),
+      kRatesRounding);
 }
 
 // As contact has it: a triangle without area does not turn a plane.

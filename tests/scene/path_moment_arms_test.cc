@@ -60,8 +60,8 @@ TEST(PathMomentArms, AreTheSameForAPathAndALineBetweenItsPoints) {
     EXPECT_NEAR(PathLengthIn(pose, scene.muscles[0].lines[0]),
                 PathLengthIn(pose, scene.muscles[0].lines[1]),
                 kTransformRounding);
-    const auto arms = PathMomentArms(
-        scene, pose, PosesBesideOf(*scene.model, pose));
+    const auto arms =
+        PathMomentArms(scene, pose, PosesBesideOf(*scene.model, pose));
     EXPECT_NEAR(arms.at("m").at("knee"), arms.at("own").at("knee"), kDifference)
         << knee;
   }

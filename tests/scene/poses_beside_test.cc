@@ -17,8 +17,8 @@ constexpr double kRateRounding = 1e-8;
 
 // A leg whose knee turns about x by "a" and about y by "b".
 ModelPoses LegPoses(const std::string& constraints = "") {
-  const std::string file = Written(
-      "leg.osim", Model4(Joint4("UniversalJoint", "a b"), constraints));
+  const std::string file =
+      Written("leg.osim", Model4(Joint4("UniversalJoint", "a b"), constraints));
   ModelRest rest;
   rest.coordinates = {{"a", 0.0}};
   std::vector<std::string> notes;
@@ -52,9 +52,9 @@ TEST(PosesBesideOf, AreOnBothSidesAndTakeCoupledCoordinatesAlong) {
   EXPECT_EQ(beside[0].after.model_values[0], 0.3 + PosesBeside::kStep);
   EXPECT_EQ(beside[0].after.model_values[1],
             0.5 * (0.3 + PosesBeside::kStep) + 0.1);
-  EXPECT_LT(Difference(beside[0].after.bodies.at("shank"),
-                       PoseAt(poses, beside[0].after.model_values)
-                           .bodies.at("shank")),
+  EXPECT_LT(Difference(
+                beside[0].after.bodies.at("shank"),
+                PoseAt(poses, beside[0].after.model_values).bodies.at("shank")),
             kTransformRounding);
 }
 

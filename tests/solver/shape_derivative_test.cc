@@ -124,8 +124,9 @@ TEST(DifferentiateShape, IsTheDerivativeOfTheSolve) {
 TEST(DifferentiateShape, HoldsActiveRowsOnPlanesThatMove) {
   const MuscleModel model = SpindleModel();
   const double angle = 0.5;
-  const Points free = model.fine_from_coarse *
-                      SolvedTightly(model, TargetOf(model, BentPose(angle), {}));
+  const Points free =
+      model.fine_from_coarse *
+      SolvedTightly(model, TargetOf(model, BentPose(angle), {}));
   std::vector<VertexHalfSpace> at_angle;
   for (int v = 0; v < free.rows(); v += 5) {
     // 2 mm in the way, or 4 mm clear.
@@ -184,7 +185,8 @@ TEST(DifferentiateShape, IsRigidWhereTheTargetIs) {
   TargetRate rate;
   rate.linear.laplacian = turned(bent.laplacian);
   rate.linear.skeleton = turned(bent.skeleton);
-  rate.linear.skeleton.rowwise() += model.skeleton_weight * velocity.transpose();
+  rate.linear.skeleton.rowwise() +=
+      model.skeleton_weight * velocity.transpose();
   rate.linear.attachment = bent.attachment;  // there are none
   rate.plane_turns.resize(0, 3);
   Points expected = turned(coarse);
@@ -201,8 +203,8 @@ TEST(DifferentiateShape, NothingMovesWhereTheTargetStands) {
   still.linear.skeleton = 0 * target.skeleton;
   still.linear.attachment = target.attachment;
   still.plane_turns.resize(0, 3);
-  const ShapeRate rate =
-      DifferentiateShape(model, target, SolvedTightly(model, target), {still})[0];
+  const ShapeRate rate = DifferentiateShape(
+      model, target, SolvedTightly(model, target), {still})[0];
   EXPECT_TRUE(rate.is_converged);
   EXPECT_EQ(rate.iterations, 0);
   EXPECT_EQ(rate.coarse, Points::Zero(model.coarse_rest.rows(), 3));

@@ -79,6 +79,58 @@ TEST_F(MotionProgram, FramesAreThoseOfTheirPosesWhateverCameBefore) {
   EXPECT_LT((all - alone).rowwise().norm().maxCoeff(), 1e-3);
 }
 
+// A knee with three coordinates of which two move and one is locked: moment
+// arms are there for both, and are the slopes of the lengths.
+TEST_F(MotionProgram, MomentArmsAreExactForEveryFreeCoordinate) {
+  const auto replace = [this](const std::string& from, const std::string& to) {
+    ASSERT_NE(model_.find(from), std::string::npos) << from;
+    model_.replace(model_.find(from), from.size(), to);
+  };
+  replace("<PinJoint name=\"knee_joint\">",
+          "<GimbalJoint name=\"knee_joint\">");
+  replace("</PinJoint>", "</GimbalJoint>");
+  replace("<Coordinate name=\"knee\"/>",
+          "<Coordinate name=\"lean\"/><Coordinate name=\"twist\">"
+          "<locked>true</locked></Coordinate><Coordinate name=\"knee\"/>");
+  motion_ =
+      "bend\ninDegrees=yes\nendheader\ntime\tknee\tlean\n"
+      "0\t-12\t5\n1\t-11\t5\n2\t-10\t5\n3\t-9\t5\n4\t-8\t5\n5\t-8\t6\n";
+  for (const std::string flags : {"", "--solver=reference"}) {
+    const ProgramRun run = Run("--fibres=2 " + flags);
+    ASSERT_EQ(run.exit_code, 0) << run.out << run.errors;
+    const StorageTable arms = Table("moment_arms");
+    EXPECT_THAT(
+        arms.labels,
+        testing::ElementsAre(
+            "path.lean", "path.knee", "path_path.lean", "path_path.knee"));
+    const StorageTable fibre_arms = Table("fibre_moment_arms");
+    EXPECT_THAT(fibre_arms.labels,
+                testing::ElementsAre("muscle_fibre_1.lean",
+                                     "muscle_fibre_1.knee",
+                                     "muscle_fibre_2.lean",
+                                     "muscle_fibre_2.knee"));
+    // By a polynomial through five frames, which is exact to 1e-10 m. Solvers
+    // end within 1e-8 m of the minimum.
+    const auto slope = [](const Eigen::VectorXd& l) {
+      return (8 * (l[3] - l[1]) - (l[4] - l[0])) / (12 * M_PI / 180);
+    };
+    const StorageTable lengths = Table("lengths");
+    EXPECT_NEAR(arms.values(2, 1), -slope(lengths.values.col(0)), 1e-6);
+    EXPECT_NEAR(arms.values(2, 3), -slope(lengths.values.col(1)), 1e-6);
+    const StorageTable fibres = Table("fibre_lengths");
+    for (int k = 0; k < 2; ++k) {
+      EXPECT_NEAR(
+          fibre_arms.values(2, 2 * k + 1), -slope(fibres.values.col(k)), 1e-6);
+    }
+    const Json frame = Report()["frames"][2];
+    EXPECT_EQ(frame["moment_arms_converged"], true);
+    EXPECT_GT(frame["moment_arms_ms"], 0);
+    EXPECT_NEAR(frame["muscles"][0]["line_moment_arms_mm"]["path"]["lean"],
+                1e3 * arms.values(2, 0),
+                1e-9);
+  }
+}
+
 TEST_F(MotionProgram, NamesThatAreNotUtf8DoNotStopTheReport) {
   motion_ = "bend\ninDegrees=yes\nendheader\ntime\tknee\tf\xfc\xdf\n0\t-5\t0\n";
   const ProgramRun run = Run();

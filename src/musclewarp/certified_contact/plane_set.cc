@@ -231,11 +231,10 @@ PlaneCarrier PlaneSet::CarrierOf(const Side& side) const {
   return carrier;
 }
 
-CarriedHalfSpaces PlaneSet::MostViolated(
-    int muscle,
-    const std::vector<int>& vertices,
-    const Points& points,
-    const Points& targets) const {
+CarriedHalfSpaces PlaneSet::MostViolated(int muscle,
+                                         const std::vector<int>& vertices,
+                                         const Points& points,
+                                         const Points& targets) const {
   CarriedHalfSpaces most_violated;
   for (const int v : vertices) {
     double depth = -kInfinity;

@@ -38,11 +38,10 @@ SolvedPose SolveWithContactRows(const Mover& mover,
   const CertifiedScene& certified = mover.certified;
   std::vector<ContactRows> contact(mover.scene.muscles.size());
   for (size_t k = 0; k < certified.order.size(); ++k) {
-    CarriedHalfSpaces planes =
-        open.planes.MostViolated(static_cast<int>(k),
-                                 certified.samples[k],
-                                 open.relaxed.points[k],
-                                 targets[k]);
+    CarriedHalfSpaces planes = open.planes.MostViolated(static_cast<int>(k),
+                                                        certified.samples[k],
+                                                        open.relaxed.points[k],
+                                                        targets[k]);
     for (PlaneCarrier& carrier : planes.carriers) {
       if (carrier.IsBone()) continue;
       carrier.muscle_above = certified.order[carrier.muscle_above];

@@ -97,9 +97,9 @@ struct Frame {
   // (certificate/shortcomings.h). None of a frame without certified contact.
   std::vector<std::string> shortcomings;
 
-  double wall_ms = 0;     // for moving the scene to the pose
-  double solve_ms = 0;    // of that, in the solver
-  double certify_ms = 0;  // for intersections, gaps and folded triangles
+  double wall_ms = 0;         // for moving the scene to the pose
+  double solve_ms = 0;        // of that, in the solver
+  double certify_ms = 0;      // for intersections, gaps and folded triangles
   double moment_arms_ms = 0;  // for all moment arms
 
   // True if every solve converged and there are no shortcomings.

@@ -219,8 +219,7 @@ class MomentArms {
     for (size_t c = 0; c < beside_.size(); ++c) {
       const Points& rate = muscle.held[c].coarse;
       const std::string& name = beside_[c].name;
-      frame.line_moment_arms[name] =
-          MomentArmsOf(prepared.lines, lines, rate);
+      frame.line_moment_arms[name] = MomentArmsOf(prepared.lines, lines, rate);
       frame.fibre_moment_arms[name] =
           MomentArmsOf(prepared.fibres, fibres, rate);
     }

@@ -301,12 +301,13 @@ StorageTable MomentArmTable(const std::vector<FrameRecord>& frames,
           },
           &table);
       for (const std::string& coordinate : coordinates) {
-        AddArms(line + "_path." + coordinate,
-                frames,
-                [&](const FrameRecord& frame) {
-                  return ArmOfLine(frame.path_moment_arms_mm, line, coordinate);
-                },
-                &table);
+        AddArms(
+            line + "_path." + coordinate,
+            frames,
+            [&](const FrameRecord& frame) {
+              return ArmOfLine(frame.path_moment_arms_mm, line, coordinate);
+            },
+            &table);
       }
     }
   }

@@ -24,15 +24,16 @@ std::map<std::string, std::map<std::string, double>> PathMomentArms(
       const bool is_path = pose.path_lengths.count(line.name) > 0;
       for (const PosesBeside& poses : beside) {
         arms[line.name][poses.name] =
-            is_path ? PathMomentArm(scene.model->model,
-                                    scene.model->model.muscles
-                                        [scene.model->model.FindMuscle(
-                                            line.name)],
-                                    poses.coordinate,
-                                    pose.model_values)
-                    : -(PathLengthIn(poses.after, line) -
-                        PathLengthIn(poses.before, line)) /
-                          (2 * PosesBeside::kStep);
+            is_path
+                ? PathMomentArm(
+                      scene.model->model,
+                      scene.model->model
+                          .muscles[scene.model->model.FindMuscle(line.name)],
+                      poses.coordinate,
+                      pose.model_values)
+                : -(PathLengthIn(poses.after, line) -
+                    PathLengthIn(poses.before, line)) /
+                      (2 * PosesBeside::kStep);
       }
     }
   }

@@ -21,9 +21,7 @@ constexpr double kTolerance = 1e-7;
 constexpr double kSmallest = 1e-8;  // mm by rad or m
 constexpr int kMaxIterations = 200;
 
-double Dot(const Points& a, const Points& b) {
-  return a.cwiseProduct(b).sum();
-}
+double Dot(const Points& a, const Points& b) { return a.cwiseProduct(b).sum(); }
 
 // Everything about a shape that does not depend on the coordinate.
 class ShapeSystem {
@@ -83,7 +81,7 @@ class ShapeSystem {
   struct ConjugateGradients {
     ShapeRate rate;
     Points residual;
-    Points direction, a_direction;      // the latter is A' times the former
+    Points direction, a_direction;     // the latter is A' times the former
     double norm = 0, first_norm = -1;  // of the residual, squared
     bool is_done = false;
   };
@@ -155,8 +153,8 @@ class ShapeSystem {
   // Adds the forces (K x 3) on the vertices of active rows, by weight^2.
   void AddForces(const Points& forces, Points* sum) const {
     if (rows_.size() == 0) return;
-    *sum += rows_.weight * rows_.weight * fine_from_coarse_.transpose() *
-            forces;
+    *sum +=
+        rows_.weight * rows_.weight * fine_from_coarse_.transpose() * forces;
   }
 
   // The direction of steepest descent of the energy without the constraint.
@@ -169,8 +167,8 @@ class ShapeSystem {
   // J_f^T dr/dq, and how the forces of the active rows change with their planes
   // while the shape stands still.
   Points RightHandSide(const TargetRate& rate) const {
-    Points sum = LinearDescent(
-        model_, rate.linear, Points::Zero(coarse_.rows(), 3));
+    Points sum =
+        LinearDescent(model_, rate.linear, Points::Zero(coarse_.rows(), 3));
     Points forces = Points::Zero(rows_.size(), 3);
     for (int k = 0; k < rows_.size(); ++k) {
       if (depths_[k] <= 0) continue;
@@ -188,8 +186,8 @@ class ShapeSystem {
   const RowMajorMatrix fine_from_coarse_;  // K x N, of the rows
   const Eigen::VectorXd depths_;           // K
   OneSidedSystem one_sided_;
-  const Points gradient_;    // g
-  Points inverse_gradient_;  // A'^-1 g
+  const Points gradient_;     // g
+  Points inverse_gradient_;   // A'^-1 g
   double gradient_norm_ = 0;  // g^T A'^-1 g
   double multiplier_ = 0;     // lambda
 };
