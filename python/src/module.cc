@@ -4,6 +4,8 @@
 
 #include "python/src/bindings.h"
 #include "python/src/call.h"
+#include "python/src/choices.h"
+#include "tools/program.h"
 
 // The part of the Python package that is C++: python/musclewarp/__init__.py
 // says what of it is for users.
@@ -19,7 +21,13 @@ PYBIND11_MODULE(_core, module) {
   BindRun(&module);
   BindChecks(&module);
   module.attr("__version__") = MUSCLEWARP_VERSION;
-  module.def("set_threads", &SetThreads, pybind11::arg("threads"));
+  module.def(
+      "set_threads",
+      [](int threads) {
+        CallWithKeywords([=] { musclewarp::CheckThreads(threads); });
+        SetThreads(threads);
+      },
+      pybind11::arg("threads"));
   module.def("threads", &Threads);
   module.def("wait_for_abandoned", &WaitForAbandoned, pybind11::arg("seconds"));
 }
