@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "musclewarp/base/content_hash.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/motion/frame_files.h"
@@ -57,11 +58,37 @@ std::vector<FrameRecord> RecordsOf(const RunOfDeformer& run,
   return records;
 }
 
+template <typename Numbers>
+void AddBytes(const Numbers& numbers, ContentHash* hash) {
+  hash->Add(std::string(reinterpret_cast<const char*>(numbers.data()),
+                        numbers.size() * sizeof(numbers(0))));
+}
+
+// A hash of what the frames depend on besides their poses.
+std::string InputsHash(const RunOfDeformer& run, const Frame& rest) {
+  ContentHash hash;
+  hash.Add(MUSCLEWARP_VERSION);
+  for (const auto& [name, value] : run.deformer->keywords) {
+    hash.Add(name + "=" + value);
+  }
+  const SceneParts& parts = *run.deformer->parts;
+  for (size_t i = 0; i < parts.muscles.size(); ++i) {
+    AddBytes(rest.muscles[i].points, &hash);
+    AddBytes(parts.muscles[i].triangles, &hash);
+  }
+  for (size_t i = 0; i < parts.bones.size(); ++i) {
+    AddBytes(rest.bones[i], &hash);
+    AddBytes(parts.bones[i].triangles, &hash);
+  }
+  return hash.Hex();
+}
+
 RunRecord RecordOf(const RunOfDeformer& run, Deformer* deformer) {
   RunRecord record;
   record.solver = run.deformer->solver;
   record.command = "musclewarp (Python)";
   record.options = run.deformer->keywords;
+  record.inputs_hash = InputsHash(run, deformer->RestFrame());
   record.scene = &deformer->scene();
   record.contact = deformer->contact();
   record.rest = deformer->scene().as_delivered
