@@ -1,6 +1,6 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The part of the package that is C++ (python/src)."""
+"""The part of the package that is C++ (python/src), which explains itself."""
 from typing import (Any, Callable, Dict, Iterator, List, Mapping, Optional,
                     Sequence, Tuple)
 
@@ -10,14 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 __version__: str
 
 class Mesh:
-    """A triangle mesh, which does not change.
-
-    Args:
-        points: (n, 3), mm.
-        triangles: (m, 3) indices of points, counterclockwise from outside.
-    Raises:
-        InputError: names the array, and the row.
-    """
     def __init__(self, points: ArrayLike, triangles: ArrayLike) -> None: ...
     @property
     def points(self) -> NDArray[np.float64]: ...

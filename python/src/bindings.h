@@ -10,6 +10,7 @@ namespace musclewarp::python {
 void BindErrors(pybind11::module_* module);
 void BindLog(pybind11::module_* module);
 void BindMeshes(pybind11::module_* module);
+void BindSceneParts(pybind11::module_* module);
 void BindScene(pybind11::module_* module);
 void BindFrames(pybind11::module_* module);
 void BindDeformer(pybind11::module_* module);

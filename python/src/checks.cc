@@ -19,6 +19,34 @@ namespace musclewarp::python {
 namespace {
 
 namespace py = pybind11;
+
+// What help() says.
+constexpr char kCrossingsClassDoc[] =
+    R"(Where two meshes a and b cross, by exact tests; false if nowhere.
+
+Attributes:
+    triangle_pairs: (k, 2) int32, a triangle of a and one of b, which share a
+        point; ascending.
+    a_inside_b: int32, the points of a that are inside b; ascending.
+    b_inside_a: the same the other way.
+    a_depth, b_depth: of the deepest of these points, mm; 0 without any.)";
+
+constexpr char kCrossingsDoc[] =
+    R"(Finds where two meshes cross (src/musclewarp/geometry/mesh_intersection.h).
+
+Args:
+    a, b: Meshes, muscles of a frame, or anything with points (n, 3), mm, and
+        triangles (m, 3).
+Returns:
+    Crossings.
+Raises:
+    InputError: one of them is no mesh.)";
+
+constexpr char kSelfCrossingsDoc[] =
+    R"(Returns the pairs of triangles at which a mesh crosses itself, (k, 2) int32.
+
+They share a point beyond the corner or edge they have in common, by an exact
+test. The first of a pair is the lower.)";
 using MeshesByName = std::vector<std::pair<std::string, py::object>>;
 
 // What is found once, so that arrays can show it.
@@ -112,7 +140,7 @@ std::shared_ptr<FrameOfScene> Separate(const MeshesByName& meshes,
 }  // namespace
 
 void BindChecks(py::module_* module) {
-  py::class_<Crossings, SharedCrossings>(*module, "Crossings")
+  py::class_<Crossings, SharedCrossings>(*module, "Crossings", kCrossingsDoc)
       .def_property_readonly(
           "triangle_pairs",
           [](const SharedCrossings& c) { return ViewOf(c->pairs, c); })
@@ -133,8 +161,10 @@ void BindChecks(py::module_* module) {
         return "<musclewarp.Crossings of " + std::to_string(c.pairs.rows()) +
                " pairs of triangles>";
       });
-  module->def("crossings", &FindCrossings, py::arg("a"), py::arg("b"));
-  module->def("self_crossings", &FindSelfCrossings, py::arg("mesh"));
+  module->def(
+      "crossings", &FindCrossings, py::arg("a"), py::arg("b"), kCrossingsDoc);
+  module->def(
+      "self_crossings", &FindSelfCrossings, py::arg("mesh"), kSelfCrossingsDoc);
   module->def("separate",
               &Separate,
               py::arg("meshes"),

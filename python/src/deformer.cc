@@ -12,6 +12,36 @@ namespace musclewarp::python {
 namespace {
 
 namespace py = pybind11;
+
+// What help() says.
+constexpr char kStateDoc[] =
+    R"(Where the muscles of a deformer are, to be put back later.)";
+
+constexpr char kMoveToDoc[] =
+    R"(Moves the muscles from where they are to a pose.
+
+The frames of a motion follow each other like this, without jumps. If the call
+is interrupted, the muscles stay where they were.
+
+Args:
+    pose: a Pose.
+Returns:
+    A Frame. Whether it may be used, it says itself (Frame.usable).
+Raises:
+    InputError: the pose contradicts the scene.)";
+
+constexpr char kSolveAloneDoc[] =
+    R"(Returns the frame of a pose that is on its own.
+
+It does not depend on where the muscles are now, and they stay there. Args,
+returns and raises as move_to().)";
+
+constexpr char kExpectedStepsDoc[] =
+    R"(Returns in how many steps a pose can be reached, if they are short.
+
+Args:
+    pose: a Pose.
+    start: the Pose before; None if the pose is computed on its own.)";
 using Self = std::shared_ptr<SharedDeformer>;
 
 // Where the muscles of a deformer are.
@@ -77,6 +107,22 @@ int ExpectedSteps(const Self& self,
   });
 }
 
+// What does not change once a deformer is made.
+void BindWhatIsKnown(py::class_<SharedDeformer, Self>* type) {
+  type->def_property_readonly(
+          "warnings",
+          [](const Self& self) { return self->deformer->scene().warnings; },
+          "What is likely wrong with the scene, a sentence each.")
+      .def_property_readonly(
+          "notes",
+          [](const Self& self) { return self->deformer->scene().scene.notes; },
+          "What was found while the scene was read, a sentence each.")
+      .def_property_readonly(
+          "contact",
+          [](const Self& self) { return self->deformer->contact().name; },
+          "The kind of contact: certified, paper/coarse, paper/fine or none.");
+}
+
 }  // namespace
 
 std::shared_ptr<SharedDeformer> MakeDeformer(Scene scene,
@@ -94,9 +140,9 @@ std::shared_ptr<SharedDeformer> MakeDeformer(Scene scene,
 
 void BindDeformer(py::module_* module) {
   module->def("default_choices", &DefaultChoices);
-  py::class_<StateOfDeformer, SharedState>(*module, "State");
-  py::class_<SharedDeformer, Self>(*module, "Deformer")
-      .def(py::init(&MakeFromKeywords),
+  py::class_<StateOfDeformer, SharedState>(*module, "State", kStateDoc);
+  py::class_<SharedDeformer, Self> type(*module, "Deformer");
+  type.def(py::init(&MakeFromKeywords),
            py::arg("scene"),
            py::arg("keywords"),
            py::arg("progress"))
@@ -106,42 +152,43 @@ void BindDeformer(py::module_* module) {
             return SharedDeformer::ComputeFrame(
                 self, [pose](Deformer* d) { return d->MoveTo(*pose); });
           },
-          py::arg("pose"))
+          py::arg("pose"),
+          kMoveToDoc)
       .def(
           "solve_alone",
           [](const Self& self, const SharedPose& pose) {
             return SharedDeformer::ComputeFrame(
                 self, [pose](Deformer* d) { return d->SolveAlone(*pose); });
           },
-          py::arg("pose"))
-      .def("reset",
-           [](const Self& self) {
-             SharedDeformer::Compute(self, [](Deformer* deformer) {
-               deformer->Reset();
-               return true;
-             });
-           })
-      .def_property_readonly("rest_frame",
-                             [](const Self& self) {
-                               return SharedDeformer::ComputeFrame(
-                                   self,
-                                   [](Deformer* d) { return d->RestFrame(); });
-                             })
-      .def_property("state", &StateOf, &SetState)
+          py::arg("pose"),
+          kSolveAloneDoc)
+      .def(
+          "reset",
+          [](const Self& self) {
+            SharedDeformer::Compute(self, [](Deformer* deformer) {
+              deformer->Reset();
+              return true;
+            });
+          },
+          "Moves the muscles back to where a motion starts.")
+      .def_property_readonly(
+          "rest_frame",
+          [](const Self& self) {
+            return SharedDeformer::ComputeFrame(
+                self, [](Deformer* d) { return d->RestFrame(); });
+          },
+          "The scene as it was delivered and repaired, before any contact.")
+      .def_property("state",
+                    &StateOf,
+                    &SetState,
+                    "Where the muscles are. One that is put back must have "
+                    "been of this deformer.")
       .def("expected_steps",
            &ExpectedSteps,
            py::arg("pose"),
-           py::arg("start") = py::none())
-      // What follows does not change once the deformer is made.
-      .def_property_readonly(
-          "warnings",
-          [](const Self& self) { return self->deformer->scene().warnings; })
-      .def_property_readonly(
-          "notes",
-          [](const Self& self) { return self->deformer->scene().scene.notes; })
-      .def_property_readonly("contact", [](const Self& self) {
-        return self->deformer->contact().name;
-      });
+           py::arg("start") = py::none(),
+           kExpectedStepsDoc);
+  BindWhatIsKnown(&type);
 }
 
 }  // namespace musclewarp::python

@@ -14,6 +14,65 @@ namespace musclewarp::python {
 namespace {
 
 namespace py = pybind11;
+
+// What help() says.
+constexpr char kMuscleFrameDoc[] =
+    R"(A muscle in one pose (src/musclewarp/motion/frame.h). Arrays are read-only.
+
+Attributes:
+    name: of the muscle.
+    points: (n, 3) float64, mm, of the mesh after repair.
+    triangles: (m, 3) int32, the same in all frames.
+    gaps: (n,) the distance of each point to the nearest other mesh, mm,
+        negative inside of one; at most 5.
+    lines: the action lines as the muscle carries them, (p, 3) each, mm.
+    fibres: the same of fibres.
+    path_lengths: of the action lines straight through their points, mm.
+    volume: mm^3.
+    volume_ratio: of the volume to that at rest.
+    folded_triangles: that point the wrong way.
+    self_pairs: pairs of triangles of the muscle that cross each other.
+    max_displacement: of a point from rest, mm.
+    max_contact_displacement, mean_contact_displacement: how far contact moved
+        points, mm.
+    depth_without_contact: how deep the muscle would be in others, mm.
+    pushed_by, push_depth: the muscles that push it, which comes last, and the
+        depth of their overlaps without contact, mm.
+    iterations, stop_reason: of the solver; "converged" if it did.
+    shape: stretch, area ratios, bend (degrees) and change (mm), by name.
+    attachments: how far each attachment area has left its body, mm.)";
+
+constexpr char kBoneFrameDoc[] = R"(A bone in one pose. Arrays are read-only.
+
+Attributes:
+    name: of the bone.
+    points: (n, 3) float64, mm, of the mesh after repair.
+    triangles: (m, 3) int32, the same in all frames.)";
+
+constexpr char kFrameDoc[] =
+    R"(A scene in one pose, with all that is known about it.
+
+frame["psoas"] is the MuscleFrame or BoneFrame of that name; iterating gives the
+names. A frame is a value of its own: it does not change, and may be used when
+its deformer is gone. str(frame) is a report.
+
+Attributes:
+    name, time: of the pose; s.
+    index: of the pose in its run, or -1.
+    coordinates: of the model, rad or m, by name.
+    usable: True if every solve converged and there are no shortcomings.
+    shortcomings: what a frame has to hold and this one does not, a sentence
+        each; only with certified contact.
+    crossing_pairs: of triangles of different meshes, by exact tests.
+    smallest_gap: of two meshes, mm, proved; None if all are above 2 mm.
+    intersections: all that crosses, as in docs/report.md.
+    muscles, bones: lists of MuscleFrame and BoneFrame.
+    names: of both.
+    worst_volume_error: the largest |volume ratio - 1| of a muscle.
+    path_moment_arms: -dl/dq of straight lines by line and coordinate, mm/rad.
+    iterations, stop_reason: of the solver, of all muscles together.
+    pose_steps: on the way from the frame before.
+    wall_ms, solve_ms, certify_ms: times.)";
 using SharedFrame = std::shared_ptr<FrameOfScene>;
 
 // A muscle of a frame, and a bone.
@@ -87,6 +146,12 @@ std::vector<py::array> Views(const std::vector<Points>& lines,
   return views;
 }
 
+constexpr char kPolydataDoc[] =
+    R"(Returns the vtkPolyData of a mesh; of a frame, a dict of them by name.
+
+They are copies. The points of muscles carry "gap", mm. Raises InputError where
+VTK's Python modules are not installed.)";
+
 // Meshes become those of VTK in Python, where VTK is.
 py::object Polydata(const py::object& self) {
   return py::module_::import("musclewarp._vtk").attr("polydata")(self);
@@ -125,7 +190,7 @@ void Field(Class* type, const char* name, Value MuscleFrame::*field) {
 }
 
 void BindMuscle(py::module_* module) {
-  py::class_<MuscleOfFrame> type(*module, "MuscleFrame");
+  py::class_<MuscleOfFrame> type(*module, "MuscleFrame", kMuscleFrameDoc);
   type.def_property_readonly(
           "name", [](const MuscleOfFrame& m) { return m.part().name; })
       .def_property_readonly("points",
@@ -164,7 +229,7 @@ void BindMuscle(py::module_* module) {
                              [](const MuscleOfFrame& m) {
                                return DriftsOf(m.muscle().attachments);
                              })
-      .def("polydata", &Polydata)
+      .def("polydata", &Polydata, kPolydataDoc)
       .def("__repr__", [](const MuscleOfFrame& m) {
         return "<musclewarp.MuscleFrame " + m.part().name + ">";
       });
@@ -185,7 +250,7 @@ void BindMuscle(py::module_* module) {
 }
 
 void BindBone(py::module_* module) {
-  py::class_<BoneOfFrame>(*module, "BoneFrame")
+  py::class_<BoneOfFrame>(*module, "BoneFrame", kBoneFrameDoc)
       .def_property_readonly("name",
                              [](const BoneOfFrame& b) { return b.part().name; })
       .def_property_readonly(
@@ -194,7 +259,7 @@ void BindBone(py::module_* module) {
       .def_property_readonly(
           "triangles",
           [](const BoneOfFrame& b) { return ViewOf(b.part().triangles, b.of); })
-      .def("polydata", &Polydata)
+      .def("polydata", &Polydata, kPolydataDoc)
       .def("__repr__", [](const BoneOfFrame& b) {
         return "<musclewarp.BoneFrame " + b.part().name + ">";
       });
@@ -215,7 +280,7 @@ void BindParts(py::class_<FrameOfScene, SharedFrame>* type) {
            [](const FrameOfScene& f) {
              return f.frame.muscles.size() + f.frame.bones.size();
            })
-      .def("polydata", &Polydata)
+      .def("polydata", &Polydata, kPolydataDoc)
       .def("__str__",
            [](const FrameOfScene& f) { return f.frame.FullReport(); })
       .def("__repr__", [](const FrameOfScene& f) {
@@ -249,7 +314,7 @@ std::shared_ptr<const SceneParts> PartsOf(const PreparedScene& scene) {
 void BindFrames(py::module_* module) {
   BindMuscle(module);
   BindBone(module);
-  py::class_<FrameOfScene, SharedFrame> type(*module, "Frame");
+  py::class_<FrameOfScene, SharedFrame> type(*module, "Frame", kFrameDoc);
   BindParts(&type);
   OfFrame(&type, "name", &Frame::name);
   OfFrame(&type, "index", &Frame::index);

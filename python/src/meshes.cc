@@ -18,6 +18,48 @@ namespace {
 
 namespace py = pybind11;
 
+// What help() says.
+constexpr char kMeshDoc[] =
+    R"(A triangle mesh, which does not change (src/musclewarp/mesh/triangle_soup.h).
+
+Args:
+    points: (n, 3), mm.
+    triangles: (m, 3) indices of points; their corners run counterclockwise seen
+        from outside.
+Attributes:
+    points: (n, 3) float64, mm.
+    triangles: (m, 3) int32.
+    volume: that the mesh encloses, mm^3; negative if it is inside out.
+    area: mm^2.
+Raises:
+    InputError: names the array and the row.)";
+
+constexpr char kDefectsDoc[] =
+    R"(Counts what keeps the mesh from being one closed 2-manifold.
+
+Returns:
+    A dict with the keys of "defects" in docs/report.md, "closed_manifold" and
+    "clean" (True if nothing needs repair).)";
+
+constexpr char kReadMeshDoc[] =
+    R"(Reads a mesh file: .ply, .obj, .off, .stl, .vtk, .vtp.
+
+Points and triangles are those of the file; polygons are split into triangles.
+
+Raises:
+    InputError: names the file and the place in it.)";
+
+constexpr char kWriteMeshDoc[] =
+    R"(Writes a mesh file, by the extension of `path`; all or nothing.
+
+All formats but .stl keep every bit.
+
+Args:
+    path: .ply, .obj, .off, .stl, .vtk or .vtp.
+    mesh: a Mesh, or anything with points (n, 3) and triangles (m, 3).
+Raises:
+    InputError: the file cannot be written.)";
+
 // pybind11 cannot hold pointers to constants.
 std::shared_ptr<TriangleSoup> ToPython(TriangleSoup soup) {
   return std::make_shared<TriangleSoup>(std::move(soup));
@@ -64,6 +106,31 @@ py::tuple Repair(const py::object& object,
   return py::make_tuple(repaired.first, report);
 }
 
+void BindMeshFunctions(py::module_* module) {
+  module->def(
+      "read_mesh",
+      [](const std::string& path) {
+        return ComputeFree([path] { return ToPython(ReadTriangleSoup(path)); });
+      },
+      py::arg("path"),
+      kReadMeshDoc);
+  module->def(
+      "write_mesh",
+      [](const std::string& path, const py::object& object) {
+        const SharedMesh mesh = MeshFrom(object, "mesh");
+        RunFree([=] { WriteTriangleSoup(path, *mesh); });
+      },
+      py::arg("path"),
+      py::arg("mesh"),
+      kWriteMeshDoc);
+  module->def("repair",
+              &Repair,
+              py::arg("mesh"),
+              py::arg("max_hole"),
+              py::arg("stitch_tolerance"),
+              py::arg("name"));
+}
+
 }  // namespace
 
 SharedMesh MeshFrom(const py::handle& object, const std::string& where) {
@@ -82,7 +149,8 @@ SharedMesh MeshFrom(const py::handle& object, const std::string& where) {
 }
 
 void BindMeshes(py::module_* module) {
-  py::class_<TriangleSoup, std::shared_ptr<TriangleSoup>>(*module, "Mesh")
+  py::class_<TriangleSoup, std::shared_ptr<TriangleSoup>>(
+      *module, "Mesh", kMeshDoc)
       .def(py::init([](const py::object& points, const py::object& triangles) {
              return MakeMesh(points, triangles, "mesh");
            }),
@@ -104,40 +172,23 @@ void BindMeshes(py::module_* module) {
                              [](const TriangleSoup& mesh) {
                                return SurfaceArea(mesh.points, mesh.triangles);
                              })
-      .def("defects",
-           [](const std::shared_ptr<TriangleSoup>& mesh) {
-             const MeshDefects defects =
-                 ComputeFree([mesh] { return CountDefects(*mesh); });
-             nlohmann::ordered_json json = DefectsJson(defects);
-             json["closed_manifold"] = defects.is_closed_manifold;
-             json["clean"] = defects.IsClean();
-             return FromJson(json);
-           })
+      .def(
+          "defects",
+          [](const std::shared_ptr<TriangleSoup>& mesh) {
+            const MeshDefects defects =
+                ComputeFree([mesh] { return CountDefects(*mesh); });
+            nlohmann::ordered_json json = DefectsJson(defects);
+            json["closed_manifold"] = defects.is_closed_manifold;
+            json["clean"] = defects.IsClean();
+            return FromJson(json);
+          },
+          kDefectsDoc)
       .def("__repr__", [](const TriangleSoup& mesh) {
         return "<musclewarp.Mesh of " + std::to_string(mesh.points.rows()) +
                " points and " + std::to_string(mesh.triangles.rows()) +
                " triangles>";
       });
-  module->def(
-      "read_mesh",
-      [](const std::string& path) {
-        return ComputeFree([path] { return ToPython(ReadTriangleSoup(path)); });
-      },
-      py::arg("path"));
-  module->def(
-      "write_mesh",
-      [](const std::string& path, const py::object& object) {
-        const SharedMesh mesh = MeshFrom(object, "mesh");
-        RunFree([=] { WriteTriangleSoup(path, *mesh); });
-      },
-      py::arg("path"),
-      py::arg("mesh"));
-  module->def("repair",
-              &Repair,
-              py::arg("mesh"),
-              py::arg("max_hole"),
-              py::arg("stitch_tolerance"),
-              py::arg("name"));
+  BindMeshFunctions(module);
 }
 
 }  // namespace musclewarp::python

@@ -15,6 +15,7 @@ PYBIND11_MODULE(_core, module) {
   BindLog(&module);
   BindMeshes(&module);
   BindOpenSim(&module);
+  BindSceneParts(&module);
   BindScene(&module);
   BindFrames(&module);
   BindDeformer(&module);
@@ -27,7 +28,10 @@ PYBIND11_MODULE(_core, module) {
         CallWithKeywords([=] { musclewarp::CheckThreads(threads); });
         SetThreads(threads);
       },
-      pybind11::arg("threads"));
-  module.def("threads", &Threads);
+      pybind11::arg("threads"),
+      "Sets how many threads computations use; 0: as OpenMP chooses, one a "
+      "core. Results do not depend on it.");
+  module.def(
+      "threads", &Threads, "Returns what set_threads() has set, at first 0.");
   module.def("wait_for_abandoned", &WaitForAbandoned, pybind11::arg("seconds"));
 }

@@ -115,7 +115,20 @@ py::array ColumnOf(const SharedTable& table, const std::string& label) {
 }
 
 void BindTables(py::module_* module) {
-  py::class_<StorageTable, SharedTable>(*module, "Table")
+  py::class_<StorageTable, SharedTable>(
+      *module,
+      "Table",
+      R"(A table over time, as OpenSim has it in .sto and .mot files; in their units.
+
+table["hip_flexion_r"] is a column.
+
+Attributes:
+    name: of the table.
+    labels: of the columns, without "time".
+    times: (t,), s.
+    values: (t, number of labels).
+    in_degrees: whether angles are; None if the file does not say.
+    warnings: where header and rows of the file disagree.)")
       .def_readonly("name", &StorageTable::name)
       .def_readonly("labels", &StorageTable::labels)
       .def_readonly("in_degrees", &StorageTable::in_degrees)
@@ -144,7 +157,8 @@ void BindTables(py::module_* module) {
           [](const SharedTable& table, const std::string& path) {
             RunFree([=] { WriteTextAtomically(path, StorageText(*table)); });
           },
-          py::arg("path"));
+          py::arg("path"),
+          "Writes the table as an OpenSim file.");
   module->def(
       "read_table",
       [](const std::string& path) {
@@ -152,14 +166,28 @@ void BindTables(py::module_* module) {
           return std::make_shared<StorageTable>(ReadStorageTable(path));
         });
       },
-      py::arg("path"));
+      py::arg("path"),
+      "Reads a table of OpenSim or SIMM (.sto, .mot). Raises InputError that "
+      "names the line.");
 }
 
 }  // namespace
 
 void BindOpenSim(py::module_* module) {
   BindTables(module);
-  py::class_<Model, SharedModel>(*module, "Model")
+  py::class_<Model, SharedModel>(
+      *module,
+      "Model",
+      R"(An OpenSim model: bodies, joints and paths of muscles (docs/motion.md).
+
+Coordinates are given as a dict by name, in rad, or m of translations; others
+have their defaults, coupled ones follow.
+
+Attributes:
+    name, path: of the model and its file.
+    bodies, muscles: their names.
+    coordinates: their default values by name.
+    warnings: what of the file is ignored.)")
       .def_readonly("name", &Model::name)
       .def_readonly("path", &Model::path)
       .def_readonly("warnings", &Model::warnings)
@@ -171,24 +199,37 @@ void BindOpenSim(py::module_* module) {
                              [](const Model& model) {
                                return ByName(model, DefaultValues(model));
                              })
-      .def("body_frames", &FramesOfBodies, py::arg("coordinates"))
+      .def("body_frames",
+           &FramesOfBodies,
+           py::arg("coordinates"),
+           "Returns ground_from_body (4, 4), mm, of every body by name.")
       .def("path_length",
            &LengthOfPath,
            py::arg("muscle"),
-           py::arg("coordinates"))
+           py::arg("coordinates"),
+           "Returns the length through the active points of a path, mm. "
+           "Wrapping is ignored.")
       .def("moment_arm",
            &MomentArm,
            py::arg("muscle"),
            py::arg("coordinate"),
-           py::arg("coordinates"))
-      .def("read_motion", &ReadMotion, py::arg("path"));
+           py::arg("coordinates"),
+           "Returns -dl/dq of a path, mm per rad (or per m), by central "
+           "differences.")
+      .def("read_motion",
+           &ReadMotion,
+           py::arg("path"),
+           "Returns the time (s) and all coordinates (rad or m, by name) of "
+           "every row of an OpenSim motion.");
   module->def(
       "read_model",
       [](const std::string& path) {
         return ComputeFree(
             [path] { return std::make_shared<Model>(ReadModel(path)); });
       },
-      py::arg("path"));
+      py::arg("path"),
+      "Reads an OpenSim model (.osim, versions 2 to 4). Raises InputError that "
+      "names the line and the element.");
 }
 
 }  // namespace musclewarp::python

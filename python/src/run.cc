@@ -161,7 +161,8 @@ void Write(const RunOfDeformer& run,
     CheckWritable(dir);
     MakeFolder(dir);
     SharedDeformer::Compute(
-        run.deformer, [run = SnapshotOf(run), formats, dir](Deformer* deformer) {
+        run.deformer,
+        [run = SnapshotOf(run), formats, dir](Deformer* deformer) {
           WriteFiles(*run, formats, dir, deformer);
           return true;
         });
@@ -185,10 +186,17 @@ void BindRun(py::module_* module) {
             return std::make_shared<RunOfDeformer>(RunOfDeformer{deformer, {}});
           }),
           py::arg("deformer"))
-      .def("append", &Append, py::arg("frame"))
+      .def("append",
+           &Append,
+           py::arg("frame"),
+           "Adds a frame of the deformer, which gets the next index.")
       .def_property_readonly(
-          "frames", [](const RunOfDeformer& run) { return run.frames; })
-      .def("report", &Report)
+          "frames",
+          [](const RunOfDeformer& run) { return run.frames; },
+          "The frames, numbered from 0.")
+      .def("report",
+           &Report,
+           "Returns report.json of these frames as a dict (docs/report.md).")
       .def("write", &Write, py::arg("out"), py::arg("format") = "ply")
       .def_property_readonly("lengths",
                              [](const RunOfDeformer& run) {

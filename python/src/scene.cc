@@ -5,8 +5,6 @@
 #include <pybind11/stl.h>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/mesh/transformed.h"
-#include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/scene/scene_names.h"
 #include "python/src/arrays.h"
@@ -17,97 +15,79 @@ namespace musclewarp::python {
 namespace {
 
 namespace py = pybind11;
-using Names = std::vector<std::string>;
 
-// Sets the mesh of a muscle or bone: arrays, or a file.
-template <typename Part>
-void SetMesh(const py::object& points,
-             const py::object& triangles,
-             const std::string& path,
-             const std::string& where,
-             Part* part) {
-  const bool has_arrays = !points.is_none() || !triangles.is_none();
-  if (has_arrays == !path.empty()) {
-    throw InputError(where,
-                     has_arrays ? "has arrays and a path" : "has no mesh",
-                     "give points and triangles, or the path of a mesh file");
-  }
-  part->mesh_path = path;
-  if (!has_arrays) return;
-  part->points = PointsFrom(points, where + ": points");
-  part->triangles =
-      TrianglesFrom(triangles, part->points.rows(), where + ": triangles");
-}
+// What help() says.
+constexpr char kLineDoc[] =
+    R"(A line of action of a muscle in the rest pose, from origin to insertion.
 
-// Returns the mesh of a muscle or bone as it was delivered.
-template <typename Part>
-std::shared_ptr<TriangleSoup> DeliveredMesh(const Part& part) {
-  if (part.mesh_path.empty()) {
-    return std::make_shared<TriangleSoup>(
-        TriangleSoup{part.points, part.triangles});
-  }
-  return ComputeFree([path = part.mesh_path] {
-    return std::make_shared<TriangleSoup>(ReadTriangleSoup(path));
-  });
-}
+Args:
+    name: different from those of all other lines.
+    points: (p, 3), mm, at least two.
+    bodies: the name of the body that each point is fixed to; none if the lines
+        of poses say where the points go.
+    slides: True if only the ends are fixed to the muscle, which slides along
+        the line between them.
+Raises:
+    InputError: the points are not allowed.)";
 
-SharedLine MakeLine(const std::string& name,
-                    const py::object& points,
-                    const Names& bodies,
-                    bool slides) {
-  const auto line = std::make_shared<ActionLine>();
-  line->name = name;
-  line->rest = PointsFrom(points, "line " + QuotedName(name) + ": points");
-  line->bodies = bodies;
-  line->slides = slides;
-  return line;
-}
+constexpr char kAttachmentDoc[] =
+    R"(An area of a muscle that follows a body (docs/scene.md).
 
-SharedAttachment MakeAttachment(const std::string& body,
-                                const py::object& points,
-                                double radius,
-                                bool may_penetrate) {
-  const std::string where = "attachment to " + QuotedName(body);
-  const auto attachment = std::make_shared<Attachment>();
-  attachment->body = body;
-  attachment->points = PointsFrom(points, where + ": points");
-  attachment->radius = radius;
-  attachment->may_penetrate = may_penetrate;
-  if (!(radius > 0 && std::isfinite(radius))) {
-    throw InputError(where + ": radius",
-                     "is " + std::to_string(radius),
-                     "allowed: above 0, mm");
-  }
-  return attachment;
-}
+Args:
+    body: its name.
+    points: (p, 3), mm, in the rest pose.
+    radius: mm. What of the muscle is as near to one of the points is attached.
+    may_penetrate: True if triangles of the area may cross bones of the body.
+Raises:
+    InputError: names the argument.)";
 
-SharedMuscle MakeMuscle(const std::string& name,
-                        const py::object& points,
-                        const py::object& triangles,
-                        const std::vector<SharedLine>& lines,
-                        const std::vector<SharedAttachment>& attachments,
-                        const std::string& path) {
-  const auto muscle = std::make_shared<SceneMuscle>();
-  muscle->name = name;
-  SetMesh(points, triangles, path, "muscle " + QuotedName(name), muscle.get());
-  for (const SharedLine& line : lines) muscle->lines.push_back(*line);
-  for (const SharedAttachment& attachment : attachments) {
-    muscle->attachments.push_back(*attachment);
-  }
-  return muscle;
-}
+constexpr char kMuscleDoc[] =
+    R"(A muscle of a scene, in the rest pose. It does not change.
 
-SharedBone MakeBone(const std::string& name,
-                    const py::object& points,
-                    const py::object& triangles,
-                    const std::string& body,
-                    const std::string& path) {
-  const auto bone = std::make_shared<SceneBone>();
-  bone->name = name;
-  bone->body = body.empty() ? name : body;
-  SetMesh(points, triangles, path, "bone " + QuotedName(name), bone.get());
-  return bone;
-}
+Args:
+    name: also of its files.
+    points: (n, 3), mm.
+    triangles: (m, 3) indices of points.
+    lines: Lines of action. Without any they are made from the meshes.
+    attachments: Attachments. Without any they are found on the meshes.
+    path: of a mesh file, in place of points and triangles.
+Attributes:
+    mesh: the Mesh as it was given; a file is read each time.
+Raises:
+    InputError: names the muscle and the array.)";
+
+constexpr char kBoneDoc[] =
+    R"(A bone of a scene, in the rest pose. It does not change.
+
+Args:
+    name: also of its files.
+    points: (n, 3), mm.
+    triangles: (m, 3) indices of points.
+    body: the body that it moves with; by default one of its own name.
+    path: of a mesh file, in place of points and triangles.
+Attributes:
+    mesh: the Mesh as it was given; a file is read each time.
+Raises:
+    InputError: names the bone and the array.)";
+
+constexpr char kPoseDoc[] =
+    R"(Where the bodies and lines of a scene are. It does not change.
+
+Args:
+    name: for reports.
+    time: s.
+    bodies: the rigid motion (4, 4) of each body from rest, by its name, mm. A
+        body that is not named stays.
+    lines: the points (p, 3), mm, of each line by its name. A line that is not
+        named moves with its bodies.
+    coordinates: values to show and record; nothing moves by them.
+Attributes:
+    path_lengths: of lines that are paths of a model, mm.
+Raises:
+    InputError: names the pose, the body and what is wrong with its motion.)";
+
+constexpr char kSceneSourceDoc[] =
+    R"(A scene as the library has it. Scene is the one for users.)";
 
 SharedPose MakePose(const std::string& name,
                     double time,
@@ -185,13 +165,6 @@ SharedScene Assemble(const SharedScene& source,
   return scene;
 }
 
-template <typename Part>
-std::vector<std::shared_ptr<Part>> Shared(const std::vector<Part>& parts) {
-  std::vector<std::shared_ptr<Part>> shared;
-  for (const Part& part : parts) shared.push_back(std::make_shared<Part>(part));
-  return shared;
-}
-
 std::map<std::string, py::array> Views(
     const std::map<std::string, Points>& lines, const SharedPose& owner) {
   std::map<std::string, py::array> views;
@@ -201,75 +174,8 @@ std::map<std::string, py::array> Views(
   return views;
 }
 
-void BindLines(py::module_* module) {
-  py::class_<ActionLine, SharedLine>(*module, "Line")
-      .def(py::init(&MakeLine),
-           py::arg("name"),
-           py::arg("points"),
-           py::arg("bodies") = Names(),
-           py::kw_only(),
-           py::arg("slides") = false)
-      .def_readonly("name", &ActionLine::name)
-      .def_property_readonly(
-          "points",
-          [](const SharedLine& line) { return ViewOf(line->rest, line); })
-      .def_readonly("bodies", &ActionLine::bodies)
-      .def_readonly("slides", &ActionLine::slides);
-  py::class_<Attachment, SharedAttachment>(*module, "Attachment")
-      .def(py::init(&MakeAttachment),
-           py::arg("body"),
-           py::arg("points"),
-           py::arg("radius"),
-           py::kw_only(),
-           py::arg("may_penetrate") = false)
-      .def_readonly("body", &Attachment::body)
-      .def_property_readonly("points",
-                             [](const SharedAttachment& attachment) {
-                               return ViewOf(attachment->points, attachment);
-                             })
-      .def_readonly("radius", &Attachment::radius)
-      .def_readonly("may_penetrate", &Attachment::may_penetrate);
-}
-
-void BindMusclesAndBones(py::module_* module) {
-  py::class_<SceneMuscle, SharedMuscle>(*module, "Muscle")
-      .def(py::init(&MakeMuscle),
-           py::arg("name"),
-           py::arg("points") = py::none(),
-           py::arg("triangles") = py::none(),
-           py::kw_only(),
-           py::arg("lines") = std::vector<SharedLine>(),
-           py::arg("attachments") = std::vector<SharedAttachment>(),
-           py::arg("path") = "")
-      .def_readonly("name", &SceneMuscle::name)
-      .def_readonly("path", &SceneMuscle::mesh_path)
-      .def_property_readonly("mesh", &DeliveredMesh<SceneMuscle>)
-      .def_property_readonly(
-          "lines",
-          [](const SceneMuscle& muscle) { return Shared(muscle.lines); })
-      .def_property_readonly("attachments", [](const SceneMuscle& muscle) {
-        return Shared(muscle.attachments);
-      });
-  py::class_<SceneBone, SharedBone>(*module, "Bone")
-      .def(py::init(&MakeBone),
-           py::arg("name"),
-           py::arg("points") = py::none(),
-           py::arg("triangles") = py::none(),
-           py::kw_only(),
-           py::arg("body") = "",
-           py::arg("path") = "")
-      .def_readonly("name", &SceneBone::name)
-      .def_readonly("body", &SceneBone::body)
-      .def_readonly("path", &SceneBone::mesh_path)
-      .def_property_readonly("mesh", [](const SceneBone& bone) {
-        const auto mesh = DeliveredMesh(bone);
-        mesh->points = Transformed(mesh->points, bone.rest_from_file);
-        return mesh;
-      });
-}
-
 void BindPoses(py::module_* module) {
-  py::class_<ScenePose, SharedPose>(*module, "Pose")
+  py::class_<ScenePose, SharedPose>(*module, "Pose", kPoseDoc)
       .def(py::init(&MakePose),
            py::arg("name") = "",
            py::kw_only(),
@@ -297,13 +203,43 @@ void BindPoses(py::module_* module) {
       });
 }
 
+void BindSceneFunctions(py::module_* module) {
+  module->def(
+      "read_scene",
+      [](const std::string& path,
+         const std::string& data_root,
+         const std::string& motion) {
+        return ComputeFree([=] {
+          return std::make_shared<Scene>(ReadScene(path, data_root, motion));
+        });
+      },
+      py::arg("path"),
+      py::arg("data_root"),
+      py::arg("motion"));
+  module->def(
+      "pose_between",
+      [](const SharedScene& scene,
+         const SharedPose& from,
+         const SharedPose& to,
+         double part) {
+        if (!(part >= 0 && part <= 1)) {
+          throw InputError(
+              "part", "is " + std::to_string(part), "allowed: 0 to 1");
+        }
+        return std::make_shared<ScenePose>(
+            PoseBetween(*scene, *from, *to, part));
+      },
+      py::arg("scene"),
+      py::arg("first"),
+      py::arg("last"),
+      py::arg("part"));
+}
+
 }  // namespace
 
 void BindScene(py::module_* module) {
-  BindLines(module);
-  BindMusclesAndBones(module);
   BindPoses(module);
-  py::class_<Scene, SharedScene>(*module, "SceneSource")
+  py::class_<Scene, SharedScene>(*module, "SceneSource", kSceneSourceDoc)
       .def(py::init<>())
       .def_readonly("name", &Scene::name)
       .def_readonly("path", &Scene::path)
@@ -337,35 +273,7 @@ void BindScene(py::module_* module) {
            py::arg("is_motion"),
            py::arg("axes"),
            py::arg("side"));
-  module->def(
-      "read_scene",
-      [](const std::string& path,
-         const std::string& data_root,
-         const std::string& motion) {
-        return ComputeFree([=] {
-          return std::make_shared<Scene>(ReadScene(path, data_root, motion));
-        });
-      },
-      py::arg("path"),
-      py::arg("data_root"),
-      py::arg("motion"));
-  module->def(
-      "pose_between",
-      [](const SharedScene& scene,
-         const SharedPose& from,
-         const SharedPose& to,
-         double part) {
-        if (!(part >= 0 && part <= 1)) {
-          throw InputError(
-              "part", "is " + std::to_string(part), "allowed: 0 to 1");
-        }
-        return std::make_shared<ScenePose>(
-            PoseBetween(*scene, *from, *to, part));
-      },
-      py::arg("scene"),
-      py::arg("first"),
-      py::arg("last"),
-      py::arg("part"));
+  BindSceneFunctions(module);
 }
 
 }  // namespace musclewarp::python

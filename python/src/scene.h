@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "musclewarp/scene/scene.h"
 
@@ -17,5 +18,13 @@ using SharedPose = std::shared_ptr<ScenePose>;
 
 // The scene that a scene of Python (musclewarp/_scene.py) was assembled into.
 using SharedScene = std::shared_ptr<Scene>;
+
+// Copies the parts of a scene for Python.
+template <typename Part>
+std::vector<std::shared_ptr<Part>> Shared(const std::vector<Part>& parts) {
+  std::vector<std::shared_ptr<Part>> shared;
+  for (const Part& part : parts) shared.push_back(std::make_shared<Part>(part));
+  return shared;
+}
 
 }  // namespace musclewarp::python
