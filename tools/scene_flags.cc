@@ -161,8 +161,14 @@ DeformOptions SceneOptionsFromFlags() {
   options.command =
       std::string(gflags::ProgramInvocationShortName()) + SetFlags({"resume"});
   // Files count by their contents, threads make no difference.
-  options.result_flags = SetFlags(
-      {"resume", "html", "out", "threads", "scene", "data_root", "motion"});
+  options.result_flags = SetFlags({"resume",
+                                   "html",
+                                   "out",
+                                   "threads",
+                                   "scene",
+                                   "demo",
+                                   "data_root",
+                                   "motion"});
   for (const auto& flag : OwnFlags()) {
     options.all_flags[flag.name] = flag.current_value;
   }

@@ -26,13 +26,13 @@ from musclewarp._deformer import Deformer, Run, run
 from musclewarp._errors import InputError
 from musclewarp._functions import repair, separate
 from musclewarp._page import Page, page
-from musclewarp._scene import Scene, read_scene
+from musclewarp._scene import Scene, demo_scene, read_scene
 
 __all__ = [
     "Attachment", "Bone", "BoneFrame", "Crossings", "Deformer", "Frame",
     "InputError", "Line", "Mesh", "Model", "Muscle", "MuscleFrame", "Page",
     "Pose", "Run", "Scene", "State", "Table", "__version__", "crossings",
-    "page", "read_mesh", "read_model", "read_scene", "read_table", "repair",
+    "demo_scene", "page", "read_mesh", "read_model", "read_scene", "read_table", "repair",
     "run", "self_crossings", "separate", "set_threads", "threads", "write_mesh"
 ]
 

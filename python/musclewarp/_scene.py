@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Scenes: muscles, bones and poses."""
 import os
+import tempfile
 from typing import Iterable, List, Mapping, Optional, Tuple, Union
 
 from musclewarp import _core
@@ -116,3 +117,28 @@ def read_scene(path: Union[str, "os.PathLike[str]"],
                   side=source.side)
     scene._source = source
     return scene
+
+
+def demo_scene(folder: Union[str, "os.PathLike[str]", None] = None) -> Scene:
+    """Returns the scene that is inside the package: a hip that is nobody's.
+
+    Args:
+        folder: if given, FOLDER/scene keeps the files of the scene (meshes, an
+            OpenSim model, a motion), as an example for files of one's own.
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    if folder is not None:
+        return read_scene(_core.write_demo_scene(os.fspath(folder)))
+    with tempfile.TemporaryDirectory(prefix="musclewarp-") as work:
+        scene = read_scene(_core.write_demo_scene(work))
+        scene.muscles = [
+            _core.Muscle(m.name, m.mesh.points, m.mesh.triangles,
+                         lines=m.lines, attachments=m.attachments)
+            for m in scene.muscles
+        ]
+        scene.bones = [
+            _core.Bone(b.name, b.mesh.points, b.mesh.triangles, body=b.body)
+            for b in scene.bones
+        ]
+        return scene

@@ -10,6 +10,7 @@
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
 #include "python/src/call.h"
+#include "tools/demo_scene.h"
 
 namespace musclewarp::python {
 namespace {
@@ -216,6 +217,13 @@ void BindSceneFunctions(py::module_* module) {
       py::arg("path"),
       py::arg("data_root"),
       py::arg("motion"));
+  module->def(
+      "write_demo_scene",
+      [](const std::string& dir) {
+        RunFree([dir] { WriteDemoScene(dir); });
+        return DemoScenePath(dir);
+      },
+      py::arg("dir"));
   module->def(
       "pose_between",
       [](const SharedScene& scene,

@@ -100,3 +100,18 @@ def test_poses_are_listed_by_name():
     assert repr(pushed(5)) == '<musclewarp.Pose "pushed by 5">'
     assert "2 muscles, 1 bones" in repr(small_scene())
     assert mw.Scene([muscle("psoas", 0)]).muscles[0].name == "psoas"
+
+
+def test_the_demo_scene_may_be_kept(tmp_path):
+    scene = mw.demo_scene(tmp_path)
+    assert scene.path == str(tmp_path / "scene/motion.json")
+    assert (tmp_path / "scene/hip.osim").read_bytes() == (
+        DEMO.parent / "hip.osim").read_bytes()
+    inside = mw.demo_scene()
+    assert len(inside.poses) == 15
+    for file, memory in zip(scene.muscles + scene.bones,
+                            inside.muscles + inside.bones):
+        np.testing.assert_array_equal(memory.mesh.points, file.mesh.points)
+    (tmp_path / "file").touch()
+    with pytest.raises(mw.InputError, match="file/scene"):
+        mw.demo_scene(tmp_path / "file")

@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Eigen::Matrix4d Turn(double angle) {
+Eigen::Matrix4d RigidTurn(double angle) {
   Eigen::Matrix4d turn = Eigen::Matrix4d::Identity();
   turn(0, 0) = turn(1, 1) = std::cos(angle);
   turn(1, 0) = std::sin(angle);
@@ -23,26 +23,27 @@ Eigen::Matrix4d Turn(double angle) {
 }
 
 TEST(RigidMotionFault, IsEmptyForATurnAndAMove) {
-  EXPECT_EQ(RigidMotionFault(Turn(0)), "");
-  EXPECT_EQ(RigidMotionFault(Turn(1)), "");
+  EXPECT_EQ(RigidMotionFault(RigidTurn(0)), "");
+  EXPECT_EQ(RigidMotionFault(RigidTurn(1)), "");
 }
 
 TEST(RigidMotionFault, AllowsFourDigits) {
-  Eigen::Matrix4d turn = Turn(1);
+  Eigen::Matrix4d turn = RigidTurn(1);
   turn.topLeftCorner<2, 2>() =
       (turn.topLeftCorner<2, 2>() * 1e4).array().round() / 1e4;
   EXPECT_EQ(RigidMotionFault(turn), "");
 }
 
 TEST(RigidMotionFault, NamesScalesMirrorsAndTransposedMatrices) {
-  Eigen::Matrix4d scale = Turn(0);
+  Eigen::Matrix4d scale = RigidTurn(0);
   scale(0, 0) = 1.01;
   EXPECT_THAT(RigidMotionFault(scale), HasSubstr("not a rotation"));
-  Eigen::Matrix4d mirror = Turn(0);
+  Eigen::Matrix4d mirror = RigidTurn(0);
   mirror(0, 0) = -1;
   EXPECT_THAT(RigidMotionFault(mirror), HasSubstr("not a rotation"));
-  EXPECT_THAT(RigidMotionFault(Turn(1).transpose()), HasSubstr("last row"));
-  Eigen::Matrix4d unknown = Turn(0);
+  EXPECT_THAT(RigidMotionFault(RigidTurn(1).transpose()),
+              HasSubstr("last row"));
+  Eigen::Matrix4d unknown = RigidTurn(0);
   unknown(0, 3) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(RigidMotionFault(unknown), "");
 }

@@ -23,7 +23,8 @@ void ExpectChoicesRefused(const std::function<void(DeformerChoices*)>& change,
 TEST(DeformerChoices, AreByDefaultTheOptions) {
   const DeformerOptions chosen = OptionsOf({}), options;
   EXPECT_EQ(chosen.frames.contact, options.frames.contact);
-  EXPECT_EQ(chosen.frames.certified.step.gap, options.frames.certified.step.gap);
+  EXPECT_EQ(chosen.frames.certified.step.gap,
+            options.frames.certified.step.gap);
   EXPECT_EQ(chosen.solver.name, options.solver.name);
   EXPECT_EQ(chosen.prepare.attachments, options.prepare.attachments);
   EXPECT_EQ(chosen.prepare.fibres.fibres, options.prepare.fibres.fibres);
