@@ -20,6 +20,8 @@ void RaiseInputError(const InputError& error) {
 }  // namespace
 
 void BindErrors(py::module_* /*module*/) {
+  // pybind11 wants a function that takes the pointer by value.
+  // NOLINTNEXTLINE(performance-unnecessary-value-param)
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
