@@ -64,7 +64,7 @@ fi
 files=()
 declare -A seen
 while read -r file; do
-  [[ $file =~ ^(src|problems|tools|tests)/.*\.(cc|h)$ ]] || continue
+  [[ $file =~ ^(src|problems|tools|tests|python)/.*\.(cc|h)$ ]] || continue
   [[ $file != tests/install/* ]] || continue
   if [[ $file == *.h && -f ${file%.h}.cc ]]; then file=${file%.h}.cc; fi
   # What includes a header without a source checks it.

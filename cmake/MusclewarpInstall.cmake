@@ -12,7 +12,8 @@ get_property(
 list(FILTER MUSCLEWARP_PROGRAMS INCLUDE REGEX "^musclewarp-")
 if(MUSCLEWARP_PROGRAMS)
   add_dependencies(musclewarp_programs ${MUSCLEWARP_PROGRAMS})
-  install(TARGETS ${MUSCLEWARP_PROGRAMS} DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS ${MUSCLEWARP_PROGRAMS} DESTINATION ${CMAKE_INSTALL_BINDIR}
+          COMPONENT programs)
 endif()
 
 # Libraries outside src/ and problems/ (the commands behind the programs) are

@@ -18,6 +18,8 @@ packages="
   libvtk9-dev libegl-dev libgl1-mesa-dri
   libgtest-dev libgmock-dev libbenchmark-dev
   clang-format-14 clang-tidy-14 python3 chromium
+  python3-dev pybind11-dev python3-numpy python3-vtk9 python3-tqdm
+  python3-pytest python3-mypy python3-build python3-pip python3-venv
   clang-14 libclang-rt-14-dev libomp-14-dev lld-14
 "
 # Node.js may have come another way than from Debian, which its npm would not

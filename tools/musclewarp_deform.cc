@@ -4,12 +4,21 @@
 #include <unistd.h>
 
 #include <iostream>
+#include <utility>
 
+#include "musclewarp/base/input_error.h"
 #include "tools/deform_command.h"
+#include "tools/demo_scene.h"
 #include "tools/program.h"
 #include "tools/scene_flags.h"
 
+DECLARE_string(scene);
+DECLARE_string(data_root);
 DEFINE_string(out, "", "folder for the frames and report.json");
+DEFINE_bool(demo,
+            false,
+            "deform the scene that is inside the program, which is written to "
+            "OUT/scene; sets --html");
 DEFINE_string(solver,
               "ceres",
               "ceres, or reference (Gauss-Newton with Lagrange multiplier)");
@@ -50,6 +59,24 @@ DeformOptions OptionsFromFlags() {
   return options;
 }
 
+// Puts the scene that is inside the program in place of a scene of the user's,
+// once nothing else can be wrong.
+void PrepareDemo(DeformOptions* options) {
+  for (const auto& [flag, value] :
+       {std::pair("--scene", FLAGS_scene),
+        std::pair("--data_root", FLAGS_data_root)}) {
+    if (value.empty()) continue;
+    throw InputError("--demo",
+                     std::string("is given with ") + flag,
+                     "give one of them; --demo has a scene of its own");
+  }
+  options->html = true;
+  options->scene = DemoScenePath(options->out);
+  CheckSceneOptions(*options);
+  CheckWritable(options->out);
+  WriteDemoScene(options->out);
+}
+
 }  // namespace
 }  // namespace musclewarp
 
@@ -57,7 +84,8 @@ int main(int argc, char** argv) {
   return musclewarp::RunProgram(
       argc,
       argv,
-      "musclewarp-deform --scene=FILE --out=DIR [flags]\n\n"
+      "musclewarp-deform --scene=FILE --out=DIR [flags]\n"
+      "       musclewarp-deform --demo --out=DIR [flags]\n\n"
       "Deforms the muscles of a scene so that they follow their lines of "
       "action and\nkeep their volume, in each pose or along a motion "
       "(OpenSim .osim and .mot, or poses\nwith times). Writes "
@@ -66,7 +94,8 @@ int main(int argc, char** argv) {
       "Exit code: 0 usable, 1 not usable (the summary says why), 2 bad input.",
       [](const std::vector<std::string>& arguments) {
         musclewarp::RefuseArguments(arguments);
-        return musclewarp::DeformCommand(musclewarp::OptionsFromFlags(),
-                                         std::cout);
+        musclewarp::DeformOptions options = musclewarp::OptionsFromFlags();
+        if (FLAGS_demo) musclewarp::PrepareDemo(&options);
+        return musclewarp::DeformCommand(options, std::cout);
       });
 }

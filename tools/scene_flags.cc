@@ -6,14 +6,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstring>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "musclewarp/base/input_error.h"
-#include "tools/option_flags.h"
+#include "tools/deformer_choices.h"
 
 DEFINE_string(scene, "", "scene file (JSON)");
 DEFINE_string(data_root,
@@ -107,18 +105,27 @@ std::string ShellQuoted(const std::string& text) {
   return quoted + "'";
 }
 
-// The options of certified contact that have flags.
-void SetCertifiedContact(CertifiedContactOptions* options) {
-  SetGap(FLAGS_gap, options);
-  if (!(FLAGS_max_step_turn > 0)) {
-    throw InputError("--max_step_turn",
-                     "is " + std::to_string(FLAGS_max_step_turn),
-                     "allowed: above 0");
-  }
-  options->frame_timeout_s = FLAGS_frame_timeout_s;
-  options->step.max_rounds = FLAGS_max_rounds;
-  options->limits.max_turn = FLAGS_max_step_turn * M_PI / 180;
-  options->limits.max_move = FLAGS_max_step_move;
+DeformerChoices ChoicesFromFlags() {
+  DeformerChoices choices;
+  choices.contact_level = FLAGS_contact_level;
+  choices.attachments = FLAGS_attachments;
+  choices.remake = FLAGS_remake;
+  choices.max_iterations = FLAGS_max_iterations;
+  choices.seed = FLAGS_seed;
+  choices.max_hole = FLAGS_max_hole;
+  choices.coarse_vertices = FLAGS_coarse_vertices;
+  choices.bone_coarse_vertices = FLAGS_bone_coarse_vertices;
+  choices.sample_spacing = FLAGS_sample_spacing;
+  choices.skeleton_weight = FLAGS_skeleton_weight;
+  choices.attachment_weight = FLAGS_attachment_weight;
+  choices.auto_lines = FLAGS_auto_lines;
+  choices.gap = FLAGS_gap;
+  choices.max_rounds = FLAGS_max_rounds;
+  choices.frame_timeout_s = FLAGS_frame_timeout_s;
+  choices.max_step_turn = FLAGS_max_step_turn;
+  choices.max_step_move = FLAGS_max_step_move;
+  choices.body_twist = FLAGS_body_twist;
+  return choices;
 }
 
 // Returns the flags of these programs, without those of the libraries.
@@ -150,41 +157,26 @@ DeformOptions SceneOptionsFromFlags() {
   options.motion = FLAGS_motion;
   options.frames = FLAGS_frames;
   options.threads = FLAGS_threads;
-  options.deformer.frames.paper.group.level =
-      ParseContactLevel(FLAGS_contact_level);
-  options.deformer.frames.paper.group.paper.seed = FLAGS_seed;
-  options.deformer.frames.paper.bone_hull.coarse_vertices =
-      FLAGS_bone_coarse_vertices;
-  options.deformer.prepare.muscle.hull.coarse_vertices = FLAGS_coarse_vertices;
-  options.deformer.prepare.muscle.sample_spacing = FLAGS_sample_spacing;
-  options.deformer.prepare.muscle.skeleton_weight = FLAGS_skeleton_weight;
-  options.deformer.prepare.muscle.attachment_weight = FLAGS_attachment_weight;
-  options.deformer.prepare.attachments = ParseAttachments(FLAGS_attachments);
+  options.deformer = OptionsOf(ChoicesFromFlags());
   options.command =
       std::string(gflags::ProgramInvocationShortName()) + SetFlags({"resume"});
   // Files count by their contents, threads make no difference.
-  options.result_flags = SetFlags(
-      {"resume", "html", "out", "threads", "scene", "data_root", "motion"});
+  options.result_flags = SetFlags({"resume",
+                                   "html",
+                                   "out",
+                                   "threads",
+                                   "scene",
+                                   "demo",
+                                   "data_root",
+                                   "motion"});
   for (const auto& flag : OwnFlags()) {
     options.all_flags[flag.name] = flag.current_value;
   }
-  options.deformer.prepare.repair.holes.max_perimeter = FLAGS_max_hole;
-  options.deformer.prepare.auto_lines = FLAGS_auto_lines;
-  options.deformer.frames.pre_rotation.use_body_twist = FLAGS_body_twist;
-  options.deformer.remaking.kind = ParseRemake(FLAGS_remake);
-  SetCertifiedContact(&options.deformer.frames.certified);
   return options;
 }
 
 void SetIterationLimit(SolverConfiguration* configuration) {
-  if (FLAGS_max_iterations < 1) {
-    throw InputError("--max_iterations",
-                     "is " + std::to_string(FLAGS_max_iterations),
-                     "allowed: 1 or above");
-  }
-  configuration->gauss_newton.max_iterations = FLAGS_max_iterations;
-  configuration->ceres.iteration.max_iterations = FLAGS_max_iterations;
-  configuration->ceres.muscle.hard_constraint.max_rounds = FLAGS_max_iterations;
+  SetIterationLimit(FLAGS_max_iterations, configuration);
 }
 
 }  // namespace musclewarp

@@ -18,7 +18,6 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
-#include "musclewarp/deformer/deformer.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/report/report_json.h"
 #include "musclewarp/report/screen_progress.h"
@@ -39,22 +38,6 @@ std::string NumberText(double number) {
   std::ostringstream text;
   text << number;
   return text.str();
-}
-
-DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
-  DeformerOptions deformer;
-  deformer.frames.contact = ContactKind::kCertified;
-  SetGap(options.gap, &deformer.frames.certified);
-  // No mesh has to follow a line. Without the coarse solve only what is around
-  // an overlap moves (docs/results.md has the figures).
-  deformer.frames.certified.coarse_weight = 0;
-  // How far meshes move is reported. It does not count against the result: a
-  // mesh moves farther than it is deep if a part has to leave a pocket.
-  deformer.frames.requirements.displacement_allowance =
-      std::numeric_limits<double>::infinity();
-  deformer.prepare.attachments = AttachmentKind::kNone;  // nothing moves
-  deformer.remaking.kind = options.remake;
-  return deformer;
 }
 
 void CheckSeparateOptions(const std::vector<std::string>& files,
@@ -352,6 +335,22 @@ class SeparateRun {
 };
 
 }  // namespace
+
+DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
+  DeformerOptions deformer;
+  deformer.frames.contact = ContactKind::kCertified;
+  SetGap(options.gap, &deformer.frames.certified);
+  // No mesh has to follow a line. Without the coarse solve only what is around
+  // an overlap moves (docs/results.md has the figures).
+  deformer.frames.certified.coarse_weight = 0;
+  // How far meshes move is reported. It does not count against the result: a
+  // mesh moves farther than it is deep if a part has to leave a pocket.
+  deformer.frames.requirements.displacement_allowance =
+      std::numeric_limits<double>::infinity();
+  deformer.prepare.attachments = AttachmentKind::kNone;  // nothing moves
+  deformer.remaking.kind = options.remake;
+  return deformer;
+}
 
 int SeparateCommand(const std::vector<std::string>& files,
                     const SeparateOptions& options,

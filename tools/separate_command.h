@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/motion/rest_remaking.h"
+#include "musclewarp/deformer/deformer.h"
 
 namespace musclewarp {
 
@@ -33,6 +33,10 @@ struct SeparateOptions {
   int threads = 0;           // 0: as many as OpenMP chooses
   bool is_terminal = false;  // true if the screen is a terminal
 };
+
+// Returns the options with which the rest pose of a Deformer is the meshes,
+// separated. The gap is checked as SetGap does, nothing else is.
+DeformerOptions DeformerOptionsOf(const SeparateOptions& options);
 
 // Moves the vertices of meshes as little as it takes for no two of them to
 // cross and for each to keep its volume. There are neither lines of action nor

@@ -30,26 +30,6 @@ std::string NameOf(const std::string& file) {
   return fs::path(file).stem().string();
 }
 
-// A line for a mesh that has none to follow, from end to end along its longest
-// axis. A muscle of a scene needs one; in the rest pose it moves nothing.
-ActionLine LineThrough(const std::string& where,
-                       const Points& points,
-                       const std::string& name) {
-  Eigen::Index axis, low, high;
-  (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff(&axis);
-  points.col(axis).minCoeff(&low);
-  points.col(axis).maxCoeff(&high);
-  if (points(low, axis) == points(high, axis)) {
-    throw InputError(
-        where, "has all its points in one place", "check the mesh");
-  }
-  ActionLine line;
-  line.name = name;
-  line.rest.resize(2, 3);
-  line.rest << points.row(low), points.row(high);
-  return line;
-}
-
 class InputReader {
  public:
   InputReader(const std::vector<std::string>& files,
@@ -225,6 +205,24 @@ class InputReader {
 };
 
 }  // namespace
+
+ActionLine LineThrough(const std::string& where,
+                       const Points& points,
+                       const std::string& name) {
+  Eigen::Index axis, low, high;
+  (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff(&axis);
+  points.col(axis).minCoeff(&low);
+  points.col(axis).maxCoeff(&high);
+  if (points(low, axis) == points(high, axis)) {
+    throw InputError(
+        where, "has all its points in one place", "check the mesh");
+  }
+  ActionLine line;
+  line.name = name;
+  line.rest.resize(2, 3);
+  line.rest << points.row(low), points.row(high);
+  return line;
+}
 
 SeparateInput ReadSeparateInput(const std::vector<std::string>& files,
                                 const SeparateOptions& options) {

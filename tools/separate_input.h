@@ -35,4 +35,11 @@ struct SeparateInput {
 SeparateInput ReadSeparateInput(const std::vector<std::string>& files,
                                 const SeparateOptions& options);
 
+// Returns a line for a mesh that has none to follow, from end to end along its
+// longest axis. A muscle of a scene needs one; in the rest pose it moves
+// nothing. Throws InputError, naming `where`, if the mesh has no extent.
+ActionLine LineThrough(const std::string& where,
+                       const Points& points,
+                       const std::string& name);
+
 }  // namespace musclewarp

@@ -112,6 +112,14 @@ TEST(Deformer, RefusesASceneThatContradictsItself) {
   EXPECT_THROW(Deformer(scene, QuickOptions(ContactKind::kNone)), InputError);
 }
 
+TEST(Deformer, RefusesAPoseThatContradictsTheScene) {
+  Deformer deformer(SmallScene(), QuickOptions(ContactKind::kNone));
+  ScenePose pose;
+  pose.bodies["tibia"] = Eigen::Matrix4d::Identity();
+  EXPECT_THROW(deformer.MoveTo(pose), InputError);
+  EXPECT_THROW(deformer.SolveAlone(pose), InputError);
+}
+
 TEST(Deformer, CanBeStoppedAndLeavesTheStateAsItWas) {
   bool stops = false;
   DeformerOptions options = QuickOptions(ContactKind::kCertified);

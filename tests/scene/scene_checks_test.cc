@@ -166,5 +166,39 @@ TEST(CheckScene, NamesTheFileOnce) {
   EXPECT_EQ(CountInMessage(scene, "scene.json"), 1);
 }
 
+TEST(CheckScene, RefusesMotionsThatAreNotRigid) {
+  ExpectSceneRefused([](Scene* s) { s->poses[0].bodies["femur"](0, 0) = 2; },
+                     {"pose \"bent\": body \"femur\"", "not a rigid motion"});
+}
+
+TEST(CheckScene, NamesASceneInMemoryWithoutAFile) {
+  Scene scene = GoodScene();
+  scene.path.clear();
+  scene.muscles[0].name = "femur";
+  ExpectInputError([&] { CheckScene(scene); }, {"the scene: ", "given twice"});
+}
+
+TEST(CheckPose, TakesAPoseThatTheSceneDoesNotHave) {
+  const Scene scene = GoodScene();
+  ScenePose pose;
+  CheckPose(scene, pose);
+  pose.bodies["femur"] = Eigen::Matrix4d::Identity();
+  pose.lines["line"] = scene.muscles[0].lines[0].rest;
+  CheckPose(scene, pose);
+}
+
+TEST(CheckPose, RefusesUnknownBodiesAndLinesOfOtherSizes) {
+  const Scene scene = GoodScene();
+  ScenePose pose;
+  pose.name = "odd";
+  pose.bodies["tibia"] = Eigen::Matrix4d::Identity();
+  ExpectInputError([&] { CheckPose(scene, pose); },
+                   {"scene.json: ", "pose \"odd\"", "tibia", "in use"});
+  pose.bodies.clear();
+  pose.lines["line"] = Points::Zero(3, 3);
+  ExpectInputError([&] { CheckPose(scene, pose); },
+                   {"\"line\"", "has 3 points"});
+}
+
 }  // namespace
 }  // namespace musclewarp

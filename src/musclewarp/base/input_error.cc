@@ -7,6 +7,9 @@ namespace musclewarp {
 InputError::InputError(const std::string& where,
                        const std::string& problem,
                        const std::string& advice)
-    : std::runtime_error(where + ": " + problem + "; " + advice) {}
+    : std::runtime_error(where + ": " + problem + "; " + advice),
+      where_(std::make_shared<const std::string>(where)),
+      problem_(std::make_shared<const std::string>(problem)),
+      advice_(std::make_shared<const std::string>(advice)) {}
 
 }  // namespace musclewarp

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -24,6 +25,15 @@ class InputError : public std::runtime_error {
   InputError(const std::string& where,
              const std::string& problem,
              const std::string& advice);
+
+  // The parts of the message, for those who show them apart.
+  const std::string& where() const { return *where_; }
+  const std::string& problem() const { return *problem_; }
+  const std::string& advice() const { return *advice_; }
+
+ private:
+  // Shared, as an exception must not throw while it is copied.
+  std::shared_ptr<const std::string> where_, problem_, advice_;
 };
 
 }  // namespace musclewarp

@@ -52,6 +52,7 @@ Deformer::Deformer(Scene scene, DeformerOptions options)
 }
 
 Frame Deformer::MoveTo(const ScenePose& pose) {
+  CheckPose(scene_->scene, pose);
   if (state_.muscles.empty()) Reset();
   SolvedFrame solved =
       frame_solver_->Solve(solvers_, pose, &state_, options_.on_progress);
@@ -60,6 +61,7 @@ Frame Deformer::MoveTo(const ScenePose& pose) {
 }
 
 Frame Deformer::SolveAlone(const ScenePose& pose) {
+  CheckPose(scene_->scene, pose);
   return frame_solver_->Solve(solvers_, pose, nullptr, options_.on_progress)
       .frame;
 }

@@ -57,7 +57,8 @@ class Deformer {
   explicit Deformer(Scene scene, DeformerOptions options = {});
 
   // Moves the muscles from where they are to a pose. Frames of a motion follow
-  // each other like this, in small steps and without jumps.
+  // each other like this, in small steps and without jumps. Throws InputError
+  // for a pose that contradicts the scene (CheckPose), as SolveAlone() does.
   Frame MoveTo(const ScenePose& pose);
 
   // Returns the frame of a pose that is on its own: it does not depend on where

@@ -13,37 +13,6 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-OrderedJson ToJson(const MeshPreparation& mesh) {
-  const RepairReport& repairs = mesh.repairs;
-  return {{"merged_points", repairs.point_merges.merged},
-          {"longest_merge_mm", repairs.point_merges.longest},
-          {"degenerate_triangles_removed", repairs.degenerate_triangles},
-          {"duplicate_triangles_removed", repairs.duplicate_triangles},
-          {"flipped_triangles", repairs.flipped_triangles},
-          {"non_manifold_edges_separated", repairs.separation.edges},
-          {"non_manifold_vertices_separated", repairs.separated_vertices},
-          {"stitched_points",
-           repairs.stitches.merged_points + repairs.stitches.inserted_points},
-          {"longest_stitch_mm", repairs.stitches.longest},
-          {"holes_filled", repairs.fillings.holes},
-          {"filled_area_mm2", repairs.fillings.area},
-          {"longest_hole_mm", repairs.fillings.longest},
-          {"dropped_components", repairs.dropped_components},
-          {"dropped_triangles", repairs.dropped_triangles},
-          {"dropped_area_mm2", repairs.dropped_area},
-          {"largest_dropped_area_mm2", repairs.largest_dropped_area},
-          {"pulled_points", repairs.pulls.points},
-          {"longest_pull_mm", repairs.pulls.longest},
-          {"dropped_points", repairs.dropped_points},
-          {"self_crossing_pairs_before", mesh.self_crossings.pairs_before},
-          {"self_crossing_pairs_after", mesh.self_crossings.pairs_after},
-          {"self_crossing_new_vertices", mesh.self_crossings.new_vertices},
-          {"sliver_edges_collapsed", mesh.slivers.collapsed_edges},
-          {"sliver_edges_flipped", mesh.slivers.flipped_edges},
-          {"slivers_left", mesh.slivers.slivers_left},
-          {"sliver_deviation_mm", mesh.slivers.largest_deviation}};
-}
-
 // How a muscle was made anew; null if it was not.
 OrderedJson ToJson(const Remaking& remaking) {
   if (!remaking.is_done) return nullptr;
@@ -90,7 +59,7 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
                        {"attachment_rows", muscle.model.attachment_of.size()},
                        {"attachments", AttachmentsJson(muscle, !has_named)},
                        {"defects", DefectsJson(muscle.mesh.defects)},
-                       {"repairs", ToJson(muscle.mesh)},
+                       {"repairs", RepairsJson(muscle.mesh)},
                        {"remade", ToJson(muscle.mesh.remaking)}});
   }
   OrderedJson bones = OrderedJson::array();
@@ -99,7 +68,7 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
                      {"mesh", bone.mesh.path},
                      {"vertices", bone.rest.points.rows()},
                      {"defects", DefectsJson(bone.mesh.defects)},
-                     {"repairs", ToJson(bone.mesh)}});
+                     {"repairs", RepairsJson(bone.mesh)}});
   }
   return {{"wall_ms", scene.wall_ms},
           {"cached", false},
@@ -131,6 +100,37 @@ OrderedJson MotionJson(const Scene& scene) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json RepairsJson(const MeshPreparation& mesh) {
+  const RepairReport& repairs = mesh.repairs;
+  return {{"merged_points", repairs.point_merges.merged},
+          {"longest_merge_mm", repairs.point_merges.longest},
+          {"degenerate_triangles_removed", repairs.degenerate_triangles},
+          {"duplicate_triangles_removed", repairs.duplicate_triangles},
+          {"flipped_triangles", repairs.flipped_triangles},
+          {"non_manifold_edges_separated", repairs.separation.edges},
+          {"non_manifold_vertices_separated", repairs.separated_vertices},
+          {"stitched_points",
+           repairs.stitches.merged_points + repairs.stitches.inserted_points},
+          {"longest_stitch_mm", repairs.stitches.longest},
+          {"holes_filled", repairs.fillings.holes},
+          {"filled_area_mm2", repairs.fillings.area},
+          {"longest_hole_mm", repairs.fillings.longest},
+          {"dropped_components", repairs.dropped_components},
+          {"dropped_triangles", repairs.dropped_triangles},
+          {"dropped_area_mm2", repairs.dropped_area},
+          {"largest_dropped_area_mm2", repairs.largest_dropped_area},
+          {"pulled_points", repairs.pulls.points},
+          {"longest_pull_mm", repairs.pulls.longest},
+          {"dropped_points", repairs.dropped_points},
+          {"self_crossing_pairs_before", mesh.self_crossings.pairs_before},
+          {"self_crossing_pairs_after", mesh.self_crossings.pairs_after},
+          {"self_crossing_new_vertices", mesh.self_crossings.new_vertices},
+          {"sliver_edges_collapsed", mesh.slivers.collapsed_edges},
+          {"sliver_edges_flipped", mesh.slivers.flipped_edges},
+          {"slivers_left", mesh.slivers.slivers_left},
+          {"sliver_deviation_mm", mesh.slivers.largest_deviation}};
+}
 
 nlohmann::ordered_json DefectsJson(const MeshDefects& defects) {
   return {{"duplicate_points", defects.duplicate_points},

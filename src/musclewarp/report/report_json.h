@@ -48,6 +48,9 @@ nlohmann::ordered_json MachineJson();
 // Returns "defects" of a mesh as it was delivered.
 nlohmann::ordered_json DefectsJson(const MeshDefects& defects);
 
+// Returns "repairs" of a mesh: what was done to it.
+nlohmann::ordered_json RepairsJson(const MeshPreparation& mesh);
+
 // Returns all of report.json.
 nlohmann::ordered_json ReportJson(const RunRecord& run);
 

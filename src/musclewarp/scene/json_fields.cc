@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/scene/json_fields.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/scene/coordinate_limits.h"
+#include "musclewarp/scene/rigid_motion.h"
 
 namespace musclewarp {
 namespace {
@@ -202,17 +202,8 @@ Eigen::Matrix4d JsonField::AsRigidTransform() const {
     }
     for (int k = 0; k < 4; ++k) transform(i, k) = row.At(k).AsCoordinate();
   }
-  // Files carry rotations with as few as 4 digits.
-  constexpr double kTolerance = 1e-3;
-  const Eigen::Matrix3d rotation = transform.topLeftCorner<3, 3>();
-  if (!(rotation.transpose() * rotation).isIdentity(kTolerance) ||
-      rotation.determinant() < 0) {
-    Fail("is not a rigid motion: its upper left 3 x 3 is not a rotation",
-         advice);
-  }
-  if (transform.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
-    Fail("has a last row that is not 0 0 0 1", advice);
-  }
+  const std::string fault = RigidMotionFault(transform);
+  if (!fault.empty()) Fail(fault, advice);
   return transform;
 }
 

@@ -8,19 +8,25 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/scene/coordinate_limits.h"
+#include "musclewarp/scene/rigid_motion.h"
 #include "musclewarp/scene/scene_names.h"
 
 namespace musclewarp {
 namespace {
+
+// A scene that was put together in memory has no file.
+std::string Where(const Scene& scene) {
+  return scene.path.empty() ? "the scene" : scene.path;
+}
 
 // Meshes of a frame are written as <name>.<ext>: names are file names.
 void CheckMeshName(const Scene& scene,
                    const std::string& what,
                    const std::string& name,
                    std::set<std::string>* seen) {
-  CheckFileName(scene.path, what, name);
+  CheckFileName(Where(scene), what, name);
   if (!seen->insert(name).second) {
-    throw InputError(scene.path,
+    throw InputError(Where(scene),
                      "the name " + QuotedName(name) + " is given twice",
                      "muscles and bones need names of their own");
   }
@@ -91,7 +97,7 @@ void CheckTargets(const Scene& scene,
                   const ScenePose& pose,
                   const std::map<std::string, const ActionLine*>& lines) {
   for (const auto& [name, target] : pose.lines) {
-    const std::string where = scene.path + ": target of line " +
+    const std::string where = Where(scene) + ": target of line " +
                               QuotedName(name) + " in pose " +
                               QuotedName(pose.name);
     const auto line = lines.find(name);
@@ -130,50 +136,75 @@ void CheckMuscle(const Scene& scene,
                  const std::set<std::string>& bodies,
                  std::map<std::string, const ActionLine*>* lines) {
   for (const ActionLine& line : muscle.lines) {
-    CheckColumnName(scene.path, "line of muscle " + muscle.name, line.name);
-    CheckLine(scene.path + ": line " + QuotedName(line.name) + " of muscle " +
+    CheckColumnName(Where(scene), "line of muscle " + muscle.name, line.name);
+    CheckLine(Where(scene) + ": line " + QuotedName(line.name) + " of muscle " +
                   muscle.name,
               line,
               bodies);
     if (!lines->emplace(line.name, &line).second) {
-      throw InputError(scene.path,
+      throw InputError(Where(scene),
                        "the line " + QuotedName(line.name) + " is given twice",
                        "lines need names of their own");
     }
   }
   for (const Attachment& attachment : muscle.attachments) {
     const std::string where =
-        scene.path + ": an attachment of muscle " + muscle.name;
+        Where(scene) + ": an attachment of muscle " + muscle.name;
     CheckFollowedBody(where, attachment.body, bodies);
     CheckCoordinates(where, attachment.points);
   }
 }
 
+void CheckOnePose(const Scene& scene,
+                  const ScenePose& pose,
+                  const std::set<std::string>& in_use,
+                  const std::map<std::string, const ActionLine*>& lines) {
+  CheckPrintable(Where(scene), "pose", pose.name);
+  const std::string where = Where(scene) + ": pose " + QuotedName(pose.name);
+  for (const auto& [body, transform] : pose.bodies) {
+    CheckMovedBody(where, body, in_use);
+    CheckCoordinates(where + ": body " + QuotedName(body), transform);
+    const std::string fault = RigidMotionFault(transform);
+    if (fault.empty()) continue;
+    throw InputError(where + ": body " + QuotedName(body),
+                     fault,
+                     "give the motion from rest as 4 x 4 numbers, rotation and "
+                     "translation in mm");
+  }
+  CheckTargets(scene, pose, lines);
+}
+
+std::set<std::string> SetOfBodiesInUse(const Scene& scene) {
+  const std::vector<std::string> bodies = BodiesInUse(scene);
+  return {bodies.begin(), bodies.end()};
+}
+
 void CheckPoses(const Scene& scene,
                 const std::map<std::string, const ActionLine*>& lines) {
-  const std::vector<std::string> bodies = BodiesInUse(scene);
-  const std::set<std::string> in_use(bodies.begin(), bodies.end());
+  const std::set<std::string> in_use = SetOfBodiesInUse(scene);
   std::set<std::string> names;
   for (const ScenePose& pose : scene.poses) {
-    CheckPrintable(scene.path, "pose", pose.name);
     if (!names.insert(pose.name).second) {
-      throw InputError(scene.path,
+      throw InputError(Where(scene),
                        "the pose " + QuotedName(pose.name) + " is given twice",
                        "poses need names of their own");
     }
-    const std::string where = scene.path + ": pose " + QuotedName(pose.name);
-    for (const auto& [body, transform] : pose.bodies) {
-      CheckMovedBody(where, body, in_use);
-      CheckCoordinates(where + ": body " + QuotedName(body), transform);
-    }
-    CheckTargets(scene, pose, lines);
+    CheckOnePose(scene, pose, in_use, lines);
   }
+}
+
+std::map<std::string, const ActionLine*> LinesByName(const Scene& scene) {
+  std::map<std::string, const ActionLine*> lines;
+  for (const SceneMuscle& muscle : scene.muscles) {
+    for (const ActionLine& line : muscle.lines) lines.emplace(line.name, &line);
+  }
+  return lines;
 }
 
 }  // namespace
 
 void CheckScene(const Scene& scene) {
-  CheckPrintable(scene.path, "scene", scene.name);
+  CheckPrintable(Where(scene), "scene", scene.name);
   std::set<std::string> mesh_names;
   for (const SceneBone& bone : scene.bones) {
     CheckMeshName(scene, "bone", bone.name, &mesh_names);
@@ -187,6 +218,10 @@ void CheckScene(const Scene& scene) {
     CheckMuscle(scene, muscle, bodies, &lines);
   }
   CheckPoses(scene, lines);
+}
+
+void CheckPose(const Scene& scene, const ScenePose& pose) {
+  CheckOnePose(scene, pose, SetOfBodiesInUse(scene), LinesByName(scene));
 }
 
 }  // namespace musclewarp

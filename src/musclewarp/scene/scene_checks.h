@@ -18,8 +18,13 @@ namespace musclewarp {
 // - Bodies that lines and attachments follow belong to a bone, are moved by a
 //   pose, or come from the model. A body needs no mesh.
 // - Bodies that poses move are those of a bone, a line or an attachment.
+//   They move rigidly (rigid_motion.h).
 //
-// Throws InputError naming the scene file and the place.
+// Throws InputError naming the scene file, if there is one, and the place.
 void CheckScene(const Scene& scene);
+
+// Checks what of the above concerns one pose, which need not be one of those of
+// the scene.
+void CheckPose(const Scene& scene, const ScenePose& pose);
 
 }  // namespace musclewarp

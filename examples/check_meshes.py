@@ -1,0 +1,24 @@
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Says what is wrong with meshes, by themselves and with each other.
+
+usage: check_meshes.py MESH.ply ...
+"""
+import itertools
+import pathlib
+import sys
+
+import musclewarp as mw
+
+meshes = {pathlib.Path(f).stem: mw.read_mesh(f) for f in sys.argv[1:]}
+for name, mesh in meshes.items():
+    found = {key: value for key, value in mesh.defects().items()
+             if key.endswith(("points", "triangles", "edges")) and value}
+    repaired, report = mw.repair(mesh, name=name)
+    print(f"{name}: {repaired.volume / 1000:.1f} cm^3, defects: {found}, "
+          f"{len(mw.self_crossings(mesh))} self-crossings")
+for (a, first), (b, second) in itertools.combinations(meshes.items(), 2):
+    found = mw.crossings(first, second)
+    if found:
+        print(f"{a} and {b}: {len(found.triangle_pairs)} pairs of triangles "
+              f"cross, {max(found.a_depth, found.b_depth):.1f} mm deep")

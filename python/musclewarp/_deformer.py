@@ -1,0 +1,137 @@
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The deformer, and runs of many frames."""
+import json
+import os
+import tempfile
+from typing import Any, Dict, Iterable, Optional, Union
+
+from musclewarp import _core
+from musclewarp._page import Page, page
+from musclewarp._progress import Progress, as_function
+from musclewarp._scene import Scene
+
+
+class Deformer(_core.Deformer):
+    """Deforms the muscles of a scene: the whole of musclewarp in one class.
+
+        deformer = mw.Deformer(scene, gap=0.1)
+        for pose in scene.poses:
+            frame = deformer.move_to(pose)
+
+    Making one repairs the meshes and separates those that overlap, which takes
+    seconds; a frame takes a fraction of one. The interpreter is free meanwhile,
+    and Ctrl-C stops either within a second. Several threads may use a deformer:
+    each waits for its turn.
+
+    Args:
+        scene: a Scene; it is copied.
+        progress: a function of (stage, done, total), which may raise to stop
+            the computation, or a bar of tqdm.
+
+    The other keywords are the flags of musclewarp-deform, in the units of these
+    flags; `musclewarp-deform --help` explains them.
+
+    Raises:
+        InputError: the scene contradicts itself, a mesh cannot be repaired, the
+            rest pose cannot be made free of crossings, or a keyword has a value
+            that is not allowed.
+    """
+
+    def __init__(self,
+                 scene: Scene,
+                 *,
+                 progress: Progress = None,
+                 contact: str = "certified",
+                 gap: float = 0.1,
+                 solver: str = "ceres",
+                 attachments: str = "auto",
+                 auto_lines: int = 3,
+                 fibres: int = 0,
+                 remake: str = "auto",
+                 max_hole: float = 30.0,
+                 coarse_vertices: int = 200,
+                 sample_spacing: float = 10.0,
+                 skeleton_weight: float = 1.0,
+                 attachment_weight: float = 8.0,
+                 body_twist: bool = True,
+                 max_rounds: int = 6,
+                 max_step_turn: float = 20.0,
+                 max_step_move: float = 80.0,
+                 frame_timeout_s: float = 0.0,
+                 max_iterations: int = 500,
+                 contact_level: str = "coarse",
+                 bone_coarse_vertices: int = 1000,
+                 seed: int = 1) -> None:
+        choices = {
+            name: value
+            for name, value in locals().items()
+            if name not in ("self", "scene", "progress", "__class__")
+        }
+        super().__init__(scene._assembled(), choices, as_function(progress))
+
+
+class Run(_core.Run):
+    """Frames of one deformer, and what musclewarp-deform makes of them.
+
+        run = mw.Run(deformer)
+        for pose in scene.poses:
+            run.append(deformer.move_to(pose))
+        run.write("out")
+
+    `lengths`, `volumes`, `moment_arms`, `fibre_lengths` and
+    `fibre_moment_arms` are Tables (docs/motion.md).
+    """
+
+    def __init__(self, deformer: Deformer) -> None:
+        super().__init__(deformer)
+
+    def write(self,
+              out: Union[str, "os.PathLike[str]"],
+              format: str = "ply") -> None:
+        """Writes the frames, tables and report.json as musclewarp-deform does.
+
+        Args:
+            out: the folder; it is made.
+            format: of the meshes: "ply", "obj", "vtp", or several with commas.
+        Raises:
+            InputError: the folder cannot be written, or there is no frame.
+        """
+        super().write(os.fspath(out), format)
+
+    def page(self) -> Page:
+        """Returns the page of the run (docs/page.md), for a notebook or a file.
+
+        The frames are written to a folder of their own for a moment, as what
+        the page shows is read back and counted anew.
+        """
+        with tempfile.TemporaryDirectory(prefix="musclewarp-") as folder:
+            out = os.path.join(folder, "run")
+            self.write(out)
+            return page(out)
+
+
+def run(scene: Scene,
+        poses: Optional[Iterable[_core.Pose]] = None,
+        *,
+        progress: Progress = None,
+        **choices: Any) -> Run:
+    """Deforms a scene in all its poses, as musclewarp-deform does.
+
+    Args:
+        scene: a Scene.
+        poses: in place of those of the scene.
+        progress: as of Deformer; also called with "frames", how many are done
+            and how many there are.
+        choices: the other keywords of Deformer.
+    """
+    function = as_function(progress)
+    deformer = Deformer(scene, progress=function, **choices)
+    result = Run(deformer)
+    todo = list(scene.poses if poses is None else poses)
+    solve = deformer.move_to if scene.is_motion else deformer.solve_alone
+    for done, pose in enumerate(todo, start=1):
+        result.append(solve(pose))
+        if function is not None:
+            function("frames", done, len(todo))
+    return result

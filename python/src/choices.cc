@@ -1,0 +1,93 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "python/src/choices.h"
+
+#include <string>
+
+#include "python/src/bindings.h"
+#include "tools/deform_command.h"
+#include "tools/deformer_choices.h"
+#include "tools/option_flags.h"
+
+namespace musclewarp::python {
+namespace {
+
+namespace py = pybind11;
+
+// Calls visit(name, reference to the field) for every choice.
+template <typename Choices, typename Visitor>
+void VisitChoices(Choices* choices, const Visitor& visit) {
+  visit("solver", choices->solver);
+  visit("contact", choices->contact);
+  visit("contact_level", choices->contact_level);
+  visit("attachments", choices->attachments);
+  visit("remake", choices->remake);
+  visit("max_iterations", choices->max_iterations);
+  visit("seed", choices->seed);
+  visit("max_hole", choices->max_hole);
+  visit("coarse_vertices", choices->coarse_vertices);
+  visit("bone_coarse_vertices", choices->bone_coarse_vertices);
+  visit("sample_spacing", choices->sample_spacing);
+  visit("skeleton_weight", choices->skeleton_weight);
+  visit("attachment_weight", choices->attachment_weight);
+  visit("auto_lines", choices->auto_lines);
+  visit("fibres", choices->fibres);
+  visit("gap", choices->gap);
+  visit("max_rounds", choices->max_rounds);
+  visit("frame_timeout_s", choices->frame_timeout_s);
+  visit("max_step_turn", choices->max_step_turn);
+  visit("max_step_move", choices->max_step_move);
+  visit("body_twist", choices->body_twist);
+}
+
+const char* WhatIsAllowed(const std::string& /*field*/) { return "a text"; }
+const char* WhatIsAllowed(double /*field*/) { return "a number"; }
+const char* WhatIsAllowed(int /*field*/) { return "a whole number"; }
+const char* WhatIsAllowed(unsigned /*field*/) {
+  return "a whole number that is not negative";
+}
+const char* WhatIsAllowed(bool /*field*/) { return "True or False"; }
+
+}  // namespace
+
+void CallWithKeywords(const std::function<void()>& function) {
+  try {
+    function();
+  } catch (const InputError& error) {
+    const std::string& where = error.where();
+    if (where.rfind("--", 0) != 0) throw;
+    throw InputError(where.substr(2), error.problem(), error.advice());
+  }
+}
+
+DeformerOptions OptionsFrom(const py::dict& keywords) {
+  DeformerChoices choices;
+  VisitChoices(&choices, [&](const char* name, auto& field) {
+    if (!keywords.contains(name)) return;
+    const py::object value = keywords[name];
+    try {
+      field = value.cast<std::decay_t<decltype(field)>>();
+    } catch (const py::cast_error&) {
+      throw InputError(name,
+                       "is " + py::repr(value).cast<std::string>(),
+                       std::string("allowed: ") + WhatIsAllowed(field));
+    }
+  });
+  DeformOptions run;
+  CallWithKeywords([&] {
+    run.deformer = OptionsOf(choices);
+    CheckValid(run);
+  });
+  return run.deformer;
+}
+
+py::dict DefaultChoices() {
+  const DeformerChoices choices;
+  py::dict keywords;
+  VisitChoices(&choices, [&](const char* name, const auto& field) {
+    keywords[name] = field;
+  });
+  return keywords;
+}
+
+}  // namespace musclewarp::python

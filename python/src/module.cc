@@ -1,0 +1,37 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <pybind11/pybind11.h>
+
+#include "python/src/bindings.h"
+#include "python/src/call.h"
+#include "python/src/choices.h"
+#include "tools/program.h"
+
+// The part of the Python package that is C++: python/musclewarp/__init__.py
+// says what of it is for users.
+PYBIND11_MODULE(_core, module) {
+  using namespace musclewarp::python;  // NOLINT(google-build-using-namespace)
+  BindErrors(&module);
+  BindLog(&module);
+  BindMeshes(&module);
+  BindOpenSim(&module);
+  BindSceneParts(&module);
+  BindScene(&module);
+  BindFrames(&module);
+  BindDeformer(&module);
+  BindRun(&module);
+  BindChecks(&module);
+  module.attr("__version__") = MUSCLEWARP_VERSION;
+  module.def(
+      "set_threads",
+      [](int threads) {
+        CallWithKeywords([=] { musclewarp::CheckThreads(threads); });
+        SetThreads(threads);
+      },
+      pybind11::arg("threads"),
+      "Sets how many threads computations use; 0: as OpenMP chooses, one a "
+      "core. Results do not depend on it.");
+  module.def(
+      "threads", &Threads, "Returns what set_threads() has set, at first 0.");
+  module.def("wait_for_abandoned", &WaitForAbandoned, pybind11::arg("seconds"));
+}

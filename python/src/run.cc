@@ -1,0 +1,232 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <pybind11/stl.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "musclewarp/base/content_hash.h"
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/motion/frame_files.h"
+#include "musclewarp/page/page.h"
+#include "musclewarp/report/motion_tables.h"
+#include "musclewarp/report/report_json.h"
+#include "python/src/bindings.h"
+#include "python/src/choices.h"
+#include "python/src/deformer.h"
+#include "python/src/json.h"
+#include "tools/deform_command.h"
+
+namespace musclewarp::python {
+namespace {
+
+namespace py = pybind11;
+namespace fs = std::filesystem;
+using SharedFrame = std::shared_ptr<FrameOfScene>;
+
+// Frames of one deformer in their order: what musclewarp-deform writes.
+struct RunOfDeformer {
+  std::shared_ptr<SharedDeformer> deformer;
+  std::vector<SharedFrame> frames;
+};
+using SharedRun = std::shared_ptr<RunOfDeformer>;
+
+// Frames are numbered by their place in the run.
+void Append(RunOfDeformer* run, const SharedFrame& frame) {
+  if (frame->parts != run->deformer->parts) {
+    throw InputError("frame",
+                     "is one of another deformer",
+                     "give frames of the deformer of the run");
+  }
+  const auto numbered = std::make_shared<FrameOfScene>(*frame);
+  numbered->frame.index = static_cast<int>(run->frames.size());
+  run->frames.push_back(numbered);
+}
+
+// The run as it is now, to be used by another thread.
+SharedRun SnapshotOf(const RunOfDeformer& run) {
+  return std::make_shared<RunOfDeformer>(run);
+}
+
+std::vector<FrameRecord> RecordsOf(const RunOfDeformer& run,
+                                   const PreparedScene& scene) {
+  std::vector<FrameRecord> records;
+  for (const SharedFrame& frame : run.frames) {
+    records.push_back(RecordOf(scene, frame->frame));
+  }
+  return records;
+}
+
+template <typename Numbers>
+void AddBytes(const Numbers& numbers, ContentHash* hash) {
+  hash->Add(std::string(reinterpret_cast<const char*>(numbers.data()),
+                        numbers.size() * sizeof(numbers(0))));
+}
+
+// A hash of what the frames depend on besides their poses.
+std::string InputsHash(const RunOfDeformer& run, const Frame& rest) {
+  ContentHash hash;
+  hash.Add(MUSCLEWARP_VERSION);
+  for (const auto& [name, value] : run.deformer->keywords) {
+    hash.Add(name + "=" + value);
+  }
+  const SceneParts& parts = *run.deformer->parts;
+  for (size_t i = 0; i < parts.muscles.size(); ++i) {
+    AddBytes(rest.muscles[i].points, &hash);
+    AddBytes(parts.muscles[i].triangles, &hash);
+  }
+  for (size_t i = 0; i < parts.bones.size(); ++i) {
+    AddBytes(rest.bones[i], &hash);
+    AddBytes(parts.bones[i].triangles, &hash);
+  }
+  return hash.Hex();
+}
+
+RunRecord RecordOf(const RunOfDeformer& run, Deformer* deformer) {
+  RunRecord record;
+  record.solver = run.deformer->solver;
+  record.command = "musclewarp (Python)";
+  record.options = run.deformer->keywords;
+  record.inputs_hash = InputsHash(run, deformer->RestFrame());
+  record.scene = &deformer->scene();
+  record.contact = deformer->contact();
+  record.rest = deformer->scene().as_delivered
+                    ? *deformer->scene().as_delivered
+                    : deformer->RestFrame().intersections;
+  record.frames = RecordsOf(run, deformer->scene());
+  record.frames_planned = static_cast<int>(run.frames.size());
+  record.finished = true;
+  return record;
+}
+
+py::object Report(const RunOfDeformer& run) {
+  return FromJson(SharedDeformer::Compute(
+      run.deformer, [run = SnapshotOf(run)](Deformer* deformer) {
+        return ReportJson(RecordOf(*run, deformer));
+      }));
+}
+
+// Computes a table of the frames.
+template <typename Function>
+std::shared_ptr<StorageTable> TableOf(const RunOfDeformer& run,
+                                      const Function& function) {
+  return SharedDeformer::Compute(
+      run.deformer, [run = SnapshotOf(run), function](Deformer* deformer) {
+        return std::make_shared<StorageTable>(function(
+            RecordsOf(*run, deformer->scene()), deformer->scene().scene));
+      });
+}
+
+// Writes what musclewarp-deform writes of these frames.
+void WriteFiles(const RunOfDeformer& run,
+                const std::vector<std::string>& formats,
+                const std::string& dir,
+                Deformer* deformer) {
+  const PreparedScene& scene = deformer->scene();
+  WriteFrame(scene, deformer->RestFrame(), formats, dir);
+  std::vector<int> indices;
+  RunRecord record = RecordOf(run, deformer);
+  for (size_t i = 0; i < run.frames.size(); ++i) {
+    ThrowIfAbandoned();
+    const Frame& frame = run.frames[i]->frame;
+    WriteFrame(scene, frame, formats, dir);
+    for (const std::string& file :
+         FilesThatDiffer(scene, frame, formats, dir)) {
+      record.frames[i].usable = false;
+      record.frames[i].shortcomings.push_back(
+          file + ": differs from the frame that was counted");
+    }
+    indices.push_back(frame.index);
+  }
+  if (std::count(formats.begin(), formats.end(), "vtp") > 0) {
+    WritePvd(scene, indices, dir);
+  }
+  if (scene.scene.is_motion) {
+    WriteMotionTables(record.frames, scene.scene, dir);
+  }
+  const auto on_error = nlohmann::ordered_json::error_handler_t::replace;
+  WriteTextAtomically((fs::path(dir) / "report.json").string(),
+                      ReportJson(record).dump(2, ' ', false, on_error) + "\n");
+}
+
+void Write(const RunOfDeformer& run,
+           const std::string& dir,
+           const std::string& format) {
+  if (run.frames.empty()) {
+    throw InputError("run", "has no frames", "append frames first");
+  }
+  CallWithKeywords([&] {
+    const std::vector<std::string> formats = ParseFormats(format);
+    CheckWritable(dir);
+    MakeFolder(dir);
+    SharedDeformer::Compute(
+        run.deformer,
+        [run = SnapshotOf(run), formats, dir](Deformer* deformer) {
+          WriteFiles(*run, formats, dir, deformer);
+          return true;
+        });
+  });
+}
+
+std::string PageOfFolder(const std::string& dir) {
+  return ComputeFree([dir] {
+    std::ostringstream log;
+    return PageHtml({ReadRecordedRun(dir, log)}, PageOptions());
+  });
+}
+
+}  // namespace
+
+void BindRun(py::module_* module) {
+  using Records = std::vector<FrameRecord>;
+  py::class_<RunOfDeformer, SharedRun>(*module, "Run")
+      .def(
+          py::init([](const std::shared_ptr<SharedDeformer>& deformer) {
+            return std::make_shared<RunOfDeformer>(RunOfDeformer{deformer, {}});
+          }),
+          py::arg("deformer"))
+      .def("append",
+           &Append,
+           py::arg("frame"),
+           "Adds a frame of the deformer, which gets the next index.")
+      .def_property_readonly(
+          "frames",
+          [](const RunOfDeformer& run) { return run.frames; },
+          "The frames, numbered from 0.")
+      .def("report",
+           &Report,
+           "Returns report.json of these frames as a dict (docs/report.md).")
+      .def("write", &Write, py::arg("out"), py::arg("format") = "ply")
+      .def_property_readonly("lengths",
+                             [](const RunOfDeformer& run) {
+                               return TableOf(
+                                   run, [](const Records& r, const Scene&) {
+                                     return LengthTable(r);
+                                   });
+                             })
+      .def_property_readonly("volumes",
+                             [](const RunOfDeformer& run) {
+                               return TableOf(
+                                   run, [](const Records& r, const Scene&) {
+                                     return VolumeTable(r);
+                                   });
+                             })
+      .def_property_readonly("fibre_lengths",
+                             [](const RunOfDeformer& run) {
+                               return TableOf(
+                                   run, [](const Records& r, const Scene&) {
+                                     return FibreLengthTable(r);
+                                   });
+                             })
+      .def_property_readonly("moment_arms",
+                             [](const RunOfDeformer& run) {
+                               return TableOf(run, &MomentArmTable);
+                             })
+      .def_property_readonly("fibre_moment_arms", [](const RunOfDeformer& run) {
+        return TableOf(run, &FibreMomentArmTable);
+      });
+  module->def("page_of_folder", &PageOfFolder, py::arg("dir"));
+}
+
+}  // namespace musclewarp::python

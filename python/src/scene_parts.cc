@@ -1,0 +1,192 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <pybind11/stl.h>
+
+#include <cmath>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh/transformed.h"
+#include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/scene/scene_names.h"
+#include "python/src/arrays.h"
+#include "python/src/bindings.h"
+#include "python/src/call.h"
+#include "python/src/scene.h"
+
+namespace musclewarp::python {
+namespace {
+
+namespace py = pybind11;
+using Names = std::vector<std::string>;
+
+// What help() says.
+// Sets the mesh of a muscle or bone: arrays, or a file.
+template <typename Part>
+void SetMesh(const py::object& points,
+             const py::object& triangles,
+             const std::string& path,
+             const std::string& where,
+             Part* part) {
+  const bool has_arrays = !points.is_none() || !triangles.is_none();
+  if (has_arrays == !path.empty()) {
+    throw InputError(where,
+                     has_arrays ? "has arrays and a path" : "has no mesh",
+                     "give points and triangles, or the path of a mesh file");
+  }
+  part->mesh_path = path;
+  if (!has_arrays) return;
+  part->points = PointsFrom(points, where + ": points");
+  part->triangles =
+      TrianglesFrom(triangles, part->points.rows(), where + ": triangles");
+}
+
+// Returns the mesh of a muscle or bone as it was delivered.
+template <typename Part>
+std::shared_ptr<TriangleSoup> DeliveredMesh(const Part& part) {
+  if (part.mesh_path.empty()) {
+    return std::make_shared<TriangleSoup>(
+        TriangleSoup{part.points, part.triangles});
+  }
+  return ComputeFree([path = part.mesh_path] {
+    return std::make_shared<TriangleSoup>(ReadTriangleSoup(path));
+  });
+}
+
+SharedLine MakeLine(const std::string& name,
+                    const py::object& points,
+                    const Names& bodies,
+                    bool slides) {
+  const auto line = std::make_shared<ActionLine>();
+  line->name = name;
+  line->rest = PointsFrom(points, "line " + QuotedName(name) + ": points");
+  line->bodies = bodies;
+  line->slides = slides;
+  return line;
+}
+
+SharedAttachment MakeAttachment(const std::string& body,
+                                const py::object& points,
+                                double radius,
+                                bool may_penetrate) {
+  const std::string where = "attachment to " + QuotedName(body);
+  const auto attachment = std::make_shared<Attachment>();
+  attachment->body = body;
+  attachment->points = PointsFrom(points, where + ": points");
+  attachment->radius = radius;
+  attachment->may_penetrate = may_penetrate;
+  if (!(radius > 0 && std::isfinite(radius))) {
+    throw InputError(where + ": radius",
+                     "is " + std::to_string(radius),
+                     "allowed: above 0, mm");
+  }
+  return attachment;
+}
+
+SharedMuscle MakeMuscle(const std::string& name,
+                        const py::object& points,
+                        const py::object& triangles,
+                        const std::vector<SharedLine>& lines,
+                        const std::vector<SharedAttachment>& attachments,
+                        const std::string& path) {
+  const auto muscle = std::make_shared<SceneMuscle>();
+  muscle->name = name;
+  SetMesh(points, triangles, path, "muscle " + QuotedName(name), muscle.get());
+  for (const SharedLine& line : lines) muscle->lines.push_back(*line);
+  for (const SharedAttachment& attachment : attachments) {
+    muscle->attachments.push_back(*attachment);
+  }
+  return muscle;
+}
+
+SharedBone MakeBone(const std::string& name,
+                    const py::object& points,
+                    const py::object& triangles,
+                    const std::string& body,
+                    const std::string& path) {
+  const auto bone = std::make_shared<SceneBone>();
+  bone->name = name;
+  bone->body = body.empty() ? name : body;
+  SetMesh(points, triangles, path, "bone " + QuotedName(name), bone.get());
+  return bone;
+}
+
+void BindLines(py::module_* module) {
+  py::class_<ActionLine, SharedLine>(*module, "Line", kLineDoc)
+      .def(py::init(&MakeLine),
+           py::arg("name"),
+           py::arg("points"),
+           py::arg("bodies") = Names(),
+           py::kw_only(),
+           py::arg("slides") = false)
+      .def_readonly("name", &ActionLine::name)
+      .def_property_readonly(
+          "points",
+          [](const SharedLine& line) { return ViewOf(line->rest, line); })
+      .def_readonly("bodies", &ActionLine::bodies)
+      .def_readonly("slides", &ActionLine::slides);
+  py::class_<Attachment, SharedAttachment>(
+      *module, "Attachment", kAttachmentDoc)
+      .def(py::init(&MakeAttachment),
+           py::arg("body"),
+           py::arg("points"),
+           py::arg("radius"),
+           py::kw_only(),
+           py::arg("may_penetrate") = false)
+      .def_readonly("body", &Attachment::body)
+      .def_property_readonly("points",
+                             [](const SharedAttachment& attachment) {
+                               return ViewOf(attachment->points, attachment);
+                             })
+      .def_readonly("radius", &Attachment::radius)
+      .def_readonly("may_penetrate", &Attachment::may_penetrate);
+}
+
+void BindMuscles(py::module_* module) {
+  py::class_<SceneMuscle, SharedMuscle>(*module, "Muscle", kMuscleDoc)
+      .def(py::init(&MakeMuscle),
+           py::arg("name"),
+           py::arg("points") = py::none(),
+           py::arg("triangles") = py::none(),
+           py::kw_only(),
+           py::arg("lines") = std::vector<SharedLine>(),
+           py::arg("attachments") = std::vector<SharedAttachment>(),
+           py::arg("path") = "")
+      .def_readonly("name", &SceneMuscle::name)
+      .def_readonly("path", &SceneMuscle::mesh_path)
+      .def_property_readonly("mesh", &DeliveredMesh<SceneMuscle>)
+      .def_property_readonly(
+          "lines",
+          [](const SceneMuscle& muscle) { return Shared(muscle.lines); })
+      .def_property_readonly("attachments", [](const SceneMuscle& muscle) {
+        return Shared(muscle.attachments);
+      });
+}
+
+void BindBones(py::module_* module) {
+  py::class_<SceneBone, SharedBone>(*module, "Bone", kBoneDoc)
+      .def(py::init(&MakeBone),
+           py::arg("name"),
+           py::arg("points") = py::none(),
+           py::arg("triangles") = py::none(),
+           py::kw_only(),
+           py::arg("body") = "",
+           py::arg("path") = "")
+      .def_readonly("name", &SceneBone::name)
+      .def_readonly("body", &SceneBone::body)
+      .def_readonly("path", &SceneBone::mesh_path)
+      .def_property_readonly("mesh", [](const SceneBone& bone) {
+        const auto mesh = DeliveredMesh(bone);
+        mesh->points = Transformed(mesh->points, bone.rest_from_file);
+        return mesh;
+      });
+}
+
+}  // namespace
+
+void BindSceneParts(py::module_* module) {
+  BindLines(module);
+  BindMuscles(module);
+  BindBones(module);
+}
+
+}  // namespace musclewarp::python

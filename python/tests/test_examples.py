@@ -1,0 +1,72 @@
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The examples run."""
+import json
+import subprocess
+import sys
+
+import pytest
+
+from conftest import DEMO, SOURCE
+
+EXAMPLES = SOURCE / "examples"
+PHANTOM = SOURCE / "data/phantom"
+MESHES = [str(PHANTOM / f"{name}_r.ply")
+          for name in ("gluteus_medius", "gluteus_minimus")]
+
+
+def run(name, *arguments):
+    done = subprocess.run([sys.executable, EXAMPLES / name, *arguments],
+                          capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_deform_scene(tmp_path):
+    said = run("deform_scene.py", DEMO, tmp_path / "out", "2")
+    assert said == "t=0: usable\nt=0.05: usable\n"
+    assert (tmp_path / "out/frame_0001/psoas_major_r.ply").exists()
+
+
+def test_own_arrays():
+    assert "the iliacus moved by" in run("own_arrays.py")
+
+
+def test_separate_meshes(tmp_path):
+    said = run("separate_meshes.py", tmp_path, *MESHES, "--bones",
+               PHANTOM / "femur_r.ply")
+    assert said.startswith("usable\n")
+    assert len(list(tmp_path.glob("*.ply"))) == 3
+
+
+def test_check_meshes():
+    said = run("check_meshes.py", *MESHES)
+    assert "gluteus_medius_r and gluteus_minimus_r" in said
+
+
+def test_moment_arms():
+    said = run("moment_arms.py", DEMO, "3")
+    assert "glut_med1_r_path.hip_flexion_r" in said
+    assert "as carried" in said
+
+
+@pytest.mark.parametrize("notebook", sorted(EXAMPLES.glob("*.ipynb")),
+                         ids=lambda path: path.name)
+def test_notebooks(notebook, monkeypatch):
+    """Runs the cells as Jupyter would, and shows what is last in them."""
+    import ast
+    monkeypatch.chdir(SOURCE)
+    names, shown = {}, []
+    for cell in json.loads(notebook.read_text())["cells"]:
+        if cell["cell_type"] != "code":
+            continue
+        assert cell["outputs"] == [], "clear the outputs before committing"
+        tree = ast.parse("".join(cell["source"]))
+        last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
+        exec(compile(tree, notebook.name, "exec"), names)
+        if last:
+            value = eval(compile(ast.Expression(last.value), notebook.name,
+                                 "eval"), names)
+            shown.append(getattr(value, "_repr_html_", value.__repr__)()
+                         if value is not None else "")
+    assert shown[-1].startswith("<iframe")

@@ -1,0 +1,116 @@
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Runs: tables, reports, pages, files."""
+import numpy as np
+import pytest
+
+import musclewarp as mw
+from conftest import pushed, quick, small_scene
+from same_files import files_of
+
+
+@pytest.fixture(scope="module")
+def run(deformer):
+    result = mw.Run(deformer)
+    for distance in (1, 4, 7):
+        result.append(deformer.move_to(pushed(distance)))
+    return result
+
+
+def test_numbers_its_frames(run):
+    assert [frame.index for frame in run.frames] == [0, 1, 2]
+    assert [frame.name for frame in run.frames] == [
+        "pushed by 1", "pushed by 4", "pushed by 7"]
+
+
+def test_frames_of_another_deformer_are_refused(run):
+    with pytest.raises(mw.InputError, match="another deformer"):
+        run.append(quick().rest_frame)
+
+
+def test_the_report_is_a_dict(run):
+    report = run.report()
+    assert report["summary"]["frames"] == 3
+    assert report["summary"]["usable"] is True
+    muscles = report["frames"][2]["muscles"]
+    assert [muscle["name"] for muscle in muscles] == ["psoas", "iliacus"]
+    assert muscles[0]["volume_mm3"] == run.frames[2]["psoas"].volume
+
+
+def test_tables_are_arrays(run):
+    volumes = run.volumes
+    assert volumes.labels == ["psoas", "iliacus"]
+    assert volumes.values.shape == (3, 2)
+    np.testing.assert_allclose(
+        volumes["iliacus"] * 1e9,  # m^3 in tables
+        [frame["iliacus"].volume for frame in run.frames], rtol=1e-12)
+    np.testing.assert_array_equal(volumes.values[:, 1], volumes["iliacus"])
+    assert "psoas" in run.lengths and "soleus" not in run.lengths
+    assert len(run.moment_arms.labels) == 0
+    with pytest.raises(KeyError, match="soleus"):
+        volumes["soleus"]
+
+
+def test_tables_are_written_and_read(run, tmp_path):
+    path = str(tmp_path / "volumes.sto")
+    run.volumes.write(path)
+    again = mw.read_table(path)
+    assert again.labels == run.volumes.labels
+    np.testing.assert_array_equal(again.values, run.volumes.values)
+    np.testing.assert_array_equal(again.times, run.volumes.times)
+
+
+def test_writes_files_that_hold_the_frames(run, tmp_path):
+    run.write(tmp_path / "out", format="ply,obj")
+    files = files_of(tmp_path / "out")
+    assert "report.json" in files and "rest/femur.obj" in files
+    for i, frame in enumerate(run.frames):
+        mesh = mw.read_mesh(str(tmp_path / f"out/frame_000{i}/iliacus.ply"))
+        np.testing.assert_array_equal(mesh.points, frame["iliacus"].points)
+
+
+def test_what_cannot_be_written_is_refused(run, deformer, tmp_path):
+    with pytest.raises(mw.InputError, match="format=docx"):
+        run.write(tmp_path / "out", format="docx")
+    (tmp_path / "file").touch()
+    with pytest.raises(mw.InputError, match="out=.*cannot|not a folder"):
+        run.write(tmp_path / "file")
+    with pytest.raises(mw.InputError, match="run: has no frames"):
+        mw.Run(deformer).write(tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+def test_becomes_a_page(run, tmp_path):
+    page = run.page()
+    assert page.html.startswith("<!doctype html>") or "<html" in page.html[:200]
+    assert "iliacus" in page.html
+    shown = page._repr_html_()
+    assert shown.startswith('<iframe srcdoc="')
+    assert shown.count('"') < 12  # those of the page are escaped
+    page.write(tmp_path / "page.html")
+    assert (tmp_path / "page.html").read_text(encoding="utf-8") == page.html
+    run.write(tmp_path / "run")
+    # The folder's name is in the page; nothing else differs.
+    assert len(mw.page(tmp_path / "run").html) == len(page.html)
+    with pytest.raises(mw.InputError, match="missing"):
+        mw.page(tmp_path / "missing")
+
+
+def test_the_poses_of_a_scene_are_run():
+    scene = small_scene()
+    scene.poses = [pushed(2), pushed(6)]
+    told = []
+    alone = mw.run(scene, coarse_vertices=60,
+                   progress=lambda *args: told.append(args))
+    assert told[-1] == ("frames", 2, 2)
+    scene.is_motion = True
+    motion = mw.run(scene, coarse_vertices=60)
+    np.testing.assert_array_equal(
+        alone.frames[1]["psoas"].points,
+        quick(scene).solve_alone(pushed(6))["psoas"].points)
+    # In a motion a frame starts from the one before.
+    deformer = quick(scene)
+    deformer.move_to(pushed(2))
+    np.testing.assert_array_equal(
+        motion.frames[1]["psoas"].points,
+        deformer.move_to(pushed(6))["psoas"].points)

@@ -1,0 +1,68 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/deformer_choices.h"
+
+#include <cmath>
+
+#include "musclewarp/base/input_error.h"
+#include "tools/deform_command.h"
+#include "tools/option_flags.h"
+
+namespace musclewarp {
+namespace {
+
+void ChoosePreparation(const DeformerChoices& choices,
+                       PrepareOptions* options) {
+  options->muscle.hull.coarse_vertices = choices.coarse_vertices;
+  options->muscle.sample_spacing = choices.sample_spacing;
+  options->muscle.skeleton_weight = choices.skeleton_weight;
+  options->muscle.attachment_weight = choices.attachment_weight;
+  options->attachments = ParseAttachments(choices.attachments);
+  options->repair.holes.max_perimeter = choices.max_hole;
+  options->auto_lines = choices.auto_lines;
+  options->fibres.fibres = choices.fibres;
+}
+
+void ChooseCertifiedContact(const DeformerChoices& choices,
+                            CertifiedContactOptions* options) {
+  SetGap(choices.gap, options);
+  if (!(choices.max_step_turn > 0)) {
+    throw InputError("--max_step_turn",
+                     "is " + std::to_string(choices.max_step_turn),
+                     "allowed: above 0");
+  }
+  options->frame_timeout_s = choices.frame_timeout_s;
+  options->step.max_rounds = choices.max_rounds;
+  options->limits.max_turn = choices.max_step_turn * M_PI / 180;
+  options->limits.max_move = choices.max_step_move;
+}
+
+}  // namespace
+
+DeformerOptions OptionsOf(const DeformerChoices& choices) {
+  DeformerOptions options;
+  ChoosePreparation(choices, &options.prepare);
+  options.frames.contact = ParseContact(choices.contact);
+  options.frames.pre_rotation.use_body_twist = choices.body_twist;
+  options.frames.paper.group.level = ParseContactLevel(choices.contact_level);
+  options.frames.paper.group.paper.seed = choices.seed;
+  options.frames.paper.bone_hull.coarse_vertices = choices.bone_coarse_vertices;
+  ChooseCertifiedContact(choices, &options.frames.certified);
+  options.remaking.kind = ParseRemake(choices.remake);
+  options.solver = ParseSolver(choices.solver);
+  SetIterationLimit(choices.max_iterations, &options.solver);
+  return options;
+}
+
+void SetIterationLimit(int max_iterations, SolverConfiguration* configuration) {
+  if (max_iterations < 1) {
+    throw InputError("--max_iterations",
+                     "is " + std::to_string(max_iterations),
+                     "allowed: 1 or above");
+  }
+  configuration->gauss_newton.max_iterations = max_iterations;
+  configuration->ceres.iteration.max_iterations = max_iterations;
+  configuration->ceres.muscle.hard_constraint.max_rounds = max_iterations;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,47 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "musclewarp/deformer/deformer.h"
+
+namespace musclewarp {
+
+// What users choose about a Deformer: the flags of musclewarp-deform by their
+// names, with texts and units as flags have them (scene_flags.cc explains
+// each). The Python package has the same choices as keywords.
+struct DeformerChoices {
+  std::string solver = "ceres";
+  std::string contact = "certified";
+  std::string contact_level = "coarse";
+  std::string attachments = "auto";
+  std::string remake = "auto";
+  int max_iterations = 500;
+  unsigned seed = 1;
+  double max_hole = 30;  // mm
+  int coarse_vertices = 200;
+  int bone_coarse_vertices = 1000;
+  double sample_spacing = 10;  // mm
+  double skeleton_weight = 1;
+  double attachment_weight = 8;
+  int auto_lines = 3;
+  int fibres = 0;
+  double gap = 0.1;  // mm
+  int max_rounds = 6;
+  double frame_timeout_s = 0;
+  double max_step_turn = 20;  // degrees
+  double max_step_move = 80;  // mm
+  bool body_twist = true;
+};
+
+// Returns the options that these choices mean. Throws InputError that names the
+// flag for a text that is none of the allowed ones, and for a limit that no
+// IsValid would find. Other values are left to CheckValid (option_flags.h).
+DeformerOptions OptionsOf(const DeformerChoices& choices);
+
+// Sets the limits of all solvers of a configuration. Throws InputError, naming
+// --max_iterations, if it is below 1.
+void SetIterationLimit(int max_iterations, SolverConfiguration* configuration);
+
+}  // namespace musclewarp
