@@ -7,6 +7,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "musclewarp/base/csv_field.h"
 #include "musclewarp/report/report_json.h"
 
 namespace musclewarp {
@@ -51,17 +52,6 @@ size_t Widest(const std::vector<ComparisonRow>& rows,
     at_least = std::max(at_least, (row.*text).size());
   }
   return at_least;
-}
-
-// Returns a text as a field of a CSV file (RFC 4180).
-std::string Quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + "\"";
 }
 
 OrderedJson ToJson(const ComparisonRow& row, const PreparedScene& scene) {
@@ -200,7 +190,7 @@ std::string ComparisonCsv(const std::vector<ComparisonRow>& rows) {
          "triangle_pairs,vertices_inside,max_depth_mm,"
          "largest_contact_move_mm,mean_contact_move_mm,stop_reason\n";
   for (const ComparisonRow& row : rows) {
-    csv << row.frame << "," << Quoted(row.pose) << "," << row.configuration
+    csv << row.frame << "," << CsvField(row.pose) << "," << row.configuration
         << "," << row.contact << ",";
     if (row.was_run) {
       csv << row.iterations << "," << row.ms << "," << row.ms_per_iteration
@@ -214,7 +204,7 @@ std::string ComparisonCsv(const std::vector<ComparisonRow>& rows) {
     } else {
       csv << std::string(15, ',');
     }
-    csv << Quoted(row.stop_reason) << "\n";
+    csv << CsvField(row.stop_reason) << "\n";
   }
   return csv.str();
 }
@@ -229,10 +219,11 @@ std::string HistoryCsv(const std::vector<ComparisonRow>& rows,
     for (size_t i = 0; i < row.muscles.size(); ++i) {
       const auto& history = row.muscles[i].history;
       for (size_t k = 0; k < history.size(); ++k) {
-        csv << row.frame << "," << Quoted(row.pose) << "," << row.configuration
-            << "," << row.contact << "," << Quoted(scene.muscles[i].model.name)
-            << "," << k + 1 << "," << history[k].max_step << ","
-            << history[k].volume_error << "," << history[k].alpha << ","
+        csv << row.frame << "," << CsvField(row.pose) << ","
+            << row.configuration << "," << row.contact << ","
+            << CsvField(scene.muscles[i].model.name) << "," << k + 1 << ","
+            << history[k].max_step << "," << history[k].volume_error << ","
+            << history[k].alpha << ","
             << (history[k].is_fine_volume ? "fine" : "coarse") << "\n";
       }
     }

@@ -16,6 +16,7 @@
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
+#include "musclewarp/exchange/recorded_attachments.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/motion/frame_files.h"
 #include "musclewarp/report/motion_tables.h"
@@ -170,6 +171,8 @@ class DeformRun {
     }
     RemovePartialOutput(options_.out);
     WriteFrame(deformer_->scene(), rest, options_.formats, options_.out);
+    WriteAttachments((fs::path(options_.out) / kAttachmentsFile).string(),
+                     AttachmentsOf(deformer_->scene()));
     if (run_.frames.empty()) {
       log_->StartAnew();
       return;

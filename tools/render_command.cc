@@ -10,9 +10,9 @@
 #include <sstream>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/palette.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/page/run_files.h"
-#include "musclewarp/render/palette.h"
 #include "musclewarp/render/picture.h"
 #include "musclewarp/render/picture_texts.h"
 #include "tools/split.h"

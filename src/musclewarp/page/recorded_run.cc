@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/page/recorded_run.h"
 
-#include <Eigen/Geometry>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -12,9 +11,8 @@
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/view.h"
-#include "musclewarp/mesh/transformed.h"
-#include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/motion/frame_files.h"
+#include "musclewarp/page/recorded_pose.h"
 #include "musclewarp/page/run_files.h"
 #include "musclewarp/scene/json_fields.h"
 
@@ -22,13 +20,6 @@ namespace musclewarp {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr char kRunAgain[] = "run musclewarp-deform again";
-
-// The largest distance between a bone in a file and its rest mesh moved
-// rigidly, mm. Positions in files are rounded, to 1e-5 if another program wrote
-// them.
-constexpr double kRigidTolerance = 1e-3;
 
 std::vector<std::string> NamesIn(const JsonField& list) {
   std::vector<std::string> names;
@@ -94,121 +85,45 @@ std::vector<FrameRecord> FrameRecordsIn(const JsonField& frames) {
   return records;
 }
 
-// Throws InputError.
-std::string MeshOf(const MeshFiles& files,
-                   const std::string& folder,
-                   const std::string& name) {
-  const auto found = files.find(name);
-  if (found == files.end()) {
-    throw InputError(folder, "has no mesh \"" + name + "\"", kRunAgain);
-  }
-  return found->second;
-}
-
-void CheckSameTriangles(const std::string& file,
-                        const TriangleSoup& soup,
-                        const Triangles& triangles,
-                        Eigen::Index vertices) {
-  if (soup.points.rows() == vertices &&
-      soup.triangles.rows() == triangles.rows() &&
-      soup.triangles == triangles) {
-    return;
-  }
-  throw InputError(file, "has other triangles than at rest", kRunAgain);
-}
-
-// Throws InputError, naming `file`, if that is no rigid motion.
-Eigen::Matrix4d RigidMotion(const std::string& file,
-                            const Points& from,
-                            const Points& to) {
-  if (from == to) return Eigen::Matrix4d::Identity();
-  const Eigen::Matrix4d motion =
-      Eigen::umeyama(from.transpose(), to.transpose(), /*with_scaling=*/false);
-  const double error =
-      (Transformed(from, motion) - to).rowwise().norm().maxCoeff();
-  if (error <= kRigidTolerance) return motion;
-  throw InputError(
-      file, "is not the bone at rest, moved and turned", kRunAgain);
-}
-
-// Reads the lines and fibres of a pose, by muscle. Throws InputError.
-std::vector<MuscleLines> LinesIn(const std::string& folder,
-                                 const std::vector<std::string>& muscles) {
-  const std::string file = (fs::path(folder) / kLinesFile).string();
-  std::vector<MuscleLines> lines = ReadLinesFile(file);
-  bool fits = lines.size() == muscles.size();
-  for (std::size_t i = 0; fits && i < lines.size(); ++i) {
-    fits = lines[i].name == muscles[i];
-  }
-  if (fits) return lines;
-  throw InputError(file, "names other muscles than report.json", kRunAgain);
-}
-
-bool HaveSameSizes(const MuscleLines& a, const MuscleLines& b) {
-  if (a.lines.size() != b.lines.size() || a.fibres.size() != b.fibres.size()) {
-    return false;
-  }
-  for (std::size_t i = 0; i < a.lines.size(); ++i) {
-    if (a.lines[i].name != b.lines[i].name ||
-        a.lines[i].points.rows() != b.lines[i].points.rows()) {
-      return false;
-    }
-  }
-  for (std::size_t i = 0; i < a.fibres.size(); ++i) {
-    if (a.fibres[i].rows() != b.fibres[i].rows()) return false;
-  }
-  return true;
-}
-
 // The meshes of a run, pose after pose.
 class PoseReader {
  public:
   // Reads rest.
-  PoseReader(const std::string& rest,
-             const std::vector<std::string>& muscles,
-             const std::vector<std::string>& bones,
+  PoseReader(const std::string& folder,
+             const RecordedNames& names,
              RecordedRun* run)
-      : muscle_names_(muscles), run_(run) {
-    const MeshFiles files = MeshFilesIn(rest);
-    std::vector<MuscleLines> lines = LinesIn(rest, muscles);
-    for (std::size_t i = 0; i < muscles.size(); ++i) {
-      const std::string& name = muscles[i];
-      TriangleSoup soup = ReadTriangleSoup(MeshOf(files, rest, name));
+      : names_(names), rest_(ReadRestPose(folder, names)), run_(run) {
+    for (std::size_t i = 0; i < names.muscles.size(); ++i) {
+      const std::string& name = names.muscles[i];
+      const TriangleSoup& soup = rest_.muscles[i];
       run->muscles.push_back(
-          {name, soup.triangles, {soup.points}, {std::move(lines[i])}, {}});
-      muscles_.push_back(Add(name, std::move(soup)));
+          {name, soup.triangles, {soup.points}, {rest_.lines[i]}, {}});
+      muscles_.push_back(Add(name, soup));
     }
-    for (const std::string& name : bones) {
-      TriangleSoup soup = ReadTriangleSoup(MeshOf(files, rest, name));
-      run->bones.push_back({name, soup, {Eigen::Matrix4d::Identity()}});
-      bones_.push_back(Add(name, std::move(soup)));
+    for (std::size_t i = 0; i < names.bones.size(); ++i) {
+      const std::string& name = names.bones[i];
+      run->bones.push_back(
+          {name, rest_.bones[i], {Eigen::Matrix4d::Identity()}});
+      bones_.push_back(Add(name, rest_.bones[i]));
     }
     Measure();
   }
 
   // Reads a frame.
-  void ReadPose(const std::string& folder) {
-    const MeshFiles files = MeshFilesIn(folder);
-    std::vector<MuscleLines> lines = LinesIn(folder, muscle_names_);
+  void ReadFrame(const std::string& folder) {
+    RecordedPose pose = ReadPose(folder, names_, rest_);
     for (std::size_t i = 0; i < run_->muscles.size(); ++i) {
       RecordedMuscle& muscle = run_->muscles[i];
-      const std::string file = MeshOf(files, folder, muscle.name);
-      muscle.points.push_back(Moved(file, meshes_[i].get()));
-      if (!HaveSameSizes(muscle.lines[0], lines[i])) {
-        throw InputError(
-            (fs::path(folder) / kLinesFile).string(),
-            "has other lines of \"" + muscle.name + "\" than at rest",
-            kRunAgain);
-      }
-      muscle.lines.push_back(std::move(lines[i]));
+      Move(pose.muscles[i].points, meshes_[i].get());
+      muscle.points.push_back(std::move(pose.muscles[i].points));
+      muscle.lines.push_back(std::move(pose.lines[i]));
     }
     for (std::size_t i = 0; i < run_->bones.size(); ++i) {
       RecordedBone& bone = run_->bones[i];
-      const std::string file = MeshOf(files, folder, bone.name);
+      const Points& points = pose.bones[i].points;
       bone.from_rest.push_back(
-          RigidMotion(file,
-                      bone.rest.points,
-                      Moved(file, meshes_[muscles_.size() + i].get())));
+          RigidMotion(pose.bone_files[i], bone.rest.points, points));
+      Move(points, meshes_[muscles_.size() + i].get());
     }
     Measure();
   }
@@ -219,12 +134,8 @@ class PoseReader {
     return {name, meshes_.back().get()};
   }
 
-  // Moves the mesh to the points of the file.
-  Points Moved(const std::string& file, SearchableMesh* mesh) {
-    const TriangleSoup soup = ReadTriangleSoup(file);
-    CheckSameTriangles(file, soup, mesh->triangles(), mesh->points().rows());
-    if (soup.points != mesh->points()) mesh->Refit(soup.points);
-    return soup.points;
+  static void Move(const Points& points, SearchableMesh* mesh) {
+    if (points != mesh->points()) mesh->Refit(points);
   }
 
   void Measure() {
@@ -236,7 +147,8 @@ class PoseReader {
     run_->intersections.push_back(std::move(found));
   }
 
-  std::vector<std::string> muscle_names_;
+  RecordedNames names_;
+  RecordedPose rest_;
   std::vector<std::unique_ptr<SearchableMesh>> meshes_;  // muscles, then bones
   std::vector<NamedMesh> muscles_, bones_;
   RecordedRun* run_;
@@ -255,10 +167,10 @@ RecordedRun ReadRecordedRun(const std::string& dir, std::ostream& log) {
   run.dir = dir;
   run.report = nlohmann::ordered_json::parse(ReadFile(path));
   const JsonField prepare = report.At("prepare");
-  PoseReader reader((fs::path(dir) / kRestFolder).string(),
-                    NamesIn(prepare.At("muscles")),
-                    NamesIn(prepare.At("bones")),
-                    &run);
+  PoseReader reader(
+      (fs::path(dir) / kRestFolder).string(),
+      {NamesIn(prepare.At("muscles")), NamesIn(prepare.At("bones"))},
+      &run);
   const std::map<int, std::string> folders = FrameFoldersIn(dir);
   std::vector<FrameRecord> records = FrameRecordsIn(report.At("frames"));
   for (FrameRecord& record : records) {
@@ -268,7 +180,7 @@ RecordedRun ReadRecordedRun(const std::string& dir, std::ostream& log) {
                              " is in report.json, its folder is missing");
       continue;
     }
-    reader.ReadPose(folder->second);
+    reader.ReadFrame(folder->second);
     run.frames.push_back(std::move(record));
     if (run.intersections.back().triangle_pairs !=
         run.frames.back().intersections.triangle_pairs) {

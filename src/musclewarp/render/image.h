@@ -2,23 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/color.h"
+
 namespace musclewarp {
-
-// An RGB colour; each channel is 0 to 255.
-struct Color {
-  std::uint8_t r = 0;
-  std::uint8_t g = 0;
-  std::uint8_t b = 0;
-};
-
-inline bool operator==(const Color& a, const Color& b) {
-  return a.r == b.r && a.g == b.g && a.b == b.b;
-}
-inline bool operator!=(const Color& a, const Color& b) { return !(a == b); }
 
 // A picture in memory, so that what is drawn can be changed and tested before
 // it is written. Rows start at the top left.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "musclewarp/render/image.h"
+#include "musclewarp/base/color.h"
 
 namespace musclewarp {
 

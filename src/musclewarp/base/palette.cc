@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/render/palette.h"
+#include "musclewarp/base/palette.h"
 
 #include <array>
 

@@ -1,0 +1,315 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/exchange/element_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "exchange/small_model.h"
+#ifdef MUSCLEWARP_WITH_VTK
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#endif
+
+namespace musclewarp {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Numbers = std::vector<double>;
+
+// The numbers of a line, whatever separates them.
+Numbers NumbersIn(std::string line) {
+  std::replace(line.begin(), line.end(), ',', ' ');
+  std::istringstream in(line);
+  Numbers numbers;
+  for (double x = 0; in >> x;) numbers.push_back(x);
+  return numbers;
+}
+
+std::vector<Numbers> RowsAfter(const std::string& text,
+                               const std::string& keyword,
+                               const std::string& end) {
+  const size_t at = text.find(keyword + "\n");
+  if (at == std::string::npos) {
+    ADD_FAILURE() << "no " << keyword;
+    return {};
+  }
+  std::istringstream in(text.substr(at + keyword.size() + 1));
+  std::vector<Numbers> rows;
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind(end, 0) == 0) break;
+    rows.push_back(NumbersIn(line));
+  }
+  return rows;
+}
+
+Eigen::RowVector3d PointIn(const Numbers& row, size_t first) {
+  return {row[first], row[first + 1], row[first + 2]};
+}
+
+// A mesh read from a file by numbers of its nodes.
+struct ReadMesh {
+  std::map<int, Eigen::RowVector3d> nodes;
+  std::vector<std::array<int, 4>> elements;
+
+  double Volume() const {
+    double volume = 0;
+    for (const auto& e : elements) {
+      const Eigen::RowVector3d a = nodes.at(e[0]);
+      const Eigen::RowVector3d u = nodes.at(e[1]) - a;
+      const Eigen::RowVector3d v = nodes.at(e[2]) - a;
+      const double part = u.cross(v).dot(nodes.at(e[3]) - a) / 6;
+      EXPECT_GT(part, 0);
+      volume += part;
+    }
+    return volume;
+  }
+};
+
+class ElementFiles : public ::testing::Test {
+ protected:
+  double ExpectedVolume() const { return Volumes(model_.mesh).sum(); }
+  void ExpectSameMesh(const ReadMesh& read) const {
+    ASSERT_EQ(read.elements.size(),
+              static_cast<size_t>(model_.mesh.tetrahedra.rows()));
+    EXPECT_EQ(read.nodes.size(),
+              static_cast<size_t>(model_.mesh.points.rows() +
+                                  model_.bones[0].surface.points.rows()));
+    EXPECT_EQ(read.nodes.at(44), model_.mesh.points.row(43));
+    // Every bit is there; the sums are made in another order.
+    EXPECT_NEAR(read.Volume() / ExpectedVolume(), 1, 1e-13);
+  }
+
+  ElementModel model_ = MakeSmallModel().Model();
+};
+
+TEST_F(ElementFiles, AbaqusHasAllPartsByName) {
+  const std::string text = AbaqusText(model_);
+  ReadMesh read;
+  for (const std::string set : {"MUSCLE_NODES", "femur_NODES"}) {
+    for (const Numbers& row : RowsAfter(text, "*NODE, NSET=" + set, "*")) {
+      read.nodes[static_cast<int>(row[0])] = PointIn(row, 1);
+    }
+  }
+  for (const std::string muscle : {"psoas", "iliacus"}) {
+    for (const Numbers& row :
+         RowsAfter(text, "*ELEMENT, TYPE=C3D4, ELSET=" + muscle, "*")) {
+      ASSERT_EQ(row.size(), 5u);
+      read.elements.push_back({static_cast<int>(row[1]),
+                               static_cast<int>(row[2]),
+                               static_cast<int>(row[3]),
+                               static_cast<int>(row[4])});
+    }
+  }
+  ExpectSameMesh(read);
+  const auto attached = RowsAfter(text, "*NSET, NSET=psoas_on_pelvis", "*");
+  ASSERT_EQ(attached.size(), 1u);
+  ASSERT_EQ(attached[0].size(), 3u);
+  EXPECT_EQ(attached[0][0], model_.muscles[0].attachments[0].vertices[0] + 1);
+  EXPECT_THAT(text, HasSubstr("\npsoas_SURFACE, iliacus_SURFACE\n"));
+  EXPECT_THAT(text, HasSubstr("at least 1.25 mm apart"));
+  EXPECT_THAT(text,
+              HasSubstr("*ELSET, ELSET=body_thigh_BONES\nfemur\n"
+                        "*RIGID BODY, ELSET=body_thigh_BONES, REF NODE="));
+  EXPECT_THAT(text, HasSubstr("*NODE, NSET=body_thigh\n"));
+  EXPECT_THAT(text, HasSubstr("ORIENTATION=psoas_AXES"));
+  EXPECT_THAT(text, Not(HasSubstr("iliacus_AXES")));  // it has no fibres
+  EXPECT_EQ(
+      RowsAfter(text, "*SURFACE, NAME=psoas_SURFACE, TYPE=ELEMENT", "*").size(),
+      model_.muscles[0].faces.size());
+}
+
+TEST_F(ElementFiles, AbaqusLinesHaveAtMostSixteenNumbers) {
+  model_.muscles[0].attachments[0].vertices.clear();
+  for (int v = 0; v < 33; ++v) {
+    model_.muscles[0].attachments[0].vertices.push_back(v);
+  }
+  const auto rows =
+      RowsAfter(AbaqusText(model_), "*NSET, NSET=psoas_on_pelvis", "*");
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].size(), 16u);
+  EXPECT_EQ(rows[2], Numbers{33});
+}
+
+TEST_F(ElementFiles, AbaqusLinesFitCalculix) {
+  model_.fibres.setConstant(-1 / std::sqrt(3));
+  model_.mesh.points.array() *= -1e5 / 3;
+  std::istringstream in(AbaqusText(model_));
+  for (std::string line; std::getline(in, line);) {
+    EXPECT_LE(line.size(), 132u);  // its limit
+  }
+}
+
+TEST_F(ElementFiles, FebioIsAWholeModel) {
+  pugi::xml_document document;
+  const std::string text = FebioText(model_);
+  ASSERT_TRUE(document.load_string(text.c_str()));
+  const pugi::xml_node spec = document.child("febio_spec");
+  EXPECT_STREQ(spec.attribute("version").value(), "4.0");
+  const pugi::xml_node mesh = spec.child("Mesh");
+  ReadMesh read;
+  for (const pugi::xml_node part : mesh.children("Nodes")) {
+    for (const pugi::xml_node node : part.children("node")) {
+      read.nodes[node.attribute("id").as_int()] =
+          PointIn(NumbersIn(node.text().as_string()), 0);
+    }
+  }
+  for (const pugi::xml_node part : mesh.children("Elements")) {
+    for (const pugi::xml_node element : part.children("elem")) {
+      const Numbers n = NumbersIn(element.text().as_string());
+      if (n.size() != 4) continue;
+      read.elements.push_back({static_cast<int>(n[0]),
+                               static_cast<int>(n[1]),
+                               static_cast<int>(n[2]),
+                               static_cast<int>(n[3])});
+    }
+  }
+  ExpectSameMesh(read);
+}
+
+TEST_F(ElementFiles, FebioNamesWhatIsThere) {
+  pugi::xml_document document;
+  const std::string text = FebioText(model_);
+  ASSERT_TRUE(document.load_string(text.c_str()));
+  const pugi::xml_node spec = document.child("febio_spec");
+  const pugi::xml_node mesh = spec.child("Mesh");
+  const auto has = [&](const char* tag, const char* name) {
+    return !mesh.find_child_by_attribute(tag, "name", name).empty();
+  };
+  for (const pugi::xml_node domain : spec.child("MeshDomains").children()) {
+    EXPECT_TRUE(has("Elements", domain.attribute("name").value()));
+    EXPECT_FALSE(spec.child("Material")
+                     .find_child_by_attribute(
+                         "material", "name", domain.attribute("mat").value())
+                     .empty());
+  }
+  for (const pugi::xml_node pair : mesh.children("SurfacePair")) {
+    EXPECT_TRUE(has("Surface", pair.child("primary").text().as_string()));
+    EXPECT_TRUE(has("Surface", pair.child("secondary").text().as_string()));
+  }
+  for (const pugi::xml_node contact :
+       spec.child("Contact").children("contact")) {
+    EXPECT_TRUE(has("SurfacePair", contact.attribute("surface_pair").value()));
+  }
+  const pugi::xml_node fibres = spec.child("MeshData").child("ElementData");
+  EXPECT_STREQ(fibres.attribute("elem_set").value(), "psoas");
+  const pugi::xml_node first = fibres.child("elem");
+  const Eigen::RowVector3d a =
+      PointIn(NumbersIn(first.child("a").text().get()), 0);
+  const Eigen::RowVector3d d =
+      PointIn(NumbersIn(first.child("d").text().get()), 0);
+  EXPECT_EQ(a, model_.fibres.row(0));
+  EXPECT_NEAR(a.dot(d), 0, 1e-15);
+  EXPECT_NEAR(d.norm(), 1, 1e-15);
+  EXPECT_TRUE(has("NodeSet", "psoas_on_pelvis"));
+  // The pelvis has no bone here, so that nothing is fixed to it.
+  EXPECT_TRUE(spec.child("Boundary").child("bc").empty());
+  model_.muscles[0].attachments[0].body = "thigh";
+  EXPECT_THAT(FebioText(model_), HasSubstr("<rb>body_thigh</rb>"));
+}
+
+TEST_F(ElementFiles, GmshHasEntitiesAndGroups) {
+  const std::string text = GmshText(model_);
+  EXPECT_EQ(text.find("$MeshFormat\n4.1 0 8\n"), 0u);
+  for (const char* name :
+       {"psoas", "psoas_surface", "psoas_on_pelvis", "iliacus", "femur"}) {
+    EXPECT_THAT(text, HasSubstr(" \"" + std::string(name) + "\"\n"));
+  }
+  ReadMesh read;
+  const auto nodes = RowsAfter(text, "$Nodes", "$EndNodes");
+  for (size_t at = 1; at < nodes.size();) {
+    const auto count = static_cast<size_t>(nodes[at++][3]);
+    for (size_t i = 0; i < count; ++i) {
+      read.nodes[static_cast<int>(nodes[at + i][0])] =
+          PointIn(nodes[at + count + i], 0);
+    }
+    at += 2 * count;
+  }
+  const auto elements = RowsAfter(text, "$Elements", "$EndElements");
+  std::map<int, int> triangles;  // by entity
+  size_t at = 1;
+  while (at < elements.size()) {
+    const Numbers block = elements[at++];
+    for (int i = 0; i < static_cast<int>(block[3]); ++i, ++at) {
+      const Numbers& n = elements[at];
+      if (block[2] == 2) {
+        ++triangles[static_cast<int>(block[1])];
+        continue;
+      }
+      ASSERT_EQ(n.size(), 5u);
+      EXPECT_EQ(n[0], static_cast<double>(read.elements.size() + 1));
+      read.elements.push_back({static_cast<int>(n[1]),
+                               static_cast<int>(n[2]),
+                               static_cast<int>(n[3]),
+                               static_cast<int>(n[4])});
+    }
+  }
+  ExpectSameMesh(read);
+  // The first surface lacks the one triangle that is attached.
+  EXPECT_EQ(triangles[2], 1);
+  EXPECT_EQ(triangles[1], model_.muscles[0].surface.rows() - 1);
+  const auto fibres = RowsAfter(text, "$ElementData", "$EndElementData");
+  ASSERT_EQ(fibres.size(),
+            static_cast<size_t>(model_.mesh.tetrahedra.rows()) + 8);
+  EXPECT_EQ(PointIn(fibres[8], 1), model_.fibres.row(0));
+}
+
+#ifdef MUSCLEWARP_WITH_VTK
+TEST_F(ElementFiles, VtuHasDataOfCellsAndPoints) {
+  const std::string bytes = VtuBytes(model_);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(bytes);
+  reader->Update();
+  vtkUnstructuredGrid* const grid = reader->GetOutput();
+  ReadMesh read;
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i) {
+    const double* const p = grid->GetPoint(i);
+    read.nodes[static_cast<int>(i) + 1] = {p[0], p[1], p[2]};
+  }
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i) {
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    grid->GetCellPoints(i, count, corners);
+    if (count != 4) continue;
+    std::array<int, 4> element;
+    for (int k = 0; k < 4; ++k) element[k] = static_cast<int>(corners[k]) + 1;
+    read.elements.push_back(element);
+  }
+  ExpectSameMesh(read);
+  vtkDataArray* const muscle = grid->GetCellData()->GetArray("muscle");
+  EXPECT_EQ(muscle->GetTuple1(0), 1);
+  EXPECT_EQ(muscle->GetTuple1(model_.muscles[1].first_element), 2);
+  const vtkIdType last = grid->GetNumberOfCells() - 1;
+  EXPECT_EQ(muscle->GetTuple1(last), 0);
+  EXPECT_EQ(grid->GetCellData()->GetArray("bone")->GetTuple1(last), 1);
+  EXPECT_EQ(grid->GetCellData()->GetArray("fibre")->GetComponent(0, 2),
+            model_.fibres(0, 2));
+  vtkDataArray* const attachment = grid->GetPointData()->GetArray("attachment");
+  int attached = 0;
+  for (vtkIdType i = 0; i < attachment->GetNumberOfTuples(); ++i) {
+    attached += attachment->GetTuple1(i) == 1;
+  }
+  EXPECT_EQ(attached, 3);
+  auto* const bodies = vtkStringArray::SafeDownCast(
+      grid->GetFieldData()->GetAbstractArray("bodies"));
+  ASSERT_NE(bodies, nullptr);
+  EXPECT_EQ(std::string(bodies->GetValue(0)), "pelvis");
+}
+#endif
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,208 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/export_command.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <map>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/exchange/animation.h"
+#include "musclewarp/exchange/crossing_files.h"
+#include "musclewarp/exchange/crossing_places.h"
+#include "musclewarp/exchange/glb_file.h"
+#include "musclewarp/exchange/point_cache.h"
+#include "musclewarp/exchange/run_outline.h"
+#include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/motion/frame_files.h"
+#include "tools/deform_command.h"
+#include "tools/frame_selection.h"
+#include "tools/program.h"
+#include "tools/searchable_scene.h"
+#include "tools/split.h"
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+
+size_t AddCrossings(const std::string& label,
+                    const SearchableScene& scene,
+                    CrossingFiles* files) {
+  const std::vector<CrossingPlace> places =
+      FindCrossingPlaces(scene.muscles, scene.bones);
+  std::vector<NamedMesh> meshes = scene.muscles;
+  meshes.insert(meshes.end(), scene.bones.begin(), scene.bones.end());
+  files->Add(label, meshes, places);
+  return places.size();
+}
+
+std::vector<int> SelectedFrames(const ExportRequest& request,
+                                const RunOutline& run) {
+  std::vector<ScenePose> poses;
+  for (const OutlinedFrame& frame : run.frames) poses.push_back(frame.pose);
+  return SelectFrames(request.frames, poses);
+}
+
+RunOutline OpenRun(const ExportRequest& request, std::ostream& screen) {
+  RunOutline run = ReadRunOutline(request.in, MUSCLEWARP_VERSION);
+  for (const std::string& warning : run.warnings) {
+    screen << "warning: " << warning << "\n";
+  }
+  return run;
+}
+
+void CheckMeshFormat(const std::string& format) {
+  const bool is_known = format == "ply" || format == "obj" || format == "vtp";
+  if (is_known && IsMeshExtension(format)) return;
+  throw InputError("--mesh_format=" + format,
+                   "is not a format for crossings in this build",
+                   "allowed: ply, obj, and with VTK vtp");
+}
+
+int ExportCrossings(const ExportRequest& request, std::ostream& screen) {
+  CheckMeshFormat(request.mesh_format);
+  CrossingFiles files(request.out, request.mesh_format);
+  size_t places = 0;
+  if (request.in.empty()) {
+    SearchableScene scene;
+    for (const std::string& file : request.files) {
+      scene.Add(fs::path(file).stem(), ReadTriangleSoup(file), &scene.muscles);
+    }
+    MakeFolder(request.out);
+    places = AddCrossings("meshes", scene, &files);
+  } else {
+    const RunOutline run = OpenRun(request, screen);
+    const std::vector<int> selected = SelectedFrames(request, run);
+    const RecordedPose rest = ReadRestPose(run.rest, run.names);
+    MakeFolder(request.out);
+    for (const int i : selected) {
+      const OutlinedFrame& frame = run.frames[i];
+      const std::string label = FrameFolder(frame.index);
+      const size_t found = AddCrossings(
+          label,
+          SceneOf(run.names, ReadPose(frame.folder, run.names, rest)),
+          &files);
+      screen << label << "  " << found << " places" << std::endl;
+      places += found;
+    }
+  }
+  files.WriteTable();
+  screen << places << " places where meshes cross: "
+         << (fs::path(request.out) / "crossings.csv").string() << "\n";
+  return kExitUsable;
+}
+
+int ExportAnimation(
+    const ExportRequest& request,
+    const std::function<void(const std::string&, const Animation&)>& write,
+    std::ostream& screen) {
+  const RunOutline run = OpenRun(request, screen);
+  Animation animation = AnimationOf(run, SelectedFrames(request, run));
+  const auto read = animation.read;
+  animation.read = [&](int frame) {
+    screen << "frame " << frame + 1 << " of " << animation.times.size()
+           << std::endl;
+    return read(frame);
+  };
+  write(request.out, animation);
+  screen << "wrote " << request.out << ": " << animation.names.muscles.size()
+         << " muscles, " << animation.names.bones.size() << " bones, "
+         << animation.times.size()
+         << " frames; metres, +x left, +y up, +z to the front (the axes of the "
+            "run are "
+         << run.axes << ")\n";
+  return kExitUsable;
+}
+
+int ExportGlb(const ExportRequest& request, std::ostream& screen) {
+  if (fs::path(request.out).extension() != ".glb") {
+    throw InputError("--out=" + request.out,
+                     "is not a .glb file",
+                     "use for example --out=motion.glb");
+  }
+  return ExportAnimation(request, WriteGlb, screen);
+}
+
+int ExportPointCaches(const ExportRequest& request, std::ostream& screen) {
+  return ExportAnimation(request, WritePointCaches, screen);
+}
+
+using Exporter = int (*)(const ExportRequest&, std::ostream&);
+
+const std::map<std::string, Exporter>& Exporters() {
+  static const std::map<std::string, Exporter> kExporters = {
+      {"crossings", ExportCrossings},
+      {"glb", ExportGlb},
+      {"pc2", ExportPointCaches}};
+  return kExporters;
+}
+
+// Returns the formats that are asked for, all for finite elements if there are
+// several.
+std::vector<std::string> FormatsOf(const ExportRequest& request) {
+  const std::vector<std::string>& elements = ElementFormats();
+  const std::vector<std::string> formats = Split(request.format, ',');
+  bool is_fine = !formats.empty();
+  for (const std::string& format : formats) {
+    const bool is_element =
+        std::count(elements.begin(), elements.end(), format) > 0;
+    is_fine =
+        is_fine &&
+        (is_element || (formats.size() == 1 && Exporters().count(format) > 0));
+  }
+  if (is_fine) return formats;
+  throw InputError("--format=" + request.format,
+                   "is not a format",
+                   "allowed: " + ExportFormats() +
+                       "; of those for finite elements also several, with "
+                       "commas");
+}
+
+void CheckRequest(const ExportRequest& request) {
+  if (!request.files.empty() && request.format != "crossings") {
+    throw InputError(request.files[0],
+                     "mesh files are taken with --format=crossings only",
+                     "name the folder of a run in --in");
+  }
+  if (request.in.empty() == request.files.empty()) {
+    throw InputError(
+        "--in",
+        request.in.empty() ? "is missing" : "is given together with mesh files",
+        "name the folder of a run, or mesh files with "
+        "--format=crossings");
+  }
+  if (request.out.empty()) {
+    throw InputError("--out", "is missing", "name what is to be written");
+  }
+  CheckThreads(request.threads);
+}
+
+}  // namespace
+
+std::string ExportFormats() {
+  std::string names;
+  for (const auto& entry : Exporters()) names += entry.first + ", ";
+  for (const std::string& format : ElementFormats()) names += format + ", ";
+  return names.substr(0, names.size() - 2);
+}
+
+int ExportCommand(const ExportRequest& request, std::ostream& screen) {
+  const std::vector<std::string> formats = FormatsOf(request);
+  CheckRequest(request);
+  if (request.threads > 0) omp_set_num_threads(request.threads);
+  const auto exporter = Exporters().find(formats[0]);
+  if (exporter != Exporters().end()) return exporter->second(request, screen);
+  const RunOutline run = OpenRun(request, screen);
+  return ExportElements(run,
+                        SelectedFrames(request, run),
+                        formats,
+                        request.elements,
+                        request.out,
+                        screen);
+}
+
+}  // namespace musclewarp

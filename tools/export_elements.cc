@@ -1,0 +1,311 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/export_elements.h"
+
+#include <filesystem>
+#include <iomanip>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/input_file.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/base/stopwatch.h"
+#include "musclewarp/exchange/element_files.h"
+#include "musclewarp/exchange/mesher.h"
+#include "musclewarp/exchange/moved_mesh.h"
+#include "musclewarp/motion/frame_files.h"
+#include "tools/deform_command.h"
+#include "tools/program.h"
+#include "tools/searchable_scene.h"
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+using OrderedJson = nlohmann::ordered_json;
+
+using ElementWriter = std::string (*)(const ElementModel&);
+
+const std::map<std::string, ElementWriter>& ElementWriters() {
+  static const std::map<std::string, ElementWriter> kWriters = {
+      {"inp", AbaqusText},
+      {"feb", FebioText},
+#ifdef MUSCLEWARP_WITH_VTK
+      {"vtu", VtuBytes},
+#endif
+      {"msh", GmshText}};
+  return kWriters;
+}
+
+MesherOptions MesherOf(const ElementOptions& options) {
+  if (!(options.mesher_timeout_s > 0)) {
+    throw InputError("--mesher_timeout_s",
+                     "is " + std::to_string(options.mesher_timeout_s),
+                     "allowed: above 0, s");
+  }
+  if (!(options.min_dihedral_deg >= 0 && options.min_dihedral_deg < 70)) {
+    throw InputError("--min_dihedral_deg",
+                     "is " + std::to_string(options.min_dihedral_deg),
+                     "allowed: 0 to 70; a regular tetrahedron has 70.5");
+  }
+  MesherOptions mesher = FindMesher(options.mesher);
+  mesher.timeout_s = options.mesher_timeout_s;
+  return mesher;
+}
+
+// What is in the way of a mesh, or nothing.
+std::string WhatCrosses(const SceneIntersections& found) {
+  if (found.IsClean() && found.self_pairs == 0) return "";
+  std::ostringstream text;
+  text << found.triangle_pairs << " pairs of triangles of two meshes cross, "
+       << found.self_pairs << " of a muscle with itself, "
+       << found.vertices_inside
+       << " vertices are inside another mesh (--format=crossings shows where)";
+  return text.str();
+}
+
+// Thrown inside a frame that fails.
+struct FrameFailure {
+  std::string reason;
+};
+
+class ElementExport {
+ public:
+  ElementExport(const RunOutline& run,
+                const std::vector<std::string>& formats,
+                const ElementOptions& options,
+                const std::string& dir,
+                std::ostream& screen)
+      : run_(run),
+        formats_(formats),
+        options_(options),
+        mesher_(MesherOf(options)),
+        dir_(dir),
+        screen_(screen) {}
+
+  int Execute(const std::vector<int>& frames) {
+    rest_ = ReadRestPose(run_.rest, run_.names);
+    ReadAttachmentsIfThere();
+    MakeFolder(dir_);
+    if (options_.resume) ReadRecord();
+    screen_ << "frame        tetrahedra  points inside  min dihedral  aspect  "
+               "seconds\n";
+    int failed = 0;
+    for (const int i : frames) failed += !ExportFrame(run_.frames[i]);
+    screen_ << frames.size() - failed << " of " << frames.size()
+            << " frames written: " << dir_ << "\n";
+    return failed == 0 ? kExitUsable : kExitNotUsable;
+  }
+
+ private:
+  std::string PathOf(const std::string& label,
+                     const std::string& format) const {
+    return (fs::path(dir_) / (label + "." + format)).string();
+  }
+
+  std::string RecordPath() const {
+    return (fs::path(dir_) / "export.json").string();
+  }
+
+  void ReadAttachmentsIfThere() {
+    const fs::path path = fs::path(run_.dir) / kAttachmentsFile;
+    if (fs::exists(path)) {
+      attachments_ = ReadAttachments(path.string());
+      return;
+    }
+    screen_ << "warning: " << path.string()
+            << " is not there (runs of older versions have none): there will "
+               "be no node sets of attachments\n";
+  }
+
+  void ReadRecord() {
+    if (!fs::exists(RecordPath())) return;
+    try {
+      const OrderedJson record = OrderedJson::parse(ReadFile(RecordPath()));
+      for (const OrderedJson& frame : record.at("frames")) {
+        records_[frame.at("frame").get<std::string>()] = frame;
+      }
+    } catch (const nlohmann::json::exception& error) {
+      throw InputError(RecordPath(),
+                       std::string("is damaged (") + error.what() + ")",
+                       "export again without --resume");
+    }
+  }
+
+  void WriteRecord() const {
+    OrderedJson frames = OrderedJson::array();
+    bool is_usable = true;
+    for (const auto& [label, frame] : records_) {
+      frames.push_back(frame);
+      is_usable = is_usable && frame.at("failure").is_null();
+    }
+    const OrderedJson record = {{"version", MUSCLEWARP_VERSION},
+                                {"run", run_.dir},
+                                {"mesher", mesher_.program},
+                                {"one_mesh", options_.one_mesh},
+                                {"frames", frames},
+                                {"usable", is_usable}};
+    WriteTextAtomically(RecordPath(), record.dump(2) + "\n");
+  }
+
+  bool IsThere(const std::string& label) const {
+    const auto record = records_.find(label);
+    if (record == records_.end()) return false;
+    const OrderedJson& failure =
+        record->second.value("failure", OrderedJson(""));
+    if (!failure.is_null()) return false;
+    for (const std::string& format : formats_) {
+      if (!fs::exists(PathOf(label, format))) return false;
+    }
+    return true;
+  }
+
+  // Returns false if the frame failed.
+  bool ExportFrame(const OutlinedFrame& frame) {
+    const std::string label = FrameFolder(frame.index);
+    // The first frame is what others are moved from.
+    const bool is_needed = options_.one_mesh && !mover_;
+    if (IsThere(label) && !is_needed) {
+      screen_ << label << "  is there\n";
+      return true;
+    }
+    const Stopwatch watch;
+    OrderedJson record = {{"frame", label}, {"failure", nullptr}};
+    try {
+      Fill(frame, label, watch, &record);
+    } catch (const FrameFailure& failure) {
+      record["failure"] = failure.reason;
+      for (const std::string& format : formats_) {
+        fs::remove(PathOf(label, format));
+      }
+      screen_ << label << "  failed: " << failure.reason << std::endl;
+    }
+    records_[label] = record;
+    WriteRecord();
+    return record["failure"].is_null();
+  }
+
+  void Fill(const OutlinedFrame& frame,
+            const std::string& label,
+            const Stopwatch& watch,
+            OrderedJson* record) {
+    RecordedPose pose = ReadPose(frame.folder, run_.names, rest_);
+    RecordedNames names = run_.names;
+    if (!options_.bones) {
+      pose.bones.clear();
+      names.bones.clear();
+    }
+    const SearchableScene scene = SceneOf(names, pose, options_.bones);
+    const SceneIntersections found = IntersectScene(scene.muscles, scene.bones);
+    const std::string crosses = WhatCrosses(found);
+    if (!crosses.empty()) throw FrameFailure{crosses};
+    const auto gap = found.SmallestGap();
+    (*record)["smallest_gap_mm"] = gap ? OrderedJson(*gap) : OrderedJson();
+    TetrahedralMesh mesh = MeshOf(JoinedSurface(pose.muscles));
+    const ElementQuality quality = QualityOf(mesh);
+    Record(mesh, quality, watch, record);
+    CheckQuality(quality);
+    const ElementModel model =
+        ElementModelOf(run_.scene + ", " + frame.pose.name,
+                       names,
+                       pose,
+                       attachments_,
+                       found.gaps,
+                       std::move(mesh));
+    for (const std::string& format : formats_) {
+      WriteTextAtomically(PathOf(label, format),
+                          ElementWriters().at(format)(model));
+    }
+    Print(label, *record, watch);
+  }
+
+  TetrahedralMesh MeshOf(const TriangleSoup& surface) {
+    if (mover_) return mover_->MoveTo(surface.points);
+    MesherResult result = FillWithTetrahedra(surface, mesher_);
+    if (!result.mesh) throw FrameFailure{result.failure};
+    if (options_.one_mesh && QualityOf(*result.mesh).inverted == 0) {
+      mover_.emplace(*result.mesh, surface.points.rows());
+    }
+    return std::move(*result.mesh);
+  }
+
+  void Record(const TetrahedralMesh& mesh,
+              const ElementQuality& quality,
+              const Stopwatch& watch,
+              OrderedJson* record) const {
+    Eigen::Index surface = 0;
+    for (const TriangleSoup& soup : rest_.muscles) {
+      surface += soup.points.rows();
+    }
+    (*record)["tetrahedra"] = mesh.tetrahedra.rows();
+    (*record)["points"] = mesh.points.rows();
+    (*record)["points_inside"] = mesh.points.rows() - surface;
+    (*record)["smallest_dihedral_deg"] = quality.smallest_dihedral_deg;
+    (*record)["largest_dihedral_deg"] = quality.largest_dihedral_deg;
+    (*record)["largest_aspect"] = quality.largest_aspect;
+    (*record)["inverted"] = quality.inverted;
+    (*record)["volume_mm3"] = quality.volume;
+    (*record)["wall_ms"] = watch.Milliseconds();
+  }
+
+  void CheckQuality(const ElementQuality& quality) const {
+    std::ostringstream text;
+    if (quality.inverted > 0) {
+      text << quality.inverted << " elements are inverted";
+    } else if (quality.smallest_dihedral_deg < options_.min_dihedral_deg) {
+      text << "the smallest dihedral angle is " << quality.smallest_dihedral_deg
+           << " degrees, --min_dihedral_deg is " << options_.min_dihedral_deg;
+    } else {
+      return;
+    }
+    throw FrameFailure{text.str()};
+  }
+
+  void Print(const std::string& label,
+             const OrderedJson& record,
+             const Stopwatch& watch) const {
+    screen_ << label << std::setw(13) << record["tetrahedra"].get<int>()
+            << std::setw(15) << record["points_inside"].get<int>() << std::fixed
+            << std::setprecision(2) << std::setw(14)
+            << record["smallest_dihedral_deg"].get<double>()
+            << std::setprecision(1) << std::setw(8)
+            << record["largest_aspect"].get<double>() << std::setw(9)
+            << watch.Milliseconds() / 1e3 << std::endl;
+  }
+
+  const RunOutline& run_;
+  const std::vector<std::string>& formats_;
+  const ElementOptions& options_;
+  MesherOptions mesher_;
+  std::string dir_;
+  std::ostream& screen_;
+  RecordedPose rest_;
+  RecordedAttachments attachments_;
+  std::optional<HarmonicMover> mover_;
+  std::map<std::string, OrderedJson> records_;
+};
+
+}  // namespace
+
+const std::vector<std::string>& ElementFormats() {
+  static const std::vector<std::string> kFormats = [] {
+    std::vector<std::string> names;
+    for (const auto& entry : ElementWriters()) names.push_back(entry.first);
+    return names;
+  }();
+  return kFormats;
+}
+
+int ExportElements(const RunOutline& run,
+                   const std::vector<int>& frames,
+                   const std::vector<std::string>& formats,
+                   const ElementOptions& options,
+                   const std::string& dir,
+                   std::ostream& screen) {
+  return ElementExport(run, formats, options, dir, screen).Execute(frames);
+}
+
+}  // namespace musclewarp
