@@ -22,6 +22,7 @@ inline FrameRecord SomeRecord(int index) {
   record.iterations = 17;
   record.stop_reason = "converged";
   record.usable = true;
+  record.bone_overlaps = {{"pelvis", "femur", 3.7 / 3, {1, 2.0 / 3, -4}}};
   MuscleRecord muscle;
   muscle.name = "m";
   muscle.volume_mm3 = 2e5 / 7;

@@ -20,6 +20,7 @@ std::vector<FrameRecord> Frames(double first, double second, double third) {
     FrameRecord& frame =
         frames.emplace_back(SomeRecord(static_cast<int>(frames.size())));
     frame.name = "pose " + std::to_string(frames.size());
+    frame.bone_overlaps.clear();
     frame.muscles[0].name = "psoas";
     frame.muscles[0].attachments = {
         {"pelvis", 3, 0.1, 0.2, {0, 0, 0}},
@@ -52,6 +53,19 @@ TEST(ShapeWarnings, NameTheFrameOfTheLargestStretch) {
                           "in pose 2 at (3.0, 2.0, 1.0)"));
 }
 
+TEST(ShapeWarnings, NameTheFrameWhereBonesAreDeepest) {
+  std::vector<FrameRecord> frames = Frames(0, 0, 0);
+  frames[1].bone_overlaps = {{"pelvis", "femur", 3.7, {1, 2, 3}},
+                             {"patella", "femur", 0.5, {4, 5, 6}}};
+  frames[2].bone_overlaps = {{"pelvis", "femur", 3.6, {7, 8, 9}}};
+  EXPECT_THAT(
+      ShapeWarnings(frames),
+      ElementsAre("patella and femur are 0.5 mm deep in each other in pose 2 "
+                  "at (4.0, 5.0, 6.0): muscles between them have no room there",
+                  "pelvis and femur are 3.7 mm deep in each other in pose 2 at "
+                  "(1.0, 2.0, 3.0): muscles between them have no room there"));
+}
+
 // A motion of six frames, with the largest change of a muscle in each, mm.
 std::vector<FrameRecord> Motion(const std::vector<double>& changes) {
   std::vector<FrameRecord> frames;
@@ -61,6 +75,7 @@ std::vector<FrameRecord> Motion(const std::vector<double>& changes) {
     frame.name = "t=" + std::to_string(frames.size());
     frame.muscles[0].name = "psoas";
     frame.muscles[0].attachments.clear();
+    frame.bone_overlaps.clear();
     frame.muscles[0].shape = ShapeMeasures();
     frame.muscles[0].shape.max_change = change;
   }

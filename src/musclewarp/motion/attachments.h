@@ -44,6 +44,9 @@ struct AttachmentDrift {
   Eigen::RowVector3d place = Eigen::RowVector3d::Zero();  // of the farthest one
 };
 
+// An attachment that leaves its body by more than this, mm, is beyond anatomy.
+constexpr double kLargestDrift = 2;
+
 // Returns the drift of each attachment. `points`: the fine mesh, #V x 3, mm;
 // `positions`: where the bodies have the attached vertices, #attached x 3, mm.
 std::vector<AttachmentDrift> DriftOf(const std::vector<Attachment>& attachments,

@@ -98,6 +98,7 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
   MeasureDrift(pose, &result.frame);
   MeasureContact(motion.state, &result.frame);
   Judge(&result.frame);
+  AddBoneOverlaps(&result.frame);
   if (motion.summary.timed_out_at) {
     std::ostringstream text;
     text << "the time ran out after " << static_cast<int>(wall_ms / 1000)
@@ -170,6 +171,23 @@ void CertifiedFrameSolver::MeasureDrift(const ScenePose& pose,
                                   pose),
                 frame->muscles[i].points);
   }
+}
+
+void CertifiedFrameSolver::AddBoneOverlaps(Frame* frame) const {
+  const auto leaves_a_bone = [](const MuscleFrame& muscle) {
+    return std::any_of(
+        muscle.attachments.begin(),
+        muscle.attachments.end(),
+        [](const AttachmentDrift& drift) { return drift.max > kLargestDrift; });
+  };
+  if (frame->shortcomings.empty() &&
+      std::none_of(
+          frame->muscles.begin(), frame->muscles.end(), leaves_a_bone)) {
+    return;
+  }
+  std::vector<std::string> bodies;
+  for (const PreparedBone& bone : scene_.bones) bodies.push_back(bone.body);
+  frame->bone_overlaps = BoneOverlaps(meshes_->bones(), bodies);
 }
 
 void CertifiedFrameSolver::MeasureContact(const SceneState& state,

@@ -54,6 +54,10 @@ class CertifiedFrameSolver : public FrameSolver {
   // Lists what the frame does not hold of the requirements.
   void Judge(Frame* frame);
 
+  // Looks for bones that lie in each other where the frame falls short: they
+  // may be why. Precondition: the meshes of the bones are at the frame.
+  void AddBoneOverlaps(Frame* frame) const;
+
   CertifiedScene certified_;
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/certificate/bone_overlaps.h"
 #include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/motion/attachments.h"
@@ -92,6 +93,10 @@ struct Frame {
   // gaps between meshes.
   SceneIntersections intersections;
   int pose_steps = 1;  // on the way from the frame before
+
+  // The bones that the pose moves into each other, if the frame is not usable
+  // or a muscle leaves a bone that it is attached to: nobody looks otherwise.
+  std::vector<BoneOverlap> bone_overlaps;
 
   // What a certified frame has to hold and this one does not, a sentence each
   // (certificate/shortcomings.h). None of a frame without certified contact.

@@ -91,6 +91,29 @@ std::vector<AttachmentDrift> DriftsFromJson(const OrderedJson& json) {
   return drifts;
 }
 
+OrderedJson ToJson(const std::vector<BoneOverlap>& overlaps) {
+  OrderedJson list = OrderedJson::array();
+  for (const BoneOverlap& overlap : overlaps) {
+    list.push_back({{"a", overlap.a},
+                    {"b", overlap.b},
+                    {"depth_mm", overlap.depth_mm},
+                    {"place_mm", ToJson(overlap.place)}});
+  }
+  return list;
+}
+
+std::vector<BoneOverlap> OverlapsFromJson(const OrderedJson& json) {
+  std::vector<BoneOverlap> overlaps;
+  for (const OrderedJson& item : json) {
+    BoneOverlap& overlap = overlaps.emplace_back();
+    item.at("a").get_to(overlap.a);
+    item.at("b").get_to(overlap.b);
+    item.at("depth_mm").get_to(overlap.depth_mm);
+    overlap.place = PlaceFromJson(item.at("place_mm"));
+  }
+  return overlaps;
+}
+
 OrderedJson ToJson(const ShapeMeasures& shape) {
   return {{"max_stretch", shape.max_stretch},
           {"max_stretch_along", shape.max_stretch_along},
@@ -260,6 +283,7 @@ FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame) {
   record.stop_reason = frame.stop_reason();
   record.usable = frame.IsUsable();
   record.shortcomings = frame.shortcomings;
+  record.bone_overlaps = frame.bone_overlaps;
   for (size_t i = 0; i < frame.muscles.size(); ++i) {
     record.muscles.push_back(
         RecordOf(scene.muscles[i].model, frame.muscles[i]));
@@ -308,6 +332,7 @@ OrderedJson ToJson(const FrameRecord& record) {
           {"stop_reason", record.stop_reason},
           {"usable", record.usable},
           {"shortcomings", record.shortcomings},
+          {"bone_overlaps", ToJson(record.bone_overlaps)},
           {"muscles", muscles},
           {"path_moment_arms_mm", record.path_moment_arms_mm},
           {"moment_arms_converged", record.moment_arms_converged},
@@ -331,6 +356,8 @@ FrameRecord FrameRecordFromJson(const OrderedJson& json) {
   json.at("stop_reason").get_to(record.stop_reason);
   json.at("usable").get_to(record.usable);
   json.at("shortcomings").get_to(record.shortcomings);
+  record.bone_overlaps =
+      OverlapsFromJson(json.value("bone_overlaps", OrderedJson::array()));
   for (const OrderedJson& muscle : json.at("muscles")) {
     record.muscles.push_back(MuscleRecordFromJson(muscle));
   }

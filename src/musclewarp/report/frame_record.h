@@ -70,6 +70,7 @@ struct FrameRecord {
   std::string stop_reason;
   bool usable = false;
   std::vector<std::string> shortcomings;
+  std::vector<BoneOverlap> bone_overlaps;
   std::vector<MuscleRecord> muscles;
 
   // The moment arms of straight paths, by line and coordinate, mm/rad (or

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <functional>
 #include <iomanip>
+#include <map>
 #include <sstream>
+#include <utility>
 
 namespace musclewarp {
 namespace {
@@ -101,6 +103,29 @@ void WarnOfJumps(const std::vector<FrameRecord>& frames,
       At(record.shape.change_place));
 }
 
+// Sentences of the worst frame of each pair of bones.
+void WarnOfBones(const std::vector<FrameRecord>& frames,
+                 std::vector<std::string>* warnings) {
+  std::map<std::pair<std::string, std::string>,
+           std::pair<const FrameRecord*, const BoneOverlap*>>
+      worst;
+  for (const FrameRecord& frame : frames) {
+    for (const BoneOverlap& overlap : frame.bone_overlaps) {
+      auto& found = worst[{overlap.a, overlap.b}];
+      if (!found.second || overlap.depth_mm > found.second->depth_mm) {
+        found = {&frame, &overlap};
+      }
+    }
+  }
+  for (const auto& [names, found] : worst) {
+    warnings->push_back(names.first + " and " + names.second + " are " +
+                        WithDigits(found.second->depth_mm, 1) +
+                        " mm deep in each other in " + found.first->name + " " +
+                        At(found.second->place) +
+                        ": muscles between them have no room there");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> ShapeWarnings(const std::vector<FrameRecord>& frames) {
@@ -111,6 +136,7 @@ std::vector<std::string> ShapeWarnings(const std::vector<FrameRecord>& frames) {
     WarnOfStretch(frames, muscle, &warnings);
     WarnOfJumps(frames, muscle, &warnings);
   }
+  WarnOfBones(frames, &warnings);
   return warnings;
 }
 

@@ -13,9 +13,6 @@ namespace musclewarp {
 // beyond what muscles and tendons bear.
 constexpr double kLargestStretch = 1.6;
 
-// An attachment may leave its body by this, mm.
-constexpr double kLargestDrift = 2;
-
 // A muscle jumps if its largest change from frame to frame is more than so many
 // times the median of the motion, and more than so many mm.
 constexpr double kJumpRatio = 3;
@@ -23,7 +20,8 @@ constexpr double kLeastJump = 1;
 
 // Returns a sentence for everything in the frames that is beyond anatomy, with
 // the worst frame and the place: attachment areas that leave their body,
-// muscles that are stretched too far, and jumps. Frames may be usable
+// muscles that are stretched too far, jumps, and bones that lie in each other,
+// where frames say so (Frame::bone_overlaps). Frames may be usable
 // nevertheless. Jumps are looked for in motions of at least five frames.
 std::vector<std::string> ShapeWarnings(const std::vector<FrameRecord>& frames);
 
