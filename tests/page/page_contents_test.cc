@@ -52,6 +52,17 @@ TEST(PageContents, TrianglesAreThoseOfTheFiles) {
                                  written.muscle.triangles.size()));
 }
 
+TEST(PageContents, HaveTheAttachmentsOfMuscles) {
+  RecordedRun run = ReadQuietly(WriteRun(TestTempDir()).dir);
+  run.muscles[0].attached = {{"pelvis", {3, 5, 8}}, {"femur_r", {4}}};
+  const PageContents contents = PageContentsOf({run}, {});
+  const OrderedJson areas = FirstRun(contents)["muscles"][0]["attached"];
+  ASSERT_EQ(areas.size(), 2u);
+  EXPECT_EQ(areas[0]["body"], "pelvis");
+  EXPECT_EQ(UnpackedNumbers(contents.numbers, areas[0]["vertices"]),
+            (std::vector<int>{3, 5, 8}));
+}
+
 // What is inside by less than a step is still shown as inside.
 TEST(PageContents, GapsAreRoundedAwayFromZero) {
   RecordedRun run = ReadQuietly(WriteRun(TestTempDir()).dir);

@@ -46,6 +46,21 @@ TEST(RecordedRun, IsWhatWasWritten) {
             1e-9);
 }
 
+TEST(RecordedRun, KnowsWhatIsAttachedToWhat) {
+  const WrittenRun written = WriteRun(TestTempDir());
+  const std::string path = (fs::path(written.dir) / kAttachmentsFile).string();
+  WriteAttachments(path, {{{"muscle", {{"femur_r", {0, 7}}}}}, {}});
+  const RecordedRun run = ReadQuietly(written.dir);
+  ASSERT_EQ(run.muscles[0].attached.size(), 1u);
+  EXPECT_EQ(run.muscles[0].attached[0].body, "femur_r");
+  EXPECT_THAT(run.muscles[0].attached[0].vertices, ElementsAre(0, 7));
+
+  const int count = static_cast<int>(written.muscle.points.rows());
+  WriteAttachments(path, {{{"muscle", {{"femur_r", {0, count}}}}}, {}});
+  ExpectInputError([&] { ReadQuietly(written.dir); },
+                   {kAttachmentsFile, std::to_string(count), "muscle"});
+}
+
 TEST(RecordedRun, MeasuresGapsAndCrossings) {
   const WrittenRun written = WriteRun(TestTempDir());
   const RecordedRun run = ReadQuietly(written.dir);

@@ -57,6 +57,16 @@ OrderedJson PolylinesJson(
           {"poses", packed->Add(rounded, std::max(1, 3 * points))}};
 }
 
+OrderedJson AreasJson(const std::vector<AttachedArea>& areas,
+                      PackedNumbers* packed) {
+  OrderedJson list = OrderedJson::array();
+  for (const AttachedArea& area : areas) {
+    list.push_back(
+        {{"body", area.body}, {"vertices", packed->Add(area.vertices, 1)}});
+  }
+  return list;
+}
+
 OrderedJson MuscleJson(const RecordedMuscle& muscle,
                        double step,
                        PackedNumbers* packed) {
@@ -91,6 +101,7 @@ OrderedJson MuscleJson(const RecordedMuscle& muscle,
           {"triangles", packed->Add(muscle.triangles)},
           {"poses", packed->Add(positions, 3 * vertices)},
           {"gaps", packed->Add(gaps, vertices)},
+          {"attached", AreasJson(muscle.attached, packed)},
           {"lines", line_json},
           {"fibres", PolylinesJson(fibres, step, packed)}};
 }

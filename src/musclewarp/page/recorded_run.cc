@@ -154,6 +154,25 @@ class PoseReader {
   RecordedRun* run_;
 };
 
+// Older runs have no file of attachments.
+void AddAttachments(const std::string& path, RecordedRun* run) {
+  if (!fs::exists(path)) return;
+  RecordedAttachments recorded = ReadAttachments(path);
+  for (RecordedMuscle& muscle : run->muscles) {
+    muscle.attached = std::move(recorded.muscles[muscle.name]);
+    for (const AttachedArea& area : muscle.attached) {
+      for (const int v : area.vertices) {
+        if (v < muscle.points[0].rows()) continue;
+        throw InputError(path,
+                         "has the vertex " + std::to_string(v) + " of " +
+                             muscle.name + ", which has " +
+                             std::to_string(muscle.points[0].rows()),
+                         kRunAgain);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 RecordedRun ReadRecordedRun(const std::string& dir, std::ostream& log) {
@@ -171,6 +190,7 @@ RecordedRun ReadRecordedRun(const std::string& dir, std::ostream& log) {
       (fs::path(dir) / kRestFolder).string(),
       {NamesIn(prepare.At("muscles")), NamesIn(prepare.At("bones"))},
       &run);
+  AddAttachments((fs::path(dir) / kAttachmentsFile).string(), &run);
   const std::map<int, std::string> folders = FrameFoldersIn(dir);
   std::vector<FrameRecord> records = FrameRecordsIn(report.At("frames"));
   for (FrameRecord& record : records) {

@@ -12,6 +12,7 @@
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/lines_file.h"
+#include "musclewarp/page/recorded_attachments.h"
 #include "musclewarp/report/frame_record.h"
 
 namespace musclewarp {
@@ -29,6 +30,8 @@ struct RecordedMuscle {
   // The distance of each vertex to the nearest other mesh, #V, mm: negative
   // inside it, and at most kGapLimit.
   std::vector<Eigen::VectorXd> gaps;
+  // The same in all poses.
+  std::vector<AttachedArea> attached;
 };
 
 // A bone, which moves rigidly.

@@ -239,6 +239,7 @@ describe("the page", () => {
       ["stretch", "area, to that at rest"],
       ["gap", "gap to the nearest mesh, mm"],
       ["contact", "contact"],
+      ["attachment", "attached to"],
     ]) {
       await page.locator("#coloring").selectOption(coloring);
       await page.locator("#slider").fill("15");

@@ -4,7 +4,8 @@
 // What the visitor has chosen. Every part of the page reads it and is told of
 // changes; nothing else is shared between them.
 
-export type Coloring = "name" | "displacement" | "stretch" | "gap" | "contact";
+export type Coloring =
+  "name" | "displacement" | "stretch" | "gap" | "contact" | "attachment";
 export type SectionAxis = "off" | "anterior" | "lateral" | "superior";
 
 export interface State {

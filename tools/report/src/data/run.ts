@@ -25,6 +25,7 @@ interface MuscleJson {
   triangles: NumbersRef;
   poses: NumbersRef;
   gaps: NumbersRef;
+  attached: { body: string; vertices: NumbersRef }[];
   lines: PolylinesJson & { names: string[] };
   fibres: PolylinesJson;
 }
@@ -84,6 +85,8 @@ export interface Muscle {
   pointsAt(pose: number): Float32Array;
   // To the nearest other mesh, negative inside it, at most 5.
   gapsAt(pose: number): Float32Array;
+  // The areas that follow bodies; no vertex is in two.
+  attached: { body: string; vertices: Int32Array }[];
   lines: Polylines & { names: string[] };
   fibres: Polylines;
 }
@@ -154,6 +157,10 @@ function muscleFrom(
     triangles: new Uint32Array(packed.at(json.triangles)),
     pointsAt: rows(packed.at(json.poses), 3 * json.vertices, run.step_mm),
     gapsAt: rows(packed.at(json.gaps), json.vertices, run.gap_step_mm),
+    attached: json.attached.map(({ body, vertices }) => ({
+      body,
+      vertices: packed.at(vertices),
+    })),
     lines: {
       ...polylinesFrom(json.lines, run.step_mm, packed),
       names: json.lines.names,

@@ -15,6 +15,7 @@ export const colorings: [Coloring, string][] = [
   ["stretch", "area stretch"],
   ["gap", "gap"],
   ["contact", "contact"],
+  ["attachment", "attachment"],
 ];
 
 export const viewNames = [

@@ -28,6 +28,16 @@ export interface VertexScale {
 
 const insideColor = "#ff8c1a";
 
+// Of bodies, after Okabe and Ito, "Color universal design", 2008.
+const bodyColors = [
+  "#d55e00",
+  "#0072b2",
+  "#009e73",
+  "#cc79a7",
+  "#e69f00",
+  "#56b4e9",
+];
+
 // Of the vertices from rest, mm.
 function displacements(muscle: Muscle, pose: number): Float32Array {
   const rest = muscle.pointsAt(0);
@@ -158,6 +168,40 @@ function contactScale(contactGap: number): VertexScale {
   };
 }
 
+// Grey where a muscle is not attached, and a colour for each body.
+function attachmentScale(runs: Run[]): VertexScale {
+  const bodies = [
+    ...new Set(
+      runs.flatMap((run) =>
+        run.muscles.flatMap(({ attached }) => attached.map(({ body }) => body)),
+      ),
+    ),
+  ].sort();
+  const count = bodies.length + 1;
+  const middle = (value: number) => (value + 0.5) / count;
+  return {
+    title: "attached to",
+    unit: "",
+    values: (muscle) => {
+      const values = new Float32Array(muscle.vertices);
+      for (const { body, vertices } of muscle.attached) {
+        for (const v of vertices) values[v] = 1 + bodies.indexOf(body);
+      }
+      return values;
+    },
+    place: middle,
+    color: (place) => {
+      const area = Math.min(count - 1, Math.floor(place * count));
+      return area === 0
+        ? "#c8c8c8"
+        : bodyColors[(area - 1) % bodyColors.length];
+    },
+    ticks: ["nothing", ...bodies].map((text, area) => [middle(area), text]),
+    say: (value) =>
+      value === 0 ? "not attached" : `attached to ${bodies[value - 1]}`,
+  };
+}
+
 // Null for "name", where each muscle has its own colour.
 export function vertexScale(
   coloring: Coloring,
@@ -174,6 +218,8 @@ export function vertexScale(
       return gapScale;
     case "contact":
       return contactScale(runs[0].contactGap);
+    case "attachment":
+      return attachmentScale(runs);
   }
 }
 

@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/exchange/recorded_attachments.h"
+#include "musclewarp/page/recorded_attachments.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
