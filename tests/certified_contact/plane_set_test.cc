@@ -198,8 +198,11 @@ TEST(PlaneSet, ShiftsAPlaneToTheSideThatCannotMove) {
 TEST(PlaneSet, NamesThePlaneThatATargetViolatesMost) {
   TwoSpheres spheres;
   PlaneSet planes(spheres.options, spheres.step);
+  SeparatingPlane most_violated =
+      spheres.PlaneOverVertex(0, RowVector3d(0, 1, 0), 0.3);
+  most_violated.bone = 2;
   planes.Add({spheres.PlaneOverVertex(0, RowVector3d(0, 0, 1), 0.1),
-              spheres.PlaneOverVertex(0, RowVector3d(0, 1, 0), 0.3),
+              most_violated,
               spheres.PlaneOverVertex(1, RowVector3d(1, 0, 0), -3)});
   const Points& points = spheres.step.carried[0];
   const auto most = planes.MostViolated(0, {0, 1, 2}, points, points);
@@ -208,6 +211,7 @@ TEST(PlaneSet, NamesThePlaneThatATargetViolatesMost) {
   EXPECT_EQ(most.spaces[0].vertex, 0);
   EXPECT_EQ(most.spaces[0].space.normal, RowVector3d(0, 1, 0));
   ASSERT_EQ(most.carriers.size(), 1u);
+  EXPECT_EQ(most.carriers[0].bone, 2);
 }
 
 }  // namespace

@@ -6,23 +6,8 @@
 
 namespace musclewarp {
 
-// A record with a value of its own in every field.
-inline FrameRecord SomeRecord(int index) {
-  FrameRecord record;
-  record.index = index;
-  record.name = "t=0.1 \"quoted\"";
-  record.time = 0.1 + index;
-  record.coordinates = {{"hip", 1.0 / 3}, {"knee", -2}};
-  record.wall_ms = 1.5;
-  record.solve_ms = 0.7;
-  record.certify_ms = 3e-300;
-  record.moment_arms_ms = 0.4;
-  record.moment_arms_converged = false;
-  record.pose_steps = 4;
-  record.iterations = 17;
-  record.stop_reason = "converged";
-  record.usable = true;
-  record.bone_overlaps = {{"pelvis", "femur", 3.7 / 3, {1, 2.0 / 3, -4}}};
+// Records with a value of their own in every field.
+inline MuscleRecord SomeMuscleRecord(int index) {
   MuscleRecord muscle;
   muscle.name = "m";
   muscle.volume_mm3 = 2e5 / 7;
@@ -52,7 +37,26 @@ inline FrameRecord SomeRecord(int index) {
   muscle.fibre_lengths_mm = {50.0 + index, 60};
   muscle.line_moment_arms_mm = {{"l", {{"hip", 20.0 / 3}, {"knee", 0}}}};
   muscle.fibre_moment_arms_mm = {{"hip", {1.0 / 7, -2}}};
-  record.muscles = {muscle};
+  return muscle;
+}
+
+inline FrameRecord SomeRecord(int index) {
+  FrameRecord record;
+  record.index = index;
+  record.name = "t=0.1 \"quoted\"";
+  record.time = 0.1 + index;
+  record.coordinates = {{"hip", 1.0 / 3}, {"knee", -2}};
+  record.wall_ms = 1.5;
+  record.solve_ms = 0.7;
+  record.certify_ms = 3e-300;
+  record.moment_arms_ms = 0.4;
+  record.moment_arms_converged = false;
+  record.pose_steps = 4;
+  record.iterations = 17;
+  record.stop_reason = "converged";
+  record.usable = true;
+  record.bone_overlaps = {{"pelvis", "femur", 3.7 / 3, {1, 2.0 / 3, -4}}};
+  record.muscles = {SomeMuscleRecord(index)};
   record.path_moment_arms_mm = {{"l", {{"hip", 25}, {"knee", -3}}}};
   record.intersections.triangle_pairs = 9;
   record.intersections.vertices_inside = 2;
