@@ -17,7 +17,7 @@ packages="
   libopenmesh-dev libcgal-dev nlohmann-json3-dev libpugixml-dev
   libvtk9-dev libegl-dev libgl1-mesa-dri
   libgtest-dev libgmock-dev libbenchmark-dev
-  clang-format-14 clang-tidy-14 python3 chromium
+  clang-format-14 clang-tidy-14 python3 chromium tetgen
   python3-dev pybind11-dev python3-numpy python3-vtk9 python3-tqdm
   python3-pytest python3-mypy python3-build python3-pip python3-venv
   clang-14 libclang-rt-14-dev libomp-14-dev lld-14

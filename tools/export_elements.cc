@@ -198,7 +198,7 @@ class ElementExport {
       pose.bones.clear();
       names.bones.clear();
     }
-    const SearchableScene scene = SceneOf(names, pose, options_.bones);
+    const SearchableScene scene = SceneOf(names, pose);
     const SceneIntersections found = IntersectScene(scene.muscles, scene.bones);
     const std::string crosses = WhatCrosses(found);
     if (!crosses.empty()) throw FrameFailure{crosses};

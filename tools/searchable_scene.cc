@@ -13,14 +13,12 @@ void SearchableScene::Add(const std::string& name,
   kind->push_back({name, meshes.back().get()});
 }
 
-SearchableScene SceneOf(const RecordedNames& names,
-                        const RecordedPose& pose,
-                        bool has_bones) {
+SearchableScene SceneOf(const RecordedNames& names, const RecordedPose& pose) {
   SearchableScene scene;
   for (size_t i = 0; i < names.muscles.size(); ++i) {
     scene.Add(names.muscles[i], pose.muscles[i], &scene.muscles);
   }
-  for (size_t i = 0; has_bones && i < names.bones.size(); ++i) {
+  for (size_t i = 0; i < names.bones.size(); ++i) {
     scene.Add(names.bones[i], pose.bones[i], &scene.bones);
   }
   return scene;

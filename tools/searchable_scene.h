@@ -22,9 +22,7 @@ struct SearchableScene {
            std::vector<NamedMesh>* kind);
 };
 
-// Returns the meshes of a pose, with or without its bones.
-SearchableScene SceneOf(const RecordedNames& names,
-                        const RecordedPose& pose,
-                        bool has_bones = true);
+// Returns the meshes of a pose.
+SearchableScene SceneOf(const RecordedNames& names, const RecordedPose& pose);
 
 }  // namespace musclewarp
