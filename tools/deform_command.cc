@@ -16,7 +16,6 @@
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
-#include "musclewarp/page/recorded_attachments.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/motion/frame_files.h"
 #include "musclewarp/page/recorded_attachments.h"

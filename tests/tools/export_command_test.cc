@@ -11,9 +11,9 @@
 
 #include "musclewarp/base/child_process.h"
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/page/recorded_attachments.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/page/recorded_attachments.h"
 #include "page/written_run.h"
 #include "support/input_errors.h"
 #include "support/meshes.h"

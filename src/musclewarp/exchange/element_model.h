@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "musclewarp/certificate/scene_intersections.h"
-#include "musclewarp/page/recorded_attachments.h"
 #include "musclewarp/exchange/tetrahedral_mesh.h"
+#include "musclewarp/page/recorded_attachments.h"
 #include "musclewarp/page/recorded_pose.h"
 
 namespace musclewarp {
