@@ -15,7 +15,7 @@ namespace musclewarp {
 namespace {
 
 // Rounding of angles in degrees and of volumes relative to themselves.
-constexpr double kRounding = 1e-12;
+constexpr double kVolumeRounding = 1e-12;
 
 TetrahedralMesh OneElement(const Points& corners) {
   TetrahedralMesh mesh;
@@ -31,8 +31,8 @@ TEST(QualityOf, ARegularElementIsBest) {
   const double angle = std::acos(1.0 / 3) * 180 / M_PI;
   EXPECT_NEAR(quality.smallest_dihedral_deg, angle, 1e-10);
   EXPECT_NEAR(quality.largest_dihedral_deg, angle, 1e-10);
-  EXPECT_NEAR(quality.largest_aspect, 1, kRounding);
-  EXPECT_NEAR(quality.volume, 8.0 / 3, kRounding);
+  EXPECT_NEAR(quality.largest_aspect, 1, kVolumeRounding);
+  EXPECT_NEAR(quality.volume, 8.0 / 3, kVolumeRounding);
   EXPECT_EQ(quality.inverted, 0);
 }
 
@@ -43,7 +43,7 @@ TEST(QualityOf, ACornerOfACubeHasRightAngles) {
   EXPECT_NEAR(quality.smallest_dihedral_deg,
               std::acos(1 / std::sqrt(3)) * 180 / M_PI,
               1e-10);
-  EXPECT_NEAR(quality.volume, 1.0 / 6, kRounding);
+  EXPECT_NEAR(quality.volume, 1.0 / 6, kVolumeRounding);
 }
 
 TEST(QualityOf, CountsInvertedElements) {
@@ -64,7 +64,7 @@ TEST(Volumes, AddUpToThatOfTheSurface) {
   const TetrahedralMesh mesh = StarMesh(ball);
   const double volume = SignedVolume(ball.points, ball.triangles);
   EXPECT_GT(Volumes(mesh).minCoeff(), 0);
-  EXPECT_NEAR(Volumes(mesh).sum() / volume, 1, kRounding);
+  EXPECT_NEAR(Volumes(mesh).sum() / volume, 1, kVolumeRounding);
 }
 
 TEST(BorderFaces, AreTheTrianglesOfTheSurface) {
