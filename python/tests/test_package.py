@@ -12,7 +12,7 @@ import pytest
 
 from conftest import SOURCE
 
-# Of the import itself, s, on a machine that has read the files before.
+# Of the import itself, s of the processor, as others may keep it busy, too.
 LONGEST_IMPORT_S = 0.2
 
 
@@ -87,8 +87,8 @@ def test_is_imported_quickly():
     times = []
     for _ in range(5):
         said = run(sys.executable, "-c",
-                   "import time\nbegan = time.perf_counter()\n"
-                   "import musclewarp\nprint(time.perf_counter() - began)")
+                   "import time\nbegan = time.process_time()\n"
+                   "import musclewarp\nprint(time.process_time() - began)")
         times.append(float(said))
     assert min(times) < LONGEST_IMPORT_S
 
