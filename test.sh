@@ -16,4 +16,6 @@ if [[ -n ${CI:-} ]]; then preset=ci; fi
 
 scripts/setup.sh
 scripts/build.sh "$preset"
+# Two tests at a time share the processor, where waiting threads had better sleep.
+export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
 ctest --preset "$preset" --output-on-failure --no-tests=error -j2 "$@"

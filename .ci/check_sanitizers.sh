@@ -9,5 +9,6 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 scripts/build.sh asan musclewarp_unit_tests
+export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
 GTEST_FILTER='-RandomScene.*:*RandomSceneOfSeed.*' \
   ctest --preset asan -L unit -j2

@@ -12,13 +12,13 @@
 #
 # Configures build/tidy, for a compile_commands.json that lists every file: that
 # of build/release lists what is compiled together. Without --all no more than
-# MUSCLEWARP_TIDY_FILES files are checked (60 by default), those that changed
+# MUSCLEWARP_TIDY_FILES files are checked (30 by default), those that changed
 # last, so that the time is bounded.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 build=build/tidy
-max_files=${MUSCLEWARP_TIDY_FILES:-60}
+max_files=${MUSCLEWARP_TIDY_FILES:-30}
 base=${1:-}
 if (($# > 1)) || [[ $base == -* && $base != --all ]]; then
   sed -n '/^# usage/,/^# last/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2

@@ -10,6 +10,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/motion/frame_files.h"
 #include "musclewarp/page/page.h"
+#include "musclewarp/page/recorded_attachments.h"
 #include "musclewarp/report/motion_tables.h"
 #include "musclewarp/report/report_json.h"
 #include "python/src/bindings.h"
@@ -125,6 +126,8 @@ void WriteFiles(const RunOfDeformer& run,
                 Deformer* deformer) {
   const PreparedScene& scene = deformer->scene();
   WriteFrame(scene, deformer->RestFrame(), formats, dir);
+  WriteAttachments((fs::path(dir) / kAttachmentsFile).string(),
+                   AttachmentsOf(scene));
   std::vector<int> indices;
   RunRecord record = RecordOf(run, deformer);
   for (size_t i = 0; i < run.frames.size(); ++i) {

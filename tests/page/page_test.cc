@@ -66,15 +66,25 @@ TEST(Page, ViewsFollowTheAxesOfTheScene) {
 }
 
 TEST(Page, HasMomentArmsOfCarriedLines) {
-  const WrittenRun written = WriteRun(TestTempDir());
-  const Json data =
-      Json::parse(ScriptText(PageHtml({ReadQuietly(written.dir)}, {}), "runs"));
-  const Json& arms = data["runs"][0]["carried_moment_arms_mm"];
-  EXPECT_EQ(arms["coordinate"], "hip");
-  // Lengths of 100 and 101 mm, 10 degrees apart.
-  for (const double arm : arms["muscles"]["muscle"]["l"]) {
-    EXPECT_NEAR(arm, -1 / (10 * M_PI / 180), 1e-12);
+  WrittenRun written = WriteRun(TestTempDir());
+  const auto expect_arms = [&](double expected) {
+    const Json data = Json::parse(
+        ScriptText(PageHtml({ReadQuietly(written.dir)}, {}), "runs"));
+    const Json& arms = data["runs"][0]["carried_moment_arms_mm"];
+    EXPECT_EQ(arms["coordinate"], "hip");
+    ASSERT_EQ(arms["muscles"]["muscle"]["l"].size(), 2u);
+    for (const double arm : arms["muscles"]["muscle"]["l"]) {
+      EXPECT_NEAR(arm, expected, 1e-12);
+    }
+  };
+  expect_arms(20.0 / 3);  // of SomeRecord
+  // Older runs do not have them, but lengths of 100 and 101 mm, 10 degrees
+  // apart.
+  for (auto& frame : written.report["frames"]) {
+    frame["muscles"][0].erase("line_moment_arms_mm");
   }
+  written.WriteReport();
+  expect_arms(-1 / (10 * M_PI / 180));
 }
 
 TEST(Page, RunsAreNamedApart) {

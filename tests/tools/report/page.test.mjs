@@ -238,8 +238,8 @@ describe("the page", () => {
       ["displacement", "displacement from rest, mm"],
       ["stretch", "area, to that at rest"],
       ["gap", "gap to the nearest mesh, mm"],
-      ["contact", "contact"],
       ["attachment", "attached to"],
+      ["contact", "contact"],
     ]) {
       await page.locator("#coloring").selectOption(coloring);
       await page.locator("#slider").fill("15");
