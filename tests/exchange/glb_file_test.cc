@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::json;
 
-// What the issue asks for: half of the last digit of the floats is less.
+// Half of the last digit of the floats is less.
 constexpr double kToleranceMm = 1e-4;
 
 std::uint32_t NumberAt(const std::string& bytes, size_t at) {

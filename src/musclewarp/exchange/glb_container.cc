@@ -88,7 +88,7 @@ int GlbArrays::AddTriangles(const Triangles& triangles) {
 void GlbArrays::WriteGlb(const std::string& path,
                          const std::string& path_for_messages,
                          nlohmann::ordered_json json) {
-  json["buffers"] = {{{"byteLength", size_}}};
+  json["buffers"].push_back({{"byteLength", size_}});
   json["bufferViews"] = std::move(views_);
   json["accessors"] = std::move(accessors_);
   std::string text = json.dump();

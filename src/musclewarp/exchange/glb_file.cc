@@ -1,5 +1,6 @@
 // Copyright 2026 The musclewarp authors.
-// SPDX-License-Identifier: Apache-2.0
+// SPDX-License-Identifier: Apache-2.0#include <utility>
+
 #include "musclewarp/exchange/glb_file.h"
 
 #include <Eigen/Geometry>
@@ -31,6 +32,13 @@ std::vector<double> ToJson(const RowVector3d& v) { return {v[0], v[1], v[2]}; }
 double LinearFromSrgb(std::uint8_t value) {
   const double v = value / 255.0;
   return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+// A list of one. Compilers disagree about braces around a single value.
+OrderedJson ListOf(OrderedJson item) {
+  OrderedJson list = OrderedJson::array();
+  list.push_back(std::move(item));
+  return list;
 }
 
 OrderedJson MaterialJson(const std::string& name, const Color& color) {
@@ -101,9 +109,10 @@ class GlbScene {
     OrderedJson json = {
         {"asset", {{"version", "2.0"}, {"generator", "musclewarp-export"}}},
         {"scene", 0},
-        {"scenes", {{{"name", animation_.name}, {"nodes", {root}}}}}};
+        {"scenes",
+         ListOf({{"name", animation_.name}, {"nodes", ListOf(root)}})}};
     AddTargets();
-    json["animations"] = {AnimationJson()};
+    json["animations"] = ListOf(AnimationJson());
     nodes_.push_back({{"name", animation_.name},
                       {"translation", ToJson(origin_)},
                       {"children", children}});
@@ -126,9 +135,9 @@ class GlbScene {
         arrays_->AddTriangles(conversion_.Convert(soup.triangles));
     meshes_.push_back({{"name", name},
                        {"primitives",
-                        {{{"attributes", {{"POSITION", positions}}},
-                          {"indices", indices},
-                          {"material", number}}}}});
+                        ListOf({{"attributes", {{"POSITION", positions}}},
+                                {"indices", indices},
+                                {"material", number}})}});
     materials_.push_back(MaterialJson(name, color));
     nodes_.push_back({{"name", name},
                       {"mesh", number},
