@@ -1,11 +1,11 @@
 // Copyright 2026 The musclewarp authors.
-// SPDX-License-Identifier: Apache-2.0#include <utility>
-
+// SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/exchange/glb_file.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/palette.h"
