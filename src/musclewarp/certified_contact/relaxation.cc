@@ -11,12 +11,6 @@ using Eigen::RowVector3d;
 
 // What stays the same in the sweeps over one muscle.
 struct MuscleSweep {
-  MuscleSweep(const StepOptions& options,
-              const ContactStep& step,
-              const Points& targets,
-              const Eigen::VectorXd& stiffness,
-              int muscle);
-
   const StepOptions& options;
   const MuscleSurface& surface;
   const Points& carried;
@@ -30,29 +24,31 @@ struct MuscleSweep {
   Eigen::VectorXd sums_of_weights;
 };
 
-MuscleSweep::MuscleSweep(const StepOptions& options,
-                         const ContactStep& step,
-                         const Points& targets,
-                         const Eigen::VectorXd& stiffness,
-                         int muscle)
-    : options(options),
-      surface(step.scene.muscles[muscle]),
-      carried(step.carried[muscle]),
-      targets(targets),
-      attached(step.attached[muscle]),
-      muscle(muscle),
-      weights(surface.weights.size()),
-      sums_of_weights(surface.num_vertices()) {
+MuscleSweep SweepOf(const StepOptions& options,
+                    const ContactStep& step,
+                    const Points& targets,
+                    const Eigen::VectorXd& stiffness,
+                    int muscle) {
+  const MuscleSurface& surface = step.scene.muscles[muscle];
+  MuscleSweep sweep = {options,
+                       surface,
+                       step.carried[muscle],
+                       targets,
+                       step.attached[muscle],
+                       muscle,
+                       surface.weights,
+                       Eigen::VectorXd(surface.num_vertices())};
   const double length = options.relaxation.smoothing_length;
   for (int v = 0; v < surface.num_vertices(); ++v) {
     double sum = 1 / (length * length) * surface.areas[v];
     for (int e = surface.first[v]; e < surface.first[v + 1]; ++e) {
       const int u = surface.neighbours[e];
-      weights[e] = std::max(stiffness[u], stiffness[v]) * surface.weights[e];
-      sum += weights[e];
+      sweep.weights[e] *= std::max(stiffness[u], stiffness[v]);
+      sum += sweep.weights[e];
     }
-    sums_of_weights[v] = sum;
+    sweep.sums_of_weights[v] = sum;
   }
+  return sweep;
 }
 
 // Returns the place, or the nearest one within the reach of where the vertex is
@@ -128,7 +124,7 @@ RelaxedPoints Relax(const StepOptions& options,
   std::vector<MuscleSweep> muscles;
   std::vector<Points> offsets;
   for (int i = 0; i < step.num_muscles(); ++i) {
-    muscles.emplace_back(options, step, targets[i], stiffness[i], i);
+    muscles.push_back(SweepOf(options, step, targets[i], stiffness[i], i));
     offsets.push_back(relaxed.points[i] - targets[i]);
   }
   for (int sweep = 0; sweep < sweeps; ++sweep) {
