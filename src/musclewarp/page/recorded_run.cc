@@ -97,7 +97,7 @@ class PoseReader {
       const std::string& name = names.muscles[i];
       const TriangleSoup& soup = rest_.muscles[i];
       run->muscles.push_back(
-          {name, soup.triangles, {soup.points}, {rest_.lines[i]}, {}});
+          {name, soup.triangles, {soup.points}, {rest_.lines[i]}, {}, {}});
       muscles_.push_back(Add(name, soup));
     }
     for (std::size_t i = 0; i < names.bones.size(); ++i) {
