@@ -53,6 +53,8 @@ export class Browser {
       ...options,
     });
     this.contexts.push(context);
+    // Without a graphics card, beside other tests, pictures take their time.
+    context.setDefaultTimeout(180_000);
     const page = await context.newPage();
     page.complaints = [];
     page.on("console", (message) => {
