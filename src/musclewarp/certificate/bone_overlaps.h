@@ -10,9 +10,10 @@
 
 namespace musclewarp {
 
-// Two bones that a pose moves into each other. Muscles between them have no
-// room there, whatever contact does: they are squeezed, or leave the bone that
-// they are attached to.
+// Two bones of different bodies that lie in each other in a pose, because the
+// pose moves them there or because they were delivered like that. Muscles
+// between them have no room there, whatever contact does: they are squeezed, or
+// leave the bone that they are attached to.
 struct BoneOverlap {
   std::string a;
   std::string b;

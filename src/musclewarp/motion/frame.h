@@ -94,8 +94,9 @@ struct Frame {
   SceneIntersections intersections;
   int pose_steps = 1;  // on the way from the frame before
 
-  // The bones that the pose moves into each other, if the frame is not usable
-  // or a muscle leaves a bone that it is attached to: nobody looks otherwise.
+  // With certified contact, the bones of different bodies that lie in each
+  // other. Looked for only if the frame is not usable or a muscle leaves a bone
+  // that it is attached to, as they may be why.
   std::vector<BoneOverlap> bone_overlaps;
 
   // What a certified frame has to hold and this one does not, a sentence each
