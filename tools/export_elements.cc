@@ -89,8 +89,8 @@ class ElementExport {
   int Execute(const std::vector<int>& frames) {
     rest_ = ReadRestPose(run_.rest, run_.names);
     ReadAttachmentsIfThere();
-    MakeFolder(dir_);
     if (options_.resume) ReadRecord();
+    MakeFolder(dir_);
     screen_ << "frame        tetrahedra  points inside  min dihedral  aspect  "
                "seconds\n";
     int failed = 0;
@@ -121,10 +121,24 @@ class ElementExport {
                "be no node sets of attachments\n";
   }
 
+  // What the meshes depend on; whichever mesher made them, they are held to
+  // the same conditions.
+  OrderedJson Inputs() const {
+    return {{"inputs_hash", run_.inputs_hash},
+            {"min_dihedral_deg", options_.min_dihedral_deg},
+            {"bones", options_.bones},
+            {"one_mesh", options_.one_mesh}};
+  }
+
   void ReadRecord() {
     if (!fs::exists(RecordPath())) return;
     try {
       const OrderedJson record = OrderedJson::parse(ReadFile(RecordPath()));
+      if (record.at("inputs") != Inputs()) {
+        throw InputError(RecordPath(),
+                         "is of another run, or of other flags",
+                         "export without --resume, or to another folder");
+      }
       for (const OrderedJson& frame : record.at("frames")) {
         records_[frame.at("frame").get<std::string>()] = frame;
       }
@@ -145,7 +159,7 @@ class ElementExport {
     const OrderedJson record = {{"version", MUSCLEWARP_VERSION},
                                 {"run", run_.dir},
                                 {"mesher", mesher_.program},
-                                {"one_mesh", options_.one_mesh},
+                                {"inputs", Inputs()},
                                 {"frames", frames},
                                 {"usable", is_usable}};
     WriteTextAtomically(RecordPath(), record.dump(2) + "\n");

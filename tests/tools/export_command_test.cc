@@ -238,6 +238,20 @@ TEST_F(Export, ResumeKeepsWhatIsThere) {
   EXPECT_THAT(screen_.str(), HasSubstr("the mesher ended with exit code 1"));
 }
 
+TEST_F(Export, ResumeRefusesTheFramesOfAnotherRunOrOtherFlags) {
+  if (FindProgram("tetgen").empty()) GTEST_SKIP() << "no tetgen";
+  EXPECT_EQ(Run("inp"), kExitNotUsable);  // the second frame crosses
+  const std::string frame = FileText(request_.out + "/frame_0000.inp");
+  request_.elements.resume = true;
+  request_.elements.min_dihedral_deg = 1;
+  ExpectInputError([&] { Run("inp"); }, {"export.json", "--resume"});
+  request_.elements.min_dihedral_deg = 0;
+  run_.report["inputs_hash"] = "another";
+  run_.WriteReport();
+  ExpectInputError([&] { Run("inp"); }, {"export.json", "another run"});
+  EXPECT_EQ(FileText(request_.out + "/frame_0000.inp"), frame);
+}
+
 TEST_F(Export, TheProgramExitsAsAllDo) {
   const auto exit_code = [&](const std::string& arguments) {
     return RunCommandLine(MUSCLEWARP_EXPORT, arguments).exit_code;

@@ -81,6 +81,7 @@ RunOutline ReadRunOutline(const std::string& dir, const std::string& version) {
   run.dir = dir;
   run.rest = (fs::path(dir) / kRestFolder).string();
   run.scene = report.At("scene").AsString();
+  run.inputs_hash = report.At("inputs_hash").AsString();
   run.axes = report.At("axes").AsString();
   if (!AreBodyAxes(run.axes)) {
     report.At("axes").Fail("is \"" + run.axes + "\"",

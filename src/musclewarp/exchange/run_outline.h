@@ -24,7 +24,8 @@ struct RunOutline {
   std::string dir;
   std::string rest;  // the folder of the rest pose
   std::string scene;
-  std::string axes;  // how the axes of the meshes lie in the body
+  std::string inputs_hash;  // of what the run was made from
+  std::string axes;         // how the axes of the meshes lie in the body
   std::string contact;
   RecordedNames names;
   std::vector<OutlinedFrame> frames;

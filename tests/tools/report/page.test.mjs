@@ -125,6 +125,20 @@ describe("the page", () => {
     await hasText(page, "hip_flexion_r 60.00 degrees");
   });
 
+  test("pauses although frames pass while the button is down", async () => {
+    const page = await openPlain();
+    await page.locator("#play").click();
+    await page.locator("#play").hover();
+    await page.mouse.down();
+    const pressed = await frameShown(page);
+    await page.waitForFunction(
+      (frame) => Number(document.querySelector("#slider").value) !== frame,
+      pressed,
+    );
+    await page.mouse.up();
+    await page.locator('#play[title^="Play"]').waitFor({ timeout: 20_000 });
+  });
+
   test("goes round when it plays to the end", async () => {
     const page = await openPlain();
     await page.locator("#slider").fill("15");

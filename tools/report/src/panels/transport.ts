@@ -56,11 +56,14 @@ export function transport(
     ["5", "10", "15", "30"].map((n) => [n, `${n} / s`] as [string, string]),
     (value) => store.set({ framesPerSecond: Number(value) }),
   );
-  store.subscribe((state) => {
-    play.replaceChildren(icon(state.playing ? "pause" : "play"));
-    const title = state.playing ? "Pause (space)" : "Play (space)";
-    play.title = title;
-    play.setAttribute("aria-label", title);
+  store.subscribe((state, changed) => {
+    // Only then: a press whose icon is replaced before its release is no click.
+    if (changed.has("playing")) {
+      play.replaceChildren(icon(state.playing ? "pause" : "play"));
+      const title = state.playing ? "Pause (space)" : "Play (space)";
+      play.title = title;
+      play.setAttribute("aria-label", title);
+    }
     slider.value = String(state.moment);
     speed.value = String(state.framesPerSecond);
     text.textContent = momentText(runs, timeline, state.moment);
