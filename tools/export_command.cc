@@ -131,12 +131,22 @@ int ExportPointCaches(const ExportRequest& request, std::ostream& screen) {
   return ExportAnimation(request, WritePointCaches, screen);
 }
 
+int ExportModel(const ExportRequest& request, std::ostream& screen) {
+  if (request.frames != "all") {
+    throw InputError("--frames=" + request.frames,
+                     "is not for --format=osim, which takes all frames",
+                     "choose frames with --frames of musclewarp-deform");
+  }
+  return ExportOsim(request.in, request.out, request.osim, screen);
+}
+
 using Exporter = int (*)(const ExportRequest&, std::ostream&);
 
 const std::map<std::string, Exporter>& Exporters() {
   static const std::map<std::string, Exporter> kExporters = {
       {"crossings", ExportCrossings},
       {"glb", ExportGlb},
+      {"osim", ExportModel},
       {"pc2", ExportPointCaches}};
   return kExporters;
 }

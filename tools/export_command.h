@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "tools/export_elements.h"
+#include "tools/export_osim.h"
 
 namespace musclewarp {
 
 // What musclewarp-export is asked for; the fields are its flags.
 struct ExportRequest {
-  std::string in;                  // a folder written by musclewarp-deform
+  std::string in;                  // a folder written by musclewarp-deform;
+                                   // for osim several, with commas
   std::vector<std::string> files;  // mesh files instead; for crossings only
   std::string out;                 // a file or folder, as the format has it
   // One of ExportFormats(); of those for finite elements several, with commas.
@@ -21,6 +23,7 @@ struct ExportRequest {
   std::string mesh_format = "ply";  // of crossings: ply, obj or vtp
   int threads = 0;                  // 0: as many as OpenMP chooses
   ElementOptions elements;
+  OsimExportOptions osim;
 };
 
 // The values of --format in this build, separated by commas.

@@ -7,12 +7,16 @@
 #include "tools/export_command.h"
 #include "tools/program.h"
 
-DEFINE_string(in, "", "folder written by musclewarp-deform");
-DEFINE_string(out, "", "the file (glb) or the folder (else) to write");
+DEFINE_string(
+    in,
+    "",
+    "folder written by musclewarp-deform; for osim several with commas");
+DEFINE_string(out, "", "the file (glb, osim) or the folder (else) to write");
 DEFINE_string(format,
               "",
               "crossings: places where meshes cross; glb: glTF 2.0; pc2: .obj "
-              "and point caches for Blender; inp, feb, msh and with VTK vtu: "
+              "and point caches for Blender; osim: the OpenSim model with path "
+              "functions; inp, feb, msh and with VTK vtu: "
               "finite elements, several with commas");
 DEFINE_string(frames,
               "all",
@@ -35,6 +39,15 @@ DEFINE_bool(resume,
             false,
             "keep the tetrahedra of frames that are there from a run with the "
             "same flags");
+DEFINE_string(model,
+              "",
+              "of osim: the model, if it is no longer where the run had it");
+DEFINE_double(max_length_error_mm,
+              0.5,
+              "of osim: mm; exit code 1 if a length is fitted worse");
+DEFINE_double(max_arm_error_mm,
+              1,
+              "of osim: mm; exit code 1 if a moment arm is fitted worse");
 DEFINE_int32(threads, 0, "threads; 0: one a core");
 
 namespace musclewarp {
@@ -55,6 +68,9 @@ ExportRequest RequestFromFlags(const std::vector<std::string>& files) {
   request.elements.bones = FLAGS_bones;
   request.elements.one_mesh = FLAGS_one_mesh;
   request.elements.resume = FLAGS_resume;
+  request.osim.model = FLAGS_model;
+  request.osim.fit.max_length_error = FLAGS_max_length_error_mm;
+  request.osim.fit.max_arm_error = FLAGS_max_arm_error_mm;
   return request;
 }
 
@@ -68,7 +84,8 @@ int main(int argc, char** argv) {
       "musclewarp-export --in=RUN --out=... --format=FORMAT [flags]\n"
       "       musclewarp-export MESH... --out=DIR --format=crossings\n\n"
       "Writes a run for other programs (docs/export.md).\n"
-      "Exit code: 0 done, 1 a frame could not be meshed, 2 bad input.",
+      "Exit code: 0 done, 1 a frame could not be meshed or a fit exceeds its "
+      "bounds, 2 bad input.",
       [](const std::vector<std::string>& files) {
         return musclewarp::ExportCommand(musclewarp::RequestFromFlags(files),
                                          std::cout);

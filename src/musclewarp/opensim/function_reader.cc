@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/opensim/function_reader.h"
 
+#include <cmath>
 #include <utility>
+
+#include "musclewarp/opensim/multivariate_polynomial.h"
 
 namespace musclewarp {
 namespace {
@@ -45,6 +48,43 @@ Knots ReadKnots(const OsimXml& xml, pugi::xml_node element) {
   return knots;
 }
 
+// Reads an integer that is in a range.
+int Integer(const OsimXml& xml,
+            pugi::xml_node element,
+            const char* name,
+            int smallest,
+            int largest) {
+  const pugi::xml_node child = xml.Child(element, name);
+  const double number = xml.Number(element, name, 0);
+  if (number != std::floor(number) || number < smallest || number > largest) {
+    xml.Fail(child,
+             "is " + xml.Text(child),
+             "give an integer from " + std::to_string(smallest) + " to " +
+                 std::to_string(largest));
+  }
+  return static_cast<int>(number);
+}
+
+MultivariatePolynomial ReadMultivariate(const OsimXml& xml,
+                                        pugi::xml_node element) {
+  constexpr int kMaxOrder = 20;  // Monomials grow with its sixth power.
+  MultivariatePolynomial polynomial;
+  polynomial.dimension =
+      Integer(xml, element, "dimension", 1, kMaxPolynomialDimension);
+  polynomial.order = Integer(xml, element, "order", 0, kMaxOrder);
+  const std::vector<double> coefficients = Coefficients(xml, element);
+  const size_t count = Monomials(polynomial.dimension, polynomial.order).rows();
+  if (coefficients.size() != count) {
+    xml.Fail(element,
+             "has " + std::to_string(coefficients.size()) + " coefficients",
+             "give " + std::to_string(count) +
+                 ", one for each monomial of its dimension and order");
+  }
+  polynomial.coefficients =
+      Eigen::Map<const Eigen::VectorXd>(coefficients.data(), count);
+  return polynomial;
+}
+
 }  // namespace
 
 pugi::xml_node FunctionElement(pugi::xml_node node, const char* property) {
@@ -67,6 +107,9 @@ FunctionPtr ReadFunction(const OsimXml& xml,
   }
   if (type == "PolynomialFunction") {
     return MakePolynomial(Coefficients(xml, element));
+  }
+  if (type == "MultivariatePolynomialFunction") {
+    return MakeMultivariatePolynomial(ReadMultivariate(xml, element));
   }
   if (type == "SimmSpline" || type == "NaturalCubicSpline" ||
       type == "natCubicSpline") {

@@ -176,6 +176,13 @@ bool IsActive(const PathPoint& point, const CoordinateValues& values) {
 double PathLength(const ModelMuscle& muscle,
                   const std::vector<Eigen::Matrix4d>& body_frames,
                   const CoordinateValues& values) {
+  if (muscle.length_function) {
+    std::vector<double> arguments;
+    for (const int coordinate : muscle.length_coordinates) {
+      arguments.push_back(values[coordinate]);
+    }
+    return kMillimetresPerMetre * muscle.length_function->Value(arguments);
+  }
   double length = 0;
   Eigen::Vector3d last;
   bool has_last = false;

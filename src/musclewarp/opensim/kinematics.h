@@ -54,7 +54,8 @@ Eigen::Vector3d LocationOnBody(const PathPoint& point,
 // conditional points are only for a range of a coordinate.
 bool IsActive(const PathPoint& point, const CoordinateValues& values);
 
-// Returns the length (mm) of the polyline through the active points of a path.
+// Returns the length (mm) of the polyline through the active points of a path,
+// or the value of its length function if it has one.
 // Wrapping surfaces are ignored. `body_frames` is the result of BodyFrames for
 // the same values.
 double PathLength(const ModelMuscle& muscle,

@@ -133,6 +133,12 @@ struct ModelMuscle {
   std::string name;
   std::vector<PathPoint> path;
 
+  // The length of a path that is a function of coordinates instead of points
+  // (FunctionBasedPath of OpenSim 4.5), in m, and its arguments. The function
+  // is null for a path of points.
+  FunctionPtr length_function;
+  std::vector<int> length_coordinates;
+
   // Why the path is not known, as for joints. Empty if it is known.
   std::string unsupported;
 };

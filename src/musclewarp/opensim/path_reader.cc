@@ -3,12 +3,15 @@
 #include "musclewarp/opensim/path_reader.h"
 
 #include <Eigen/Geometry>
+#include <sstream>
 #include <utility>
 
 #include "musclewarp/opensim/function_reader.h"
 
 namespace musclewarp {
 namespace {
+
+constexpr char kFunctionBasedPath[] = "FunctionBasedPath";
 
 // Returns the child with the name of OpenSim 3 if there is one, else that with
 // the name of OpenSim 4.
@@ -114,11 +117,50 @@ PathPoint ReadPoint(const OsimXml& xml,
   return point;
 }
 
+void ReadLengthFunction(const OsimXml& xml,
+                        pugi::xml_node path,
+                        const Model& model,
+                        ModelMuscle* muscle) {
+  std::istringstream names(xml.Text(xml.Child(path, "coordinate_paths")));
+  for (std::string name; names >> name;) {
+    const int coordinate = model.FindCoordinate(LastName(name));
+    if (coordinate < 0) {
+      xml.Fail(path,
+               "names \"" + name + "\", which is not a coordinate of the model",
+               "check the name");
+    }
+    muscle->length_coordinates.push_back(coordinate);
+  }
+  const pugi::xml_node element = FunctionElement(path, "length_function");
+  if (!element) xml.Fail(path, "has no <length_function>", "give a function");
+  std::string unknown;
+  muscle->length_function = ReadFunction(xml, element, &unknown);
+  if (muscle->length_function &&
+      muscle->length_function->Arity() > muscle->length_coordinates.size()) {
+    xml.Fail(path,
+             "has a length function of " +
+                 std::to_string(muscle->length_function->Arity()) +
+                 " arguments and " +
+                 std::to_string(muscle->length_coordinates.size()) +
+                 " coordinates",
+             "name a coordinate for each");
+  }
+  muscle->unsupported =
+      "the path <FunctionBasedPath>, which has no points, in "
+      "line " +
+      std::to_string(xml.LineOf(path));
+}
+
 }  // namespace
 
 pugi::xml_node GeometryPathOf(pugi::xml_node force) {
-  if (const auto path = force.child("GeometryPath")) return path;
-  return force.child("path").child("GeometryPath");
+  const pugi::xml_node property = force.child("path");
+  for (const pugi::xml_node parent : {force, property}) {
+    for (const char* type : {"GeometryPath", kFunctionBasedPath}) {
+      if (const auto path = parent.child(type)) return path;
+    }
+  }
+  return {};
 }
 
 ModelMuscle ReadPath(const OsimXml& xml,
@@ -128,6 +170,10 @@ ModelMuscle ReadPath(const OsimXml& xml,
   ModelMuscle muscle;
   muscle.name = xml.NameOf(force);
   const pugi::xml_node path = GeometryPathOf(force);
+  if (std::string(path.name()) == kFunctionBasedPath) {
+    ReadLengthFunction(xml, path, model, &muscle);
+    return muscle;
+  }
   for (const pugi::xml_node node : ObjectsOf(path, "PathPointSet")) {
     muscle.path.push_back(
         ReadPoint(xml, frames, node, model, &muscle.unsupported));

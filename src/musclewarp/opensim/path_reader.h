@@ -8,8 +8,9 @@
 
 namespace musclewarp {
 
-// Returns the element <GeometryPath> of a muscle, or of another force of the
-// <ForceSet> that has one. Returns an empty node if there is none.
+// Returns the element <GeometryPath> or <FunctionBasedPath> of a muscle, or of
+// another force of the <ForceSet> that has one. Returns an empty node if there
+// is none.
 pugi::xml_node GeometryPathOf(pugi::xml_node force);
 
 // Reads the path of a force that has one: fixed, moving and conditional points,
@@ -18,6 +19,9 @@ pugi::xml_node GeometryPathOf(pugi::xml_node force);
 // ModelMuscle::unsupported. Throws InputError at the element if the path has
 // fewer than two points, or if a point names an unknown body or coordinate or
 // has an invalid number.
+//
+// The path of a <FunctionBasedPath> is its length function; as it has no
+// points, it is also noted in ModelMuscle::unsupported.
 ModelMuscle ReadPath(const OsimXml& xml,
                      const OffsetFrames& frames,
                      pugi::xml_node force,

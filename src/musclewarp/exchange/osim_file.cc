@@ -1,0 +1,195 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/exchange/osim_file.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <pugixml.hpp>
+
+#include "musclewarp/base/input_error.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr double kMetres = 1e-3;  // in a mm
+constexpr char kPath[] = "GeometryPath";
+
+// A piece of the text and what stands there instead.
+struct Edit {
+  size_t begin = 0, end = 0;
+  std::string text;
+};
+
+// Whether a name ends with "Joint", as those of all joints do.
+bool IsJoint(pugi::xml_node node) {
+  const std::string name = node.name();
+  return name.size() >= 5 && name.compare(name.size() - 5, 5, "Joint") == 0 &&
+         node.attribute("name");
+}
+
+// The path of a coordinate in a model of OpenSim 4: older joints, which are in
+// bodies, are moved to the set of joints under their names.
+std::string CoordinatePath(const pugi::xml_document& document,
+                           const std::string& where,
+                           const std::string& name) {
+  const pugi::xml_node coordinate =
+      document.find_node([&](pugi::xml_node node) {
+        return std::string(node.name()) == "Coordinate" &&
+               node.attribute("name").value() == name;
+      });
+  pugi::xml_node joint = coordinate;
+  while (joint && !IsJoint(joint)) joint = joint.parent();
+  if (!joint) {
+    throw InputError(where + ": coordinate \"" + name + "\"",
+                     "is not in a joint with a name",
+                     "check the model");
+  }
+  return std::string("/jointset/") + joint.attribute("name").value() + "/" +
+         name;
+}
+
+pugi::xml_node PathOfMuscle(const pugi::xml_document& document,
+                            const std::string& where,
+                            const std::string& muscle) {
+  const pugi::xml_node path = document.find_node([&](pugi::xml_node node) {
+    pugi::xml_node force = node.parent();
+    if (std::string(force.name()) == "path") force = force.parent();
+    return std::string(node.name()) == kPath &&
+           force.attribute("name").value() == muscle;
+  });
+  if (path) return path;
+  throw InputError(where,
+                   "has no muscle \"" + muscle + "\" with a <GeometryPath>",
+                   "give the model that the run was made with");
+}
+
+// Returns the position after the end tag of an element whose start tag begins
+// at `begin`. Comments may hold anything.
+size_t EndOfElement(const std::string& text, size_t begin) {
+  const std::string end_tag = std::string("</") + kPath;
+  for (size_t i = begin; i < text.size(); ++i) {
+    if (text.compare(i, 4, "<!--") == 0) {
+      i = text.find("-->", i);
+    } else if (text.compare(i, end_tag.size(), end_tag) == 0) {
+      return text.find('>', i) + 1;
+    }
+    if (i == std::string::npos) break;
+  }
+  return begin;
+}
+
+std::string Numbers(const Eigen::VectorXd& values) {
+  std::string text;
+  for (const double value : values) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%.17g", value);
+    text += (text.empty() ? "" : " ") + std::string(number);
+  }
+  return text;
+}
+
+// The lines of the element, each with its depth.
+std::string PathText(const std::string& coordinates,
+                     const MultivariatePolynomial& length,
+                     bool has_property,
+                     const std::string& newline,
+                     const std::string& indent,
+                     const std::string& step) {
+  std::string text;
+  int depth = 0;
+  const auto line = [&](const std::string& words) {
+    if (!text.empty()) {
+      text += newline + indent;
+      for (int i = 0; i < depth; ++i) text += step;
+    }
+    text += words;
+  };
+  if (!has_property) {
+    line("<path>");
+    ++depth;
+  }
+  line("<FunctionBasedPath name=\"path\">");
+  ++depth;
+  line("<coordinate_paths>" + coordinates + "</coordinate_paths>");
+  line("<length_function>");
+  ++depth;
+  line("<MultivariatePolynomialFunction>");
+  ++depth;
+  line("<dimension>" + std::to_string(length.dimension) + "</dimension>");
+  line("<order>" + std::to_string(length.order) + "</order>");
+  line("<coefficients>" + Numbers(kMetres * length.coefficients) +
+       "</coefficients>");
+  --depth;
+  line("</MultivariatePolynomialFunction>");
+  --depth;
+  line("</length_function>");
+  --depth;
+  line("</FunctionBasedPath>");
+  if (!has_property) {
+    --depth;
+    line("</path>");
+  }
+  return text;
+}
+
+// The white space before a position in its line.
+std::string IndentAt(const std::string& text, size_t position) {
+  const size_t start = text.find_last_of('\n', position) + 1;
+  const size_t end = text.find_first_not_of(" \t", start);
+  return text.substr(start, std::min(end, position) - start);
+}
+
+}  // namespace
+
+std::string WithFunctionPaths(const std::string& text,
+                              const std::string& where,
+                              const std::vector<std::string>& coordinates,
+                              const std::map<std::string, PathFit>& fits) {
+  // Places in the parsed text must be those in the file, so that bytes are
+  // taken as they are, whatever encoding the file claims.
+  const size_t mark = text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
+  pugi::xml_document document;
+  const auto result = document.load_buffer(text.data() + mark,
+                                           text.size() - mark,
+                                           pugi::parse_default,
+                                           pugi::encoding_utf8);
+  if (!result) {
+    throw InputError(
+        where,
+        std::string("is not XML in one byte a character or UTF-8: ") +
+            result.description(),
+        "save the model as UTF-8");
+  }
+  const bool has_returns = text.find("\r\n") != std::string::npos;
+  std::vector<Edit> edits;
+  for (const auto& item : fits) {
+    const pugi::xml_node path = PathOfMuscle(document, where, item.first);
+    std::string names;
+    for (const int k : item.second.coordinates) {
+      names += (names.empty() ? "" : " ") +
+               CoordinatePath(document, where, coordinates[k]);
+    }
+    Edit edit;
+    edit.begin = path.offset_debug() - 1 + mark;
+    edit.end = EndOfElement(text, edit.begin);
+    const std::string indent = IndentAt(text, edit.begin);
+    const bool has_tabs = indent.find('\t') != std::string::npos;
+    edit.text = PathText(names,
+                         item.second.length,
+                         std::string(path.parent().name()) == "path",
+                         has_returns ? "\r\n" : "\n",
+                         indent,
+                         has_tabs ? "\t" : "    ");
+    edits.push_back(std::move(edit));
+  }
+  std::sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) {
+    return a.begin > b.begin;
+  });
+  std::string edited = text;
+  for (const Edit& edit : edits) {
+    edited.replace(edit.begin, edit.end - edit.begin, edit.text);
+  }
+  return edited;
+}
+
+}  // namespace musclewarp

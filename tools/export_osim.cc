@@ -1,0 +1,119 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/export_osim.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/input_file.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/exchange/osim_file.h"
+#include "musclewarp/exchange/run_paths.h"
+#include "tools/program.h"
+#include "tools/split.h"
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+using OrderedJson = nlohmann::ordered_json;
+
+void CheckFlags(const std::string& out, const OsimExportOptions& options) {
+  if (fs::path(out).extension() != ".osim") {
+    throw InputError("--out=" + out,
+                     "is not an .osim file",
+                     "use for example --out=model.osim");
+  }
+  if (!(options.fit.max_length_error > 0) || !(options.fit.max_arm_error > 0)) {
+    throw InputError("--max_length_error_mm, --max_arm_error_mm",
+                     "are not both positive",
+                     "give bounds above 0");
+  }
+}
+
+// The model as delivered must not be lost.
+void CheckIsOther(const std::string& out, const std::string& model) {
+  if (fs::exists(out) && fs::equivalent(out, model)) {
+    throw InputError(
+        "--out=" + out, "is the model that is read", "give another name");
+  }
+}
+
+OrderedJson FitJson(const PathFit& fit, const RunPaths& paths, size_t samples) {
+  OrderedJson names = OrderedJson::array();
+  for (const int k : fit.coordinates) names.push_back(paths.coordinates[k]);
+  return {{"coordinates", names},
+          {"order", fit.length.order},
+          {"samples", samples},
+          {"length_error_max_mm", fit.errors.length_max},
+          {"length_error_rms_mm", fit.errors.length_rms},
+          {"arm_error_max_mm", fit.errors.arm_max},
+          {"arm_error_rms_mm", fit.errors.arm_rms},
+          {"within_bounds", fit.within_bounds}};
+}
+
+void PrintFit(const std::string& name,
+              const PathFit& fit,
+              std::ostream& screen) {
+  char line[200];
+  std::snprintf(
+      line,
+      sizeof line,
+      "%-20s order %d of %d coordinates, length max %.4f rms %.4f mm, "
+      "arm max %.4f rms %.4f mm%s\n",
+      name.c_str(),
+      fit.length.order,
+      fit.length.dimension,
+      fit.errors.length_max,
+      fit.errors.length_rms,
+      fit.errors.arm_max,
+      fit.errors.arm_rms,
+      fit.within_bounds ? "" : "  ABOVE THE BOUND");
+  screen << line;
+}
+
+}  // namespace
+
+int ExportOsim(const std::string& runs,
+               const std::string& out,
+               const OsimExportOptions& options,
+               std::ostream& screen) {
+  CheckFlags(out, options);
+  const RunPaths paths =
+      ReadRunPaths(Split(runs, ','), options.model, MUSCLEWARP_VERSION);
+  CheckIsOther(out, paths.model.path);
+  std::map<std::string, PathFit> fits;
+  OrderedJson lines = OrderedJson::object();
+  bool is_fine = true;
+  for (const auto& item : paths.lines) {
+    const PathFit fit = FitPath(item.first, item.second, options.fit);
+    is_fine = is_fine && fit.within_bounds;
+    lines[item.first] = FitJson(fit, paths, item.second.size());
+    fits[item.first] = fit;
+  }
+  const std::string text = WithFunctionPaths(
+      ReadFile(paths.model.path), paths.model.path, paths.coordinates, fits);
+  const OrderedJson record = {
+      {"model", paths.model.path},
+      {"runs", Split(runs, ',')},
+      {"max_length_error_mm", options.fit.max_length_error},
+      {"max_arm_error_mm", options.fit.max_arm_error},
+      {"within_bounds", is_fine},
+      {"lines_left_out", paths.lines_without_muscle},
+      {"muscles", lines}};
+  WriteTextAtomically(fs::path(out).replace_extension(".fit.json").string(),
+                      record.dump(2) + "\n");
+  WriteTextAtomically(out, text);
+  for (const std::string& line : paths.lines_without_muscle) {
+    screen << "warning: the line \"" << line << "\" is not a muscle of "
+           << paths.model.path << " and is left out\n";
+  }
+  for (const auto& item : fits) PrintFit(item.first, item.second, screen);
+  screen << "wrote " << out << ": " << fits.size()
+         << " muscles have a path function (OpenSim 4.5 or later)\n";
+  return is_fine ? kExitUsable : kExitNotUsable;
+}
+
+}  // namespace musclewarp
