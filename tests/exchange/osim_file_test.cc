@@ -1,0 +1,97 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/exchange/osim_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/opensim/kinematics.h"
+#include "support/input_errors.h"
+#include "support/temp_dir.h"
+
+namespace musclewarp {
+namespace {
+
+// Between them is the path of the first muscle. The name has a byte of Latin-1
+// although the file claims UTF-8, as files of OpenSim do.
+const char kBefore[] =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\r\n"
+    "<OpenSimDocument Version=\"30000\"><Model name=\"caf\xe9\">\r\n"
+    "<BodySet><objects><Body name=\"ground\"/><Body name=\"femur\"><Joint>"
+    "<PinJoint name=\"hip\"><parent_body>ground</parent_body>"
+    "<CoordinateSet><objects><Coordinate name=\"flexion\"/></objects>"
+    "</CoordinateSet></PinJoint></Joint></Body></objects></BodySet>\r\n"
+    "<ForceSet><objects><Thelen2003Muscle name=\"psoas\">\r\n\t";
+const char kPath[] =
+    "<GeometryPath><!-- not the end: </GeometryPath> --><PathPointSet><objects>"
+    "<PathPoint name=\"a\"><location>0 0 0</location><body>ground</body>"
+    "</PathPoint><PathPoint name=\"b\"><location>0 1 0</location>"
+    "<body>femur</body></PathPoint></objects></PathPointSet></GeometryPath>";
+const char kAfter[] =
+    "\r\n\t<max>1</max> </Thelen2003Muscle></objects></ForceSet>\r\n"
+    "</Model></OpenSimDocument>\r\n";
+
+std::map<std::string, PathFit> Fits(const std::string& muscle) {
+  PathFit fit;
+  fit.coordinates = {0};
+  fit.length = {1, 2, Eigen::Vector3d(100.1, 1 / 3., -7e-5)};
+  return {{muscle, fit}};
+}
+
+std::string Edited(const std::string& path = kPath) {
+  return WithFunctionPaths(
+      kBefore + path + kAfter, "leg.osim", {"flexion"}, Fits("psoas"));
+}
+
+TEST(OsimFile, KeepsAllOtherBytes) {
+  const std::string edited = Edited();
+  EXPECT_THAT(edited, ::testing::StartsWith(kBefore));
+  EXPECT_THAT(edited, ::testing::EndsWith(kAfter));
+  EXPECT_THAT(edited,
+              ::testing::HasSubstr("\r\n\t\t\t<coordinate_paths>/jointset/hip/"
+                                   "flexion</coordinate_paths>\r\n"));
+}
+
+TEST(OsimFile, KeepsThePropertyOfOpenSim45) {
+  const std::string open = "<path>", close = "</path>";
+  const std::string edited = Edited(open + kPath + close);
+  EXPECT_THAT(edited, ::testing::StartsWith(kBefore + open + "<FunctionBased"));
+  EXPECT_THAT(edited, ::testing::EndsWith("BasedPath>" + close + kAfter));
+}
+
+TEST(OsimFile, ReaderGivesTheFitBack) {
+  const std::string file = TestTempDir() + "/leg.osim";
+  WriteTextAtomically(file, Edited());
+  const Model model = ReadModel(file);
+  ASSERT_EQ(model.muscles.size(), 1u);
+  EXPECT_THAT(model.muscles[0].unsupported,
+              ::testing::HasSubstr("FunctionBasedPath"));
+  const PathFit fit = Fits("psoas")["psoas"];
+  for (const double q : {-0.3, 0., 1.2}) {
+    const double length =
+        PolynomialValue(fit.length, Eigen::VectorXd::Constant(1, q));
+    const double read =
+        PathLength(model.muscles[0], BodyFrames(model, {q}), {q});
+    EXPECT_NEAR(read, length, 1e-9);
+  }
+}
+
+TEST(OsimFile, RefusesAModelWithoutTheMuscle) {
+  ExpectInputError(
+      [] {
+        WithFunctionPaths(std::string(kBefore) + kPath + kAfter,
+                          "leg.osim",
+                          {"flexion"},
+                          Fits("soleus"));
+      },
+      {"leg.osim", "soleus"});
+  ExpectInputError(
+      [] { WithFunctionPaths("<a", "leg.osim", {"flexion"}, Fits("psoas")); },
+      {"leg.osim", "not XML"});
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,152 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/export_osim.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "musclewarp/base/input_file.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/opensim/kinematics.h"
+#include "support/input_errors.h"
+#include "support/temp_dir.h"
+#include "tools/program.h"
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using ::testing::HasSubstr;
+
+const char kModel[] =
+    "<OpenSimDocument Version=\"30000\"><Model name=\"leg\">"
+    "<BodySet><objects><Body name=\"ground\"/><Body name=\"femur\"><Joint>"
+    "<PinJoint name=\"hip\"><parent_body>ground</parent_body>"
+    "<CoordinateSet><objects><Coordinate name=\"flexion\"/></objects>"
+    "</CoordinateSet></PinJoint></Joint></Body></objects></BodySet>"
+    "<ForceSet><objects><Thelen2003Muscle name=\"psoas\">"
+    "<GeometryPath><PathPointSet><objects>"
+    "<PathPoint name=\"a\"><location>0 0 0</location><body>ground</body>"
+    "</PathPoint><PathPoint name=\"b\"><location>0 1 0</location>"
+    "<body>femur</body></PathPoint></objects></PathPointSet></GeometryPath>"
+    "</Thelen2003Muscle></objects></ForceSet></Model></OpenSimDocument>";
+
+double Length(double radians) { return 200 + 30 * std::sin(radians); }
+
+// A run whose line has the length above, and a line that the model lacks.
+class ExportOsimTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    dir_ = TestTempDir();
+    WriteTextAtomically(dir_ + "/leg.osim", kModel);
+    report_ = {{"version", MUSCLEWARP_VERSION},
+               {"motion", {{"model", dir_ + "/leg.osim"}}},
+               {"summary", {{"finished", true}, {"usable", true}}},
+               {"frames", Json::array()}};
+    for (int degrees = -10; degrees <= 90; degrees += 10) {
+      const double q = degrees * M_PI / 180;
+      report_["frames"].push_back(
+          {{"coordinates", {{"flexion", degrees}}},
+           {"moment_arms_converged", true},
+           {"muscles",
+            {{{"line_lengths_mm", {{"psoas", Length(q)}, {"extra", 1}}},
+              {"line_moment_arms_mm",
+               {{"psoas", {{"flexion", -30 * std::cos(q)}}}}}}}}});
+    }
+  }
+
+  int Run(const std::string& runs) {
+    screen_.str("");
+    return ExportOsim(runs, out_(), options_, screen_);
+  }
+
+  int Run() {
+    WriteTextAtomically(dir_ + "/report.json", report_.dump());
+    return Run(dir_);
+  }
+
+  void ExpectRefused(const std::vector<std::string>& words) {
+    ExpectInputError([&] { Run(); }, words);
+    EXPECT_FALSE(fs::exists(out_()));
+  }
+
+  std::string out_() const { return dir_ + "/fitted.osim"; }
+
+  std::string dir_;
+  Json report_;
+  OsimExportOptions options_;
+  std::ostringstream screen_;
+};
+
+TEST_F(ExportOsimTest, ModelHasTheLengthsOfTheRun) {
+  EXPECT_EQ(Run(), kExitUsable);
+  EXPECT_THAT(screen_.str(), HasSubstr("line \"extra\" is not a muscle"));
+  const Json record = Json::parse(ReadFile(dir_ + "/fitted.fit.json"));
+  const double error = record["muscles"]["psoas"]["length_error_max_mm"];
+  EXPECT_LE(error, 0.5);
+  const Model model = ReadModel(out_());
+  for (int degrees = -10; degrees <= 90; degrees += 10) {
+    const double q = degrees * M_PI / 180;
+    const double length =
+        PathLength(model.muscles[0], BodyFrames(model, {q}), {q});
+    EXPECT_LE(std::abs(length - Length(q)), error + 1e-9);
+  }
+}
+
+TEST_F(ExportOsimTest, SeveralRunsMakeOneModel) {
+  EXPECT_EQ(Run(), kExitUsable);
+  EXPECT_EQ(Run(dir_ + "," + dir_), kExitUsable);
+  const Json record = Json::parse(ReadFile(dir_ + "/fitted.fit.json"));
+  EXPECT_EQ(record["muscles"]["psoas"]["samples"], 22);
+}
+
+TEST_F(ExportOsimTest, ErrorsAboveTheBoundAreSaid) {
+  options_.fit.max_length_error = 1e-12;
+  EXPECT_EQ(Run(), kExitNotUsable);
+  EXPECT_THAT(screen_.str(), HasSubstr("ABOVE THE BOUND"));
+}
+
+TEST_F(ExportOsimTest, RefusesRunsThatWillNotDo) {
+  const Json good = report_;
+  report_["summary"]["usable"] = false;
+  ExpectRefused({"report.json: summary.usable", "is false"});
+  report_ = good;
+  report_["summary"]["finished"] = false;
+  ExpectRefused({"summary.finished", "--resume"});
+  report_ = good;
+  report_["version"] = "0.0.1";
+  ExpectRefused({"version: is 0.0.1"});
+  report_ = good;
+  report_["motion"] = nullptr;
+  ExpectRefused({"motion: is null"});
+  report_ = good;
+  report_["frames"][3]["moment_arms_converged"] = false;
+  ExpectRefused({"frames[3].moment_arms_converged"});
+  report_ = good;
+  report_["frames"][0]["muscles"][0]["line_moment_arms_mm"] = Json::object();
+  ExpectRefused({"line_moment_arms_mm", "psoas", "--contact=certified"});
+  report_ = good;
+  for (Json& frame : report_["frames"]) {
+    frame["muscles"][0]["line_lengths_mm"] = {{"extra", 1}};
+  }
+  ExpectRefused({"has no line that is a muscle"});
+}
+
+TEST_F(ExportOsimTest, RefusesToReplaceTheModel) {
+  WriteTextAtomically(dir_ + "/report.json", report_.dump());
+  ExpectInputError(
+      [&] { ExportOsim(dir_, dir_ + "/leg.osim", options_, screen_); },
+      {"--out", "the model that is read"});
+  EXPECT_EQ(ReadFile(dir_ + "/leg.osim"), kModel);
+  ExpectInputError([&] { ExportOsim(dir_, "leg.xml", options_, screen_); },
+                   {"--out=leg.xml", ".osim"});
+}
+
+}  // namespace
+}  // namespace musclewarp
