@@ -1,5 +1,6 @@
 # Install rules: programs, libraries, headers and what find_package needs.
 include(CMakePackageConfigHelpers)
+include(MusclewarpManuals)
 set(MUSCLEWARP_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/musclewarp)
 
 # Every program is an executable of tools/ named musclewarp-<verb>; the target
@@ -14,6 +15,7 @@ if(MUSCLEWARP_PROGRAMS)
   add_dependencies(musclewarp_programs ${MUSCLEWARP_PROGRAMS})
   install(TARGETS ${MUSCLEWARP_PROGRAMS} DESTINATION ${CMAKE_INSTALL_BINDIR}
           COMPONENT programs)
+  musclewarp_manuals(${MUSCLEWARP_PROGRAMS})
 endif()
 
 # Libraries outside src/ and problems/ (the commands behind the programs) are
@@ -33,15 +35,16 @@ add_library(musclewarp::musclewarp ALIAS musclewarp)
 target_link_libraries(musclewarp INTERFACE ${MUSCLEWARP_LIBRARIES})
 
 install(TARGETS musclewarp ${MUSCLEWARP_LIBRARIES} EXPORT musclewarpTargets
-        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
 install(
   EXPORT musclewarpTargets
   NAMESPACE musclewarp::
-  DESTINATION ${MUSCLEWARP_CONFIG_DIR})
+  DESTINATION ${MUSCLEWARP_CONFIG_DIR}
+  COMPONENT dev)
 # Include paths are those of the sources; a folder of their own keeps
 # "problems/..." out of the way of others.
 install(DIRECTORY src/musclewarp problems
-        DESTINATION ${MUSCLEWARP_INSTALL_INCLUDEDIR}
+        DESTINATION ${MUSCLEWARP_INSTALL_INCLUDEDIR} COMPONENT dev
         FILES_MATCHING PATTERN "*.h")
 
 configure_package_config_file(
@@ -54,5 +57,5 @@ write_basic_package_version_file(
 install(FILES ${PROJECT_BINARY_DIR}/musclewarpConfig.cmake
               ${PROJECT_BINARY_DIR}/musclewarpConfigVersion.cmake
               cmake/MusclewarpDependencies.cmake
-        DESTINATION ${MUSCLEWARP_CONFIG_DIR})
+        DESTINATION ${MUSCLEWARP_CONFIG_DIR} COMPONENT dev)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+#
+# Makes the Debian packages musclewarp, libmusclewarp-dev and python3-musclewarp
+# of the preset release.
+#
+# usage: scripts/deb.sh [FOLDER]    writes FOLDER/*.deb (out/deb)
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+out=${1:-out/deb}
+mkdir -p "$out"
+scripts/build.sh release musclewarp_programs musclewarp_python
+# The same commit gives the same bytes.
+SOURCE_DATE_EPOCH=$(git -c safe.directory='*' log -1 --format=%ct)
+export SOURCE_DATE_EPOCH
+rm -f "$out"/{musclewarp,libmusclewarp-dev,python3-musclewarp}_*.deb
+umask 022
+cpack --config build/release/CPackConfig.cmake -G DEB -B "$out" >build/deb.log 2>&1 || {
+  tail -n 40 build/deb.log >&2
+  exit 1
+}
+rm -rf "$out/_CPack_Packages"
+ls "$out"/*.deb
