@@ -12,6 +12,7 @@ import musclewarp as mw
 
 SOURCE = pathlib.Path(os.environ["MUSCLEWARP_SOURCE"])
 PROGRAMS = pathlib.Path(os.environ["MUSCLEWARP_PROGRAMS"])
+BUILD = pathlib.Path(os.environ["MUSCLEWARP_BUILD"])
 DEMO = SOURCE / "data/phantom/motion.json"
 
 
