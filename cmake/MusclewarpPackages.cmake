@@ -17,7 +17,7 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/packaging/debian.cmake)
 set(CPACK_MUSCLEWARP_LICENCES ${PROJECT_SOURCE_DIR}/packaging/copyright)
-set(CPACK_MUSCLEWARP_PAGE ${PROJECT_BINARY_DIR}/report/page.html)
+get_property(CPACK_MUSCLEWARP_PAGE GLOBAL PROPERTY MUSCLEWARP_PAGE)
 
 set(ABOUT
     "musclewarp takes surface meshes of muscles and bones as segmentation leaves

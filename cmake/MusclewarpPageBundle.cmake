@@ -1,6 +1,7 @@
 # musclewarp_page_bundle(<file.cc>) makes a source file that holds the page of
 # tools/report (see page/page.h). Node.js bundles the page; without it the page
-# that a source package brings along is taken (scripts/package.sh).
+# that a source package brings along is taken (scripts/package.sh). The global
+# property MUSCLEWARP_PAGE names the page itself.
 option(MUSCLEWARP_WITH_NODE "Make the report page, with Node.js" ON)
 if(MUSCLEWARP_WITH_NODE)
   find_program(MUSCLEWARP_NODE NAMES node nodejs)
@@ -27,6 +28,7 @@ function(musclewarp_page_bundle OUTPUT)
         "nodejs, npm), and they are not here. Install them, or build from a "
         "source package, which brings the page (scripts/package.sh makes one).")
   endif()
+  set_property(GLOBAL PROPERTY MUSCLEWARP_PAGE ${PAGE})
   set(EMBED ${PROJECT_SOURCE_DIR}/cmake/EmbedPage.cmake)
   add_custom_command(
     OUTPUT ${OUTPUT}

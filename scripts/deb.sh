@@ -12,8 +12,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 out=${1:-out/deb}
 mkdir -p "$out"
 scripts/build.sh release musclewarp_programs musclewarp_python
-# The same commit gives the same bytes.
-SOURCE_DATE_EPOCH=$(git -c safe.directory='*' log -1 --format=%ct)
+# The changelog has the date of the commit; a source package has none.
+SOURCE_DATE_EPOCH=$(git -c safe.directory='*' log -1 --format=%ct 2>/dev/null ||
+  date +%s)
 export SOURCE_DATE_EPOCH
 rm -f "$out"/{musclewarp,libmusclewarp-dev,python3-musclewarp}_*.deb
 umask 022

@@ -35,7 +35,7 @@ sed -i -E 's,\]\(((\.\./)*)examples/?\),](\1examples/index.md),' \
 scripts/site_pages.py "$work" build/release/tools/musclewarp-*[a-z]
 (cat docs/site/Doxyfile
   echo "INPUT = $(tr '\n' ' ' <"$work/headers.txt")"
-  echo "OUTPUT_DIRECTORY = $work/doxygen") | doxygen - 2>"$work/doxygen/log"
+  echo "OUTPUT_DIRECTORY = $work/doxygen") | doxygen - >/dev/null
 
 export OMP_WAIT_POLICY=passive
 build/release/tools/musclewarp-deform --demo --out="$work/demo" --fibres=30 \

@@ -5,9 +5,9 @@
 
 usage: scripts/site_pages.py FOLDER PROGRAM...
 
-FOLDER/cpp.md has the headers that musclewarp/musclewarp.h includes, themselves
-or by others (FOLDER/headers.txt lists them), FOLDER/programs.md what the
-programs say of themselves, FOLDER/examples/index.md the examples for Python.
+FOLDER/cpp/ has the headers that musclewarp/musclewarp.h includes, itself or by
+others (FOLDER/headers.txt lists them), FOLDER/programs.md what the programs say of
+themselves, FOLDER/examples/index.md the examples for Python.
 """
 import pathlib
 import re
@@ -32,20 +32,26 @@ def headers_behind(header):
     return found
 
 
-def cpp_page(headers):
+def cpp_pages(headers):
+    """The text of each page by its name: the index, and one a folder."""
     folders = {}
     for name in headers[1:]:
         folders.setdefault(pathlib.PurePath(name).parts[1], []).append(name)
-    lines = ["# C++ reference", "",
-             f"What `#include <{FACADE}>` brings, by folders of "
-             "`src/musclewarp`. The comments are those of the headers. "
-             "Lengths are in millimetres, angles in radians.", ""]
-    for folder in sorted(folders, key=lambda name: (name != "deformer", name)):
-        lines += [f"## {folder}", ""]
+    order = sorted(folders, key=lambda name: (name != "deformer", name))
+    pages = {"index": "\n".join(
+        ["# C++ reference", "",
+         f"What `#include <{FACADE}>` brings, by folders of `src/musclewarp`. "
+         "All is in the namespace `musclewarp`; the comments are those of the "
+         "headers. Lengths are in millimetres, angles in radians. "
+         "`Deformer`, in deformer.h, is where to begin.", "",
+         "```{toctree}", ":maxdepth: 2", "", *order, "```", ""])}
+    for folder in order:
+        lines = [f"# {folder}", ""]
         for name in folders[folder]:
-            lines += [f"### {pathlib.PurePath(name).name}", "",
+            lines += [f"## {pathlib.PurePath(name).name}", "",
                       "```{doxygenfile} " + name, "```", ""]
-    return "\n".join(lines)
+        pages[folder] = "\n".join(lines)
+    return pages
 
 
 def programs_page(programs):
@@ -71,7 +77,9 @@ def main(folder, *programs):
     headers = headers_behind(FACADE)
     (folder / "headers.txt").write_text(
         "\n".join(f"src/{name}" for name in headers) + "\n")
-    (folder / "cpp.md").write_text(cpp_page(headers))
+    (folder / "cpp").mkdir()
+    for name, text in cpp_pages(headers).items():
+        (folder / "cpp" / f"{name}.md").write_text(text)
     (folder / "programs.md").write_text(programs_page(programs))
     (folder / "examples" / "index.md").write_text(
         examples_page(sorted((folder / "examples").glob("*.py"))))

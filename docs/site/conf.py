@@ -23,6 +23,7 @@ suppress_warnings = ["myst.header"]  # pages may begin below level one
 
 breathe_projects = {"musclewarp": "doxygen/xml"}
 breathe_default_project = "musclewarp"
+breathe_show_include = False
 
 autodoc_member_order = "groupwise"
 autodoc_typehints = "signature"
@@ -30,13 +31,14 @@ default_role = "code"
 
 
 def _as_restructured_text(_app, _what, _name, _obj, _options, lines):
-    """Docstrings are plain text: samples are indented, bars are bars."""
+    """Docstrings are plain text: samples are indented."""
     told, before = [], [""]
     for line in lines:
         if line.startswith("    ") and before[-1] == "" and not (
                 told and told[-1].startswith(" ")):
             before += ["::", ""]
-        before.append(line.replace("|", r"\|"))
+        # Bars are no substitutions, and "mm." numbers nothing in Roman.
+        before.append(line.replace("|", r"\|").replace(": mm. ", r": mm\. "))
         if line.strip():
             told.append(line)
     lines[:] = before[1:]

@@ -16,13 +16,12 @@ def without_figures(text):
 
 
 def test_tutorial(tmp_path, monkeypatch):
-    (tmp_path / "data").symlink_to(SOURCE / "data")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("PATH", f"{PROGRAMS}:{os.environ['PATH']}")
     text = (SOURCE / "docs/tutorial.md").read_text(encoding="utf-8")
     blocks = BLOCK.findall(text)
     assert [language for language, _ in blocks] == [
-        "python", "sh", "python", "sh", "sh", "sh", "sh"]
+        "sh", "python", "sh", "python", "sh", "sh", "sh", "sh"]
     names, said = {}, ""
     for language, block in blocks:
         if language == "python":
