@@ -109,7 +109,7 @@ TEST_F(Export, AnimationsSayTheirAxes) {
 }
 
 TEST_F(Export, WhatCannotBeDoneIsNamedAndNothingIsWritten) {
-  ExpectRefused("", {"--format=", "crossings, glb, pc2, feb, inp, msh"});
+  ExpectRefused("", {"--format=", "crossings, glb, osim, pc2, feb, inp, msh"});
   ExpectRefused("fbx", {"--format=fbx", "allowed: "});
   ExpectRefused("inp,glb", {"--format=inp,glb"});
   ExpectRefused("glb", {"--out", ".glb"});
