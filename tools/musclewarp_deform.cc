@@ -38,6 +38,10 @@ DEFINE_int32(fibres,
 DEFINE_bool(resume,
             false,
             "go on with an interrupted run of the same input in --out");
+DEFINE_bool(profile,
+            false,
+            "write how long the stages of each frame take to report.json and "
+            "the page");
 DEFINE_bool(html,
             false,
             "also write report.html, the run as one page to look at");
@@ -55,6 +59,7 @@ DeformOptions OptionsFromFlags() {
   options.deformer.prepare.fibres.fibres = FLAGS_fibres;
   options.resume = FLAGS_resume;
   options.html = FLAGS_html;
+  options.deformer.record_stages = FLAGS_profile;
   options.is_terminal = isatty(STDOUT_FILENO);
   return options;
 }

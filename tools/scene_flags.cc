@@ -160,9 +160,10 @@ DeformOptions SceneOptionsFromFlags() {
   options.deformer = OptionsOf(ChoicesFromFlags());
   options.command =
       std::string(gflags::ProgramInvocationShortName()) + SetFlags({"resume"});
-  // Files count by their contents, threads make no difference.
+  // Files count by their contents; threads and timing make no difference.
   options.result_flags = SetFlags({"resume",
                                    "html",
+                                   "profile",
                                    "out",
                                    "threads",
                                    "scene",

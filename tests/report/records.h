@@ -50,6 +50,7 @@ inline FrameRecord SomeRecord(int index) {
   record.solve_ms = 0.7;
   record.certify_ms = 3e-300;
   record.moment_arms_ms = 0.4;
+  record.stages = {{"relaxation", 2e-3, 3}, {"moment arms", 0.4, 1}};
   record.moment_arms_converged = false;
   record.pose_steps = 4;
   record.iterations = 17;

@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <utility>
 
+#include "musclewarp/base/stage_times.h"
+
 namespace musclewarp {
 namespace {
 
@@ -32,6 +34,7 @@ ContactStep MakeContactStep(const ContactScene& scene,
                             const std::vector<Points>& targets,
                             std::vector<Eigen::Matrix4d> bones_from_rest,
                             std::vector<AttachedPoints> attached) {
+  const ScopedStage stage("start of a step");
   CHECK_EQ(before.points.size(), scene.muscles.size());
   CHECK_EQ(before.targets.size(), scene.muscles.size());
   CHECK_EQ(targets.size(), scene.muscles.size());

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/certified_contact/sheet_planes.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/transformed.h"
@@ -159,6 +160,7 @@ StepDefects FindDefects(const StepOptions& options,
                         const std::vector<Points>& targets,
                         const std::vector<Points>& points,
                         std::vector<TriangleBvh>* trees) {
+  const ScopedStage stage("defects");
   StepDefects defects;
   defects.folded.resize(step.num_muscles());
 #pragma omp parallel for schedule(dynamic, 1) if (step.num_muscles() > 1)

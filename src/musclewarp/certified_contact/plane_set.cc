@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "musclewarp/base/infinity.h"
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/geometry/half_space_projection.h"
 
 namespace musclewarp {
@@ -50,6 +51,7 @@ PlaneSet::PlaneSet(const StepOptions& options, const ContactStep& step)
 
 void PlaneSet::Add(const std::vector<SeparatingPlane>& planes) {
   if (planes.empty()) return;
+  const ScopedStage stage("sorting planes");
   for (const SeparatingPlane& plane : planes) AddSides(plane);
   SortSides();
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "musclewarp/base/stage_times.h"
+
 namespace musclewarp {
 namespace {
 
@@ -120,6 +122,7 @@ RelaxedPoints Relax(const StepOptions& options,
                     int sweeps,
                     PlaneSet* planes,
                     RelaxedPoints start) {
+  const ScopedStage stage("relaxation");
   RelaxedPoints relaxed = std::move(start);
   std::vector<MuscleSweep> muscles;
   std::vector<Points> offsets;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/geometry/triangle_distance.h"
 #include "musclewarp/mesh/transformed.h"
 
@@ -269,7 +270,11 @@ std::vector<SeparatingPlane> FindSeparatingPlanes(
     const ContactStep& step,
     std::vector<TriangleBvh>* carried) {
   std::vector<SeparatingPlane> planes;
-  AddPlanesBetweenAllMuscles(options, step, carried, &planes);
+  {
+    const ScopedStage stage("planes between muscles");
+    AddPlanesBetweenAllMuscles(options, step, carried, &planes);
+  }
+  const ScopedStage stage("planes of bones");
   for (int bone = 0; bone < step.num_bones(); ++bone) {
     for (int i = 0; i < step.num_muscles(); ++i) {
       AddPlanesOfBone(options, step, i, bone, &(*carried)[i], &planes);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/certified_contact/triangle_separation.h"
 
 namespace musclewarp {
@@ -109,6 +110,7 @@ std::optional<SeparatingPlane> PlaneBetweenSheets(const StepOptions& options,
 std::vector<SeparatingPlane> FindPlanesBetweenSheets(const StepOptions& options,
                                                      const ContactStep& step,
                                                      int muscle) {
+  const ScopedStage stage("planes within muscles");
   const double distance = options.planes.sheet_distance;
   const TriangleBvh& tree = step.trees_before[muscle];
   const Triangles& triangles = step.scene.muscles[muscle].triangles;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/triangle.h"
 
@@ -95,6 +96,7 @@ RestoredVolumes RestoreVolumes(const StepOptions& options,
                                const ContactStep& step,
                                const RelaxedPoints& relaxed,
                                PlaneSet* planes) {
+  const ScopedStage stage("volume");
   RestoredVolumes restored;
   restored.points = relaxed.points;
   double worst = 0;

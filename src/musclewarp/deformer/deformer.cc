@@ -4,8 +4,10 @@
 
 #include <glog/logging.h>
 
+#include <optional>
 #include <utility>
 
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/scene/scene_checks.h"
 
 namespace musclewarp {
@@ -54,16 +56,23 @@ Deformer::Deformer(Scene scene, DeformerOptions options)
 Frame Deformer::MoveTo(const ScenePose& pose) {
   CheckPose(scene_->scene, pose);
   if (state_.muscles.empty()) Reset();
-  SolvedFrame solved =
-      frame_solver_->Solve(solvers_, pose, &state_, options_.on_progress);
+  SolvedFrame solved = Solve(pose, &state_);
   state_ = std::move(solved.state);
   return std::move(solved.frame);
 }
 
 Frame Deformer::SolveAlone(const ScenePose& pose) {
   CheckPose(scene_->scene, pose);
-  return frame_solver_->Solve(solvers_, pose, nullptr, options_.on_progress)
-      .frame;
+  return Solve(pose, nullptr).frame;
+}
+
+SolvedFrame Deformer::Solve(const ScenePose& pose, const SceneState* before) {
+  std::optional<StageRecording> recording;
+  if (options_.record_stages) recording.emplace();
+  SolvedFrame solved =
+      frame_solver_->Solve(solvers_, pose, before, options_.on_progress);
+  if (recording) solved.frame.stages = recording->times();
+  return solved;
 }
 
 void Deformer::Reset() { state_ = frame_solver_->StartOfMotion(solvers_); }

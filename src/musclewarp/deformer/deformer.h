@@ -29,6 +29,9 @@ struct DeformerOptions {
 
   SolverConfiguration solver;
 
+  // Measure how long the stages of each frame take (Frame::stages).
+  bool record_stages = false;
+
   // Called while the scene is prepared and moved. It may throw to stop.
   ProgressCallback on_progress;
 
@@ -91,6 +94,8 @@ class Deformer {
   void set_state(SceneState state) { state_ = std::move(state); }
 
  private:
+  SolvedFrame Solve(const ScenePose& pose, const SceneState* before);
+
   const DeformerOptions options_;
   const MuscleSolvers solvers_;
   std::unique_ptr<PreparedScene> scene_;

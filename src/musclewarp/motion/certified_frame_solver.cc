@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/certificate/push_chains.h"
 #include "musclewarp/certificate/shortcomings.h"
@@ -192,6 +193,7 @@ void CertifiedFrameSolver::AddBoneOverlaps(Frame* frame) const {
 
 void CertifiedFrameSolver::MeasureContact(const SceneState& state,
                                           Frame* frame) {
+  const ScopedStage stage("displacement by contact");
   const std::vector<Points> without_contact = MeshesWithoutContact(state);
   meshes_->MoveTo(without_contact, frame->bones);
   const std::vector<PairDepth> overlaps =

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "musclewarp/base/infinity.h"
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/certified_contact/passages.h"
 
@@ -20,6 +21,7 @@ namespace {
 SolvedPose SolveFree(const Mover& mover,
                      const Place& from,
                      const ScenePose& pose) {
+  const ScopedStage stage("solve without contact");
   const SceneState before = {from.pose, from.free.states, {}};
   return SolvePose(mover.scene,
                    pose,
@@ -35,6 +37,7 @@ SolvedPose SolveWithContactRows(const Mover& mover,
                                 const ScenePose& pose,
                                 const SolvedPose& free,
                                 const SolvedPose& start) {
+  const ScopedStage stage("solve with contact");
   const CertifiedScene& certified = mover.certified;
   std::vector<ContactRows> contact(mover.scene.muscles.size());
   for (size_t k = 0; k < certified.order.size(); ++k) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/certificate/bone_overlaps.h"
 #include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/mesh/triangle_soup.h"
@@ -107,6 +108,10 @@ struct Frame {
   double solve_ms = 0;        // of that, in the solver
   double certify_ms = 0;      // for intersections, gaps and folded triangles
   double moment_arms_ms = 0;  // for all moment arms
+
+  // Where that time went, if DeformerOptions::record_stages asked for it. Short
+  // work between the stages is in none of them.
+  std::vector<StageTime> stages;
 
   // True if every solve converged and there are no shortcomings.
   bool IsUsable() const;

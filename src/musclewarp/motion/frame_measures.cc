@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/geometry/folded_triangles.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/transformed.h"
@@ -67,8 +68,10 @@ void AddIntersections(const PreparedScene& scene,
     muscles.push_back(muscle.points);
   }
   meshes->MoveTo(muscles, frame->bones);
+  const ScopedStage stage("certificate");
   frame->intersections =
       IntersectScene(meshes->muscles(), meshes->bones(), scene.exempt);
+  const ScopedStage gaps_stage("gaps of vertices");
   for (size_t i = 0; i < frame->muscles.size(); ++i) {
     frame->muscles[i].self_pairs =
         frame->intersections.self_pairs_of_muscles[i];
@@ -89,6 +92,7 @@ Frame MeasureFrame(const PreparedScene& scene,
                    const SceneState* before,
                    std::vector<SolverSummary> summaries,
                    SceneMeshes* meshes) {
+  const ScopedStage stage("measures of shapes");
   Frame frame;
   frame.name = pose.name;
   frame.time = pose.time;

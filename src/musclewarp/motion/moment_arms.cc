@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/dense_product.h"
 #include "musclewarp/mesh/transformed.h"
@@ -242,6 +243,7 @@ void AddMomentArms(const PreparedScene& scene,
                    const ConvergedShapes& shapes,
                    Frame* frame) {
   if (!scene.scene.model) return;
+  const ScopedStage stage("moment arms");
   const Stopwatch watch;
   const std::vector<PosesBeside> beside =
       PosesBesideOf(*scene.scene.model, pose);

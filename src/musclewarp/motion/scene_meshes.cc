@@ -4,6 +4,8 @@
 
 #include <glog/logging.h>
 
+#include "musclewarp/base/stage_times.h"
+
 namespace musclewarp {
 
 SceneMeshes::SceneMeshes(const PreparedScene& scene) {
@@ -23,6 +25,7 @@ SceneMeshes::SceneMeshes(const PreparedScene& scene) {
 
 void SceneMeshes::MoveTo(const std::vector<Points>& muscles,
                          const std::vector<Points>& bones) {
+  const ScopedStage stage("trees of the certificate");
   CHECK_EQ(muscles.size(), muscles_.size());
   CHECK_EQ(bones.size(), bones_.size());
   const int count = static_cast<int>(meshes_.size());

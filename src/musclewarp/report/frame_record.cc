@@ -232,6 +232,25 @@ std::vector<MeshGap> GapsFromJson(const OrderedJson& json) {
   return gaps;
 }
 
+OrderedJson ToJson(const std::vector<StageTime>& stages) {
+  OrderedJson json = OrderedJson::array();
+  for (const StageTime& stage : stages) {
+    json.push_back(
+        {{"name", stage.name}, {"ms", stage.ms}, {"visits", stage.visits}});
+  }
+  return json;
+}
+
+std::vector<StageTime> StagesFromJson(const OrderedJson& json) {
+  std::vector<StageTime> stages;
+  for (const OrderedJson& item : json) {
+    stages.push_back({item.at("name").get<std::string>(),
+                      item.at("ms").get<double>(),
+                      item.at("visits").get<int>()});
+  }
+  return stages;
+}
+
 SceneIntersections IntersectionsFromJson(const OrderedJson& json) {
   SceneIntersections intersections;
   json.at("triangle_pairs").get_to(intersections.triangle_pairs);
@@ -278,6 +297,7 @@ FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame) {
   record.solve_ms = frame.solve_ms;
   record.certify_ms = frame.certify_ms;
   record.moment_arms_ms = frame.moment_arms_ms;
+  record.stages = frame.stages;
   record.pose_steps = frame.pose_steps;
   record.iterations = frame.iterations();
   record.stop_reason = frame.stop_reason();
@@ -319,26 +339,29 @@ OrderedJson ToJson(const FrameRecord& record) {
     muscles.push_back(ToJson(muscle));
   }
   const std::optional<double> gap = record.intersections.SmallestGap();
-  return {{"index", record.index},
-          {"name", record.name},
-          {"time", record.time},
-          {"coordinates", record.coordinates},
-          {"wall_ms", record.wall_ms},
-          {"solve_ms", record.solve_ms},
-          {"certify_ms", record.certify_ms},
-          {"moment_arms_ms", record.moment_arms_ms},
-          {"pose_steps", record.pose_steps},
-          {"iterations", record.iterations},
-          {"stop_reason", record.stop_reason},
-          {"usable", record.usable},
-          {"shortcomings", record.shortcomings},
-          {"bone_overlaps", ToJson(record.bone_overlaps)},
-          {"muscles", muscles},
-          {"path_moment_arms_mm", record.path_moment_arms_mm},
-          {"moment_arms_converged", record.moment_arms_converged},
-          {"intersections", ToJson(record.intersections)},
-          {"gaps", ToJson(record.intersections.gaps)},
-          {"smallest_gap_mm", gap ? OrderedJson(*gap) : OrderedJson()}};
+  OrderedJson json = {
+      {"index", record.index},
+      {"name", record.name},
+      {"time", record.time},
+      {"coordinates", record.coordinates},
+      {"wall_ms", record.wall_ms},
+      {"solve_ms", record.solve_ms},
+      {"certify_ms", record.certify_ms},
+      {"moment_arms_ms", record.moment_arms_ms},
+      {"pose_steps", record.pose_steps},
+      {"iterations", record.iterations},
+      {"stop_reason", record.stop_reason},
+      {"usable", record.usable},
+      {"shortcomings", record.shortcomings},
+      {"bone_overlaps", ToJson(record.bone_overlaps)},
+      {"muscles", muscles},
+      {"path_moment_arms_mm", record.path_moment_arms_mm},
+      {"moment_arms_converged", record.moment_arms_converged},
+      {"intersections", ToJson(record.intersections)},
+      {"gaps", ToJson(record.intersections.gaps)},
+      {"smallest_gap_mm", gap ? OrderedJson(*gap) : OrderedJson()}};
+  if (!record.stages.empty()) json["stages"] = ToJson(record.stages);
+  return json;
 }
 
 FrameRecord FrameRecordFromJson(const OrderedJson& json) {
@@ -351,6 +374,7 @@ FrameRecord FrameRecordFromJson(const OrderedJson& json) {
   json.at("solve_ms").get_to(record.solve_ms);
   json.at("certify_ms").get_to(record.certify_ms);
   record.moment_arms_ms = json.value("moment_arms_ms", 0.0);
+  record.stages = StagesFromJson(json.value("stages", OrderedJson::array()));
   json.at("pose_steps").get_to(record.pose_steps);
   json.at("iterations").get_to(record.iterations);
   json.at("stop_reason").get_to(record.stop_reason);

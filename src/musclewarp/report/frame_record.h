@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/prepared_scene.h"
@@ -65,6 +66,7 @@ struct FrameRecord {
   double solve_ms = 0;
   double certify_ms = 0;
   double moment_arms_ms = 0;
+  std::vector<StageTime> stages;  // with --profile
   int pose_steps = 1;
   int iterations = 0;
   std::string stop_reason;

@@ -16,6 +16,12 @@ const muscleColors = [
   "#883a3a",
 ];
 
+// Of the stages of a frame, in their order; they repeat.
+export function stageColor(stage: number): string {
+  const hue = (stage * 137.5) % 360; // the golden angle: neighbours differ
+  return `hsl(${hue} 55% ${45 + 15 * (stage % 2)}%)`;
+}
+
 export const boneColor = "#e6dcc3";
 export const crossingColor = "#ff0000";
 

@@ -52,6 +52,12 @@ export interface MuscleRecord {
   shape?: ShapeRecord; // since 0.1.0
 }
 
+export interface StageRecord {
+  name: string;
+  ms: number;
+  visits: number;
+}
+
 export interface FrameRecord {
   index: number;
   name: string;
@@ -59,6 +65,7 @@ export interface FrameRecord {
   coordinates: Record<string, number>;
   wall_ms: number;
   certify_ms: number;
+  stages?: StageRecord[]; // with --profile
   iterations: number;
   stop_reason: string;
   usable: boolean;

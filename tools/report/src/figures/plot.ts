@@ -35,7 +35,7 @@ const sceneStyles: Record<string, string> = {
 };
 
 export function colorOf(series: Series, colors: Map<string, string>): string {
-  return colors.get(series.muscle) ?? sceneStyles[series.name];
+  return series.color ?? colors.get(series.muscle) ?? sceneStyles[series.name];
 }
 
 // Six digits, without those that say nothing.

@@ -5,6 +5,7 @@
 
 import { FrameRecord, MuscleRecord } from "../data/report";
 import { Run } from "../data/run";
+import { stageColor } from "../palette";
 
 // One curve: a value for each frame of a run, in the order of its frames.
 export interface Series {
@@ -12,6 +13,7 @@ export interface Series {
   muscle: string; // whose colour and toggle it has; "" for the whole scene
   run: number;
   values: number[]; // NaN where there is none
+  color?: string; // of its own
 }
 
 export interface Figure {
@@ -75,6 +77,23 @@ function ofScene(
     run: i,
     values: run.frames.map(value),
   }));
+}
+
+// A curve for each stage of a frame; none for runs without --profile.
+function byStage(runs: Run[]): Series[] {
+  const stages = runs.flatMap(({ frames }) => frames[0]?.stages ?? []);
+  const names = [...new Set(stages.map(({ name }) => name))];
+  return runs.flatMap((run, i) =>
+    names.map((name, at) => ({
+      name,
+      muscle: "",
+      run: i,
+      color: stageColor(at),
+      values: run.frames.map(
+        ({ stages }) => stages?.find((stage) => stage.name === name)?.ms ?? NaN,
+      ),
+    })),
+  );
 }
 
 function movingCoordinates(runs: Run[]): { name: string; unit: string }[] {
@@ -220,6 +239,13 @@ export function figuresOf(runs: Run[]): Figure[] {
         ...ofScene(runs, "moving", (frame) => frame.wall_ms),
         ...ofScene(runs, "counting", (frame) => frame.certify_ms),
       ],
+    },
+    {
+      id: "stages",
+      title: "Time by stage",
+      label: "ms",
+      note: "where the time of a frame goes; the stages add up",
+      series: byStage(runs),
     },
   ];
   return figures.filter(({ series }) => series.length > 0);

@@ -1,0 +1,66 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "musclewarp/base/stopwatch.h"
+
+namespace musclewarp {
+
+// The wall time that a stage of a computation took, all its visits together.
+struct StageTime {
+  std::string name;
+  double ms = 0;
+  int visits = 0;
+};
+
+class ScopedStage;
+
+// Records how long the stages of a computation take. While it exists, every
+// ScopedStage of the same thread is added to it. One thread has one recording
+// at a time; stages cost nothing that counts where there is none.
+//
+//   StageRecording recording;
+//   frame = deformer.MoveTo(pose);
+//   for (const StageTime& stage : recording.times()) Print(stage);
+class StageRecording {
+ public:
+  StageRecording();
+  ~StageRecording();
+  StageRecording(const StageRecording&) = delete;
+  StageRecording& operator=(const StageRecording&) = delete;
+
+  // The stages in the order in which they were entered first.
+  const std::vector<StageTime>& times() const { return times_; }
+
+ private:
+  friend class ScopedStage;
+  void Add(const char* name, double ms, int visits);
+
+  std::vector<StageTime> times_;
+  ScopedStage* innermost_ = nullptr;
+  StageRecording* const outer_;
+};
+
+// A stage, from the construction of this object to its end. The time of a stage
+// that is entered within another one counts for the inner one alone, so that
+// the times of all stages add up. To be used outside of parallel regions: it is
+// the calling thread that takes part in a recording.
+class ScopedStage {
+ public:
+  // `name`: a literal, which is kept as a pointer.
+  explicit ScopedStage(const char* name);
+  ~ScopedStage();
+  ScopedStage(const ScopedStage&) = delete;
+  ScopedStage& operator=(const ScopedStage&) = delete;
+
+ private:
+  StageRecording* const recording_;
+  ScopedStage* const outer_;
+  const char* const name_;
+  Stopwatch watch_;
+};
+
+}  // namespace musclewarp
