@@ -45,7 +45,8 @@ install(
 # "problems/..." out of the way of others.
 install(DIRECTORY src/musclewarp problems
         DESTINATION ${MUSCLEWARP_INSTALL_INCLUDEDIR} COMPONENT dev
-        FILES_MATCHING PATTERN "*.h")
+        FILES_MATCHING PATTERN "*.h"
+        PATTERN preparation_archive.h EXCLUDE)
 
 configure_package_config_file(
   cmake/musclewarpConfig.cmake.in ${PROJECT_BINARY_DIR}/musclewarpConfig.cmake

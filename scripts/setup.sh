@@ -15,6 +15,7 @@ packages="
   g++ cmake ninja-build ccache git
   libeigen3-dev libgoogle-glog-dev libgflags-dev libceres-dev
   libopenmesh-dev libcgal-dev nlohmann-json3-dev libpugixml-dev
+  libcereal-dev
   libvtk9-dev libegl-dev libgl1-mesa-dri
   libgtest-dev libgmock-dev libbenchmark-dev
   clang-format-14 clang-tidy-14 python3 chromium tetgen

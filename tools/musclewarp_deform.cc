@@ -38,6 +38,10 @@ DEFINE_int32(fibres,
 DEFINE_bool(resume,
             false,
             "go on with an interrupted run of the same input in --out");
+DEFINE_string(cache,
+              "none",
+              "folder in which the preparation of the scene is kept for later "
+              "runs; none: it is made in every run");
 DEFINE_bool(profile,
             false,
             "write how long the stages of each frame take to report.json and "
@@ -59,6 +63,7 @@ DeformOptions OptionsFromFlags() {
   options.deformer.prepare.fibres.fibres = FLAGS_fibres;
   options.resume = FLAGS_resume;
   options.html = FLAGS_html;
+  if (FLAGS_cache != "none") options.deformer.cache.folder = FLAGS_cache;
   options.deformer.record_stages = FLAGS_profile;
   options.is_terminal = isatty(STDOUT_FILENO);
   return options;

@@ -161,15 +161,19 @@ DeformOptions SceneOptionsFromFlags() {
   options.command =
       std::string(gflags::ProgramInvocationShortName()) + SetFlags({"resume"});
   // Files count by their contents; threads and timing make no difference.
-  options.result_flags = SetFlags({"resume",
-                                   "html",
-                                   "profile",
-                                   "out",
-                                   "threads",
-                                   "scene",
-                                   "demo",
-                                   "data_root",
-                                   "motion"});
+  std::set<std::string> other_flags = {"resume",
+                                       "html",
+                                       "profile",
+                                       "cache",
+                                       "out",
+                                       "threads",
+                                       "scene",
+                                       "demo",
+                                       "data_root",
+                                       "motion"};
+  options.result_flags = SetFlags(other_flags);
+  other_flags.insert({"frames", "format"});
+  options.deformer.cache.options_key = SetFlags(other_flags);
   for (const auto& flag : OwnFlags()) {
     options.all_flags[flag.name] = flag.current_value;
   }

@@ -114,6 +114,28 @@ TEST_F(DeformProgram, SelectsFrames) {
   EXPECT_TRUE(fs::exists(out() + "/frame_0001"));
 }
 
+// The second run reads what the first one prepared; other frames of the same
+// scene may as well, another gap may not.
+TEST_F(DeformProgram, ReadsThePreparationFromTheCache) {
+  const std::string flags = "--contact=certified --cache=" + dir_ + "/cache";
+  const auto run = [&](const std::string& more, bool is_cached) {
+    ASSERT_LE(Run(flags + more).exit_code, 1);
+    const Json report = Json::parse(FileText(out() + "/report.json"));
+    EXPECT_EQ(report["prepare"]["cached"], is_cached) << more;
+  };
+  const std::string mesh = out() + "/frame_0001/muscle.ply";
+  run("", false);
+  const std::string before = FileText(mesh);
+  run("", true);
+  EXPECT_EQ(FileText(mesh), before);
+  run(" --frames=1 --format=obj,ply --profile", true);
+  EXPECT_EQ(FileText(mesh), before);
+  EXPECT_FALSE(
+      Json::parse(FileText(out() + "/report.json"))["frames"][0]["stages"]
+          .empty());
+  run(" --gap=0.2", false);
+}
+
 TEST_F(DeformProgram, BothSolversWriteTheSameShape) {
   ASSERT_EQ(Run("--solver=reference").exit_code, 0);
   const Points reference =

@@ -40,17 +40,40 @@ bool DeformerOptions::IsValid(std::string* error) const {
 
 Deformer::Deformer(Scene scene, DeformerOptions options)
     : options_(Completed(std::move(options))),
-      solvers_(SolversOf(options_.solver)),
-      scene_(std::make_unique<PreparedScene>(PrepareScene(
-          Checked(std::move(scene)), options_.prepare, options_.on_progress))),
-      frame_solver_(MakeCleanFrameSolver(options_.remaking,
-                                         options_.prepare,
-                                         options_.frames,
-                                         solvers_,
-                                         options_.on_progress,
-                                         scene_.get())) {
+      solvers_(SolversOf(options_.solver)) {
+  Prepare(Checked(std::move(scene)));
   // Where a motion starts is found when one does: with the paper's contact that
   // takes a solve.
+}
+
+void Deformer::PrepareAnew(const Scene& scene) {
+  scene_ = std::make_unique<PreparedScene>(
+      PrepareScene(scene, options_.prepare, options_.on_progress));
+  frame_solver_ = MakeCleanFrameSolver(options_.remaking,
+                                       options_.prepare,
+                                       options_.frames,
+                                       solvers_,
+                                       options_.on_progress,
+                                       scene_.get());
+}
+
+void Deformer::Prepare(Scene scene) {
+  if (options_.cache.folder.empty()) return PrepareAnew(scene);
+  const PreparationCache cache(options_.cache, scene);
+  std::optional<Preparation> cached = cache.Read(scene);
+  if (!cached) {
+    PrepareAnew(scene);
+    cache.Write(*scene_, frame_solver_->separated_rest());
+    return;
+  }
+  scene_ = std::make_unique<PreparedScene>(std::move(cached->scene));
+  for (const std::string& warning : scene_->warnings) LOG(WARNING) << warning;
+  frame_solver_ = MakeFrameSolver(*scene_,
+                                  options_.frames,
+                                  solvers_,
+                                  std::make_shared<SceneMeshes>(*scene_),
+                                  options_.on_progress,
+                                  std::move(cached->rest));
 }
 
 Frame Deformer::MoveTo(const ScenePose& pose) {

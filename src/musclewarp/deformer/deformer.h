@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "musclewarp/base/progress.h"
+#include "musclewarp/deformer/preparation_cache.h"
 #include "musclewarp/deformer/solver_configuration.h"
 #include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/frame_solver.h"
@@ -28,6 +29,9 @@ struct DeformerOptions {
   RestRemakingOptions remaking;
 
   SolverConfiguration solver;
+
+  // Where preparations are kept from run to run; by default nowhere.
+  PreparationCacheOptions cache;
 
   // Measure how long the stages of each frame take (Frame::stages).
   bool record_stages = false;
@@ -55,7 +59,8 @@ struct DeformerOptions {
 class Deformer {
  public:
   // Throws InputError if the scene contradicts itself, a mesh cannot be read or
-  // repaired, or the rest pose cannot be made free of crossings. Precondition
+  // repaired, the rest pose cannot be made free of crossings, or the folder of
+  // the cache cannot be made. Precondition
   // (CHECKed): the options are valid.
   explicit Deformer(Scene scene, DeformerOptions options = {});
 
@@ -94,6 +99,10 @@ class Deformer {
   void set_state(SceneState state) { state_ = std::move(state); }
 
  private:
+  // Prepares the scene, or has the cache provide the preparation.
+  void Prepare(Scene scene);
+  void PrepareAnew(const Scene& scene);
+
   SolvedFrame Solve(const ScenePose& pose, const SceneState* before);
 
   const DeformerOptions options_;

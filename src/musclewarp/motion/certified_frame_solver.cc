@@ -38,6 +38,28 @@ CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
   contact_.displaced_at_rest = DisplacedAtRest();
 }
 
+CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
+                                           const FrameSolverOptions& options,
+                                           std::shared_ptr<SceneMeshes> meshes,
+                                           SeparatedRest rest)
+    : FrameSolver(scene, options, std::move(meshes)),
+      certified_(RestoreCertifiedScene(scene,
+                                       options.certified,
+                                       std::move(rest.state),
+                                       std::move(rest.attached))) {
+  contact_.options = {{"gap_mm", options.certified.step.gap}};
+  contact_.prepare_ms = certified_.wall_ms;
+  contact_.rest = std::move(rest.intersections);
+  contact_.displaced_at_rest = std::move(rest.displaced);
+}
+
+std::optional<SeparatedRest> CertifiedFrameSolver::separated_rest() const {
+  return SeparatedRest{certified_.rest,
+                       certified_.attached_rest,
+                       *contact_.rest,
+                       contact_.displaced_at_rest};
+}
+
 std::vector<int> CertifiedFrameSolver::DisplacedAtRest() {
   Frame rest;
   rest.intersections = *contact_.rest;

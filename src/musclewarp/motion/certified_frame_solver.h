@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,13 @@ class CertifiedFrameSolver : public FrameSolver {
                        std::shared_ptr<SceneMeshes> meshes,
                        const ProgressCallback& on_progress);
 
+  // With a rest pose that has been separated before.
+  CertifiedFrameSolver(const PreparedScene& scene,
+                       const FrameSolverOptions& options,
+                       std::shared_ptr<SceneMeshes> meshes,
+                       SeparatedRest rest);
+
+  std::optional<SeparatedRest> separated_rest() const override;
   SceneState StartOfMotion(const MuscleSolvers& solvers) override;
   int ExpectedSteps(const ScenePose* from,
                     const ScenePose& pose) const override;

@@ -66,18 +66,40 @@ void AddSurfaces(const PreparedScene& scene,
 // From here on, attached vertices follow their bodies from where they are in
 // the rest pose. They could not before, as they may have been in a bone.
 void HoldAttachments(const PreparedScene& scene,
-                     const std::vector<Points>& points,
+                     std::vector<Points> attached_rest,
                      CertifiedScene* certified) {
+  certified->attached_rest = std::move(attached_rest);
   for (size_t k = 0; k < certified->order.size(); ++k) {
-    const AttachedVertices& attached =
-        scene.muscles[certified->order[k]].attached;
-    certified->attached_rest.push_back(
-        points[k](attached.vertices, Eigen::all));
     certified->extensions.push_back(std::make_shared<OffsetExtension>(
         certified->contact.muscles[k],
-        attached.vertices,
+        scene.muscles[certified->order[k]].attached.vertices,
         certified->options.step.relaxation.smoothing_length));
   }
+}
+
+// Returns the attached vertices of each muscle, in the order of contact.
+std::vector<Points> AttachedAmong(const PreparedScene& scene,
+                                  const std::vector<int>& order,
+                                  const std::vector<Points>& points) {
+  std::vector<Points> attached;
+  for (size_t k = 0; k < order.size(); ++k) {
+    attached.push_back(
+        points[k](scene.muscles[order[k]].attached.vertices, Eigen::all));
+  }
+  return attached;
+}
+
+// Returns the scene with all but its rest pose.
+CertifiedScene BeginScene(const PreparedScene& scene,
+                          const std::vector<ExemptArea>& exempt,
+                          const CertifiedContactOptions& options) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+  CertifiedScene certified;
+  certified.options = options;
+  certified.order = OrderOfNames(scene);
+  AddSurfaces(scene, exempt, &certified);
+  return certified;
 }
 
 }  // namespace
@@ -109,14 +131,10 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                                      const PreRotationOptions& pre_rotation,
                                      const MuscleSolver& solver,
                                      const ProgressCallback& on_progress) {
-  std::string error;
-  CHECK(options.IsValid(&error)) << error;
   const Stopwatch preparing;
-  CertifiedScene certified;
-  certified.options = options;
-  certified.order = OrderOfNames(scene);
-  const std::vector<ExemptArea> exempt = ExemptInOrder(scene, certified.order);
-  AddSurfaces(scene, exempt, &certified);
+  const std::vector<ExemptArea> exempt =
+      ExemptInOrder(scene, OrderOfNames(scene));
+  CertifiedScene certified = BeginScene(scene, exempt, options);
   std::vector<const SearchableMesh*> muscles, bones;
   for (const int i : certified.order) {
     muscles.push_back(meshes.muscles()[i].mesh);
@@ -152,7 +170,22 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
     Walk(mover, walk, rest.pose, /*at=*/1, on_progress, &place);
   }
   certified.rest = StateOf(mover, place);
-  HoldAttachments(scene, place.surfaces.points, &certified);
+  HoldAttachments(scene,
+                  AttachedAmong(scene, certified.order, place.surfaces.points),
+                  &certified);
+  certified.wall_ms = preparing.Milliseconds();
+  return certified;
+}
+
+CertifiedScene RestoreCertifiedScene(const PreparedScene& scene,
+                                     const CertifiedContactOptions& options,
+                                     SceneState rest,
+                                     std::vector<Points> attached_rest) {
+  const Stopwatch preparing;
+  CertifiedScene certified =
+      BeginScene(scene, ExemptInOrder(scene, OrderOfNames(scene)), options);
+  certified.rest = std::move(rest);
+  HoldAttachments(scene, std::move(attached_rest), &certified);
   certified.wall_ms = preparing.Milliseconds();
   return certified;
 }

@@ -119,6 +119,14 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                                      const MuscleSolver& solver,
                                      const ProgressCallback& on_progress);
 
+// Puts a scene together whose rest pose has been separated before: `rest` and
+// `attached_rest` are those of an equal CertifiedScene. Precondition (CHECKed):
+// the options are valid.
+CertifiedScene RestoreCertifiedScene(const PreparedScene& scene,
+                                     const CertifiedContactOptions& options,
+                                     SceneState rest,
+                                     std::vector<Points> attached_rest);
+
 // How a pose was reached.
 struct MotionSummary {
   std::vector<SolverSummary> summaries;  // of the last step, by muscle

@@ -50,7 +50,8 @@ std::unique_ptr<FrameSolver> MakeFrameSolver(
     const FrameSolverOptions& options,
     const MuscleSolvers& solvers,
     std::shared_ptr<SceneMeshes> meshes,
-    const ProgressCallback& on_progress) {
+    const ProgressCallback& on_progress,
+    std::optional<SeparatedRest> rest) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   switch (options.contact) {
@@ -61,6 +62,10 @@ std::unique_ptr<FrameSolver> MakeFrameSolver(
       return std::make_unique<PaperFrameSolver>(
           scene, options, std::move(meshes));
     case ContactKind::kCertified:
+      if (rest) {
+        return std::make_unique<CertifiedFrameSolver>(
+            scene, options, std::move(meshes), std::move(*rest));
+      }
       return std::make_unique<CertifiedFrameSolver>(
           scene, options, solvers, std::move(meshes), on_progress);
   }

@@ -70,6 +70,18 @@ struct ContactReport {
   std::vector<int> displaced_at_rest;
 };
 
+// The rest pose of a scene once certified contact has separated it: what takes
+// long to find, and all that a frame solver for the same scene and options
+// needs to be made without.
+struct SeparatedRest {
+  SceneState state;
+  std::vector<Points> attached;  // as CertifiedScene::attached_rest
+
+  // As ContactReport has them.
+  SceneIntersections intersections;
+  std::vector<int> displaced;
+};
+
 // A frame, and the state that the next frame starts from.
 struct SolvedFrame {
   Frame frame;
@@ -93,6 +105,9 @@ class FrameSolver {
 
   // Returns the frame of the scene as it was delivered.
   const Frame& RestFrame();
+
+  // Returns the separated rest pose, or nothing without certified contact.
+  virtual std::optional<SeparatedRest> separated_rest() const { return {}; }
 
   // Returns the state that the first frame of a motion starts from.
   virtual SceneState StartOfMotion(const MuscleSolvers& solvers) = 0;
@@ -128,12 +143,15 @@ class FrameSolver {
 
 // Prepares a scene for the kind of contact in the options. `meshes` are those
 // of the scene; several frame solvers may share them. Keeps a reference to the
-// scene. Precondition (CHECKed): the options are valid.
+// scene. Certified contact takes its rest pose from `rest`, if there is one:
+// that of a solver which was made for an equal scene with equal options.
+// Precondition (CHECKed): the options are valid.
 std::unique_ptr<FrameSolver> MakeFrameSolver(
     const PreparedScene& scene,
     const FrameSolverOptions& options,
     const MuscleSolvers& solvers,
     std::shared_ptr<SceneMeshes> meshes,
-    const ProgressCallback& on_progress = {});
+    const ProgressCallback& on_progress = {},
+    std::optional<SeparatedRest> rest = {});
 
 }  // namespace musclewarp

@@ -121,6 +121,9 @@ struct PreparedScene {
 
   // What crossed before meshes were made anew, if any was.
   std::optional<SceneIntersections> as_delivered;
+
+  // True if all of this was read from disk (preparation_cache.h).
+  bool is_cached = false;
   double wall_ms = 0;
 };
 

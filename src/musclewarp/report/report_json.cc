@@ -71,7 +71,7 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
                      {"repairs", RepairsJson(bone.mesh)}});
   }
   return {{"wall_ms", scene.wall_ms},
-          {"cached", false},
+          {"cached", scene.is_cached},
           {"notes", scene.scene.notes},
           {"warnings", scene.warnings},
           {"muscles", muscles},

@@ -68,8 +68,9 @@ void PrintPreparation(const PreparedScene& scene,
                       std::ostream& out) {
   out << "scene " << scene.scene.name << ": " << scene.muscles.size()
       << " muscles, " << scene.bones.size() << " bones, "
-      << scene.scene.poses.size() << " poses; prepared in " << std::fixed
-      << std::setprecision(0) << scene.wall_ms << " ms";
+      << scene.scene.poses.size() << " poses; "
+      << (scene.is_cached ? "preparation read in " : "prepared in ")
+      << std::fixed << std::setprecision(0) << scene.wall_ms << " ms";
   if (contact.rest) {
     out << ", " << ToString(contact.kind) << " contact in "
         << contact.prepare_ms << " ms";

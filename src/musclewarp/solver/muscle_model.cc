@@ -55,20 +55,6 @@ void AddAttachmentRows(const MuscleModelOptions& options, MuscleModel* model) {
   }
 }
 
-void FactorNormalMatrix(MuscleModel* model) {
-  Eigen::MatrixXd normal(SparseMatrix(model->laplacian.transpose()) *
-                         model->laplacian);
-  normal += model->skeleton.transpose() * model->skeleton;
-  normal += model->attachment.transpose() * model->attachment;
-  model->normal_matrix.compute(normal);
-  if (model->normal_matrix.info() != Eigen::Success) {
-    throw InputError("muscle " + model->name,
-                     "its lines do not determine its shape (the normal matrix "
-                     "is singular)",
-                     "give lines of some length near the muscle");
-  }
-}
-
 // Samples closer together say nothing new, and take forever.
 constexpr double kLeastSpacing = 0.01;  // mm
 
@@ -97,6 +83,20 @@ bool MuscleModelOptions::IsValid(std::string* error) const {
     return fail("attachment_rows", attachment_rows, "above 0");
   }
   return true;
+}
+
+void FactorNormalMatrix(MuscleModel* model) {
+  Eigen::MatrixXd normal(SparseMatrix(model->laplacian.transpose()) *
+                         model->laplacian);
+  normal += model->skeleton.transpose() * model->skeleton;
+  normal += model->attachment.transpose() * model->attachment;
+  model->normal_matrix.compute(normal);
+  if (model->normal_matrix.info() != Eigen::Success) {
+    throw InputError("muscle " + model->name,
+                     "its lines do not determine its shape (the normal matrix "
+                     "is singular)",
+                     "give lines of some length near the muscle");
+  }
 }
 
 MuscleModel PrepareMuscle(const SceneMuscle& muscle,

@@ -105,4 +105,8 @@ MuscleModel PrepareMuscle(const SceneMuscle& muscle,
                           const TriangleSoup& hull,
                           const MuscleModelOptions& options);
 
+// Factorises the normal matrix of a muscle of which everything else is there,
+// as PrepareMuscle() does in the end. Throws InputError if it is singular.
+void FactorNormalMatrix(MuscleModel* model);
+
 }  // namespace musclewarp

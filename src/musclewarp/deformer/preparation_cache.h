@@ -1,0 +1,68 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "musclewarp/motion/frame_solver.h"
+#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/scene/scene.h"
+
+namespace musclewarp {
+
+struct PreparationCacheOptions {
+  // The folder in which preparations are kept from run to run; it is made if
+  // need be. Empty: none are kept. Whatever is in it may be deleted at any
+  // time.
+  std::string folder;
+
+  // A text that differs between any two sets of options with which a scene is
+  // prepared differently. Programs give their flags.
+  std::string options_key;
+};
+
+// What preparing a scene comes to: all that takes long.
+struct Preparation {
+  PreparedScene scene;
+  std::optional<SeparatedRest> rest;  // with certified contact
+};
+
+// Keeps the preparation of a scene on disk, in a file of its own, so that a
+// later run with the same meshes, lines, poses and options, by the same version
+// of musclewarp, has it in a fraction of the time. What it reads is bit for bit
+// what was written, and so are the frames.
+//
+//   const PreparationCache cache({folder, flags}, scene);
+//   std::optional<Preparation> preparation = cache.Read(scene);
+//   if (!preparation) {
+//     preparation = Prepare(scene);
+//     cache.Write(*preparation);
+//   }
+//
+// Files appear complete or not at all, so that several programs may share a
+// folder.
+class PreparationCache {
+ public:
+  // Finds the file that belongs to the scene, by its contents and those of its
+  // files. Throws InputError if the folder cannot be made, or a file of the
+  // scene cannot be read.
+  PreparationCache(const PreparationCacheOptions& options, const Scene& scene);
+
+  // Returns the preparation of `scene`, the one of the constructor, or nothing
+  // if it is not there, or if its file is damaged, which is logged.
+  std::optional<Preparation> Read(const Scene& scene) const;
+
+  // Writes a preparation. That it cannot be written, because the disk is full,
+  // is logged and changes nothing else.
+  void Write(const PreparedScene& scene,
+             const std::optional<SeparatedRest>& rest) const;
+
+  // Returns the path of the file.
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace musclewarp
