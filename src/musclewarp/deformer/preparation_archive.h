@@ -69,8 +69,6 @@ void load(Archive& archive, musclewarp::SparseMatrix& matrix) {
 
 namespace musclewarp {
 
-// Scenes.
-
 template <class Archive>
 void serialize(Archive& archive, TriangleSoup& soup) {
   auto& [points, triangles] = soup;
@@ -201,7 +199,7 @@ void serialize(Archive& archive, AttachedVertices& attached) {
   archive(vertices, attachment);
 }
 
-// But for the factorised normal matrix, which follows from the others.
+// But for the normal matrix, which follows from the others.
 template <class Archive>
 void serialize(Archive& archive, MuscleModel& model) {
   auto& [a,

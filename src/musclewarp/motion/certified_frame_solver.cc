@@ -44,6 +44,7 @@ CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
                                            SeparatedRest rest)
     : FrameSolver(scene, options, std::move(meshes)),
       certified_(RestoreCertifiedScene(scene,
+                                       *meshes_,
                                        options.certified,
                                        std::move(rest.state),
                                        std::move(rest.attached))) {

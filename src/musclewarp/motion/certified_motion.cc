@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "musclewarp/base/option_check.h"
+#include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/spread_points.h"
 #include "musclewarp/motion/certified_stepper.h"
@@ -38,6 +39,7 @@ std::vector<ExemptArea> ExemptInOrder(const PreparedScene& scene,
 }
 
 void AddSurfaces(const PreparedScene& scene,
+                 const SceneMeshes& meshes,
                  const std::vector<ExemptArea>& exempt,
                  CertifiedScene* certified) {
   const CertifiedContactOptions& options = certified->options;
@@ -52,9 +54,9 @@ void AddSurfaces(const PreparedScene& scene,
         static_cast<int>(options.samples_per_coarse_vertex *
                          static_cast<double>(model.coarse_rest.rows()))));
   }
-  for (const PreparedBone& bone : scene.bones) {
+  for (const NamedMesh& bone : meshes.bones()) {
     certified->contact.bones.push_back(
-        std::make_shared<TriangleBvh>(bone.rest.points, bone.rest.triangles));
+        std::make_shared<TriangleBvh>(bone.mesh->bvh()));
   }
   for (const ExemptArea& area : exempt) {
     auto& of_muscle = certified->contact.muscles[area.muscle].exempt;
@@ -69,12 +71,13 @@ void HoldAttachments(const PreparedScene& scene,
                      std::vector<Points> attached_rest,
                      CertifiedScene* certified) {
   certified->attached_rest = std::move(attached_rest);
-  for (size_t k = 0; k < certified->order.size(); ++k) {
-    certified->extensions.push_back(std::make_shared<OffsetExtension>(
+  certified->extensions.resize(certified->order.size());
+  ParallelFor(certified->order.size(), [&](size_t k) {
+    certified->extensions[k] = std::make_shared<OffsetExtension>(
         certified->contact.muscles[k],
         scene.muscles[certified->order[k]].attached.vertices,
-        certified->options.step.relaxation.smoothing_length));
-  }
+        certified->options.step.relaxation.smoothing_length);
+  });
 }
 
 // Returns the attached vertices of each muscle, in the order of contact.
@@ -91,6 +94,7 @@ std::vector<Points> AttachedAmong(const PreparedScene& scene,
 
 // Returns the scene with all but its rest pose.
 CertifiedScene BeginScene(const PreparedScene& scene,
+                          const SceneMeshes& meshes,
                           const std::vector<ExemptArea>& exempt,
                           const CertifiedContactOptions& options) {
   std::string error;
@@ -98,7 +102,7 @@ CertifiedScene BeginScene(const PreparedScene& scene,
   CertifiedScene certified;
   certified.options = options;
   certified.order = OrderOfNames(scene);
-  AddSurfaces(scene, exempt, &certified);
+  AddSurfaces(scene, meshes, exempt, &certified);
   return certified;
 }
 
@@ -134,7 +138,7 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
   const Stopwatch preparing;
   const std::vector<ExemptArea> exempt =
       ExemptInOrder(scene, OrderOfNames(scene));
-  CertifiedScene certified = BeginScene(scene, exempt, options);
+  CertifiedScene certified = BeginScene(scene, meshes, exempt, options);
   std::vector<const SearchableMesh*> muscles, bones;
   for (const int i : certified.order) {
     muscles.push_back(meshes.muscles()[i].mesh);
@@ -178,12 +182,13 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
 }
 
 CertifiedScene RestoreCertifiedScene(const PreparedScene& scene,
+                                     const SceneMeshes& meshes,
                                      const CertifiedContactOptions& options,
                                      SceneState rest,
                                      std::vector<Points> attached_rest) {
   const Stopwatch preparing;
-  CertifiedScene certified =
-      BeginScene(scene, ExemptInOrder(scene, OrderOfNames(scene)), options);
+  CertifiedScene certified = BeginScene(
+      scene, meshes, ExemptInOrder(scene, OrderOfNames(scene)), options);
   certified.rest = std::move(rest);
   HoldAttachments(scene, std::move(attached_rest), &certified);
   certified.wall_ms = preparing.Milliseconds();

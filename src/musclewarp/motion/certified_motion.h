@@ -120,9 +120,10 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                                      const ProgressCallback& on_progress);
 
 // Puts a scene together whose rest pose has been separated before: `rest` and
-// `attached_rest` are those of an equal CertifiedScene. Precondition (CHECKed):
-// the options are valid.
+// `attached_rest` are those of an equal CertifiedScene. `meshes` are those of
+// the scene, in the rest pose. Precondition (CHECKed): the options are valid.
 CertifiedScene RestoreCertifiedScene(const PreparedScene& scene,
+                                     const SceneMeshes& meshes,
                                      const CertifiedContactOptions& options,
                                      SceneState rest,
                                      std::vector<Points> attached_rest);
