@@ -51,7 +51,12 @@ DeformerOptions OptionsOf(const DeformerChoices& choices) {
   options.remaking.kind = ParseRemake(choices.remake);
   options.solver = ParseSolver(choices.solver);
   SetIterationLimit(choices.max_iterations, &options.solver);
+  options.cache.folder = CacheFolderOf(choices.cache);
   return options;
+}
+
+std::string CacheFolderOf(const std::string& cache) {
+  return cache == "none" ? "" : cache;
 }
 
 void SetIterationLimit(int max_iterations, SolverConfiguration* configuration) {

@@ -33,12 +33,18 @@ struct DeformerChoices {
   double max_step_turn = 20;  // degrees
   double max_step_move = 80;  // mm
   bool body_twist = true;
+  std::string cache = "none";  // or a folder
 };
 
-// Returns the options that these choices mean. Throws InputError that names the
-// flag for a text that is none of the allowed ones, and for a limit that no
-// IsValid would find. Other values are left to CheckValid (option_flags.h).
+// Returns the options that these choices mean, but for the key of the cache,
+// which has to tell all choices of the caller apart. Throws InputError that
+// names the flag for a text that is none of the allowed ones, and for a limit
+// that no IsValid would find. Other values are left to CheckValid
+// (option_flags.h).
 DeformerOptions OptionsOf(const DeformerChoices& choices);
+
+// Returns the folder that "none" or a folder means: none is empty.
+std::string CacheFolderOf(const std::string& cache);
 
 // Sets the limits of all solvers of a configuration. Throws InputError, naming
 // --max_iterations, if it is below 1.

@@ -8,6 +8,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "tools/deform_command.h"
+#include "tools/deformer_choices.h"
 #include "tools/demo_scene.h"
 #include "tools/program.h"
 #include "tools/scene_flags.h"
@@ -63,7 +64,7 @@ DeformOptions OptionsFromFlags() {
   options.deformer.prepare.fibres.fibres = FLAGS_fibres;
   options.resume = FLAGS_resume;
   options.html = FLAGS_html;
-  if (FLAGS_cache != "none") options.deformer.cache.folder = FLAGS_cache;
+  options.deformer.cache.folder = CacheFolderOf(FLAGS_cache);
   options.deformer.record_stages = FLAGS_profile;
   options.is_terminal = isatty(STDOUT_FILENO);
   return options;

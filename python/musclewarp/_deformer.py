@@ -29,6 +29,10 @@ class Deformer(_core.Deformer):
         progress: a function of (stage, done, total), which may raise to stop
             the computation, or a bar of tqdm.
 
+        cache: a folder in which the preparation of the scene is kept, so that
+            another deformer of an equal scene with equal keywords is made in a
+            fraction of the time; or "none".
+
     The other keywords are the flags of musclewarp-deform, in the units of these
     flags; `musclewarp-deform --help` explains them.
 
@@ -62,12 +66,14 @@ class Deformer(_core.Deformer):
                  max_iterations: int = 500,
                  contact_level: str = "coarse",
                  bone_coarse_vertices: int = 1000,
-                 seed: int = 1) -> None:
+                 seed: int = 1,
+                 cache: Union[str, "os.PathLike[str]"] = "none") -> None:
         choices = {
             name: value
             for name, value in locals().items()
             if name not in ("self", "scene", "progress", "__class__")
         }
+        choices["cache"] = os.fspath(cache)
         super().__init__(scene._assembled(), choices, as_function(progress))
 
 

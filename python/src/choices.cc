@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "python/src/choices.h"
 
+#include <iomanip>
+#include <limits>
+#include <sstream>
 #include <string>
 
 #include "python/src/bindings.h"
@@ -38,6 +41,7 @@ void VisitChoices(Choices* choices, const Visitor& visit) {
   visit("max_step_turn", choices->max_step_turn);
   visit("max_step_move", choices->max_step_move);
   visit("body_twist", choices->body_twist);
+  visit("cache", choices->cache);
 }
 
 const char* WhatIsAllowed(const std::string& /*field*/) { return "a text"; }
@@ -47,6 +51,17 @@ const char* WhatIsAllowed(unsigned /*field*/) {
   return "a whole number that is not negative";
 }
 const char* WhatIsAllowed(bool /*field*/) { return "True or False"; }
+
+// A text that differs between any two sets of choices by which a scene is
+// prepared differently.
+std::string KeyOf(const DeformerChoices& choices) {
+  std::ostringstream text;
+  text << std::setprecision(std::numeric_limits<double>::max_digits10);
+  VisitChoices(&choices, [&](const std::string& name, const auto& field) {
+    if (name != "cache") text << name << "=" << field << "\n";
+  });
+  return text.str();
+}
 
 }  // namespace
 
@@ -78,6 +93,7 @@ DeformerOptions OptionsFrom(const py::dict& keywords) {
     run.deformer = OptionsOf(choices);
     CheckValid(run);
   });
+  run.deformer.cache.options_key = KeyOf(choices);
   return run.deformer;
 }
 

@@ -96,6 +96,21 @@ def test_values_that_are_not_allowed_name_the_keyword(choice, words):
         mw.Deformer(small_scene(), **choice)
 
 
+def test_an_equal_deformer_is_read_from_the_cache(tmp_path):
+    def points_and_origin(**choices):
+        deformer = quick(cache=tmp_path / "cache", **choices)
+        run = mw.Run(deformer)
+        run.append(deformer.move_to(pushed(2)))
+        return (run.frames[0]["psoas"].points,
+                run.report()["prepare"]["cached"])
+
+    first, is_first_cached = points_and_origin()
+    second, is_second_cached = points_and_origin()
+    assert (is_first_cached, is_second_cached) == (False, True)
+    assert np.array_equal(first, second)
+    assert not points_and_origin(gap=0.2)[1]
+
+
 def test_keywords_are_those_of_the_library_with_its_defaults():
     parameters = inspect.signature(mw.Deformer).parameters
     keywords = {
