@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "musclewarp/base/option_check.h"
+#include "musclewarp/base/stage_times.h"
 
 namespace musclewarp {
 namespace {
@@ -282,9 +283,11 @@ InitialSeparation SeparateInitially(
     const std::function<void(int round, int crossing_pairs)>& on_round) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
+  const ScopedStage stage("cells of the rest pose");
   Separator separator(muscles, bones, exempt, options);
   if (on_round) on_round(0, 0);
   separator.EnterCells();
+  const ScopedStage rounds("separation");
   InitialSeparation result;
   for (;; ++result.rounds) {
     const std::vector<Crossing> crossings = separator.FindCrossings();

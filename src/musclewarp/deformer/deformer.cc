@@ -41,7 +41,10 @@ bool DeformerOptions::IsValid(std::string* error) const {
 Deformer::Deformer(Scene scene, DeformerOptions options)
     : options_(Completed(std::move(options))),
       solvers_(SolversOf(options_.solver)) {
+  std::optional<StageRecording> recording;
+  if (options_.record_stages) recording.emplace();
   Prepare(Checked(std::move(scene)));
+  if (recording) scene_->stages = recording->times();
   // Where a motion starts is found when one does: with the paper's contact that
   // takes a solve.
 }

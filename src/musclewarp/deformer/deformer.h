@@ -33,7 +33,8 @@ struct DeformerOptions {
   // Where preparations are kept from run to run; by default nowhere.
   PreparationCacheOptions cache;
 
-  // Measure how long the stages of each frame take (Frame::stages).
+  // Measure how long the stages of each frame take (Frame::stages), and those
+  // of the preparation (PreparedScene::stages).
   bool record_stages = false;
 
   // Called while the scene is prepared and moved. It may throw to stop.

@@ -260,7 +260,7 @@ void serialize(Archive& archive, SceneIntersections& intersections) {
 // But for the scene itself, which the caller has, and the times.
 template <class Archive>
 void serialize(Archive& archive, PreparedScene& prepared) {
-  auto& [scene, muscles, bones, exempt, warnings, delivered, cached, ms] =
+  auto& [scene, muscles, bones, exempt, warnings, delivered, cached, ms, t] =
       prepared;
   archive(muscles, bones, exempt, warnings, delivered);
 }

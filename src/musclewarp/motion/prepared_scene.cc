@@ -11,6 +11,7 @@
 
 #include "musclewarp/base/invalid_option.h"
 #include "musclewarp/base/parallel_for.h"
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
@@ -314,7 +315,9 @@ PreparedScene PrepareScene(const Scene& scene,
     fine[m] = RepairMuscle(options, scene.muscles[m], &prepared.muscles[m]);
   };
   say_progress(0);
+  const ScopedStage repairing("reading and repair");
   ParallelFor(num_meshes, repair, say_progress);
+  const ScopedStage modelling("models of muscles");
   Surroundings surroundings;
   AddBones(prepared.bones, &surroundings);
   for (const TriangleSoup& muscle : fine) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "musclewarp/base/progress.h"
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/fibres/fibres.h"
 #include "musclewarp/geometry/mesh_intersection.h"
@@ -125,6 +126,10 @@ struct PreparedScene {
   // True if all of this was read from disk (preparation_cache.h).
   bool is_cached = false;
   double wall_ms = 0;
+
+  // Where the time of all preparation went, contact included, if
+  // DeformerOptions::record_stages asked for it.
+  std::vector<StageTime> stages;
 };
 
 // Gives muscles of a prepared scene, by number, other meshes, with which

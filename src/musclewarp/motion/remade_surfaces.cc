@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "musclewarp/base/parallel_for.h"
+#include "musclewarp/base/stage_times.h"
 #include "musclewarp/certified_contact/cell_surface.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/motion/scene_meshes.h"
@@ -138,6 +139,7 @@ std::vector<TriangleSoup> RemadeSurfaces(const RestRemakingOptions& options,
                                          const std::vector<int>& muscles,
                                          int attempt,
                                          const PreparedScene& scene) {
+  const ScopedStage stage("remaking of meshes");
   const CellSurfaceOptions surface_options =
       SurfaceOptions(options, cell, scene, muscles);
   const SceneMeshes meshes(scene);

@@ -232,15 +232,6 @@ std::vector<MeshGap> GapsFromJson(const OrderedJson& json) {
   return gaps;
 }
 
-OrderedJson ToJson(const std::vector<StageTime>& stages) {
-  OrderedJson json = OrderedJson::array();
-  for (const StageTime& stage : stages) {
-    json.push_back(
-        {{"name", stage.name}, {"ms", stage.ms}, {"visits", stage.visits}});
-  }
-  return json;
-}
-
 std::vector<StageTime> StagesFromJson(const OrderedJson& json) {
   std::vector<StageTime> stages;
   for (const OrderedJson& item : json) {
@@ -313,6 +304,15 @@ FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame) {
   record.intersections = frame.intersections;
   record.intersections.DropLists();
   return record;
+}
+
+OrderedJson ToJson(const std::vector<StageTime>& stages) {
+  OrderedJson json = OrderedJson::array();
+  for (const StageTime& stage : stages) {
+    json.push_back(
+        {{"name", stage.name}, {"ms", stage.ms}, {"visits", stage.visits}});
+  }
+  return json;
 }
 
 OrderedJson ToJson(const SceneIntersections& intersections) {

@@ -94,6 +94,9 @@ FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame);
 nlohmann::ordered_json ToJson(const FrameRecord& record);
 FrameRecord FrameRecordFromJson(const nlohmann::ordered_json& json);
 
+// Returns an array "stages" of report.json.
+nlohmann::ordered_json ToJson(const std::vector<StageTime>& stages);
+
 // Returns an object "intersections" of report.json.
 nlohmann::ordered_json ToJson(const SceneIntersections& intersections);
 

@@ -70,12 +70,14 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
                      {"defects", DefectsJson(bone.mesh.defects)},
                      {"repairs", RepairsJson(bone.mesh)}});
   }
-  return {{"wall_ms", scene.wall_ms},
-          {"cached", scene.is_cached},
-          {"notes", scene.scene.notes},
-          {"warnings", scene.warnings},
-          {"muscles", muscles},
-          {"bones", bones}};
+  OrderedJson json = {{"wall_ms", scene.wall_ms},
+                      {"cached", scene.is_cached},
+                      {"notes", scene.scene.notes},
+                      {"warnings", scene.warnings},
+                      {"muscles", muscles},
+                      {"bones", bones}};
+  if (!scene.stages.empty()) json["stages"] = ToJson(scene.stages);
+  return json;
 }
 
 // Where the poses come from, and in which unit each coordinate is.
