@@ -16,24 +16,22 @@ namespace {
 
 using Eigen::RowVector3d;
 
-double LowestAbove(const SeparatingPlane& plane,
-                   const std::vector<Points>& points) {
+// The lowest and the highest corner of a triangle over a plane through the
+// origin.
+double Lowest(const RowVector3d& normal,
+              const Points& points,
+              const Eigen::RowVector3i& corners) {
   double least = kInfinity;
-  for (int k = 0; k < 3; ++k) {
-    least = std::min(
-        least,
-        plane.normal.dot(points[plane.muscle_above].row(plane.above[k])));
-  }
+  for (const int v : corners)
+    least = std::min(least, normal.dot(points.row(v)));
   return least;
 }
 
-double HighestBelow(const SeparatingPlane& plane,
-                    const std::vector<Points>& points) {
+double Highest(const RowVector3d& normal,
+               const Points& points,
+               const Eigen::RowVector3i& corners) {
   double most = -kInfinity;
-  for (int k = 0; k < 3; ++k) {
-    most = std::max(
-        most, plane.normal.dot(points[plane.muscle_below].row(plane.below[k])));
-  }
+  for (const int v : corners) most = std::max(most, normal.dot(points.row(v)));
   return most;
 }
 
@@ -46,45 +44,54 @@ PlaneSet::PlaneSet(const StepOptions& options, const ContactStep& step)
       first_sides_(step.scene.muscles.size()),
       near_(step.scene.muscles.size()),
       num_near_(step.scene.muscles.size()) {
-  SortSides();
+  for (int i = 0; i < step.num_muscles(); ++i) {
+    first_sides_[i].assign(step.scene.muscles[i].num_vertices() + 1, 0);
+  }
+  SortSides(std::vector<std::vector<VertexSide>>(sides_.size()));
 }
 
 void PlaneSet::Add(const std::vector<SeparatingPlane>& planes) {
   if (planes.empty()) return;
   const ScopedStage stage("sorting planes");
-  for (const SeparatingPlane& plane : planes) AddSides(plane);
-  SortSides();
+  std::vector<std::vector<VertexSide>> added(sides_.size());
+  for (const SeparatingPlane& plane : planes) {
+    const Side above = static_cast<Side>(planes_.size());
+    const int a = plane.muscle_above, b = plane.muscle_below;
+    AddPlane(plane);
+    for (const int v : plane.above) {
+      const bool is_beyond =
+          plane.IsOfBone() &&
+          plane.normal.dot(step_.carried[a].row(v)) - plane.level >
+              options_.relaxation.max_push;
+      if (!is_beyond) added[a].push_back({v, above});
+    }
+    if (plane.IsOfBone()) continue;
+    for (const int v : plane.below) added[b].push_back({v, ~above});
+  }
+  SortSides(added);
 }
 
-void PlaneSet::AddSides(const SeparatingPlane& plane) {
-  const int a = plane.muscle_above, b = plane.muscle_below;
+void PlaneSet::AddPlane(const SeparatingPlane& plane) {
+  const int number = static_cast<int>(planes_.size());
   if (plane.IsOfBone()) {
-    const HalfSpace space = {plane.normal, plane.level};
-    for (const int v : plane.above) {
-      if (plane.normal.dot(step_.carried[a].row(v)) - plane.level <=
-          options_.relaxation.max_push) {
-        sides_[a].push_back({v, -1 - plane.bone, 1, space, plane.distance});
-      }
-    }
+    planes_.push_back({plane.normal, plane.level, 0});
+    origins_.push_back({-1 - plane.bone, plane.distance});
     return;
   }
-  const int index = static_cast<int>(moving_.size());
-  const double share_above =
-      (1 + AttachedShare(a, plane.above) - AttachedShare(b, plane.below)) / 2;
-  moving_.push_back({plane, share_above, 0});
-  levels_.push_back(plane.level);
-  for (int k = 0; k < 3; ++k) {
-    sides_[a].push_back({plane.above[k],
-                         index,
-                         1,
-                         {plane.normal, plane.half_gap},
-                         plane.distance});
-    sides_[b].push_back({plane.below[k],
-                         index,
-                         -1,
-                         {-plane.normal, plane.half_gap},
-                         plane.distance});
-  }
+  planes_.push_back({plane.normal, plane.level, plane.half_gap});
+  origins_.push_back({static_cast<int>(moving_.size()), plane.distance});
+  MovingPlane moving;
+  moving.plane = number;
+  moving.shared_corner = plane.shared_corner;
+  PlaneCarrier& carrier = moving.carrier;
+  carrier.muscle_above = plane.muscle_above;
+  carrier.muscle_below = plane.muscle_below;
+  carrier.above = plane.above;
+  carrier.below = plane.below;
+  carrier.share_above = (1 + AttachedShare(plane.muscle_above, plane.above) -
+                         AttachedShare(plane.muscle_below, plane.below)) /
+                        2;
+  moving_.push_back(moving);
 }
 
 double PlaneSet::AttachedShare(int muscle,
@@ -97,42 +104,65 @@ double PlaneSet::AttachedShare(int muscle,
   return count / 3;
 }
 
-void PlaneSet::SortSides() {
+bool PlaneSet::ComesBefore(Side a, Side b) const {
+  // An order that is not that of the muscles. Planes between muscles go by
+  // their gap, as their levels are not settled.
+  const auto key = [&](Side side) {
+    const int number = NumberOf(side);
+    const Plane& plane = planes_[number];
+    const RowVector3d n = side < 0 ? -plane.normal : plane.normal;
+    const bool is_of_bone = origins_[number].moving < 0;
+    return std::make_tuple(origins_[number].distance,
+                           is_of_bone ? plane.level : plane.half_gap,
+                           n[0],
+                           n[1],
+                           n[2]);
+  };
+  return key(a) < key(b);
+}
+
+void PlaneSet::SortSides(const std::vector<std::vector<VertexSide>>& added) {
 #pragma omp parallel for schedule(dynamic, 1)
   for (int i = 0; i < step_.num_muscles(); ++i) {
     const int num_vertices = step_.scene.muscles[i].num_vertices();
-    std::vector<int>& first = first_sides_[i];
-    first.assign(num_vertices + 1, 0);
-    for (const Side& side : sides_[i]) ++first[side.vertex + 1];
-    for (size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
-    std::vector<Side> sorted(sides_[i].size());
+    const std::vector<int>& before = first_sides_[i];
+    std::vector<int> first(num_vertices + 1, 0);
+    for (const VertexSide& side : added[i]) ++first[side.vertex + 1];
+    for (int v = 0; v < num_vertices; ++v) {
+      first[v + 1] += first[v] + before[v + 1] - before[v];
+    }
+    std::vector<Side> sorted(first.back());
     std::vector<int> next = first;
-    for (const Side& side : sides_[i]) sorted[next[side.vertex]++] = side;
-    // In an order that is not that of the muscles.
-    const auto comes_first = [](const Side& a, const Side& b) {
-      const auto key = [](const Side& side) {
-        const RowVector3d& n = side.space.normal;
-        return std::make_tuple(
-            side.distance, side.space.level, n[0], n[1], n[2]);
-      };
-      return key(a) < key(b);
-    };
-    for (size_t v = 1; v < first.size(); ++v) {
-      const auto begin = sorted.begin() + first[v - 1];
-      const auto end = sorted.begin() + first[v];
+    for (int v = 0; v < num_vertices; ++v) {
+      for (int k = before[v]; k < before[v + 1]; ++k) {
+        sorted[next[v]++] = sides_[i][k];
+      }
+    }
+    for (const VertexSide& side : added[i]) {
+      sorted[next[side.vertex]++] = side.side;
+    }
+    const auto comes_before = [&](Side a, Side b) { return ComesBefore(a, b); };
+    for (int v = 0; v < num_vertices; ++v) {
+      const auto begin = sorted.begin() + first[v];
+      const auto end = sorted.begin() + first[v + 1];
       // Most have been sorted when planes were added before.
-      if (std::is_sorted(begin, end, comes_first)) continue;
-      std::stable_sort(begin, end, comes_first);
+      if (std::is_sorted(begin, end, comes_before)) continue;
+      std::stable_sort(begin, end, comes_before);
     }
     near_[i].resize(sorted.size());
     num_near_[i].assign(num_vertices, 0);
     sides_[i] = std::move(sorted);
+    first_sides_[i] = std::move(first);
   }
 }
 
-double PlaneSet::LevelOf(const Side& side) const {
-  if (side.plane < 0) return side.space.level;
-  return side.sign * levels_[side.plane] + side.space.level;
+HalfSpace PlaneSet::SpaceOf(Side side) const {
+  if (side < 0) {
+    const Plane& plane = planes_[~side];
+    return {-plane.normal, plane.half_gap - plane.level};
+  }
+  const Plane& plane = planes_[side];
+  return {plane.normal, plane.level + plane.half_gap};
 }
 
 void PlaneSet::UpdateLevels(const std::vector<Points>& unprojected,
@@ -141,45 +171,52 @@ void PlaneSet::UpdateLevels(const std::vector<Points>& unprojected,
 #pragma omp parallel for schedule(static)
   for (size_t i = 0; i < moving_.size(); ++i) {
     UpdateLevel(unprojected, points, is_first, &moving_[i]);
-    levels_[i] = moving_[i].plane.level;
   }
 }
 
 void PlaneSet::UpdateLevel(const std::vector<Points>& unprojected,
                            const std::vector<Points>& points,
                            bool is_first,
-                           MovingPlane* moving) const {
-  SeparatingPlane& plane = moving->plane;
-  if (plane.shared_corner >= 0) {
-    plane.level =
-        plane.normal.dot(points[plane.muscle_above].row(plane.shared_corner));
+                           MovingPlane* moving) {
+  Plane& plane = planes_[moving->plane];
+  const PlaneCarrier& carrier = moving->carrier;
+  const int a = carrier.muscle_above, b = carrier.muscle_below;
+  if (moving->shared_corner >= 0) {
+    plane.level = plane.normal.dot(points[a].row(moving->shared_corner));
     return;
   }
   if (!is_first) {
-    const double down = std::max(
-        0.0, plane.level + plane.half_gap - LowestAbove(plane, points));
-    const double up = std::max(
-        0.0, HighestBelow(plane, points) - plane.level + plane.half_gap);
+    const double down =
+        std::max(0.0,
+                 plane.level + plane.half_gap -
+                     Lowest(plane.normal, points[a], carrier.above));
+    const double up = std::max(0.0,
+                               Highest(plane.normal, points[b], carrier.below) -
+                                   plane.level + plane.half_gap);
     if (down + up < options_.relaxation.room_tolerance) {
       moving->shift *= options_.relaxation.room_decay;
     }
     moving->shift += up - down;
   }
-  const double share = moving->share_above;
+  const double share = carrier.share_above;
   plane.level =
-      share * (LowestAbove(plane, unprojected) - plane.half_gap) +
-      (1 - share) * (HighestBelow(plane, unprojected) + plane.half_gap) +
+      share * (Lowest(plane.normal, unprojected[a], carrier.above) -
+               plane.half_gap) +
+      (1 - share) * (Highest(plane.normal, unprojected[b], carrier.below) +
+                     plane.half_gap) +
       moving->shift;
 }
 
 void PlaneSet::FindNear(int muscle, int vertex, const RowVector3d& point) {
   const int begin = first_sides_[muscle][vertex];
-  int* near = near_[muscle].data() + begin;
+  const int end = first_sides_[muscle][vertex + 1];
+  const Side* sides = sides_[muscle].data();
+  Side* near = near_[muscle].data() + begin;
   int count = 0;
-  for (int i = begin; i < first_sides_[muscle][vertex + 1]; ++i) {
-    const Side& side = sides_[muscle][i];
-    if (side.space.normal.dot(point) < LevelOf(side) + options_.reach) {
-      near[count++] = i;
+  for (int i = begin; i < end; ++i) {
+    const HalfSpace space = SpaceOf(sides[i]);
+    if (space.normal.dot(point) < space.level + options_.reach) {
+      near[count++] = sides[i];
     }
   }
   num_near_[muscle][vertex] = count;
@@ -188,15 +225,14 @@ void PlaneSet::FindNear(int muscle, int vertex, const RowVector3d& point) {
 RowVector3d PlaneSet::Projected(int muscle,
                                 int vertex,
                                 const RowVector3d& point) const {
-  const int* near = near_[muscle].data() + first_sides_[muscle][vertex];
+  const Side* near = near_[muscle].data() + first_sides_[muscle][vertex];
   const int count = num_near_[muscle][vertex];
   // Kept from call to call: most vertices have a few planes, some hundreds.
   thread_local std::vector<HalfSpace> spaces;
   if (static_cast<int>(spaces.size()) < count) spaces.resize(count);
   bool is_inside = true;
   for (int i = 0; i < count; ++i) {
-    const Side& side = sides_[muscle][near[i]];
-    spaces[i] = {side.space.normal, LevelOf(side)};
+    spaces[i] = SpaceOf(near[i]);
     is_inside &= spaces[i].normal.dot(point) >= spaces[i].level;
   }
   if (is_inside) return point;
@@ -208,7 +244,9 @@ RowVector3d PlaneSet::Projected(int muscle,
         spaces.data(), count, relaxation.violation_weight, &nearest);
     int bones = 0;
     for (int i = 0; i < count; ++i) {
-      if (sides_[muscle][near[i]].plane < 0) spaces[bones++] = spaces[i];
+      if (near[i] >= 0 && origins_[near[i]].moving < 0) {
+        spaces[bones++] = spaces[i];
+      }
     }
     ApproachHalfSpaces(spaces.data(), bones, relaxation.bone_turns, &nearest);
   }
@@ -218,18 +256,18 @@ RowVector3d PlaneSet::Projected(int muscle,
   return carried + relaxation.max_push / push.norm() * push;
 }
 
-PlaneCarrier PlaneSet::CarrierOf(const Side& side) const {
+bool PlaneSet::IsWithinOneMuscle(Side side) const {
+  const int moving = origins_[NumberOf(side)].moving;
+  if (moving < 0) return false;
+  const PlaneCarrier& carrier = moving_[moving].carrier;
+  return carrier.muscle_above == carrier.muscle_below;
+}
+
+PlaneCarrier PlaneSet::CarrierOf(Side side) const {
+  const int moving = origins_[NumberOf(side)].moving;
+  if (moving >= 0) return moving_[moving].carrier;
   PlaneCarrier carrier;
-  if (side.plane < 0) {
-    carrier.bone = -1 - side.plane;
-    return carrier;
-  }
-  const MovingPlane& moving = moving_[side.plane];
-  carrier.muscle_above = moving.plane.muscle_above;
-  carrier.muscle_below = moving.plane.muscle_below;
-  carrier.above = moving.plane.above;
-  carrier.below = moving.plane.below;
-  carrier.share_above = moving.share_above;
+  carrier.bone = -1 - moving;
   return carrier;
 }
 
@@ -238,28 +276,27 @@ CarriedHalfSpaces PlaneSet::MostViolated(int muscle,
                                          const Points& points,
                                          const Points& targets) const {
   CarriedHalfSpaces most_violated;
+  const std::vector<int>& first = first_sides_[muscle];
   for (const int v : vertices) {
     double depth = -kInfinity;
     VertexHalfSpace deepest;
-    const Side* side_of_deepest = nullptr;
-    for (int i = first_sides_[muscle][v]; i < first_sides_[muscle][v + 1];
-         ++i) {
+    const Side* deepest_side = nullptr;
+    for (int i = first[v]; i < first[v + 1]; ++i) {
       const Side& side = sides_[muscle][i];
-      const RowVector3d& normal = side.space.normal;
-      const double level = LevelOf(side);
-      if (normal.dot(points.row(v)) >
-          level + options_.relaxation.contact_distance) {
+      const HalfSpace space = SpaceOf(side);
+      if (space.normal.dot(points.row(v)) >
+          space.level + options_.relaxation.contact_distance) {
         continue;
       }
-      const double depth_here = level - normal.dot(targets.row(v));
+      const double depth_here = space.level - space.normal.dot(targets.row(v));
       if (depth_here <= depth) continue;
       depth = depth_here;
-      deepest = {v, {normal, level}};
-      side_of_deepest = &side;
+      deepest = {v, space};
+      deepest_side = &side;
     }
-    if (!side_of_deepest) continue;
+    if (!deepest_side) continue;
     most_violated.spaces.push_back(deepest);
-    most_violated.carriers.push_back(CarrierOf(*side_of_deepest));
+    most_violated.carriers.push_back(CarrierOf(*deepest_side));
   }
   return most_violated;
 }
@@ -267,13 +304,15 @@ CarriedHalfSpaces PlaneSet::MostViolated(int muscle,
 double PlaneSet::WorstViolation(const std::vector<Points>& points) const {
   double worst = 0;
   for (int i = 0; i < step_.num_muscles(); ++i) {
-    for (const Side& side : sides_[i]) {
-      if (side.plane >= 0 && moving_[side.plane].plane.IsWithinOneMuscle()) {
-        continue;
+    const std::vector<int>& first = first_sides_[i];
+    for (Eigen::Index v = 0; v < points[i].rows(); ++v) {
+      for (int k = first[v]; k < first[v + 1]; ++k) {
+        const Side side = sides_[i][k];
+        if (IsWithinOneMuscle(side)) continue;
+        const HalfSpace space = SpaceOf(side);
+        worst =
+            std::max(worst, space.level - space.normal.dot(points[i].row(v)));
       }
-      worst = std::max(
-          worst,
-          LevelOf(side) - side.space.normal.dot(points[i].row(side.vertex)));
     }
   }
   return worst;

@@ -70,39 +70,56 @@ class PlaneSet {
   double WorstViolation(const std::vector<Points>& points) const;
 
  private:
-  // A plane between muscles, how much the side above it decides on its level
-  // (0 to 1), and how far it was shifted to make room.
-  struct MovingPlane {
-    SeparatingPlane plane;
-    double share_above = 0.5;
-    double shift = 0;  // mm
+  // A plane. That of a bone has no half gap, as its level includes the gap.
+  struct Plane {
+    Eigen::RowVector3d normal;
+    double level;  // mm; of a plane between muscles as it is at the moment
+    double half_gap;
   };
-  // A half-space of a vertex. The plane of a bone has its final level; else the
-  // level follows from levels_[plane].
-  struct Side {
+  // What else there is to know of a plane, in an array of its own: the sweeps
+  // read planes more often than anything else.
+  struct PlaneOrigin {
+    int moving;       // index in moving_; -1 - b: of bone b, which stays
+    double distance;  // of what it separates, before the step, mm
+  };
+  // A plane between muscles, which muscles move, and how far it was shifted to
+  // make room.
+  struct MovingPlane {
+    int plane;
+    PlaneCarrier carrier;
+    int shared_corner;  // as in SeparatingPlane
+    double shift = 0;   // mm
+  };
+  // The half-space of a vertex above plane p is p, that of one below it is ~p.
+  using Side = int;
+  struct VertexSide {
     int vertex;
-    int plane;  // index of a plane between muscles; -1 - b: of bone b
-    double sign;
-    HalfSpace space;  // of a plane between muscles the level is half the gap
-    double distance;
+    Side side;
   };
 
-  void AddSides(const SeparatingPlane& plane);
+  void AddPlane(const SeparatingPlane& plane);
 
   // Returns how many corners of a triangle are attached, as a share.
   double AttachedShare(int muscle, const Eigen::RowVector3i& corners) const;
-  void SortSides();
-  PlaneCarrier CarrierOf(const Side& side) const;
-  double LevelOf(const Side& side) const;
+
+  // Sorts the sides of each vertex, those in `added` (by muscle) included.
+  void SortSides(const std::vector<std::vector<VertexSide>>& added);
+  bool ComesBefore(Side a, Side b) const;
+
+  static int NumberOf(Side side) { return side < 0 ? ~side : side; }
+  HalfSpace SpaceOf(Side side) const;
+  bool IsWithinOneMuscle(Side side) const;
+  PlaneCarrier CarrierOf(Side side) const;
   void UpdateLevel(const std::vector<Points>& unprojected,
                    const std::vector<Points>& points,
                    bool is_first,
-                   MovingPlane* moving) const;
+                   MovingPlane* moving);
 
   const StepOptions& options_;
   const ContactStep& step_;
+  std::vector<Plane> planes_;
+  std::vector<PlaneOrigin> origins_;  // of planes_
   std::vector<MovingPlane> moving_;
-  std::vector<double> levels_;  // of these planes, as they are read most often
 
   // By muscle, by vertex: those of vertex v begin at first_sides_[v].
   std::vector<std::vector<Side>> sides_;
@@ -110,7 +127,8 @@ class PlaneSet {
 
   // By muscle: of the sides of a vertex those that are near; the first
   // num_near_[v] from first_sides_[v] on.
-  std::vector<std::vector<int>> near_, num_near_;
+  std::vector<std::vector<Side>> near_;
+  std::vector<std::vector<int>> num_near_;
 };
 
 }  // namespace musclewarp
