@@ -1,0 +1,14 @@
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""What musclewarp-cohort and its Snakefile are made of (docs/cohort.md).
+
+table   reads IN/subjects.tsv: a job for each subject and motion
+job     runs musclewarp-deform for one of them, and says how it ended
+group   gathers what the jobs wrote in group.tsv
+page    shows it as group.html
+engine  calls Snakemake
+
+Only the standard library of Python is needed.
+"""
+
+VERSION = "0.1.0"

@@ -1,0 +1,102 @@
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Calls Snakemake."""
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+
+from .files import locked, write_atomically
+from .input_error import InputError
+
+WORKFLOW = pathlib.Path(__file__).resolve().parent.parent
+PROFILES = WORKFLOW / "profiles"
+SETTINGS = ".cohort.json"  # of the last call; jobs that wait read it, too
+
+
+def find_profile(name):
+    """The folder of a profile: one that comes with this, or the user's."""
+    own = PROFILES / name
+    folder = own if own.is_dir() else pathlib.Path(name)
+    if not any(folder.glob("config*.yaml")):
+        known = ", ".join(sorted(path.name for path in PROFILES.iterdir()))
+        raise InputError(
+            f'--profile: "{name}" is neither one of {known} nor a folder with '
+            f"config.yaml; copy {PROFILES / 'slurm'} to make your own")
+    return folder.resolve()
+
+
+def find_program(given, beside):
+    """musclewarp-deform: as given, or beside the command, or of PATH."""
+    if given:
+        if not os.access(given, os.X_OK) or pathlib.Path(given).is_dir():
+            raise InputError(f'--deform: "{given}" is not a program; name '
+                             "musclewarp-deform, or leave it out")
+        return str(pathlib.Path(given).absolute())
+    name = "musclewarp-deform"
+    for folder in (beside, beside.parent / "build/release/tools"):
+        if os.access(folder / name, os.X_OK):
+            return str(folder / name)
+    found = shutil.which(name)
+    if not found:
+        raise InputError(f"{name}: is neither in {beside} nor in a folder of "
+                         "PATH; install the package musclewarp, or name it with "
+                         "--deform")
+    return found
+
+
+def find_snakemake():
+    found = shutil.which("snakemake")
+    if not found:
+        raise InputError("snakemake: is not in a folder of PATH; install it: "
+                         "apt install snakemake (Debian), or see "
+                         "https://snakemake.github.io")
+    return found
+
+
+class Engine:
+    """Calls of Snakemake in one folder, by one command at a time."""
+
+    def __init__(self, out, settings, profile, cores, dry_run):
+        self.out = out
+        self.interrupted = False
+        self._settings = settings
+        self._words = [find_snakemake(), "--snakefile", str(WORKFLOW / "Snakefile"),
+                       "--directory", str(out), "--profile", str(profile),
+                       "--configfile", str(out / SETTINGS),
+                       "--keep-going", "--rerun-incomplete", "--nolock"]
+        if cores:
+            self._words += ["--cores", str(cores), "--jobs", str(cores)]
+        if dry_run:
+            self._words += ["--dry-run"]
+
+    def call(self, *words):
+        """Runs Snakemake to its end, and returns its exit code. Ctrl-C reaches
+        it without help; SIGTERM is handed on."""
+        self.out.mkdir(parents=True, exist_ok=True)
+        try:
+            # Snakemake inherits the lock, but its jobs do not.
+            with locked(self.out / ".cohort.lock", wait=False) as lock:
+                write_atomically(self.out / SETTINGS, json.dumps(self._settings))
+                return self._wait(subprocess.Popen([*self._words, *words],
+                                                   pass_fds=[lock]))
+        except BlockingIOError:
+            raise InputError(
+                f"{self.out}: another musclewarp-cohort, or the Snakemake that it "
+                "has left, is at work here; wait for it, or end it") from None
+
+    def _wait(self, child):
+        def interrupt(number, _frame):
+            self.interrupted = True
+            if number == signal.SIGTERM:
+                child.terminate()
+
+        before = {number: signal.signal(number, interrupt)
+                  for number in (signal.SIGINT, signal.SIGTERM)}
+        try:
+            return child.wait()
+        finally:
+            for number, handler in before.items():
+                signal.signal(number, handler)

@@ -1,0 +1,155 @@
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Gathers what the jobs wrote, as OUT/group.tsv and OUT/group.html.
+
+usage: python3 -m musclewarp_cohort.group --input=IN --output=OUT [PARTICIPANT...]
+"""
+import argparse
+import dataclasses
+import json
+import pathlib
+import sys
+from typing import Optional
+
+from . import job as jobs
+from . import page, table
+from .files import write_atomically
+
+STATUS = {0: "usable", 1: "not usable", 2: "refused"}
+NOT_FINISHED = "not finished"
+
+
+@dataclasses.dataclass
+class Row:
+    """A muscle of a subject in a motion; the fields are the columns of
+    group.tsv. Of a run without results there is one row, without a muscle."""
+
+    participant_id: str
+    motion: str
+    muscle: Optional[str] = None
+    status: str = NOT_FINISHED
+    exit_code: Optional[int] = None
+    frames: Optional[int] = None  # that are there, of the run
+    usable_frames: Optional[int] = None
+    crossings: Optional[int] = None  # sum over the frames
+    max_volume_error: Optional[float] = None
+    least_gap_mm: Optional[float] = None  # None: farther than 2 mm from all
+    # {(line, coordinate): (smallest, largest)}
+    moment_arms_mm: dict = dataclasses.field(default_factory=dict)
+    prepare_s: Optional[float] = None
+    frames_s: Optional[float] = None
+    memory_mb: Optional[float] = None
+    reason: Optional[str] = None
+
+
+def _crossings(frame, muscle):
+    """Of a muscle with others, bones and itself."""
+    own = next(m for m in frame["muscles"] if m["name"] == muscle)
+    return own.get("self_pairs", 0) + sum(
+        pair["triangle_pairs"] + pair["vertices_inside"]
+        for pair in frame["intersections"]["pairs"]
+        if muscle in (pair["a"], pair["b"]))
+
+
+def _moment_arms(muscles):
+    """The range of each moment arm over the frames."""
+    ranges = {}
+    for muscle in muscles:
+        for line, arms in muscle.get("line_moment_arms_mm", {}).items():
+            for coordinate, arm in arms.items():
+                if arm is None:  # the shape could not be differentiated
+                    continue
+                least, most = ranges.get((line, coordinate), (arm, arm))
+                ranges[line, coordinate] = min(least, arm), max(most, arm)
+    return ranges
+
+
+def _of_muscle(row, report, name):
+    """The row of a run, with what its frames say of a muscle."""
+    frames = report["frames"]
+    muscles = [muscle for frame in frames for muscle in frame["muscles"]
+               if muscle["name"] == name]
+    gaps = [gap["at_least_mm"] for frame in frames
+            for gap in frame.get("gaps", []) if name in (gap["a"], gap["b"])]
+    return dataclasses.replace(
+        row, muscle=name,
+        crossings=sum(_crossings(frame, name) for frame in frames),
+        max_volume_error=max((abs(muscle["volume_ratio"] - 1)
+                              for muscle in muscles), default=None),
+        least_gap_mm=min(gaps, default=None),
+        moment_arms_mm=_moment_arms(muscles))
+
+
+def _read(file):
+    try:
+        return json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+
+
+def rows_of(job, out):
+    """The rows of a job, as far as it came."""
+    folder = out / job.folder
+    record = _read(folder / jobs.RECORD)
+    row = Row(job.participant, job.motion)
+    if record:
+        row.status = STATUS[record["exit_code"]]
+        row.exit_code = record["exit_code"]
+        row.memory_mb = record["memory_mb"]
+        row.reason = record["reason"] or None
+    else:
+        said = jobs.last_line(folder / jobs.LOG)
+        row.reason = (said.removeprefix("musclewarp-cohort: ") if said
+                      else "did not start; run again")
+    report = _read(folder / "report.json")
+    if not report or row.exit_code == 2:
+        return [row]
+    prepare = report["prepare"]
+    row.frames = len(report["frames"])
+    row.usable_frames = sum(frame["usable"] for frame in report["frames"])
+    row.prepare_s = (prepare["wall_ms"] + prepare.get("contact_ms", 0)) / 1000
+    row.frames_s = sum(frame["wall_ms"] for frame in report["frames"]) / 1000
+    return [_of_muscle(row, report, muscle["name"])
+            for muscle in prepare["muscles"]]
+
+
+def _field(value):
+    if value is None or value == {}:
+        return table.EMPTY
+    if isinstance(value, dict):
+        return ";".join(f"{line}.{coordinate}={least:.4g}:{most:.4g}"
+                        for (line, coordinate), (least, most) in value.items())
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    return " ".join(str(value).split())  # no tabs or line breaks
+
+
+def as_tsv(rows):
+    names = [field.name for field in dataclasses.fields(Row)]
+    lines = ["\t".join(names)]
+    lines += ["\t".join(_field(getattr(row, name)) for name in names)
+              for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def chosen_jobs(source, participants):
+    return [job for job in table.read_jobs(source)
+            if not participants or job.participant in participants]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--input", required=True, type=pathlib.Path)
+    parser.add_argument("--output", required=True, type=pathlib.Path)
+    parser.add_argument("participants", nargs="*")
+    options = parser.parse_args()
+    rows = [row for job in chosen_jobs(options.input, set(options.participants))
+            for row in rows_of(job, options.output)]
+    write_atomically(options.output / "group.tsv", as_tsv(rows))
+    write_atomically(options.output / "group.html",
+                     page.as_html(rows, options.output))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,242 @@
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Reads IN/subjects.tsv: a row, and a job, for each subject and motion.
+
+Tab-separated, with a header, UTF-8; an empty field is "n/a", as in BIDS. Columns
+that are not named here, such as age, are left alone.
+"""
+import dataclasses
+import difflib
+import json
+import pathlib
+import re
+import shlex
+from typing import Optional
+
+from .input_error import InputError
+
+TABLE = "subjects.tsv"
+REQUIRED = ("participant_id", "scene")
+COLUMNS = REQUIRED + ("model", "motion", "side", "flags")
+EMPTY = "n/a"
+# The folder of a row whose motion or poses are those of the scene.
+SCENE_MOTION = "scene"
+SIDES = ("left", "right")
+# Flags of musclewarp-deform that columns, options or the engine set.
+TAKEN_FLAGS = {
+    "scene": 'use the column "scene"',
+    "motion": 'use the column "motion"',
+    "out": "OUT is given to musclewarp-cohort",
+    "resume": "it is always on",
+    "demo": "give a scene",
+    "flagfile": "write the flags themselves",
+    "threads": "use --set-threads of Snakemake in a profile",
+}
+MOST_LINES = 20  # of a message
+
+
+@dataclasses.dataclass(frozen=True)
+class Job:
+    """A subject and a motion; paths are absolute."""
+
+    participant: str
+    motion: str  # the name of the folder: of the motion file, without extension
+    scene: str
+    model: Optional[str] = None
+    motion_file: Optional[str] = None
+    side: Optional[str] = None
+    flags: tuple = ()
+    line: int = 0  # of the table
+
+    @property
+    def folder(self):
+        return f"{self.participant}/{self.motion}"
+
+    def data_root(self):
+        """What paths in the scene are relative to."""
+        given = _flag_values(self.flags).get("data_root")
+        return given or str(pathlib.Path(self.scene).parent)
+
+
+def _flag_values(flags):
+    """The values of flags by their names, as gflags reads them; "" for a
+    switch."""
+    values, name = {}, None
+    for word in flags:
+        found = re.fullmatch(r"--?([A-Za-z]\w*)(?:=(.*))?", word, re.S)
+        if found:
+            name = found[1]
+            values[name] = found[2] or ""
+        elif name:
+            values[name] = values[name] or word
+            name = None
+    return values
+
+
+def _problem(path, line, column, value, allowed, advice):
+    return f'{path}, line {line}, {column}: "{value}" {allowed}; {advice}'
+
+
+def _flags_of(text, where):
+    """Splits the column "flags"; `where` makes a message of what is wrong."""
+    try:
+        flags = tuple(shlex.split(text))
+    except ValueError as error:
+        raise InputError(where(text, f"cannot be split into flags ({error})",
+                               "close the quotation marks")) from None
+    if flags and not flags[0].startswith("-"):
+        raise InputError(where(flags[0], "is not a flag of musclewarp-deform",
+                               "write flags as --gap=0.2"))
+    for name in _flag_values(flags):
+        plain = name if name in TAKEN_FLAGS else re.sub("^no", "", name)
+        if plain in TAKEN_FLAGS:
+            raise InputError(where(f"--{name}", "may not be among the flags",
+                                   TAKEN_FLAGS[plain]))
+    return flags
+
+
+def _job(row, line, path):
+    """The job of a row, or an InputError with every problem of the row."""
+    problems = []
+
+    def where(column):
+        return lambda *rest: _problem(path, line, column, *rest)
+
+    def file(column):
+        value = row[column]
+        if value == EMPTY:
+            return None
+        found = path.parent / value
+        if not found.is_file():
+            problems.append(where(column)(
+                value, f"is not a file of {path.parent}",
+                "check the name; paths are relative to the folder of the table"))
+        return str(found.absolute())
+
+    for column in REQUIRED:
+        if row[column] == EMPTY:
+            problems.append(where(column)(EMPTY, "may not be here",
+                                          "fill it in or remove the line"))
+    for column, name in (("participant_id", row["participant_id"]),
+                         ("motion", pathlib.PurePath(row["motion"]).stem)):
+        if row[column] != EMPTY and not re.fullmatch(r"\w[\w.-]*", name, re.A):
+            problems.append(where(column)(
+                name, "cannot name a folder: only letters, digits, _, - and . "
+                "are allowed, and the first is none of - and .", "rename it"))
+    if row["side"] not in SIDES + (EMPTY,):
+        problems.append(where("side")(row["side"], "is not a side",
+                                      f"write {', '.join(SIDES)} or {EMPTY}"))
+    flags = ()
+    try:
+        if row["flags"] != EMPTY:
+            flags = _flags_of(row["flags"], where("flags"))
+    except InputError as error:
+        problems.append(str(error))
+    motion = (SCENE_MOTION if row["motion"] == EMPTY
+              else pathlib.PurePath(row["motion"]).stem)
+    job = Job(row["participant_id"], motion, file("scene") or "", file("model"),
+              file("motion"), None if row["side"] == EMPTY else row["side"],
+              _with_absolute_root(flags, path.parent), line)
+    if problems:
+        raise InputError(*problems)
+    return job
+
+
+def _with_absolute_root(flags, folder):
+    """--data_root is relative to the folder of the table, as other paths."""
+    root = _flag_values(flags).get("data_root")
+    if not root:
+        return flags
+    return flags + (f"--data_root={(folder / root).absolute()}",)
+
+
+def _rows(path):
+    """Yields (line, row by columns) of the table."""
+    if not path.is_file():
+        raise InputError(f"{path}: does not exist; IN is a folder with the table "
+                         f"{TABLE} of the columns {', '.join(COLUMNS)}")
+    try:
+        lines = path.read_text(encoding="utf-8-sig").splitlines()
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}, byte {error.start}: not UTF-8; save the table "
+                         "as UTF-8") from None
+    header = [name.strip() for name in lines[0].split("\t")] if lines else []
+    missing = [name for name in COLUMNS if name not in header]
+    if missing:
+        raise InputError(
+            f"{path}, line 1: has no column {', '.join(missing)}; the columns "
+            f"{', '.join(COLUMNS)} are needed, separated by tabs; fill one that "
+            f"you do not need with {EMPTY}")
+    for line, text in enumerate(lines[1:], 2):
+        if not text.strip():
+            continue
+        fields = [field.strip() or EMPTY for field in text.split("\t")]
+        if len(fields) != len(header):
+            raise InputError(
+                f"{path}, line {line}: has {len(fields)} fields, and the header "
+                f"{len(header)}; separate fields by one tab each, and write "
+                f"{EMPTY} where there is nothing")
+        yield line, dict(zip(header, fields))
+
+
+def read_jobs(folder):
+    """The jobs of the table of a folder, in its order. InputError names every
+    row that is bad."""
+    path = pathlib.Path(folder) / TABLE
+    jobs, problems = {}, []
+    for line, row in _rows(path):
+        try:
+            job = _job(row, line, path)
+        except InputError as error:
+            problems += str(error).split("\n")
+            continue
+        before = jobs.setdefault(job.folder, job)
+        if before is not job:
+            problems.append(_problem(
+                path, line, "participant_id", job.participant,
+                f'has the motion "{job.motion}" in line {before.line}, too',
+                "remove one of the lines, or rename the motion"))
+    if len(problems) > MOST_LINES:
+        more = len(problems) - MOST_LINES
+        problems = problems[:MOST_LINES] + [f"{path}: {more} more of the kind"]
+    if problems:
+        raise InputError(*problems)
+    if not jobs:
+        raise InputError(f"{path}: has no subjects; add a line for each")
+    return list(jobs.values())
+
+
+def choose(jobs, labels):
+    """The jobs of some participants; labels may leave out "sub-"."""
+    known = list(dict.fromkeys(job.participant for job in jobs))
+    chosen, problems = set(), []
+    for label in labels:
+        names = {label, f"sub-{label}"}.intersection(known)
+        chosen |= names
+        if not names:
+            near = difflib.get_close_matches(label, known, 3) or known[:3]
+            problems.append(f'--participant-label: "{label}" is not in {TABLE}; '
+                            f"there are {len(known)}, such as {', '.join(near)}")
+    if problems:
+        raise InputError(*problems)
+    return [job for job in jobs if job.participant in chosen]
+
+
+def input_files(job):
+    """The files that a job reads and that are there: what musclewarp-deform
+    refuses is found by itself."""
+    files = [job.scene, job.model, job.motion_file]
+    root = pathlib.Path(job.data_root())
+    try:
+        scene = json.loads(pathlib.Path(job.scene).read_text(encoding="utf-8"))
+        named = [item.get("mesh") for key in ("muscles", "bones")
+                 for item in scene.get(key, [])]
+        named += [scene[key]["path"] for key in ("poses_file", "attachments_file")
+                  if key in scene]
+        named += [scene.get("model") if not job.model else None,
+                  scene.get("motion") if not job.motion_file else None]
+        files += [str(root / name) for name in named if name]
+    except (OSError, ValueError, TypeError, KeyError, AttributeError):
+        pass
+    return [file for file in dict.fromkeys(files)
+            if file and pathlib.Path(file).is_file()]
