@@ -107,7 +107,7 @@ def last_line(log):
         lines = log.read_text(encoding="utf-8", errors="replace").split("\n")
     except OSError:
         return ""
-    lines = [line.rpartition("\r")[2].strip() for line in lines]
+    lines = [line.strip().rpartition("\r")[2] for line in lines]
     return next((line for line in reversed(lines) if line), "")
 
 

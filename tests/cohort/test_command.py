@@ -1,0 +1,182 @@
+#!/usr/bin/env python3
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""musclewarp-cohort: what it refuses, and runs from end to end where Snakemake is
+installed: with a musclewarp-deform that is played, and with the real one."""
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import unittest
+
+from folder import COMMAND, SOURCE, FolderTest, frame, report
+from musclewarp_cohort import VERSION, files
+
+PROGRAMS = pathlib.Path(os.environ.get("MUSCLEWARP_PROGRAMS",
+                                       SOURCE / "build/release/tools"))
+needs_snakemake = unittest.skipUnless(
+    shutil.which("snakemake"), "snakemake is not installed (apt install snakemake)")
+USABLE = report([frame(0, [("psoas", 1.0, {})])])
+
+
+class CommandTest(FolderTest):
+
+    def cohort(self, *words, path=None):
+        environment = {**os.environ, "PATH": path or os.environ["PATH"]}
+        return subprocess.run(
+            [sys.executable, "-B", COMMAND, *map(str, words)], env=environment,
+            capture_output=True, text=True, timeout=100, check=False)
+
+    def group(self, *words, deform=None):
+        return self.cohort(self.source, self.out, "group", "--cores", "1",
+                           "--deform", deform or self.deform, *words)
+
+    def expect_refusal(self, done, *words):
+        self.assertEqual(2, done.returncode, done.stdout + done.stderr)
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertFalse(self.out.exists())
+
+    def scene(self, name, **how):
+        self.file(f"{name}.json", json.dumps(how))
+        return f"{name} {name}.json - - - -"
+
+    def runs(self, name):
+        return (self.out / name / "scene/runs.txt").read_text().splitlines()
+
+    def rows(self):
+        header, *lines = (self.out / "group.tsv").read_text().splitlines()
+        return [dict(zip(header.split("\t"), line.split("\t"))) for line in lines]
+
+
+class RefusalTest(CommandTest):
+
+    def test_what_is_refused(self):
+        self.expect_refusal(self.group(), "subjects.tsv: does not exist")
+        self.table("sub-1 a.json", columns=("participant_id", "scene"))
+        self.expect_refusal(self.group(), "line 1: has no column model, motion")
+        self.table("sub-1 no.json - - - -")
+        self.expect_refusal(self.group(), 'line 2, scene: "no.json" is not a file')
+        self.table(self.scene("sub-1"))
+        self.expect_refusal(self.group("--participant-label", "2"), '"2" is not in')
+        self.expect_refusal(self.group("--profile", "pbs"), '"pbs" is neither one of '
+                            "local, slurm nor a folder")
+        self.expect_refusal(self.group(deform=self.root / "none"), "--deform:")
+        self.expect_refusal(self.group("--cores", "0"), "--cores is 0; 1 or more")
+        self.expect_refusal(self.cohort(self.source, self.out, "all"), "participant")
+        self.expect_refusal(self.cohort(self.root / "x", self.out, "group"),
+                            "x: is not a folder")
+
+    def test_snakemake_is_not_installed(self):
+        self.table(self.scene("sub-1"))
+        done = self.cohort(self.source, self.out, "group", "--deform", self.deform,
+                           path=str(self.root))
+        self.expect_refusal(done, "snakemake: is not in a folder of PATH; install it")
+
+    def test_version_is_that_of_the_project(self):
+        project = (SOURCE / "CMakeLists.txt").read_text()
+        self.assertEqual(re.search(r"project\(musclewarp VERSION (\S+)", project)[1],
+                         VERSION)
+        self.assertIn(VERSION, self.cohort("--version").stdout)
+
+    def test_help_names_every_flag(self):
+        said = self.cohort("--help").stdout
+        for flag in re.findall(r'add_argument\("(--[\w-]+)"', COMMAND.read_text()):
+            if flag not in ("--help", "--version"):
+                self.assertRegex(said, rf"(?m)^  {flag}(=|$)")
+
+
+@needs_snakemake
+class RunTest(CommandTest):
+
+    def test_failures_do_not_stop_the_others(self):
+        self.table(
+            self.scene("good", report=USABLE),
+            self.scene("bad", exit=2, says="musclewarp-deform: a.ply: is no mesh"),
+            self.scene("dead", signal=signal.SIGKILL))
+        done = self.group()
+        self.assertEqual(1, done.returncode, done.stderr)
+        self.assertIn("bad scene: refused: a.ply: is no mesh\n", done.stdout)
+        self.assertIn("dead scene: not finished: killed by SIGKILL", done.stdout)
+        self.assertIn("3 jobs in", done.stdout)
+        self.assertEqual(["usable", "refused", "not finished"],
+                         [row["status"] for row in self.rows()])
+        self.assertIn("1 of 3 runs usable", (self.out / "group.html").read_text())
+
+        # What ended is not done again; what was killed is.
+        self.scene("dead", report=USABLE)
+        self.assertEqual(1, self.group().returncode)
+        self.assertEqual([1, 1], [len(self.runs(name)) for name in ("good", "bad")])
+        self.assertEqual("usable", self.rows()[2]["status"])
+
+        # What is mended is done.
+        self.scene("bad", report=USABLE)
+        done = self.group()
+        self.assertEqual(0, done.returncode, done.stderr)
+        self.assertEqual(1, len(self.runs("good")))
+
+    def test_levels_and_labels(self):
+        self.table(*(self.scene(f"sub-{i}", report=USABLE) for i in (1, 2)))
+        done = self.cohort(self.source, self.out, "participant", "--deform",
+                           self.deform, "--participant-label", "2")
+        self.assertEqual(0, done.returncode, done.stderr)
+        self.assertFalse((self.out / "sub-1").exists())
+        self.assertFalse((self.out / "group.tsv").exists())
+        self.assertEqual(0, self.group().returncode)
+        self.assertEqual(1, len(self.runs("sub-2")))
+        self.assertEqual(["sub-1", "sub-2"],
+                         [row["participant_id"] for row in self.rows()])
+
+    def test_frames_may_be_removed(self):
+        self.table(self.scene("sub-1", report=USABLE))
+        self.assertEqual(0, self.group().returncode)
+        (self.out / "sub-1/scene/runs.txt").rename(self.root / "runs.txt")
+        self.assertEqual(0, self.group().returncode)
+        self.assertFalse((self.out / "sub-1/scene/runs.txt").exists())
+
+    def test_one_at_a_time(self):
+        self.table(self.scene("sub-1", report=USABLE))
+        self.out.mkdir()
+        with files.locked(self.out / ".cohort.lock", wait=False):
+            done = self.group()
+        self.assertEqual(2, done.returncode)
+        self.assertIn("another musclewarp-cohort", done.stderr)
+        self.assertEqual([".cohort.lock"], os.listdir(self.out))
+
+    def test_dry_run(self):
+        self.table(self.scene("sub-1", report=USABLE))
+        self.assertEqual(0, self.group("--dry-run").returncode)
+        self.assertFalse((self.out / "sub-1").exists())
+
+    @unittest.skipUnless((PROGRAMS / "musclewarp-deform").exists(),
+                         "musclewarp-deform is not built")
+    def test_real_subjects(self):
+        for name in ("sub-1", "sub-2"):
+            subprocess.run([PROGRAMS / "musclewarp-phantom", "--scene=random",
+                            "--num_muscles=2", "--seed=1",
+                            f"--out={self.source / name}"],
+                           check=True, stdout=subprocess.DEVNULL)
+        self.file("sub-2/muscle_01.ply", "ply\nno mesh\n")
+        self.table("sub-1 sub-1/scene.json - - left --frames=0:1",
+                   "sub-2 sub-2/scene.json - - - -")
+        done = self.group(deform=PROGRAMS / "musclewarp-deform")
+        self.assertEqual(1, done.returncode, done.stderr)
+        self.assertIn("sub-2 scene: refused: ", done.stdout)
+        self.assertIn("muscle_01.ply: line 2", done.stdout)
+        one, two, refused = self.rows()
+        for row in (one, two):
+            self.assertEqual(("usable", "2", "2", "0"), tuple(row[name] for name in (
+                "status", "frames", "usable_frames", "crossings")))
+            self.assertLessEqual(float(row["max_volume_error"]), 1e-8)
+            self.assertGreaterEqual(float(row["least_gap_mm"]), 0.1)
+        self.assertEqual("2", refused["exit_code"])
+        said = json.loads((self.out / "sub-1/scene/report.json").read_text())
+        self.assertEqual("left", said["side"])
+
+
+if __name__ == "__main__":
+    unittest.main()
