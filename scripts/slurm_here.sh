@@ -6,11 +6,12 @@
 # munged, slurmctld and slurmd of Debian, which are installed if need be.
 #
 # usage: scripts/slurm_here.sh start FOLDER CORES    (as root)
+#        scripts/slurm_here.sh kill FOLDER    kill -9 of the controller, and a new one
 #        scripts/slurm_here.sh stop FOLDER
 # Then SLURM_CONF=FOLDER/slurm.conf leads sbatch and the others to it.
 set -euo pipefail
 
-action=${1:?start or stop}
+action=${1:?start, kill or stop}
 folder=$(realpath -m "${2:?a folder}")
 export SLURM_CONF=$folder/slurm.conf
 
@@ -24,6 +25,22 @@ stop() {
 if [[ $action == stop ]]; then
   scancel --full --state=PENDING,RUNNING --user=root 2>/dev/null || true
   stop
+  exit
+fi
+
+if [[ $action == kill ]]; then
+  kill -9 "$(<"$folder/slurmctld.pid")"
+  sleep 1
+  slurmctld -f "$SLURM_CONF"
+  # A job whose launch the controller has not noted is launched twice, which the
+  # node refuses; it is drained then, until the administrator has it back.
+  for _ in $(seq 20); do
+    sleep 1
+    if sinfo -h -o %T | grep -q drain; then
+      scontrol update NodeName="$(hostname -s)" State=RESUME
+      echo "slurm: the node was drained, and is back"
+    fi
+  done
   exit
 fi
 

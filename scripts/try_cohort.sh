@@ -159,10 +159,8 @@ engine=$(pgrep -P "$command" || true)
 # shellcheck disable=SC2086 # one word per process
 kill -9 "$command" $engine
 wait "$command" 2>/dev/null || true
-if [[ $where == slurm ]]; then # its controller, too
-  kill -9 "$(<"$work/slurm/slurmctld.pid")"
-  sleep 1
-  slurmctld -f "$SLURM_CONF"
+if [[ $where == slurm ]]; then
+  scripts/slurm_here.sh kill "$work/slurm"
 fi
 scripts/compare_cohorts.py --frames "$out" >"$work/frames.before"
 echo "try_cohort: killed $kills jobs and the engine; $(wc -l <"$work/frames.before")" \

@@ -40,11 +40,11 @@ def _do(options, beside):
                               options.cores, options.dry_run)
 
     # Records of jobs that ended, however they did; failed ones have a reason.
-    code = snakemake.call(*(f"{each.folder}/{job.RECORD}" for each in jobs))
+    code = snakemake.run_jobs(f"{each.folder}/{job.RECORD}" for each in jobs)
     if options.dry_run:
         return code and 1
     if options.level == "group" and not snakemake.interrupted:
-        code = snakemake.call("--force", "group", "--allowed-rules", "group") or code
+        code = snakemake.gather() or code
     rows = [row for each in jobs for row in group.rows_of(each, out)]
     all_usable = _summary(rows, out)
     if snakemake.interrupted:

@@ -64,17 +64,26 @@ class Engine:
         self.interrupted = False
         self._settings = settings
         self._words = [find_snakemake(), "--snakefile", str(WORKFLOW / "Snakefile"),
-                       "--directory", str(out), "--profile", str(profile),
-                       "--configfile", str(out / SETTINGS),
+                       "--directory", str(out), "--configfile", str(out / SETTINGS),
                        "--keep-going", "--rerun-incomplete", "--nolock"]
-        if cores:
-            self._words += ["--cores", str(cores), "--jobs", str(cores)]
         if dry_run:
             self._words += ["--dry-run"]
+        self._where = ["--profile", str(profile)]
+        if cores:
+            self._where += ["--cores", str(cores), "--jobs", str(cores)]
 
-    def call(self, *words):
-        """Runs Snakemake to its end, and returns its exit code. Ctrl-C reaches
-        it without help; SIGTERM is handed on."""
+    def run_jobs(self, records):
+        """Makes the records of jobs. Returns the exit code of Snakemake."""
+        return self._call(*records, *self._where)
+
+    def gather(self):
+        """Makes the table and the page of the group, here: that is quick."""
+        return self._call("group", "--cores", "1", "--force", "--allowed-rules",
+                          "group")
+
+    def _call(self, *words):
+        """Runs Snakemake to its end. Ctrl-C reaches it without help; SIGTERM is
+        handed on."""
         self.out.mkdir(parents=True, exist_ok=True)
         try:
             # Snakemake inherits the lock, but its jobs do not.
