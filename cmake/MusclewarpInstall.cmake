@@ -15,8 +15,21 @@ if(MUSCLEWARP_PROGRAMS)
   add_dependencies(musclewarp_programs ${MUSCLEWARP_PROGRAMS})
   install(TARGETS ${MUSCLEWARP_PROGRAMS} DESTINATION ${CMAKE_INSTALL_BINDIR}
           COMPONENT programs)
-  musclewarp_manuals(${MUSCLEWARP_PROGRAMS})
+  musclewarp_manuals(programs ${MUSCLEWARP_PROGRAMS})
 endif()
+
+# Cohorts: a script that calls Snakemake, and its workflow.
+set(COHORT ${PROJECT_SOURCE_DIR}/cohort)
+install(PROGRAMS ${COHORT}/musclewarp-cohort DESTINATION ${CMAKE_INSTALL_BINDIR}
+        COMPONENT cohort)
+install(
+  DIRECTORY ${COHORT}/
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/musclewarp/cohort
+  USE_SOURCE_PERMISSIONS
+  COMPONENT cohort
+  PATTERN musclewarp-cohort EXCLUDE
+  PATTERN __pycache__ EXCLUDE)
+musclewarp_manuals(cohort ${COHORT}/musclewarp-cohort)
 
 # Libraries outside src/ and problems/ (the commands behind the programs) are
 # not for others to link.

@@ -1,7 +1,8 @@
-# musclewarp_manuals(<program>...) makes a man page and a bash completion of each
-# program from its own --help, and installs them with the programs. Programs
-# that have to run elsewhere, or under a sanitizer, are not asked.
-function(musclewarp_manuals)
+# musclewarp_manuals(<component> <program>...) makes a man page and a bash
+# completion of each program, a target or a script, from its own --help, and
+# installs them with the component. Programs that have to run elsewhere, or under
+# a sanitizer, are not asked.
+function(musclewarp_manuals COMPONENT)
   find_package(Python3 COMPONENTS Interpreter)
   if(NOT Python3_FOUND
      OR CMAKE_CROSSCOMPILING
@@ -10,24 +11,29 @@ function(musclewarp_manuals)
   endif()
   set(SCRIPT ${PROJECT_SOURCE_DIR}/packaging/manuals.py)
   set(FOLDER ${PROJECT_BINARY_DIR}/manuals)
-  list(TRANSFORM ARGN REPLACE "(.+)" "${FOLDER}/man1/\\1.1"
-                              OUTPUT_VARIABLE PAGES)
-  list(TRANSFORM ARGN PREPEND ${FOLDER}/completions/
-                      OUTPUT_VARIABLE COMPLETIONS)
-  list(TRANSFORM ARGN REPLACE "(.+)" "$<TARGET_FILE:\\1>"
-                              OUTPUT_VARIABLE FILES)
+  foreach(PROGRAM IN LISTS ARGN)
+    get_filename_component(NAME ${PROGRAM} NAME)
+    list(APPEND PAGES ${FOLDER}/man1/${NAME}.1)
+    list(APPEND COMPLETIONS ${FOLDER}/completions/${NAME})
+    if(TARGET ${PROGRAM})
+      list(APPEND FILES $<TARGET_FILE:${PROGRAM}>)
+    else()
+      list(APPEND FILES ${PROGRAM})
+    endif()
+  endforeach()
   add_custom_command(
     OUTPUT ${PAGES} ${COMPLETIONS}
     COMMAND Python3::Interpreter ${SCRIPT} ${FOLDER} ${FILES}
     DEPENDS ${SCRIPT} ${ARGN}
     COMMENT "Making the man pages"
     VERBATIM)
-  add_custom_target(musclewarp_manuals ALL DEPENDS ${PAGES} ${COMPLETIONS})
-  add_dependencies(musclewarp_programs musclewarp_manuals)
+  add_custom_target(musclewarp_manuals_${COMPONENT} ALL
+                    DEPENDS ${PAGES} ${COMPLETIONS})
+  add_dependencies(musclewarp_programs musclewarp_manuals_${COMPONENT})
   install(FILES ${PAGES} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
-          COMPONENT programs)
+          COMPONENT ${COMPONENT})
   install(
     FILES ${COMPLETIONS}
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
-    COMPONENT programs)
+    COMPONENT ${COMPONENT})
 endfunction()

@@ -1,12 +1,12 @@
 # Debian packages, one a component of the install rules (scripts/deb.sh):
-# musclewarp, libmusclewarp-dev and python3-musclewarp.
+# musclewarp, musclewarp-cohort, libmusclewarp-dev and python3-musclewarp.
 set(MUSCLEWARP_MAINTAINER
     "The musclewarp authors <musclewarp@invalid.invalid>"
     CACHE STRING "Whom the Debian packages name: Name <address>")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL programs dev)
+set(CPACK_COMPONENTS_ALL programs cohort dev)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGE_CONTACT ${MUSCLEWARP_MAINTAINER})
@@ -28,13 +28,27 @@ volume and cross neither bones nor each other.")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME musclewarp)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "python3-musclewarp, tetgen, gmsh")
+set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS
+    "musclewarp-cohort, python3-musclewarp, tetgen, gmsh")
 set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION
     "deforms the muscles of a musculoskeletal model - programs
 ${ABOUT}
 
 This package has the programs. They contain parts of CGAL and are therefore
 under GPL-3.0-or-later; the sources are under Apache-2.0.")
+
+set(CPACK_DEBIAN_COHORT_PACKAGE_NAME musclewarp-cohort)
+set(CPACK_DEBIAN_COHORT_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_COHORT_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_COHORT_PACKAGE_DEPENDS
+    "musclewarp (>= ${PROJECT_VERSION}), python3 (>= 3.9~), snakemake (>= 7)")
+set(CPACK_DEBIAN_COHORT_PACKAGE_SUGGESTS "slurm-client")
+set(CPACK_DEBIAN_COHORT_DESCRIPTION
+    "deforms the muscles of a musculoskeletal model - many subjects
+${ABOUT}
+
+This package has musclewarp-cohort, which does so for many subjects: by
+Snakemake, on one machine or on Slurm.")
 
 # What musclewarpConfig.cmake finds (MusclewarpDependencies.cmake), by the names
 # of Debian; .ci/check_deb.sh builds a project with no others.

@@ -25,9 +25,9 @@ class Flag:
         return self.text.endswith("[true]")
 
 
-# Flags of every program, which --help leaves out.
+# Flags that --help leaves out: of programs that read them from files, of all.
+FLAGFILE = Flag("flagfile", "FILE", "reads flags from a file, one a line")
 COMMON_FLAGS = [
-    Flag("flagfile", "FILE", "reads flags from a file, one a line"),
     Flag("help", "", "prints what the program does, and its flags"),
     Flag("version", "", "prints the version"),
 ]
@@ -57,7 +57,7 @@ def _output(program, flag):
 def _flags(lines):
     flags = []
     for line in lines:
-        found = re.fullmatch(r"  --(\w+)(?:=(\w+))?", line)
+        found = re.fullmatch(r"  --([\w-]+)(?:=(\w+))?", line)
         if found:
             flags.append(Flag(found[1], found[2] or "", ""))
         else:
@@ -80,7 +80,8 @@ def read_help(program):
         paragraphs=[" ".join(part.split())
                     for part in text.strip().split("\n\n")],
         exit_code=" ".join(exit_code.split()),
-        flags=_flags(tail.split("\n")[1:-1]) + COMMON_FLAGS)
+        flags=(_flags(tail.split("\n")[1:-1]) +
+               [FLAGFILE] * tail.startswith("--flagfile") + COMMON_FLAGS))
 
 
 def _troff(text):
