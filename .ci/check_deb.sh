@@ -136,8 +136,19 @@ quietly inside cmake --build /root/consumer/build
 quietly inside /root/consumer/build/consumer
 echo "deb: libmusclewarp-dev builds a project, which runs"
 
-quietly inside apt-get -qq purge -y musclewarp python3-musclewarp \
-  libmusclewarp-dev
+began=$SECONDS
+install_ours musclewarp-cohort
+mkdir -p "$root/root/in"
+quietly inside musclewarp-phantom --scene=random --num_muscles=2 --seed=1 \
+  --out=/root/in/one
+printf '%s\t%s\t%s\t%s\t%s\t%s\n' participant_id scene model motion side flags \
+  sub-1 one/scene.json n/a n/a n/a n/a >"$root/root/in/subjects.tsv"
+quietly inside musclewarp-cohort /root/in /root/group group
+grep -q "1 of 1 runs usable" "$root/root/group/group.html"
+echo "deb: musclewarp-cohort runs a subject, $((SECONDS - began)) s with Snakemake"
+
+quietly inside apt-get -qq purge -y musclewarp musclewarp-cohort \
+  python3-musclewarp libmusclewarp-dev
 left=$(find "$root/usr" -path '*musclewarp*' -print -quit)
 if [[ -n $left ]]; then
   echo "deb: purging the packages leaves $left" >&2

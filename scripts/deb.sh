@@ -2,8 +2,8 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
 #
-# Makes the Debian packages musclewarp, libmusclewarp-dev and python3-musclewarp
-# of the preset release.
+# Makes the Debian packages musclewarp, musclewarp-cohort, libmusclewarp-dev and
+# python3-musclewarp of the preset release.
 #
 # usage: scripts/deb.sh [FOLDER]    writes FOLDER/*.deb (out/deb)
 set -euo pipefail
@@ -16,7 +16,7 @@ scripts/build.sh release musclewarp_programs musclewarp_python
 SOURCE_DATE_EPOCH=$(git -c safe.directory='*' log -1 --format=%ct 2>/dev/null ||
   date +%s)
 export SOURCE_DATE_EPOCH
-rm -f "$out"/{musclewarp,libmusclewarp-dev,python3-musclewarp}_*.deb
+rm -f "$out"/{musclewarp,musclewarp-cohort,libmusclewarp-dev,python3-musclewarp}_*.deb
 umask 022
 cpack --config build/release/CPackConfig.cmake -G DEB -B "$out" >build/deb.log 2>&1 || {
   tail -n 40 build/deb.log >&2

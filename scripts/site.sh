@@ -32,7 +32,8 @@ cp docs/site/* "$work"
 sed -i -E 's,\]\(((\.\./)*)examples/?\),](\1examples/index.md),' \
   "$work"/*.md "$work"/docs/*.md
 
-scripts/site_pages.py "$work" build/release/tools/musclewarp-*[a-z]
+scripts/site_pages.py "$work" build/release/tools/musclewarp-*[a-z] \
+  cohort/musclewarp-cohort
 (cat docs/site/Doxyfile
   echo "INPUT = $(tr '\n' ' ' <"$work/headers.txt")"
   echo "OUTPUT_DIRECTORY = $work/doxygen") | doxygen - >/dev/null

@@ -71,14 +71,14 @@ def _inputs(job, program):
 
 
 def _clear_if_changed(job, folder, program):
-    """Removes a run of other input, which --resume would refuse to go on with."""
+    """Removes a run of other input, which --resume would refuse to go on with.
+    What has not come from here is left alone."""
     now, mark = _inputs(job, program), folder / INPUTS
-    if mark.exists() and mark.read_text() == now:
-        return
-    for entry in folder.iterdir():
-        if entry.name == LOCK:
-            continue
-        shutil.rmtree(entry) if entry.is_dir() else entry.unlink()
+    if mark.exists() and mark.read_text(encoding="utf-8") != now:
+        for entry in folder.iterdir():
+            if entry.name in (LOCK, INPUTS):
+                continue
+            shutil.rmtree(entry) if entry.is_dir() else entry.unlink()
     write_atomically(mark, now)
 
 

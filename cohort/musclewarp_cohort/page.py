@@ -106,7 +106,7 @@ def _distributions(rows, runs):
 
     drawn = [
         ("Time of a job, s", [seconds(row) for row in firsts]),
-        ("Memory of a job, MB", [row.memory_mb for row in firsts]),
+        ("Memory of a job, MB", [row.memory_mb for row in firsts if row.frames]),
         ("Usable frames of a job, %",
          [100 * row.usable_frames / row.frames for row in firsts if row.frames]),
         ("Largest volume error of a muscle, power of 10",

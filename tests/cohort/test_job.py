@@ -102,6 +102,12 @@ class JobTest(FolderTest):
         self.run_job(scene)
         self.assertEqual(1, len(self.runs()))
 
+    def test_what_others_wrote_is_left_alone(self):
+        self.out.mkdir()
+        (self.out / "notes.txt").write_text("mine")
+        self.run_job(self.play())
+        self.assertEqual("mine", (self.out / "notes.txt").read_text())
+
     def test_waits_for_a_run_that_lives_on(self):
         self.out.mkdir()
         lock, done = self.out / job.LOCK, []
