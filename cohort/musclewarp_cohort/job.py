@@ -6,7 +6,7 @@ usage: python3 -m musclewarp_cohort.job --folder=DIR --program=FILE --threads=N 
 
 JOB is JSON (table.Job). The folder gets what musclewarp-deform writes, job.log
 with what it says and, once it has come to its end, job.json: "exit_code" (0
-usable, 1 not usable, 2 refused), "reason", "wall_s", "memory_mb".
+usable, 1 not usable, 2 refused), "reason", "wall_s", "cpu_s", "memory_mb".
 
 Exit code: 0 if job.json was written, however the run ended. 1 if the run did not
 come to its end, because it was killed or interrupted or the disk is full: to be
@@ -156,11 +156,12 @@ def run(job, folder, program, threads):
             with open(folder / LOG, "a", encoding="utf-8") as log:
                 log.write(f"\nmusclewarp-cohort: {reason}\n")
             return 1
-        memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+        used = resource.getrusage(resource.RUSAGE_CHILDREN)
         record = {"participant_id": job.participant, "motion": job.motion,
                   "exit_code": code, "reason": reason,
                   "wall_s": round(time.monotonic() - began, 3),
-                  "memory_mb": round(memory, 1)}
+                  "cpu_s": round(used.ru_utime + used.ru_stime, 3),
+                  "memory_mb": round(used.ru_maxrss / 1024, 1)}
         write_atomically(folder / RECORD, json.dumps(record, indent=2) + "\n")
         return 0
 
