@@ -32,15 +32,17 @@ if [[ $action == kill ]]; then
   kill -9 "$(<"$folder/slurmctld.pid")"
   sleep 1
   slurmctld -f "$SLURM_CONF"
-  # A job whose launch the controller has not noted is launched twice, which the
-  # node refuses; it is drained then, until the administrator has it back.
-  for _ in $(seq 20); do
+  # A killed controller has forgotten the last seconds: a job that it launches twice
+  # makes the node refuse (drained), and one that has ended meanwhile seems to run on
+  # until it asks the node. An administrator does both by hand.
+  for _ in $(seq 15); do
     sleep 1
     if sinfo -h -o %T | grep -q drain; then
       scontrol update NodeName="$(hostname -s)" State=RESUME
       echo "slurm: the node was drained, and is back"
     fi
   done
+  scontrol reconfigure
   exit
 fi
 

@@ -32,6 +32,7 @@ TAKEN_FLAGS = {
     "flagfile": "write the flags themselves",
     "threads": "use --set-threads of Snakemake in a profile",
 }
+FOLDER_FLAGS = ("data_root", "cache")
 MOST_LINES = 20  # of a message
 
 
@@ -136,18 +137,19 @@ def _job(row, line, path):
               else pathlib.PurePath(row["motion"]).stem)
     job = Job(row["participant_id"], motion, file("scene") or "", file("model"),
               file("motion"), None if row["side"] == EMPTY else row["side"],
-              _with_absolute_root(flags, path.parent), line)
+              _with_absolute_folders(flags, path.parent), line)
     if problems:
         raise InputError(*problems)
     return job
 
 
-def _with_absolute_root(flags, folder):
-    """--data_root is relative to the folder of the table, as other paths."""
-    root = _flag_values(flags).get("data_root")
-    if not root:
-        return flags
-    return flags + (f"--data_root={(folder / root).absolute()}",)
+def _with_absolute_folders(flags, folder):
+    """Folders are relative to that of the table, as other paths; of a flag that
+    is given twice musclewarp-deform takes the last."""
+    values = _flag_values(flags)
+    return flags + tuple(f"--{name}={(folder / values[name]).absolute()}"
+                         for name in FOLDER_FLAGS
+                         if values.get(name) not in (None, "", "none"))
 
 
 def _rows(path):

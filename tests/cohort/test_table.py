@@ -96,6 +96,13 @@ class TableTest(FolderTest):
                                     "there are 3, such as sub-"):
             table.choose(jobs, ["sub-3"])
 
+    def test_folders_among_flags_are_relative_to_the_table(self):
+        for given, flags in (("kept", f"--cache={self.source / 'kept'}"),
+                             ("none", "--cache=none")):
+            self.table(f"s a.json - - - --cache={given}")
+            job, = table.read_jobs(self.source)
+            self.assertEqual(flags, job.flags[-1])
+
     def test_files_that_a_job_reads(self):
         self.file("data/psoas.ply")
         self.file("data/femur.ply")
