@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <string>
 
 #include "musclewarp/base/input_error.h"
 
@@ -40,7 +41,10 @@ void PrintHelp(const std::string& usage) {
       std::cout << "=" << (flag.type == "string" ? "TEXT" : "NUMBER");
     }
     std::cout << "\n      " << flag.description;
-    if (!flag.default_value.empty()) {
+    if (flag.type == "double") {
+      // gflags has all digits, as in 0.10000000000000001.
+      std::cout << " [" << std::stod(flag.default_value) << "]";
+    } else if (!flag.default_value.empty()) {
       std::cout << " [" << flag.default_value << "]";
     }
     std::cout << "\n";

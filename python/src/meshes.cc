@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "python/src/meshes.h"
 
+#include <pybind11/stl/filesystem.h>
+
+#include <filesystem>
+
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
@@ -109,16 +113,18 @@ py::tuple Repair(const py::object& object,
 void BindMeshFunctions(py::module_* module) {
   module->def(
       "read_mesh",
-      [](const std::string& path) {
-        return ComputeFree([path] { return ToPython(ReadTriangleSoup(path)); });
+      [](const std::filesystem::path& path) {
+        return ComputeFree([file = path.string()] {
+          return ToPython(ReadTriangleSoup(file));
+        });
       },
       py::arg("path"),
       kReadMeshDoc);
   module->def(
       "write_mesh",
-      [](const std::string& path, const py::object& object) {
+      [](const std::filesystem::path& path, const py::object& object) {
         const SharedMesh mesh = MeshFrom(object, "mesh");
-        RunFree([=] { WriteTriangleSoup(path, *mesh); });
+        RunFree([=] { WriteTriangleSoup(path.string(), *mesh); });
       },
       py::arg("path"),
       py::arg("mesh"),

@@ -1,8 +1,10 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
@@ -96,9 +98,10 @@ double MomentArm(const Model& model,
 }
 
 std::vector<std::pair<double, Coordinates>> ReadMotion(
-    const SharedModel& model, const std::string& path) {
+    const SharedModel& model, const std::filesystem::path& path) {
+  const std::string file = path.string();
   const CoordinateMotion motion = ComputeFree(
-      [=] { return MotionOf(*model, ReadStorageTable(path), path); });
+      [=] { return MotionOf(*model, ReadStorageTable(file), file); });
   std::vector<std::pair<double, Coordinates>> rows;
   for (size_t i = 0; i < motion.times.size(); ++i) {
     rows.emplace_back(motion.times[i], ByName(*model, motion.values[i]));
@@ -154,16 +157,19 @@ Attributes:
            [](const StorageTable& table) { return table.times.size(); })
       .def(
           "write",
-          [](const SharedTable& table, const std::string& path) {
-            RunFree([=] { WriteTextAtomically(path, StorageText(*table)); });
+          [](const SharedTable& table, const std::filesystem::path& path) {
+            RunFree([=] {
+              WriteTextAtomically(path.string(), StorageText(*table));
+            });
           },
           py::arg("path"),
           "Writes the table as an OpenSim file.");
   module->def(
       "read_table",
-      [](const std::string& path) {
+      [](const std::filesystem::path& path) {
         return ComputeFree([path] {
-          return std::make_shared<StorageTable>(ReadStorageTable(path));
+          return std::make_shared<StorageTable>(
+              ReadStorageTable(path.string()));
         });
       },
       py::arg("path"),
@@ -223,9 +229,10 @@ Attributes:
            "every row of an OpenSim motion.");
   module->def(
       "read_model",
-      [](const std::string& path) {
-        return ComputeFree(
-            [path] { return std::make_shared<Model>(ReadModel(path)); });
+      [](const std::filesystem::path& path) {
+        return ComputeFree([path] {
+          return std::make_shared<Model>(ReadModel(path.string()));
+        });
       },
       py::arg("path"),
       "Reads an OpenSim model (.osim, versions 2 to 4). Raises InputError that "

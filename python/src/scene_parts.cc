@@ -1,8 +1,10 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh/transformed.h"
@@ -24,7 +26,7 @@ using Names = std::vector<std::string>;
 template <typename Part>
 void SetMesh(const py::object& points,
              const py::object& triangles,
-             const std::string& path,
+             const std::filesystem::path& path,
              const std::string& where,
              Part* part) {
   const bool has_arrays = !points.is_none() || !triangles.is_none();
@@ -33,7 +35,7 @@ void SetMesh(const py::object& points,
                      has_arrays ? "has arrays and a path" : "has no mesh",
                      "give points and triangles, or the path of a mesh file");
   }
-  part->mesh_path = path;
+  part->mesh_path = path.string();
   if (!has_arrays) return;
   part->points = PointsFrom(points, where + ": points");
   part->triangles =
@@ -87,7 +89,7 @@ SharedMuscle MakeMuscle(const std::string& name,
                         const py::object& triangles,
                         const std::vector<SharedLine>& lines,
                         const std::vector<SharedAttachment>& attachments,
-                        const std::string& path) {
+                        const std::filesystem::path& path) {
   const auto muscle = std::make_shared<SceneMuscle>();
   muscle->name = name;
   SetMesh(points, triangles, path, "muscle " + QuotedName(name), muscle.get());
@@ -102,7 +104,7 @@ SharedBone MakeBone(const std::string& name,
                     const py::object& points,
                     const py::object& triangles,
                     const std::string& body,
-                    const std::string& path) {
+                    const std::filesystem::path& path) {
   const auto bone = std::make_shared<SceneBone>();
   bone->name = name;
   bone->body = body.empty() ? name : body;

@@ -1,6 +1,8 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
 """Checks of meshes: crossings, separation, repair, files."""
+import pathlib
+
 import numpy as np
 import pytest
 
@@ -100,6 +102,8 @@ def test_files_keep_all_bits(tmp_path):
         mw.write_mesh(path, MESH)
         again = mw.read_mesh(path)
         np.testing.assert_array_equal(again.points, POINTS)
+        of_path = mw.read_mesh(pathlib.Path(path))
+        np.testing.assert_array_equal(of_path.points, POINTS)
         np.testing.assert_array_equal(again.triangles, TRIANGLES)
 
 

@@ -29,6 +29,11 @@ TEST(RunProgram, HelpShowsTheFlagsOfTheProgramAlone) {
   EXPECT_EQ(RunCommandLine(MUSCLEWARP_CHECK, "--helpshort").out, run.out);
 }
 
+TEST(RunProgram, HelpShowsDefaultsAsOneWritesThem) {
+  EXPECT_THAT(RunCommandLine(MUSCLEWARP_DEFORM, "--help").out,
+              HasSubstr("at most 0.5 [0.1]\n"));
+}
+
 TEST(RunProgram, SaysItsVersion) {
   const ProgramRun run = RunCommandLine(MUSCLEWARP_CHECK, "--version");
   EXPECT_EQ(run.exit_code, kExitUsable);

@@ -60,7 +60,7 @@ void Deformer::PrepareAnew(const Scene& scene) {
                                        scene_.get());
 }
 
-void Deformer::Prepare(Scene scene) {
+void Deformer::Prepare(const Scene& scene) {
   if (options_.cache.folder.empty()) return PrepareAnew(scene);
   const PreparationCache cache(options_.cache, scene);
   std::optional<Preparation> cached = cache.Read(scene);

@@ -101,7 +101,7 @@ class Deformer {
 
  private:
   // Prepares the scene, or has the cache provide the preparation.
-  void Prepare(Scene scene);
+  void Prepare(const Scene& scene);
   void PrepareAnew(const Scene& scene);
 
   SolvedFrame Solve(const ScenePose& pose, const SceneState* before);
