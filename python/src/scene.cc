@@ -18,59 +18,6 @@ namespace {
 namespace py = pybind11;
 
 // What help() says.
-constexpr char kLineDoc[] =
-    R"(A line of action of a muscle in the rest pose, from origin to insertion.
-
-Args:
-    name: different from those of all other lines.
-    points: (p, 3), mm, at least two.
-    bodies: the name of the body that each point is fixed to; none if the lines
-        of poses say where the points go.
-    slides: True if only the ends are fixed to the muscle, which slides along
-        the line between them.
-Raises:
-    InputError: the points are not allowed.)";
-
-constexpr char kAttachmentDoc[] =
-    R"(An area of a muscle that follows a body (docs/scene.md).
-
-Args:
-    body: its name.
-    points: (p, 3), mm, in the rest pose.
-    radius: mm. What of the muscle is as near to one of the points is attached.
-    may_penetrate: True if triangles of the area may cross bones of the body.
-Raises:
-    InputError: names the argument.)";
-
-constexpr char kMuscleDoc[] =
-    R"(A muscle of a scene, in the rest pose. It does not change.
-
-Args:
-    name: also of its files.
-    points: (n, 3), mm.
-    triangles: (m, 3) indices of points.
-    lines: Lines of action. Without any they are made from the meshes.
-    attachments: Attachments. Without any they are found on the meshes.
-    path: of a mesh file, in place of points and triangles.
-Attributes:
-    mesh: the Mesh as it was given; a file is read each time.
-Raises:
-    InputError: names the muscle and the array.)";
-
-constexpr char kBoneDoc[] =
-    R"(A bone of a scene, in the rest pose. It does not change.
-
-Args:
-    name: also of its files.
-    points: (n, 3), mm.
-    triangles: (m, 3) indices of points.
-    body: the body that it moves with; by default one of its own name.
-    path: of a mesh file, in place of points and triangles.
-Attributes:
-    mesh: the Mesh as it was given; a file is read each time.
-Raises:
-    InputError: names the bone and the array.)";
-
 constexpr char kPoseDoc[] =
     R"(Where the bodies and lines of a scene are. It does not change.
 
