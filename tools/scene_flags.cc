@@ -173,7 +173,7 @@ DeformOptions SceneOptionsFromFlags() {
                                        "motion"};
   options.result_flags = SetFlags(other_flags);
   other_flags.insert({"frames", "format"});
-  options.deformer.cache.options_key = SetFlags(other_flags);
+  options.deformer.cache.options_key = "flags:" + SetFlags(other_flags);
   for (const auto& flag : OwnFlags()) {
     options.all_flags[flag.name] = flag.current_value;
   }

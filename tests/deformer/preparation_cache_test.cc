@@ -70,7 +70,8 @@ TEST(PreparationCache, FramesAreTheSameAsWithoutIt) {
 
 TEST(PreparationCache, EverythingThatCountsChangesTheFile) {
   const std::string folder = NewFolder("cache_keys");
-  const auto path = [&](const Scene& scene, const std::string& key = "") {
+  const auto path = [&](const Scene& scene,
+                        const std::string& key = "default") {
     return PreparationCache({folder, key}, scene).path();
   };
   const Scene scene = SmallScene();
@@ -99,11 +100,33 @@ TEST(PreparationCache, FilesCountByTheirContents) {
     muscle.points(0, 0) += x;
     WriteTriangleSoup(muscle.mesh_path, {muscle.points, muscle.triangles});
     muscle.points(0, 0) -= x;
-    return PreparationCache({folder, ""}, scene).path();
+    return PreparationCache({folder, "default"}, scene).path();
   };
   const std::string before = path_with(0);
   EXPECT_NE(path_with(0.5), before);
   EXPECT_EQ(path_with(0), before);
+}
+
+// Options that nothing tells apart would be taken for each other.
+TEST(PreparationCache, AFolderNeedsAKey) {
+  std::string error;
+  EXPECT_TRUE(PreparationCacheOptions().IsValid(&error));
+  EXPECT_FALSE(PreparationCacheOptions({"folder", ""}).IsValid(&error));
+  EXPECT_NE(error.find("options_key"), std::string::npos) << error;
+}
+
+// As after a user has copied one over the other.
+TEST(PreparationCache, TheFileOfAnotherSceneIsNotTaken) {
+  const DeformerOptions options =
+      CachedOptions(ContactKind::kNone, NewFolder("cache_renamed"));
+  Scene scene = SmallScene();
+  for (SceneBone& bone : scene.bones) bone.body = bone.name;
+  Deformer(scene, options);
+  Scene other = scene;
+  other.muscles[0].points(0, 0) += 1e-3;
+  const PreparationCache cache(options.cache, other);
+  fs::copy_file(PreparationCache(options.cache, scene).path(), cache.path());
+  EXPECT_FALSE(cache.Read(other));
 }
 
 // A changed byte anywhere, or a part that is missing.
@@ -135,7 +158,7 @@ TEST(PreparationCache, DamagedFilesAreMadeAgain) {
 TEST(PreparationCache, AFolderThatCannotBeMadeIsRefused) {
   const std::string file = (fs::path(TestTempDir()) / "a_file").string();
   WriteTextAtomically(file, "");
-  EXPECT_THROW(PreparationCache({file + "/folder", ""}, SmallScene()),
+  EXPECT_THROW(PreparationCache({file + "/folder", "default"}, SmallScene()),
                InputError);
 }
 

@@ -35,7 +35,8 @@ Scene Checked(Scene scene) {
 
 bool DeformerOptions::IsValid(std::string* error) const {
   return prepare.IsValid(error) && frames.IsValid(error) &&
-         remaking.IsValid(error) && solver.IsValid(error);
+         remaking.IsValid(error) && solver.IsValid(error) &&
+         cache.IsValid(error);
 }
 
 Deformer::Deformer(Scene scene, DeformerOptions options)

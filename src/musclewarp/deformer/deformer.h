@@ -61,8 +61,7 @@ class Deformer {
  public:
   // Throws InputError if the scene contradicts itself, a mesh cannot be read or
   // repaired, the rest pose cannot be made free of crossings, or the folder of
-  // the cache cannot be made. Precondition
-  // (CHECKed): the options are valid.
+  // the cache cannot be made. Precondition (CHECKed): the options are valid.
   explicit Deformer(Scene scene, DeformerOptions options = {});
 
   // Moves the muscles from where they are to a pose. Frames of a motion follow

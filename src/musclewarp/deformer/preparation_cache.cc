@@ -7,6 +7,8 @@
 #include <cereal/archives/binary.hpp>
 #include <exception>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -14,17 +16,20 @@
 #include "musclewarp/base/content_hash.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/deformer/preparation_archive.h"
+#include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
 namespace {
 
 namespace fs = std::filesystem;
 
-// The first bytes of a file; the number changes with what is in it.
-constexpr char kMagic[] = "musclewarp preparation 1\n";
+// The first bytes of a file; the number changes with what is in it. The key and
+// the checksum of the rest follow.
+constexpr char kMagic[] = "musclewarp preparation 2\n";
 
 std::string ChecksumOf(std::string_view bytes) {
   ContentHash hash;
@@ -46,7 +51,11 @@ std::string KeyOf(const PreparationCacheOptions& options, const Scene& scene) {
   hash.Add(kMagic);
   hash.Add(MUSCLEWARP_VERSION);
   hash.Add(options.options_key);
-  hash.Add(Archived(scene.muscles, scene.bones, scene.poses, scene.warnings));
+  hash.Add(Archived(scene.muscles,
+                    scene.bones,
+                    scene.poses,
+                    scene.warnings,
+                    RestPose(scene)));
   for (const SceneMuscle& muscle : scene.muscles) {
     if (!muscle.mesh_path.empty()) hash.Add(ReadFile(muscle.mesh_path));
   }
@@ -63,15 +72,17 @@ std::vector<std::vector<ActionLine>> LinesOf(const Scene& scene) {
   return lines;
 }
 
-// Returns what follows the magic bytes and the checksum, or nothing if either
-// is not as it was written.
-std::optional<std::string> PayloadOf(const std::string& file) {
-  const size_t magic = sizeof(kMagic) - 1;
-  const size_t begin = magic + ChecksumOf("").size();
-  if (file.size() < begin || file.compare(0, magic, kMagic) != 0) return {};
-  const std::string_view payload = std::string_view(file).substr(begin);
-  if (ChecksumOf(payload) != file.substr(magic, begin - magic)) return {};
-  return std::string(payload);
+// Returns true if a file begins as that of `key` does and its checksum is
+// right. Leaves the file at what is archived.
+bool IsIntact(const std::string& key, std::istream* file) {
+  const std::string begin = kMagic + key;
+  std::string header(begin.size() + ChecksumOf("").size(), '\0');
+  file->read(header.data(), static_cast<std::streamsize>(header.size()));
+  const std::string rest((std::istreambuf_iterator<char>(*file)), {});
+  if (header != begin + ChecksumOf(rest)) return false;
+  file->clear();
+  file->seekg(static_cast<std::streamoff>(header.size()));
+  return true;
 }
 
 void MakeFolder(const std::string& folder) {
@@ -85,39 +96,46 @@ void MakeFolder(const std::string& folder) {
 
 }  // namespace
 
+bool PreparationCacheOptions::IsValid(std::string* error) const {
+  if (folder.empty() || !options_key.empty()) return true;
+  return InvalidOption("PreparationCacheOptions::options_key",
+                       "\"\"",
+                       "a text, as there is a folder",
+                       error);
+}
+
 PreparationCache::PreparationCache(const PreparationCacheOptions& options,
                                    const Scene& scene) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+  CHECK(!options.folder.empty());
   MakeFolder(options.folder);
-  path_ = (fs::path(options.folder) / (KeyOf(options, scene) + ".preparation"))
-              .string();
+  key_ = KeyOf(options, scene);
+  path_ = (fs::path(options.folder) / (key_ + ".preparation")).string();
 }
 
 std::optional<Preparation> PreparationCache::Read(const Scene& scene) const {
-  if (!fs::exists(path_)) return std::nullopt;
+  std::ifstream file(path_, std::ios::binary);
+  if (!file) return std::nullopt;
   const Stopwatch reading;
   try {
-    const std::optional<std::string> payload = PayloadOf(ReadFile(path_));
-    if (!payload) {
+    if (!IsIntact(key_, &file)) {
       LOG(WARNING) << path_ << ": is damaged; the scene is prepared again";
       return std::nullopt;
     }
-    std::istringstream stream(*payload, std::ios::binary);
-    cereal::BinaryInputArchive archive(stream);
+    cereal::BinaryInputArchive archive(file);
     Preparation preparation;
     std::vector<std::vector<ActionLine>> lines;
     archive(preparation.scene, preparation.rest, lines);
-    CHECK_EQ(lines.size(), scene.muscles.size());
     preparation.scene.scene = scene;
-    for (size_t i = 0; i < lines.size(); ++i) {
-      preparation.scene.scene.muscles[i].lines = std::move(lines[i]);
-      FactorNormalMatrix(&preparation.scene.muscles[i].model);
+    for (size_t i = 0; i < scene.muscles.size(); ++i) {
+      preparation.scene.scene.muscles[i].lines = std::move(lines.at(i));
+      FactorNormalMatrix(&preparation.scene.muscles.at(i).model);
     }
     preparation.scene.is_cached = true;
     preparation.scene.wall_ms = reading.Milliseconds();
     return preparation;
-  } catch (const InputError& error) {  // it may have been deleted just now
-    LOG(WARNING) << error.what();
-  } catch (const cereal::Exception& error) {
+  } catch (const std::exception& error) {  // whatever a bad file leads to
     LOG(WARNING) << path_ << ": cannot be read (" << error.what()
                  << "); the scene is prepared again";
   }
@@ -127,8 +145,8 @@ std::optional<Preparation> PreparationCache::Read(const Scene& scene) const {
 void PreparationCache::Write(const PreparedScene& scene,
                              const std::optional<SeparatedRest>& rest) const {
   try {
-    const std::string payload = Archived(scene, rest, LinesOf(scene.scene));
-    WriteTextAtomically(path_, kMagic + ChecksumOf(payload) + payload);
+    const std::string archived = Archived(scene, rest, LinesOf(scene.scene));
+    WriteTextAtomically(path_, kMagic + key_ + ChecksumOf(archived) + archived);
   } catch (const InputError& error) {
     LOG(WARNING) << error.what();
   }

@@ -18,8 +18,13 @@ struct PreparationCacheOptions {
   std::string folder;
 
   // A text that differs between any two sets of options with which a scene is
-  // prepared differently. Programs give their flags.
+  // prepared differently; it must not be empty if there is a folder. Programs
+  // give their flags.
   std::string options_key;
+
+  // Returns false and names the field, its value and the rule if a field is out
+  // of range.
+  bool IsValid(std::string* error) const;
 };
 
 // What preparing a scene comes to: all that takes long.
@@ -45,12 +50,14 @@ struct Preparation {
 class PreparationCache {
  public:
   // Finds the file that belongs to the scene, by its contents and those of its
-  // files. Throws InputError if the folder cannot be made, or a file of the
-  // scene cannot be read.
+  // mesh files. Throws InputError if the folder cannot be made, or a file of
+  // the scene cannot be read. Precondition (CHECKed): the options are valid and
+  // name a folder.
   PreparationCache(const PreparationCacheOptions& options, const Scene& scene);
 
   // Returns the preparation of `scene`, the one of the constructor, or nothing
-  // if it is not there, or if its file is damaged, which is logged.
+  // if it is not there, or if its file is damaged or that of another scene,
+  // which is logged.
   std::optional<Preparation> Read(const Scene& scene) const;
 
   // Writes a preparation. That it cannot be written, because the disk is full,
@@ -62,7 +69,7 @@ class PreparationCache {
   const std::string& path() const { return path_; }
 
  private:
-  std::string path_;
+  std::string key_, path_;
 };
 
 }  // namespace musclewarp

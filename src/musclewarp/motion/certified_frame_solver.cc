@@ -22,36 +22,31 @@ CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
                                            const FrameSolverOptions& options,
                                            const MuscleSolvers& solvers,
                                            std::shared_ptr<SceneMeshes> meshes,
-                                           const ProgressCallback& on_progress)
+                                           const ProgressCallback& on_progress,
+                                           std::optional<SeparatedRest> rest)
     : FrameSolver(scene, options, std::move(meshes)) {
-  RestFrame();  // moves the meshes to rest
-  certified_ = PrepareCertifiedScene(scene,
-                                     *meshes_,
-                                     options.certified,
-                                     options.pre_rotation,
-                                     solvers.single,
-                                     on_progress);
-  contact_.options = {{"gap_mm", options.certified.step.gap}};
-  contact_.prepare_ms = certified_.wall_ms;
-  contact_.rest =
-      IntersectAtRest(scene, certified_.rest.muscles, meshes_.get());
-  contact_.displaced_at_rest = DisplacedAtRest();
-}
-
-CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
-                                           const FrameSolverOptions& options,
-                                           std::shared_ptr<SceneMeshes> meshes,
-                                           SeparatedRest rest)
-    : FrameSolver(scene, options, std::move(meshes)),
-      certified_(RestoreCertifiedScene(scene,
+  if (rest) {
+    certified_ = RestoreCertifiedScene(scene,
                                        *meshes_,
                                        options.certified,
-                                       std::move(rest.state),
-                                       std::move(rest.attached))) {
+                                       std::move(rest->state),
+                                       std::move(rest->attached));
+    contact_.rest = std::move(rest->intersections);
+    contact_.displaced_at_rest = std::move(rest->displaced);
+  } else {
+    RestFrame();  // moves the meshes to rest
+    certified_ = PrepareCertifiedScene(scene,
+                                       *meshes_,
+                                       options.certified,
+                                       options.pre_rotation,
+                                       solvers.single,
+                                       on_progress);
+    contact_.rest =
+        IntersectAtRest(scene, certified_.rest.muscles, meshes_.get());
+    contact_.displaced_at_rest = DisplacedAtRest();
+  }
   contact_.options = {{"gap_mm", options.certified.step.gap}};
   contact_.prepare_ms = certified_.wall_ms;
-  contact_.rest = std::move(rest.intersections);
-  contact_.displaced_at_rest = std::move(rest.displaced);
 }
 
 std::optional<SeparatedRest> CertifiedFrameSolver::separated_rest() const {

@@ -21,13 +21,8 @@ class CertifiedFrameSolver : public FrameSolver {
                        const FrameSolverOptions& options,
                        const MuscleSolvers& solvers,
                        std::shared_ptr<SceneMeshes> meshes,
-                       const ProgressCallback& on_progress);
-
-  // With a rest pose that has been separated before.
-  CertifiedFrameSolver(const PreparedScene& scene,
-                       const FrameSolverOptions& options,
-                       std::shared_ptr<SceneMeshes> meshes,
-                       SeparatedRest rest);
+                       const ProgressCallback& on_progress,
+                       std::optional<SeparatedRest> rest);
 
   std::optional<SeparatedRest> separated_rest() const override;
   SceneState StartOfMotion(const MuscleSolvers& solvers) override;

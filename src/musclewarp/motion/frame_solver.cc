@@ -62,12 +62,12 @@ std::unique_ptr<FrameSolver> MakeFrameSolver(
       return std::make_unique<PaperFrameSolver>(
           scene, options, std::move(meshes));
     case ContactKind::kCertified:
-      if (rest) {
-        return std::make_unique<CertifiedFrameSolver>(
-            scene, options, std::move(meshes), std::move(*rest));
-      }
-      return std::make_unique<CertifiedFrameSolver>(
-          scene, options, solvers, std::move(meshes), on_progress);
+      return std::make_unique<CertifiedFrameSolver>(scene,
+                                                    options,
+                                                    solvers,
+                                                    std::move(meshes),
+                                                    on_progress,
+                                                    std::move(rest));
   }
   LOG(FATAL) << "no such kind of contact";
 }

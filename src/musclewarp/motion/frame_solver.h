@@ -144,7 +144,8 @@ class FrameSolver {
 // Prepares a scene for the kind of contact in the options. `meshes` are those
 // of the scene; several frame solvers may share them. Keeps a reference to the
 // scene. Certified contact takes its rest pose from `rest`, if there is one:
-// that of a solver which was made for an equal scene with equal options.
+// that of a solver which was made for an equal scene with equal options; the
+// meshes are in the rest pose then.
 // Precondition (CHECKed): the options are valid.
 std::unique_ptr<FrameSolver> MakeFrameSolver(
     const PreparedScene& scene,
