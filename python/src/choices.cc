@@ -91,9 +91,9 @@ DeformerOptions OptionsFrom(const py::dict& keywords) {
   DeformOptions run;
   CallWithKeywords([&] {
     run.deformer = OptionsOf(choices);
+    run.deformer.cache.options_key = KeyOf(choices);
     CheckValid(run);
   });
-  run.deformer.cache.options_key = KeyOf(choices);
   return run.deformer;
 }
 

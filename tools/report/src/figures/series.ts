@@ -81,9 +81,11 @@ function ofScene(
 
 // A curve for each stage of a frame; none for runs without --profile.
 function byStage(runs: Run[]): Series[] {
-  const stages = runs.flatMap(({ frames }) => frames[0]?.stages ?? []);
+  const stages = runs.flatMap(({ frames }) =>
+    frames.flatMap((frame) => frame.stages ?? []),
+  );
   const names = [...new Set(stages.map(({ name }) => name))];
-  return runs.flatMap((run, i) =>
+  const series = runs.flatMap((run, i) =>
     names.map((name, at) => ({
       name,
       muscle: "",
@@ -94,6 +96,7 @@ function byStage(runs: Run[]): Series[] {
       ),
     })),
   );
+  return series.filter(({ values }) => values.some(Number.isFinite));
 }
 
 function movingCoordinates(runs: Run[]): { name: string; unit: string }[] {
