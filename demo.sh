@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # From a bare checkout to deformed muscles: installs what is missing, builds
-# the programs and runs the scene that comes with the sources.
+# musclewarp-deform and runs the scene that comes with the sources.
 #
 # usage: ./demo.sh [more flags for musclewarp-deform]
 set -euo pipefail
@@ -12,8 +12,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 bin=build/release/tools
 out=out/demo
 
-scripts/setup.sh
-scripts/build.sh release musclewarp_programs
+scripts/setup.sh build
+scripts/build.sh programs musclewarp-deform
 
 flags=(--scene=data/phantom/motion.json --out="$out" --format=ply,vtp
   --fibres=30 --html)

@@ -14,7 +14,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 preset=release
 if [[ -n ${CI:-} ]]; then preset=ci; fi
 
-scripts/setup.sh
+scripts/setup.sh test
 scripts/build.sh "$preset"
 # Two tests at a time share the processor, where waiting threads had better sleep.
 export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}

@@ -11,49 +11,12 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-if ((EUID != 0)); then
-  echo "deb: debootstrap and chroot need root" >&2
-  exit 2
-fi
-export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
-command -v debootstrap >/dev/null && command -v lintian >/dev/null || {
+name=deb
+# shellcheck source=.ci/debian_root.sh
+. .ci/debian_root.sh
+command -v lintian >/dev/null || {
   apt-get -qq update
-  apt-get -qq install -y --no-install-recommends debootstrap lintian dpkg-dev \
-    >/dev/null
-}
-
-work=$(mktemp -d)
-trap 'rm -rf --one-file-system "$work"' EXIT
-root=$work/root
-log=$work/log
-
-quietly() {
-  if ! "$@" >"$log" 2>&1; then
-    echo "deb: this failed: $*" >&2
-    tail -n 40 "$log" >&2
-    exit 1
-  fi
-}
-
-# Runs a command in the root; what it mounts is gone with it.
-inside() {
-  # shellcheck disable=SC2016 # $0 and $@ are those of the inner shell
-  env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
-    DEBIAN_FRONTEND=noninteractive unshare --mount sh -c \
-    'mount -t proc proc "$0/proc" && exec chroot "$0" "$@"' "$root" "$@"
-}
-
-# What this machine's apt reads of Debian's main section, as lines of a list.
-sources() {
-  # shellcheck disable=SC2016 # apt-get replaces these
-  apt-get indextargets --format '$(SITE) $(RELEASE) $(COMPONENT)' \
-    'Created-By: Packages' | sort -u | awk '$3 == "main" &&
-      $2 ~ /^bookworm(-updates|-security)?$/ { print "deb", $1, $2, $3 }'
-}
-
-install() {
-  quietly inside apt-get -qq install -y --no-install-recommends \
-    -o Dpkg::Use-Pty=0 "$@"
+  apt-get -qq install -y --no-install-recommends lintian dpkg-dev >/dev/null
 }
 
 debs=${1:-}
@@ -65,16 +28,8 @@ fi
 lintian --allow-root --fail-on error,warning \
   --suppress-tags initial-upload-closes-no-bugs "$debs"/*.deb
 
-echo "deb: makes a bare Debian 12"
-mirror=$(sources | awk '$3 == "bookworm" { print $2; exit }')
-quietly debootstrap --variant=minbase bookworm "$root" "$mirror"
-sources >"$root/etc/apt/sources.list"
-apt-config dump | grep -iE '^Acquire::https?::Proxy' \
-  >"$root/etc/apt/apt.conf.d/proxy" || true
-cp /etc/resolv.conf /etc/hosts "$root/etc/"
-echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe-io" # it is thrown away
+make_debian bookworm
 cp "$debs"/*.deb "$root/root/"
-quietly inside apt-get -qq update
 
 install_ours() {
   local package

@@ -17,6 +17,11 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+if ! command -v clang-tidy-14 >/dev/null; then
+  echo "tidy: left out: clang-tidy-14 is not here"
+  exit 0
+fi
+
 build=build/tidy
 max_files=${MUSCLEWARP_TIDY_FILES:-30}
 base=${1:-}

@@ -15,7 +15,9 @@
 #include "musclewarp/deformer/deformer.h"
 #include "musclewarp/report/screen_report.h"
 #include "tools/comparison.h"
+#include "tools/flag_values.h"
 #include "tools/frame_selection.h"
+#include "tools/output_folder.h"
 #include "tools/program.h"
 #include "tools/split.h"
 

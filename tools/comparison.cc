@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "musclewarp/base/csv_field.h"
+#include "musclewarp/build_info/build_info.h"
 #include "musclewarp/report/report_json.h"
 
 namespace musclewarp {
@@ -239,7 +240,7 @@ OrderedJson ComparisonJson(const std::vector<ComparisonRow>& rows,
   }
   return {{"scene", scene.scene.name},
           {"machine", MachineJson()},
-          {"version", MUSCLEWARP_VERSION},
+          {"version", kVersion},
           {"rows", json_rows}};
 }
 

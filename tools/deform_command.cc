@@ -16,44 +16,55 @@
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
-#include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/build_info/build_info.h"
 #include "musclewarp/motion/frame_files.h"
 #include "musclewarp/page/recorded_attachments.h"
+#include "musclewarp/report/earlier_run.h"
 #include "musclewarp/report/motion_tables.h"
 #include "musclewarp/report/report_json.h"
 #include "musclewarp/report/resume_log.h"
 #include "musclewarp/report/screen_progress.h"
 #include "musclewarp/report/screen_report.h"
-#include "musclewarp/scene/json_fields.h"
 #include "tools/frame_selection.h"
 #include "tools/interruption.h"
 #include "tools/option_flags.h"
+#include "tools/output_folder.h"
 #include "tools/program.h"
 #include "tools/report_command.h"
-#include "tools/split.h"
 
 namespace musclewarp {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Returns a hash of everything that the result depends on.
+// Returns a hash of everything that the result depends on but the code.
 std::string InputsHash(const Scene& scene, const DeformOptions& options) {
   ContentHash hash;
-  hash.Add(MUSCLEWARP_VERSION);
   hash.Add(options.result_flags);
   for (const std::string& file : scene.files) hash.Add(ReadFile(file));
   return hash.Hex();
 }
 
-// True if `dir` holds the finished run of the same input.
-bool IsFinished(const std::string& dir, const std::string& inputs_hash) {
-  const std::string report = (fs::path(dir) / "report.json").string();
-  if (!fs::exists(report)) return false;
-  const JsonField field = JsonField::ParseFile(report);
-  return field.Has("inputs_hash") &&
-         field.At("inputs_hash").AsString() == inputs_hash &&
-         field.At("summary").At("finished").AsBool();
+// Returns the finished run in `dir`, if there is one. Throws InputError if it
+// is one of other input or other code, which --resume must not take for this
+// one.
+std::optional<EarlierRun> FinishedRun(const std::string& dir,
+                                      const std::string& inputs_hash) {
+  const std::optional<EarlierRun> run = ReadEarlierRun(dir);
+  if (!run || !run->is_finished) return std::nullopt;
+  const char* advice = "run without --resume, or choose another --out";
+  if (run->inputs_hash != inputs_hash) {
+    throw InputError("--resume",
+                     dir + " has a finished run with other input or options",
+                     advice);
+  }
+  if (run->code_key != CodeKey()) {
+    throw InputError("--resume",
+                     dir + " has a finished run by other code of musclewarp (" +
+                         run->code_key + "); this is " + CodeKey(),
+                     advice);
+  }
+  return run;
 }
 
 // Keeps the report up to date while a run goes on, for a tenth of the time at
@@ -81,11 +92,6 @@ class ReportWriter {
   double write_ms_ = 0;
   std::optional<Stopwatch> since_;
 };
-
-int ExitCodeOfFinished(const std::string& report) {
-  const JsonField summary = JsonField::ParseFile(report).At("summary");
-  return summary.At("usable").AsBool() ? kExitUsable : kExitNotUsable;
-}
 
 bool HasFormat(const DeformOptions& options, const std::string& format) {
   return std::count(options.formats.begin(), options.formats.end(), format) > 0;
@@ -116,12 +122,15 @@ class DeformRun {
     SceneState state;
     if (options_.resume) {
       run_.frames = log_->Continue(selected_, &state);
-      if (IsFinished(options_.out, run_.inputs_hash)) {
+      if (const auto run = FinishedRun(options_.out, run_.inputs_hash)) {
         log_->Finish();  // the run may have been killed before it did
         screen_ << "finished already: " << report_ << "\n";
         if (options_.html) WriteRunPage(options_.out, screen_);
-        return ExitCodeOfFinished(report_);
+        return run->is_usable ? kExitUsable : kExitNotUsable;
       }
+    }
+    if (run_.frames.empty()) {
+      CheckNoStrangeFrames(options_.out, options_.overwrite);
     }
     try {
       Prepare(scene);
@@ -170,13 +179,18 @@ class DeformRun {
                       : rest.intersections;
     }
     RemovePartialOutput(options_.out);
+    if (run_.frames.empty()) {
+      log_->StartAnew();
+      const int removed = RemoveEarlierRun(options_.out);
+      if (removed > 0) {
+        screen_ << "removed " << removed << " frames of an earlier run in "
+                << options_.out << "\n";
+      }
+    }
     WriteFrame(deformer_->scene(), rest, options_.formats, options_.out);
     WriteAttachments((fs::path(options_.out) / kAttachmentsFile).string(),
                      AttachmentsOf(deformer_->scene()));
-    if (run_.frames.empty()) {
-      log_->StartAnew();
-      return;
-    }
+    if (run_.frames.empty()) return;
     screen_ << "resumed after frame " << run_.frames.size() << "\n";
     deformer_->set_state(std::move(state));
   }
@@ -293,98 +307,12 @@ class DeformRun {
 
 }  // namespace
 
-SolverConfiguration ParseSolver(const std::string& text) {
-  if (text != "ceres" && text != "reference") {
-    throw InputError(
-        "--solver=" + text, "is not a solver", "allowed: ceres, reference");
-  }
-  return SolverConfigurationNamed(text);
-}
-
-ContactKind ParseContact(const std::string& text) {
-  for (const ContactKind kind :
-       {ContactKind::kNone, ContactKind::kPaper, ContactKind::kCertified}) {
-    if (text == ToString(kind)) return kind;
-  }
-  throw InputError("--contact=" + text,
-                   "is not a kind of contact",
-                   "allowed: certified, paper, none");
-}
-
-ContactLevel ParseContactLevel(const std::string& text) {
-  if (text == "coarse") return ContactLevel::kCoarse;
-  if (text == "fine") return ContactLevel::kFine;
-  throw InputError(
-      "--contact_level=" + text, "is not a level", "allowed: coarse, fine");
-}
-
-RemakeKind ParseRemake(const std::string& text) {
-  if (text == "auto") return RemakeKind::kAuto;
-  if (text == "never") return RemakeKind::kNever;
-  throw InputError("--remake=" + text,
-                   "is not a way to treat muscles that cannot be separated",
-                   "allowed: auto, never");
-}
-
-AttachmentKind ParseAttachments(const std::string& text) {
-  if (text == "auto") return AttachmentKind::kAuto;
-  if (text == "scene") return AttachmentKind::kScene;
-  if (text == "none") return AttachmentKind::kNone;
-  throw InputError("--attachments=" + text,
-                   "is not a choice of attachments",
-                   "allowed: auto, scene, none");
-}
-
-std::vector<std::string> ParseFormats(const std::string& text) {
-  const std::vector<std::string> formats = Split(text, ',');
-  for (const std::string& format : formats) {
-    if ((format != "ply" && format != "obj" && format != "vtp") ||
-        !IsMeshExtension(format)) {
-      throw InputError("--format=" + text,
-                       "\"" + format + "\" cannot be written by this build",
-                       "allowed: ply, obj, vtp (with VTK), or several with "
-                       "commas");
-    }
-  }
-  if (formats.empty()) {
-    throw InputError("--format", "is empty", "allowed: ply, obj, vtp");
-  }
-  return formats;
-}
-
 void CheckSceneOptions(const DeformOptions& options) {
   CheckValid(options);
   if (options.scene.empty()) {
     throw InputError("--scene", "is missing", "give a scene file");
   }
   CheckThreads(options.threads);
-}
-
-void CheckWritable(const std::string& dir) {
-  if (dir.empty()) {
-    throw InputError("--out", "is missing", "give the folder for the results");
-  }
-  fs::path existing = fs::absolute(dir);
-  std::error_code error;
-  while (!fs::exists(existing, error) && existing.has_relative_path()) {
-    existing = existing.parent_path();
-  }
-  if (!fs::is_directory(existing, error) ||
-      access(existing.c_str(), W_OK | X_OK) != 0) {
-    throw InputError("--out=" + dir,
-                     existing.string() + " is not a folder that can be written",
-                     "choose another folder");
-  }
-}
-
-void MakeFolder(const std::string& dir) {
-  std::error_code error;
-  fs::create_directories(dir, error);
-  if (error) {
-    throw InputError("--out=" + dir,
-                     "cannot be made (" + error.message() + ")",
-                     "choose another folder");
-  }
 }
 
 int DeformCommand(const DeformOptions& options, std::ostream& screen) {

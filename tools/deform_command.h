@@ -22,6 +22,7 @@ struct DeformOptions {
   std::string motion;  // replaces that of the scene unless empty
   int threads = 0;     // 0: as many as OpenMP chooses
   bool resume = false;
+  bool overwrite = false;    // if true, frames of unknown runs are removed
   bool html = false;         // if true, report.html is written, too
   bool is_terminal = false;  // true if the screen is a terminal
 
@@ -32,23 +33,8 @@ struct DeformOptions {
   std::map<std::string, std::string> all_flags;
 };
 
-// Convert the text of a flag to its value. Throw InputError that names the flag
-// and what is allowed.
-SolverConfiguration ParseSolver(const std::string& text);
-ContactKind ParseContact(const std::string& text);
-ContactLevel ParseContactLevel(const std::string& text);
-RemakeKind ParseRemake(const std::string& text);
-AttachmentKind ParseAttachments(const std::string& text);
-std::vector<std::string> ParseFormats(const std::string& text);
-
 // Throws InputError if no scene can be run with the options.
 void CheckSceneOptions(const DeformOptions& options);
-
-// Throws InputError if a folder cannot be written. The folder is not made.
-void CheckWritable(const std::string& dir);
-
-// Makes a folder. Throws InputError if that fails.
-void MakeFolder(const std::string& dir);
 
 // Deforms the muscles of a scene in every selected pose, writes the frames and
 // report.json to `out` and a summary to `screen`. In a motion each frame starts

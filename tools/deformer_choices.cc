@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "musclewarp/base/input_error.h"
-#include "tools/deform_command.h"
+#include "tools/flag_values.h"
 #include "tools/option_flags.h"
 
 namespace musclewarp {

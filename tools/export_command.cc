@@ -10,6 +10,7 @@
 #include <map>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/build_info/build_info.h"
 #include "musclewarp/exchange/animation.h"
 #include "musclewarp/exchange/crossing_files.h"
 #include "musclewarp/exchange/crossing_places.h"
@@ -18,8 +19,8 @@
 #include "musclewarp/exchange/run_outline.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/motion/frame_files.h"
-#include "tools/deform_command.h"
 #include "tools/frame_selection.h"
+#include "tools/output_folder.h"
 #include "tools/program.h"
 #include "tools/searchable_scene.h"
 #include "tools/split.h"
@@ -48,7 +49,7 @@ std::vector<int> SelectedFrames(const ExportRequest& request,
 }
 
 RunOutline OpenRun(const ExportRequest& request, std::ostream& screen) {
-  RunOutline run = ReadRunOutline(request.in, MUSCLEWARP_VERSION);
+  RunOutline run = ReadRunOutline(request.in, kVersion);
   for (const std::string& warning : run.warnings) {
     screen << "warning: " << warning << "\n";
   }

@@ -13,11 +13,12 @@
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
+#include "musclewarp/build_info/build_info.h"
 #include "musclewarp/exchange/element_files.h"
 #include "musclewarp/exchange/mesher.h"
 #include "musclewarp/exchange/moved_mesh.h"
 #include "musclewarp/motion/frame_files.h"
-#include "tools/deform_command.h"
+#include "tools/output_folder.h"
 #include "tools/program.h"
 #include "tools/searchable_scene.h"
 
@@ -156,7 +157,7 @@ class ElementExport {
       frames.push_back(frame);
       is_usable = is_usable && frame.at("failure").is_null();
     }
-    const OrderedJson record = {{"version", MUSCLEWARP_VERSION},
+    const OrderedJson record = {{"version", kVersion},
                                 {"run", run_.dir},
                                 {"mesher", mesher_.program},
                                 {"inputs", Inputs()},

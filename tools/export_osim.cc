@@ -9,6 +9,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/build_info/build_info.h"
 #include "musclewarp/exchange/osim_file.h"
 #include "musclewarp/exchange/run_paths.h"
 #include "tools/program.h"
@@ -82,7 +83,7 @@ int ExportOsim(const std::string& runs,
                std::ostream& screen) {
   CheckFlags(out, options);
   const RunPaths paths =
-      ReadRunPaths(Split(runs, ','), options.model, MUSCLEWARP_VERSION);
+      ReadRunPaths(Split(runs, ','), options.model, kVersion);
   CheckIsOther(out, paths.model.path);
   std::map<std::string, PathFit> fits;
   OrderedJson lines = OrderedJson::object();

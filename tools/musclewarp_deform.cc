@@ -10,6 +10,8 @@
 #include "tools/deform_command.h"
 #include "tools/deformer_choices.h"
 #include "tools/demo_scene.h"
+#include "tools/flag_values.h"
+#include "tools/output_folder.h"
 #include "tools/program.h"
 #include "tools/scene_flags.h"
 
@@ -39,6 +41,10 @@ DEFINE_int32(fibres,
 DEFINE_bool(resume,
             false,
             "go on with an interrupted run of the same input in --out");
+DEFINE_bool(overwrite,
+            false,
+            "remove frames in --out that are of no run that report.json there "
+            "names; without it they are refused");
 DEFINE_string(cache,
               "none",
               "folder in which the preparation of the scene is kept for later "
@@ -63,6 +69,7 @@ DeformOptions OptionsFromFlags() {
   options.formats = ParseFormats(FLAGS_format);
   options.deformer.prepare.fibres.fibres = FLAGS_fibres;
   options.resume = FLAGS_resume;
+  options.overwrite = FLAGS_overwrite;
   options.html = FLAGS_html;
   options.deformer.cache.folder = CacheFolderOf(FLAGS_cache);
   options.deformer.record_stages = FLAGS_profile;

@@ -5,7 +5,7 @@
 
 #include <iostream>
 
-#include "tools/deform_command.h"
+#include "tools/flag_values.h"
 #include "tools/program.h"
 #include "tools/separate_command.h"
 #include "tools/split.h"

@@ -10,11 +10,12 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/build_info/build_info.h"
 #include "musclewarp/geometry/surface_comparison.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_repair/repair.h"
 #include "musclewarp/page/run_files.h"
-#include "tools/deform_command.h"
+#include "tools/output_folder.h"
 #ifdef MUSCLEWARP_WITH_VTK
 #include "musclewarp/mesh_files/vtp_writer.h"
 #endif
@@ -120,7 +121,7 @@ std::vector<std::string> WarningsOf(const SurfaceComparison& found) {
 OrderedJson PostureJson(const std::string& file,
                         const PostureOptions& options,
                         const SurfaceComparison& found) {
-  return {{"version", MUSCLEWARP_VERSION},
+  return {{"version", kVersion},
           {"muscle", file},
           {"posture", options.posture},
           {"spacing_mm", found.spacing},

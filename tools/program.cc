@@ -12,6 +12,7 @@
 #include <string>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/build_info/build_info.h"
 
 DECLARE_bool(help);
 DECLARE_bool(helpshort);
@@ -77,7 +78,7 @@ int RunProgram(
   FLAGS_logtostderr = true;  // no log files
   FLAGS_log_prefix = false;
   google::InitGoogleLogging(argv[0]);
-  gflags::SetVersionString(MUSCLEWARP_VERSION);
+  gflags::SetVersionString(VersionText());
   GFLAGS_NAMESPACE::gflags_exitfunc = [](int) { std::exit(kExitBadInput); };
   gflags::ParseCommandLineNonHelpFlags(&argc, &argv, /*remove_flags=*/true);
   if (FLAGS_help || FLAGS_helpshort) {
@@ -85,7 +86,7 @@ int RunProgram(
     return kExitUsable;
   }
   if (FLAGS_version) {
-    std::cout << name << " " << MUSCLEWARP_VERSION << "\n";
+    std::cout << name << " " << VersionText() << "\n";
     return kExitUsable;
   }
   try {

@@ -158,10 +158,11 @@ DeformOptions SceneOptionsFromFlags() {
   options.frames = FLAGS_frames;
   options.threads = FLAGS_threads;
   options.deformer = OptionsOf(ChoicesFromFlags());
-  options.command =
-      std::string(gflags::ProgramInvocationShortName()) + SetFlags({"resume"});
+  options.command = std::string(gflags::ProgramInvocationShortName()) +
+                    SetFlags({"resume", "overwrite"});
   // Files count by their contents; threads and timing make no difference.
   std::set<std::string> other_flags = {"resume",
+                                       "overwrite",
                                        "html",
                                        "profile",
                                        "cache",

@@ -23,6 +23,7 @@
 #include "musclewarp/report/screen_progress.h"
 #include "tools/interruption.h"
 #include "tools/option_flags.h"
+#include "tools/output_folder.h"
 #include "tools/program.h"
 #include "tools/separate_input.h"
 

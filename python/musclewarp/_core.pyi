@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 __version__: str
+__sources_hash__: str
 
 _Path = Union[str, "os.PathLike[str]"]
 
@@ -267,7 +268,7 @@ class Run:
     def fibre_moment_arms(self) -> Table: ...
     def append(self, frame: Frame) -> None: ...
     def report(self) -> Dict[str, Any]: ...
-    def write(self, out: str, format: str = ...) -> None: ...
+    def write(self, out: str, format: str = ..., overwrite: bool = ...) -> None: ...
 
 class Crossings:
     @property

@@ -94,16 +94,22 @@ class Run(_core.Run):
 
     def write(self,
               out: Union[str, "os.PathLike[str]"],
-              format: str = "ply") -> None:
+              format: str = "ply",
+              overwrite: bool = False) -> None:
         """Writes the frames, tables and report.json as musclewarp-deform does.
+
+        Frames of an earlier run in the folder are removed.
 
         Args:
             out: the folder; it is made.
             format: of the meshes: "ply", "obj", "vtp", or several with commas.
+            overwrite: whether to remove frames, too, that belong to no run
+                that report.json there names.
         Raises:
-            InputError: the folder cannot be written, or there is no frame.
+            InputError: the folder cannot be written, or has such frames; or
+                there is no frame.
         """
-        super().write(os.fspath(out), format)
+        super().write(os.fspath(out), format, overwrite)
 
     def page(self) -> Page:
         """Returns the page of the run (docs/page.md), for a notebook or a file.

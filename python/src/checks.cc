@@ -11,6 +11,7 @@
 #include "python/src/deformer.h"
 #include "python/src/meshes.h"
 #include "tools/deform_command.h"
+#include "tools/flag_values.h"
 #include "tools/option_flags.h"
 #include "tools/separate_command.h"
 #include "tools/separate_input.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <pybind11/pybind11.h>
 
+#include "musclewarp/build_info/build_info.h"
 #include "python/src/bindings.h"
 #include "python/src/call.h"
 #include "python/src/choices.h"
@@ -21,7 +22,8 @@ PYBIND11_MODULE(_core, module) {
   BindDeformer(&module);
   BindRun(&module);
   BindChecks(&module);
-  module.attr("__version__") = MUSCLEWARP_VERSION;
+  module.attr("__version__") = musclewarp::kVersion;
+  module.attr("__sources_hash__") = musclewarp::kSourcesHash;
   module.def(
       "set_threads",
       [](int threads) {

@@ -11,13 +11,15 @@
 #include "musclewarp/motion/frame_files.h"
 #include "musclewarp/page/page.h"
 #include "musclewarp/page/recorded_attachments.h"
+#include "musclewarp/report/earlier_run.h"
 #include "musclewarp/report/motion_tables.h"
 #include "musclewarp/report/report_json.h"
 #include "python/src/bindings.h"
 #include "python/src/choices.h"
 #include "python/src/deformer.h"
 #include "python/src/json.h"
-#include "tools/deform_command.h"
+#include "tools/flag_values.h"
+#include "tools/output_folder.h"
 
 namespace musclewarp::python {
 namespace {
@@ -68,7 +70,6 @@ void AddBytes(const Numbers& numbers, ContentHash* hash) {
 // A hash of what the frames depend on besides their poses.
 std::string InputsHash(const RunOfDeformer& run, const Frame& rest) {
   ContentHash hash;
-  hash.Add(MUSCLEWARP_VERSION);
   for (const auto& [name, value] : run.deformer->keywords) {
     hash.Add(name + "=" + value);
   }
@@ -125,6 +126,7 @@ void WriteFiles(const RunOfDeformer& run,
                 const std::string& dir,
                 Deformer* deformer) {
   const PreparedScene& scene = deformer->scene();
+  RemoveEarlierRun(dir);
   WriteFrame(scene, deformer->RestFrame(), formats, dir);
   WriteAttachments((fs::path(dir) / kAttachmentsFile).string(),
                    AttachmentsOf(scene));
@@ -155,13 +157,15 @@ void WriteFiles(const RunOfDeformer& run,
 
 void Write(const RunOfDeformer& run,
            const std::string& dir,
-           const std::string& format) {
+           const std::string& format,
+           bool overwrite) {
   if (run.frames.empty()) {
     throw InputError("run", "has no frames", "append frames first");
   }
   CallWithKeywords([&] {
     const std::vector<std::string> formats = ParseFormats(format);
     CheckWritable(dir);
+    CheckNoStrangeFrames(dir, overwrite);
     MakeFolder(dir);
     SharedDeformer::Compute(
         run.deformer,
@@ -200,7 +204,11 @@ void BindRun(py::module_* module) {
       .def("report",
            &Report,
            "Returns report.json of these frames as a dict (docs/report.md).")
-      .def("write", &Write, py::arg("out"), py::arg("format") = "ply")
+      .def("write",
+           &Write,
+           py::arg("out"),
+           py::arg("format") = "ply",
+           py::arg("overwrite") = false)
       .def_property_readonly("lengths",
                              [](const RunOfDeformer& run) {
                                return TableOf(

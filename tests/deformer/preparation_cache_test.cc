@@ -155,6 +155,24 @@ TEST(PreparationCache, DamagedFilesAreMadeAgain) {
   EXPECT_TRUE(cache.Read(scene));
 }
 
+// The same scene and options, prepared by a program of other sources.
+TEST(PreparationCache, WhatOtherCodeHasKeptIsNeitherReadNorReplaced) {
+  const DeformerOptions options =
+      CachedOptions(ContactKind::kNone, NewFolder("cache_code"));
+  Scene scene = SmallScene();
+  for (SceneBone& bone : scene.bones) bone.body = bone.name;
+  Deformer(scene, options);
+  const PreparationCache ours(options.cache, scene);
+  const PreparationCache theirs(options.cache, scene, "0.1.0 of another day");
+  EXPECT_TRUE(ours.Read(scene));
+  ::testing::internal::CaptureStderr();
+  EXPECT_FALSE(theirs.Read(scene));
+  const std::string said = ::testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("other code"), std::string::npos) << said;
+  EXPECT_NE(ours.path(), theirs.path());
+  EXPECT_TRUE(fs::exists(ours.path()));
+}
+
 TEST(PreparationCache, AFolderThatCannotBeMadeIsRefused) {
   const std::string file = (fs::path(TestTempDir()) / "a_file").string();
   WriteTextAtomically(file, "");

@@ -12,6 +12,7 @@
 
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/build_info/build_info.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
@@ -45,7 +46,7 @@ class ExportOsimTest : public ::testing::Test {
   void SetUp() override {
     dir_ = TestTempDir();
     WriteTextAtomically(dir_ + "/leg.osim", kModel);
-    report_ = {{"version", MUSCLEWARP_VERSION},
+    report_ = {{"version", kVersion},
                {"motion", {{"model", dir_ + "/leg.osim"}}},
                {"summary", {{"finished", true}, {"usable", true}}},
                {"frames", Json::array()}};

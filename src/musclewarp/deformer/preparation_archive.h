@@ -3,8 +3,7 @@
 #pragma once
 
 // How cereal writes and reads everything that a preparation consists of, for
-// preparation_cache.cc. Each struct is taken apart into all of its fields, so
-// that this file does not compile once a field is added and forgotten here.
+// preparation_cache.cc.
 
 #include <cereal/types/map.hpp>
 #include <cereal/types/optional.hpp>
@@ -12,6 +11,7 @@
 #include <cereal/types/vector.hpp>
 #include <cstdint>
 
+#include "musclewarp/deformer/archived_fields.h"
 #include "musclewarp/motion/frame_solver.h"
 #include "musclewarp/motion/prepared_scene.h"
 
@@ -69,232 +69,155 @@ void load(Archive& archive, musclewarp::SparseMatrix& matrix) {
 
 namespace musclewarp {
 
-template <class Archive>
-void serialize(Archive& archive, TriangleSoup& soup) {
-  auto& [points, triangles] = soup;
-  archive(points, triangles);
-}
-
-template <class Archive>
-void serialize(Archive& archive, ActionLine& line) {
-  auto& [name, rest, bodies, slides] = line;
-  archive(name, rest, bodies, slides);
-}
-
-template <class Archive>
-void serialize(Archive& archive, Attachment& attachment) {
-  auto& [body, points, radius, may_penetrate] = attachment;
-  archive(body, points, radius, may_penetrate);
-}
-
-template <class Archive>
-void serialize(Archive& archive, SceneMuscle& muscle) {
-  auto& [name, points, triangles, lines, attachments, path] = muscle;
-  archive(name, points, triangles, lines, attachments, path);
-}
-
-template <class Archive>
-void serialize(Archive& archive, SceneBone& bone) {
-  auto& [name, points, triangles, body, path, rest_from_file] = bone;
-  archive(name, points, triangles, body, path, rest_from_file);
-}
-
-template <class Archive>
-void serialize(Archive& archive, ScenePose& pose) {
-  auto& [name, time, coordinates, bodies, lines, values, lengths] = pose;
-  archive(name, time, coordinates, bodies, lines, values, lengths);
-}
-
-template <class Archive>
-void serialize(Archive& archive, ExemptArea& area) {
-  auto& [muscle, bone, vertices, triangles] = area;
-  archive(muscle, bone, vertices, triangles);
-}
+MUSCLEWARP_ARCHIVE(TriangleSoup, points, triangles)
+MUSCLEWARP_ARCHIVE(ActionLine, name, rest, bodies, slides)
+MUSCLEWARP_ARCHIVE(Attachment, body, points, radius, may_penetrate)
+MUSCLEWARP_ARCHIVE(
+    SceneMuscle, name, points, triangles, lines, attachments, mesh_path)
+MUSCLEWARP_ARCHIVE(
+    SceneBone, name, points, triangles, body, mesh_path, rest_from_file)
+MUSCLEWARP_ARCHIVE(ScenePose,
+                   name,
+                   time,
+                   coordinates,
+                   bodies,
+                   lines,
+                   model_values,
+                   path_lengths)
+MUSCLEWARP_ARCHIVE(ExemptArea, muscle, bone, vertices, triangles)
 
 // What was done to a mesh.
 
-template <class Archive>
-void serialize(Archive& archive, MeshDefects& defects) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l] = defects;
-  archive(a, b, c, d, e, f, g, h, i, j, k, l);
-}
-
-template <class Archive>
-void serialize(Archive& archive, PointMerges& merges) {
-  auto& [merged, longest] = merges;
-  archive(merged, longest);
-}
-
-template <class Archive>
-void serialize(Archive& archive, Separation& separation) {
-  auto& [edges, copies] = separation;
-  archive(edges, copies);
-}
-
-template <class Archive>
-void serialize(Archive& archive, Stitches& stitches) {
-  auto& [merged, inserted, longest] = stitches;
-  archive(merged, inserted, longest);
-}
-
-template <class Archive>
-void serialize(Archive& archive, Fillings& fillings) {
-  auto& [holes, triangles, points, area, longest] = fillings;
-  archive(holes, triangles, points, area, longest);
-}
-
-template <class Archive>
-void serialize(Archive& archive, Pulls& pulls) {
-  auto& [points, longest] = pulls;
-  archive(points, longest);
-}
-
-template <class Archive>
-void serialize(Archive& archive, RepairReport& report) {
-  auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = report;
-  archive(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
-}
-
-template <class Archive>
-void serialize(Archive& archive, SelfCrossingRemoval& removal) {
-  auto& [before, after, vertices, place, farthest] = removal;
-  archive(before, after, vertices, place, farthest);
-}
-
-template <class Archive>
-void serialize(Archive& archive, SliverRemovals& removals) {
-  auto& [collapsed, flipped, left, deviation] = removals;
-  archive(collapsed, flipped, left, deviation);
-}
-
-template <class Archive>
-void serialize(Archive& archive, Remaking& remaking) {
-  auto& [is_done, before, after, lost, place, farthest] = remaking;
-  archive(is_done, before, after, lost, place, farthest);
-}
-
-template <class Archive>
-void serialize(Archive& archive, MeshPreparation& mesh) {
-  auto& [a, b, c, d, e, f, g] = mesh;
-  archive(a, b, c, d, e, f, g);
-}
+MUSCLEWARP_ARCHIVE(MeshDefects,
+                   duplicate_points,
+                   unreferenced_points,
+                   degenerate_triangles,
+                   duplicate_triangles,
+                   border_edges,
+                   border_length,
+                   non_manifold_edges,
+                   non_manifold_vertices,
+                   misoriented_edges,
+                   components,
+                   is_inside_out,
+                   is_closed_manifold)
+MUSCLEWARP_ARCHIVE(PointMerges, merged, longest)
+MUSCLEWARP_ARCHIVE(Separation, edges, copies)
+MUSCLEWARP_ARCHIVE(Stitches, merged_points, inserted_points, longest)
+MUSCLEWARP_ARCHIVE(Fillings, holes, triangles, points, area, longest)
+MUSCLEWARP_ARCHIVE(Pulls, points, longest)
+MUSCLEWARP_ARCHIVE(RepairReport,
+                   point_merges,
+                   degenerate_triangles,
+                   duplicate_triangles,
+                   flipped_triangles,
+                   separation,
+                   stitches,
+                   fillings,
+                   separated_vertices,
+                   dropped_components,
+                   dropped_triangles,
+                   dropped_area,
+                   largest_dropped_area,
+                   dropped_points,
+                   pulls)
+MUSCLEWARP_ARCHIVE(SelfCrossingRemoval,
+                   pairs_before,
+                   pairs_after,
+                   new_vertices,
+                   place,
+                   farthest)
+MUSCLEWARP_ARCHIVE(SliverRemovals,
+                   collapsed_edges,
+                   flipped_edges,
+                   slivers_left,
+                   largest_deviation)
+MUSCLEWARP_ARCHIVE(
+    Remaking, is_done, volume_before, volume_after, lost_area, place, farthest)
+MUSCLEWARP_ARCHIVE(MeshPreparation,
+                   name,
+                   path,
+                   defects,
+                   repairs,
+                   self_crossings,
+                   slivers,
+                   remaking)
 
 // Prepared scenes.
 
-template <class Archive>
-void serialize(Archive& archive, SegmentPoint& point) {
-  auto& [line, segment, t] = point;
-  archive(line, segment, t);
-}
-
-template <class Archive>
-void serialize(Archive& archive, CarriedLines& lines) {
-  auto& [from_coarse, starts] = lines;
-  archive(from_coarse, starts);
-}
-
-template <class Archive>
-void serialize(Archive& archive, AttachedVertices& attached) {
-  auto& [vertices, attachment] = attached;
-  archive(vertices, attachment);
-}
-
-// But for the normal matrix, which follows from the others.
-template <class Archive>
-void serialize(Archive& archive, MuscleModel& model) {
-  auto& [a,
-         b,
-         c,
-         d,
-         e,
-         f,
-         g,
-         h,
-         i,
-         j,
-         k,
-         l,
-         m,
-         n,
-         o,
-         p,
-         q,
-         r,
-         s,
-         t,
-         u,
-         normal] = model;
-  archive(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
-}
-
-template <class Archive>
-void serialize(Archive& archive, PreparedMuscle& muscle) {
-  auto& [a, b, c, d, e, f, g, h] = muscle;
-  archive(a, b, c, d, e, f, g, h);
-}
-
-template <class Archive>
-void serialize(Archive& archive, PreparedBone& bone) {
-  auto& [mesh, body, rest] = bone;
-  archive(mesh, body, rest);
-}
-
-template <class Archive>
-void serialize(Archive& archive, PairIntersection& pair) {
-  auto& [a, b, c, d, e, f, g, h, i] = pair;
-  archive(a, b, c, d, e, f, g, h, i);
-}
-
-template <class Archive>
-void serialize(Archive& archive, MeshGap& gap) {
-  auto& [a, b, at_least, at_most, place] = gap;
-  archive(a, b, at_least, at_most, place);
-}
-
-template <class Archive>
-void serialize(Archive& archive, SceneIntersections& intersections) {
-  auto& [a, b, c, d, e, f, g, h, i] = intersections;
-  archive(a, b, c, d, e, f, g, h, i);
-}
-
-// But for the scene itself, which the caller has, and the times.
-template <class Archive>
-void serialize(Archive& archive, PreparedScene& prepared) {
-  auto& [scene, muscles, bones, exempt, warnings, delivered, cached, ms, t] =
-      prepared;
-  archive(muscles, bones, exempt, warnings, delivered);
-}
+MUSCLEWARP_ARCHIVE(SegmentPoint, line, segment, t)
+MUSCLEWARP_ARCHIVE(CarriedLines, from_coarse, starts)
+MUSCLEWARP_ARCHIVE(AttachedVertices, vertices, attachment)
+// The normal matrix follows from the others.
+MUSCLEWARP_ARCHIVE_WITHOUT(MuscleModel,
+                           (normal_matrix),
+                           name,
+                           lines,
+                           attachments,
+                           fine_rest,
+                           fine_triangles,
+                           coarse_rest,
+                           coarse_triangles,
+                           fine_from_coarse,
+                           laplacian,
+                           laplacian_rest,
+                           nearest_segments,
+                           skeleton,
+                           samples,
+                           skeleton_weight,
+                           attachment,
+                           attachment_of,
+                           attachment_rest,
+                           attachment_weights,
+                           rest_volume,
+                           coarse_rest_volume,
+                           rest_area)
+MUSCLEWARP_ARCHIVE(PreparedMuscle,
+                   mesh,
+                   model,
+                   attached,
+                   attachment_warnings,
+                   hull_encloses,
+                   lines,
+                   fibres,
+                   fibres_ms)
+MUSCLEWARP_ARCHIVE(PreparedBone, mesh, body, rest)
+MUSCLEWARP_ARCHIVE(PairIntersection,
+                   a,
+                   b,
+                   triangle_pairs,
+                   vertices_inside,
+                   max_depth_mm,
+                   exempt_pairs,
+                   place,
+                   triangles_of_a,
+                   triangles_of_b)
+MUSCLEWARP_ARCHIVE(MeshGap, a, b, at_least_mm, at_most_mm, place)
+MUSCLEWARP_ARCHIVE(SceneIntersections,
+                   triangle_pairs,
+                   vertices_inside,
+                   max_depth_mm,
+                   self_pairs,
+                   exempt_pairs,
+                   self_pairs_of_muscles,
+                   pairs,
+                   gaps,
+                   inside_of_muscles)
+// The caller has the scene itself, and times are those of the reading run.
+MUSCLEWARP_ARCHIVE_WITHOUT(PreparedScene,
+                           (scene, is_cached, wall_ms, stages),
+                           muscles,
+                           bones,
+                           exempt,
+                           warnings,
+                           as_delivered)
 
 // The separated rest pose.
 
-template <class Archive>
-void serialize(Archive& archive, HeldVertices& held) {
-  auto& [vertices, positions] = held;
-  archive(vertices, positions);
-}
-
-template <class Archive>
-void serialize(Archive& archive, VertexCorrections& corrections) {
-  auto& [offset, coarse, fine] = corrections;
-  archive(offset, coarse, fine);
-}
-
-template <class Archive>
-void serialize(Archive& archive, MuscleState& state) {
-  auto& [coarse, corrections] = state;
-  archive(coarse, corrections);
-}
-
-template <class Archive>
-void serialize(Archive& archive, SceneState& state) {
-  auto& [pose, muscles, free_coarse] = state;
-  archive(pose, muscles, free_coarse);
-}
-
-template <class Archive>
-void serialize(Archive& archive, SeparatedRest& rest) {
-  auto& [state, attached, intersections, displaced] = rest;
-  archive(state, attached, intersections, displaced);
-}
+MUSCLEWARP_ARCHIVE(HeldVertices, vertices, positions)
+MUSCLEWARP_ARCHIVE(VertexCorrections, fine_offset, held_coarse, held_fine)
+MUSCLEWARP_ARCHIVE(MuscleState, coarse, corrections)
+MUSCLEWARP_ARCHIVE(SceneState, pose, muscles, free_coarse)
+MUSCLEWARP_ARCHIVE(SeparatedRest, state, attached, intersections, displaced)
 
 }  // namespace musclewarp

@@ -27,13 +27,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The first bytes of a file; the number changes with what is in it. The key and
-// the checksum of the rest follow.
-constexpr char kMagic[] = "musclewarp preparation 2\n";
+// The first bytes of a file. The key and the checksum of the rest follow.
+constexpr char kMagic[] = "musclewarp preparation 3\n";
+
+constexpr char kExtension[] = ".preparation";
 
 std::string ChecksumOf(std::string_view bytes) {
   ContentHash hash;
   hash.Add(bytes);
+  return hash.Hex();
+}
+
+// Returns the checksum of the code, and of the fields that it archives.
+std::string KeyOfCode(const std::string& code_key) {
+  ContentHash hash;
+  hash.Add(code_key);
+  hash.Add(ArchivedFields());
   return hash.Hex();
 }
 
@@ -45,11 +54,9 @@ std::string Archived(const Parts&... parts) {
   return stream.str();
 }
 
-// Returns the checksum of all that a preparation depends on.
+// Returns the checksum of all that a preparation depends on but the code.
 std::string KeyOf(const PreparationCacheOptions& options, const Scene& scene) {
   ContentHash hash;
-  hash.Add(kMagic);
-  hash.Add(MUSCLEWARP_VERSION);
   hash.Add(options.options_key);
   hash.Add(Archived(scene.muscles,
                     scene.bones,
@@ -85,6 +92,24 @@ bool IsIntact(const std::string& key, std::istream* file) {
   return true;
 }
 
+// Logs the first preparation of the scene that other code has kept. There is no
+// file of this code.
+void SayIfOtherCodeHasOne(const std::string& folder,
+                          const std::string& scene_key) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind(scene_key + "-", 0) != 0 ||
+        entry.path().extension() != kExtension) {
+      continue;
+    }
+    LOG(WARNING) << entry.path().string()
+                 << ": was made by other code of musclewarp; the scene is "
+                    "prepared again, and the file is left as it is";
+    return;
+  }
+}
+
 void MakeFolder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -105,18 +130,24 @@ bool PreparationCacheOptions::IsValid(std::string* error) const {
 }
 
 PreparationCache::PreparationCache(const PreparationCacheOptions& options,
-                                   const Scene& scene) {
+                                   const Scene& scene,
+                                   const std::string& code_key)
+    : folder_(options.folder) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   CHECK(!options.folder.empty());
-  MakeFolder(options.folder);
-  key_ = KeyOf(options, scene);
-  path_ = (fs::path(options.folder) / (key_ + ".preparation")).string();
+  MakeFolder(folder_);
+  scene_key_ = KeyOf(options, scene);
+  key_ = scene_key_ + "-" + KeyOfCode(code_key);
+  path_ = (fs::path(folder_) / (key_ + kExtension)).string();
 }
 
 std::optional<Preparation> PreparationCache::Read(const Scene& scene) const {
   std::ifstream file(path_, std::ios::binary);
-  if (!file) return std::nullopt;
+  if (!file) {
+    SayIfOtherCodeHasOne(folder_, scene_key_);
+    return std::nullopt;
+  }
   const Stopwatch reading;
   try {
     if (!IsIntact(key_, &file)) {

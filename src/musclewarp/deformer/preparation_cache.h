@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "musclewarp/build_info/build_info.h"
 #include "musclewarp/motion/frame_solver.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/scene/scene.h"
@@ -34,9 +35,10 @@ struct Preparation {
 };
 
 // Keeps the preparation of a scene on disk, in a file of its own, so that a
-// later run with the same meshes, lines, poses and options, by the same version
-// of musclewarp, has it in a fraction of the time. What it reads is bit for bit
-// what was written, and so are the frames.
+// later run with the same meshes, lines, poses and options, by the same code,
+// has it in a fraction of the time. What it reads is bit for bit what was
+// written, and so are the frames. What other code has kept is neither read nor
+// replaced.
 //
 //   const PreparationCache cache({folder, flags}, scene);
 //   std::optional<Preparation> preparation = cache.Read(scene);
@@ -50,14 +52,16 @@ struct Preparation {
 class PreparationCache {
  public:
   // Finds the file that belongs to the scene, by its contents and those of its
-  // mesh files. Throws InputError if the folder cannot be made, or a file of
-  // the scene cannot be read. Precondition (CHECKed): the options are valid and
-  // name a folder.
-  PreparationCache(const PreparationCacheOptions& options, const Scene& scene);
+  // mesh files, and to the code. Throws InputError if the folder cannot be
+  // made, or a file of the scene cannot be read. Precondition (CHECKed): the
+  // options are valid and name a folder.
+  PreparationCache(const PreparationCacheOptions& options,
+                   const Scene& scene,
+                   const std::string& code_key = CodeKey());
 
   // Returns the preparation of `scene`, the one of the constructor, or nothing
-  // if it is not there, or if its file is damaged or that of another scene,
-  // which is logged.
+  // if it is not there. If only other code has kept one, or if the file is
+  // damaged or that of another scene, that is logged.
   std::optional<Preparation> Read(const Scene& scene) const;
 
   // Writes a preparation. That it cannot be written, because the disk is full,
@@ -69,7 +73,10 @@ class PreparationCache {
   const std::string& path() const { return path_; }
 
  private:
-  std::string key_, path_;
+  std::string folder_;
+  std::string scene_key_;  // begins the name of every file of the scene
+  std::string key_;        // in the file: of scene and code
+  std::string path_;
 };
 
 }  // namespace musclewarp

@@ -338,6 +338,14 @@ StorageTable FibreMomentArmTable(const std::vector<FrameRecord>& frames,
   return table.Table();
 }
 
+std::vector<std::string> MotionTableNames() {
+  return {"lengths.sto",
+          "volumes.sto",
+          "moment_arms.sto",
+          "fibre_lengths.sto",
+          "fibre_moment_arms.sto"};
+}
+
 void WriteMotionTables(const std::vector<FrameRecord>& frames,
                        const Scene& scene,
                        const std::string& dir) {

@@ -41,6 +41,9 @@ StorageTable MomentArmTable(const std::vector<FrameRecord>& frames,
 StorageTable FibreMomentArmTable(const std::vector<FrameRecord>& frames,
                                  const Scene& scene);
 
+// Returns the names of the files that WriteMotionTables() may write.
+std::vector<std::string> MotionTableNames();
+
 // Writes lengths.sto, volumes.sto and, where they have columns,
 // moment_arms.sto, fibre_lengths.sto and fibre_moment_arms.sto.
 void WriteMotionTables(const std::vector<FrameRecord>& frames,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "musclewarp/build_info/build_info.h"
 #include "musclewarp/report/machine.h"
 #include "musclewarp/report/shape_warnings.h"
 
@@ -199,7 +200,8 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
           {"contact", ToString(run.contact.kind)},
           {"contact_options", run.contact.options},
           {"machine", MachineJson()},
-          {"version", MUSCLEWARP_VERSION},
+          {"version", kVersion},
+          {"code", CodeKey()},
           {"command", run.command},
           {"options", run.options},
           {"inputs_hash", run.inputs_hash},

@@ -9,6 +9,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/build_info/build_info.h"
 #include "musclewarp/motion/frame_files.h"
 
 namespace musclewarp {
@@ -62,7 +63,7 @@ ScenePose PoseFromJson(const OrderedJson& json) {
 
 // The first line of the key file. The number grows whenever a file of the log
 // gets another layout; logs before the first number had no such line.
-constexpr char kFormat[] = "musclewarp resume log 4";
+constexpr char kFormat[] = "musclewarp resume log 5";
 
 constexpr char kAdvice[] = "run without --resume, or choose another --out";
 
@@ -108,12 +109,16 @@ ResumeLog::ResumeLog(const std::string& dir, const std::string& inputs_hash)
     : folder_((fs::path(dir) / ".resume").string()),
       inputs_hash_(inputs_hash) {}
 
+bool ResumeLog::IsIn(const std::string& dir) {
+  return fs::exists(ResumeLog(dir, "").KeyFile());
+}
+
 std::string ResumeLog::KeyFile() const {
   return (fs::path(folder_) / "inputs").string();
 }
 
 std::string ResumeLog::KeyText() const {
-  return kFormat + ("\n" + inputs_hash_);
+  return kFormat + ("\n" + inputs_hash_ + "\n" + CodeKey());
 }
 
 std::string ResumeLog::FrameFile(int index) const {
@@ -129,9 +134,17 @@ std::vector<FrameRecord> ResumeLog::Continue(const std::vector<int>& selected,
     throw InputError(
         KeyFile(), "was written by another version of musclewarp", kAdvice);
   }
-  if (key != KeyText()) {
+  const std::string of_inputs = kFormat + ("\n" + inputs_hash_ + "\n");
+  if (key.rfind(of_inputs, 0) != 0) {
     throw InputError("--resume",
                      folder_ + " is of a run with other input or options",
+                     kAdvice);
+  }
+  if (key != KeyText()) {
+    throw InputError("--resume",
+                     folder_ + " is of a run by other code of musclewarp (" +
+                         key.substr(of_inputs.size()) + "); this is " +
+                         CodeKey(),
                      kAdvice);
   }
   for (const int index : selected) {

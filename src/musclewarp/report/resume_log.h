@@ -25,11 +25,13 @@ class ResumeLog {
  public:
   ResumeLog(const std::string& dir, const std::string& inputs_hash);
 
+  // Returns true if a run was interrupted in `dir`, of whatever input.
+  static bool IsIn(const std::string& dir);
+
   // Returns the frames of an interrupted run of the same input, from the first
   // of `selected` on without a gap. `state` becomes the one that was kept with
   // the last of them, if there is one. Throws InputError if DIR holds an
-  // interrupted run of other input or options, or of a version of musclewarp
-  // that keeps other files.
+  // interrupted run of other input or options, or of other code of musclewarp.
   std::vector<FrameRecord> Continue(const std::vector<int>& selected,
                                     SceneState* state) const;
 
@@ -44,7 +46,7 @@ class ResumeLog {
 
  private:
   std::string FrameFile(int index) const;
-  // The file that names the version and the input of the log, and its text.
+  // The file that names the layout, the input and the code, and its text.
   std::string KeyFile() const;
   std::string KeyText() const;
 

@@ -1,0 +1,70 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/flag_values.h"
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh_files/mesh_io.h"
+#include "tools/split.h"
+
+namespace musclewarp {
+
+SolverConfiguration ParseSolver(const std::string& text) {
+  if (text != "ceres" && text != "reference") {
+    throw InputError(
+        "--solver=" + text, "is not a solver", "allowed: ceres, reference");
+  }
+  return SolverConfigurationNamed(text);
+}
+
+ContactKind ParseContact(const std::string& text) {
+  for (const ContactKind kind :
+       {ContactKind::kNone, ContactKind::kPaper, ContactKind::kCertified}) {
+    if (text == ToString(kind)) return kind;
+  }
+  throw InputError("--contact=" + text,
+                   "is not a kind of contact",
+                   "allowed: certified, paper, none");
+}
+
+ContactLevel ParseContactLevel(const std::string& text) {
+  if (text == "coarse") return ContactLevel::kCoarse;
+  if (text == "fine") return ContactLevel::kFine;
+  throw InputError(
+      "--contact_level=" + text, "is not a level", "allowed: coarse, fine");
+}
+
+RemakeKind ParseRemake(const std::string& text) {
+  if (text == "auto") return RemakeKind::kAuto;
+  if (text == "never") return RemakeKind::kNever;
+  throw InputError("--remake=" + text,
+                   "is not a way to treat muscles that cannot be separated",
+                   "allowed: auto, never");
+}
+
+AttachmentKind ParseAttachments(const std::string& text) {
+  if (text == "auto") return AttachmentKind::kAuto;
+  if (text == "scene") return AttachmentKind::kScene;
+  if (text == "none") return AttachmentKind::kNone;
+  throw InputError("--attachments=" + text,
+                   "is not a choice of attachments",
+                   "allowed: auto, scene, none");
+}
+
+std::vector<std::string> ParseFormats(const std::string& text) {
+  const std::vector<std::string> formats = Split(text, ',');
+  for (const std::string& format : formats) {
+    if ((format != "ply" && format != "obj" && format != "vtp") ||
+        !IsMeshExtension(format)) {
+      throw InputError("--format=" + text,
+                       "\"" + format + "\" cannot be written by this build",
+                       "allowed: ply, obj, vtp (with VTK), or several with "
+                       "commas");
+    }
+  }
+  if (formats.empty()) {
+    throw InputError("--format", "is empty", "allowed: ply, obj, vtp");
+  }
+  return formats;
+}
+
+}  // namespace musclewarp

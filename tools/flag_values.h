@@ -1,0 +1,21 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "musclewarp/deformer/deformer.h"
+
+namespace musclewarp {
+
+// Convert the text of a flag to its value. Throw InputError that names the flag
+// and what is allowed.
+SolverConfiguration ParseSolver(const std::string& text);
+ContactKind ParseContact(const std::string& text);
+ContactLevel ParseContactLevel(const std::string& text);
+RemakeKind ParseRemake(const std::string& text);
+AttachmentKind ParseAttachments(const std::string& text);
+std::vector<std::string> ParseFormats(const std::string& text);
+
+}  // namespace musclewarp

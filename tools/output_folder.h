@@ -1,0 +1,16 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace musclewarp {
+
+// Throws InputError, naming --out, if a folder cannot be written. The folder is
+// not made.
+void CheckWritable(const std::string& dir);
+
+// Makes a folder. Throws InputError, naming --out, if that fails.
+void MakeFolder(const std::string& dir);
+
+}  // namespace musclewarp
