@@ -25,7 +25,7 @@ scripts/build.sh release musclewarp_programs musclewarp_python
 work=build/site
 rm -rf "$work"
 mkdir -p "$work"/{doxygen,live}
-git -c safe.directory='*' ls-files -z -- '*.md' docs examples |
+git -c safe.directory='*' ls-files -z -- '*.md' CITATION.cff docs examples |
   grep -zv '^docs/site/' | xargs -0 cp --parents -t "$work"
 cp docs/site/* "$work"
 # A folder is shown by a list of what is in it.

@@ -3,6 +3,7 @@
 """What musclewarp-cohort and its Snakefile are made of (docs/cohort.md).
 
 table   reads IN/subjects.tsv: a job for each subject and motion
+flags   knows the flags of musclewarp-deform, and splits those of the table
 job     runs musclewarp-deform for one of them, and says how it ended
 group   gathers what the jobs wrote in group.tsv
 page    shows it as group.html

@@ -3,7 +3,7 @@
 """What musclewarp-cohort does once its command line is read."""
 import sys
 
-from . import engine, group, job, table
+from . import engine, flags, group, job, table
 from .input_error import InputError
 
 MOST_NAMED = 20  # of those that are not usable
@@ -30,11 +30,13 @@ def _do(options, beside):
     if out == source:
         raise InputError(f"{out}: IN and OUT are the same folder; name another "
                          "folder for OUT")
-    jobs = table.choose(table.read_jobs(source), options.participant_label) \
-        if options.participant_label else table.read_jobs(source)
+    program = engine.find_program(options.deform, beside)
+    jobs = table.read_jobs(source, flags.of_program(program))
+    if options.participant_label:
+        jobs = table.choose(jobs, options.participant_label)
     participants = list(dict.fromkeys(job.participant for job in jobs))
     settings = {"input": str(source),
-                "program": engine.find_program(options.deform, beside),
+                "program": program,
                 "participants": participants if options.participant_label else []}
     snakemake = engine.Engine(out, settings, engine.find_profile(options.profile),
                               options.cores, options.dry_run)

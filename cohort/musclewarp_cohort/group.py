@@ -87,6 +87,18 @@ def _read(file):
         return None
 
 
+def _with_figures(row, report):
+    """The rows of a run with a report, one for each muscle."""
+    prepare, frames = report["prepare"], report["frames"]
+    row = dataclasses.replace(
+        row, frames=len(frames),
+        usable_frames=sum(frame["usable"] for frame in frames),
+        prepare_s=(prepare["wall_ms"] + prepare.get("contact_ms", 0)) / 1000,
+        frames_s=sum(frame["wall_ms"] for frame in frames) / 1000)
+    return [_of_muscle(row, report, muscle["name"])
+            for muscle in prepare["muscles"]]
+
+
 def rows_of(job, out):
     """The rows of a job, as far as it came."""
     folder = out / job.folder
@@ -101,16 +113,15 @@ def rows_of(job, out):
         said = jobs.last_line(folder / jobs.LOG)
         row.reason = (said.removeprefix("musclewarp-cohort: ") if said
                       else "did not start; run again")
-    report = _read(folder / "report.json")
+    report = _read(folder / jobs.REPORT)
     if not report or row.exit_code == 2:
         return [row]
-    prepare = report["prepare"]
-    row.frames = len(report["frames"])
-    row.usable_frames = sum(frame["usable"] for frame in report["frames"])
-    row.prepare_s = (prepare["wall_ms"] + prepare.get("contact_ms", 0)) / 1000
-    row.frames_s = sum(frame["wall_ms"] for frame in report["frames"]) / 1000
-    return [_of_muscle(row, report, muscle["name"])
-            for muscle in prepare["muscles"]]
+    try:
+        return _with_figures(row, report)
+    except (LookupError, TypeError, AttributeError):
+        if record:
+            raise
+        return [row]  # what is no report has no figures
 
 
 def _field(value):

@@ -8,9 +8,13 @@ JOB is JSON (table.Job). The folder gets what musclewarp-deform writes, job.log
 with what it says and, once it has come to its end, job.json: "exit_code" (0
 usable, 1 not usable, 2 refused), "reason", "wall_s", "cpu_s", "memory_mb".
 
+Only a report.json of this run says how it ended: one that it has written, or one
+of which musclewarp-deform says that it is of the same input.
+
 Exit code: 0 if job.json was written, however the run ended. 1 if the run did not
-come to its end, because it was killed or interrupted or the disk is full: to be
-run again, it goes on where it stopped.
+come to its end, because it was killed or interrupted or the disk is full, or if
+its exit code is 0 and no report bears it out: to be run again, it goes on where
+it stopped.
 """
 import argparse
 import dataclasses
@@ -28,7 +32,10 @@ from .files import locked, write_atomically
 from .table import Job, input_files
 
 LOCK, LOG, RECORD = ".lock", "job.log", "job.json"
-INPUTS = ".inputs"
+INPUTS, REPORT = ".inputs", "report.json"
+# What musclewarp-deform --resume says, before the name of the report, where it has
+# found that the report is of the same input and finished.
+FINISHED_ALREADY = "finished already: "
 
 
 def _scene_of(job, folder):
@@ -82,11 +89,28 @@ def _clear_if_changed(job, folder, program):
     write_atomically(mark, now)
 
 
-def _read_report(folder):
+def _stamp(file):
+    """What differs once a file has been written anew; None if it is not there."""
     try:
-        return json.loads((folder / "report.json").read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        stat = file.stat()
+    except OSError:
         return None
+    return stat.st_ino, stat.st_mtime_ns, stat.st_size
+
+
+def _report_of_run(folder, before):
+    """report.json, if it is of the run that has ended: `before` is its stamp when
+    the run began. None if it is not, or is not there, or is no report."""
+    file = folder / REPORT
+    if _stamp(file) == before and not any(
+            line.startswith(FINISHED_ALREADY) for line in _lines(folder / LOG)):
+        return None
+    try:
+        report = json.loads(file.read_text(encoding="utf-8"))
+        is_report = isinstance(report["summary"]["finished"], bool)
+    except (OSError, ValueError, TypeError, KeyError):
+        return None
+    return report if is_report else None
 
 
 def _why_not_usable(report):
@@ -101,24 +125,43 @@ def _why_not_usable(report):
             f"{first['index']} ({first['name']}): {why}")
 
 
-def last_line(log):
-    """The last line that a program said, without what it overwrote."""
+def _lines(log):
+    """The lines that a program said, without what it overwrote."""
     try:
         lines = log.read_text(encoding="utf-8", errors="replace").split("\n")
     except OSError:
-        return ""
-    lines = [line.strip().rpartition("\r")[2] for line in lines]
-    return next((line for line in reversed(lines) if line), "")
+        return []
+    return [line.strip().rpartition("\r")[2] for line in lines]
 
 
-def _outcome(code, folder):
-    """(whether the run came to its end, the reason if it is not usable)."""
+def last_line(log):
+    """The last line that a program said."""
+    return next((line for line in reversed(_lines(log)) if line), "")
+
+
+def _what_is_missing(report):
+    """Why a run with exit code 0 is not usable all the same; "" if it is."""
+    if not report:
+        return "it wrote no report.json"
+    summary = report["summary"]
+    if not summary["finished"]:
+        return "report.json says that the run is not finished"
+    if summary.get("usable") is not True:
+        return "report.json does not say that the run is usable"
+    return ""
+
+
+def _outcome(code, folder, report):
+    """(whether the run came to its end, the reason if it is not usable); `report`
+    is that of the run, or None."""
     if code == 0:
-        return True, ""
+        missing = _what_is_missing(report)
+        return not missing, missing and (
+            f"musclewarp-deform ended with exit code 0, but {missing}; check the "
+            "program that --deform names, and run again")
     if code == 2:
         said = last_line(folder / LOG)
         return True, said.partition("musclewarp-deform: ")[2] or said
-    report = _read_report(folder)
     if code == 1 and report and report["summary"]["finished"]:
         return True, _why_not_usable(report)
     if code < 0:
@@ -148,10 +191,12 @@ def run(job, folder, program, threads):
     # A run that outlived its engine is waited for, and then found finished.
     with locked(folder / LOCK, wait=True) as lock:
         _clear_if_changed(job, folder, program)
+        (folder / RECORD).unlink(missing_ok=True)  # of an earlier run
+        before = _stamp(folder / REPORT)
         began = time.monotonic()
         with open(folder / LOG, "w", encoding="utf-8") as log:
             code = _run(command(job, folder, program, threads), log, lock)
-        done, reason = _outcome(code, folder)
+        done, reason = _outcome(code, folder, _report_of_run(folder, before))
         if not done:
             with open(folder / LOG, "a", encoding="utf-8") as log:
                 log.write(f"\nmusclewarp-cohort: {reason}\n")

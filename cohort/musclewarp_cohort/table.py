@@ -10,9 +10,9 @@ import difflib
 import json
 import pathlib
 import re
-import shlex
 from typing import Optional
 
+from . import flags
 from .input_error import InputError
 
 TABLE = "subjects.tsv"
@@ -22,16 +22,6 @@ EMPTY = "n/a"
 # The folder of a row whose motion or poses are those of the scene.
 SCENE_MOTION = "scene"
 SIDES = ("left", "right")
-# Flags of musclewarp-deform that columns, options or the engine set.
-TAKEN_FLAGS = {
-    "scene": 'use the column "scene"',
-    "motion": 'use the column "motion"',
-    "out": "OUT is given to musclewarp-cohort",
-    "resume": "it is always on",
-    "demo": "give a scene",
-    "flagfile": "write the flags themselves",
-    "threads": "use --set-threads of Snakemake in a profile",
-}
 FOLDER_FLAGS = ("data_root", "cache")
 MOST_LINES = 20  # of a message
 
@@ -55,48 +45,15 @@ class Job:
 
     def data_root(self):
         """What paths in the scene are relative to."""
-        given = _flag_values(self.flags).get("data_root")
+        given = flags.values(self.flags).get("data_root")
         return given or str(pathlib.Path(self.scene).parent)
-
-
-def _flag_values(flags):
-    """The values of flags by their names, as gflags reads them; "" for a
-    switch."""
-    values, name = {}, None
-    for word in flags:
-        found = re.fullmatch(r"--?([A-Za-z]\w*)(?:=(.*))?", word, re.S)
-        if found:
-            name = found[1]
-            values[name] = found[2] or ""
-        elif name:
-            values[name] = values[name] or word
-            name = None
-    return values
 
 
 def _problem(path, line, column, value, allowed, advice):
     return f'{path}, line {line}, {column}: "{value}" {allowed}; {advice}'
 
 
-def _flags_of(text, where):
-    """Splits the column "flags"; `where` makes a message of what is wrong."""
-    try:
-        flags = tuple(shlex.split(text))
-    except ValueError as error:
-        raise InputError(where(text, f"cannot be split into flags ({error})",
-                               "close the quotation marks")) from None
-    if flags and not flags[0].startswith("-"):
-        raise InputError(where(flags[0], "is not a flag of musclewarp-deform",
-                               "write flags as --gap=0.2"))
-    for name in _flag_values(flags):
-        plain = name if name in TAKEN_FLAGS else re.sub("^no", "", name)
-        if plain in TAKEN_FLAGS:
-            raise InputError(where(f"--{name}", "may not be among the flags",
-                                   TAKEN_FLAGS[plain]))
-    return flags
-
-
-def _job(row, line, path):
+def _job(row, line, path, known_flags):
     """The job of a row, or an InputError with every problem of the row."""
     problems = []
 
@@ -127,27 +84,28 @@ def _job(row, line, path):
     if row["side"] not in SIDES + (EMPTY,):
         problems.append(where("side")(row["side"], "is not a side",
                                       f"write {', '.join(SIDES)} or {EMPTY}"))
-    flags = ()
+    words = ()
     try:
         if row["flags"] != EMPTY:
-            flags = _flags_of(row["flags"], where("flags"))
+            words = flags.split(row["flags"], where("flags"),
+                                row["participant_id"], known_flags)
     except InputError as error:
         problems.append(str(error))
     motion = (SCENE_MOTION if row["motion"] == EMPTY
               else pathlib.PurePath(row["motion"]).stem)
     job = Job(row["participant_id"], motion, file("scene") or "", file("model"),
               file("motion"), None if row["side"] == EMPTY else row["side"],
-              _with_absolute_folders(flags, path.parent), line)
+              _with_absolute_folders(words, path.parent), line)
     if problems:
         raise InputError(*problems)
     return job
 
 
-def _with_absolute_folders(flags, folder):
+def _with_absolute_folders(words, folder):
     """Folders are relative to that of the table, as other paths; of a flag that
     is given twice musclewarp-deform takes the last."""
-    values = _flag_values(flags)
-    return flags + tuple(f"--{name}={(folder / values[name]).absolute()}"
+    values = flags.values(words)
+    return words + tuple(f"--{name}={(folder / values[name]).absolute()}"
                          for name in FOLDER_FLAGS
                          if values.get(name) not in (None, "", "none"))
 
@@ -181,14 +139,15 @@ def _rows(path):
         yield line, dict(zip(header, fields))
 
 
-def read_jobs(folder):
+def read_jobs(folder, known_flags=None):
     """The jobs of the table of a folder, in its order. InputError names every
-    row that is bad."""
+    row that is bad. `known_flags` are those of musclewarp-deform, as
+    flags.of_program returns them; without it, flags are not looked up."""
     path = pathlib.Path(folder) / TABLE
     jobs, problems = {}, []
     for line, row in _rows(path):
         try:
-            job = _job(row, line, path)
+            job = _job(row, line, path, known_flags)
         except InputError as error:
             problems += str(error).split("\n")
             continue

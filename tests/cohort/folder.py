@@ -12,11 +12,27 @@ sys.path.insert(0, str(SOURCE / "cohort"))
 COMMAND = SOURCE / "cohort/musclewarp-cohort"
 COLUMNS = ("participant_id", "scene", "model", "motion", "side", "flags")
 
+HELP = """\
+usage: musclewarp-deform --scene=FILE --out=DIR [flags]
+
+Flags (--flagfile=F reads them from a file):
+  --data_root=TEXT
+      folder
+  --gap=NUMBER
+      distance [0.1]
+  --html
+      a page [false]
+  --resume
+      go on [false]
+"""
 # Its scene says, as JSON, how it ends: "exit", "says", "report", "signal"; it
 # counts its runs in OUT/runs.txt, and --resume has to be there.
-FAKE = """\
-#!/usr/bin/env python3
+FAKE = f"""\
+#!{sys.executable}
 import json, os, pathlib, sys
+if sys.argv[1:] == ["--help"]:
+    sys.exit(print({HELP!r}))
+""" + """\
 if sys.argv[1:] == ["--version"]:
     sys.exit(print("musclewarp-deform 0"))
 flags = dict(word[2:].partition("=")[::2] for word in sys.argv[1:])
@@ -49,7 +65,9 @@ def report(frames, finished=True, stopped=None):
     return {"prepare": {"wall_ms": 1500.0, "contact_ms": 500.0,
                         "muscles": [{"name": name} for name in names]},
             "frames": frames,
-            "summary": {"finished": finished, "stopped": stopped}}
+            "summary": {"finished": finished, "stopped": stopped,
+                        "usable": bool(frames) and all(
+                            frame["usable"] for frame in frames)}}
 
 
 class FolderTest(unittest.TestCase):

@@ -66,10 +66,19 @@ class RefusalTest(CommandTest):
         self.expect_refusal(self.group("--profile", "pbs"), '"pbs" is neither one of '
                             "local, slurm nor a folder")
         self.expect_refusal(self.group(deform=self.root / "none"), "--deform:")
+        self.expect_refusal(self.group(deform="/bin/true"), '--deform: "/bin/true" '
+                            "is not musclewarp-deform")
         self.expect_refusal(self.group("--cores", "0"), "--cores is 0; 1 or more")
         self.expect_refusal(self.cohort(self.source, self.out, "all"), "participant")
         self.expect_refusal(self.cohort(self.root / "x", self.out, "group"),
                             "x: is not a folder")
+
+    def test_unknown_flags_are_found_before_any_job_starts(self):
+        self.scene("sub-1")
+        self.table("sub-1 sub-1.json - - - --gap=0.2",
+                   "sub-2 sub-1.json - - - --gpa=0.2")
+        self.expect_refusal(self.group(), 'subjects.tsv, line 3, flags: "--gpa" of '
+                            "sub-2 is not a flag of musclewarp-deform; write --gap")
 
     def test_snakemake_is_not_installed(self):
         self.table(self.scene("sub-1"))
@@ -118,6 +127,18 @@ class RunTest(CommandTest):
         done = self.group()
         self.assertEqual(0, done.returncode, done.stderr)
         self.assertEqual(1, len(self.runs("good")))
+
+    def test_exit_code_0_without_a_report_is_a_failure(self):
+        self.table(self.scene("good", report=USABLE), self.scene("none"),
+                   self.scene("odd", report={"summary": {"finished": True}}))
+        done = self.group()
+        self.assertEqual(1, done.returncode, done.stderr)
+        self.assertIn("none scene: not finished: musclewarp-deform ended with exit "
+                      "code 0, but it wrote no report.json", done.stdout)
+        self.assertIn("odd scene: not finished: musclewarp-deform ended with exit "
+                      "code 0, but report.json does not say", done.stdout)
+        self.assertEqual(["usable", "not finished", "not finished"],
+                         [row["status"] for row in self.rows()])
 
     def test_levels_and_labels(self):
         self.table(*(self.scene(f"sub-{i}", report=USABLE) for i in (1, 2)))
@@ -176,6 +197,14 @@ class RunTest(CommandTest):
         self.assertEqual("2", refused["exit_code"])
         said = json.loads((self.out / "sub-1/scene/report.json").read_text())
         self.assertEqual("left", said["side"])
+
+        # A job that was killed after its last frame finds its report finished.
+        made = self.out / "sub-1/scene/report.json"
+        written = made.stat().st_mtime_ns
+        (self.out / "sub-1/scene/job.json").unlink()
+        self.group(deform=PROGRAMS / "musclewarp-deform")
+        self.assertEqual("usable", self.rows()[0]["status"])
+        self.assertEqual(written, made.stat().st_mtime_ns)
 
 
 if __name__ == "__main__":

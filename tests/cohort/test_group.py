@@ -82,6 +82,11 @@ class GroupTest(FolderTest):
         self.assertEqual(("not finished", 1, "deforming"),
                          (row.status, row.frames, row.reason))
 
+    def test_what_is_no_report_has_no_figures(self):
+        for place, made in enumerate(([1], {"summary": {}}, {"prepare": 1})):
+            row, = self.result(f"sub-{place}", None, made, "deforming\n")
+            self.assertEqual(("not finished", None), (row.status, row.frames))
+
     def test_table(self):
         header, psoas, _ = group.as_tsv(self.usable()).splitlines()
         self.assertEqual(

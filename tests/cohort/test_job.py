@@ -13,6 +13,7 @@ from musclewarp_cohort import files, job
 from musclewarp_cohort.table import Job
 
 MUSCLE = ("psoas", 1.0, {})
+USABLE = report([frame(0, [MUSCLE])])
 
 
 class JobTest(FolderTest):
@@ -24,6 +25,16 @@ class JobTest(FolderTest):
         return job.run(Job("sub-1", "scene", scene, **more), self.out,
                        str(self.deform), 2)
 
+    def expect_no_result(self, scene, why):
+        self.assertEqual(1, self.run_job(scene))
+        self.assertFalse((self.out / job.RECORD).exists())
+        self.assertIn(why, job.last_line(self.out / job.LOG))
+
+    def leave_report(self, left):
+        """A report.json of an earlier run."""
+        self.out.mkdir(exist_ok=True)
+        (self.out / "report.json").write_text(json.dumps(left))
+
     def record(self):
         return json.loads((self.out / job.RECORD).read_text())
 
@@ -32,7 +43,7 @@ class JobTest(FolderTest):
         return (self.out / "runs.txt").read_text().splitlines()
 
     def test_usable(self):
-        self.assertEqual(0, self.run_job(self.play(report=report([frame(0, [MUSCLE])]))))
+        self.assertEqual(0, self.run_job(self.play(report=USABLE)))
         record = self.record()
         self.assertEqual((0, ""), (record["exit_code"], record["reason"]))
         self.assertGreater(record["memory_mb"], 1)
@@ -70,18 +81,44 @@ class JobTest(FolderTest):
                          "folded", self.record()["reason"])
 
     def test_killed_is_no_result(self):
-        code = self.run_job(self.play(signal=signal.SIGKILL))
-        self.assertEqual(1, code)
-        self.assertFalse((self.out / job.RECORD).exists())
-        self.assertIn("killed by SIGKILL; run again",
-                      job.last_line(self.out / job.LOG))
+        self.expect_no_result(self.play(signal=signal.SIGKILL),
+                              "killed by SIGKILL; run again")
 
     def test_interrupted_is_no_result(self):
         """A run that was stopped half-way ends with 1, as one that is not usable."""
         stopped = report([frame(0, [MUSCLE])], finished=False, stopped="disk full")
-        self.assertEqual(1, self.run_job(self.play(exit=1, report=stopped)))
-        self.assertFalse((self.out / job.RECORD).exists())
-        self.assertIn("disk full", job.last_line(self.out / job.LOG))
+        self.expect_no_result(self.play(exit=1, report=stopped), "disk full")
+
+    def test_exit_code_0_is_not_enough(self):
+        bad = report([frame(0, [MUSCLE], False)])
+        unfinished = report([frame(0, [MUSCLE])], finished=False)
+        for made, why in (({}, "wrote no report.json"), ([], "wrote no report.json"),
+                          ({"summary": 1}, "wrote no report.json"),
+                          (bad, "does not say that the run is usable"),
+                          (unfinished, "says that the run is not finished")):
+            self.expect_no_result(self.play(report=made), why)
+        self.expect_no_result(self.play(), "musclewarp-deform ended with exit code "
+                              "0, but it wrote no report.json; check the program")
+
+    def test_a_report_of_an_earlier_run_is_no_result(self):
+        self.leave_report(USABLE)
+        self.expect_no_result(self.play(), "wrote no report.json")
+        self.leave_report(report([frame(0, [MUSCLE], False)]))
+        self.expect_no_result(self.play(exit=1, says="interrupted"), "interrupted")
+
+    def test_a_record_of_an_earlier_run_does_not_stay(self):
+        self.run_job(self.play(report=USABLE))
+        self.assertEqual(0, self.record()["exit_code"])
+        (self.out / ".inputs").unlink()
+        self.expect_no_result(self.play(), "wrote no report.json")
+
+    def test_a_run_that_was_finished_already_is_usable(self):
+        """Its report is of the same input, as musclewarp-deform has checked."""
+        self.leave_report(USABLE)
+        said = f"finished already: {self.out}/report.json"
+        self.assertEqual(0, self.run_job(self.play(says=said)))
+        self.assertEqual((0, ""), (self.record()["exit_code"],
+                                   self.record()["reason"]))
 
     def test_same_input_goes_on(self):
         scene = self.play()

@@ -17,9 +17,9 @@ class TableTest(FolderTest):
         for name in ("a.json", "b.json", "m.osim", "walk.mot"):
             self.file(name)
 
-    def expect_error(self, *words):
+    def expect_error(self, *words, known_flags=None):
         with self.assertRaises(InputError) as caught:
-            table.read_jobs(self.source)
+            table.read_jobs(self.source, known_flags)
         for word in words:
             self.assertIn(word, str(caught.exception))
 
@@ -87,6 +87,14 @@ class TableTest(FolderTest):
             self.table(f"s a.json - - - {flag}")
             self.expect_error("line 2, flags", advice)
 
+    def test_flags_that_are_not_there(self):
+        self.table("sub-1 a.json - - - --gap=0.2", "sub-2 a.json - - - --gpa=0.2",
+                   "sub-3 a.json - - up --xyz")
+        self.expect_error('subjects.tsv, line 3, flags: "--gpa" of sub-2 is not a '
+                          "flag of musclewarp-deform; write --gap",
+                          'line 4, flags: "--xyz" of sub-3', 'line 4, side: "up"',
+                          known_flags={"gap": False})
+
     def test_labels(self):
         self.table(*(f"sub-{i} a.json - - - -" for i in (1, 2, 10)))
         jobs = table.read_jobs(self.source)
@@ -97,9 +105,10 @@ class TableTest(FolderTest):
             table.choose(jobs, ["sub-3"])
 
     def test_folders_among_flags_are_relative_to_the_table(self):
-        for given, flags in (("kept", f"--cache={self.source / 'kept'}"),
-                             ("none", "--cache=none")):
-            self.table(f"s a.json - - - --cache={given}")
+        for given, flags in (("--cache=kept", f"--cache={self.source / 'kept'}"),
+                             ("--data-root=x", f"--data_root={self.source / 'x'}"),
+                             ("--cache=none", "--cache=none")):
+            self.table(f"s a.json - - - {given}")
             job, = table.read_jobs(self.source)
             self.assertEqual(flags, job.flags[-1])
 
