@@ -36,6 +36,7 @@ struct CheckedFile {
   double volume = 0;  // mm^3
   double area = 0;    // mm^2
   size_t self_pairs = 0;
+  bool is_bone = false;
 };
 
 struct CheckedPair {
@@ -44,7 +45,9 @@ struct CheckedPair {
   MeshIntersection found;
   double distance = 0;  // mm; 0 if the meshes touch
 
-  bool IsNearerThan(double gap) const { return distance < gap; }
+  // Bones stay where they are, whatever they cross.
+  bool AreBones() const { return a->is_bone && b->is_bone; }
+  bool IsNearerThan(double gap) const { return !AreBones() && distance < gap; }
 };
 
 CheckedFile CheckFile(const std::string& path, TriangleSoup soup) {
@@ -99,6 +102,7 @@ OrderedJson ToJson(const CheckedFile& file) {
   const Eigen::RowVector3d low = points.colwise().minCoeff();
   const Eigen::RowVector3d high = points.colwise().maxCoeff();
   return {{"file", file.path},
+          {"bone", file.is_bone},
           {"vertices", points.rows()},
           {"triangles", file.mesh->triangles().rows()},
           {"closed_manifold", file.defects.is_closed_manifold},
@@ -120,7 +124,8 @@ OrderedJson ToJson(const CheckedPair& pair) {
           {"a_depth_mm", pair.found.a_depth_mm},
           {"b_depth_mm", pair.found.b_depth_mm},
           {"max_depth_mm", pair.found.max_depth_mm},
-          {"distance_mm", pair.distance}};
+          {"distance_mm", pair.distance},
+          {"bones", pair.AreBones()}};
 }
 
 std::string DefectsText(const MeshDefects& defects) {
@@ -211,12 +216,21 @@ void PrintPairs(const std::vector<CheckedPair>& pairs,
   }
 }
 
+void PrintBonePairs(const std::vector<CheckedPair>& pairs,
+                    std::ostream& screen) {
+  for (const CheckedPair& pair : pairs) {
+    if (!pair.AreBones() || pair.found.IsEmpty()) continue;
+    screen << pair.a->name << " and " << pair.b->name
+           << " are bones: that they cross does not count\n";
+  }
+}
+
 }  // namespace
 
 int CheckCommand(const std::vector<std::string>& files,
                  const CheckOptions& options,
                  std::ostream& screen) {
-  if (files.empty()) {
+  if (files.empty() && options.bones.empty()) {
     throw InputError("files", "none given", "name at least one mesh file");
   }
   CheckThreads(options.threads);
@@ -228,10 +242,15 @@ int CheckCommand(const std::vector<std::string>& files,
   if (options.threads > 0) omp_set_num_threads(options.threads);
   std::vector<CheckedFile> checked;
   size_t width = 4;
-  for (const std::string& path : files) {
-    checked.push_back(CheckFile(path, ReadTriangleSoup(path)));
+  const auto check = [&](const std::string& path, bool is_bone) {
+    TriangleSoup soup = ReadTriangleSoup(path);
+    soup.points *= options.mm_per_unit;
+    checked.push_back(CheckFile(path, std::move(soup)));
+    checked.back().is_bone = is_bone;
     width = std::max(width, checked.back().name.size());
-  }
+  };
+  for (const std::string& path : options.bones) check(path, true);
+  for (const std::string& path : files) check(path, false);
   const std::vector<CheckedPair> pairs = CheckPairs(checked);
 
   if (!options.json.empty()) {
@@ -243,8 +262,11 @@ int CheckCommand(const std::vector<std::string>& files,
   }
   PrintFiles(checked, static_cast<int>(width), screen);
   PrintPairs(pairs, options.gap, static_cast<int>(width), screen);
+  PrintBonePairs(pairs, screen);
   for (const CheckedPair& pair : pairs) {
-    if (options.require_clean && !pair.found.IsEmpty()) return kExitNotUsable;
+    if (options.require_clean && !pair.found.IsEmpty() && !pair.AreBones()) {
+      return kExitNotUsable;
+    }
     if (pair.IsNearerThan(options.gap)) return kExitNotUsable;
   }
   return kExitUsable;

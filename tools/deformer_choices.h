@@ -17,6 +17,7 @@ struct DeformerChoices {
   std::string contact_level = "coarse";
   std::string attachments = "auto";
   std::string remake = "auto";
+  double max_loss = 0.06;
   int max_iterations = 500;
   unsigned seed = 1;
   double max_hole = 30;  // mm
@@ -29,7 +30,7 @@ struct DeformerChoices {
   int fibres = 0;
   double gap = 0.1;  // mm
   int max_rounds = 6;
-  double frame_timeout_s = 0;
+  double frame_timeout_s = CertifiedContactOptions::kTimeoutByMuscles;
   double max_step_turn = 20;  // degrees
   double max_step_move = 80;  // mm
   bool body_twist = true;

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/flag_values.h"
 
+#include <optional>
+
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/scene/length_unit.h"
 #include "tools/split.h"
 
 namespace musclewarp {
@@ -65,6 +68,14 @@ std::vector<std::string> ParseFormats(const std::string& text) {
     throw InputError("--format", "is empty", "allowed: ply, obj, vtp");
   }
   return formats;
+}
+
+double ParseUnits(const std::string& text) {
+  const std::optional<double> mm_per_unit = MillimetresPer(text);
+  if (mm_per_unit) return *mm_per_unit;
+  throw InputError("--units=" + text,
+                   "is not a unit of length",
+                   std::string("allowed: ") + kLengthUnits);
 }
 
 }  // namespace musclewarp

@@ -18,4 +18,7 @@ RemakeKind ParseRemake(const std::string& text);
 AttachmentKind ParseAttachments(const std::string& text);
 std::vector<std::string> ParseFormats(const std::string& text);
 
+// Returns the millimetres in the unit that --units names.
+double ParseUnits(const std::string& text);
+
 }  // namespace musclewarp

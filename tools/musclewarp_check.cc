@@ -5,7 +5,9 @@
 #include <iostream>
 
 #include "tools/check_command.h"
+#include "tools/flag_values.h"
 #include "tools/program.h"
+#include "tools/split.h"
 
 DEFINE_string(json, "", "file to write all figures to");
 DEFINE_bool(require_clean,
@@ -14,13 +16,19 @@ DEFINE_bool(require_clean,
 DEFINE_double(gap,
               0,
               "mm; exit with 1 if any two meshes are nearer to each other");
+DEFINE_string(
+    bone,
+    "",
+    "files of bones, commas; that two of them cross, or are near each "
+    "other, does not change the exit code");
+DEFINE_string(units, "mm", "unit of the files: mm, cm, m");
 DEFINE_int32(threads, 0, "threads; 0: one a core");
 
 int main(int argc, char** argv) {
   return musclewarp::RunProgram(
       argc,
       argv,
-      "musclewarp-check FILE... [flags]\n\n"
+      "musclewarp-check [--bone=FILE,...] FILE... [flags]\n\n"
       "Reports on surface meshes as they are: defects, volume, "
       "self-intersections, and\nfor every two files the triangle pairs that "
       "cross (exact), the vertices of one\ninside the other and the depth of "
@@ -33,6 +41,8 @@ int main(int argc, char** argv) {
         options.json = FLAGS_json;
         options.require_clean = FLAGS_require_clean;
         options.gap = FLAGS_gap;
+        options.bones = musclewarp::Split(FLAGS_bone, ',');
+        options.mm_per_unit = musclewarp::ParseUnits(FLAGS_units);
         options.threads = FLAGS_threads;
         return musclewarp::CheckCommand(files, options, std::cout);
       });

@@ -8,12 +8,18 @@
 #include "tools/flag_values.h"
 #include "tools/program.h"
 #include "tools/separate_command.h"
+#include "tools/separate_input.h"
 #include "tools/split.h"
 
 DEFINE_string(out, "", "folder for the separated meshes");
 DEFINE_string(bone,
               "",
               "files of meshes and names of labels that must not move; commas");
+DEFINE_string(
+    units,
+    "mm",
+    "unit of the mesh files, and of a label image that does not state "
+    "its own: mm, cm, m; results are in mm");
 DEFINE_string(labels,
               "",
               "table of the labels of an image: label,name,kind, or that of 3D "
@@ -21,6 +27,16 @@ DEFINE_string(labels,
 DEFINE_double(edge,
               0,
               "edges of the triangles of labels, mm; 0: twice a voxel");
+DEFINE_string(
+    pieces,
+    "largest",
+    "what becomes of a label whose voxels do not all hang together by "
+    "their faces: largest (the largest piece, the others are lost) or "
+    "all (a mesh of each piece)");
+DEFINE_double(max_loss,
+              0.06,
+              "share of the volume of a mesh or label, as it was delivered, "
+              "that may be lost; with more the exit code is 1");
 DEFINE_double(gap,
               0.1,
               "distance that is kept between meshes, mm; at most 0.5");
@@ -54,8 +70,11 @@ int main(int argc, char** argv) {
         musclewarp::SeparateOptions options;
         options.out = FLAGS_out;
         options.bones = musclewarp::Split(FLAGS_bone, ',');
+        options.mm_per_unit = musclewarp::ParseUnits(FLAGS_units);
         options.labels = FLAGS_labels;
         options.edge = FLAGS_edge;
+        options.pieces = musclewarp::ParsePieces(FLAGS_pieces);
+        options.max_loss = FLAGS_max_loss;
         options.gap = FLAGS_gap;
         options.remake = musclewarp::ParseRemake(FLAGS_remake);
         options.formats = musclewarp::ParseFormats(FLAGS_format);

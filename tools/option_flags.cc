@@ -21,6 +21,7 @@ const FlagsOfFields& FlagsOfPreparation() {
 const FlagsOfFields& FlagsOfContact() {
   static const FlagsOfFields kFlags = {
       {"OuterHullOptions::coarse_vertices", "bone_coarse_vertices"},
+      {"FrameRequirements::max_volume_loss", "max_loss"},
       {"StepOptions::gap", "gap"},
       {"StepOptions::max_rounds", "max_rounds"},
       {"StepLimits::max_move", "max_step_move"},

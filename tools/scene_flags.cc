@@ -67,15 +67,20 @@ DEFINE_int32(max_rounds,
              "rounds in which a step of certified contact resolves what still "
              "crosses, before it is given up for a shorter one");
 DEFINE_double(frame_timeout_s,
-              0,
+              -1,
               "a frame of certified contact that takes longer than this is "
-              "given up, s; 0: no limit");
+              "given up, s; 0: no limit; -1: 60, and 20 more for each muscle");
 DEFINE_string(remake,
               "auto",
               "what certified contact does with muscles that cannot be "
               "separated from bones and each other by moving their vertices: "
               "auto (their meshes are made anew) or never (the scene is "
               "refused)");
+DEFINE_double(max_loss,
+              0.06,
+              "share of the volume of a muscle, as it was delivered, that may "
+              "be lost where its mesh is made anew; with more, frames are not "
+              "usable");
 DEFINE_double(max_step_turn,
               20,
               "largest turn of a body in one step of certified contact, "
@@ -110,6 +115,7 @@ DeformerChoices ChoicesFromFlags() {
   choices.contact_level = FLAGS_contact_level;
   choices.attachments = FLAGS_attachments;
   choices.remake = FLAGS_remake;
+  choices.max_loss = FLAGS_max_loss;
   choices.max_iterations = FLAGS_max_iterations;
   choices.seed = FLAGS_seed;
   choices.max_hole = FLAGS_max_hole;

@@ -21,6 +21,7 @@
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/report/report_json.h"
 #include "musclewarp/report/screen_progress.h"
+#include "musclewarp/report/screen_report.h"
 #include "tools/interruption.h"
 #include "tools/option_flags.h"
 #include "tools/output_folder.h"
@@ -75,12 +76,6 @@ struct Separation {
   OrderedJson report;                      // the result as report.json has it
 };
 
-// Returns the volume of a mesh before it was separated, mm^3.
-double VolumeBefore(const PreparedMuscle& mesh) {
-  const Remaking& remaking = mesh.mesh.remaking;
-  return remaking.is_done ? remaking.volume_before : mesh.model.rest_volume;
-}
-
 Separation Separate(Deformer* deformer) {
   Separation result;
   result.frame = deformer->SolveAlone(RestPose(deformer->scene().scene));
@@ -114,6 +109,7 @@ OrderedJson LabelImageJson(const SeparateInput& input) {
                       {"name", label.name},
                       {"bone", label.is_bone},
                       {"voxel_volume_mm3", label.voxel_volume},
+                      {"delivered_volume_mm3", label.delivered_volume},
                       {"volume_mm3", label.volume}});
   }
   return {{"file", input.image},
@@ -134,9 +130,10 @@ OrderedJson SeparationJson(const SeparateInput& input,
     const OrderedJson& moved = frame.at("muscles").at(i);
     OrderedJson entry;
     for (const char* key : {"name", "mesh"}) entry[key] = prepared.at(key);
-    entry["volume_before_mm3"] = VolumeBefore(result.scene->muscles[i]);
+    entry["volume_before_mm3"] = result.scene->muscles[i].mesh.delivered_volume;
     for (const char* key : {"volume_mm3",
                             "volume_ratio",
+                            "volume_error",
                             "max_displacement_mm",
                             "folded_triangles",
                             "self_pairs"}) {
@@ -161,6 +158,7 @@ OrderedJson SeparationJson(const SeparateInput& input,
           {"smallest_gap_mm", frame.at("smallest_gap_mm")},
           {"muscles", muscles},
           {"bones", report.at("prepare").at("bones")},
+          {"bone_crossings", report.at("prepare").at("bone_crossings")},
           {"shortcomings", frame.at("shortcomings")},
           {"usable", frame.at("usable")}};
 }
@@ -233,15 +231,15 @@ void PrintPairs(const Separation& result, int width, std::ostream& screen) {
 void PrintMeshes(const Separation& result, int width, std::ostream& screen) {
   screen << "\n"
          << std::left << std::setw(width) << "mesh" << std::right
-         << "  volume cm3     after  largest move mm   mean mm\n"
+         << "  delivered cm3    after  largest move mm   mean mm\n"
          << std::fixed << std::setprecision(3);
   for (size_t i = 0; i < result.frame.muscles.size(); ++i) {
     const PreparedMuscle& mesh = result.scene->muscles[i];
     const MuscleFrame& moved = result.frame.muscles[i];
     const Remaking& remaking = mesh.mesh.remaking;
     screen << std::left << std::setw(width) << mesh.model.name << std::right
-           << std::setw(12) << VolumeBefore(mesh) / 1000 << std::setw(10)
-           << moved.volume_ratio * mesh.model.rest_volume / 1000
+           << std::setw(15) << mesh.mesh.delivered_volume / 1000 << std::setw(9)
+           << moved.volume_ratio * mesh.mesh.delivered_volume / 1000
            << std::setw(17) << moved.max_displacement << std::setw(10)
            << result.mean_displacements[i];
     if (remaking.is_done) {
@@ -258,7 +256,10 @@ void PrintSeparation(const Separation& result, std::ostream& screen) {
   PrintMeshes(result, width, screen);
   const std::optional<double> gap = result.frame.intersections.SmallestGap();
   screen << std::defaultfloat << std::setprecision(4) << "\n";
-  if (gap) {
+  PrintBoneCrossings(*result.scene, screen);
+  if (!result.frame.intersections.IsClean()) {
+    screen << "meshes cross: there is no gap to prove\n";
+  } else if (gap) {
     screen << "smallest gap: " << *gap << " mm (proved)\n";
   } else {
     screen << "all gaps are above " << kMeshGapLimit << " mm (proved)\n";
@@ -350,6 +351,7 @@ DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
       std::numeric_limits<double>::infinity();
   deformer.prepare.attachments = AttachmentKind::kNone;  // nothing moves
   deformer.remaking.kind = options.remake;
+  deformer.frames.requirements.max_volume_loss = options.max_loss;
   return deformer;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "musclewarp/deformer/deformer.h"
+#include "musclewarp/label_images/label_meshes.h"
 
 namespace musclewarp {
 
@@ -18,16 +19,24 @@ struct SeparateOptions {
   // Meshes that must not move: files, and names of labels.
   std::vector<std::string> bones;
 
+  // The unit of the files, in mm, and of label images that do not state theirs.
+  double mm_per_unit = 1;
+
   // For a label image: the table of its labels, empty if every label is taken
   // (label_table.h), and the length of the edges of its surfaces, mm, at most
   // 100; 0: twice the edge of a voxel.
   std::string labels;
   double edge = 0;
+  PieceChoice pieces = PieceChoice::kLargest;
 
   double gap = 0.1;  // mm, that meshes keep at least
 
   // What happens to meshes that cannot be separated by moving their vertices.
   RemakeKind remake = RemakeKind::kAuto;
+
+  // The share of the volume of a mesh or label, as it was delivered, that may
+  // be lost; with more the result is not usable.
+  double max_loss = 0.06;
   std::vector<std::string> formats = {"ply"};  // of the meshes written
   bool json = false;         // if true, separation.json is written, too
   int threads = 0;           // 0: as many as OpenMP chooses

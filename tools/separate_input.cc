@@ -24,6 +24,7 @@ struct InputMesh {
   std::string where;  // for messages: the file, or the image and the label
   std::string file;   // empty for a label
   TriangleSoup soup;  // empty for a file
+  double delivered_volume = 0;  // mm^3, of a label
 };
 
 std::string NameOf(const std::string& file) {
@@ -84,14 +85,18 @@ class InputReader {
   }
 
   void ReadImage() {
-    input_.labels =
-        ReadLabelMeshes(input_.image, {options_.labels, options_.edge});
+    input_.labels = ReadLabelMeshes(input_.image,
+                                    {options_.labels,
+                                     options_.edge,
+                                     options_.pieces,
+                                     options_.mm_per_unit});
     std::vector<InputMesh> muscles;
     for (LabelMesh& label : input_.labels.meshes) {
       InputMesh mesh = {label.name,
                         input_.image + ": label " + std::to_string(label.label),
                         "",
-                        std::move(label.mesh)};
+                        std::move(label.mesh),
+                        label.delivered_volume};
       CheckNamedOnce(mesh.where, mesh.name);
       const auto named =
           std::find(bones_left_.begin(), bones_left_.end(), label.name);
@@ -152,7 +157,11 @@ class InputReader {
     SceneBone bone;
     bone.name = mesh.name;
     bone.mesh_path = mesh.file;
-    if (!mesh.file.empty()) ReadTriangleSoup(mesh.file);
+    if (!mesh.file.empty()) {
+      ReadTriangleSoup(mesh.file);
+      bone.rest_from_file.diagonal().head<3>().setConstant(
+          options_.mm_per_unit);
+    }
     bone.points = std::move(mesh.soup.points);
     bone.triangles = std::move(mesh.soup.triangles);
     input_.scene.bones.push_back(std::move(bone));
@@ -162,14 +171,17 @@ class InputReader {
     SceneMuscle muscle;
     muscle.name = mesh.name;
     muscle.mesh_path = mesh.file;
-    const Points points = mesh.file.empty()
-                              ? mesh.soup.points
-                              : ReadTriangleSoup(mesh.file).points;
+    Points points = mesh.soup.points;
+    if (!mesh.file.empty()) {
+      muscle.mm_per_unit = options_.mm_per_unit;
+      points = muscle.mm_per_unit * ReadTriangleSoup(mesh.file).points;
+    }
     CheckCoordinates(mesh.where, points);
     muscle.lines.push_back(
         LineThrough(mesh.where,
                     points,
                     "line_" + std::to_string(input_.scene.muscles.size() + 1)));
+    muscle.delivered_volume = mesh.delivered_volume;
     muscle.points = std::move(mesh.soup.points);
     muscle.triangles = std::move(mesh.soup.triangles);
     input_.scene.muscles.push_back(std::move(muscle));
@@ -205,6 +217,13 @@ class InputReader {
 };
 
 }  // namespace
+
+PieceChoice ParsePieces(const std::string& text) {
+  if (text == "largest") return PieceChoice::kLargest;
+  if (text == "all") return PieceChoice::kAll;
+  throw InputError(
+      "--pieces=" + text, "is not a choice of pieces", "allowed: largest, all");
+}
 
 ActionLine LineThrough(const std::string& where,
                        const Points& points,

@@ -11,6 +11,9 @@
 
 namespace musclewarp {
 
+// Converts the text of --pieces. Throws InputError that names the flag.
+PieceChoice ParsePieces(const std::string& text);
+
 // What musclewarp-separate reads.
 struct SeparateInput {
   // The meshes are its muscles and bones. Muscles have lines that nothing

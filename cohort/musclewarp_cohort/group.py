@@ -51,6 +51,11 @@ def _crossings(frame, muscle):
         if muscle in (pair["a"], pair["b"]))
 
 
+def _volume_error(muscle):
+    """By how much the solver missed the volume; earlier reports had the ratio."""
+    return muscle.get("volume_error", muscle["volume_ratio"] - 1)
+
+
 def _moment_arms(muscles):
     """The range of each moment arm over the frames."""
     ranges = {}
@@ -74,7 +79,7 @@ def _of_muscle(row, report, name):
     return dataclasses.replace(
         row, muscle=name,
         crossings=sum(_crossings(frame, name) for frame in frames),
-        max_volume_error=max((abs(muscle["volume_ratio"] - 1)
+        max_volume_error=max((abs(_volume_error(muscle))
                               for muscle in muscles), default=None),
         least_gap_mm=min(gaps, default=None),
         moment_arms_mm=_moment_arms(muscles))

@@ -38,6 +38,8 @@ def separate(meshes: NamedMeshes,
              *,
              gap: float = 0.1,
              remake: str = "auto",
+             max_loss: float = 0.06,
+             units: str = "mm",
              progress: Progress = None) -> _core.Frame:
     """Moves vertices as little as it takes for no two meshes to cross.
 
@@ -52,14 +54,18 @@ def separate(meshes: NamedMeshes,
         gap: the distance that is kept, mm, above 0 and at most 0.5.
         remake: what happens to meshes that moving vertices does not separate:
             "auto" (made anew) or "never" (InputError).
+        max_loss: the share of the volume of a mesh that may be lost where it is
+            made anew; with more the frame is not usable.
+        units: of the points that are given: "mm", "cm" or "m".
         progress: a function of (stage, done, total), or a bar of tqdm.
     Returns:
-        A frame: frame["mesh_1"].points, frame.usable, frame.smallest_gap.
+        A frame, in mm: frame["mesh_1"].points, frame.usable, frame.smallest_gap.
     Raises:
         InputError: a mesh is bad, or the meshes cannot be separated.
     """
     return _core.separate(_named(meshes, "mesh"), _named(bones, "bone"), gap,
-                          remake, as_function(progress))
+                          remake, max_loss, units,
+                          as_function(progress))
 
 
 def _named(meshes: NamedMeshes, kind: str) -> List[Tuple[str, Any]]:

@@ -6,6 +6,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/scene/coordinate_limits.h"
+#include "musclewarp/scene/length_unit.h"
 #include "musclewarp/scene/rigid_motion.h"
 
 namespace musclewarp::python {
@@ -98,6 +99,13 @@ Triangles TrianglesFrom(const py::handle& object,
     }
   }
   return triangles;
+}
+
+double MillimetresFrom(const std::string& unit, const std::string& where) {
+  const std::optional<double> mm_per_unit = MillimetresPer(unit);
+  if (mm_per_unit) return *mm_per_unit;
+  throw InputError(
+      where, "has the units " + unit, std::string("allowed: ") + kLengthUnits);
 }
 
 Eigen::Matrix4d RigidMotionFrom(const py::handle& object,

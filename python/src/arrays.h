@@ -27,6 +27,9 @@ Triangles TrianglesFrom(const pybind11::handle& object,
                         Eigen::Index num_points,
                         const std::string& where);
 
+// The millimetres in a unit of length, "mm", "cm" or "m".
+double MillimetresFrom(const std::string& unit, const std::string& where);
+
 // A rigid motion, (4, 4), translation in mm.
 Eigen::Matrix4d RigidMotionFrom(const pybind11::handle& object,
                                 const std::string& where);

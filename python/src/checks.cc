@@ -97,20 +97,24 @@ py::array FindSelfCrossings(const py::object& object) {
 }
 
 // A scene whose muscles may move and whose bones stay.
-Scene SceneOf(const MeshesByName& meshes, const MeshesByName& bones) {
+Scene SceneOf(const MeshesByName& meshes,
+              const MeshesByName& bones,
+              const std::string& units) {
+  const double mm_per_unit = MillimetresFrom(units, "units");
   Scene scene;
   scene.name = "the meshes";
   for (const auto& [name, object] : meshes) {
     const std::string where = "mesh " + QuotedName(name);
     const SharedMesh mesh = MeshFrom(object, where);
-    SceneMuscle muscle = {name, mesh->points, mesh->triangles};
+    SceneMuscle muscle = {name, mm_per_unit * mesh->points, mesh->triangles};
+    muscle.mm_per_unit = mm_per_unit;
     const auto number = std::to_string(scene.muscles.size() + 1);
     muscle.lines.push_back(LineThrough(where, muscle.points, "line_" + number));
     scene.muscles.push_back(std::move(muscle));
   }
   for (const auto& [name, object] : bones) {
     const SharedMesh mesh = MeshFrom(object, "bone " + QuotedName(name));
-    scene.bones.push_back({name, mesh->points, mesh->triangles});
+    scene.bones.push_back({name, mm_per_unit * mesh->points, mesh->triangles});
   }
   return scene;
 }
@@ -119,16 +123,19 @@ std::shared_ptr<FrameOfScene> Separate(const MeshesByName& meshes,
                                        const MeshesByName& bones,
                                        double gap,
                                        const std::string& remake,
+                                       double max_loss,
+                                       const std::string& units,
                                        const py::object& progress) {
   if (meshes.empty()) {
     throw InputError("meshes", "are none", "give at least one");
   }
-  Scene scene = SceneOf(meshes, bones);
+  Scene scene = SceneOf(meshes, bones, units);
   DeformOptions run;
   CallWithKeywords([&] {
     SeparateOptions options;
     options.gap = gap;
     options.remake = ParseRemake(remake);
+    options.max_loss = max_loss;
     run.deformer = DeformerOptionsOf(options);
     CheckValid(run);
   });
@@ -172,6 +179,8 @@ void BindChecks(py::module_* module) {
               py::arg("bones"),
               py::arg("gap"),
               py::arg("remake"),
+              py::arg("max_loss"),
+              py::arg("units"),
               py::arg("progress"));
 }
 

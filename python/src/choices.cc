@@ -25,6 +25,7 @@ void VisitChoices(Choices* choices, const Visitor& visit) {
   visit("contact_level", choices->contact_level);
   visit("attachments", choices->attachments);
   visit("remake", choices->remake);
+  visit("max_loss", choices->max_loss);
   visit("max_iterations", choices->max_iterations);
   visit("seed", choices->seed);
   visit("max_hole", choices->max_hole);

@@ -29,7 +29,9 @@ Attributes:
     fibres: the same of fibres.
     path_lengths: of the action lines straight through their points, mm.
     volume: mm^3.
-    volume_ratio: of the volume to that at rest.
+    volume_ratio: of the volume to that of the mesh as it was delivered.
+    volume_error: how far the volume is off the one the solver keeps, as a
+        share of it.
     folded_triangles: that point the wrong way.
     self_pairs: pairs of triangles of the muscle that cross each other.
     max_displacement: of a point from rest, mm.
@@ -213,7 +215,7 @@ void BindMuscle(py::module_* module) {
       .def_property_readonly("volume",
                              [](const MuscleOfFrame& m) {
                                return m.muscle().volume_ratio *
-                                      m.part().rest_volume;
+                                      m.part().delivered_volume;
                              })
       .def_property_readonly(
           "iterations",
@@ -234,6 +236,7 @@ void BindMuscle(py::module_* module) {
         return "<musclewarp.MuscleFrame " + m.part().name + ">";
       });
   Field(&type, "volume_ratio", &MuscleFrame::volume_ratio);
+  Field(&type, "volume_error", &MuscleFrame::volume_error);
   Field(&type, "folded_triangles", &MuscleFrame::folded_triangles);
   Field(&type, "self_pairs", &MuscleFrame::self_pairs);
   Field(&type, "max_displacement", &MuscleFrame::max_displacement);
@@ -303,7 +306,7 @@ std::shared_ptr<const SceneParts> PartsOf(const PreparedScene& scene) {
   for (const PreparedMuscle& muscle : scene.muscles) {
     parts->muscles.push_back({muscle.model.name,
                               muscle.model.fine_triangles,
-                              muscle.model.rest_volume});
+                              muscle.mesh.delivered_volume});
   }
   for (const PreparedBone& bone : scene.bones) {
     parts->bones.push_back({bone.mesh.name, bone.rest.triangles});

@@ -17,7 +17,7 @@ struct SceneParts {
   struct Part {
     std::string name;
     Triangles triangles;
-    double rest_volume = 0;  // mm^3, of muscles
+    double delivered_volume = 0;  // mm^3, of muscles
   };
   std::vector<Part> muscles;
   std::vector<Part> bones;

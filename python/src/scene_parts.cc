@@ -7,8 +7,7 @@
 #include <filesystem>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/mesh/transformed.h"
-#include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/motion/delivered_mesh.h"
 #include "musclewarp/scene/scene_names.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
@@ -51,13 +50,14 @@ constexpr char kMuscleDoc[] =
 
 Args:
     name: also of its files.
-    points: (n, 3), mm.
+    points: (n, 3), in `units`.
     triangles: (m, 3) indices of points.
     lines: Lines of action. Without any they are made from the meshes.
     attachments: Attachments. Without any they are found on the meshes.
     path: of a mesh file, in place of points and triangles.
+    units: of the points or the file: "mm", "cm" or "m".
 Attributes:
-    mesh: the Mesh as it was given; a file is read each time.
+    mesh: the Mesh as it was given, in mm; a file is read each time.
 Raises:
     InputError: names the muscle and the array.)";
 
@@ -66,12 +66,13 @@ constexpr char kBoneDoc[] =
 
 Args:
     name: also of its files.
-    points: (n, 3), mm.
+    points: (n, 3), in `units`.
     triangles: (m, 3) indices of points.
     body: the body that it moves with; by default one of its own name.
     path: of a mesh file, in place of points and triangles.
+    units: of the points or the file: "mm", "cm" or "m".
 Attributes:
-    mesh: the Mesh as it was given; a file is read each time.
+    mesh: the Mesh as it was given, in mm; a file is read each time.
 Raises:
     InputError: names the bone and the array.)";
 
@@ -80,6 +81,7 @@ template <typename Part>
 void SetMesh(const py::object& points,
              const py::object& triangles,
              const std::filesystem::path& path,
+             double mm_per_unit,
              const std::string& where,
              Part* part) {
   const bool has_arrays = !points.is_none() || !triangles.is_none();
@@ -90,21 +92,16 @@ void SetMesh(const py::object& points,
   }
   part->mesh_path = path.string();
   if (!has_arrays) return;
-  part->points = PointsFrom(points, where + ": points");
+  part->points = mm_per_unit * PointsFrom(points, where + ": points");
   part->triangles =
       TrianglesFrom(triangles, part->points.rows(), where + ": triangles");
 }
 
 // Returns the mesh of a muscle or bone as it was delivered.
 template <typename Part>
-std::shared_ptr<TriangleSoup> DeliveredMesh(const Part& part) {
-  if (part.mesh_path.empty()) {
-    return std::make_shared<TriangleSoup>(
-        TriangleSoup{part.points, part.triangles});
-  }
-  return ComputeFree([path = part.mesh_path] {
-    return std::make_shared<TriangleSoup>(ReadTriangleSoup(path));
-  });
+std::shared_ptr<TriangleSoup> MeshOf(const Part& part) {
+  return ComputeFree(
+      [&part] { return std::make_shared<TriangleSoup>(DeliveredMesh(part)); });
 }
 
 SharedLine MakeLine(const std::string& name,
@@ -142,10 +139,13 @@ SharedMuscle MakeMuscle(const std::string& name,
                         const py::object& triangles,
                         const std::vector<SharedLine>& lines,
                         const std::vector<SharedAttachment>& attachments,
-                        const std::filesystem::path& path) {
+                        const std::filesystem::path& path,
+                        const std::string& units) {
   const auto muscle = std::make_shared<SceneMuscle>();
   muscle->name = name;
-  SetMesh(points, triangles, path, "muscle " + QuotedName(name), muscle.get());
+  const std::string where = "muscle " + QuotedName(name);
+  muscle->mm_per_unit = MillimetresFrom(units, where);
+  SetMesh(points, triangles, path, muscle->mm_per_unit, where, muscle.get());
   for (const SharedLine& line : lines) muscle->lines.push_back(*line);
   for (const SharedAttachment& attachment : attachments) {
     muscle->attachments.push_back(*attachment);
@@ -157,11 +157,17 @@ SharedBone MakeBone(const std::string& name,
                     const py::object& points,
                     const py::object& triangles,
                     const std::string& body,
-                    const std::filesystem::path& path) {
+                    const std::filesystem::path& path,
+                    const std::string& units) {
   const auto bone = std::make_shared<SceneBone>();
   bone->name = name;
   bone->body = body.empty() ? name : body;
-  SetMesh(points, triangles, path, "bone " + QuotedName(name), bone.get());
+  const std::string where = "bone " + QuotedName(name);
+  const double mm_per_unit = MillimetresFrom(units, where);
+  SetMesh(points, triangles, path, mm_per_unit, where, bone.get());
+  if (!bone->mesh_path.empty()) {
+    bone->rest_from_file.diagonal().head<3>().setConstant(mm_per_unit);
+  }
   return bone;
 }
 
@@ -205,10 +211,11 @@ void BindMuscles(py::module_* module) {
            py::kw_only(),
            py::arg("lines") = std::vector<SharedLine>(),
            py::arg("attachments") = std::vector<SharedAttachment>(),
-           py::arg("path") = "")
+           py::arg("path") = "",
+           py::arg("units") = "mm")
       .def_readonly("name", &SceneMuscle::name)
       .def_readonly("path", &SceneMuscle::mesh_path)
-      .def_property_readonly("mesh", &DeliveredMesh<SceneMuscle>)
+      .def_property_readonly("mesh", &MeshOf<SceneMuscle>)
       .def_property_readonly(
           "lines",
           [](const SceneMuscle& muscle) { return Shared(muscle.lines); })
@@ -225,15 +232,12 @@ void BindBones(py::module_* module) {
            py::arg("triangles") = py::none(),
            py::kw_only(),
            py::arg("body") = "",
-           py::arg("path") = "")
+           py::arg("path") = "",
+           py::arg("units") = "mm")
       .def_readonly("name", &SceneBone::name)
       .def_readonly("body", &SceneBone::body)
       .def_readonly("path", &SceneBone::mesh_path)
-      .def_property_readonly("mesh", [](const SceneBone& bone) {
-        const auto mesh = DeliveredMesh(bone);
-        mesh->points = Transformed(mesh->points, bone.rest_from_file);
-        return mesh;
-      });
+      .def_property_readonly("mesh", &MeshOf<SceneBone>);
 }
 
 }  // namespace

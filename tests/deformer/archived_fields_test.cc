@@ -33,9 +33,11 @@ using ::testing::HasSubstr;
 TEST(ArchivedFields, FieldsThatSwapPlacesKeepTheirValues) {
   std::stringstream stream;
   before::Ends written;
-  cereal::BinaryOutputArchive(stream)(written);
+  cereal::BinaryOutputArchive output(stream);
+  output(written);
   after::Ends read;
-  cereal::BinaryInputArchive(stream)(read);
+  cereal::BinaryInputArchive input(stream);
+  input(read);
   EXPECT_EQ(read.first, written.first);
   EXPECT_EQ(read.last, written.last);
 }

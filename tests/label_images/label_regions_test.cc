@@ -30,8 +30,12 @@ void Fill(const Eigen::Array3i& from,
   }
 }
 
+LabelPieces PiecesOf(const LabelImage& image, int label) {
+  return PiecesOfLabel(image, label, BoxesOfLabels(image).at(label));
+}
+
 LabelRegion RegionOf(const LabelImage& image, int label) {
-  return RegionOfLabel(image, label, BoxesOfLabels(image).at(label));
+  return PiecesOf(image, label).regions[0];
 }
 
 int NumInside(const LabelRegion& region) {
@@ -65,17 +69,35 @@ TEST(LabelRegions, ThereIsBackgroundAroundALabelAtTheBorder) {
   EXPECT_TRUE((region.size == 4 + 2 * kRegionMargin).all());
 }
 
-TEST(LabelRegions, TheLargestPieceStays) {
-  LabelImage image = Blank({20, 6, 6});
-  Fill({0, 0, 0}, {1, 1, 1}, 1, &image);
-  Fill({5, 0, 0}, {8, 3, 3}, 1, &image);
+// Pieces that share a corner or an edge of voxels have no closed surface in
+// common there, however large they are.
+TEST(LabelRegions, PiecesHangTogetherByFaces) {
+  LabelImage image = Blank({20, 10, 10});
+  Fill({0, 0, 0}, {3, 3, 3}, 1, &image);
+  Fill({4, 4, 4}, {8, 7, 7}, 1, &image);  // shares a corner with the first
+  Fill({9, 8, 4}, {9, 8, 7}, 1, &image);  // shares an edge with the second
   Fill({12, 0, 0}, {13, 0, 0}, 1, &image);
-  Fill({9, 4, 4}, {9, 4, 4}, 1, &image);  // shares a corner with the largest
-  const LabelRegion region = RegionOf(image, 1);
-  EXPECT_EQ(region.voxels, 65);
-  EXPECT_EQ(NumInside(region), 65);
-  EXPECT_EQ(region.other_pieces, 2);
-  EXPECT_EQ(region.other_voxels, 10);
+  const LabelPieces pieces = PiecesOf(image, 1);
+  ASSERT_EQ(pieces.regions.size(), 2u);
+  EXPECT_EQ(pieces.regions[0].voxels, 80);
+  EXPECT_TRUE(
+      (pieces.regions[0].first + kRegionMargin == Eigen::Array3i(4, 4, 4))
+          .all());
+  EXPECT_EQ(pieces.regions[1].voxels, 64);
+  EXPECT_EQ(NumInside(pieces.regions[0]), 80);
+  EXPECT_EQ(NumInside(pieces.regions[1]), 64);
+  EXPECT_EQ(pieces.small_pieces, 2);
+  EXPECT_EQ(pieces.small_voxels, 6);
+}
+
+TEST(LabelRegions, TheLargestPieceIsThereHoweverSmall) {
+  LabelImage image = Blank({20, 10, 10});
+  Fill({0, 0, 0}, {1, 1, 1}, 1, &image);
+  Fill({4, 4, 4}, {4, 4, 4}, 1, &image);
+  const LabelPieces pieces = PiecesOf(image, 1);
+  ASSERT_EQ(pieces.regions.size(), 1u);
+  EXPECT_EQ(pieces.regions[0].voxels, 8);
+  EXPECT_EQ(pieces.small_voxels, 1);
 }
 
 TEST(LabelRegions, CavitiesAreFilledWhateverIsInThem) {

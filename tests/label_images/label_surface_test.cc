@@ -29,7 +29,7 @@ LabelImage ReadAs(const MadeImage& made) {
 LabelSurface SurfaceOf(const MadeImage& made, double edge_length) {
   const LabelImage image = ReadAs(made);
   const LabelRegion region =
-      RegionOfLabel(image, 1, BoxesOfLabels(image).at(1));
+      PiecesOfLabel(image, 1, BoxesOfLabels(image).at(1)).regions[0];
   return SurfaceOfRegion("label 1", region, image.grid, edge_length);
 }
 

@@ -141,7 +141,7 @@ TEST(SceneFlags, RefusesValuesThatAreNotAllowedByTheNameOfTheFlag) {
   ExpectFlagRefused("max_rounds", "0", "1 or above");
   ExpectFlagRefused("max_step_turn", "0", "above 0");
   ExpectFlagRefused("max_step_move", "0", "above 0");
-  ExpectFlagRefused("frame_timeout_s", "-1", "0 or above");
+  ExpectFlagRefused("frame_timeout_s", "-2", "0 or above, or -1");
 }
 
 TEST(SceneFlags, NoMessageNamesAStructOfTheLibrary) {

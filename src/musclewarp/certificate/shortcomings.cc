@@ -67,10 +67,10 @@ void AddNarrowGaps(const std::vector<MeshGap>& gaps,
   }
 }
 
-void AddShortcomingsOf(const MuscleMeasures& muscle,
-                       const FrameRequirements& requirements,
-                       std::vector<std::string>* shortcomings) {
-  const double error = std::abs(muscle.volume_ratio - 1);
+void AddShortcomingsOfShape(const MuscleMeasures& muscle,
+                            const FrameRequirements& requirements,
+                            std::vector<std::string>* shortcomings) {
+  const double error = std::abs(muscle.volume_error);
   if (!(error <= requirements.max_volume_error)) {
     shortcomings->push_back(Sentence(muscle.name,
                                      ": volume off by ",
@@ -78,6 +78,30 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
                                      ", allowed ",
                                      requirements.max_volume_error));
   }
+  const double loss = 1 - muscle.volume_ratio;
+  if (!(loss <= requirements.max_volume_loss)) {
+    shortcomings->push_back(Sentence(muscle.name,
+                                     ": ",
+                                     100 * loss,
+                                     " % of its volume of ",
+                                     muscle.delivered_volume / 1000,
+                                     " cm3 is lost, allowed ",
+                                     100 * requirements.max_volume_loss,
+                                     " %"));
+  }
+  if (!(muscle.max_stretch <= requirements.max_stretch)) {
+    shortcomings->push_back(Sentence(muscle.name,
+                                     ": stretched to ",
+                                     muscle.max_stretch,
+                                     " times its length, allowed ",
+                                     requirements.max_stretch));
+  }
+}
+
+void AddShortcomingsOf(const MuscleMeasures& muscle,
+                       const FrameRequirements& requirements,
+                       std::vector<std::string>* shortcomings) {
+  AddShortcomingsOfShape(muscle, requirements, shortcomings);
   if (muscle.self_pairs > 0) {
     shortcomings->push_back(Sentence(muscle.name,
                                      ": ",
@@ -122,6 +146,8 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
 bool FrameRequirements::IsValid(std::string* error) const {
   return OptionCheck("FrameRequirements", error)
       .IsAtLeast("max_volume_error", max_volume_error, 0)
+      .IsWithin("max_volume_loss", max_volume_loss, 0, 1)
+      .IsAtLeast("max_stretch", max_stretch, 1)
       .IsWithin("max_folded_share", max_folded_share, 0, 1)
       .IsAtLeast("displacement_per_depth", displacement_per_depth, 0)
       .IsAtLeast("displacement_allowance", displacement_allowance, 0)
@@ -135,6 +161,18 @@ double LargestDisplacement(const FrameRequirements& requirements,
   return requirements.displacement_per_depth * depth +
          std::max(0.0, muscle.push_depth - depth) +
          requirements.displacement_allowance;
+}
+
+std::vector<std::string> ShapeShortcomings(
+    const FrameRequirements& requirements,
+    const std::vector<MuscleMeasures>& muscles) {
+  std::string error;
+  CHECK(requirements.IsValid(&error)) << error;
+  std::vector<std::string> shortcomings;
+  for (const MuscleMeasures& muscle : muscles) {
+    AddShortcomingsOfShape(muscle, requirements, &shortcomings);
+  }
+  return shortcomings;
 }
 
 std::vector<std::string> Shortcomings(

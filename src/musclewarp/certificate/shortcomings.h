@@ -12,8 +12,18 @@ namespace musclewarp {
 // What a certified frame has to hold beside that nothing crosses: which frames
 // count as usable is decided here.
 struct FrameRequirements {
-  // |volume ratio - 1| of a muscle.
+  // How far the volume of a muscle may be off the one that the solver keeps, as
+  // a share of it.
   double max_volume_error = 4e-4;
+
+  // The share of the volume of a muscle, as it was delivered, that may be lost
+  // to bones and other muscles, and to pieces of labels that are left out.
+  double max_volume_loss = 0.06;
+
+  // The largest stretch of a muscle's surface, as a ratio of lengths: beyond it
+  // no data make sense. Muscles and tendons bear far less
+  // (report/shape_warnings.h).
+  double max_stretch = 20;
 
   // Folded triangles of a muscle, as a share of its triangles.
   double max_folded_share = 1e-3;
@@ -38,7 +48,10 @@ struct FrameRequirements {
 // What is measured of one muscle in a frame, for the certificate.
 struct MuscleMeasures {
   std::string name;
-  double volume_ratio = 0;  // to the volume at rest
+  double delivered_volume = 0;  // mm^3
+  double volume_ratio = 0;      // of the volume to the delivered one
+  double volume_error = 0;      // of the solver, as a share of the volume
+  double max_stretch = 1;
   int num_triangles = 0;
   int folded_triangles = 0;
 
@@ -60,11 +73,18 @@ struct MuscleMeasures {
 double LargestDisplacement(const FrameRequirements& requirements,
                            const MuscleMeasures& muscle);
 
+// Returns what muscles do not hold of the requirements by themselves, a
+// sentence each: volume and stretch. Precondition (CHECKed): the requirements
+// are valid.
+std::vector<std::string> ShapeShortcomings(
+    const FrameRequirements& requirements,
+    const std::vector<MuscleMeasures>& muscles);
+
 // Returns what a frame does not hold of the requirements, a sentence each:
 // triangles that cross (how many, where, how deep), vertices inside another
-// mesh, gaps, volume, self-intersections, folded triangles, displacement. A
-// frame is certified if there are none. Precondition (CHECKed): the
-// requirements are valid.
+// mesh, gaps, volume, stretch, self-intersections, folded triangles,
+// displacement. A frame is certified if there are none. Precondition (CHECKed):
+// the requirements are valid.
 std::vector<std::string> Shortcomings(
     const FrameRequirements& requirements,
     const SceneIntersections& intersections,

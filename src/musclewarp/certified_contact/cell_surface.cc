@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "musclewarp/base/option_check.h"
+#include "musclewarp/certified_contact/grown_surface.h"
 #include "musclewarp/geometry/marching_tetrahedra.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/remeshing.h"
@@ -18,25 +19,6 @@
 
 namespace musclewarp {
 namespace {
-
-// Deletes all components but the one that encloses the largest volume.
-void KeepLargestBody(TriangleSoup* soup) {
-  const Components components = ConnectedComponents(
-      soup->triangles, EdgeUses(soup->triangles), soup->triangles.size());
-  std::vector<double> volumes(components.count, 0);
-  for (Eigen::Index f = 0; f < soup->triangles.rows(); ++f) {
-    volumes[components.label[f]] +=
-        SignedVolume(soup->points, soup->triangles.row(f));
-  }
-  const auto largest =
-      std::max_element(volumes.begin(), volumes.end()) - volumes.begin();
-  std::vector<bool> keep(soup->triangles.rows());
-  for (size_t f = 0; f < keep.size(); ++f) {
-    keep[f] = components.label[f] == largest;
-  }
-  KeepTriangles(keep, &soup->triangles);
-  DropUnreferencedPoints(soup);
-}
 
 // Marks the triangles of `surface` that are near those of `even` that cross.
 void KeepAround(const TriangleSoup& even,
@@ -82,8 +64,27 @@ TriangleSoup EvenWithoutCrossings(const TriangleSoup& surface,
 bool CellSurfaceOptions::IsValid(std::string* error) const {
   return OptionCheck("CellSurfaceOptions", error)
              .IsAbove("spacing", spacing, 0)
+             .IsAtLeast("volume", volume, 0)
              .is_valid() &&
          cell.IsValid(error);
+}
+
+void KeepLargestBody(TriangleSoup* soup) {
+  const Components components = ConnectedComponents(
+      soup->triangles, EdgeUses(soup->triangles), soup->triangles.size());
+  std::vector<double> volumes(components.count, 0);
+  for (Eigen::Index f = 0; f < soup->triangles.rows(); ++f) {
+    volumes[components.label[f]] +=
+        SignedVolume(soup->points, soup->triangles.row(f));
+  }
+  const auto largest =
+      std::max_element(volumes.begin(), volumes.end()) - volumes.begin();
+  std::vector<bool> keep(soup->triangles.rows());
+  for (size_t f = 0; f < keep.size(); ++f) {
+    keep[f] = components.label[f] == largest;
+  }
+  KeepTriangles(keep, &soup->triangles);
+  DropUnreferencedPoints(soup);
 }
 
 TriangleSoup CellSurface(const CellSurfaceOptions& options,
@@ -97,8 +98,13 @@ TriangleSoup CellSurface(const CellSurfaceOptions& options,
       [&](const Eigen::RowVector3d& p) { return cell.RegionDistance(p); },
       muscle.mesh().bvh().box(),
       options.spacing);
-  if (surface.triangles.rows() > 0) KeepLargestBody(&surface);
-  return surface;
+  if (surface.triangles.rows() == 0) return surface;
+  KeepLargestBody(&surface);
+  if (SignedVolume(surface.points, surface.triangles) >= options.volume) {
+    return surface;
+  }
+  return GrownSurface(
+      options, surface, muscle, other_muscles, bones, options.volume);
 }
 
 TriangleSoup WithEvenTriangles(const TriangleSoup& surface,

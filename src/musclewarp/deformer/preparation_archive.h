@@ -72,8 +72,15 @@ namespace musclewarp {
 MUSCLEWARP_ARCHIVE(TriangleSoup, points, triangles)
 MUSCLEWARP_ARCHIVE(ActionLine, name, rest, bodies, slides)
 MUSCLEWARP_ARCHIVE(Attachment, body, points, radius, may_penetrate)
-MUSCLEWARP_ARCHIVE(
-    SceneMuscle, name, points, triangles, lines, attachments, mesh_path)
+MUSCLEWARP_ARCHIVE(SceneMuscle,
+                   name,
+                   points,
+                   triangles,
+                   lines,
+                   attachments,
+                   mesh_path,
+                   mm_per_unit,
+                   delivered_volume)
 MUSCLEWARP_ARCHIVE(
     SceneBone, name, points, triangles, body, mesh_path, rest_from_file)
 MUSCLEWARP_ARCHIVE(ScenePose,
@@ -141,7 +148,8 @@ MUSCLEWARP_ARCHIVE(MeshPreparation,
                    repairs,
                    self_crossings,
                    slivers,
-                   remaking)
+                   remaking,
+                   delivered_volume)
 
 // Prepared scenes.
 
@@ -203,12 +211,14 @@ MUSCLEWARP_ARCHIVE(SceneIntersections,
                    pairs,
                    gaps,
                    inside_of_muscles)
+MUSCLEWARP_ARCHIVE(BoneCrossing, a, b, triangle_pairs, place)
 // The caller has the scene itself, and times are those of the reading run.
 MUSCLEWARP_ARCHIVE_WITHOUT(PreparedScene,
                            (scene, is_cached, wall_ms, stages),
                            muscles,
                            bones,
                            exempt,
+                           bone_crossings,
                            warnings,
                            as_delivered)
 

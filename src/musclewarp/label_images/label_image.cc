@@ -121,15 +121,26 @@ void TakeLabels(vtkImageReader2* reader,
   }
 }
 
-// What a unit of length of a NIfTI file is in mm.
-double NiftiUnit(const vtkNIFTIImageHeader& header) {
-  constexpr int kLengthMask = 7, kMetre = 1, kMicrometre = 3;
+// What a unit of length of a NIfTI file is in mm; `unstated` if it has none.
+double NiftiUnit(const vtkNIFTIImageHeader& header, double unstated) {
+  constexpr int kLengthMask = 7, kMetre = 1, kMillimetre = 2, kMicrometre = 3;
   const int unit =
       const_cast<vtkNIFTIImageHeader&>(header).GetXYZTUnits() & kLengthMask;
-  return unit == kMetre ? 1000 : unit == kMicrometre ? 1e-3 : 1;
+  switch (unit) {
+    case kMetre:
+      return 1000;
+    case kMillimetre:
+      return 1;
+    case kMicrometre:
+      return 1e-3;
+    default:
+      return unstated;
+  }
 }
 
-void TakeNiftiGrid(vtkNIFTIImageReader* reader, LabelImage* image) {
+void TakeNiftiGrid(double mm_per_unit,
+                   vtkNIFTIImageReader* reader,
+                   LabelImage* image) {
   ImageGrid& grid = image->grid;
   const int* extent = reader->GetDataExtent();
   for (int axis = 0; axis < 3; ++axis) {
@@ -153,10 +164,11 @@ void TakeNiftiGrid(vtkNIFTIImageReader* reader, LabelImage* image) {
   for (int axis = 0; axis < 3; ++axis) {
     grid.world_from_index.col(axis) *= reader->GetDataSpacing()[axis];
   }
-  grid.world_from_index.topRows<3>() *= NiftiUnit(*reader->GetNIFTIHeader());
+  grid.world_from_index.topRows<3>() *=
+      NiftiUnit(*reader->GetNIFTIHeader(), mm_per_unit);
 }
 
-void ReadNifti(LabelImage* image) {
+void ReadNifti(double mm_per_unit, LabelImage* image) {
   const std::string& path = image->path;
   vtkNew<vtkNIFTIImageReader> reader;
   reader->SetFileName(path.c_str());
@@ -171,7 +183,7 @@ void ReadNifti(LabelImage* image) {
                          " numbers a voxel; allowed: one number a voxel",
                      "export one label map");
   }
-  TakeNiftiGrid(reader, image);
+  TakeNiftiGrid(mm_per_unit, reader, image);
   CheckGrid(path, image->grid);
   WithVtkErrors(path, [&] { reader->Update(); });
   Rescale rescale;
@@ -191,19 +203,19 @@ void ReadWith(LabelImage* image) {
 
 }  // namespace
 
-LabelImage ReadLabelImage(const std::string& path) {
+LabelImage ReadLabelImage(const std::string& path, double mm_per_unit) {
   CheckIsImageFile(path);
   LabelImage image;
   image.path = path;
   const std::string extension = LowerCase(fs::path(path).extension().string());
   if (extension == ".nrrd") {
-    image.grid = ReadNrrdHeader(path);
+    image.grid = ReadNrrdHeader(path, mm_per_unit);
     ReadWith<vtkNrrdReader>(&image);
   } else if (extension == ".mha" || extension == ".mhd") {
-    image.grid = ReadMetaImageHeader(path);
+    image.grid = ReadMetaImageHeader(path, mm_per_unit);
     ReadWith<vtkMetaImageReader>(&image);
   } else {
-    ReadNifti(&image);
+    ReadNifti(mm_per_unit, &image);
   }
   if (!image.grid.is_oriented && image.notes.empty()) {
     image.notes.push_back(

@@ -32,10 +32,13 @@ struct LabelImage {
 // does. A file with neither is not oriented, and a note says so. Slope and
 // intercept of NIfTI are applied.
 //
+// `mm_per_unit` is the unit of files that do not state one, as MetaImage never
+// does.
+//
 // Throws InputError, which names the file, for one that is missing, empty,
 // damaged or truncated, that has more than kMostVoxels, more than one number a
 // voxel or more than three dimensions, and for labels that are not whole
 // numbers from 0 to 2147483647 (the message has the value and the voxel).
-LabelImage ReadLabelImage(const std::string& path);
+LabelImage ReadLabelImage(const std::string& path, double mm_per_unit = 1);
 
 }  // namespace musclewarp

@@ -107,64 +107,126 @@ std::vector<LabelEntry> EntriesInBoth(const LabelImage& image,
   return entries;
 }
 
-// "label 3 (femur): 2 pieces of 0.120 cm3 besides the largest are left out".
-void NoteWhatWasLeftOut(const LabelEntry& entry,
-                        const LabelRegion& region,
-                        const LabelSurface& surface,
-                        double voxel,
-                        std::vector<std::string>* notes) {
-  const auto note = [&](double volume, const std::string& what) {
-    std::ostringstream text;
-    text << entry.name << " (label " << entry.label << "): " << volume / 1000
-         << " cm3 " << what;
-    notes->push_back(text.str());
-  };
-  if (region.other_pieces > 0) {
-    note(static_cast<double>(region.other_voxels) * voxel,
-         "in " + std::to_string(region.other_pieces) +
-             (region.other_pieces == 1 ? " piece" : " pieces") +
-             " besides the largest are left out");
-  }
-  if (region.cavity_voxels > 0) {
-    note(static_cast<double>(region.cavity_voxels) * voxel,
-         "of cavities are filled");
-  }
-  if (surface.lost_volume >
-      kLostWorthANote * static_cast<double>(region.voxels) * voxel) {
-    note(surface.lost_volume,
-         "are left out, in parts that are thinner than a voxel");
-  }
+std::string Cm3(double volume) {
+  std::ostringstream text;
+  text << volume / 1000 << " cm3";
+  return text.str();
 }
 
-LabelMesh MeshOfLabel(const LabelImage& image,
-                      const LabelEntry& entry,
-                      const LabelBox& box,
-                      double edge_length,
-                      std::vector<std::string>* notes) {
-  const double voxel = image.grid.VoxelVolume();
-  const LabelRegion region = RegionOfLabel(image, entry.label, box);
-  LabelSurface surface = SurfaceOfRegion(
-      image.path + ": label " + std::to_string(entry.label) + " (" +
-          entry.name + ")",
-      region,
-      image.grid,
-      edge_length > 0 ? edge_length : kEdgesOfVoxel * std::cbrt(voxel));
-  NoteWhatWasLeftOut(entry, region, surface, voxel, notes);
-  LabelMesh mesh;
-  mesh.label = entry.label;
-  mesh.name = entry.name;
-  mesh.is_bone = entry.is_bone.value_or(false);
-  mesh.mesh = std::move(surface.mesh);
-  mesh.voxel_volume = static_cast<double>(region.voxels) * voxel;
-  mesh.volume = surface.volume;
-  return mesh;
-}
+// Makes the meshes of a label, and says what is left out, filled or taken
+// apart.
+class MeshesOfLabel {
+ public:
+  MeshesOfLabel(const LabelImage& image,
+                const LabelEntry& entry,
+                const LabelMeshOptions& options,
+                std::vector<std::string>* notes)
+      : image_(image),
+        entry_(entry),
+        options_(options),
+        voxel_(image.grid.VoxelVolume()),
+        notes_(notes) {}
+
+  std::vector<LabelMesh> Make(const LabelBox& box) {
+    LabelPieces pieces = PiecesOfLabel(image_, entry_.label, box);
+    const size_t found = pieces.regions.size();
+    std::int64_t left_out = pieces.small_voxels;
+    if (options_.pieces == PieceChoice::kLargest) {
+      for (size_t i = 1; i < found; ++i) {
+        left_out += pieces.regions[i].voxels - pieces.regions[i].cavity_voxels;
+      }
+      pieces.regions.resize(1);
+    }
+    NotePieces(pieces, found, left_out);
+    std::vector<LabelMesh> meshes;
+    for (size_t i = 0; i < pieces.regions.size(); ++i) {
+      const std::string name = pieces.regions.size() == 1
+                                   ? entry_.name
+                                   : entry_.name + "_" + std::to_string(i + 1);
+      meshes.push_back(MeshOf(pieces.regions[i], name));
+    }
+    // What is no mesh of its own is missing from the largest.
+    meshes[0].delivered_volume += static_cast<double>(left_out) * voxel_;
+    return meshes;
+  }
+
+ private:
+  void Note(const std::string& name, const std::string& text) {
+    notes_->push_back(name + " (label " + std::to_string(entry_.label) + ") " +
+                      text);
+  }
+
+  void NotePieces(const LabelPieces& kept,
+                  size_t found,
+                  std::int64_t left_out) {
+    const size_t all = found + kept.small_pieces;
+    if (all == 1) return;
+    std::string text =
+        "has " + std::to_string(all) +
+        " pieces, which do not hang together by faces of voxels: ";
+    if (kept.regions.size() == 1) {
+      text += "the largest, of " +
+              Cm3(static_cast<double>(kept.regions[0].voxels) * voxel_) +
+              ", is kept";
+    } else {
+      text += std::to_string(kept.regions.size()) + " become meshes";
+    }
+    const size_t others = all - kept.regions.size();
+    if (others > 0) {
+      text += "; " + Cm3(static_cast<double>(left_out) * voxel_) + " in " +
+              std::to_string(others) +
+              (others == 1 ? " other is left out" : " others are left out");
+      if (kept.regions.size() == found) {
+        text +=
+            ", each of fewer than " + std::to_string(kFewestVoxels) + " voxels";
+      }
+    }
+    Note(entry_.name, text);
+  }
+
+  LabelMesh MeshOf(const LabelRegion& region, const std::string& name) {
+    LabelSurface surface = SurfaceOfRegion(
+        image_.path + ": label " + std::to_string(entry_.label) + " (" + name +
+            ")",
+        region,
+        image_.grid,
+        options_.edge_length > 0 ? options_.edge_length
+                                 : kEdgesOfVoxel * std::cbrt(voxel_));
+    if (region.cavity_voxels > 0) {
+      Note(name,
+           "has cavities of " +
+               Cm3(static_cast<double>(region.cavity_voxels) * voxel_) +
+               ", which are filled");
+    }
+    LabelMesh mesh;
+    mesh.label = entry_.label;
+    mesh.name = name;
+    mesh.is_bone = entry_.is_bone.value_or(false);
+    mesh.mesh = std::move(surface.mesh);
+    mesh.voxel_volume = static_cast<double>(region.voxels) * voxel_;
+    mesh.volume = surface.volume;
+    mesh.delivered_volume = mesh.voxel_volume;
+    if (surface.lost_volume > kLostWorthANote * mesh.voxel_volume) {
+      Note(name,
+           "loses " + Cm3(surface.lost_volume) +
+               ": parts that are so thin, or hang on the rest by so little, "
+               "that the smoothed surface does not hold them");
+    }
+    return mesh;
+  }
+
+  const LabelImage& image_;
+  const LabelEntry& entry_;
+  const LabelMeshOptions& options_;
+  const double voxel_;  // mm^3
+  std::vector<std::string>* notes_;
+};
 
 }  // namespace
 
 LabelMeshes ReadLabelMeshes(const std::string& path,
                             const LabelMeshOptions& options) {
-  const LabelImage image = ReadLabelImage(path);
+  const LabelImage image = ReadLabelImage(path, options.mm_per_unit);
   const Boxes boxes = BoxesOfLabels(image);
   if (boxes.empty()) {
     throw InputError(
@@ -178,11 +240,10 @@ LabelMeshes ReadLabelMeshes(const std::string& path,
           ? EntriesOf(image, boxes)
           : EntriesInBoth(image, boxes, options.table, &result.notes);
   for (const LabelEntry& entry : entries) {
-    result.meshes.push_back(MeshOfLabel(image,
-                                        entry,
-                                        boxes.at(entry.label),
-                                        options.edge_length,
-                                        &result.notes));
+    for (LabelMesh& mesh : MeshesOfLabel(image, entry, options, &result.notes)
+                               .Make(boxes.at(entry.label))) {
+      result.meshes.push_back(std::move(mesh));
+    }
   }
   return result;
 }

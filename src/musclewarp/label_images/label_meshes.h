@@ -9,7 +9,7 @@
 
 namespace musclewarp {
 
-// A label that became a mesh.
+// A label, or a piece of one, that became a mesh.
 struct LabelMesh {
   int label = 0;
   std::string name;
@@ -20,6 +20,16 @@ struct LabelMesh {
   // pieces that were left out, and of the mesh, mm^3.
   double voxel_volume = 0;
   double volume = 0;
+
+  // Of the same voxels and of those that were left out, mm^3: what the mesh
+  // would hold if nothing were lost.
+  double delivered_volume = 0;
+};
+
+// What becomes of a label with several pieces (label_regions.h).
+enum class PieceChoice {
+  kLargest,  // the largest becomes a mesh; the others are left out
+  kAll,      // each becomes a mesh: "femur_1", "femur_2", the largest first
 };
 
 // What a label image and a table give.
@@ -43,10 +53,13 @@ struct LabelMeshOptions {
   // The length of the edges of triangles, mm; 0: twice the edge of a cube with
   // the volume of a voxel.
   double edge_length = 0;
+
+  PieceChoice pieces = PieceChoice::kLargest;
+  double mm_per_unit = 1;  // of an image that does not state its unit
 };
 
-// Reads a label image (label_image.h) and makes a mesh of each label: of its
-// largest piece, with cavities filled (label_regions.h, label_surface.h).
+// Reads a label image (label_image.h) and makes a mesh of each label, with
+// cavities filled (label_regions.h, label_surface.h).
 //
 // Throws InputError for what these refuse, for an image in which no label of
 // the table occurs, or only 0, or more than 1000 different labels without a

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/label_images/label_regions.h"
 
-#include <cstdlib>
+#include <algorithm>
+#include <utility>
 
 namespace musclewarp {
 namespace {
 
-// What is known of a voxel.
-enum Mark : char { kBackground, kOfLabel, kOfPiece, kKept, kOutside };
+// What is known of a voxel. From kFirstPiece on it is the piece that it is of.
+enum Mark : int { kBackground, kOfLabel, kOutside, kFirstPiece };
 
 // Voxels in a box, and what is known of them.
 struct Marks {
@@ -19,67 +20,96 @@ struct Marks {
   std::int64_t At(int i, int j, int k) const {
     return (std::int64_t{k} * size[1] + j) * size[0] + i;
   }
+  Eigen::Array3i PlaceOf(std::int64_t at) const {
+    return {static_cast<int>(at % size[0]),
+            static_cast<int>(at / size[0] % size[1]),
+            static_cast<int>(at / size[0] / size[1])};
+  }
 
   Eigen::Array3i size;
-  std::vector<char> marks;
+  std::vector<int> marks;
 };
 
-// Gives the voxels that have the mark `from` and hang together with `seed` the
-// mark `to`, through corners or only through sides. Returns their number.
-std::int64_t Flood(
-    std::int64_t seed, char from, char to, bool through_corners, Marks* marks) {
+// Gives the voxels that have the mark `from`, and to which a way through faces
+// leads from `seed`, the mark `to`. Returns their box.
+LabelBox Flood(std::int64_t seed, int from, int to, Marks* marks) {
   const Eigen::Array3i& size = marks->size;
   std::vector<std::int64_t> front = {seed};
   marks->marks[seed] = to;
-  std::int64_t count = 0;
-  const auto visit = [&](int i, int j, int k) {
-    if (i < 0 || j < 0 || k < 0 || i >= size[0] || j >= size[1] ||
-        k >= size[2]) {
-      return;
-    }
-    const std::int64_t at = marks->At(i, j, k);
-    if (marks->marks[at] != from) return;
-    marks->marks[at] = to;
-    front.push_back(at);
-  };
+  LabelBox box;
+  box.lowest = box.highest = marks->PlaceOf(seed);
   while (!front.empty()) {
-    const std::int64_t at = front.back();
+    const Eigen::Array3i place = marks->PlaceOf(front.back());
     front.pop_back();
-    ++count;
-    const int i = static_cast<int>(at % size[0]);
-    const int j = static_cast<int>(at / size[0] % size[1]);
-    const int k = static_cast<int>(at / size[0] / size[1]);
-    for (int step = 0; step < 27; ++step) {
-      const int x = step % 3 - 1, y = step / 3 % 3 - 1, z = step / 9 - 1;
-      if (through_corners || std::abs(x) + std::abs(y) + std::abs(z) == 1) {
-        visit(i + x, j + y, k + z);
+    ++box.voxels;
+    box.lowest = box.lowest.min(place);
+    box.highest = box.highest.max(place);
+    for (int face = 0; face < 6; ++face) {
+      Eigen::Array3i next = place;
+      next[face / 2] += face % 2 == 0 ? -1 : 1;
+      if ((next < 0).any() || (next >= size).any()) continue;
+      const std::int64_t at = marks->At(next[0], next[1], next[2]);
+      if (marks->marks[at] != from) continue;
+      marks->marks[at] = to;
+      front.push_back(at);
+    }
+  }
+  return box;
+}
+
+// Returns the voxels of a label in its box, without a margin.
+Marks MarksOfLabel(const LabelImage& image, int label, const LabelBox& box) {
+  Marks marks(box.highest - box.lowest + 1);
+  const Eigen::Array3i& size = image.grid.size;
+  for (int k = box.lowest[2]; k <= box.highest[2]; ++k) {
+    for (int j = box.lowest[1]; j <= box.highest[1]; ++j) {
+      for (int i = box.lowest[0]; i <= box.highest[0]; ++i) {
+        if (image.labels[(std::int64_t{k} * size[1] + j) * size[0] + i] !=
+            label) {
+          continue;
+        }
+        const Eigen::Array3i at = Eigen::Array3i(i, j, k) - box.lowest;
+        marks.marks[marks.At(at[0], at[1], at[2])] = kOfLabel;
       }
     }
   }
-  return count;
+  return marks;
 }
 
-// Marks the largest piece as kept and all other voxels as background.
-void KeepLargestPiece(Marks* marks, LabelRegion* region) {
-  std::int64_t largest = -1;
-  int pieces = 0;
-  std::int64_t all = 0;
-  const std::int64_t count = static_cast<std::int64_t>(marks->marks.size());
-  for (std::int64_t at = 0; at < count; ++at) {
-    if (marks->marks[at] != kOfLabel) continue;
-    const std::int64_t voxels = Flood(at, kOfLabel, kOfPiece, true, marks);
-    ++pieces;
-    all += voxels;
-    if (voxels <= region->voxels) continue;
-    region->voxels = voxels;
-    largest = at;
+// A piece among the voxels of a label, and its mark.
+struct Piece {
+  int mark = kFirstPiece;
+  LabelBox box;
+};
+
+// Returns the region of a piece, with a margin and without cavities. `first` is
+// the place of the voxels in the image.
+LabelRegion RegionOf(const Marks& voxels,
+                     const Piece& piece,
+                     const Eigen::Array3i& first) {
+  LabelRegion region;
+  const LabelBox& box = piece.box;
+  region.first = first + box.lowest - kRegionMargin;
+  region.size = box.highest - box.lowest + 1 + 2 * kRegionMargin;
+  Marks marks(region.size);
+  for (int k = box.lowest[2]; k <= box.highest[2]; ++k) {
+    for (int j = box.lowest[1]; j <= box.highest[1]; ++j) {
+      for (int i = box.lowest[0]; i <= box.highest[0]; ++i) {
+        if (voxels.marks[voxels.At(i, j, k)] != piece.mark) continue;
+        const Eigen::Array3i at =
+            Eigen::Array3i(i, j, k) - box.lowest + kRegionMargin;
+        marks.marks[marks.At(at[0], at[1], at[2])] = kOfLabel;
+      }
+    }
   }
-  Flood(largest, kOfPiece, kKept, true, marks);
-  for (char& mark : marks->marks) {
-    if (mark == kOfPiece) mark = kBackground;
+  Flood(0, kBackground, kOutside, &marks);
+  region.is_inside.resize(marks.marks.size());
+  for (std::size_t at = 0; at < marks.marks.size(); ++at) {
+    if (marks.marks[at] == kBackground) ++region.cavity_voxels;
+    region.is_inside[at] = marks.marks[at] != kOutside;
   }
-  region->other_pieces = pieces - 1;
-  region->other_voxels = all - region->voxels;
+  region.voxels = box.voxels + region.cavity_voxels;
+  return region;
 }
 
 }  // namespace
@@ -111,35 +141,35 @@ std::map<int, LabelBox> BoxesOfLabels(const LabelImage& image) {
   return boxes;
 }
 
-LabelRegion RegionOfLabel(const LabelImage& image,
+LabelPieces PiecesOfLabel(const LabelImage& image,
                           int label,
                           const LabelBox& box) {
-  LabelRegion region;
-  region.first = box.lowest - kRegionMargin;
-  region.size = box.highest - box.lowest + 1 + 2 * kRegionMargin;
-  Marks marks(region.size);
-  const Eigen::Array3i& size = image.grid.size;
-  for (int k = box.lowest[2]; k <= box.highest[2]; ++k) {
-    for (int j = box.lowest[1]; j <= box.highest[1]; ++j) {
-      for (int i = box.lowest[0]; i <= box.highest[0]; ++i) {
-        if (image.labels[(std::int64_t{k} * size[1] + j) * size[0] + i] ==
-            label) {
-          marks.marks[marks.At(
-              i - region.first[0], j - region.first[1], k - region.first[2])] =
-              kOfLabel;
-        }
-      }
+  Marks marks = MarksOfLabel(image, label, box);
+  LabelPieces result;
+  std::vector<Piece> pieces;
+  for (std::size_t at = 0; at < marks.marks.size(); ++at) {
+    if (marks.marks[at] != kOfLabel) continue;
+    Piece piece;
+    piece.mark = kFirstPiece + static_cast<int>(pieces.size());
+    piece.box =
+        Flood(static_cast<std::int64_t>(at), kOfLabel, piece.mark, &marks);
+    pieces.push_back(piece);
+  }
+  std::stable_sort(
+      pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+        return a.box.voxels > b.box.voxels;
+      });
+  for (const Piece& piece : pieces) {
+    // With its cavities: a thin bark may hold much.
+    LabelRegion region = RegionOf(marks, piece, box.lowest);
+    if (region.voxels < kFewestVoxels && !result.regions.empty()) {
+      ++result.small_pieces;
+      result.small_voxels += piece.box.voxels;
+    } else {
+      result.regions.push_back(std::move(region));
     }
   }
-  KeepLargestPiece(&marks, &region);
-  Flood(0, kBackground, kOutside, false, &marks);
-  region.is_inside.resize(marks.marks.size());
-  for (std::size_t at = 0; at < marks.marks.size(); ++at) {
-    if (marks.marks[at] == kBackground) ++region.cavity_voxels;
-    region.is_inside[at] = marks.marks[at] != kOutside;
-  }
-  region.voxels += region.cavity_voxels;
-  return region;
+  return result;
 }
 
 }  // namespace musclewarp

@@ -23,7 +23,7 @@ std::map<int, LabelBox> BoxesOfLabels(const LabelImage& image);
 // How many voxels a region has around it: enough for what smoothing spreads.
 constexpr int kRegionMargin = 5;
 
-// The voxels of which a surface is made: one piece without cavities.
+// The voxels of which a surface is made: a piece without cavities.
 struct LabelRegion {
   // The place of the first voxel of the region in the image. It may be negative
   // and the region may go beyond the image, as there are kRegionMargin voxels
@@ -34,17 +34,30 @@ struct LabelRegion {
   std::vector<bool> is_inside;  // in the order of LabelImage::labels
   std::int64_t voxels = 0;      // that are inside
 
-  int other_pieces = 0;            // that were left out
-  std::int64_t other_voxels = 0;   // in these
   std::int64_t cavity_voxels = 0;  // that were filled
 };
 
-// Returns the largest piece of a label, without cavities. Voxels are of one
-// piece if they share a corner, and voxels that are not of the piece are a
-// cavity if no way through sides leads out of it: the marrow in the bark of a
-// bone becomes a part of the bone, whatever label it has. Of pieces of one size
-// the first counts. Precondition: `box` is that of the label.
-LabelRegion RegionOfLabel(const LabelImage& image,
+// The pieces of a label. Voxels are of one piece if a way through faces of
+// voxels leads from one to the other: what hangs together at an edge or a
+// corner only has no closed surface of its own there.
+struct LabelPieces {
+  std::vector<LabelRegion> regions;  // the largest first; there is at least one
+
+  // Other pieces, with fewer voxels than a surface can be made of
+  // (kFewestVoxels), and the voxels in them.
+  int small_pieces = 0;
+  std::int64_t small_voxels = 0;
+};
+
+// A surface is made of at least so many voxels.
+constexpr std::int64_t kFewestVoxels = 64;
+
+// Returns the pieces of a label, each without cavities: voxels that are not of
+// the piece are a cavity if no way through faces leads out of it. The marrow in
+// the bark of a bone becomes a part of the bone, whatever label it has. Of
+// pieces of one size the first comes first. Precondition: `box` is that of the
+// label.
+LabelPieces PiecesOfLabel(const LabelImage& image,
                           int label,
                           const LabelBox& box);
 

@@ -38,8 +38,6 @@ constexpr double kLowestLevel = 0.15, kHighestLevel = 0.85;
 constexpr int kLevelSteps = 12;
 constexpr double kVolumeAccuracy = 2e-4;
 
-constexpr std::int64_t kFewestVoxels = 64;
-
 // A larger share of a region that is lost makes it a failure.
 constexpr double kMostLost = 0.5;
 

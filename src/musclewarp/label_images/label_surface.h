@@ -14,8 +14,9 @@ namespace musclewarp {
 struct LabelSurface {
   TriangleSoup mesh;  // mm, closed, outward oriented, one piece
 
-  // The volume of the mesh, and what of the region it lacks because it hangs
-  // together by less than a voxel, mm^3.
+  // The volume of the mesh, and what of the region it lacks, mm^3: parts that
+  // are so thin, or hang on the rest by so little, that the smoothed surface
+  // does not hold them.
   double volume = 0;
   double lost_volume = 0;
 };
@@ -37,8 +38,8 @@ struct LabelSurface {
 // from before. That may leave a few triangles that cross where a part is not
 // thicker than an edge.
 //
-// Throws InputError with `where` as its place for a region with fewer than 64
-// voxels, and one that is so thin that half of it is lost. Precondition
+// Throws InputError with `where` as its place for a region with fewer than
+// kFewestVoxels, and one that is so thin that half of it is lost. Precondition
 // (CHECKed): the edge length is above zero.
 LabelSurface SurfaceOfRegion(const std::string& where,
                              const LabelRegion& region,

@@ -153,12 +153,13 @@ void CheckData(const std::string& path,
 
 }  // namespace
 
-ImageGrid ReadMetaImageHeader(const std::string& path) {
+ImageGrid ReadMetaImageHeader(const std::string& path, double mm_per_unit) {
   const MetaText text = ReadMetaText(path);
   CheckFields(path, text);
   ImageGrid grid;
   grid.size = HeaderSizes(path + ": DimSize", FieldOf(text, {"DimSize"}));
   SetMetaSteps(path, text, &grid);
+  grid.world_from_index.topRows<3>() *= mm_per_unit;
   CheckGrid(path, grid);
   CheckData(
       path,

@@ -95,26 +95,31 @@ void CheckIsRead(const std::string& path, const Fields& fields) {
   }
 }
 
-// What a unit of the file is in mm.
-double MillimetresOf(const std::string& path, const Fields& fields) {
+// What a unit of the file is in mm; `unstated` if it does not say.
+double MillimetresOf(const std::string& path,
+                     const Fields& fields,
+                     double unstated) {
   const std::string units = Optional(fields, "space units");
-  if (units.empty()) return 1;
-  static const std::map<std::string, double> kUnits = {
-      {"mm", 1}, {"cm", 10}, {"m", 1000}, {"um", 1e-3}, {"", 1}};
+  if (units.empty()) return unstated;
+  const std::map<std::string, double> known = {
+      {"mm", 1}, {"cm", 10}, {"m", 1000}, {"um", 1e-3}, {"", unstated}};
   const std::size_t begin = units.find('"');
   const std::size_t end = units.find('"', begin + 1);
   const std::string unit = begin == std::string::npos
                                ? units.substr(0, units.find(' '))
                                : units.substr(begin + 1, end - begin - 1);
-  const auto found = kUnits.find(unit);
-  if (found != kUnits.end()) return found->second;
+  const auto found = known.find(unit);
+  if (found != known.end()) return found->second;
   throw InputError(path + ": space units",
                    "is " + Quoted(units) + "; allowed: mm, cm, m, um",
                    "save the image in mm");
 }
 
 // The steps from voxel to voxel, from "space directions" or "spacings".
-void SetSteps(const std::string& path, const Fields& fields, ImageGrid* grid) {
+void SetSteps(const std::string& path,
+              const Fields& fields,
+              double mm_per_unit,
+              ImageGrid* grid) {
   const std::string directions = Optional(fields, "space directions");
   if (!directions.empty()) {
     const std::vector<double> numbers =
@@ -137,7 +142,8 @@ void SetSteps(const std::string& path, const Fields& fields, ImageGrid* grid) {
         HeaderNumbers(path + ": space origin", origin, 3);
     for (int k = 0; k < 3; ++k) grid->world_from_index(k, 3) = place[k];
   }
-  grid->world_from_index.topRows<3>() *= MillimetresOf(path, fields);
+  grid->world_from_index.topRows<3>() *=
+      MillimetresOf(path, fields, mm_per_unit);
 }
 
 void Orient(const std::string& path, const Fields& fields, ImageGrid* grid) {
@@ -222,12 +228,12 @@ void ReadSegments(const Fields& values, ImageGrid* grid) {
 
 }  // namespace
 
-ImageGrid ReadNrrdHeader(const std::string& path) {
+ImageGrid ReadNrrdHeader(const std::string& path, double mm_per_unit) {
   const NrrdText text = ReadText(path);
   CheckIsRead(path, text.fields);
   ImageGrid grid;
   grid.size = HeaderSizes(path + ": sizes", Field(path, text.fields, "sizes"));
-  SetSteps(path, text.fields, &grid);
+  SetSteps(path, text.fields, mm_per_unit, &grid);
   Orient(path, text.fields, &grid);
   ReadSegments(text.values, &grid);
   CheckGrid(path, grid);

@@ -16,12 +16,12 @@ namespace musclewarp {
 // The grid is in LPS. "space" right-anterior-superior is turned; a file that
 // has no "space", or one that says nothing of the patient (scanner-xyz,
 // 3D-right-handed), keeps its axes and is not oriented. "space units" m, cm, mm
-// and um are converted. Segments of 3D Slicer (Segment0_Name, and
-// Segment0_LabelValue) give the names.
+// and um are converted; without them lengths are in `mm_per_unit`. Segments of
+// 3D Slicer (Segment0_Name, and Segment0_LabelValue) give the names.
 //
 // Throws InputError that names the field for a file that is not NRRD, has not
 // three dimensions, is left-handed, keeps its data in other files, is neither
 // raw nor gzip, or whose raw data end early.
-ImageGrid ReadNrrdHeader(const std::string& path);
+ImageGrid ReadNrrdHeader(const std::string& path, double mm_per_unit = 1);
 
 }  // namespace musclewarp

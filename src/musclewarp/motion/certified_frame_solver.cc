@@ -243,9 +243,7 @@ void CertifiedFrameSolver::MeasureContact(const SceneState& state,
 
 MuscleMeasures CertifiedFrameSolver::MeasuresOf(const MuscleFrame& muscle,
                                                 size_t number) const {
-  MuscleMeasures measures;
-  measures.name = muscle.name;
-  measures.volume_ratio = muscle.volume_ratio;
+  MuscleMeasures measures = MuscleMeasuresOf(scene_.muscles[number], muscle);
   measures.num_triangles =
       static_cast<int>(scene_.muscles[number].model.fine_triangles.rows());
   measures.folded_triangles = muscle.folded_triangles;

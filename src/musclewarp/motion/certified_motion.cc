@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "musclewarp/base/invalid_option.h"
 #include "musclewarp/base/option_check.h"
 #include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stopwatch.h"
@@ -106,6 +107,23 @@ CertifiedScene BeginScene(const PreparedScene& scene,
   return certified;
 }
 
+bool IsTimeoutValid(double timeout_s, std::string* error) {
+  if (timeout_s >= 0 ||
+      timeout_s == CertifiedContactOptions::kTimeoutByMuscles) {
+    return true;
+  }
+  return InvalidOption("CertifiedContactOptions::frame_timeout_s",
+                       timeout_s,
+                       "0 or above, or -1",
+                       error);
+}
+
+double TimeoutOf(const CertifiedContactOptions& options, size_t num_muscles) {
+  constexpr double kTimeout = 60, kTimeoutOfMuscle = 20;  // s
+  if (options.frame_timeout_s >= 0) return options.frame_timeout_s;
+  return kTimeout + kTimeoutOfMuscle * static_cast<double>(num_muscles);
+}
+
 }  // namespace
 
 bool CertifiedContactOptions::IsValid(std::string* error) const {
@@ -123,10 +141,10 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
              .IsWithin("unchecked_share", unchecked_share, 1e-3, 1)
              .IsWithin("max_halvings", max_halvings, 0, 20)
              .IsAtLeast("max_returns", max_returns, 0)
-             .IsAtLeast("frame_timeout_s", frame_timeout_s, 0)
              .is_valid() &&
-         step.IsValid(error) && limits.IsValid(error) &&
-         surface.IsValid(error) && separation.IsValid(error);
+         IsTimeoutValid(frame_timeout_s, error) && step.IsValid(error) &&
+         limits.IsValid(error) && surface.IsValid(error) &&
+         separation.IsValid(error);
 }
 
 CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
@@ -217,7 +235,7 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
   walk.max_reach = options.max_reach;
   walk.max_settling_steps = options.max_settling_steps;
   walk.settling_tolerance = options.settling_tolerance;
-  walk.timeout_s = options.frame_timeout_s;
+  walk.timeout_s = TimeoutOf(options, scene.muscles.size());
   Place place = PlaceOf(mover, before);
   CertifiedMotion motion;
   const WalkSummary walked =

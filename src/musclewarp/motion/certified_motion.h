@@ -77,8 +77,10 @@ struct CertifiedContactOptions {
   double settling_tolerance = 0.9;
 
   // A pose that is not reached in this time is given up, s; 0: no limit. The
-  // last step may take longer.
-  double frame_timeout_s = 0;
+  // last step may take longer. A pose that bones cannot take, because the
+  // centre of a joint is wrong, would take many minutes without a limit.
+  static constexpr double kTimeoutByMuscles = -1;  // 60, and 20 for each muscle
+  double frame_timeout_s = kTimeoutByMuscles;
 
   // Also checks the options within.
   bool IsValid(std::string* error) const;

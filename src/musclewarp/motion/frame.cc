@@ -34,7 +34,7 @@ bool Frame::IsUsable() const {
 double Frame::WorstVolumeError() const {
   double worst = 0;
   for (const MuscleFrame& muscle : muscles) {
-    worst = std::max(worst, std::abs(muscle.volume_ratio - 1));
+    worst = std::max(worst, std::abs(muscle.volume_error));
   }
   return worst;
 }

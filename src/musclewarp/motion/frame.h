@@ -21,7 +21,15 @@ struct MuscleFrame {
   std::string name;
   Points points;  // of the fine mesh, n x 3, mm
   SolverSummary solver;
-  double volume_ratio = 0;  // of the fine mesh to its rest volume
+
+  // The volume of the fine mesh against that of the mesh as it was delivered
+  // (MeshPreparation::delivered_volume).
+  double volume_ratio = 0;
+
+  // How far the volume is off the one that the solver keeps, that of the mesh
+  // at rest, as a share of it: an error of the solver. What the preparation
+  // took is in the ratio.
+  double volume_error = 0;
   int folded_triangles = 0;
   double max_displacement = 0;  // of a fine vertex from rest, mm
 

@@ -25,8 +25,9 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
   frame.name = model.name;
   frame.solver = std::move(summary);
   frame.points = FinePoints(model, state);
-  frame.volume_ratio =
-      SignedVolume(frame.points, model.fine_triangles) / model.rest_volume;
+  const double volume = SignedVolume(frame.points, model.fine_triangles);
+  frame.volume_ratio = volume / muscle.mesh.delivered_volume;
+  frame.volume_error = volume / model.rest_volume - 1;
   frame.max_displacement =
       (frame.points - model.fine_rest).rowwise().norm().maxCoeff();
   frame.folded_triangles = static_cast<int>(
@@ -111,13 +112,25 @@ Frame MeasureFrame(const PreparedScene& scene,
   return frame;
 }
 
+MuscleMeasures MuscleMeasuresOf(const PreparedMuscle& muscle,
+                                const MuscleFrame& frame) {
+  MuscleMeasures measures;
+  measures.name = frame.name;
+  measures.delivered_volume = muscle.mesh.delivered_volume;
+  measures.volume_ratio = frame.volume_ratio;
+  measures.volume_error = frame.volume_error;
+  measures.max_stretch = frame.shape.max_stretch;
+  return measures;
+}
+
 Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes) {
   Frame frame;
   for (const PreparedMuscle& muscle : scene.muscles) {
     MuscleFrame at_rest;
     at_rest.name = muscle.model.name;
     at_rest.points = muscle.model.fine_rest;
-    at_rest.volume_ratio = 1;
+    at_rest.volume_ratio =
+        muscle.model.rest_volume / muscle.mesh.delivered_volume;
     at_rest.lines = LinesAt(muscle.lines, muscle.model.coarse_rest);
     at_rest.fibres = LinesAt(muscle.fibres, muscle.model.coarse_rest);
     frame.muscles.push_back(std::move(at_rest));

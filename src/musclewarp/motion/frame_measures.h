@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "musclewarp/certificate/shortcomings.h"
 #include "musclewarp/motion/frame.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_meshes.h"
@@ -25,6 +26,11 @@ Frame MeasureFrame(const PreparedScene& scene,
                    const SceneState* before,
                    std::vector<SolverSummary> summaries,
                    SceneMeshes* meshes);
+
+// Returns what certificate/shortcomings.h judges a muscle by where there is no
+// contact: its volume and its stretch.
+MuscleMeasures MuscleMeasuresOf(const PreparedMuscle& muscle,
+                                const MuscleFrame& frame);
 
 // Returns the frame of a scene with every mesh where it was delivered.
 Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/motion/free_frame_solver.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "musclewarp/base/stopwatch.h"
@@ -46,6 +47,7 @@ SolvedFrame FreeFrameSolver::Solve(const MuscleSolvers& solvers,
                               before,
                               std::move(solved.summaries),
                               meshes_.get());
+  result.frame.shortcomings = ShortcomingsOf(result.frame);
   result.frame.wall_ms = wall_ms;
   result.frame.solve_ms = solved.solve_ms;
   result.frame.certify_ms = certifying.Milliseconds();
@@ -56,6 +58,20 @@ SolvedFrame FreeFrameSolver::Solve(const MuscleSolvers& solvers,
                 &result.frame);
   result.state = {pose, std::move(solved.states), {}};
   return result;
+}
+
+// Without contact nothing but the shapes is judged.
+std::vector<std::string> FreeFrameSolver::ShortcomingsOf(
+    const Frame& frame) const {
+  constexpr double kMaxVolumeError = 1e-6;
+  std::vector<MuscleMeasures> measures;
+  for (size_t i = 0; i < frame.muscles.size(); ++i) {
+    measures.push_back(MuscleMeasuresOf(scene_.muscles[i], frame.muscles[i]));
+  }
+  FrameRequirements requirements = options_.requirements;
+  requirements.max_volume_error =
+      std::min(requirements.max_volume_error, kMaxVolumeError);
+  return ShapeShortcomings(requirements, measures);
 }
 
 }  // namespace musclewarp

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "musclewarp/motion/frame_solver.h"
 
@@ -23,6 +25,9 @@ class FreeFrameSolver : public FrameSolver {
                     const ScenePose& pose,
                     const SceneState* before,
                     const ProgressCallback& on_progress) override;
+
+ private:
+  std::vector<std::string> ShortcomingsOf(const Frame& frame) const;
 };
 
 }  // namespace musclewarp

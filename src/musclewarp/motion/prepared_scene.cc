@@ -15,24 +15,18 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
-#include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/motion/delivered_mesh.h"
 #include "musclewarp/motion/surroundings.h"
 #include "musclewarp/scene/attachment_area.h"
 #include "musclewarp/scene/coordinate_limits.h"
 #include "musclewarp/scene/far_lines.h"
 #include "musclewarp/scene/folded_lines.h"
+#include "musclewarp/scene/length_unit.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/skeleton/sampling.h"
 
 namespace musclewarp {
 namespace {
-
-// The mesh of a muscle or bone as it was delivered: in memory, or in a file.
-template <typename MuscleOrBone>
-TriangleSoup DeliveredMesh(const MuscleOrBone& part) {
-  if (part.mesh_path.empty()) return {part.points, part.triangles};
-  return ReadTriangleSoup(part.mesh_path);
-}
 
 // Repairs a mesh. In messages a mesh without a file goes by its name.
 TriangleSoup Repaired(const TriangleSoup& delivered,
@@ -48,6 +42,8 @@ TriangleSoup Repaired(const TriangleSoup& delivered,
                                      path.empty() ? name : path,
                                      options.repair,
                                      &preparation->repairs);
+  preparation->delivered_volume =
+      SignedVolume(repaired.points, repaired.triangles);
   if (options.remove_self_crossings) {
     preparation->self_crossings = RemoveSelfCrossings(&repaired);
   }
@@ -115,12 +111,8 @@ void PrepareModel(const Surroundings& surroundings,
 // Reads and repairs the mesh of a bone.
 PreparedBone RepairBone(const PrepareOptions& options, const SceneBone& bone) {
   PreparedBone prepared;
-  TriangleSoup delivered = DeliveredMesh(bone);
-  if (!bone.rest_from_file.isIdentity(0)) {
-    delivered.points = Transformed(delivered.points, bone.rest_from_file);
-  }
-  prepared.rest =
-      Repaired(delivered, bone.name, bone.mesh_path, options, &prepared.mesh);
+  prepared.rest = Repaired(
+      DeliveredMesh(bone), bone.name, bone.mesh_path, options, &prepared.mesh);
   prepared.body = bone.body;
   return prepared;
 }
@@ -134,6 +126,13 @@ TriangleSoup RepairMuscle(const PrepareOptions& options,
                                muscle.mesh_path,
                                options,
                                &prepared->mesh);
+  CheckMuscleSize(muscle.mesh_path.empty() ? muscle.name : muscle.mesh_path,
+                  BoundingBoxDiagonal(fine.points),
+                  prepared->mesh.delivered_volume,
+                  muscle.mm_per_unit);
+  if (muscle.delivered_volume > 0) {
+    prepared->mesh.delivered_volume = muscle.delivered_volume;
+  }
   if (options.remove_slivers) {
     prepared->mesh.slivers = RemoveSlivers(options.slivers, &fine);
   }
@@ -212,10 +211,22 @@ std::vector<ExemptArea> ExemptAreas(const PreparedScene& scene) {
   return areas;
 }
 
+// Says which bones cross each other, and which poses take joints apart.
+void CheckBones(PreparedScene* prepared) {
+  std::vector<BoneAtRest> bones;
+  for (const PreparedBone& bone : prepared->bones) {
+    bones.push_back({bone.mesh.name, bone.body, bone.rest});
+  }
+  prepared->bone_crossings = BoneCrossings(bones);
+  prepared->warnings = BoneMoveWarnings(prepared->scene, bones);
+}
+
 // Adds what was found while preparing to the warnings of the scene.
 void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
   std::vector<std::string>& warnings = prepared->warnings;
-  warnings = prepared->scene.warnings;
+  warnings.insert(warnings.end(),
+                  prepared->scene.warnings.begin(),
+                  prepared->scene.warnings.end());
   for (const PreparedMuscle& muscle : prepared->muscles) {
     warnings.insert(warnings.end(),
                     muscle.attachment_warnings.begin(),
@@ -335,6 +346,7 @@ PreparedScene PrepareScene(const Scene& scene,
     say_progress(num_meshes + done);
   });
   prepared.exempt = ExemptAreas(prepared);
+  CheckBones(&prepared);
   AddWarnings(options, &prepared);
   for (const std::string& warning : prepared.warnings) LOG(WARNING) << warning;
   prepared.wall_ms = stopwatch.Milliseconds();

@@ -18,6 +18,7 @@
 #include "musclewarp/mesh_repair/sliver_removal.h"
 #include "musclewarp/motion/attachment_choice.h"
 #include "musclewarp/motion/attachments.h"
+#include "musclewarp/motion/bones_at_rest.h"
 #include "musclewarp/scene/exempt_area.h"
 #include "musclewarp/scene/scene.h"
 #include "musclewarp/solver/carried_lines.h"
@@ -86,6 +87,10 @@ struct MeshPreparation {
   SelfCrossingRemoval self_crossings;
   SliverRemovals slivers;
   Remaking remaking;
+
+  // mm^3: of the mesh after repair, before anything else was done to it, or
+  // what the scene says (SceneMuscle::delivered_volume).
+  double delivered_volume = 0;
 };
 
 // A muscle with everything that does not change with the pose.
@@ -118,6 +123,7 @@ struct PreparedScene {
   std::vector<PreparedMuscle> muscles;
   std::vector<PreparedBone> bones;
   std::vector<ExemptArea> exempt;  // attachment areas that may penetrate
+  std::vector<BoneCrossing> bone_crossings;
   std::vector<std::string> warnings;
 
   // What crossed before meshes were made anew, if any was.

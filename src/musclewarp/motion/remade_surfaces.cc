@@ -113,23 +113,45 @@ class Solids {
   std::vector<const SolidDistance*> muscles_, bones_;
 };
 
-// Makes the surface of a muscle anew from its cell among the solids.
+// Makes the surface of a muscle anew from its cell among the solids, with the
+// volume of the mesh that was delivered, as far as there is room. Even
+// triangles cut corners: what they cost is asked for in a second try.
 TriangleSoup SurfaceOf(const RestRemakingOptions& options,
                        CellSurfaceOptions surface_options,
                        int attempt,
-                       const MuscleModel& muscle,
+                       const PreparedMuscle& muscle,
                        int number,
                        const Solids& solids) {
+  constexpr double kAccuracy = 5e-3;  // of the volume
+  const MuscleModel& model = muscle.model;
   surface_options.spacing =
-      SpacingWithin(options, muscle, surface_options.spacing);
-  const TriangleSoup surface = SurfaceBesideBones(options,
-                                                  surface_options,
-                                                  attempt,
-                                                  solids.muscle(number),
-                                                  solids.MusclesBut(number),
-                                                  solids.bones());
-  const double typical = TypicalEdge(muscle.fine_rest, muscle.fine_triangles);
-  return WithEvenTriangles(surface, std::max(surface_options.spacing, typical));
+      SpacingWithin(options, model, surface_options.spacing);
+  const double edge =
+      std::max(surface_options.spacing,
+               TypicalEdge(model.fine_rest, model.fine_triangles));
+  const double delivered = muscle.mesh.delivered_volume;
+  surface_options.volume = delivered;
+  TriangleSoup best;
+  double best_volume = 0;
+  for (int tries = 0; tries < 2; ++tries) {
+    TriangleSoup surface =
+        WithEvenTriangles(SurfaceBesideBones(options,
+                                             surface_options,
+                                             attempt,
+                                             solids.muscle(number),
+                                             solids.MusclesBut(number),
+                                             solids.bones()),
+                          edge);
+    const double volume = SignedVolume(surface.points, surface.triangles);
+    if (tries == 0 ||
+        std::abs(volume - delivered) < std::abs(best_volume - delivered)) {
+      best = std::move(surface);
+      best_volume = volume;
+    }
+    if (best_volume <= 0 || volume >= (1 - kAccuracy) * delivered) break;
+    surface_options.volume *= delivered / volume;
+  }
+  return best;
 }
 
 }  // namespace
@@ -148,7 +170,7 @@ std::vector<TriangleSoup> RemadeSurfaces(const RestRemakingOptions& options,
   ParallelFor(muscles.size(), [&](size_t k) {
     const int i = muscles[k];
     surfaces[k] = SurfaceOf(
-        options, surface_options, attempt, scene.muscles[i].model, i, solids);
+        options, surface_options, attempt, scene.muscles[i], i, solids);
   });
   return surfaces;
 }

@@ -46,8 +46,8 @@ struct RestRemakingOptions {
   // would be nearer than min_spacing.
   double samples_across = 4;
 
-  // Less than this share of a muscle's volume must not be left. Two muscles
-  // that overlap by most of their thickness keep half of it each.
+  // Less than this share of a muscle's volume must not be left, once it has
+  // grown on its free sides.
   double least_volume_share = 0.25;
 
   bool IsValid(std::string* error) const;

@@ -20,6 +20,7 @@ struct MuscleRecord {
   std::string name;
   double volume_mm3 = 0;
   double volume_ratio = 0;
+  double volume_error = 0;
   double max_step_mm = 0;
   double max_displacement_mm = 0;
   double min_gap_mm = 0;
@@ -81,8 +82,7 @@ struct FrameRecord {
   bool moment_arms_converged = true;
   SceneIntersections intersections;  // without lists of triangles
 
-  // The largest |volume ratio - 1| of a muscle, and the folded triangles of
-  // all.
+  // The largest |volume_error| of a muscle, and the folded triangles of all.
   double WorstVolumeError() const;
   int FoldedTriangles() const;
 };

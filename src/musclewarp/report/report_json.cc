@@ -53,6 +53,7 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
                        {"coarse_vertices", muscle.model.coarse_rest.rows()},
                        {"hull_encloses", muscle.hull_encloses},
                        {"volume_mm3", muscle.model.rest_volume},
+                       {"delivered_volume_mm3", muscle.mesh.delivered_volume},
                        {"skeleton_samples", muscle.model.samples.size()},
                        {"lines", muscle.model.lines.size()},
                        {"fibres", muscle.fibres.num_lines()},
@@ -71,12 +72,21 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
                      {"defects", DefectsJson(bone.mesh.defects)},
                      {"repairs", RepairsJson(bone.mesh)}});
   }
+  OrderedJson crossings = OrderedJson::array();
+  for (const BoneCrossing& crossing : scene.bone_crossings) {
+    const Eigen::RowVector3d& place = crossing.place;
+    crossings.push_back({{"a", crossing.a},
+                         {"b", crossing.b},
+                         {"triangle_pairs", crossing.triangle_pairs},
+                         {"place_mm", {place.x(), place.y(), place.z()}}});
+  }
   OrderedJson json = {{"wall_ms", scene.wall_ms},
                       {"cached", scene.is_cached},
                       {"notes", scene.scene.notes},
                       {"warnings", scene.warnings},
                       {"muscles", muscles},
-                      {"bones", bones}};
+                      {"bones", bones},
+                      {"bone_crossings", crossings}};
   if (!scene.stages.empty()) json["stages"] = ToJson(scene.stages);
   return json;
 }

@@ -3,6 +3,7 @@
 #include "musclewarp/report/screen_progress.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iomanip>
 #include <numeric>
@@ -10,16 +11,30 @@
 #include <utility>
 
 namespace musclewarp {
+namespace {
+
+constexpr double kPauseOnTerminal = 200, kPauseElsewhere = 10000;  // ms
+
+using Lock = std::lock_guard<std::mutex>;
+
+}  // namespace
 
 ScreenProgress::ScreenProgress(bool is_terminal, std::ostream* out)
-    : is_terminal_(is_terminal), out_(out) {}
+    : is_terminal_(is_terminal), out_(out) {
+  heartbeat_ = std::thread([this] { SayThatItGoesOn(); });
+}
+
+ScreenProgress::~ScreenProgress() {
+  {
+    const Lock lock(mutex_);
+    is_over_ = true;
+  }
+  ended_.notify_all();
+  heartbeat_.join();
+}
 
 void ScreenProgress::Say(const Progress& progress) {
-  constexpr double kPauseOnTerminal = 200, kPauseElsewhere = 10000;  // ms
-  if (since_output_.Milliseconds() <
-      (is_terminal_ ? kPauseOnTerminal : kPauseElsewhere)) {
-    return;
-  }
+  const Lock lock(mutex_);
   std::ostringstream line;
   if (!work_.empty()) line << Bar() << " ";
   line << progress.stage;
@@ -28,17 +43,35 @@ void ScreenProgress::Say(const Progress& progress) {
   } else if (progress.done > 0) {
     line << ", round " << progress.done;
   }
-  line << " ...";
-  Print(line.str(), false);
+  stage_ = line.str();
+  if (since_output_.Milliseconds() >=
+      (is_terminal_ ? kPauseOnTerminal : kPauseElsewhere)) {
+    Print(stage_ + " ...", false);
+  }
+}
+
+void ScreenProgress::SayThatItGoesOn() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!ended_.wait_for(
+      lock, std::chrono::seconds(1), [this] { return is_over_; })) {
+    if (stage_.empty() || since_output_.Milliseconds() < kPauseElsewhere) {
+      continue;
+    }
+    Print(stage_ + " ... (" + RoundedTime(since_frame_.Milliseconds()) + ")",
+          false);
+  }
 }
 
 void ScreenProgress::Clear() {
+  const Lock lock(mutex_);
+  stage_.clear();
   if (!is_terminal_ || length_ == 0) return;
   *out_ << "\r" << std::string(length_, ' ') << "\r" << std::flush;
   length_ = 0;
 }
 
 void ScreenProgress::StartFrames(int done, std::vector<double> work) {
+  const Lock lock(mutex_);
   done_before_ = done;
   done_ = 0;
   work_ = std::move(work);
@@ -61,6 +94,8 @@ std::string ScreenProgress::Bar() const {
 
 void ScreenProgress::FrameDone(const FrameRecord& frame) {
   constexpr double kMemory = 0.8;
+  const Lock lock(mutex_);
+  stage_.clear();
   recent_ms_ = kMemory * recent_ms_ + since_frame_.Milliseconds();
   recent_work_ = kMemory * recent_work_ + work_[done_];
   since_frame_.Restart();

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <condition_variable>
+#include <mutex>
 #include <ostream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "musclewarp/base/progress.h"
@@ -14,7 +17,8 @@ namespace musclewarp {
 
 // Says on the screen how far a run has come. On a terminal that is one line
 // which renews itself; elsewhere a line for each frame, and one every ten
-// seconds while nothing else is printed.
+// seconds while nothing else is printed, also while a long computation says
+// nothing.
 //
 //   ScreenProgress progress(is_terminal, &std::cout);
 //   deformer_options.on_progress = [&](const Progress& p) { progress.Say(p); };
@@ -24,11 +28,12 @@ namespace musclewarp {
 class ScreenProgress {
  public:
   ScreenProgress(bool is_terminal, std::ostream* out);
+  ~ScreenProgress();
 
   // To be called from within a long computation.
   void Say(const Progress& progress);
 
-  // Clears the line of a terminal for other output.
+  // Ends what Say() began, and clears the line of a terminal, for other output.
   void Clear();
 
   // Begins to count frames, of which `done` are there already. `work` is what
@@ -48,8 +53,16 @@ class ScreenProgress {
   std::string Bar() const;
   void Print(const std::string& line, bool is_last);
 
+  // On a thread of its own: repeats what was said last, with the time since the
+  // frame began, whenever nothing was printed for a while.
+  void SayThatItGoesOn();
+
   bool is_terminal_;
   std::ostream* out_;
+  mutable std::mutex mutex_;  // of everything below
+  std::condition_variable ended_;
+  bool is_over_ = false;
+  std::string stage_;  // said last; empty after Clear()
   size_t length_ = 0;  // of the line on the terminal
   Stopwatch since_output_;
   Stopwatch since_frame_;
@@ -58,6 +71,7 @@ class ScreenProgress {
   size_t done_ = 0;  // of work_
   std::vector<double> work_;
   double recent_ms_ = 0, recent_work_ = 0;
+  std::thread heartbeat_;
 };
 
 // "50 s", "12 min", "3 h": a time (ms) as precise as people want to know it.

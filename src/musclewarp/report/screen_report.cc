@@ -89,6 +89,15 @@ void PrintPreparation(const PreparedScene& scene,
     out << "  " << bone.mesh.name << ": " << bone.rest.points.rows()
         << " vertices, bone" << Treatment(bone.mesh) << "\n";
   }
+  PrintBoneCrossings(scene, out);
+}
+
+void PrintBoneCrossings(const PreparedScene& scene, std::ostream& out) {
+  for (const BoneCrossing& crossing : scene.bone_crossings) {
+    out << "  " << crossing.a << " and " << crossing.b
+        << " cross each other as delivered, in " << crossing.triangle_pairs
+        << " pairs of triangles; bones are not moved\n";
+  }
 }
 
 void PrintFrames(const RunRecord& run, std::ostream& out) {

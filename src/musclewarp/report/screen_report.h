@@ -18,4 +18,8 @@ void PrintPreparation(const PreparedScene& scene,
 // totals of the run.
 void PrintFrames(const RunRecord& run, std::ostream& out);
 
+// Says which bones cross each other as they were delivered, a line for each
+// two.
+void PrintBoneCrossings(const PreparedScene& scene, std::ostream& out);
+
 }  // namespace musclewarp

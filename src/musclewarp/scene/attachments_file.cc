@@ -10,10 +10,7 @@ std::map<std::string, std::vector<Attachment>> ReadAttachmentsFile(
     const std::string& path,
     const std::map<std::string, std::string>& bodies,
     double radius) {
-  const JsonField root = JsonField::ParseFile(path);
-  if (root.At("units").AsString() != "mm") {
-    root.At("units").Fail("is " + root.At("units").AsString(), "allowed: mm");
-  }
+  const JsonField root = JsonField::ParseFile(path).InItsUnits();
   std::map<std::string, std::vector<Attachment>> attachments;
   const JsonField muscles = root.At("muscles");
   muscles.CheckObject();

@@ -9,6 +9,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/scene/coordinate_limits.h"
+#include "musclewarp/scene/length_unit.h"
 #include "musclewarp/scene/rigid_motion.h"
 
 namespace musclewarp {
@@ -112,12 +113,14 @@ JsonField JsonField::At(const std::string& key) const {
   if (!value_.contains(key)) {
     throw InputError(file_ + ": " + field, "is missing", "add it");
   }
-  return JsonField(value_.at(key), file_, field);
+  return JsonField(value_.at(key), file_, field, mm_per_unit_);
 }
 
 JsonField JsonField::At(size_t index) const {
-  return JsonField(
-      value_.at(index), file_, field_ + "[" + std::to_string(index) + "]");
+  return JsonField(value_.at(index),
+                   file_,
+                   field_ + "[" + std::to_string(index) + "]",
+                   mm_per_unit_);
 }
 
 size_t JsonField::ArraySize() const {
@@ -155,11 +158,29 @@ double JsonField::AsNumber() const {
 }
 
 double JsonField::AsCoordinate() const {
-  const double value = AsNumber();
+  const double value = mm_per_unit_ * AsNumber();
   if (std::abs(value) > kLargestCoordinate) {
     Fail("is " + Shortened(value_), AllowedCoordinates());
   }
   return value;
+}
+
+double JsonField::AsLength() const {
+  const double value = AsCoordinate();
+  if (value <= 0) Fail("is not above 0", "give a length above 0");
+  return value;
+}
+
+JsonField JsonField::InItsUnits() const {
+  const JsonField units = At("units");
+  const std::optional<double> mm_per_unit = MillimetresPer(units.AsString());
+  if (!mm_per_unit) {
+    units.Fail("is " + Shortened(units.value()),
+               std::string("allowed: ") + kLengthUnits);
+  }
+  JsonField field = *this;
+  field.mm_per_unit_ = *mm_per_unit;
+  return field;
 }
 
 bool JsonField::AsBool() const {
@@ -190,7 +211,7 @@ Points JsonField::AsPoints() const {
 
 Eigen::Matrix4d JsonField::AsRigidTransform() const {
   const std::string advice =
-      "give 4 rows of 4 numbers, row major, rotation and translation in mm";
+      "give 4 rows of 4 numbers, row major, rotation and translation";
   Eigen::Matrix4d transform;
   if (ArraySize() != 4) {
     Fail("has " + std::to_string(ArraySize()) + " rows", advice);
@@ -200,7 +221,11 @@ Eigen::Matrix4d JsonField::AsRigidTransform() const {
     if (row.ArraySize() != 4) {
       row.Fail("has " + std::to_string(row.ArraySize()) + " numbers", advice);
     }
-    for (int k = 0; k < 4; ++k) transform(i, k) = row.At(k).AsCoordinate();
+    for (int k = 0; k < 4; ++k) {
+      const bool is_length = i < 3 && k == 3;
+      transform(i, k) =
+          is_length ? row.At(k).AsCoordinate() : row.At(k).AsNumber();
+    }
   }
   const std::string fault = RigidMotionFault(transform);
   if (!fault.empty()) Fail(fault, advice);

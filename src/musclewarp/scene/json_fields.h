@@ -60,10 +60,17 @@ class JsonField {
   // Throws InputError if this is not an object.
   void CheckObject() const;
 
+  // Returns the same field with the unit that its key "units" states ("mm",
+  // "cm" or "m"): the lengths in it are read in that unit, and are mm in all
+  // that the functions below return. Throws InputError for another unit.
+  JsonField InItsUnits() const;
+  double mm_per_unit() const { return mm_per_unit_; }
+
   // The value as what it should be.
   std::string AsString() const;  // not empty
   double AsNumber() const;       // finite
   double AsCoordinate() const;   // mm, within kLargestCoordinate
+  double AsLength() const;       // mm, above 0
   bool AsBool() const;
   std::vector<std::string> AsStrings() const;  // of ["...", ...]
 
@@ -79,14 +86,19 @@ class JsonField {
                          const std::string& advice) const;
 
  private:
-  JsonField(Json value, std::string file, std::string field)
+  JsonField(Json value,
+            std::string file,
+            std::string field,
+            double mm_per_unit = 1)
       : value_(std::move(value)),
         file_(std::move(file)),
-        field_(std::move(field)) {}
+        field_(std::move(field)),
+        mm_per_unit_(mm_per_unit) {}
 
   Json value_;
   std::string file_;
   std::string field_;  // path from the root; empty for the root itself
+  double mm_per_unit_ = 1;
 };
 
 }  // namespace musclewarp

@@ -50,10 +50,7 @@ ScenePose ReadPoseOfFile(const JsonField& field, const BodyKeys& body_keys) {
 }  // namespace
 
 PosesFile ReadPosesFile(const std::string& path, const BodyKeys& body_keys) {
-  const JsonField root = JsonField::ParseFile(path);
-  if (root.At("units").AsString() != "mm") {
-    root.At("units").Fail("is " + root.At("units").AsString(), "allowed: mm");
-  }
+  const JsonField root = JsonField::ParseFile(path).InItsUnits();
   PosesFile file;
   const JsonField lines = root.At("lines");
   lines.CheckObject();

@@ -76,12 +76,9 @@ Attachment ReadAttachment(const JsonField& field) {
   Attachment attachment;
   attachment.body = field.At("body").AsString();
   attachment.points = field.At("points").AsPoints();
-  attachment.radius = field.At("radius").AsNumber();
+  attachment.radius = field.At("radius").AsLength();
   if (attachment.points.rows() == 0) {
     field.At("points").Fail("is empty", "give at least one point");
-  }
-  if (attachment.radius <= 0) {
-    field.At("radius").Fail("is not above 0", "give the radius in mm");
   }
   if (field.Has("may_penetrate")) {
     attachment.may_penetrate = field.At("may_penetrate").AsBool();
@@ -96,6 +93,7 @@ SceneMuscle ReadMuscle(const JsonField& field,
   SceneMuscle muscle;
   muscle.name = field.At("name").AsString();
   muscle.mesh_path = Resolve(field.At("mesh").AsString(), root);
+  muscle.mm_per_unit = field.mm_per_unit();
   if (field.Has("lines")) {
     const JsonField lines = field.At("lines");
     for (size_t i = 0; i < lines.ArraySize(); ++i) {
@@ -121,6 +119,7 @@ SceneBone ReadBone(const JsonField& field,
   bone.name = field.At("name").AsString();
   if (field.Has("mesh") || !has_model) {
     bone.mesh_path = Resolve(field.At("mesh").AsString(), root);
+    bone.rest_from_file.diagonal().head<3>().setConstant(field.mm_per_unit());
   }
   bone.body = field.At("body").AsString();
   return bone;
@@ -177,10 +176,7 @@ void AddAttachments(const JsonField& scene_field,
   for (const auto& item : bodies_field.value().items()) {
     bodies[item.key()] = bodies_field.At(item.key()).AsString();
   }
-  const double radius = field.At("radius").AsNumber();
-  if (radius <= 0) {
-    field.At("radius").Fail("is not above 0", "give the radius in mm");
-  }
+  const double radius = field.At("radius").AsLength();
   const bool may_penetrate =
       field.Has("may_penetrate") && field.At("may_penetrate").AsBool();
   const std::string path = Resolve(field.At("path").AsString(), root);
@@ -237,7 +233,7 @@ void ReadBodyAxes(const JsonField& field, Scene* scene) {
   }
 }
 
-// Keys and units of the scene file, and keys that exclude or need each other.
+// Keys of the scene file, and keys that exclude or need each other.
 void CheckSceneFile(const JsonField& field, bool has_other_motion) {
   field.CheckKeys({"name",
                    "units",
@@ -251,10 +247,6 @@ void CheckSceneFile(const JsonField& field, bool has_other_motion) {
                    "model",
                    "model_rest",
                    "motion"});
-  if (field.At("units").AsString() != "mm") {
-    field.At("units").Fail("is \"" + field.At("units").AsString() + "\"",
-                           "allowed: \"mm\"; scale the meshes");
-  }
   const bool has_model = field.Has("model");
   if (has_model && field.Has("poses")) {
     field.Fail("has both \"poses\" and a \"model\"", "leave one of them out");
@@ -263,6 +255,12 @@ void CheckSceneFile(const JsonField& field, bool has_other_motion) {
       (field.Has("motion") || field.Has("model_rest") || has_other_motion)) {
     field.Fail("has a motion but no \"model\"", "add the OpenSim model");
   }
+}
+
+JsonField ReadSceneFile(const std::string& path, bool has_other_motion) {
+  const JsonField field = JsonField::ParseFile(path);
+  CheckSceneFile(field, has_other_motion);
+  return field.InItsUnits();
 }
 
 // Poses of the scene file, then those of its poses_file. Beside a model that
@@ -325,8 +323,7 @@ void AddFiles(const JsonField& field, const std::string& root, Scene* scene) {
 Scene ReadScene(const std::string& path,
                 const std::string& data_root,
                 const std::string& motion) {
-  const JsonField field = JsonField::ParseFile(path);
-  CheckSceneFile(field, !motion.empty());
+  const JsonField field = ReadSceneFile(path, !motion.empty());
   const std::string root =
       data_root.empty() ? std::filesystem::path(path).parent_path().string()
                         : data_root;

@@ -36,6 +36,11 @@ struct SceneMuscle {
   std::vector<ActionLine> lines = {};  // none: to be made from the meshes
   std::vector<Attachment> attachments = {};
   std::string mesh_path = {};
+  double mm_per_unit = 1;  // of the points in mesh_path
+
+  // What the volume of the muscle is compared with, mm^3, where the mesh has
+  // less of it already, as that of a label may; 0: the volume of the mesh.
+  double delivered_volume = 0;
 };
 
 // The mesh of a bone, given as that of a muscle, and the body that it moves
@@ -47,7 +52,7 @@ struct SceneBone {
   std::string body = {};  // it moves with; empty: named as the bone
   std::string mesh_path = {};
   // What puts the points of the file into the scene: scale and place of meshes
-  // that a model names; the identity for those of the scene file.
+  // that a model names, the unit of those of the scene file.
   Eigen::Matrix4d rest_from_file = Eigen::Matrix4d::Identity();
 };
 

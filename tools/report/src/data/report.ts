@@ -41,6 +41,7 @@ export interface AttachmentRecord {
 export interface MuscleRecord {
   name: string;
   volume_ratio: number;
+  volume_error?: number; // earlier reports lack it
   min_gap_mm: number;
   max_displacement_mm: number;
   folded_triangles: number;

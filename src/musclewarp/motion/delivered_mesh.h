@@ -1,0 +1,16 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/scene/scene.h"
+
+namespace musclewarp {
+
+// Return the mesh of a muscle or bone as it was delivered, in memory or in a
+// file, in the rest pose and in mm. Throw InputError if the file cannot be
+// read.
+TriangleSoup DeliveredMesh(const SceneMuscle& muscle);
+TriangleSoup DeliveredMesh(const SceneBone& bone);
+
+}  // namespace musclewarp
