@@ -269,6 +269,8 @@ TEST_F(ElementFiles, GmshHasEntitiesAndGroups) {
 
 #ifdef MUSCLEWARP_WITH_VTK
 TEST_F(ElementFiles, VtuHasDataOfCellsAndPoints) {
+  model_.frame = 7;
+  model_.time = 0.07;
   const std::string bytes = VtuBytes(model_);
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   reader->ReadFromInputStringOn();
@@ -308,6 +310,9 @@ TEST_F(ElementFiles, VtuHasDataOfCellsAndPoints) {
       grid->GetFieldData()->GetAbstractArray("bodies"));
   ASSERT_NE(bodies, nullptr);
   EXPECT_EQ(std::string(bodies->GetValue(0)), "pelvis");
+  vtkFieldData* const fields = grid->GetFieldData();
+  EXPECT_EQ(fields->GetArray("frame")->GetTuple1(0), 7);
+  EXPECT_EQ(fields->GetArray("TimeValue")->GetTuple1(0), 0.07);
 }
 #endif
 

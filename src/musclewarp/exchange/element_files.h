@@ -26,7 +26,7 @@ std::string FebioText(const ElementModel& model);
 
 // Gmsh 4.1 (.msh, text): volumes and surfaces as physical groups by name, the
 // attachments as groups of triangles with all three corners attached, fibre
-// directions as element data.
+// directions as element data, at the time of the frame.
 std::string GmshText(const ElementModel& model);
 
 #ifdef MUSCLEWARP_WITH_VTK
@@ -34,7 +34,7 @@ std::string GmshText(const ElementModel& model);
 // "muscle" (its number from 1 on, 0 in bones), "bone" (the same) and "fibre",
 // and the point data "attachment" (the number of the body in the field data
 // "bodies" from 1 on, else 0). The field data "muscles", "bones" and "bodies"
-// have the names.
+// have the names, "frame" the number of the frame and "TimeValue" its time.
 std::string VtuBytes(const ElementModel& model);
 #endif
 

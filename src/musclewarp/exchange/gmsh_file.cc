@@ -40,7 +40,8 @@ class GmshWriter {
   }
 
   std::string Text() {
-    text_ = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n" +
+    text_ = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\n" + model_.title +
+            "\n$EndComments\n$PhysicalNames\n" +
             std::to_string(groups_.size()) + "\n";
     for (size_t i = 0; i < groups_.size(); ++i) {
       text_ += std::to_string(groups_[i].dimension) + ' ' +
@@ -267,8 +268,11 @@ class GmshWriter {
 
   void WriteFibres() {
     if (model_.fibres.isZero()) return;
-    text_ += "$ElementData\n1\n\"fibre\"\n1\n0\n3\n0\n3\n" +
-             std::to_string(model_.fibres.rows()) + "\n";
+    // Their name, the time, the step, and how many numbers there are. The step
+    // is not the frame: Gmsh would open with the steps before it, all empty.
+    text_ += "$ElementData\n1\n\"fibre\"\n1\n";
+    AppendReal(model_.time, &text_);
+    text_ += "\n3\n0\n3\n" + std::to_string(model_.fibres.rows()) + "\n";
     for (Eigen::Index t = 0; t < model_.fibres.rows(); ++t) {
       text_ += std::to_string(t + 1) + ' ';
       AppendPoint(model_.fibres.row(t));

@@ -113,6 +113,18 @@ void AddAttachments(const ElementModel& model, vtkUnstructuredGrid* grid) {
   AddTexts("bodies", bodies, grid);
 }
 
+// ParaView takes TimeValue as the time of a file in a series.
+void AddFrameNumber(const ElementModel& model, vtkUnstructuredGrid* grid) {
+  vtkNew<vtkIntArray> frame;
+  frame->SetName("frame");
+  frame->InsertNextValue(model.frame);
+  grid->GetFieldData()->AddArray(frame);
+  vtkNew<vtkDoubleArray> time;
+  time->SetName("TimeValue");
+  time->InsertNextValue(model.time);
+  grid->GetFieldData()->AddArray(time);
+}
+
 }  // namespace
 
 std::string VtuBytes(const ElementModel& model) {
@@ -125,6 +137,7 @@ std::string VtuBytes(const ElementModel& model) {
     muscles.push_back(muscle.name);
   }
   for (const RigidSurface& bone : model.bones) bones.push_back(bone.name);
+  AddFrameNumber(model, grid);
   AddTexts("muscles", muscles, grid);
   AddTexts("bones", bones, grid);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
