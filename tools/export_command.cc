@@ -44,8 +44,12 @@ size_t AddCrossings(const std::string& label,
 std::vector<int> SelectedFrames(const ExportRequest& request,
                                 const RunOutline& run) {
   std::vector<ScenePose> poses;
-  for (const OutlinedFrame& frame : run.frames) poses.push_back(frame.pose);
-  return SelectFrames(request.frames, poses);
+  std::vector<int> numbers;
+  for (const OutlinedFrame& frame : run.frames) {
+    poses.push_back(frame.pose);
+    numbers.push_back(frame.index);
+  }
+  return SelectFrames(request.frames, poses, numbers);
 }
 
 RunOutline OpenRun(const ExportRequest& request, std::ostream& screen) {
@@ -87,7 +91,8 @@ int ExportCrossings(const ExportRequest& request, std::ostream& screen) {
           label,
           SceneOf(run.names, ReadPose(frame.folder, run.names, rest)),
           &files);
-      screen << label << "  " << found << " places" << std::endl;
+      screen << label << "  " << found << " places" << AtTime(run, frame)
+             << std::endl;
       places += found;
     }
   }
@@ -102,12 +107,14 @@ int ExportAnimation(
     const std::function<void(const std::string&, const Animation&)>& write,
     std::ostream& screen) {
   const RunOutline run = OpenRun(request, screen);
-  Animation animation = AnimationOf(run, SelectedFrames(request, run));
+  const std::vector<int> selected = SelectedFrames(request, run);
+  Animation animation = AnimationOf(run, selected);
   const auto read = animation.read;
-  animation.read = [&](int frame) {
-    screen << "frame " << frame + 1 << " of " << animation.times.size()
-           << std::endl;
-    return read(frame);
+  animation.read = [&](int i) {
+    const OutlinedFrame& frame = run.frames[selected[i]];
+    screen << FrameFolder(frame.index) << "  " << i + 1 << " of "
+           << selected.size() << AtTime(run, frame) << std::endl;
+    return read(i);
   };
   write(request.out, animation);
   screen << "wrote " << request.out << ": " << animation.names.muscles.size()

@@ -184,11 +184,12 @@ class ElementExport {
     // The first frame is what others are moved from.
     const bool is_needed = options_.one_mesh && !mover_;
     if (IsThere(label) && !is_needed) {
-      screen_ << label << "  is there\n";
+      screen_ << label << "  is there" << AtTime(run_, frame) << "\n";
       return true;
     }
     const Stopwatch watch;
     OrderedJson record = {{"frame", label}, {"failure", nullptr}};
+    if (run_.has_times) record["time"] = frame.pose.time;
     try {
       Fill(frame, label, watch, &record);
     } catch (const FrameFailure& failure) {
@@ -196,7 +197,8 @@ class ElementExport {
       for (const std::string& format : formats_) {
         fs::remove(PathOf(label, format));
       }
-      screen_ << label << "  failed: " << failure.reason << std::endl;
+      screen_ << label << "  failed: " << failure.reason << AtTime(run_, frame)
+              << std::endl;
     }
     records_[label] = record;
     WriteRecord();
@@ -223,18 +225,20 @@ class ElementExport {
     const ElementQuality quality = QualityOf(mesh);
     Record(mesh, quality, watch, record);
     CheckQuality(quality);
-    const ElementModel model =
-        ElementModelOf(run_.scene + ", " + frame.pose.name,
+    ElementModel model =
+        ElementModelOf(run_.scene + ", " + label + ", " + frame.pose.name,
                        names,
                        pose,
                        attachments_,
                        found.gaps,
                        std::move(mesh));
+    model.frame = frame.index;
+    model.time = run_.has_times ? frame.pose.time : frame.index;
     for (const std::string& format : formats_) {
       WriteTextAtomically(PathOf(label, format),
                           ElementWriters().at(format)(model));
     }
-    Print(label, *record, watch);
+    Print(frame, *record, watch);
   }
 
   TetrahedralMesh MeshOf(const TriangleSoup& surface) {
@@ -279,16 +283,17 @@ class ElementExport {
     throw FrameFailure{text.str()};
   }
 
-  void Print(const std::string& label,
+  void Print(const OutlinedFrame& frame,
              const OrderedJson& record,
              const Stopwatch& watch) const {
-    screen_ << label << std::setw(13) << record["tetrahedra"].get<int>()
-            << std::setw(15) << record["points_inside"].get<int>() << std::fixed
+    screen_ << FrameFolder(frame.index) << std::setw(13)
+            << record["tetrahedra"].get<int>() << std::setw(15)
+            << record["points_inside"].get<int>() << std::fixed
             << std::setprecision(2) << std::setw(14)
             << record["smallest_dihedral_deg"].get<double>()
             << std::setprecision(1) << std::setw(8)
             << record["largest_aspect"].get<double>() << std::setw(9)
-            << watch.Milliseconds() / 1e3 << std::endl;
+            << watch.Milliseconds() / 1e3 << AtTime(run_, frame) << std::endl;
   }
 
   const RunOutline& run_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <numeric>
 #include <sstream>
 
 #include "musclewarp/base/input_error.h"
@@ -35,6 +36,7 @@ int ParseFrameNumber(const std::string& text, const std::string& frames) {
 int ParseRangeEnd(const std::string& text,
                   bool is_first,
                   const std::vector<ScenePose>& poses,
+                  const std::vector<int>& numbers,
                   const std::string& frames) {
   if (text.empty() || text.back() != 's') {
     return ParseFrameNumber(text, frames);
@@ -51,20 +53,42 @@ int ParseRangeEnd(const std::string& text,
   if (is_first) {
     int i = 0;
     while (i < count && poses[i].time < time - kSlack) ++i;
-    return i;
+    return i < count ? numbers[i] : numbers.back() + 1;
   }
   int i = count - 1;
   while (i >= 0 && poses[i].time > time + kSlack) --i;
-  return i;
+  return i >= 0 ? numbers[i] : numbers.front() - 1;
+}
+
+// What there is to be selected.
+std::string RangeText(const std::vector<ScenePose>& poses,
+                      const std::vector<int>& numbers) {
+  std::ostringstream range;
+  range << "there are frames " << numbers.front() << " to " << numbers.back();
+  const auto count = static_cast<int>(numbers.size());
+  if (numbers.back() - numbers.front() + 1 > count) {
+    range << " (" << count << " of them)";
+  }
+  if (poses.front().time < poses.back().time) {
+    range << ", " << poses.front().time << "s to " << poses.back().time << "s";
+  }
+  return range.str();
 }
 
 }  // namespace
 
 std::vector<int> SelectFrames(const std::string& frames,
                               const std::vector<ScenePose>& poses) {
-  const int count = static_cast<int>(poses.size());
-  int first = 0;
-  int last = count - 1;
+  std::vector<int> numbers(poses.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return SelectFrames(frames, poses, numbers);
+}
+
+std::vector<int> SelectFrames(const std::string& frames,
+                              const std::vector<ScenePose>& poses,
+                              const std::vector<int>& numbers) {
+  int first = numbers.front();
+  int last = numbers.back();
   int step = 1;
   if (frames == "last") {
     first = last;
@@ -73,27 +97,23 @@ std::vector<int> SelectFrames(const std::string& frames,
     if (parts.empty() || parts.size() > 3 || frames.back() == ':') {
       ParseFrameNumber("", frames);
     }
-    first = ParseRangeEnd(parts[0], true, poses, frames);
+    first = ParseRangeEnd(parts[0], true, poses, numbers, frames);
     last = ParseRangeEnd(
-        parts.size() > 1 ? parts[1] : parts[0], false, poses, frames);
+        parts.size() > 1 ? parts[1] : parts[0], false, poses, numbers, frames);
     if (parts.size() > 2) step = ParseFrameNumber(parts[2], frames);
   }
-  if (first > last || last >= count || step < 1) {
-    std::ostringstream range;
-    range << "the scene has frames 0 to " << count - 1;
-    if (poses.front().time < poses.back().time) {
-      range << ", " << poses.front().time << "s to " << poses.back().time
-            << "s";
-    }
-    throw InputError("--frames=" + frames,
-                     "selects no frame or one that is not there",
-                     range.str());
-  }
   std::vector<int> selected;
-  for (int frame = first; frame <= last; frame += step) {
-    selected.push_back(frame);
+  if (first >= numbers.front() && last <= numbers.back() && step > 0) {
+    for (size_t i = 0; i < numbers.size(); ++i) {
+      const int number = numbers[i];
+      if (number < first || number > last) continue;
+      if ((number - first) % step == 0) selected.push_back(static_cast<int>(i));
+    }
   }
-  return selected;
+  if (!selected.empty()) return selected;
+  throw InputError("--frames=" + frames,
+                   "selects no frame or one that is not there",
+                   RangeText(poses, numbers));
 }
 
 }  // namespace musclewarp

@@ -17,4 +17,12 @@ namespace musclewarp {
 std::vector<int> SelectFrames(const std::string& frames,
                               const std::vector<ScenePose>& poses);
 
+// The same for poses with numbers of their own, rising, as the frames of a run
+// have those of their folders: N, FIRST, LAST and STEP are about these numbers.
+// Ranges take what is there between numbers that the run spans. Returns indices
+// of the poses.
+std::vector<int> SelectFrames(const std::string& frames,
+                              const std::vector<ScenePose>& poses,
+                              const std::vector<int>& numbers);
+
 }  // namespace musclewarp

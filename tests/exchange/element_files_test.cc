@@ -18,7 +18,6 @@
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #endif
@@ -99,11 +98,23 @@ class ElementFiles : public ::testing::Test {
 TEST_F(ElementFiles, AbaqusHasAllPartsByName) {
   const std::string text = AbaqusText(model_);
   ReadMesh read;
-  for (const std::string set : {"MUSCLE_NODES", "femur_NODES"}) {
-    for (const Numbers& row : RowsAfter(text, "*NODE, NSET=" + set, "*")) {
-      read.nodes[static_cast<int>(row[0])] = PointIn(row, 1);
-    }
+  for (const Numbers& row : RowsAfter(text, "*NODE", "*")) {
+    read.nodes[static_cast<int>(row[0])] = PointIn(row, 1);
   }
+  // The sets of nodes, which follow each other.
+  const auto set = [&](const std::string& name) {
+    const auto rows =
+        RowsAfter(text, "*NSET, NSET=" + name + ", GENERATE", "*");
+    EXPECT_EQ(rows.size(), 1u);
+    return rows.empty() ? Numbers{0, 0, 0} : rows[0];
+  };
+  const auto last_muscle = static_cast<double>(model_.mesh.points.rows());
+  const double last_bone = last_muscle + model_.bones[0].surface.points.rows();
+  EXPECT_EQ(set("MUSCLE_NODES"), Numbers({1, last_muscle, 1}));
+  EXPECT_EQ(set("femur_NODES"), Numbers({last_muscle + 1, last_bone, 1}));
+  EXPECT_EQ(set("body_thigh"), Numbers({last_bone + 1, last_bone + 1, 1}));
+  EXPECT_EQ(read.nodes.count(static_cast<int>(last_bone) + 1), 1u);
+  read.nodes.erase(static_cast<int>(last_bone) + 1);
   for (const std::string muscle : {"psoas", "iliacus"}) {
     for (const Numbers& row :
          RowsAfter(text, "*ELEMENT, TYPE=C3D4, ELSET=" + muscle, "*")) {
@@ -122,14 +133,33 @@ TEST_F(ElementFiles, AbaqusHasAllPartsByName) {
   EXPECT_THAT(text, HasSubstr("\npsoas_SURFACE, iliacus_SURFACE\n"));
   EXPECT_THAT(text, HasSubstr("at least 1.25 mm apart"));
   EXPECT_THAT(text,
-              HasSubstr("*ELSET, ELSET=body_thigh_BONES\nfemur\n"
-                        "*RIGID BODY, ELSET=body_thigh_BONES, REF NODE="));
-  EXPECT_THAT(text, HasSubstr("*NODE, NSET=body_thigh\n"));
+              HasSubstr("*RIGID BODY, ELSET=body_thigh_BONES, REF NODE="));
   EXPECT_THAT(text, HasSubstr("ORIENTATION=psoas_AXES"));
   EXPECT_THAT(text, Not(HasSubstr("iliacus_AXES")));  // it has no fibres
   EXPECT_EQ(
       RowsAfter(text, "*SURFACE, NAME=psoas_SURFACE, TYPE=ELEMENT", "*").size(),
       model_.muscles[0].faces.size());
+}
+
+TEST_F(ElementFiles, AbaqusBonesOfABodyAreOneSet) {
+  model_.bones.push_back(model_.bones[0]);
+  model_.bones[1].name = "other";
+  model_.bones[1].body = "shank";
+  model_.bones.push_back(model_.bones[0]);
+  model_.bones[2].name = "patella";
+  const std::string text = AbaqusText(model_);
+  Numbers elements, expected;
+  for (const Numbers& row :
+       RowsAfter(text, "*ELSET, ELSET=body_thigh_BONES", "*")) {
+    elements.insert(elements.end(), row.begin(), row.end());
+  }
+  for (const std::string bone : {"femur", "patella"}) {
+    for (const Numbers& row :
+         RowsAfter(text, "*ELEMENT, TYPE=R3D3, ELSET=" + bone, "*")) {
+      expected.push_back(row[0]);
+    }
+  }
+  EXPECT_EQ(elements, expected);
 }
 
 TEST_F(ElementFiles, AbaqusLinesHaveAtMostSixteenNumbers) {
@@ -262,13 +292,21 @@ TEST_F(ElementFiles, GmshHasEntitiesAndGroups) {
   EXPECT_EQ(triangles[2], 1);
   EXPECT_EQ(triangles[1], model_.muscles[0].surface.rows() - 1);
   const auto fibres = RowsAfter(text, "$ElementData", "$EndElementData");
-  ASSERT_EQ(fibres.size(),
-            static_cast<size_t>(model_.mesh.tetrahedra.rows()) + 8);
-  EXPECT_EQ(PointIn(fibres[8], 1), model_.fibres.row(0));
+  // In the order of the elements, of which those of surfaces come first.
+  const auto count = static_cast<size_t>(elements[0][1]);
+  ASSERT_EQ(fibres.size(), count + 8);
+  const auto first = static_cast<Eigen::Index>(count) - model_.fibres.rows();
+  for (Eigen::Index i = 0; i < first; ++i) {
+    EXPECT_TRUE(PointIn(fibres[8 + i], 1).isZero());
+  }
+  EXPECT_EQ(fibres[8 + first][0], 1);
+  EXPECT_EQ(PointIn(fibres[8 + first], 1), model_.fibres.row(0));
 }
 
 #ifdef MUSCLEWARP_WITH_VTK
 TEST_F(ElementFiles, VtuHasDataOfCellsAndPoints) {
+  model_.frame = 7;
+  model_.time = 0.07;
   const std::string bytes = VtuBytes(model_);
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   reader->ReadFromInputStringOn();
@@ -304,10 +342,17 @@ TEST_F(ElementFiles, VtuHasDataOfCellsAndPoints) {
     attached += attachment->GetTuple1(i) == 1;
   }
   EXPECT_EQ(attached, 3);
-  auto* const bodies = vtkStringArray::SafeDownCast(
-      grid->GetFieldData()->GetAbstractArray("bodies"));
-  ASSERT_NE(bodies, nullptr);
-  EXPECT_EQ(std::string(bodies->GetValue(0)), "pelvis");
+  vtkFieldData* const fields = grid->GetFieldData();
+  const std::map<std::string, int> numbers = {{"muscle_psoas", 1},
+                                              {"muscle_iliacus", 2},
+                                              {"bone_femur", 1},
+                                              {"body_pelvis", 1},
+                                              {"frame", 7}};
+  for (const auto& [name, number] : numbers) {
+    ASSERT_NE(fields->GetArray(name.c_str()), nullptr) << name;
+    EXPECT_EQ(fields->GetArray(name.c_str())->GetTuple1(0), number) << name;
+  }
+  EXPECT_EQ(fields->GetArray("TimeValue")->GetTuple1(0), 0.07);
 }
 #endif
 

@@ -136,6 +136,16 @@ TEST_F(GlbFile, GivesMusclesBackInEveryFrame) {
   }
 }
 
+TEST_F(GlbFile, FramesHaveTheNumbersOfTheRun) {
+  run_.frames[0].index = 7;
+  run_.frames[1].index = 12;
+  WriteGlb(path_, AnimationOf(run_, {0, 1}));
+  const Glb glb(path_);
+  EXPECT_EQ(glb.scene["meshes"][0]["extras"]["targetNames"],
+            json({"frame_0007", "frame_0012"}));
+  EXPECT_EQ(glb.scene["animations"][0]["extras"]["frames"], json({7, 12}));
+}
+
 TEST_F(GlbFile, MovesBonesAsNodes) {
   WriteGlb(path_, AnimationOf(run_, {0, 1}));
   const Glb glb(path_);

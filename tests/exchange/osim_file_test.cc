@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <pugixml.hpp>
 
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/opensim/kinematics.h"
@@ -15,11 +16,10 @@
 namespace musclewarp {
 namespace {
 
-// Between them is the path of the first muscle. The name has a byte of Latin-1
-// although the file claims UTF-8, as files of OpenSim do.
+// Between them is the path of the first muscle.
 const char kBefore[] =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\r\n"
-    "<OpenSimDocument Version=\"30000\"><Model name=\"caf\xe9\">\r\n"
+    "<OpenSimDocument Version=\"30000\"><Model name=\"caf\xc3\xa9\">\r\n"
     "<BodySet><objects><Body name=\"ground\"/><Body name=\"femur\"><Joint>"
     "<PinJoint name=\"hip\"><parent_body>ground</parent_body>"
     "<CoordinateSet><objects><Coordinate name=\"flexion\"/></objects>"
@@ -60,6 +60,81 @@ TEST(OsimFile, KeepsThePropertyOfOpenSim45) {
   const std::string edited = Edited(open + kPath + close);
   EXPECT_THAT(edited, ::testing::StartsWith(kBefore + open + "<FunctionBased"));
   EXPECT_THAT(edited, ::testing::EndsWith("BasedPath>" + close + kAfter));
+}
+
+// The whole model with another encoding, or none, in its declaration.
+std::string Declared(const std::string& encoding) {
+  const std::string utf8 = " encoding=\"UTF-8\"";
+  std::string text = std::string(kBefore) + kPath + kAfter;
+  return text.replace(text.find(utf8),
+                      utf8.size(),
+                      encoding.empty() ? "" : " encoding='" + encoding + "'");
+}
+
+// Its one character that is not ASCII as a byte of Latin-1.
+std::string InLatin1(std::string text) {
+  return text.replace(text.find("\xc3\xa9"), 2, "\xe9");
+}
+
+// The name that readers find which take the file at its word.
+std::string NameIn(const std::string& bytes) {
+  const std::string edited =
+      WithFunctionPaths(bytes, "leg.osim", {"flexion"}, Fits("psoas"));
+  pugi::xml_document document;
+  EXPECT_TRUE(document.load_buffer(edited.data(), edited.size()));
+  EXPECT_TRUE(document.find_node([](pugi::xml_node node) {
+    return std::string(node.name()) == "FunctionBasedPath";
+  }));
+  const std::string encoding = document.document_element()
+                                   .previous_sibling()
+                                   .attribute("encoding")
+                                   .value();
+  EXPECT_TRUE(encoding.empty() || encoding == "UTF-8") << encoding;
+  return document.document_element().child("Model").attribute("name").value();
+}
+
+TEST(OsimFile, IsInTheEncodingThatItNames) {
+  const std::string mark = "\xef\xbb\xbf";
+  for (const char* encoding : {"ISO-8859-1", "windows-1252", "UTF-8", ""}) {
+    const std::string text = Declared(encoding);
+    EXPECT_EQ(NameIn(text), "caf\xc3\xa9") << encoding;
+    EXPECT_EQ(NameIn(mark + text), "caf\xc3\xa9") << encoding;
+    EXPECT_EQ(NameIn(InLatin1(text)), "caf\xc3\xa9") << encoding;
+  }
+  std::string utf16 = "\xff\xfe";
+  for (const char c : InLatin1(Declared("UTF-16"))) utf16 += {c, '\0'};
+  EXPECT_EQ(NameIn(utf16), "caf\xc3\xa9");
+}
+
+TEST(OsimFile, KeepsTheMarkOfUtf8) {
+  const std::string mark = "\xef\xbb\xbf";
+  EXPECT_EQ(WithFunctionPaths(mark + kBefore + kPath + kAfter,
+                              "leg.osim",
+                              {"flexion"},
+                              Fits("psoas")),
+            mark + Edited());
+}
+
+TEST(OsimFile, FindsNamesThatAreNotAscii) {
+  const auto renamed = [](std::string text) {
+    text.replace(text.find("\"hip\""),
+                 5,
+                 "\"H\xfc"
+                 "fte &amp; Co\"");
+    return text.replace(text.find("\"psoas\""),
+                        7,
+                        "\"L\xfc"
+                        "ck\"");
+  };
+  const std::string edited =
+      WithFunctionPaths(renamed(InLatin1(Declared("ISO-8859-1"))),
+                        "leg.osim",
+                        {"flexion"},
+                        Fits("L\xc3\xbc"
+                             "ck"));
+  EXPECT_THAT(edited,
+              ::testing::HasSubstr("<coordinate_paths>/jointset/H\xc3\xbc"
+                                   "fte &amp; Co/flexion<"));
 }
 
 TEST(OsimFile, ReaderGivesTheFitBack) {

@@ -58,6 +58,27 @@ TEST(PointCaches, GiveEveryFrameBack) {
   EXPECT_TRUE(fs::exists(dir + "/bone.pc2"));
 }
 
+TEST(PointCaches, CountFramesAsTheRunDoes) {
+  const WrittenRun written = WriteRun(TestTempDir());
+  const std::string dir = written.dir + "/blender";
+  const auto numbers = [&](const std::vector<int>& frames) {
+    Animation animation = AnimationOf(ReadRunOutline(written.dir, "0"), {0, 1});
+    animation.numbers = frames;
+    animation.times.resize(frames.size());
+    animation.read = [read = animation.read](int i) { return read(i % 2); };
+    WritePointCaches(dir, animation);
+    float start_and_step[2];
+    const std::string bytes = ReadFile(dir + "/muscle.pc2");
+    std::memcpy(start_and_step, &bytes[20], sizeof(start_and_step));
+    return std::vector<float>(start_and_step, start_and_step + 2);
+  };
+  EXPECT_EQ(numbers({7}), std::vector<float>({7, 1}));
+  EXPECT_EQ(numbers({7, 12}), std::vector<float>({7, 5}));
+  EXPECT_EQ(numbers({7, 12, 17}), std::vector<float>({7, 5}));
+  // No step would do.
+  EXPECT_EQ(numbers({7, 12, 13}), std::vector<float>({0, 1}));
+}
+
 TEST(PointCaches, DoNotReplaceAFolderOfOtherThings) {
   const WrittenRun written = WriteRun(TestTempDir());
   const RunOutline run = ReadRunOutline(written.dir, "0");

@@ -27,6 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -81,6 +82,44 @@ TEST_F(Export, CrossingsOfARun) {
               HasSubstr("\nframe_0001,muscle,bone,"));
 }
 
+TEST_F(Export, FramesKeepTheNumbersOfTheirFolders) {
+  // The run has the frames 7 and 9, as of --frames=7:9:2.
+  fs::rename(run_.dir + "/frame_0000", run_.dir + "/frame_0007");
+  fs::rename(run_.dir + "/frame_0001", run_.dir + "/frame_0009");
+  run_.report["frames"][0]["index"] = 7;
+  run_.report["frames"][1]["index"] = 9;
+  run_.WriteReport();
+  request_.frames = "0";
+  ExpectRefused("crossings", {"--frames=0", "frames 7 to 9 (2 of them)"});
+  request_.frames = "9";
+  EXPECT_EQ(Run("crossings"), kExitUsable);
+  EXPECT_THAT(screen_.str(), HasSubstr("frame_0009  1 places, at 1.1 s\n"));
+  EXPECT_TRUE(fs::exists(request_.out + "/frame_0009_curves.ply"));
+  request_.frames = "all";
+  request_.out = run_.dir + "/caches";
+  EXPECT_EQ(Run("pc2"), kExitUsable);
+  EXPECT_THAT(screen_.str(),
+              AllOf(HasSubstr("frame_0007  1 of 2, at 0.1 s\n"),
+                    HasSubstr("frame_0009  2 of 2, at 1.1 s\n")));
+  if (FindProgram("tetgen").empty()) GTEST_SKIP() << "no tetgen";
+  request_.out = run_.dir + "/out";
+  request_.frames = "7:9";
+  EXPECT_EQ(Run("inp,msh,feb"), kExitNotUsable);
+  EXPECT_THAT(screen_.str(),
+              AllOf(ContainsRegex("frame_0007 .*, at 0.1 s\n"),
+                    ContainsRegex("frame_0009  failed: .*, at 1.1 s\n")));
+  EXPECT_EQ(Record()["frames"][0]["frame"], "frame_0007");
+  EXPECT_EQ(Record()["frames"][0]["time"], 0.1);
+  const auto text = [&](const std::string& format) {
+    return FileText(request_.out + "/frame_0007." + format);
+  };
+  EXPECT_THAT(text("inp"), HasSubstr("*HEADING\nby hand, frame_0007, "));
+  EXPECT_THAT(text("feb"), HasSubstr("<!-- musclewarp-export, frame_0007."));
+  EXPECT_THAT(text("msh"),
+              AllOf(HasSubstr("$Comments\nby hand, frame_0007, "),
+                    ContainsRegex("\"fibre\"\n1\n0\\.10*1?\n3\n0\n3\n")));
+}
+
 TEST_F(Export, CrossingsOfFiles) {
   request_.in = "";
   request_.files = {run_.dir + "/frame_0001/muscle.ply",
@@ -104,7 +143,7 @@ TEST_F(Export, AnimationsSayTheirAxes) {
   request_.out = run_.dir + "/out";
   request_.frames = "1";
   EXPECT_EQ(Run("pc2"), kExitUsable);
-  EXPECT_THAT(screen_.str(), HasSubstr("frame 1 of 1"));
+  EXPECT_THAT(screen_.str(), HasSubstr("frame_0001  1 of 1, at 1.1 s\n"));
   EXPECT_TRUE(fs::exists(request_.out + "/muscle.pc2"));
 }
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "musclewarp/base/child_process.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/build_info/build_info.h"
@@ -17,6 +18,7 @@
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
 #include "tools/program.h"
+#include "tools/run_program.h"
 
 namespace musclewarp {
 namespace {
@@ -47,13 +49,16 @@ class ExportOsimTest : public ::testing::Test {
     dir_ = TestTempDir();
     WriteTextAtomically(dir_ + "/leg.osim", kModel);
     report_ = {{"version", kVersion},
+               {"contact", "certified"},
                {"motion", {{"model", dir_ + "/leg.osim"}}},
                {"summary", {{"finished", true}, {"usable", true}}},
                {"frames", Json::array()}};
     for (int degrees = -10; degrees <= 90; degrees += 10) {
       const double q = degrees * M_PI / 180;
       report_["frames"].push_back(
-          {{"coordinates", {{"flexion", degrees}}},
+          {{"index", 7 + report_["frames"].size()},
+           {"time", 0.5 * (7 + report_["frames"].size())},
+           {"coordinates", {{"flexion", degrees}}},
            {"moment_arms_converged", true},
            {"muscles",
             {{{"line_lengths_mm", {{"psoas", Length(q)}, {"extra", 1}}},
@@ -128,7 +133,9 @@ TEST_F(ExportOsimTest, RefusesRunsThatWillNotDo) {
   ExpectRefused({"motion: is null"});
   report_ = good;
   report_["frames"][3]["moment_arms_converged"] = false;
-  ExpectRefused({"frames[3].moment_arms_converged"});
+  ExpectRefused({"frames[3].moment_arms_converged",
+                 "frame_0010, at 5 s",
+                 "mean nothing"});
   report_ = good;
   report_["frames"][0]["muscles"][0]["line_moment_arms_mm"] = Json::object();
   ExpectRefused({"line_moment_arms_mm", "psoas", "--contact=certified"});
@@ -137,6 +144,58 @@ TEST_F(ExportOsimTest, RefusesRunsThatWillNotDo) {
     frame["muscles"][0]["line_lengths_mm"] = {{"extra", 1}};
   }
   ExpectRefused({"has no line that is a muscle"});
+}
+
+TEST_F(ExportOsimTest, RefusesRunsOfDifferentContactModes) {
+  EXPECT_EQ(Run(), kExitUsable);
+  const std::string other = dir_ + "/other";
+  fs::create_directory(other);
+  report_["contact"] = "none";
+  WriteTextAtomically(other + "/report.json", report_.dump());
+  const std::string record = ReadFile(dir_ + "/fitted.fit.json");
+  ExpectInputError([&] { Run(dir_ + "," + other); },
+                   {other + ": was made with --contact=none",
+                    dir_ + " with --contact=certified",
+                    "give runs of one contact mode"});
+  EXPECT_EQ(ReadFile(dir_ + "/fitted.fit.json"), record);
+  const ProgramRun program = RunCommandLine(
+      MUSCLEWARP_EXPORT,
+      "--in=" + dir_ + "," + other + " --out=" + out_() + " --format=osim");
+  EXPECT_EQ(program.exit_code, kExitBadInput);
+  EXPECT_EQ(Run(other + "," + other), kExitUsable);
+}
+
+// Reads the model as a program does that is not ours.
+TEST_F(ExportOsimTest, PythonReadsModelsOfAllEncodings) {
+  if (FindProgram("python3").empty()) GTEST_SKIP() << "no python3";
+  WriteTextAtomically(
+      dir_ + "/names.py",
+      "import sys, xml.etree.ElementTree as tree\n"
+      "root = tree.parse(sys.argv[1]).getroot()\n"
+      "muscle = root.find('.//Thelen2003Muscle')\n"
+      "name = muscle.get('name') + muscle.find('.//coordinate_paths').text\n"
+      "sys.stdout.buffer.write(name.encode('utf-8'))\n");
+  const std::string model = std::string(kModel).replace(
+      std::string(kModel).find("psoas"), 5, "L\xfc");
+  for (Json& frame : report_["frames"]) {
+    Json& muscle = frame["muscles"][0];
+    muscle["line_lengths_mm"] = {
+        {"L\xc3\xbc", muscle["line_lengths_mm"]["psoas"]}};
+    muscle["line_moment_arms_mm"] = {
+        {"L\xc3\xbc", muscle["line_moment_arms_mm"]["psoas"]}};
+  }
+  for (const std::string head :
+       {"<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>",
+        "<?xml version=\"1.0\" encoding=\"windows-1252\"?>\n",
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n",
+        ""}) {
+    WriteTextAtomically(dir_ + "/leg.osim", head + model);
+    EXPECT_EQ(Run(), kExitUsable);
+    const ProgramRun python =
+        RunCommandLine("python3", dir_ + "/names.py " + out_());
+    EXPECT_EQ(python.exit_code, 0) << head << python.errors;
+    EXPECT_EQ(python.out, "L\xc3\xbc/jointset/hip/flexion") << head;
+  }
 }
 
 TEST_F(ExportOsimTest, RefusesToReplaceTheModel) {

@@ -63,5 +63,28 @@ TEST(SelectFrames, SaysWhatTheSceneHasIfNothingIsSelected) {
   }
 }
 
+// A run of the frames 7, 9 and 11, at 0.07, 0.09 and 0.11 s.
+std::vector<int> SelectedOfRun(const std::string& frames) {
+  const std::vector<int> numbers = {7, 9, 11};
+  std::vector<ScenePose> poses(3);
+  for (size_t i = 0; i < poses.size(); ++i) poses[i].time = numbers[i] / 100.0;
+  return SelectFrames(frames, poses, numbers);
+}
+
+TEST(SelectFrames, NumbersAreThoseOfTheFramesOfARun) {
+  EXPECT_THAT(SelectedOfRun("all"), ElementsAre(0, 1, 2));
+  EXPECT_THAT(SelectedOfRun("last"), ElementsAre(2));
+  EXPECT_THAT(SelectedOfRun("7"), ElementsAre(0));
+  EXPECT_THAT(SelectedOfRun("8:11"), ElementsAre(1, 2));
+  EXPECT_THAT(SelectedOfRun("7:11:4"), ElementsAre(0, 2));
+  EXPECT_THAT(SelectedOfRun("0.08s:0.2s"), ElementsAre(1, 2));
+  EXPECT_THAT(SelectedOfRun("0.08s:11:2"), ElementsAre(1, 2));
+  for (const char* frames : {"0", "8", "0:11", "7:12", "0.2s:0.3s", "0s"}) {
+    ExpectInputError(
+        [&] { SelectedOfRun(frames); },
+        {"--frames=", "frames 7 to 11 (3 of them), 0.07s to 0.11s"});
+  }
+}
+
 }  // namespace
 }  // namespace musclewarp

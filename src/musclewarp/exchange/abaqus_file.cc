@@ -66,24 +66,36 @@ class AbaqusWriter {
     }
   }
 
+  // A set of nodes that follow each other.
+  static std::string NodeRange(const std::string& name,
+                               int first,
+                               Eigen::Index count) {
+    return "*NSET, NSET=" + name + ", GENERATE\n" + std::to_string(first + 1) +
+           ", " + std::to_string(first + count) + ", 1\n";
+  }
+
+  // All nodes are in one block: meshio keeps only the last one of several.
   void WriteNodes() {
-    text_ += "*NODE, NSET=MUSCLE_NODES\n";
+    text_ += "*NODE\n";
     AppendPoints(model_.mesh.points, 0);
+    std::string sets = NodeRange("MUSCLE_NODES", 0, model_.mesh.points.rows());
     int first = first_bone_node_;
     for (const RigidSurface& bone : model_.bones) {
-      text_ += "*NODE, NSET=" + Name(bone.name) + "_NODES\n";
       AppendPoints(bone.surface.points, first);
-      first += static_cast<int>(bone.surface.points.rows());
+      const Eigen::Index count = bone.surface.points.rows();
+      sets += NodeRange(Name(bone.name) + "_NODES", first, count);
+      first += static_cast<int>(count);
     }
     // The reference node of a body is in the middle of its first bone.
     for (const RigidSurface& bone : model_.bones) {
       if (!bodies_.emplace(bone.body, first).second) continue;
-      text_ += "*NODE, NSET=" + Name("body " + bone.body) + "\n" +
-               std::to_string(first + 1);
+      text_ += std::to_string(first + 1);
       AppendPoint(bone.surface.points.colwise().mean());
       text_ += '\n';
+      sets += NodeRange(Name("body " + bone.body), first, 1);
       ++first;
     }
+    text_ += sets;
   }
 
   void WriteMuscles() {
@@ -113,10 +125,12 @@ class AbaqusWriter {
   void WriteBones() {
     int node = first_bone_node_;
     int element = first_bone_element_;
+    std::map<std::string, std::vector<int>> elements;  // of bodies
     for (const RigidSurface& bone : model_.bones) {
       const std::string& name = Name(bone.name);
       text_ += "*ELEMENT, TYPE=R3D3, ELSET=" + name + "\n";
       for (Eigen::Index f = 0; f < bone.surface.triangles.rows(); ++f) {
+        elements[bone.body].push_back(element);
         text_ += std::to_string(++element);
         for (const int v : bone.surface.triangles.row(f)) {
           text_ += ", " + std::to_string(node + v + 1);
@@ -129,10 +143,9 @@ class AbaqusWriter {
     }
     for (const auto& [body, reference] : bodies_) {
       const std::string set = Name("body " + body) + "_BONES";
+      // By numbers: meshio confuses the elements of sets of sets.
       text_ += "*ELSET, ELSET=" + set + "\n";
-      for (const RigidSurface& bone : model_.bones) {
-        if (bone.body == body) text_ += Name(bone.name) + "\n";
-      }
+      AppendSet(elements[body]);
       text_ += "*RIGID BODY, ELSET=" + set +
                ", REF NODE=" + std::to_string(reference + 1) + "\n";
     }

@@ -21,6 +21,7 @@ Animation AnimationOf(const RunOutline& run, const std::vector<int>& frames) {
   for (size_t i = 0; i < frames.size(); ++i) {
     const OutlinedFrame& frame = run.frames[frames[i]];
     folders.push_back(frame.folder);
+    animation.numbers.push_back(frame.index);
     animation.times.push_back(
         run.has_times ? frame.pose.time - run.frames[frames[0]].pose.time
                       : static_cast<double>(i));

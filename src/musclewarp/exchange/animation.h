@@ -18,10 +18,11 @@ struct Animation {
   std::string axes;  // of the meshes, see AreBodyAxes in geometry/view.h
   RecordedNames names;
   RecordedPose rest;
+  std::vector<int> numbers;   // of the frames in the run, rising
   std::vector<double> times;  // of the frames, s: from 0 on, rising
 
-  // Reads a frame by its number in `times`. Frames are asked for in order, each
-  // once, so that one at a time is in memory. May throw InputError.
+  // Reads a frame by its position in `times`. Frames are asked for in order,
+  // each once, so that one at a time is in memory. May throw InputError.
   std::function<RecordedPose(int frame)> read;
 };
 

@@ -46,6 +46,8 @@ struct ContactPair {
 
 struct ElementModel {
   std::string title;  // what it is of, in a line
+  int frame = 0;      // its number in the run
+  double time = 0;    // s; in runs that are no motions the number
   TetrahedralMesh mesh;
   std::vector<MuscleElements> muscles;
   std::vector<RigidSurface> bones;

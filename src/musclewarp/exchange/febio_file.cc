@@ -6,6 +6,7 @@
 #include "musclewarp/exchange/element_files.h"
 #include "musclewarp/exchange/element_names.h"
 #include "musclewarp/mesh_files/text_cursor.h"
+#include "musclewarp/motion/frame_files.h"
 
 namespace musclewarp {
 namespace {
@@ -19,8 +20,10 @@ class FebioWriter {
     text_ =
         "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n"
         "<febio_spec version=\"4.0\">\n"
-        "<!-- musclewarp-export. Units: mm, N, MPa, tonne, s. The materials "
-        "are placeholders: put in your own, and add a step. -->\n"
+        "<!-- musclewarp-export, " +
+        FrameFolder(model_.frame) +
+        ". Units: mm, N, MPa, tonne, s. The materials are placeholders: put in "
+        "your own, and add a step. -->\n"
         "<Module type=\"solid\"/>\n";
     WriteMaterials();
     WriteMesh();

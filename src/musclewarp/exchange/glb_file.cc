@@ -10,6 +10,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/palette.h"
 #include "musclewarp/exchange/glb_container.h"
+#include "musclewarp/motion/frame_files.h"
 
 namespace musclewarp {
 namespace {
@@ -171,8 +172,8 @@ class GlbScene {
 
   void AddTargets() {
     OrderedJson names = OrderedJson::array();
-    for (size_t k = 0; k < animation_.times.size(); ++k) {
-      names.push_back("frame " + std::to_string(k));
+    for (const int number : animation_.numbers) {
+      names.push_back(FrameFolder(number));
     }
     for (size_t i = 0; i < animation_.names.muscles.size(); ++i) {
       meshes_[i]["weights"] = std::vector<double>(names.size(), 0.0);
@@ -212,7 +213,10 @@ class GlbScene {
           "translation",
           arrays_->AddFloats(places, false, false));
     }
-    return {{"name", "motion"}, {"samplers", samplers}, {"channels", channels}};
+    return {{"name", "motion"},
+            {"samplers", samplers},
+            {"channels", channels},
+            {"extras", {{"frames", animation_.numbers}}}};
   }
 
   const Animation& animation_;

@@ -12,9 +12,10 @@ namespace musclewarp {
 // GltfConversion). The scene has a node for each mesh, by its name and in the
 // colours of the pictures, below one node that moves the origin to the middle
 // of the meshes, so that single precision is to 1e-4 mm and better. A muscle
-// has its rest shape, and a morph target for each frame, which holds the
-// displacements from rest; a bone is an animated node. All follow one
-// animation, linear between the frames. There are no normals, so that viewers
+// has its rest shape, and a morph target for each frame, named as the folder of
+// the frame, which holds the displacements from rest; a bone is an animated
+// node. All follow one animation, linear between the frames, whose extras have
+// the numbers of the "frames" in the run. There are no normals, so that viewers
 // compute those of each frame.
 //
 // One frame at a time is in memory. The file appears complete or not at all.

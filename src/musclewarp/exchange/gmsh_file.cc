@@ -28,6 +28,17 @@ struct GmshGroup {
   std::string name;
 };
 
+// Elements of volumes have the numbers of the other formats; those of surfaces
+// follow.
+struct GmshNumbers {
+  int64_t last_in_volumes = 0;
+  int64_t last_in_surfaces = 0;
+
+  int64_t Next(const GmshEntity& entity) {
+    return entity.dimension == 3 ? ++last_in_volumes : ++last_in_surfaces;
+  }
+};
+
 class GmshWriter {
  public:
   explicit GmshWriter(const ElementModel& model) : model_(model) {
@@ -40,7 +51,8 @@ class GmshWriter {
   }
 
   std::string Text() {
-    text_ = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n" +
+    text_ = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Comments\n" + model_.title +
+            "\n$EndComments\n$PhysicalNames\n" +
             std::to_string(groups_.size()) + "\n";
     for (size_t i = 0; i < groups_.size(); ++i) {
       text_ += std::to_string(groups_[i].dimension) + ' ' +
@@ -238,24 +250,24 @@ class GmshWriter {
     text_ += "$EndNodes\n";
   }
 
-  // Elements of volumes have the numbers of the other formats; those of
-  // surfaces follow.
-  void WriteElements() {
+  int64_t CountElements() const {
     int64_t count = 0;
     for (const GmshEntity& entity : entities_) count += entity.elements.rows();
+    return count;
+  }
+
+  void WriteElements() {
     text_ += "$Elements\n";
-    AppendCounts(count);
-    int64_t volume_element = 0;
-    int64_t surface_element = model_.mesh.tetrahedra.rows();
+    AppendCounts(CountElements());
+    GmshNumbers numbers{0, model_.mesh.tetrahedra.rows()};
     ForEachEntity([&](int tag, const GmshEntity& entity) {
-      const bool is_volume = entity.dimension == 3;
-      int64_t* const number = is_volume ? &volume_element : &surface_element;
       text_ += std::to_string(entity.dimension) + ' ' + std::to_string(tag) +
                ' ' +
-               std::to_string(is_volume ? kTetrahedronType : kTriangleType) +
+               std::to_string(entity.dimension == 3 ? kTetrahedronType
+                                                    : kTriangleType) +
                ' ' + std::to_string(entity.elements.rows()) + "\n";
       for (Eigen::Index i = 0; i < entity.elements.rows(); ++i) {
-        text_ += std::to_string(++*number);
+        text_ += std::to_string(numbers.Next(entity));
         for (const int v : entity.elements.row(i)) {
           text_ += ' ' + std::to_string(v + 1);
         }
@@ -265,15 +277,26 @@ class GmshWriter {
     text_ += "$EndElements\n";
   }
 
+  // All elements have a direction, in the order in which they were written:
+  // meshio takes no data of some elements only. Those of surfaces are zero.
   void WriteFibres() {
     if (model_.fibres.isZero()) return;
-    text_ += "$ElementData\n1\n\"fibre\"\n1\n0\n3\n0\n3\n" +
-             std::to_string(model_.fibres.rows()) + "\n";
-    for (Eigen::Index t = 0; t < model_.fibres.rows(); ++t) {
-      text_ += std::to_string(t + 1) + ' ';
-      AppendPoint(model_.fibres.row(t));
-      text_ += '\n';
-    }
+    // Their name, the time, the step, and how many numbers there are. The step
+    // is not the frame: Gmsh would open with the steps before it, all empty.
+    text_ += "$ElementData\n1\n\"fibre\"\n1\n";
+    AppendReal(model_.time, &text_);
+    text_ += "\n3\n0\n3\n" + std::to_string(CountElements()) + "\n";
+    GmshNumbers numbers{0, model_.mesh.tetrahedra.rows()};
+    ForEachEntity([&](int, const GmshEntity& entity) {
+      for (Eigen::Index i = 0; i < entity.elements.rows(); ++i) {
+        const int64_t number = numbers.Next(entity);
+        Eigen::RowVector3d fibre = Eigen::RowVector3d::Zero();
+        if (entity.dimension == 3) fibre = model_.fibres.row(number - 1);
+        text_ += std::to_string(number) + ' ';
+        AppendPoint(fibre);
+        text_ += '\n';
+      }
+    });
     text_ += "$EndElementData\n";
   }
 

@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <cstdio>
 #include <pugixml.hpp>
+#include <string_view>
+#include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/xml_text.h"
 
 namespace musclewarp {
 namespace {
 
 constexpr double kMetres = 1e-3;  // in a mm
 constexpr char kPath[] = "GeometryPath";
+constexpr std::string_view kMark = "\xEF\xBB\xBF";  // of UTF-8
 
 // A piece of the text and what stands there instead.
 struct Edit {
@@ -141,24 +145,19 @@ std::string IndentAt(const std::string& text, size_t position) {
 
 }  // namespace
 
-std::string WithFunctionPaths(const std::string& text,
+std::string WithFunctionPaths(const std::string& bytes,
                               const std::string& where,
                               const std::vector<std::string>& coordinates,
                               const std::map<std::string, PathFit>& fits) {
-  // Places in the parsed text must be those in the file, so that bytes are
-  // taken as they are, whatever encoding the file claims.
-  const size_t mark = text.compare(0, 3, "\xEF\xBB\xBF") == 0 ? 3 : 0;
+  const std::string text = DecodeXml(bytes).utf8;
+  const bool has_mark = bytes.compare(0, kMark.size(), kMark) == 0;
   pugi::xml_document document;
-  const auto result = document.load_buffer(text.data() + mark,
-                                           text.size() - mark,
-                                           pugi::parse_default,
-                                           pugi::encoding_utf8);
+  const auto result = document.load_buffer(
+      text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!result) {
-    throw InputError(
-        where,
-        std::string("is not XML in one byte a character or UTF-8: ") +
-            result.description(),
-        "save the model as UTF-8");
+    throw InputError(where,
+                     std::string("is not XML: ") + result.description(),
+                     "save the model with OpenSim again");
   }
   const bool has_returns = text.find("\r\n") != std::string::npos;
   std::vector<Edit> edits;
@@ -167,10 +166,10 @@ std::string WithFunctionPaths(const std::string& text,
     std::string names;
     for (const int k : item.second.coordinates) {
       names += (names.empty() ? "" : " ") +
-               CoordinatePath(document, where, coordinates[k]);
+               XmlEscaped(CoordinatePath(document, where, coordinates[k]));
     }
     Edit edit;
-    edit.begin = path.offset_debug() - 1 + mark;
+    edit.begin = path.offset_debug() - 1;
     edit.end = EndOfElement(text, edit.begin);
     const std::string indent = IndentAt(text, edit.begin);
     const bool has_tabs = indent.find('\t') != std::string::npos;
@@ -189,7 +188,8 @@ std::string WithFunctionPaths(const std::string& text,
   for (const Edit& edit : edits) {
     edited.replace(edit.begin, edit.end - edit.begin, edit.text);
   }
-  return edited;
+  edited = WithUtf8Declaration(std::move(edited));
+  return has_mark ? std::string(kMark) + edited : edited;
 }
 
 }  // namespace musclewarp

@@ -12,13 +12,15 @@ namespace musclewarp {
 
 // Returns the text of an OpenSim model with the paths of muscles replaced by
 // functions: <GeometryPath> becomes <path><FunctionBasedPath>, as OpenSim 4.5
-// has it, in m. All other bytes stay as they are, also the encoding, the line
-// endings and the version of the document. `coordinates` are the names to which
-// PathFit::coordinates refers; `where` names the file in messages.
+// has it, in m. The text is UTF-8, and its declaration names no other encoding;
+// `bytes` may be in those of DecodeXml. Of a model in UTF-8 all other bytes
+// stay as they are, also the line endings and the version of the document.
+// `coordinates` are the names to which PathFit::coordinates refers; `where`
+// names the file in messages.
 //
-// Throws InputError if the text is not XML, is in UTF-16, or lacks a muscle
-// with a <GeometryPath>, or a coordinate in a joint.
-std::string WithFunctionPaths(const std::string& text,
+// Throws InputError if the text is not XML, or lacks a muscle with a
+// <GeometryPath>, or a coordinate in a joint.
+std::string WithFunctionPaths(const std::string& bytes,
                               const std::string& where,
                               const std::vector<std::string>& coordinates,
                               const std::map<std::string, PathFit>& fits);

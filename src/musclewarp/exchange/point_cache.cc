@@ -32,13 +32,31 @@ void CheckReplaceable(const std::string& dir) {
   }
 }
 
-std::string Header(Eigen::Index vertices, size_t frames) {
+// How samples are counted as frames.
+struct SampleNumbers {
+  float first = 0;
+  float step = 1;
+};
+
+// Of frames that are not evenly spaced, samples keep their own numbers.
+SampleNumbers SampleNumbersOf(const std::vector<int>& numbers) {
+  if (numbers.empty()) return {};
+  const int step = numbers.size() > 1 ? numbers[1] - numbers[0] : 1;
+  for (size_t i = 1; i < numbers.size(); ++i) {
+    if (numbers[i] - numbers[i - 1] != step) return {};
+  }
+  return {static_cast<float>(numbers[0]), static_cast<float>(step)};
+}
+
+std::string Header(Eigen::Index vertices, const std::vector<int>& frames) {
+  const SampleNumbers numbers = SampleNumbersOf(frames);
   std::string bytes("POINTCACHE2\0", 12);
   AppendBytes<std::int32_t>(1, ByteOrder::kLittle, &bytes);  // version
   AppendBytes(static_cast<std::int32_t>(vertices), ByteOrder::kLittle, &bytes);
-  AppendBytes<float>(0, ByteOrder::kLittle, &bytes);  // first frame
-  AppendBytes<float>(1, ByteOrder::kLittle, &bytes);  // frames per sample
-  AppendBytes(static_cast<std::int32_t>(frames), ByteOrder::kLittle, &bytes);
+  AppendBytes(numbers.first, ByteOrder::kLittle, &bytes);
+  AppendBytes(numbers.step, ByteOrder::kLittle, &bytes);  // frames per sample
+  AppendBytes(
+      static_cast<std::int32_t>(frames.size()), ByteOrder::kLittle, &bytes);
   return bytes;
 }
 
@@ -53,7 +71,7 @@ class PointCaches {
                           {conversion_.Convert(soups[i].points),
                            conversion_.Convert(soups[i].triangles)});
         files_.emplace_back(dir / (names[i] + ".pc2"), std::ios::binary);
-        files_.back() << Header(soups[i].points.rows(), animation.times.size());
+        files_.back() << Header(soups[i].points.rows(), animation.numbers);
       }
     };
     add(animation.names.muscles, animation.rest.muscles);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <sstream>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/geometry/view.h"
@@ -97,6 +98,13 @@ RunOutline ReadRunOutline(const std::string& dir, const std::string& version) {
         dir, "the run has no frame", "run musclewarp-deform --resume first");
   }
   return run;
+}
+
+std::string AtTime(const RunOutline& run, const OutlinedFrame& frame) {
+  if (!run.has_times) return "";
+  std::ostringstream text;
+  text << ", at " << frame.pose.time << " s";
+  return text.str();
 }
 
 }  // namespace musclewarp

@@ -12,7 +12,7 @@ namespace musclewarp {
 
 // A frame of a run whose files are there.
 struct OutlinedFrame {
-  int index = 0;
+  int index = 0;  // the number of its folder
   std::string folder;
   ScenePose pose;  // its name and time
   bool usable = false;
@@ -42,5 +42,9 @@ struct RunOutline {
 // program. Throws InputError that names the file and the field if the folder or
 // the report is missing or damaged, or if there is no frame.
 RunOutline ReadRunOutline(const std::string& dir, const std::string& version);
+
+// Returns what messages about a frame end with: in motions its time, such as
+// ", at 0.07 s", else nothing.
+std::string AtTime(const RunOutline& run, const OutlinedFrame& frame);
 
 }  // namespace musclewarp

@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/motion/frame_files.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/scene/json_fields.h"
 
@@ -104,13 +106,27 @@ void AddSample(const JsonField& muscle,
   paths->lines[line].push_back(std::move(sample));
 }
 
+// The folder of a frame and its time, as far as the report has them.
+std::string NameOfFrame(const JsonField& frame) {
+  std::ostringstream name;
+  if (frame.Has("index")) {
+    name << " (" << FrameFolder(static_cast<int>(frame.At("index").AsNumber()));
+    if (frame.Has("time")) {
+      name << ", at " << frame.At("time").AsNumber() << " s";
+    }
+    name << ")";
+  }
+  return name.str();
+}
+
 void AddFrames(const JsonField& frames, RunPaths* paths) {
   for (size_t i = 0; i < frames.ArraySize(); ++i) {
     const JsonField frame = frames.At(i);
     const JsonField muscles = frame.At("muscles");
     if (!frame.At("moment_arms_converged").AsBool()) {
       frame.At("moment_arms_converged")
-          .Fail("is false: the moment arms of the frame mean nothing",
+          .Fail("is false: the moment arms of the frame" + NameOfFrame(frame) +
+                    " mean nothing",
                 "run without the frame (--frames of musclewarp-deform)");
     }
     const CoordinateValues values = ValuesOf(frame, paths->model);
@@ -128,16 +144,33 @@ void AddFrames(const JsonField& frames, RunPaths* paths) {
   }
 }
 
+// Muscles that push each other have other paths than those that do not: one fit
+// of both would be neither.
+void CheckContact(const std::string& dir,
+                  const std::string& contact,
+                  const std::string& first_dir,
+                  const std::string& first_contact) {
+  if (contact == first_contact) return;
+  throw InputError(dir,
+                   "was made with --contact=" + contact + ", " + first_dir +
+                       " with --contact=" + first_contact,
+                   "give runs of one contact mode");
+}
+
 }  // namespace
 
 RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
                       const std::string& model_path,
                       const std::string& version) {
   RunPaths paths;
-  std::string recorded;
+  std::string recorded, contact;
   size_t frames = 0;
   for (const std::string& dir : dirs) {
     const JsonField report = ReadReport(dir, version);
+    const std::string mode =
+        report.Has("contact") ? report.At("contact").AsString() : "";
+    if (dir == dirs[0]) contact = mode;
+    CheckContact(dir, mode, dirs[0], contact);
     const JsonField model = report.At("motion").At("model");
     if (recorded.empty()) {
       recorded = model.AsString();

@@ -28,8 +28,9 @@ struct RunPaths {
 //
 // Throws InputError that names the run and the field if a run is not usable,
 // not finished or of another version, has no model, other lines, other
-// coordinates or another model than the first, no moment arms (--contact=paper)
-// or ones that mean nothing, or if the model has none of the lines as a muscle.
+// coordinates, another model or another contact mode than the first, no moment
+// arms (--contact=paper) or ones that mean nothing, or if the model has none of
+// the lines as a muscle.
 RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
                       const std::string& model_path,
                       const std::string& version);

@@ -10,7 +10,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "musclewarp/exchange/element_files.h"
+#include "musclewarp/exchange/element_names.h"
 #include "musclewarp/mesh_files/vtk_errors.h"
 
 namespace musclewarp {
@@ -32,13 +32,24 @@ void AddNumbers(const char* name,
   attributes->AddArray(array);
 }
 
-void AddTexts(const char* name,
-              const std::vector<std::string>& texts,
+// Field data of one number. Names of parts are names of fields, not texts in
+// them: meshio takes numbers only, and shows the names of fields as ParaView
+// does.
+template <typename Array>
+void AddField(const std::string& name,
+              double value,
               vtkUnstructuredGrid* grid) {
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const std::string& text : texts) array->InsertNextValue(text);
+  vtkNew<Array> array;
+  array->SetName(name.c_str());
+  array->InsertNextTuple1(value);
   grid->GetFieldData()->AddArray(array);
+}
+
+void AddPartNumber(const std::string& part,
+                   size_t number,
+                   ElementNames* names,
+                   vtkUnstructuredGrid* grid) {
+  AddField<vtkIntArray>(names->Of(part), static_cast<double>(number), grid);
 }
 
 void AddCells(const ElementModel& model, vtkUnstructuredGrid* grid) {
@@ -97,7 +108,9 @@ void AddParts(const ElementModel& model, vtkUnstructuredGrid* grid) {
   grid->GetCellData()->AddArray(fibres);
 }
 
-void AddAttachments(const ElementModel& model, vtkUnstructuredGrid* grid) {
+void AddAttachments(const ElementModel& model,
+                    ElementNames* names,
+                    vtkUnstructuredGrid* grid) {
   std::vector<std::string> bodies;
   std::vector<int> body_of(grid->GetNumberOfPoints(), 0);
   for (const MuscleElements& muscle : model.muscles) {
@@ -110,23 +123,34 @@ void AddAttachments(const ElementModel& model, vtkUnstructuredGrid* grid) {
     }
   }
   AddNumbers("attachment", body_of, grid->GetPointData());
-  AddTexts("bodies", bodies, grid);
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    AddPartNumber("body " + bodies[i], i + 1, names, grid);
+  }
+}
+
+// ParaView takes TimeValue as the time of a file in a series.
+void AddFields(const ElementModel& model,
+               ElementNames* names,
+               vtkUnstructuredGrid* grid) {
+  AddField<vtkIntArray>("frame", model.frame, grid);
+  AddField<vtkDoubleArray>("TimeValue", model.time, grid);
+  for (size_t i = 0; i < model.muscles.size(); ++i) {
+    AddPartNumber("muscle " + model.muscles[i].name, i + 1, names, grid);
+  }
+  for (size_t i = 0; i < model.bones.size(); ++i) {
+    AddPartNumber("bone " + model.bones[i].name, i + 1, names, grid);
+  }
 }
 
 }  // namespace
 
 std::string VtuBytes(const ElementModel& model) {
   vtkNew<vtkUnstructuredGrid> grid;
+  ElementNames names;
   AddCells(model, grid);
   AddParts(model, grid);
-  AddAttachments(model, grid);
-  std::vector<std::string> muscles, bones;
-  for (const MuscleElements& muscle : model.muscles) {
-    muscles.push_back(muscle.name);
-  }
-  for (const RigidSurface& bone : model.bones) bones.push_back(bone.name);
-  AddTexts("muscles", muscles, grid);
-  AddTexts("bones", bones, grid);
+  AddFields(model, &names, grid);
+  AddAttachments(model, &names, grid);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   const VtkErrorScope errors;
   writer->WriteToOutputStringOn();

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/xml_text.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/vtp_writer.h"
 #include "musclewarp/motion/lines_file.h"
@@ -23,26 +24,6 @@ namespace fs = std::filesystem;
 // Folders of a frame, so that no name of a mesh is taken.
 constexpr char kLines[] = "lines/";
 constexpr char kFibres[] = "fibres/";
-
-std::string XmlEscaped(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
 
 #ifdef MUSCLEWARP_WITH_VTK
 void WriteMuscleVtp(const PreparedMuscle& muscle,

@@ -6,58 +6,15 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
+#include "musclewarp/base/xml_text.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
 namespace musclewarp {
 namespace {
-
-// Returns the length of the UTF-8 character at the start of `text`, or 0 if
-// there is none.
-size_t Utf8Length(const unsigned char* text, size_t size) {
-  const unsigned char lead = text[0];
-  const size_t length = lead < 0x80                   ? 1
-                        : lead >= 0xc2 && lead < 0xe0 ? 2
-                        : lead >= 0xe0 && lead < 0xf0 ? 3
-                        : lead >= 0xf0 && lead < 0xf5 ? 4
-                                                      : 0;
-  if (length > size) return 0;
-  for (size_t i = 1; i < length; ++i) {
-    if ((text[i] & 0xc0) != 0x80) return 0;
-  }
-  return length;
-}
-
-bool IsUtf8(const std::string& text) {
-  const auto* bytes = reinterpret_cast<const unsigned char*>(text.data());
-  for (size_t i = 0; i < text.size();) {
-    const size_t length = Utf8Length(bytes + i, text.size() - i);
-    if (length == 0) return false;
-    i += length;
-  }
-  return true;
-}
-
-std::string Utf8FromLatin1(const std::string& text) {
-  std::string utf8;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      utf8 += c;
-    } else {
-      utf8 += static_cast<char>(0xc0 | byte >> 6);
-      utf8 += static_cast<char>(0x80 | (byte & 0x3f));
-    }
-  }
-  return utf8;
-}
-
-bool HasUtf16Mark(const std::string& text) {
-  return text.compare(0, 2, "\xff\xfe") == 0 ||
-         text.compare(0, 2, "\xfe\xff") == 0;
-}
 
 int LineAt(const std::string& text, std::ptrdiff_t offset) {
   const auto end = std::min<std::ptrdiff_t>(offset, text.size());
@@ -71,16 +28,14 @@ bool IsBlank(char c) { return std::strchr(" \t\r\n,", c) != nullptr; }
 
 }  // namespace
 
-OsimXml::OsimXml(const std::string& path) : path_(path), text_(ReadFile(path)) {
-  auto encoding = pugi::encoding_utf8;
-  if (HasUtf16Mark(text_)) {
-    encoding = pugi::encoding_auto;
-  } else if (!IsUtf8(text_)) {
-    text_ = Utf8FromLatin1(text_);
+OsimXml::OsimXml(const std::string& path) : path_(path) {
+  XmlText text = DecodeXml(ReadFile(path));
+  text_ = std::move(text.utf8);
+  if (text.is_guessed) {
     warnings_.push_back(path + ": is not UTF-8, read as Latin-1");
   }
   const pugi::xml_parse_result result = document_.load_buffer(
-      text_.data(), text_.size(), pugi::parse_default, encoding);
+      text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!result || !document_.document_element()) {
     throw InputError(
         path + ": line " + std::to_string(LineAt(text_, result.offset)),

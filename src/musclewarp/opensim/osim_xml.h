@@ -13,9 +13,9 @@ namespace musclewarp {
 // values, and error messages that name the file, the line and the element.
 class OsimXml {
  public:
-  // Reads a file. Throws InputError, which names the line, if it is not
-  // well-formed XML. A file that claims to be UTF-8 and is not is read as
-  // Latin-1, with a warning.
+  // Reads a file in the encodings of DecodeXml. Throws InputError, which names
+  // the line, if it is not well-formed XML. A file that is neither UTF-8 nor in
+  // the encoding that it names is read as Latin-1, with a warning.
   explicit OsimXml(const std::string& path);
 
   pugi::xml_node root() const { return document_.document_element(); }
