@@ -44,8 +44,10 @@ struct Deformed {
         IntersectScene({{"psoas", &deformed}}, named_bones);
     MuscleMeasures measures;
     measures.name = "psoas";
-    measures.volume_ratio = SignedVolume(points, rest.triangles) /
-                            SignedVolume(rest.points, rest.triangles);
+    measures.delivered_volume = SignedVolume(rest.points, rest.triangles);
+    measures.volume_ratio =
+        SignedVolume(points, rest.triangles) / measures.delivered_volume;
+    measures.volume_error = measures.volume_ratio - 1;
     measures.num_triangles = static_cast<int>(rest.triangles.rows());
     measures.folded_triangles = static_cast<int>(
         FoldedTriangles(rest.points, points, rest.triangles).size());
@@ -93,9 +95,36 @@ TEST(Shortcomings, NameAVolumeThatIsNotKept) {
 TEST(Shortcomings, NameAVolumeThatIsNoNumber) {
   MuscleMeasures measures;
   measures.name = "psoas";
-  measures.volume_ratio = std::nan("");
+  measures.volume_ratio = measures.volume_error = std::nan("");
   EXPECT_THAT(Shortcomings({}, {}, {measures}),
-              ElementsAre(HasSubstr("volume off by nan")));
+              ElementsAre(HasSubstr("volume off by nan"),
+                          HasSubstr("nan % of its volume")));
+}
+
+// The solver keeps the volume that is left: the error is small, the loss is
+// not.
+TEST(Shortcomings, NameAVolumeThatWasLost) {
+  MuscleMeasures measures;
+  measures.name = "iliacus";
+  measures.delivered_volume = 125300;
+  measures.volume_ratio = 0.44;
+  EXPECT_THAT(Shortcomings({}, {}, {measures}),
+              ElementsAre("iliacus: 56 % of its volume of 125 cm3 is lost, "
+                          "allowed 6 %"));
+  EXPECT_THAT(ShapeShortcomings({}, {measures}),
+              ElementsAre(HasSubstr("is lost")));
+  measures.volume_ratio = 0.95;
+  EXPECT_THAT(Shortcomings({}, {}, {measures}), IsEmpty());
+}
+
+TEST(Shortcomings, NameAStretchThatMakesNoSense) {
+  MuscleMeasures measures;
+  measures.name = "psoas";
+  measures.volume_ratio = 1;
+  measures.max_stretch = 8728;
+  EXPECT_THAT(ShapeShortcomings({}, {measures}),
+              ElementsAre("psoas: stretched to 8.73e+03 times its length, "
+                          "allowed 20"));
 }
 
 TEST(Shortcomings, NameTrianglesThatCrossTheMuscleItself) {

@@ -81,8 +81,58 @@ TEST(LabelMeshes, EveryLabelGivesAClosedMeshWithTheVolumeOfItsVoxels) {
   }
   ASSERT_EQ(meshes.notes.size(), 1u);
   EXPECT_THAT(meshes.notes[0],
-              HasSubstr("label_5 (label 5): 0.054 cm3 in 1 piece besides the "
-                        "largest are left out"));
+              HasSubstr("label_5 (label 5) has 2 pieces, which do not hang "
+                        "together by faces of voxels: the largest, of 0.918 "
+                        "cm3, is kept; 0.054 cm3 in 1 other is left out"));
+}
+
+// Two balls of one label that touch at no more than a corner of voxels: one of
+// them is lost, and said to be, or each becomes a mesh.
+TEST(LabelMeshes, PiecesOfALabelAreLostOrMeshesOfTheirOwn) {
+  const Eigen::Vector3d one(8, 8, 8), other(20, 20, 20);
+  const MadeImage image = MakeImage({29, 29, 29},
+                                    TurnedSteps({1, 1, 1}, {0, 0, 0}),
+                                    [](const Eigen::Vector3d&) { return 0; });
+  MadeImage made = image;
+  int at = 0;
+  for (int k = 0; k < 29; ++k) {
+    for (int j = 0; j < 29; ++j) {
+      for (int i = 0; i < 29; ++i, ++at) {
+        const Eigen::Vector3d p(i, j, k);
+        const bool is_inside = (p - one).norm() < 7.5 || (p - other).norm() < 7;
+        made.labels[at] = is_inside && (i < 14) == ((p - one).norm() < 9);
+      }
+    }
+  }
+  const std::string path = WriteImage(TestTempDir(), made);
+  LabelMeshOptions options;
+  const LabelMeshes largest = ReadLabelMeshes(path, options);
+  ASSERT_EQ(largest.meshes.size(), 1u);
+  const LabelMesh& kept = largest.meshes[0];
+  EXPECT_LT(kept.voxel_volume, 0.6 * kept.delivered_volume);
+  options.pieces = PieceChoice::kAll;
+  const LabelMeshes all = ReadLabelMeshes(path, options);
+  ASSERT_EQ(all.meshes.size(), 2u);
+  EXPECT_EQ(all.meshes[0].name, "label_1_1");
+  EXPECT_EQ(all.meshes[1].name, "label_1_2");
+  EXPECT_EQ(all.meshes[0].delivered_volume + all.meshes[1].delivered_volume,
+            kept.delivered_volume);
+  for (const LabelMesh& mesh : all.meshes) {
+    EXPECT_TRUE(CountDefects(mesh.mesh).IsClean());
+    EXPECT_NEAR(mesh.volume / mesh.delivered_volume, 1, kOfVoxels);
+  }
+}
+
+// MetaImage and NRRD without "space units" have the unit that is stated.
+TEST(LabelMeshes, TheUnitOfAnImageThatHasNoneIsStated) {
+  const std::string path = WriteImage(TestTempDir(), WithShapes());
+  LabelMeshOptions options;
+  const double millimetres =
+      ReadLabelMeshes(path, options).meshes[0].voxel_volume;
+  options.mm_per_unit = 10;
+  EXPECT_NEAR(ReadLabelMeshes(path, options).meshes[0].voxel_volume,
+              1000 * millimetres,
+              1e-9 * millimetres);
 }
 
 TEST(LabelMeshes, TheTableNamesAndSelects) {

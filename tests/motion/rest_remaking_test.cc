@@ -103,9 +103,9 @@ TEST(MakeCleanFrameSolver, RemakesAMuscleWithAnEndDeepInABone) {
   EXPECT_NEAR(remaking.volume_after,
               SignedVolume(made.points, made.triangles),
               kRounding * volume);
-  // The bone has about a sixth of the muscle inside it.
-  EXPECT_LT(remaking.volume_after, 0.9 * volume);
-  EXPECT_GT(remaking.volume_after, 0.7 * volume);
+  // The bone has about a sixth of the muscle inside it, which comes back beside
+  // the bone, to half a per cent, but for what slivers take.
+  EXPECT_NEAR(remaking.volume_after, volume, 0.01 * volume);
   EXPECT_GT(remaking.lost_area, 0);
   EXPECT_GT(remaking.place.z(), kBoneBegins);
   ASSERT_FALSE(scene.warnings.empty());

@@ -38,7 +38,7 @@ TEST(FrameRecord, ReadsReportsThatHaveNoGapsYet) {
 TEST(FrameRecord, SumsOverMuscles) {
   FrameRecord record = SomeRecord(0);
   record.muscles.push_back(record.muscles[0]);
-  record.muscles[1].volume_ratio = 0.75;
+  record.muscles[1].volume_error = -0.25;
   EXPECT_EQ(record.FoldedTriangles(), 6);
   EXPECT_EQ(record.WorstVolumeError(), 0.25);
 }

@@ -51,8 +51,8 @@ TEST(AttachmentsFile, PassesOverKeysThatNoBodyIsGivenFor) {
 }
 
 TEST(AttachmentsFile, RefusesWhatIsNoArea) {
-  ExpectInputError([] { AttachmentsOf("{}", "m"); },
-                   {"areas.json: units", "m", "mm"});
+  ExpectInputError([] { AttachmentsOf("{}", "inch"); },
+                   {"areas.json: units", "inch", "mm, cm, m"});
   ExpectInputError([] { AttachmentsOf("[]"); },
                    {"areas.json: muscles", "object"});
   ExpectInputError(

@@ -62,7 +62,7 @@ TEST(PosesFile, CallsAPoseWithoutNameByItsCoordinates) {
 
 TEST(PosesFile, RefusesWhatIsMissingOrOfOtherUnits) {
   Json json = GoodFile();
-  json["units"] = "m";
+  json["units"] = "inch";
   ExpectInputError([&] { PosesOf(json); },
                    {"poses.json: units", "allowed: mm"});
   json = GoodFile();

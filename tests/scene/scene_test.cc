@@ -77,6 +77,25 @@ TEST(Scene, ReadsEveryField) {
   EXPECT_EQ(scene.poses[0].lines.at("l")(1, 2), 8);
 }
 
+// The same scene in metres: every length is read in that unit, and is mm.
+TEST(Scene, UnitsAreThoseOfTheFile) {
+  const Scene millimetres = SceneOf(GoodJson());
+  const Scene metres = SceneOf(With("/units", "m"));
+  const SceneMuscle &a = millimetres.muscles[0], &b = metres.muscles[0];
+  EXPECT_EQ(a.mm_per_unit, 1);
+  EXPECT_EQ(b.mm_per_unit, 1000);
+  EXPECT_EQ(b.lines[0].rest, 1000 * a.lines[0].rest);
+  EXPECT_EQ(b.attachments[0].points, 1000 * a.attachments[0].points);
+  EXPECT_EQ(b.attachments[0].radius, 1000 * a.attachments[0].radius);
+  EXPECT_EQ(metres.bones[0].rest_from_file.diagonal(),
+            Eigen::Vector4d(1000, 1000, 1000, 1));
+  Eigen::Matrix4d moved = millimetres.poses[0].bodies.at("f");
+  moved.topRightCorner<3, 1>() *= 1000;
+  EXPECT_EQ(metres.poses[0].bodies.at("f"), moved);
+  EXPECT_EQ(metres.poses[0].lines.at("l"),
+            1000 * millimetres.poses[0].lines.at("l"));
+}
+
 TEST(Scene, PathsFollowTheDataRoot) {
   const std::string path = TestTempDir() + "/scene.json";
   WriteTextAtomically(path, GoodJson().dump());
@@ -116,7 +135,7 @@ TEST(Scene, RefusesUnknownMissingAndRepeatedKeys) {
 
 TEST(Scene, RefusesWrongTypesAndValues) {
   ExpectFileRefused(With("/name", 5), {"name", "5"});
-  ExpectFileRefused(With("/units", "m"), {"units", "\"m\"", "mm"});
+  ExpectFileRefused(With("/units", "inch"), {"units", "\"inch\"", "mm, cm, m"});
   ExpectFileRefused(With("/axes", "LPX"), {"axes", "\"LPX\"", "LPS"});
   ExpectFileRefused(With("/axes", "LRS"), {"axes", "\"LRS\""});
   ExpectFileRefused(With("/side", "up"), {"side", "\"up\"", "left"});
@@ -217,7 +236,7 @@ TEST(Scene, TakesAreasFromAnAttachmentsFile) {
   json["attachments_file"]["bodies"]["origin"] = "tail";
   ExpectInputError([&] { read(json); }, {"scene.json", "tail"});
   json["attachments_file"]["bodies"]["origin"] = "p";
-  WriteTextAtomically(areas, R"({"units": "m", "muscles": {}})");
+  WriteTextAtomically(areas, R"({"units": "inch", "muscles": {}})");
   ExpectInputError([&] { read(json); }, {"areas.json", "units", "mm"});
 }
 

@@ -65,6 +65,7 @@ bool CellSurfaceOptions::IsValid(std::string* error) const {
   return OptionCheck("CellSurfaceOptions", error)
              .IsAbove("spacing", spacing, 0)
              .IsAtLeast("volume", volume, 0)
+             .IsAtLeast("least_left", least_left, 0)
              .is_valid() &&
          cell.IsValid(error);
 }
@@ -100,9 +101,8 @@ TriangleSoup CellSurface(const CellSurfaceOptions& options,
       options.spacing);
   if (surface.triangles.rows() == 0) return surface;
   KeepLargestBody(&surface);
-  if (SignedVolume(surface.points, surface.triangles) >= options.volume) {
-    return surface;
-  }
+  const double left = SignedVolume(surface.points, surface.triangles);
+  if (left < options.least_left || left >= options.volume) return surface;
   return GrownSurface(
       options, surface, muscle, other_muscles, bones, options.volume);
 }

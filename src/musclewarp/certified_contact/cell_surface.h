@@ -23,6 +23,10 @@ struct CellSurfaceOptions {
   // what is left is enough.
   double volume = 0;
 
+  // It does not grow if less than this is left, mm^3: there would be little of
+  // the muscle in it.
+  double least_left = 0;
+
   bool IsValid(std::string* error) const;
 };
 

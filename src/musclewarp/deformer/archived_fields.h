@@ -14,6 +14,7 @@
 // with a field that is not in the list does not compile.
 
 #include <boost/preprocessor/seq/for_each.hpp>
+#include <boost/preprocessor/stringize.hpp>
 #include <boost/preprocessor/variadic/to_seq.hpp>
 #include <string>
 #include <typeinfo>
@@ -43,7 +44,7 @@ struct ArchivedStruct {
 
 #define MUSCLEWARP_ARCHIVE_ONE(r, object, field) archive(object.field);
 #define MUSCLEWARP_ARCHIVE_NAME(r, type, field) \
-  .Field(#field, typeid(decltype(type::field)))
+  .Field(BOOST_PP_STRINGIZE(field), typeid(decltype(type::field)))
 
 // The structured binding counts the fields of the struct.
 #define MUSCLEWARP_ARCHIVE_FIELDS(type, all, seq)                             \

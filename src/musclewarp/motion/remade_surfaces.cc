@@ -131,6 +131,7 @@ TriangleSoup SurfaceOf(const RestRemakingOptions& options,
                TypicalEdge(model.fine_rest, model.fine_triangles));
   const double delivered = muscle.mesh.delivered_volume;
   surface_options.volume = delivered;
+  surface_options.least_left = options.least_volume_share * delivered;
   TriangleSoup best;
   double best_volume = 0;
   for (int tries = 0; tries < 2; ++tries) {
@@ -148,7 +149,10 @@ TriangleSoup SurfaceOf(const RestRemakingOptions& options,
       best = std::move(surface);
       best_volume = volume;
     }
-    if (best_volume <= 0 || volume >= (1 - kAccuracy) * delivered) break;
+    if (volume < surface_options.least_left ||
+        volume >= (1 - kAccuracy) * delivered) {
+      break;
+    }
     surface_options.volume *= delivered / volume;
   }
   return best;

@@ -46,8 +46,9 @@ struct RestRemakingOptions {
   // would be nearer than min_spacing.
   double samples_across = 4;
 
-  // Less than this share of a muscle's volume must not be left, once it has
-  // grown on its free sides.
+  // Less than this share of a muscle's volume must not be left before it grows
+  // on its free sides. Two muscles that overlap by most of their thickness keep
+  // half of it each.
   double least_volume_share = 0.25;
 
   bool IsValid(std::string* error) const;
