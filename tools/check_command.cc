@@ -249,8 +249,17 @@ int CheckCommand(const std::vector<std::string>& files,
     checked.back().is_bone = is_bone;
     width = std::max(width, checked.back().name.size());
   };
-  for (const std::string& path : options.bones) check(path, true);
-  for (const std::string& path : files) check(path, false);
+  std::vector<std::string> bones = options.bones;
+  for (const std::string& path : files) {
+    const std::string name = std::filesystem::path(path).stem().string();
+    const auto named =
+        std::find_if(bones.begin(), bones.end(), [&](const std::string& bone) {
+          return bone == name || bone == path;
+        });
+    check(path, named != bones.end());
+    if (named != bones.end()) bones.erase(named);
+  }
+  for (const std::string& path : bones) check(path, true);
   const std::vector<CheckedPair> pairs = CheckPairs(checked);
 
   if (!options.json.empty()) {

@@ -14,9 +14,12 @@ struct CheckOptions {
   std::string json;            // file to write the figures to; empty: none
   bool require_clean = false;  // crossing meshes make the result not usable
   double gap = 0;  // mm; meshes nearer than that make it not usable either
-  double mm_per_unit = 1;          // of the files
-  std::vector<std::string> bones;  // files that may cross each other
-  int threads = 0;                 // 0: as many as OpenMP chooses
+  double mm_per_unit = 1;  // of the files
+
+  // Which meshes are bones, and may cross each other: names of files among
+  // those given, without their extension, or more files.
+  std::vector<std::string> bones;
+  int threads = 0;  // 0: as many as OpenMP chooses
 };
 
 // Reports on mesh files as they are, without repair: size, defects, volume and

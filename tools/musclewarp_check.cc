@@ -19,7 +19,8 @@ DEFINE_double(gap,
 DEFINE_string(
     bone,
     "",
-    "files of bones, commas; that two of them cross, or are near each "
+    "which meshes are bones, commas: names of the files given, without "
+    "extension, or more files; that two bones cross, or are near each "
     "other, does not change the exit code");
 DEFINE_string(units, "mm", "unit of the files: mm, cm, m");
 DEFINE_int32(threads, 0, "threads; 0: one a core");
@@ -28,7 +29,7 @@ int main(int argc, char** argv) {
   return musclewarp::RunProgram(
       argc,
       argv,
-      "musclewarp-check [--bone=FILE,...] FILE... [flags]\n\n"
+      "musclewarp-check [--bone=NAME,...] FILE... [flags]\n\n"
       "Reports on surface meshes as they are: defects, volume, "
       "self-intersections, and\nfor every two files the triangle pairs that "
       "cross (exact), the vertices of one\ninside the other and the depth of "

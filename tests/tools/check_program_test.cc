@@ -76,6 +76,36 @@ TEST(CheckProgram, CanRequireCleanMeshes) {
   EXPECT_EQ(Check(files + " --require_clean").exit_code, 1);
 }
 
+// Bones stay where they are delivered, named among the files or beside them.
+TEST(CheckProgram, BonesMayCrossEachOther) {
+  const std::string dir = TestTempDir();
+  WriteTriangleSoup(dir + "/hip_bone.ply", Box(1, 1, 1));
+  WriteTriangleSoup(dir + "/sacrum.ply", Box(2, 2, 0.5));
+  WriteTriangleSoup(dir + "/psoas.ply", MovedBy(Box(1, 1, 1), {5, 0, 0}));
+  const std::string all = dir + "/hip_bone.ply " + dir + "/psoas.ply " + dir +
+                          "/sacrum.ply --require_clean --gap=0.1";
+  EXPECT_EQ(Check(all).exit_code, 1);
+  EXPECT_EQ(Check(all + " --bone=sacrum").exit_code, 1);
+  const ProgramRun run = Check(all + " --bone=hip_bone,sacrum");
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
+  EXPECT_THAT(run.out, HasSubstr("hip_bone and sacrum are bones"));
+  EXPECT_EQ(Check(dir + "/psoas.ply --require_clean --bone=" + dir +
+                  "/hip_bone.ply," + dir + "/sacrum.ply")
+                .exit_code,
+            0);
+}
+
+TEST(CheckProgram, FilesMayBeInMetres) {
+  const std::string dir = TestTempDir();
+  WriteTriangleSoup(dir + "/a.ply", Box(0.1, 0.1, 0.1));
+  ASSERT_EQ(
+      Check(dir + "/a.ply --units=m --json=" + dir + "/check.json").exit_code,
+      0);
+  const Json json = Json::parse(FileText(dir + "/check.json"));
+  EXPECT_NEAR(json["files"][0]["volume_mm3"], 1e6, 1e-3);
+  EXPECT_EQ(Check(dir + "/a.ply --units=inch").exit_code, 2);
+}
+
 TEST(CheckProgram, MeasuresDistancesAndCanRequireAGap) {
   const std::string dir = TestTempDir();
   WriteTriangleSoup(dir + "/a.ply", Box(1, 1, 1));
