@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "musclewarp/base/option_check.h"
-#include "musclewarp/certified_contact/grown_surface.h"
 #include "musclewarp/geometry/marching_tetrahedra.h"
 #include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/remeshing.h"
@@ -64,8 +63,6 @@ TriangleSoup EvenWithoutCrossings(const TriangleSoup& surface,
 bool CellSurfaceOptions::IsValid(std::string* error) const {
   return OptionCheck("CellSurfaceOptions", error)
              .IsAbove("spacing", spacing, 0)
-             .IsAtLeast("volume", volume, 0)
-             .IsAtLeast("least_left", least_left, 0)
              .is_valid() &&
          cell.IsValid(error);
 }
@@ -99,12 +96,8 @@ TriangleSoup CellSurface(const CellSurfaceOptions& options,
       [&](const Eigen::RowVector3d& p) { return cell.RegionDistance(p); },
       muscle.mesh().bvh().box(),
       options.spacing);
-  if (surface.triangles.rows() == 0) return surface;
-  KeepLargestBody(&surface);
-  const double left = SignedVolume(surface.points, surface.triangles);
-  if (left < options.least_left || left >= options.volume) return surface;
-  return GrownSurface(
-      options, surface, muscle, other_muscles, bones, options.volume);
+  if (surface.triangles.rows() > 0) KeepLargestBody(&surface);
+  return surface;
 }
 
 TriangleSoup WithEvenTriangles(const TriangleSoup& surface,

@@ -18,15 +18,6 @@ struct CellSurfaceOptions {
   // one, so that their surfaces do not cross each other.
   double spacing = 1;
 
-  // The volume that the surface should have, mm^3: where bones and other
-  // muscles cut something off, it grows on its free sides (GrownSurface). 0:
-  // what is left is enough.
-  double volume = 0;
-
-  // It does not grow if less than this is left, mm^3: there would be little of
-  // the muscle in it.
-  double least_left = 0;
-
   bool IsValid(std::string* error) const;
 };
 
@@ -35,8 +26,7 @@ struct CellSurfaceOptions {
 // bone, or the mesh crosses itself. It is the border of the largest part of the
 // muscle that lies in its medial cell: a closed, outward oriented manifold that
 // does not cross itself, with many small triangles. Without vertices if nothing
-// of the muscle is left. It may have less than the volume of the options, if
-// there is no room. Precondition (CHECKed): the options are valid.
+// of the muscle is left. Precondition (CHECKed): the options are valid.
 TriangleSoup CellSurface(const CellSurfaceOptions& options,
                          const SolidDistance& muscle,
                          const std::vector<const SolidDistance*>& other_muscles,

@@ -5,7 +5,11 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <mutex>
 #include <string>
 
 #include "musclewarp/base/infinity.h"
@@ -91,17 +95,20 @@ class GrowingBody {
         cut_(body.points, cut),
         cell_(CellWithin(options.cell, reach), muscle, others, bones),
         around_(bones),
+        reach_(reach),
         border_(2 * kCoarser * options.spacing),
+        limit_(reach + border_ / kSlope),
         blocked_(options.spacing / 4) {
     around_.insert(around_.end(), others.begin(), others.end());
   }
 
   // Returns the body after it has grown by `t`, mm, as its largest part.
   TriangleSoup GrownBy(double t, double spacing) const {
+    // One box for every growth, so that the same places are sampled.
     Box3 box = mesh_.bvh().box();
     for (int k = 0; k < 3; ++k) {
-      box.lower[k] -= t + spacing;
-      box.upper[k] += t + spacing;
+      box.lower[k] -= reach_ + spacing;
+      box.upper[k] += reach_ + spacing;
     }
     TriangleSoup grown = MarchingTetrahedra(
         [&](const RowVector3d& p) { return Region(p, t); }, box, spacing);
@@ -116,22 +123,52 @@ class GrowingBody {
     return cell;
   }
 
+  // What the growth at a place depends on.
+  struct Measures {
+    double own = 0;     // the signed distance to the body, at most `limit_`
+    double to_cut = 0;  // the distance to where it was cut
+    double cell = 0;    // the signed distance to the cell
+    bool is_blocked = false;
+  };
+
   // Negative in the grown body. Near its border it is nowhere below the signed
   // distance to the cell, so that bodies which grow beside each other do not
   // cross.
   double Region(const RowVector3d& p, double t) const {
-    const double own = distance_.At(p, kInfinity);
-    if (own >= t + border_) return kSlope * (own - t);
-    double growth = 0;
-    if (std::abs(own) < t) {
-      const double to_cut = cut_.ClosestPoint(p, kInfinity).distance;
-      growth = std::max(0.0, t - kDecline * to_cut);
-    }
-    const double grown = kSlope * (own - growth);
+    const Measures& at = MeasuresAt(p);
+    const double growth = std::max(0.0, t - kDecline * at.to_cut);
+    const double grown = kSlope * (at.own - growth);
     // The body itself lies in its cell.
-    if (grown >= border_ || own <= -border_) return grown;
-    const double region = std::max(grown, cell_.SignedDistance(p));
-    return region < 0 && own > 0 && IsBlocked(p) ? blocked_ : region;
+    if (grown >= border_ || at.own <= -border_) return grown;
+    const double region = std::max(grown, at.cell);
+    return region < 0 && at.is_blocked ? blocked_ : region;
+  }
+
+  // The same places are asked for again with every growth that is tried.
+  const Measures& MeasuresAt(const RowVector3d& p) const {
+    const std::array<double, 3> key = {p[0], p[1], p[2]};
+    Shard& shard = shards_[std::hash<double>()(p[0] + 3 * p[1] + 7 * p[2]) %
+                           shards_.size()];
+    {
+      const std::lock_guard<std::mutex> lock(shard.mutex);
+      const auto known = shard.measures.find(key);
+      if (known != shard.measures.end()) return known->second;
+    }
+    const Measures measures = Measure(p);
+    const std::lock_guard<std::mutex> lock(shard.mutex);
+    return shard.measures.emplace(key, measures).first->second;
+  }
+
+  Measures Measure(const RowVector3d& p) const {
+    Measures at;
+    at.own = distance_.At(p, limit_);
+    at.to_cut = kInfinity;
+    if (at.own <= -border_ || at.own >= limit_) return at;
+    const auto cut = cut_.ClosestPoint(p, reach_ / kDecline);
+    if (cut.triangle >= 0) at.to_cut = cut.distance;
+    at.cell = cell_.SignedDistance(p);
+    at.is_blocked = at.cell < 0 && at.own > 0 && IsBlocked(p);
+    return at;
   }
 
   // True if a bone or another muscle lies between a place and the body: there
@@ -149,23 +186,41 @@ class GrowingBody {
   TriangleBvh cut_;
   MedialCell cell_;
   std::vector<const SolidDistance*> around_;  // bones and other muscles
+  double reach_;                              // the largest growth, mm
   double border_;  // farther from the border nothing depends on the values, mm
+  double limit_;   // of distances to the body, mm
   double blocked_;
+
+  // Ordered by coordinates; several, so that threads do not wait for each
+  // other.
+  struct Shard {
+    std::mutex mutex;
+    std::map<std::array<double, 3>, Measures> measures;
+  };
+  mutable std::array<Shard, 64> shards_;
+};
+
+// A growth, mm, and the body after it.
+struct Growth {
+  double t = 0;
+  TriangleSoup body;
 };
 
 // Returns the growth that gives a body a volume, or the reach if that is too
 // little: by false position between a growth that is too small and one that is
-// too large.
-double GrowthFor(const GrowingBody& body,
+// too large, beginning with `t`. `left` is the volume without growth.
+Growth GrowthFor(const GrowingBody& body,
+                 double left,
                  double volume,
                  double spacing,
-                 double reach) {
+                 double reach,
+                 double t) {
   double low = 0, high = reach;
-  double low_volume = 0, high_volume = kInfinity;
-  double t = std::min(spacing, reach);
+  double low_volume = left, high_volume = kInfinity;
+  Growth growth;
   for (int step = 0; step < kMostSteps; ++step) {
-    const TriangleSoup grown = body.GrownBy(t, spacing);
-    const double now = SignedVolume(grown.points, grown.triangles);
+    growth = {t, body.GrownBy(t, spacing)};
+    const double now = SignedVolume(growth.body.points, growth.body.triangles);
     VLOG(1) << "a body grown by " << t << " mm has " << now << " of " << volume
             << " mm3";
     if (std::abs(now - volume) < kAccuracy * volume) break;
@@ -178,13 +233,13 @@ double GrowthFor(const GrowingBody& body,
       high_volume = now;
     }
     if (high_volume == kInfinity) {
-      t = std::min(2 * t, reach);
+      t = std::min(1.5 * t, reach);
       continue;
     }
     const double part = (volume - low_volume) / (high_volume - low_volume);
     t = low + std::clamp(part, 0.1, 0.9) * (high - low);
   }
-  return t;
+  return growth;
 }
 
 }  // namespace
@@ -206,13 +261,12 @@ TriangleSoup GrownSurface(const CellSurfaceOptions& options,
       options.spacing,
       kLongestReach);
   const GrowingBody growing(options, body, muscle, others, bones, cut, reach);
-  // Coarser samples cut corners; they cut off the same share of the body before
-  // and after.
-  const double spacing = kCoarser * options.spacing;
-  const TriangleSoup coarse = growing.GrownBy(0, spacing);
-  const double share = SignedVolume(coarse.points, coarse.triangles) / left;
-  const double t = GrowthFor(growing, share * volume, spacing, reach);
-  TriangleSoup grown = growing.GrownBy(t, options.spacing);
+  // Coarser samples cut corners: they tell where to begin.
+  const double coarse = kCoarser * options.spacing;
+  const double begin =
+      GrowthFor(growing, left, volume, coarse, reach, options.spacing).t;
+  TriangleSoup grown =
+      GrowthFor(growing, left, volume, options.spacing, reach, begin).body;
   return SignedVolume(grown.points, grown.triangles) > left ? grown : body;
 }
 

@@ -9,9 +9,11 @@
 #include <deque>
 #include <utility>
 
+#include "musclewarp/base/infinity.h"
 #include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/certified_contact/cell_surface.h"
+#include "musclewarp/certified_contact/grown_surface.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/motion/scene_meshes.h"
 
@@ -49,25 +51,26 @@ double SpacingWithin(const RestRemakingOptions& options,
   return spacing;
 }
 
-// Makes a surface that crosses no bone, with as large a margin as that takes: a
+// Makes a surface that crosses no bone, with as large a margin as that takes,
+// which is left in *surface_options: a
 // bone may have details between the samples of a surface. Where a thin muscle
 // would lose too much by the margin, such details are left to the separation of
 // the new surfaces.
-TriangleSoup SurfaceBesideBones(
-    const RestRemakingOptions& options,
-    CellSurfaceOptions surface_options,
-    int attempt,
-    const SolidDistance& muscle,
-    const std::vector<const SolidDistance*>& others,
-    const std::vector<const SolidDistance*>& bones) {
-  surface_options.cell.margin *= std::pow(options.margin_growth, attempt);
+TriangleSoup SurfaceBesideBones(const RestRemakingOptions& options,
+                                int attempt,
+                                const SolidDistance& muscle,
+                                const std::vector<const SolidDistance*>& others,
+                                const std::vector<const SolidDistance*>& bones,
+                                CellSurfaceOptions* surface_options) {
+  MedialCellOptions& cell = surface_options->cell;
+  cell.margin *= std::pow(options.margin_growth, attempt);
   TriangleSoup before;
   double least_volume = 0;
   for (int growth = 0;; ++growth) {
-    TriangleSoup surface = CellSurface(surface_options, muscle, others, bones);
+    TriangleSoup surface = CellSurface(*surface_options, muscle, others, bones);
     const double volume = SignedVolume(surface.points, surface.triangles);
-    VLOG(1) << "cell with a margin of " << surface_options.cell.margin
-            << " mm: " << volume << " mm3";
+    VLOG(1) << "cell with a margin of " << cell.margin << " mm: " << volume
+            << " mm3";
     if (growth > 0 && volume < least_volume) return before;
     if (surface.triangles.rows() == 0 || growth == options.max_growths) {
       return surface;
@@ -82,10 +85,9 @@ TriangleSoup SurfaceBesideBones(
         });
     if (!crosses) return surface;
     before = std::move(surface);
-    surface_options.cell.margin *= options.margin_growth;
+    cell.margin *= options.margin_growth;
     // A cell is bounded by what is in range of its margin.
-    surface_options.cell.range =
-        std::max(surface_options.cell.range, 2 * surface_options.cell.margin);
+    cell.range = std::max(cell.range, 2 * cell.margin);
   }
 }
 
@@ -113,49 +115,64 @@ class Solids {
   std::vector<const SolidDistance*> muscles_, bones_;
 };
 
-// Makes the surface of a muscle anew from its cell among the solids, with the
-// volume of the mesh that was delivered, as far as there is room. Even
-// triangles cut corners: what they cost is asked for in a second try.
+// Gives a body even triangles and, as far as there is room, the volume of the
+// mesh that was delivered. Even triangles cut corners: what they cost is asked
+// for once more.
+TriangleSoup EvenAndGrown(const CellSurfaceOptions& options,
+                          const TriangleSoup& body,
+                          double delivered,
+                          double edge,
+                          int number,
+                          const Solids& solids) {
+  constexpr double kAccuracy = 5e-3;  // of the volume
+  TriangleSoup best;
+  double best_error = kInfinity;
+  double volume = delivered;
+  for (int tries = 0; tries < 2; ++tries) {
+    TriangleSoup even =
+        WithEvenTriangles(GrownSurface(options,
+                                       body,
+                                       solids.muscle(number),
+                                       solids.MusclesBut(number),
+                                       solids.bones(),
+                                       volume),
+                          edge);
+    const double now = SignedVolume(even.points, even.triangles);
+    const double error = std::abs(now / delivered - 1);
+    if (error < best_error) {
+      best = std::move(even);
+      best_error = error;
+    }
+    if (error < kAccuracy) break;
+    volume *= delivered / now;
+  }
+  return best;
+}
+
+// Makes the surface of a muscle anew from its cell among the solids.
 TriangleSoup SurfaceOf(const RestRemakingOptions& options,
                        CellSurfaceOptions surface_options,
                        int attempt,
                        const PreparedMuscle& muscle,
                        int number,
                        const Solids& solids) {
-  constexpr double kAccuracy = 5e-3;  // of the volume
   const MuscleModel& model = muscle.model;
   surface_options.spacing =
       SpacingWithin(options, model, surface_options.spacing);
   const double edge =
       std::max(surface_options.spacing,
                TypicalEdge(model.fine_rest, model.fine_triangles));
+  TriangleSoup body = SurfaceBesideBones(options,
+                                         attempt,
+                                         solids.muscle(number),
+                                         solids.MusclesBut(number),
+                                         solids.bones(),
+                                         &surface_options);
   const double delivered = muscle.mesh.delivered_volume;
-  surface_options.volume = delivered;
-  surface_options.least_left = options.least_volume_share * delivered;
-  TriangleSoup best;
-  double best_volume = 0;
-  for (int tries = 0; tries < 2; ++tries) {
-    TriangleSoup surface =
-        WithEvenTriangles(SurfaceBesideBones(options,
-                                             surface_options,
-                                             attempt,
-                                             solids.muscle(number),
-                                             solids.MusclesBut(number),
-                                             solids.bones()),
-                          edge);
-    const double volume = SignedVolume(surface.points, surface.triangles);
-    if (tries == 0 ||
-        std::abs(volume - delivered) < std::abs(best_volume - delivered)) {
-      best = std::move(surface);
-      best_volume = volume;
-    }
-    if (volume < surface_options.least_left ||
-        volume >= (1 - kAccuracy) * delivered) {
-      break;
-    }
-    surface_options.volume *= delivered / volume;
-  }
-  return best;
+  const double left = SignedVolume(body.points, body.triangles);
+  // Of next to nothing no muscle grows; the caller refuses it.
+  if (left < options.least_volume_share * delivered) return body;
+  return EvenAndGrown(surface_options, body, delivered, edge, number, solids);
 }
 
 }  // namespace
