@@ -119,8 +119,8 @@ ComparisonRow RowOf(const Frame& frame,
   row.final_cost = CostOf(frame);
   row.volume_ratio = 1;
   for (const MuscleFrame& muscle : frame.muscles) {
-    if (std::abs(muscle.volume_ratio - 1) > std::abs(row.volume_ratio - 1)) {
-      row.volume_ratio = muscle.volume_ratio;
+    if (std::abs(muscle.volume_error) > std::abs(row.volume_ratio - 1)) {
+      row.volume_ratio = 1 + muscle.volume_error;
     }
     row.folded_triangles += muscle.folded_triangles;
     row.muscles.push_back(muscle.solver);

@@ -30,7 +30,7 @@ struct ComparisonRow {
   double time_ratio = 0;    // to the reference with the same contact
   double final_cost = 0;    // 1/2 |f|^2 of all muscles, mm^2
   double cost_ratio = 0;    // to the reference with the same contact
-  double volume_ratio = 0;  // of the muscle that is farthest from 1
+  double volume_ratio = 0;  // to the volume that solvers keep, farthest from 1
   double distance = 0;      // to the reference, largest of a fine vertex, mm
 
   // The distance of a fine vertex to the shape without contact, mm.

@@ -26,7 +26,7 @@ TEST(MuscleSize, AsksForTheUnitThatWasMeant) {
   ExpectInputError([] { CheckMuscleSize("psoas.ply", 300e3, 250e12, 1000); },
                    {"psoas.ply", "is it in millimetres?"});
   ExpectInputError([] { CheckMuscleSize("psoas.ply", 30e3, 250e9, 1000); },
-                   {"psoas.ply", "is it in centimetres?"});
+                   {"psoas.ply", "is it in millimetres or centimetres?"});
 }
 
 // From a mouse's foot to an elephant's back.

@@ -79,10 +79,13 @@ constexpr Kill kKills[] = {
     {kBeforeRename, "/.frame_0000.partial/shank.ply"},  // among its meshes
     {kBeforeRename, "/frame_0000"},
     {kBeforeRename, "/.resume/frame_0000.cbor"},
+    // No frame is done yet: what is there of the first is removed.
+    {kAfterRename, "/.frame_0000.partial.replaced"},
+    {kAfterRemove, "muscle.ply"},
+    {kAfterRename, "/.resume/frame_0000.cbor"},
     // The rest pose is written anew over that of the run before.
     {kAfterRename, "/.rest.partial.replaced"},
     {kAfterRemove, "muscle.ply"},
-    {kAfterRename, "/.resume/frame_0000.cbor"},
     {kBeforeRename, "/frame_0006"},
     {kBeforeRename, "/.resume/frame_0006.cbor"},
     {kBeforeRename, "/report.json"},  // all frames are done
@@ -150,11 +153,41 @@ TEST_F(MotionProgram, AFinishedRunHasNothingToGoOnWith) {
   ProgramRun run = Run("--resume");
   EXPECT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.out, HasSubstr("finished already"));
-  // With other options it is another run.
+  // With other options it is another run, which does not go on with this one.
   run = Run("--resume --frames=0:2");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(
+      run.errors,
+      AllOf(HasSubstr("--resume"), HasSubstr("other input or options")));
+  EXPECT_EQ(Contents(out()), whole);
+}
+
+// What a run by other sources has finished is not taken for this program's.
+TEST_F(MotionProgram, AFinishedRunByOtherCodeIsRefused) {
+  ASSERT_EQ(Run("--frames=0").exit_code, 0);
+  Json report = Report();
+  report["code"] = "0.1.0 of another day";
+  WriteTextAtomically(out() + "/report.json", report.dump());
+  const ProgramRun run = Run("--resume --frames=0");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(
+      run.errors,
+      AllOf(HasSubstr("other code"), HasSubstr("0.1.0 of another day")));
+  EXPECT_EQ(Report(), report);
+}
+
+TEST_F(MotionProgram, FramesOfAnEarlierRunAreRemoved) {
+  ASSERT_EQ(Run("--frames=0:2").exit_code, 0);
+  const ProgramRun run = Run("--frames=0");
   EXPECT_EQ(run.exit_code, 0) << run.errors;
-  EXPECT_EQ(run.out.find("finished already"), std::string::npos);
-  EXPECT_EQ(Report()["frames"].size(), 3u);
+  EXPECT_THAT(run.out, HasSubstr("removed 3 frames of an earlier run"));
+  EXPECT_TRUE(fs::exists(out() + "/frame_0000"));
+  EXPECT_FALSE(fs::exists(out() + "/frame_0001"));
+  fs::create_directories(out() + "/frame_0007");
+  EXPECT_EQ(Run("--frames=0").exit_code, 2);
+  EXPECT_TRUE(fs::exists(out() + "/frame_0000/lines.json"));
+  EXPECT_EQ(Run("--frames=0 --overwrite").exit_code, 0);
+  EXPECT_FALSE(fs::exists(out() + "/frame_0007"));
 }
 
 TEST_F(MotionProgram, ResumeIsForTheSameInput) {

@@ -37,7 +37,8 @@ TEST(RunProgram, HelpShowsDefaultsAsOneWritesThem) {
 TEST(RunProgram, SaysItsVersion) {
   const ProgramRun run = RunCommandLine(MUSCLEWARP_CHECK, "--version");
   EXPECT_EQ(run.exit_code, kExitUsable);
-  EXPECT_THAT(run.out, MatchesRegex("musclewarp-check [0-9.]+\n"));
+  EXPECT_THAT(run.out,
+              MatchesRegex("musclewarp-check [0-9.]+ .sources [0-9a-f]+.\n"));
 }
 
 TEST(RunProgram, RefusesFlagsItDoesNotKnow) {

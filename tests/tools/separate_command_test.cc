@@ -183,8 +183,10 @@ TEST(SeparateCommand, AMeshWithAnEndAroundABoneIsMadeAnew) {
   const Json json = Json::parse(FileText(dir + "/out/separation.json"));
   const Json& mesh = json["muscles"][0];
   EXPECT_EQ(mesh["volume_before_mm3"], mesh["remade"]["volume_before_mm3"]);
-  EXPECT_LT(mesh["volume_mm3"], mesh["volume_before_mm3"]);
-  EXPECT_NEAR(mesh["volume_ratio"], 1, kVolumeTolerance);
+  // What the box cuts off comes back beside it, to half a per cent, but for
+  // what slivers take.
+  EXPECT_NEAR(mesh["volume_ratio"], 1, 0.01);
+  EXPECT_NEAR(mesh["volume_error"], 0, kVolumeTolerance);
   EXPECT_GT(json["before"]["triangle_pairs"], 0);
 }
 

@@ -58,6 +58,17 @@ void WriteTextAtomically(const std::string& path, const std::string& text) {
   });
 }
 
+void RemoveFolderAtomically(const std::string& path) {
+  const fs::path target(path);
+  if (!fs::exists(target)) return;
+  const fs::path hidden =
+      target.parent_path() /
+      ("." + target.filename().string() + kPartial + ".replaced");
+  fs::remove_all(hidden);
+  fs::rename(target, hidden);
+  fs::remove_all(hidden);
+}
+
 void WriteFolderAtomically(
     const std::string& path,
     const std::function<void(const std::string&)>& write) {

@@ -30,6 +30,10 @@ void WriteFolderAtomically(
     const std::string& path,
     const std::function<void(const std::string&)>& write);
 
+// Removes a folder, if it is there, in the same way: it is hidden first, so
+// that whoever looks never finds a part of it.
+void RemoveFolderAtomically(const std::string& path);
+
 // Removes the temporary files and folders that the functions above left in
 // `dir` because their program was killed.
 void RemovePartialOutput(const std::string& dir);

@@ -15,6 +15,7 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/spread_points.h"
 #include "musclewarp/motion/certified_stepper.h"
+#include "musclewarp/motion/memory_limits.h"
 
 namespace musclewarp {
 namespace {
@@ -154,6 +155,9 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                                      const MuscleSolver& solver,
                                      const ProgressCallback& on_progress) {
   const Stopwatch preparing;
+  CheckContactFits(meshes.muscles(),
+                   options.separation.cell.voxel_size,
+                   options.step.gap + options.step.reach);
   const std::vector<ExemptArea> exempt =
       ExemptInOrder(scene, OrderOfNames(scene));
   CertifiedScene certified = BeginScene(scene, meshes, exempt, options);

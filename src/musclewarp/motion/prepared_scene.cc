@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -121,12 +122,17 @@ PreparedBone RepairBone(const PrepareOptions& options, const SceneBone& bone) {
 TriangleSoup RepairMuscle(const PrepareOptions& options,
                           const SceneMuscle& muscle,
                           PreparedMuscle* prepared) {
-  TriangleSoup fine = Repaired(DeliveredMesh(muscle),
-                               muscle.name,
-                               muscle.mesh_path,
-                               options,
-                               &prepared->mesh);
-  CheckMuscleSize(muscle.mesh_path.empty() ? muscle.name : muscle.mesh_path,
+  const std::string& where =
+      muscle.mesh_path.empty() ? muscle.name : muscle.mesh_path;
+  const TriangleSoup delivered = DeliveredMesh(muscle);
+  // Before the repair, whose tolerances are those of a muscle.
+  CheckMuscleSize(where,
+                  BoundingBoxDiagonal(delivered.points),
+                  std::nullopt,
+                  muscle.mm_per_unit);
+  TriangleSoup fine = Repaired(
+      delivered, muscle.name, muscle.mesh_path, options, &prepared->mesh);
+  CheckMuscleSize(where,
                   BoundingBoxDiagonal(fine.points),
                   prepared->mesh.delivered_volume,
                   muscle.mm_per_unit);

@@ -15,6 +15,7 @@
 #include "musclewarp/certified_contact/cell_surface.h"
 #include "musclewarp/certified_contact/grown_surface.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/motion/memory_limits.h"
 #include "musclewarp/motion/scene_meshes.h"
 
 namespace musclewarp {
@@ -162,6 +163,9 @@ TriangleSoup SurfaceOf(const RestRemakingOptions& options,
   const double edge =
       std::max(surface_options.spacing,
                TypicalEdge(model.fine_rest, model.fine_triangles));
+  CheckLatticeFits(model.name,
+                   solids.muscle(number).mesh().bvh().box(),
+                   surface_options.spacing);
   TriangleSoup body = SurfaceBesideBones(options,
                                          attempt,
                                          solids.muscle(number),

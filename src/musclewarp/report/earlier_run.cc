@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
 #include "musclewarp/motion/frame_files.h"
 #include "musclewarp/report/motion_tables.h"
 #include "musclewarp/report/resume_log.h"
@@ -84,9 +85,9 @@ void CheckNoStrangeFrames(const std::string& dir, bool overwrite) {
 int RemoveEarlierRun(const std::string& dir) {
   const std::vector<std::string> frames = FrameFoldersIn(dir);
   for (const std::string& folder : frames) {
-    fs::remove_all(fs::path(dir) / folder);
+    RemoveFolderAtomically((fs::path(dir) / folder).string());
   }
-  fs::remove_all(fs::path(dir) / kRestFolder);
+  RemoveFolderAtomically((fs::path(dir) / kRestFolder).string());
   for (const std::string& table : MotionTableNames()) {
     fs::remove(fs::path(dir) / table);
   }

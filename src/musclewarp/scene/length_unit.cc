@@ -33,26 +33,28 @@ std::optional<double> MillimetresPer(const std::string& unit) {
 
 void CheckMuscleSize(const std::string& where,
                      double diagonal,
-                     double volume,
+                     std::optional<double> volume,
                      double mm_per_unit) {
-  const double size = std::abs(volume);
+  const double size = volume ? std::abs(*volume) : kSmallest;
   if (diagonal >= kShortest && diagonal <= kLongest && size >= kSmallest &&
       size <= kLargest) {
     return;
   }
   std::ostringstream problem;
   problem.precision(3);
-  problem << "is " << diagonal << " mm across and holds " << size
-          << " mm3, which no muscle does";
+  problem << "is " << diagonal << " mm across";
+  if (volume) problem << " and holds " << size << " mm3";
+  problem << ", which no muscle does";
+  std::string likely;
   for (const LengthUnit& unit : kUnits) {
     const double across = diagonal / mm_per_unit * unit.millimetres;
     if (unit.millimetres == mm_per_unit || across < kLikelyShort ||
         across > kLikelyLong) {
       continue;
     }
-    problem << ": is it in " << unit.name << "?";
-    break;
+    likely += (likely.empty() ? "" : " or ") + std::string(unit.name);
   }
+  if (!likely.empty()) problem << ": is it in " << likely << "?";
   throw InputError(
       where,
       problem.str(),

@@ -16,11 +16,12 @@ std::optional<double> MillimetresPer(const std::string& unit);
 
 // Throws InputError if no muscle has such a size, and says in which unit it
 // might have been given instead. `diagonal` (mm) is that of its bounding box,
-// `volume` in mm^3; `mm_per_unit` is the unit that was stated. The bounds are
-// far beyond those of animals: a muscle of a mouse's foot has some 0.3 mm^3.
+// `volume` in mm^3, if it is known; `mm_per_unit` is the unit that was stated.
+// The bounds are far beyond those of animals: a muscle of a mouse's foot has
+// some 0.3 mm^3.
 void CheckMuscleSize(const std::string& where,
                      double diagonal,
-                     double volume,
+                     std::optional<double> volume,
                      double mm_per_unit);
 
 }  // namespace musclewarp
