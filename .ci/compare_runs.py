@@ -50,7 +50,7 @@ def main():
         largest, mean = distance(one, other)
         mesh = pathlib.Path(name).stem
         before = worst.get(mesh, (0, 0, ""))
-        worst[mesh] = max(before, (largest, mean, pathlib.Path(name).parent))
+        worst[mesh] = max(before, (largest, mean, pathlib.Path(name).parent.name))
     for mesh, (largest, mean, frame) in sorted(worst.items()):
         print(f"{mesh}: at most {largest:.3g} mm apart, {mean:.3g} mm on the "
               f"mean of that frame ({frame or 'all frames'})")

@@ -164,8 +164,12 @@ class GrowingBody {
     at.own = distance_.At(p, limit_);
     at.to_cut = kInfinity;
     if (at.own <= -border_ || at.own >= limit_) return at;
-    const auto cut = cut_.ClosestPoint(p, reach_ / kDecline);
-    if (cut.triangle >= 0) at.to_cut = cut.distance;
+    if (cut_.num_triangles() == 0) {
+      at.to_cut = 0;
+    } else {
+      const auto cut = cut_.ClosestPoint(p, reach_ / kDecline);
+      if (cut.triangle >= 0) at.to_cut = cut.distance;
+    }
     at.cell = cell_.SignedDistance(p);
     at.is_blocked = at.cell < 0 && at.own > 0 && IsBlocked(p);
     return at;
@@ -255,11 +259,12 @@ TriangleSoup GrownSurface(const CellSurfaceOptions& options,
   CHECK_GT(body.triangles.rows(), 0);
   const double left = SignedVolume(body.points, body.triangles);
   const Triangles cut = CutTriangles(body, muscle, options.spacing / 2);
-  if (left >= volume || cut.rows() == 0) return body;
-  const double reach = std::clamp(
-      kReachPerThickness * (volume - left) / SurfaceArea(body.points, cut),
-      options.spacing,
-      kLongestReach);
+  if (left >= volume) return body;
+  const double area =
+      SurfaceArea(body.points, cut.rows() > 0 ? cut : body.triangles);
+  const double reach = std::clamp(kReachPerThickness * (volume - left) / area,
+                                  options.spacing,
+                                  kLongestReach);
   const GrowingBody growing(options, body, muscle, others, bones, cut, reach);
   // Coarser samples cut corners: they tell where to begin.
   const double coarse = kCoarser * options.spacing;

@@ -17,9 +17,10 @@ namespace musclewarp {
 //
 // d(p) being the distance to where it was cut (mm), as far as its medial cell
 // reaches and no bone or other muscle is in the way, with the least t that
-// gives the volume. The surface is as that of CellSurface(), and has less than
-// the volume if it cannot grow so far. Preconditions (CHECKed): the options are
-// valid, the body has triangles.
+// gives the volume. A body that was cut nowhere, and lost its volume to the
+// samples of its surface, grows evenly. The surface is as that of
+// CellSurface(), and has less than the volume if it cannot grow so far.
+// Preconditions (CHECKed): the options are valid, the body has triangles.
 TriangleSoup GrownSurface(const CellSurfaceOptions& options,
                           const TriangleSoup& body,
                           const SolidDistance& muscle,
