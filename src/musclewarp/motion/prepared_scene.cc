@@ -125,6 +125,7 @@ TriangleSoup RepairMuscle(const PrepareOptions& options,
   const std::string& where =
       muscle.mesh_path.empty() ? muscle.name : muscle.mesh_path;
   const TriangleSoup delivered = DeliveredMesh(muscle);
+  CheckCoordinates(where, delivered.points);
   // Before the repair, whose tolerances are those of a muscle.
   CheckMuscleSize(where,
                   BoundingBoxDiagonal(delivered.points),
