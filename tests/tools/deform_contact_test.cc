@@ -70,8 +70,8 @@ TEST_F(DeformProgram, AMuscleThatCannotBeSeparatedIsMadeAnew) {
   const Json& remade = muscle["remade"];
   ASSERT_TRUE(remade.is_object());
   EXPECT_EQ(remade["volume_after_mm3"], muscle["volume_mm3"]);
-  // What the bone cuts off comes back beside it, to half a per cent, but for what
-  // slivers take.
+  // What the bone cuts off comes back beside it, to half a per cent, but for
+  // what slivers take.
   const double before = remade["volume_before_mm3"];
   EXPECT_NEAR(remade["volume_after_mm3"], before, 0.01 * before);
   EXPECT_GT(remade["lost_area_mm2"], 0);

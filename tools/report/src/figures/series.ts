@@ -200,7 +200,10 @@ export function figuresOf(runs: Run[]): Figure[] {
       title: "Volume ratio",
       label: "volume ratio − 1",
       note: "of the fine mesh to its volume at rest; 0 is kept to the last digit",
-      series: byMuscle(runs, (muscle) => muscle.volume_error ?? muscle.volume_ratio - 1),
+      series: byMuscle(
+        runs,
+        (muscle) => muscle.volume_error ?? muscle.volume_ratio - 1,
+      ),
     },
     {
       id: "crossing-pairs",
