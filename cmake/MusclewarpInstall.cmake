@@ -59,6 +59,7 @@ install(
 install(DIRECTORY src/musclewarp problems
         DESTINATION ${MUSCLEWARP_INSTALL_INCLUDEDIR} COMPONENT dev
         FILES_MATCHING PATTERN "*.h"
+        PATTERN archived_fields.h EXCLUDE
         PATTERN preparation_archive.h EXCLUDE)
 
 configure_package_config_file(

@@ -76,10 +76,27 @@ struct Separation {
   OrderedJson report;                      // the result as report.json has it
 };
 
-Separation Separate(Deformer* deformer) {
+// Bones stay as they are, so that no frame says what their labels lost.
+void AddLossesOfBones(const SeparateInput& input,
+                      double max_loss,
+                      std::vector<std::string>* shortcomings) {
+  for (const LabelMesh& label : input.labels.meshes) {
+    const double loss = 1 - label.volume / label.delivered_volume;
+    if (!label.is_bone || loss <= max_loss) continue;
+    shortcomings->push_back(
+        label.name + ": " + NumberText(100 * loss) + " % of its volume of " +
+        NumberText(label.delivered_volume / 1000) + " cm3 is lost, allowed " +
+        NumberText(100 * max_loss) + " %");
+  }
+}
+
+Separation Separate(const SeparateInput& input,
+                    const SeparateOptions& options,
+                    Deformer* deformer) {
   Separation result;
   result.frame = deformer->SolveAlone(RestPose(deformer->scene().scene));
   result.frame.index = 0;
+  AddLossesOfBones(input, options.max_loss, &result.frame.shortcomings);
   result.scene = &deformer->scene();
   result.before = result.scene->as_delivered
                       ? *result.scene->as_delivered
@@ -293,7 +310,7 @@ class SeparateRun {
       SeparateInput input = ReadSeparateInput(files_, options_);
       PrintLabels(input, screen_);
       Deformer deformer(std::move(input.scene), options);
-      const Separation result = Separate(&deformer);
+      const Separation result = Separate(input, options_, &deformer);
       ThrowIfInterrupted();
       progress_.Clear();
       Write(input, result, stopwatch.Milliseconds());

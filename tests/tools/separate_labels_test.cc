@@ -54,6 +54,39 @@ double FileVolume(const std::string& file) {
 
 }  // namespace
 
+// A label in two halves loses one of them, whether it moves or not.
+TEST(SeparateLabels, ALabelThatLosesAHalfIsNotUsable) {
+  const std::string dir = TestTempDir();
+  const MadeImage image = MakeImage({40, 20, 20},
+                                    TurnedSteps({1, 1, 1}, {0, 0, 0}),
+                                    [](const Eigen::Vector3d&) { return 0; });
+  MadeImage made = image;
+  int at = 0;
+  for (int k = 0; k < 20; ++k) {
+    for (int j = 0; j < 20; ++j) {
+      for (int i = 0; i < 40; ++i, ++at) {
+        const bool is_half = i % 20 > 3 && i % 20 < 16;
+        if (is_half && j > 3 && j < 9 && k > 3 && k < 16) made.labels[at] = 1;
+        if (is_half && j > 11 && j < 16 && k > 3 && k < 16) made.labels[at] = 2;
+      }
+    }
+  }
+  WriteTextAtomically(dir + "/halves.mha", MetaImageBytes(made));
+  const std::string command =
+      dir + "/halves.mha --bone=label_2 --out=" + dir + "/out";
+  const ProgramRun run = RunCommandLine(MUSCLEWARP_SEPARATE, command);
+  EXPECT_EQ(run.exit_code, 1) << run.errors;
+  EXPECT_THAT(run.out, HasSubstr("not usable: label_1: 50 % of its volume"));
+  EXPECT_THAT(run.out, HasSubstr("not usable: label_2: 50"));
+  const ProgramRun all =
+      RunCommandLine(MUSCLEWARP_SEPARATE,
+                     dir + "/halves.mha --pieces=all --out=" + dir + "/all");
+  EXPECT_EQ(all.exit_code, 0) << all.out << all.errors;
+  EXPECT_EQ(RunCommandLine(MUSCLEWARP_SEPARATE, command + " --max_loss=0.6")
+                .exit_code,
+            0);
+}
+
 TEST(SeparateLabels, TouchingLabelsComeOutApartWithTheirVolumes) {
   const std::string dir = TestTempDir(), out = dir + "/out";
   const MadeImage image = MusclesAroundABone();
