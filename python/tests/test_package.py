@@ -80,7 +80,7 @@ def test_is_installed_by_pip_without_a_network(tmp_path):
                   "import importlib.metadata as m; print(m.version"
                   "('musclewarp'))", cwd=tmp_path, env=environment())
     said = run(tmp_path / "venv/bin/musclewarp-deform", "--version")
-    assert said.startswith(f"musclewarp-deform {version} (sources ")
+    assert said.startswith(f"musclewarp-deform {version.strip()} (sources ")
 
 
 def test_is_imported_quickly():
