@@ -139,6 +139,19 @@ TEST(MakeCleanFrameSolver, RemakesAMuscleOfWhichABoneCutsOffAnEnd) {
   EXPECT_LT(scene.muscles[0].model.fine_rest.col(2).maxCoeff(), kPlateBegins);
 }
 
+// A label that lost a half before it became a mesh: that half was elsewhere,
+// and does not come back where a bone cuts off what is left.
+TEST(MakeCleanFrameSolver, GrowsToTheVolumeOfTheMeshNotOfItsLabel) {
+  Scene raw = SceneWithAnEndInABone();
+  const double volume =
+      SignedVolume(raw.muscles[0].points, raw.muscles[0].triangles);
+  raw.muscles[0].delivered_volume = 2 * volume;
+  PreparedScene scene = PreparedSmallScene(raw);
+  Make(RemakeKind::kAuto, &scene);
+  EXPECT_TRUE(scene.muscles[0].mesh.remaking.is_done);
+  EXPECT_NEAR(scene.muscles[0].model.rest_volume, volume, 0.02 * volume);
+}
+
 TEST(MakeCleanFrameSolver, RefusesAMuscleOfWhichLittleIsLeft) {
   Scene raw = SceneWithAnEndInABone();
   // Only the lowest tenth of its length is outside.

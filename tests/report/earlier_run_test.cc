@@ -61,6 +61,15 @@ TEST(EarlierRun, IsRemovedAndNothingElse) {
   EXPECT_TRUE(fs::exists(dir + "/pictures/a.ply"));
 }
 
+// Where no run was, a table or page of that name is somebody else's.
+TEST(EarlierRun, TablesAndPagesWithoutAReportStay) {
+  const std::string dir = RunFolder();
+  fs::remove(dir + "/report.json");
+  RemoveEarlierRun(dir);
+  EXPECT_TRUE(fs::exists(dir + "/lengths.sto"));
+  EXPECT_TRUE(fs::exists(dir + "/report.html"));
+}
+
 TEST(EarlierRun, FramesThatNoReportNamesAreRefused) {
   const std::string dir = RunFolder();
   fs::create_directories(dir + "/frame_0003");

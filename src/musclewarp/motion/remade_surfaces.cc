@@ -117,18 +117,18 @@ class Solids {
 };
 
 // Gives a body even triangles and, as far as there is room, the volume of the
-// mesh that was delivered. Even triangles cut corners: what they cost is asked
-// for once more.
+// mesh before it was made anew. Even triangles cut corners: what they cost is
+// asked for once more.
 TriangleSoup EvenAndGrown(const CellSurfaceOptions& options,
                           const TriangleSoup& body,
-                          double delivered,
+                          double before,
                           double edge,
                           int number,
                           const Solids& solids) {
   constexpr double kAccuracy = 5e-3;  // of the volume
   TriangleSoup best;
   double best_error = kInfinity;
-  double volume = delivered;
+  double volume = before;
   for (int tries = 0; tries < 2; ++tries) {
     TriangleSoup even =
         WithEvenTriangles(GrownSurface(options,
@@ -139,13 +139,13 @@ TriangleSoup EvenAndGrown(const CellSurfaceOptions& options,
                                        volume),
                           edge);
     const double now = SignedVolume(even.points, even.triangles);
-    const double error = std::abs(now / delivered - 1);
+    const double error = std::abs(now / before - 1);
     if (error < best_error) {
       best = std::move(even);
       best_error = error;
     }
     if (error < kAccuracy) break;
-    volume *= delivered / now;
+    volume *= before / now;
   }
   return best;
 }
@@ -172,11 +172,15 @@ TriangleSoup SurfaceOf(const RestRemakingOptions& options,
                                          solids.MusclesBut(number),
                                          solids.bones(),
                                          &surface_options);
-  const double delivered = muscle.mesh.delivered_volume;
+  // Of the mesh before it was made anew for the first time. What a label lost
+  // before it became a mesh does not come back: it was elsewhere.
+  const Remaking& remaking = muscle.mesh.remaking;
+  const double before =
+      remaking.is_done ? remaking.volume_before : model.rest_volume;
   const double left = SignedVolume(body.points, body.triangles);
   // Of next to nothing no muscle grows; the caller refuses it.
-  if (left < options.least_volume_share * delivered) return body;
-  return EvenAndGrown(surface_options, body, delivered, edge, number, solids);
+  if (left < options.least_volume_share * before) return body;
+  return EvenAndGrown(surface_options, body, before, edge, number, solids);
 }
 
 }  // namespace

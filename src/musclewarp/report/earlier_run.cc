@@ -88,6 +88,10 @@ int RemoveEarlierRun(const std::string& dir) {
     RemoveFolderAtomically((fs::path(dir) / folder).string());
   }
   RemoveFolderAtomically((fs::path(dir) / kRestFolder).string());
+  // Without a report, tables and pages are not those of a run.
+  if (!fs::exists(fs::path(dir) / kReport)) {
+    return static_cast<int>(frames.size());
+  }
   for (const std::string& table : MotionTableNames()) {
     fs::remove(fs::path(dir) / table);
   }

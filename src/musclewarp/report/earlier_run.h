@@ -28,8 +28,9 @@ void CheckNoStrangeFrames(const std::string& dir, bool overwrite);
 
 // Removes what an earlier run has left in `dir`, so that nothing of it is taken
 // for part of the next: all folders of frames, the rest pose, tables, pages and
-// the report, which goes last. Other files stay. Returns the number of frames
-// removed. Call CheckNoStrangeFrames() first.
+// the report, which goes last. Other files stay, and so do tables and pages
+// where there is no report. Returns the number of frames removed. Call
+// CheckNoStrangeFrames() first.
 int RemoveEarlierRun(const std::string& dir);
 
 }  // namespace musclewarp
