@@ -30,6 +30,9 @@ constexpr std::size_t kMostLabels = 1000;
 // The edges of triangles, in edges of a cube with the volume of a voxel.
 constexpr double kEdgesOfVoxel = 2;
 
+// Larger boxes take more memory than machines have: some 20 bytes a voxel.
+constexpr double kMostBoxVoxels = 3e8;
+
 // A smaller share of a label that is lost is not worth a note.
 constexpr double kLostWorthANote = 0.02;
 
@@ -128,6 +131,7 @@ class MeshesOfLabel {
         notes_(notes) {}
 
   std::vector<LabelMesh> Make(const LabelBox& box) {
+    CheckBoxFits(box);
     LabelPieces pieces = PiecesOfLabel(image_, entry_.label, box);
     const size_t found = pieces.regions.size();
     std::int64_t left_out = pieces.small_voxels;
@@ -154,6 +158,23 @@ class MeshesOfLabel {
   void Note(const std::string& name, const std::string& text) {
     notes_->push_back(name + " (label " + std::to_string(entry_.label) + ") " +
                       text);
+  }
+
+  // The place in messages.
+  std::string Where(const std::string& name) const {
+    return image_.path + ": label " + std::to_string(entry_.label) + " (" +
+           name + ")";
+  }
+
+  void CheckBoxFits(const LabelBox& box) const {
+    const Eigen::Array3i size = box.highest - box.lowest + 1;
+    if (size.cast<double>().prod() <= kMostBoxVoxels) return;
+    std::ostringstream problem;
+    problem << "spans " << size[0] << " x " << size[1] << " x " << size[2]
+            << " voxels; allowed: " << kMostBoxVoxels << " in all";
+    throw InputError(Where(entry_.name),
+                     problem.str(),
+                     "crop the image, or save it with larger voxels");
   }
 
   void NotePieces(const LabelPieces& kept,
@@ -186,8 +207,7 @@ class MeshesOfLabel {
 
   LabelMesh MeshOf(const LabelRegion& region, const std::string& name) {
     LabelSurface surface = SurfaceOfRegion(
-        image_.path + ": label " + std::to_string(entry_.label) + " (" + name +
-            ")",
+        Where(name),
         region,
         image_.grid,
         options_.edge_length > 0 ? options_.edge_length

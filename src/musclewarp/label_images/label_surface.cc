@@ -15,7 +15,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
@@ -38,10 +37,6 @@ constexpr double kSmoothingReach = 4;  // standard deviations
 constexpr double kLowestLevel = 0.15, kHighestLevel = 0.85;
 constexpr int kLevelSteps = 12;
 constexpr double kVolumeAccuracy = 2e-4;
-
-// What smoothing takes for a larger box, machines do not have: 20 bytes a
-// voxel.
-constexpr double kMostBoxVoxels = 3e8;
 
 // A larger share of a region that is lost makes it a failure.
 constexpr double kMostLost = 0.5;
@@ -145,14 +140,6 @@ LabelSurface SurfaceOfRegion(const std::string& where,
                      "has " + std::to_string(region.voxels) +
                          " voxels in one piece; allowed: at least 64",
                      "remove it from the image, or from the table of labels");
-  }
-  const double box = region.size.cast<double>().prod();
-  if (box > kMostBoxVoxels) {
-    std::ostringstream problem;
-    problem << "spans " << region.size.transpose()
-            << " voxels; allowed: " << kMostBoxVoxels << " in its box";
-    throw InputError(
-        where, problem.str(), "crop the image, or save it with larger voxels");
   }
   TriangleSoup soup =
       LevelSetWithVolume(Smoothed(region), static_cast<double>(region.voxels));
