@@ -197,9 +197,9 @@ export function figuresOf(runs: Run[]): Figure[] {
   const figures: Figure[] = [
     {
       id: "volume-ratio",
-      title: "Volume ratio",
-      label: "volume ratio − 1",
-      note: "of the fine mesh to its volume at rest; 0 is kept to the last digit",
+      title: "Volume error",
+      label: "volume error",
+      note: "of the fine mesh against its volume at rest; 0 is kept to the last digit",
       series: byMuscle(
         runs,
         (muscle) => muscle.volume_error ?? muscle.volume_ratio - 1,
