@@ -208,7 +208,7 @@ int CompareCommand(const CompareOptions& options, std::ostream& screen) {
   }
   if (!deform.out.empty()) CheckWritable(deform.out);
   if (deform.threads > 0) omp_set_num_threads(deform.threads);
-  const Scene scene = ReadScene(deform.scene, deform.data_root, deform.motion);
+  const Scene scene = ReadScene(deform.scene, deform.data_root, deform.model);
   const std::vector<int> selected = SelectFrames(deform.frames, scene.poses);
   PrepareOptions prepare = deform.deformer.prepare;
   prepare.remove_self_crossings = prepare.remove_slivers =

@@ -111,7 +111,7 @@ class DeformRun {
     const InterruptionScope interruption(
         [this](const std::string& reason) { GiveUp(reason); });
     const Scene scene =
-        ReadScene(options_.scene, options_.data_root, options_.motion);
+        ReadScene(options_.scene, options_.data_root, options_.model);
     selected_ = SelectFrames(options_.frames, scene.poses);
     run_.solver = options_.deformer.solver.name;
     run_.command = options_.command;

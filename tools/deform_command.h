@@ -19,7 +19,7 @@ struct DeformOptions {
   DeformerOptions deformer;
   std::string frames = "all";  // see SelectFrames
   std::vector<std::string> formats = {"ply"};
-  std::string motion;  // replaces that of the scene unless empty
+  ModelSources model;  // what is not as the scene has it
   int threads = 0;     // 0: as many as OpenMP chooses
   bool resume = false;
   bool overwrite = false;    // if true, frames of unknown runs are removed

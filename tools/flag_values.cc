@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/flag_values.h"
 
+#include <filesystem>
 #include <optional>
 
 #include "musclewarp/base/input_error.h"
@@ -68,6 +69,24 @@ std::vector<std::string> ParseFormats(const std::string& text) {
     throw InputError("--format", "is empty", "allowed: ply, obj, vtp");
   }
   return formats;
+}
+
+bool ParseYesNo(const std::string& flag, const std::string& text) {
+  if (text == "yes" || text == "true") return true;
+  if (text == "no" || text == "false") return false;
+  throw InputError(flag + "=" + text, "is no answer", "allowed: yes, no");
+}
+
+std::vector<std::string> ParseFolders(const std::string& flag,
+                                      const std::string& text) {
+  std::vector<std::string> folders = Split(text, ',');
+  for (const std::string& folder : folders) {
+    if (std::filesystem::is_directory(folder)) continue;
+    throw InputError(flag + "=" + text,
+                     "\"" + folder + "\" is not a folder",
+                     "give folders that exist, with commas between them");
+  }
+  return folders;
 }
 
 double ParseUnits(const std::string& text) {

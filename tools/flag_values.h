@@ -18,6 +18,12 @@ RemakeKind ParseRemake(const std::string& text);
 AttachmentKind ParseAttachments(const std::string& text);
 std::vector<std::string> ParseFormats(const std::string& text);
 
+// Convert the text of the flag `flag`: "yes" or "no", and folders with commas,
+// which have to exist.
+bool ParseYesNo(const std::string& flag, const std::string& text);
+std::vector<std::string> ParseFolders(const std::string& flag,
+                                      const std::string& text);
+
 // Returns the millimetres in the unit that --units names.
 double ParseUnits(const std::string& text);
 

@@ -3,6 +3,7 @@
 #include <gflags/gflags.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <iostream>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "tools/deformer_choices.h"
 #include "tools/demo_scene.h"
 #include "tools/flag_values.h"
+#include "tools/model_listing.h"
 #include "tools/output_folder.h"
 #include "tools/program.h"
 #include "tools/scene_flags.h"
@@ -22,6 +24,12 @@ DEFINE_bool(demo,
             false,
             "deform the scene that is inside the program, which is written to "
             "OUT/scene; sets --html");
+DEFINE_bool(list,
+            false,
+            "print the bodies, muscles, coordinates and meshes of the OpenSim "
+            "model --model, and where its meshes are; with --motion also what "
+            "the motion moves");
+DEFINE_string(model, "", "the OpenSim model (.osim) for --list");
 DEFINE_string(solver,
               "ceres",
               "ceres, or reference (Gauss-Newton with Lagrange multiplier)");
@@ -77,6 +85,23 @@ DeformOptions OptionsFromFlags() {
   return options;
 }
 
+// The path of a file that is relative to --data_root.
+std::string InDataRoot(const std::string& path) {
+  return path.empty()
+             ? path
+             : (std::filesystem::path(FLAGS_data_root) / path).string();
+}
+
+int ListModel() {
+  if (FLAGS_model.empty()) {
+    throw InputError("--list", "needs a model", "give --model=FILE.osim");
+  }
+  ModelSources sources = ModelSourcesFromFlags();
+  sources.motion = InDataRoot(sources.motion);
+  PrintModel(InDataRoot(FLAGS_model), sources, std::cout);
+  return kExitUsable;
+}
+
 // Puts the scene that is inside the program in place of a scene of the user's,
 // once nothing else can be wrong.
 void PrepareDemo(DeformOptions* options) {
@@ -103,7 +128,8 @@ int main(int argc, char** argv) {
       argc,
       argv,
       "musclewarp-deform --scene=FILE --out=DIR [flags]\n"
-      "       musclewarp-deform --demo --out=DIR [flags]\n\n"
+      "       musclewarp-deform --demo --out=DIR [flags]\n"
+      "       musclewarp-deform --list --model=FILE [--motion=FILE]\n\n"
       "Deforms the muscles of a scene so that they follow their lines of "
       "action and\nkeep their volume, in each pose or along a motion "
       "(OpenSim .osim and .mot, or poses\nwith times). Writes "
@@ -112,6 +138,13 @@ int main(int argc, char** argv) {
       "Exit code: 0 usable, 1 not usable (the summary says why), 2 bad input.",
       [](const std::vector<std::string>& arguments) {
         musclewarp::RefuseArguments(arguments);
+        if (FLAGS_list) return musclewarp::ListModel();
+        if (!FLAGS_model.empty()) {
+          throw musclewarp::InputError(
+              "--model",
+              "is given without --list",
+              "name the model in the scene, or add --list");
+        }
         musclewarp::DeformOptions options = musclewarp::OptionsFromFlags();
         if (FLAGS_demo) musclewarp::PrepareDemo(&options);
         return musclewarp::DeformCommand(options, std::cout);

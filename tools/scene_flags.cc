@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tools/deformer_choices.h"
+#include "tools/flag_values.h"
 
 DEFINE_string(scene, "", "scene file (JSON)");
 DEFINE_string(data_root,
@@ -26,6 +27,14 @@ DEFINE_string(
     motion,
     "",
     "OpenSim motion (.mot, .sto) in place of the one the scene names");
+DEFINE_string(motion_in_degrees,
+              "",
+              "whether angles of the motion are in degrees, for files whose "
+              "header does not say so: yes or no");
+DEFINE_string(geometry,
+              "",
+              "folders with meshes of the model, with commas, beside its own "
+              "and the folder Geometry there");
 DEFINE_string(contact_level,
               "coarse",
               "what meets with --contact=paper: coarse (hulls) or fine (the "
@@ -156,11 +165,22 @@ std::string SetFlags(const std::set<std::string>& without) {
 
 }  // namespace
 
+ModelSources ModelSourcesFromFlags() {
+  ModelSources sources;
+  sources.motion = FLAGS_motion;
+  sources.geometry = ParseFolders("--geometry", FLAGS_geometry);
+  if (!FLAGS_motion_in_degrees.empty()) {
+    sources.motion_in_degrees =
+        ParseYesNo("--motion_in_degrees", FLAGS_motion_in_degrees);
+  }
+  return sources;
+}
+
 DeformOptions SceneOptionsFromFlags() {
   DeformOptions options;
   options.scene = FLAGS_scene;
   options.data_root = FLAGS_data_root;
-  options.motion = FLAGS_motion;
+  options.model = ModelSourcesFromFlags();
   options.frames = FLAGS_frames;
   options.threads = FLAGS_threads;
   options.deformer = OptionsOf(ChoicesFromFlags());
@@ -177,6 +197,7 @@ DeformOptions SceneOptionsFromFlags() {
                                        "scene",
                                        "demo",
                                        "data_root",
+                                       "geometry",
                                        "motion"};
   options.result_flags = SetFlags(other_flags);
   other_flags.insert({"frames", "format"});

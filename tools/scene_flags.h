@@ -14,6 +14,10 @@ namespace musclewarp {
 // throws InputError naming the flag.
 DeformOptions SceneOptionsFromFlags();
 
+// Returns what the same flags say about the model of a scene. Throws InputError
+// that names the flag, also for a folder that is not there.
+ModelSources ModelSourcesFromFlags();
+
 // Sets the limits of all solvers of a configuration to --max_iterations, for
 // those who want to wait longer. Throws InputError if it is below 1.
 void SetIterationLimit(SolverConfiguration* configuration);

@@ -3,7 +3,7 @@
 """Scenes: muscles, bones and poses."""
 import os
 import tempfile
-from typing import Iterable, List, Mapping, Optional, Tuple, Union
+from typing import Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from musclewarp import _core
 
@@ -99,7 +99,9 @@ class Scene:
 
 def read_scene(path: Union[str, "os.PathLike[str]"],
                data_root: Union[str, "os.PathLike[str]"] = "",
-               motion: Union[str, "os.PathLike[str]"] = "") -> Scene:
+               motion: Union[str, "os.PathLike[str]"] = "",
+               geometry: Sequence[Union[str, "os.PathLike[str]"]] = (),
+               motion_in_degrees: Optional[bool] = None) -> Scene:
     """Reads a scene file (docs/scene.md), its model and its motion.
 
     Args:
@@ -107,11 +109,17 @@ def read_scene(path: Union[str, "os.PathLike[str]"],
         data_root: the folder that paths in the file are relative to; without it
             the folder of the file.
         motion: an OpenSim motion (.mot, .sto) in place of the scene's.
+        geometry: folders with meshes of the model, beside its own and the
+            folder Geometry there.
+        motion_in_degrees: whether angles of the motion are in degrees,
+            whatever its header says.
     Raises:
         InputError: names the file and the field.
     """
     source = _core.read_scene(os.fspath(path), os.fspath(data_root),
-                              os.fspath(motion))
+                              os.fspath(motion),
+                              [os.fspath(folder) for folder in geometry],
+                              motion_in_degrees)
     scene = Scene(source.muscles, source.bones, source.poses, name=source.name,
                   is_motion=source.is_motion, axes=source.axes,
                   side=source.side)

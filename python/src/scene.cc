@@ -156,14 +156,19 @@ void BindSceneFunctions(py::module_* module) {
       "read_scene",
       [](const std::string& path,
          const std::string& data_root,
-         const std::string& motion) {
+         const std::string& motion,
+         const std::vector<std::string>& geometry,
+         const std::optional<bool>& motion_in_degrees) {
+        const ModelSources sources = {motion, geometry, motion_in_degrees};
         return ComputeFree([=] {
-          return std::make_shared<Scene>(ReadScene(path, data_root, motion));
+          return std::make_shared<Scene>(ReadScene(path, data_root, sources));
         });
       },
       py::arg("path"),
       py::arg("data_root"),
-      py::arg("motion"));
+      py::arg("motion"),
+      py::arg("geometry"),
+      py::arg("motion_in_degrees"));
   module->def(
       "write_demo_scene",
       [](const std::string& dir) {

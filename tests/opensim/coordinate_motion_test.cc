@@ -64,22 +64,48 @@ TEST(CoordinateMotion, ColumnsMayBePathsAndStatesArePassedOver) {
   EXPECT_TRUE(motion.warnings.empty());
 }
 
-TEST(CoordinateMotion, IdleColumnsGetAWarningMovingOnesAreRefused) {
-  const auto motion =
-      MotionOf(Leg(), Table({"knee", "hip"}, {{90, 0}, {80, 0}}), "m.mot");
+TEST(CoordinateMotion, OneWarningCountsTheColumnsThatAreLeftOut) {
+  std::vector<std::string> labels = {"knee"};
+  for (int i = 0; i < 20; ++i) {
+    labels.push_back("force_" + std::to_string(i));
+  }
+  const auto motion = MotionOf(
+      Leg(), Table(labels, {std::vector<double>(labels.size(), 1)}), "m.mot");
   ASSERT_EQ(motion.warnings.size(), 1u);
-  EXPECT_THAT(motion.warnings[0], HasSubstr("passed over: hip"));
-  ExpectMotionRefused(Table({"knee", "hip"}, {{90, 0}, {80, 1e-9}}),
-                      {"\"hip\"", "knee, tx, ty"});
+  EXPECT_THAT(motion.warnings[0], HasSubstr("20 columns"));
+  EXPECT_THAT(motion.warnings[0], HasSubstr("force_0, force_1, "));
+  EXPECT_THAT(motion.warnings[0], HasSubstr("and 8 more"));
 }
 
 TEST(CoordinateMotion, RefusesTablesThatDoNotFit) {
-  StorageTable table = Table({"knee"}, {{1}});
-  table.in_degrees.reset();
-  ExpectMotionRefused(table, {"inDegrees=yes"});
   ExpectMotionRefused(Table({"knee", "/jointset/knee_joint/knee"}, {{1, 2}}),
                       {"second one for the coordinate knee"});
-  ExpectMotionRefused(Table({"hip"}, {{0}}), {"no column"});
+  ExpectMotionRefused(Table({"hip"}, {{0}}), {"no column", "knee, tx, ty"});
+  StorageTable table = Table({"knee", "force"}, {{1, NAN}, {NAN, 2}});
+  ExpectMotionRefused(table, {"row 1", "\"knee\"", "not finite"});
+  table.lines = {7, 9};
+  ExpectMotionRefused(table, {"line 9"});
+  table.values(1, 0) = 3;
+  EXPECT_EQ(MotionOf(Leg(), table, "m.mot").values.size(), 2u);
+}
+
+TEST(CoordinateMotion, SomethingHasToSayWhetherAnglesAreInDegrees) {
+  StorageTable table = Table({"knee"}, {{90}});
+  table.in_degrees.reset();
+  ExpectMotionRefused(table, {"--motion_in_degrees", "inDegrees=yes"});
+  EXPECT_EQ(MotionOf(Leg(), table, "m.mot", true).values[0][0], M_PI / 2);
+  EXPECT_EQ(MotionOf(Leg(), table, "m.mot", false).values[0][0], 90);
+  // Lengths have no such choice.
+  StorageTable lengths = Table({"tx"}, {{0.5}});
+  lengths.in_degrees.reset();
+  EXPECT_EQ(MotionOf(Leg(), lengths, "m.mot").values[0][1], 0.5);
+}
+
+TEST(CoordinateMotion, WhatIsAskedForWinsOverTheHeaderWithAWarning) {
+  const auto motion = MotionOf(Leg(), Table({"knee"}, {{2}}), "m.mot", false);
+  EXPECT_EQ(motion.values[0][0], 2);
+  ASSERT_EQ(motion.warnings.size(), 1u);
+  EXPECT_THAT(motion.warnings[0], HasSubstr("radians"));
 }
 
 }  // namespace

@@ -55,6 +55,21 @@ TEST(GeometryReader, MeshesOnOffsetFramesBelongToTheBodyBelow) {
   EXPECT_TRUE(model.bodies[2].geometry.empty());
 }
 
+TEST(GeometryReader, TheGroundMayHaveMeshes) {
+  const std::string three = R"(<VisibleObject><GeometrySet><objects>
+      <DisplayGeometry><geometry_file>b.stl</geometry_file></DisplayGeometry>
+      </objects></GeometrySet></VisibleObject>)";
+  for (const std::string& text :
+       {Replaced(PinModel(),
+                 "<Ground name=\"ground\"/>",
+                 "<Ground name=\"ground\">" + AttachedMesh() + "</Ground>"),
+        Replaced(Model3(), "<Joint/>", "<Joint/>" + three)}) {
+    const Model model = ReadText(text);
+    ASSERT_EQ(model.bodies[0].geometry.size(), 1u);
+    EXPECT_EQ(model.bodies[0].geometry[0].file, "b.stl");
+  }
+}
+
 TEST(GeometryReader, RefusesScalesThatAreNotThreeNumbers) {
   const OsimXml xml = Xml(Replaced(
       "<Body name=\"thigh\">" + AttachedMesh() + "</Body>", "1 1 -1", "1 1"));

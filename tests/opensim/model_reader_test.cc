@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/opensim/model.h"
 #include "opensim/read_models.h"
 
@@ -116,6 +117,125 @@ TEST(ModelReader, RefusesCouplersThatAreNotValid) {
                  "<LinearFunction><coefficients>1 2 3</coefficients>"
                  "</LinearFunction>"),
          {"more arguments than independent coordinates"});
+}
+
+// Returns the frame of the shank, on which everything above it has an effect.
+Eigen::Matrix4d ShankFrame(const Model& model) {
+  CoordinateValues values = DefaultValues(model);
+  values[0] = 0.5;
+  return BodyFrames(model, values)[kShank];
+}
+
+TEST(ModelReader, PartsWithoutANameAreRead) {
+  std::string text = PinModel();
+  for (const char* name : {" name=\"hip\"", " name=\"knee_joint\""}) {
+    text = Replaced(text, name, " name=\"\"");
+  }
+  const Model model = ReadText(text);
+  ASSERT_EQ(model.joints.size(), 2u);
+  EXPECT_EQ(model.joints[0].name, "weldjoint");
+  EXPECT_EQ(model.joints[1].name, "pinjoint");
+  ExpectNear(ShankFrame(model), ShankFrame(ReadText(PinModel())));
+  // The coordinate of a pin is then named after its joint.
+  const Model nameless =
+      ReadText(Replaced(text, "<Coordinate name=\"q\"/>", "<Coordinate/>"));
+  EXPECT_EQ(nameless.coordinates[0].name, "pinjoint_coord_0");
+}
+
+TEST(ModelReader, BetasOfOpenSim4HaveConnectors) {
+  const auto connector = [](const std::string& name, const std::string& path) {
+    return "<Connector_PhysicalFrame_ name=\"" + name + "\"><connectee_name>" +
+           path + "</connectee_name></Connector_PhysicalFrame_>";
+  };
+  std::string text = PinModel();
+  text =
+      Replaced(text,
+               "<socket_parent_frame>thigh_offset</socket_parent_frame>",
+               "<connectors>" + connector("parent_frame", "thigh_offset") +
+                   connector("child_frame", "shank_offset") + "</connectors>");
+  text = Replaced(
+      text, "<socket_child_frame>shank_offset</socket_child_frame>", "");
+  text = Replaced(
+      text,
+      "<socket_parent>/bodyset/thigh</socket_parent>",
+      "<connectors>" + connector("parent", "/leg/thigh") + "</connectors>");
+  ExpectNear(ShankFrame(ReadText(text)), ShankFrame(ReadText(PinModel())));
+}
+
+TEST(ModelReader, PartsMayBeAmongTheComponentsOfTheModel) {
+  std::string text = PinModelWithPoint(Point4("p2", "shank", "0 0 0"));
+  const Model in_sets = ReadText(text);
+  const auto move = [&](const std::string& element) {
+    text = Replaced(text, element, "");
+    text = Replaced(
+        text, "</components></Model>", element + "</components></Model>");
+  };
+  text = Replaced(text, "</Model>", "<components></components></Model>");
+  const auto between = [&](const std::string& from, const std::string& to) {
+    const auto begin = text.find(from);
+    return text.substr(begin, text.find(to) + to.size() - begin);
+  };
+  move("<Body name=\"shank\"/>");
+  move(between("<PinJoint", "</PinJoint>"));
+  move(between("<Thelen2003Muscle", "</Thelen2003Muscle>"));
+  const Model model = ReadText(text);
+  ASSERT_EQ(model.muscles.size(), 1u);
+  EXPECT_EQ(model.muscles[0].path[1].body, kShank);
+  ExpectNear(ShankFrame(model), ShankFrame(in_sets));
+}
+
+TEST(ModelReader, FramesThatNothingNeedsMayBeUnknown) {
+  const std::string frame =
+      "<PhysicalOffsetFrame name=\"f\"><socket_parent>nowhere</socket_parent>"
+      "<attached_geometry><Mesh><mesh_file>a.stl</mesh_file></Mesh>"
+      "</attached_geometry></PhysicalOffsetFrame>";
+  const Model model = ReadText(Replaced(
+      PinModel(),
+      "<Body name=\"shank\"/>",
+      "<Body name=\"shank\"><components>" + frame + "</components></Body>"));
+  EXPECT_NO_THROW(CheckBodyIsSupported(model, kShank, "a test"));
+  EXPECT_THAT(model.bodies[kShank].geometry, IsEmpty());
+}
+
+TEST(ModelReader, JointsOnUnknownFramesAreAnErrorWhereTheyAreNeeded) {
+  const Model no_parent = ReadText(Replaced(PinModel(),
+                                            "/bodyset/thigh</socket_parent>",
+                                            "/bodyset/hip</socket_parent>"));
+  ExpectInputError([&] { CheckBodyIsSupported(no_parent, kShank, "a test"); },
+                   {"leg.osim", "\"shank\"", "/bodyset/hip", "line"});
+  EXPECT_NO_THROW(CheckBodyIsSupported(no_parent, 1, "a test"));
+  const Model no_child = ReadText(Replaced(PinModel(),
+                                           "/bodyset/shank</socket_parent>",
+                                           "/bodyset/foot</socket_parent>"));
+  ASSERT_EQ(no_child.warnings.size(), 1u);
+  EXPECT_THAT(no_child.warnings[0], HasSubstr("/bodyset/foot"));
+  ExpectInputError([&] { CheckBodyIsSupported(no_child, kShank, "a test"); },
+                   {"\"shank\" has no joint"});
+}
+
+TEST(ModelReader, CouplersAreReadWhereverTheyAre) {
+  const std::string coupler =
+      Coupler("a",
+              "b",
+              "<LinearFunction><coefficients>2 1</coefficients>"
+              "</LinearFunction>");
+  const std::string none = Model4(Joint4("UniversalJoint", "a b"));
+  for (const std::string& text :
+       {Replaced(none, "</Model>", coupler + "</Model>"),
+        Replaced(none,
+                 "<ConstraintSet name=\"constraintset\"><objects>",
+                 "<ConstraintSet>" + coupler + "<objects>"),
+        Replaced(none,
+                 "</Model>",
+                 "<components>" + coupler + "</components></Model>")}) {
+    EXPECT_EQ(ReadText(text).couplers.size(), 1u);
+  }
+  // What new couplers begin with is no constraint.
+  EXPECT_THAT(ReadText(Replaced(none,
+                                "<Model ",
+                                "<defaults>" + coupler + "</defaults><Model "))
+                  .couplers,
+              IsEmpty());
 }
 
 TEST(ModelReader, RefusesXmlThatIsNoModel) {

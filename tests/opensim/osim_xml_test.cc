@@ -23,9 +23,6 @@ TEST(OsimXml, PlacesNameTheLineTheElementAndItsName) {
   EXPECT_EQ(xml.Where(xml.root().child("b")), xml.path() + ": line 2, <b>");
   EXPECT_EQ(xml.Where(xml.root().child("c")),
             xml.path() + ": line 4, <c name=\"hip\">");
-  EXPECT_EQ(xml.NameOf(xml.root().child("c")), "hip");
-  ExpectInputError([&] { xml.NameOf(xml.root().child("b")); },
-                   {"part.osim", "line 2, <b>", "no name"});
   ExpectInputError([&] { xml.Child(xml.root(), "d"); }, {"line 1", "no <d>"});
 }
 

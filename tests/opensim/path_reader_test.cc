@@ -121,6 +121,8 @@ TEST(PathReader, UnknownKindsAreNoted) {
               HasSubstr("the path point <OtherPoint> in line"));
   EXPECT_THAT(unsupported(Moving(XLocation("<GCVSpline/>"))),
               HasSubstr("<GCVSpline> in line"));
+  EXPECT_THAT(unsupported(Point4("p2", "foot", "0 0 0")),
+              HasSubstr("the frame \"/bodyset/foot\" in line"));
 }
 
 TEST(PathReader, PathsOfOtherForcesAreFound) {
@@ -133,8 +135,6 @@ TEST(PathReader, PathsOfOtherForcesAreFound) {
 }
 
 TEST(PathReader, RefusesNamesThatNothingHas) {
-  ExpectRefused(PinModelWithPoint(Point4("p2", "foot", "0 0 0")),
-                {"line", "/bodyset/foot"});
   ExpectRefused(
       PinModelWithPoint(Conditional("ConditionalPathPoint", "hip", "0 1")),
       {"socket_coordinate", "\"hip\""});

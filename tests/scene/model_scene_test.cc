@@ -60,7 +60,7 @@ class ModelScene : public ::testing::Test {
     WriteTextAtomically(dir_ + "/leg.osim", model_);
     WriteTextAtomically(dir_ + "/leg.mot", motion_);
     WriteTextAtomically(dir_ + "/scene.json", scene_.dump());
-    return ReadScene(dir_ + "/scene.json", "", motion);
+    return ReadScene(dir_ + "/scene.json", "", {motion});
   }
 
   void ExpectRefused(const std::vector<std::string>& words) {
@@ -218,7 +218,7 @@ TEST_F(ModelScene, BonesWithoutMeshComeFromTheModel) {
       "</scale_factors></Mesh><Mesh><mesh_file>fibula.ply</mesh_file></Mesh>"
       "</attached_geometry></Body>");
   scene_["bones"][1].erase("mesh");
-  ExpectRefused({"leg.osim", "tibia.ply", "not there"});
+  ExpectRefused({"leg.osim", "tibia.ply", "none of the folders", dir_});
   std::filesystem::create_directories(dir_ + "/Geometry");
   WriteTextAtomically(dir_ + "/Geometry/tibia.ply", "x");
   WriteTextAtomically(dir_ + "/fibula.ply", "x");
@@ -236,6 +236,65 @@ TEST_F(ModelScene, BonesWithoutMeshComeFromTheModel) {
             kTransformRounding);
   scene_["bones"][0].erase("mesh");
   ExpectRefused({"\"thigh\"", "no mesh", "attaches none"});
+}
+
+TEST_F(ModelScene, BonesMayBeThoseOfTheBodiesThatMusclesTouch) {
+  for (const std::string body : {"thigh", "shank"}) {
+    const std::string element = "<Body name=\"" + body + "\"/>";
+    model_.replace(model_.find(element),
+                   element.size(),
+                   "<Body name=\"" + body + "\"><attached_geometry><Mesh>" +
+                       "<mesh_file>" + body + ".ply</mesh_file></Mesh>" +
+                       "</attached_geometry></Body>");
+    WriteTextAtomically(dir_ + "/" + body + ".ply", "x");
+  }
+  scene_["bones"] = "model";
+  const Scene scene = Read();
+  ASSERT_EQ(scene.bones.size(), 2u);
+  EXPECT_EQ(scene.bones[0].name, "thigh");
+  EXPECT_EQ(scene.bones[1].name, "shank");
+  EXPECT_EQ(scene.bones[1].body, "shank");
+  EXPECT_THAT(scene.bones[1].mesh_path, HasSubstr("shank.ply"));
+  // Bodies that no muscle is on have no bones.
+  scene_["muscles"][0]["lines"] = Json::parse(
+      R"([{"name": "own", "rest": [[0,-300,0],[0,-500,0]],
+           "bodies": ["thigh", "thigh"]}])");
+  EXPECT_EQ(Read().bones.size(), 1u);
+  scene_["muscles"][0].erase("lines");
+  ExpectRefused({"bones", "\"muscle\"", "does not tell", "\"lines\""});
+  scene_["bones"] = "all";
+  ExpectRefused({"bones", "\"all\"", "\"model\""});
+}
+
+TEST_F(ModelScene, ConditionalPointsMayBeOnBodiesThatNothingElseNames) {
+  const std::string socket =
+      "/bodyset/thigh</socket_parent_frame>"
+      "<location>0.05";
+  ASSERT_NE(model_.find(socket), std::string::npos);
+  model_.replace(model_.find(socket),
+                 socket.size(),
+                 "/ground</socket_parent_frame><location>0.05");
+  const Scene scene = Read();
+  EXPECT_THAT(scene.muscles[0].lines[0].bodies,
+              ElementsAre("thigh", "ground", "shank"));
+  EXPECT_EQ(scene.poses[0].bodies.count("ground"), 1u);
+}
+
+TEST_F(ModelScene, PosesAtNearlyTheSameTimeHaveNamesOfTheirOwn) {
+  motion_ =
+      "m\ninDegrees=yes\nendheader\ntime knee\n0.49999999999 0\n0.5 -30\n"
+      "0.50000000000001 -31\n";
+  const Scene scene = Read();
+  EXPECT_EQ(scene.poses[0].name, "t=0.5");
+  EXPECT_NE(scene.poses[1].name, scene.poses[0].name);
+  EXPECT_EQ(scene.poses[2].name, "t=0.50000000000001");
+}
+
+TEST_F(ModelScene, TheSceneMaySayThatAnglesAreInDegrees) {
+  motion_ = "m\nendheader\ntime knee\n0 -30\n";
+  ExpectRefused({"leg.mot", "\"motion_in_degrees\""});
+  scene_["motion_in_degrees"] = true;
+  EXPECT_NEAR(Read().poses[0].coordinates.at("knee"), -30, 1e-12);
 }
 
 TEST_F(ModelScene, AnotherMotionMayBeGiven) {
@@ -261,8 +320,13 @@ TEST_F(ModelScene, RefusesWhatDoesNotFit) {
   scene_.erase("motion");
   ExpectRefused({"motion", "missing"});
   scene_ = good;
+  const std::string good_motion = motion_;
   motion_ = "m\ninDegrees=yes\nendheader\ntime hip\n0 1\n";
-  ExpectRefused({"leg.mot", "\"hip\"", "knee"});
+  ExpectRefused({"leg.mot", "no column", "knee"});
+  scene_ = good;
+  motion_ = good_motion;
+  scene_["geometry"] = "bones";
+  ExpectRefused({"geometry", "no folder", dir_ + "/bones"});
 }
 
 TEST_F(ModelScene, JointsThatAreNotSupportedAreAnErrorWhereNeeded) {

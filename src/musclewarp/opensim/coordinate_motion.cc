@@ -2,38 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/opensim/coordinate_motion.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/opensim/osim_xml.h"
+#include "musclewarp/opensim/motion_columns.h"
 
 namespace musclewarp {
 namespace {
-
-bool EndsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() &&
-         text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-// Returns true for columns of a states file that are not coordinates.
-bool IsOtherState(const std::string& label) {
-  for (const char* end : {"/speed",
-                          "_u",
-                          "/activation",
-                          ".activation",
-                          "/fiber_length",
-                          ".fiber_length"}) {
-    if (EndsWith(label, end)) return true;
-  }
-  return false;
-}
-
-std::string CoordinateName(std::string label) {
-  constexpr char kValue[] = "/value";
-  if (EndsWith(label, kValue)) label.resize(label.size() - sizeof(kValue) + 1);
-  return LastName(label);
-}
 
 std::string KnownCoordinates(const Model& model) {
   std::string known;
@@ -43,63 +18,81 @@ std::string KnownCoordinates(const Model& model) {
   return known;
 }
 
-// Returns the coordinate of each column, -1 for columns to ignore.
-std::vector<int> MatchColumns(const Model& model,
-                              const StorageTable& table,
-                              const std::string& path,
-                              std::vector<std::string>* warnings) {
-  std::vector<int> columns;
-  std::string idle;
-  for (size_t i = 0; i < table.labels.size(); ++i) {
-    const std::string& label = table.labels[i];
-    const int coordinate = model.FindCoordinate(CoordinateName(label));
-    if (coordinate < 0 && !IsOtherState(label)) {
-      if (!table.values.col(i).isZero(0)) {
-        throw InputError(
-            path + ": column \"" + label + "\"",
-            "is not a coordinate of " + model.path,
-            "remove it, or rename it; coordinates: " + KnownCoordinates(model));
-      }
-      idle += (idle.empty() ? "" : ", ") + label;
-    }
-    if (coordinate >= 0 &&
-        std::count(columns.begin(), columns.end(), coordinate)) {
-      throw InputError(path + ": column \"" + label + "\"",
-                       "is the second one for the coordinate " +
-                           model.coordinates[coordinate].name,
-                       "remove one of the two");
-    }
-    columns.push_back(coordinate);
+// A sentence about the columns that are left out; long lists are cut off.
+std::string LeftOut(const std::vector<std::string>& labels,
+                    const Model& model,
+                    const std::string& path) {
+  constexpr size_t kNamed = 12;
+  std::string names;
+  for (size_t i = 0; i < std::min(labels.size(), kNamed); ++i) {
+    names += (i == 0 ? "" : ", ") + labels[i];
   }
-  if (!idle.empty()) {
-    warnings->push_back(path + ": columns that are no coordinate of " +
-                        model.path + ", all zero and passed over: " + idle);
+  if (labels.size() > kNamed) {
+    names += " and " + std::to_string(labels.size() - kNamed) + " more";
   }
-  return columns;
+  const bool is_one = labels.size() == 1;
+  return path + ": " + std::to_string(labels.size()) +
+         (is_one ? " column that is no coordinate of "
+                 : " columns that are no coordinates of ") +
+         model.path + (is_one ? " is" : " are") + " left out: " + names;
+}
+
+void CheckFinite(const StorageTable& table,
+                 size_t column,
+                 const std::string& path) {
+  for (size_t row = 0; row < table.times.size(); ++row) {
+    if (std::isfinite(table.values(row, column))) continue;
+    throw InputError(
+        path + (table.lines.empty()
+                    ? ": row " + std::to_string(row)
+                    : ": line " + std::to_string(table.lines[row])),
+        "column \"" + table.labels[column] +
+            "\" has a value that is not finite",
+        "every value of a coordinate must be a finite number");
+  }
+}
+
+// The factor from the values of a table to those of a coordinate.
+double UnitOf(const Coordinate& coordinate,
+              std::optional<bool> in_degrees,
+              const std::string& path) {
+  if (coordinate.kind != CoordinateKind::kRotational) return 1;
+  if (!in_degrees) {
+    throw InputError(path,
+                     "does not say whether angles are in degrees",
+                     "give --motion_in_degrees=yes or no, set "
+                     "\"motion_in_degrees\" in the scene, or add "
+                     "\"inDegrees=yes\" or \"inDegrees=no\" to the header");
+  }
+  return *in_degrees ? M_PI / 180 : 1;
 }
 
 }  // namespace
 
 CoordinateMotion MotionOf(const Model& model,
                           const StorageTable& table,
-                          const std::string& path) {
+                          const std::string& path,
+                          std::optional<bool> in_degrees) {
   CoordinateMotion motion;
   motion.times = table.times;
   motion.warnings = table.warnings;
-  if (!table.in_degrees) {
-    throw InputError(path,
-                     "does not say whether angles are in degrees",
-                     "add \"inDegrees=yes\" or \"inDegrees=no\" to the header");
+  if (in_degrees && table.in_degrees && *in_degrees != *table.in_degrees) {
+    motion.warnings.push_back(
+        path + ": angles are taken to be in " +
+        (*in_degrees ? "degrees" : "radians") +
+        ", as was asked for, although the header says otherwise");
   }
-  const std::vector<int> columns =
-      MatchColumns(model, table, path, &motion.warnings);
+  if (!in_degrees) in_degrees = table.in_degrees;
+  const MotionColumns columns = MatchColumns(model, table, path);
+  if (!columns.others.empty()) {
+    motion.warnings.push_back(LeftOut(columns.others, model, path));
+  }
   motion.values.assign(table.times.size(), DefaultValues(model));
-  for (size_t i = 0; i < columns.size(); ++i) {
-    const int coordinate = columns[i];
+  for (size_t i = 0; i < columns.coordinates.size(); ++i) {
+    const int coordinate = columns.coordinates[i];
     if (coordinate < 0) continue;
-    const bool is_angle =
-        model.coordinates[coordinate].kind == CoordinateKind::kRotational;
-    const double unit = is_angle && *table.in_degrees ? M_PI / 180 : 1;
+    CheckFinite(table, i, path);
+    const double unit = UnitOf(model.coordinates[coordinate], in_degrees, path);
     motion.given.push_back(coordinate);
     const auto column = table.values.col(i);
     if ((column.array() != column[0]).any()) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,19 +29,19 @@ struct CoordinateMotion {
 // Turns a table of an OpenSim motion or states file into values of the
 // coordinates of a model.
 //
-// Columns are matched to coordinates by name ("hip_flexion_r") or by OpenSim 4
-// path ("/jointset/hip_r/hip_flexion_r", or the same with "/value"). Angles in
-// degrees become radians. Coordinates without a column have their default
-// value, and coupled ones follow their couplers. Columns of speeds, activations
-// and fibre lengths, as states files have them, are ignored. A column that is
-// no coordinate of the model and is zero throughout leads to a warning.
+// Columns are matched to coordinates as motion_columns.h has it; the others are
+// left out, with a warning that counts and names them. Angles in degrees become
+// radians: `in_degrees` tells whether angles are or, without it, the table.
+// Coordinates without a column have their default value, and coupled ones
+// follow their couplers.
 //
-// `path` names the file in messages. Throws InputError if a column that is not
-// zero throughout is no coordinate of the model, if two columns are for one
-// coordinate, if no column is for any, or if the header does not say whether
-// angles are in degrees.
+// `path` names the file in messages. Throws InputError for a column that is
+// nearly named as a coordinate, if two columns are for one coordinate, if one
+// of a coordinate has a value that is not finite, if no column is for any, or
+// if there are angles and nothing says whether they are in degrees.
 CoordinateMotion MotionOf(const Model& model,
                           const StorageTable& table,
-                          const std::string& path);
+                          const std::string& path,
+                          std::optional<bool> in_degrees = std::nullopt);
 
 }  // namespace musclewarp

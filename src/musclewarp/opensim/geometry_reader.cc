@@ -59,6 +59,7 @@ void AddOffsetGeometry(const OsimXml& xml,
   for (const pugi::xml_node node : frames.nodes()) {
     if (!node.child("attached_geometry").child("Mesh")) continue;
     const FrameOnBody frame = frames.Place(node);
+    if (frame.body < 0) continue;
     AddMeshes(
         xml, node, frame.body_from_frame, &model->bodies[frame.body].geometry);
   }

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/opensim/joint_reader.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
 #include "musclewarp/mesh_files/text_cursor.h"
+#include "musclewarp/opensim/component_tree.h"
 #include "musclewarp/opensim/function_reader.h"
 
 namespace musclewarp {
@@ -46,10 +48,33 @@ int AddCoordinate(const OsimXml& xml,
   return static_cast<int>(model->coordinates.size()) - 1;
 }
 
+// Returns the name of coordinate `i` of a joint. OpenSim does not write what
+// has its default value, which may be the name or the whole element.
+std::string CoordinateName(pugi::xml_node element,
+                           const Joint& joint,
+                           size_t i) {
+  const std::string name = element.attribute("name").value();
+  return name.empty() ? joint.name + "_coord_" + std::to_string(i) : name;
+}
+
 std::vector<pugi::xml_node> CoordinateElements(pugi::xml_node joint) {
   auto elements = ObjectsOf(joint, "CoordinateSet");
   if (elements.empty()) elements = ElementsOf(joint.child("coordinates"));
   return elements;
+}
+
+// Adds the coordinates of a joint of whose units nothing is known yet.
+void AddCoupledCoordinates(const OsimXml& xml,
+                           const std::vector<pugi::xml_node>& elements,
+                           const Joint& joint,
+                           Model* model) {
+  for (size_t i = 0; i < elements.size(); ++i) {
+    AddCoordinate(xml,
+                  elements[i],
+                  CoordinateName(elements[i], joint, i),
+                  CoordinateKind::kCoupled,
+                  model);
+  }
 }
 
 // Sets the axes of pins, sliders and the other types of AxesOfJoints.
@@ -63,13 +88,9 @@ void SetKnownAxes(const OsimXml& xml,
   int translations = 0;
   for (size_t i = 0; i < axes.size(); ++i) {
     const bool turns = axes[i][0] == 'r';
-    // OpenSim does not write what has its default value, which may be a whole
-    // coordinate.
     const pugi::xml_node element =
         i < elements.size() ? elements[i] : pugi::xml_node();
-    const std::string name = element
-                                 ? xml.NameOf(element)
-                                 : joint->name + "_coord_" + std::to_string(i);
+    const std::string name = CoordinateName(element, *joint, i);
     TransformAxis& axis = turns ? joint->rotations[rotations++]
                                 : joint->translations[translations++];
     axis.axis = Eigen::Vector3d::Unit(axes[i][1] - 'x');
@@ -124,7 +145,7 @@ void SetAxis(const OsimXml& xml,
     const size_t end =
         std::min(names.find_first_of(" \t\r\n", begin), names.size());
     const std::string name = names.substr(begin, end - begin);
-    const int coordinate = model->FindCoordinate(name);
+    const int coordinate = model->FindCoordinate(LastName(name));
     if (coordinate < 0) {
       xml.Fail(node.child("coordinates"),
                "names \"" + name + "\", which is not a coordinate of the model",
@@ -163,11 +184,9 @@ void SetSpatialTransform(const OsimXml& xml,
                          pugi::xml_node node,
                          Joint* joint,
                          Model* model) {
+  const int first = static_cast<int>(model->coordinates.size());
   const auto elements = CoordinateElements(node);
-  for (const pugi::xml_node element : elements) {
-    AddCoordinate(
-        xml, element, xml.NameOf(element), CoordinateKind::kCoupled, model);
-  }
+  AddCoupledCoordinates(xml, elements, *joint, model);
   const pugi::xml_node transform = xml.Child(node, "SpatialTransform");
   std::vector<pugi::xml_node> axes;
   for (const pugi::xml_node axis : transform.children("TransformAxis")) {
@@ -182,9 +201,8 @@ void SetSpatialTransform(const OsimXml& xml,
     SetAxis(xml, axes[i], true, joint, &joint->rotations[i], model);
     SetAxis(xml, axes[i + 3], false, joint, &joint->translations[i], model);
   }
-  for (const pugi::xml_node element : elements) {
-    const int index = model->FindCoordinate(xml.NameOf(element));
-    SetMotionType(xml, element, &model->coordinates[index]);
+  for (size_t i = 0; i < elements.size(); ++i) {
+    SetMotionType(xml, elements[i], &model->coordinates[first + i]);
   }
 }
 
@@ -193,9 +211,10 @@ void AddJoint(const OsimXml& xml,
               Joint joint,
               Model* model) {
   joint.type = node.name();
-  joint.name = xml.NameOf(node);
+  joint.name = ComponentName(node);
   joint.is_reversed = xml.Bool(node, "reverse", false);
   const auto known = AxesOfJoints().find(joint.type);
+  const std::string unknown_frame = std::move(joint.unsupported);
   if (known != AxesOfJoints().end()) {
     SetKnownAxes(xml, node, known->second, &joint, model);
   } else if (joint.type == "CustomJoint") {
@@ -203,11 +222,9 @@ void AddJoint(const OsimXml& xml,
   } else {
     joint.unsupported =
         "the type of joint in line " + std::to_string(xml.LineOf(node));
-    for (const pugi::xml_node element : CoordinateElements(node)) {
-      AddCoordinate(
-          xml, element, xml.NameOf(element), CoordinateKind::kCoupled, model);
-    }
+    AddCoupledCoordinates(xml, CoordinateElements(node), joint, model);
   }
+  if (!unknown_frame.empty()) joint.unsupported = unknown_frame;
   Body& child = model->bodies[joint.child];
   if (child.joint >= 0) {
     // The body is part of a closed loop, and its first joint alone does not
@@ -248,7 +265,7 @@ void AddJointOfBody(const OsimXml& xml,
   Joint joint;
   joint.child = child;
   const pugi::xml_node parent = xml.Child(node, "parent_body");
-  joint.parent = model->FindBody(xml.Text(parent));
+  joint.parent = model->FindBody(LastName(xml.Text(parent)));
   if (joint.parent < 0) {
     xml.Fail(
         parent,
@@ -264,16 +281,23 @@ void AddJointOfSet(const OsimXml& xml,
                    const OffsetFrames& frames,
                    pugi::xml_node node,
                    Model* model) {
-  const std::string name = xml.NameOf(node);
   const FrameOnBody parent =
-      frames.Resolve(xml.Child(node, "socket_parent_frame"), name);
+      frames.Resolve(SocketOf(xml, node, {"parent_frame", "parent_body"}));
   const FrameOnBody child =
-      frames.Resolve(xml.Child(node, "socket_child_frame"), name);
+      frames.Resolve(SocketOf(xml, node, {"child_frame", "child_body"}));
+  if (child.body < 0) {
+    model->warnings.push_back(xml.Where(node) +
+                              ": joins no body to others: " + child.unknown);
+    return;
+  }
   Joint joint;
-  joint.parent = parent.body;
+  joint.parent = std::max(parent.body, 0);
   joint.child = child.body;
-  joint.parent_from_joint = parent.body_from_frame;
-  joint.child_from_joint = child.body_from_frame;
+  joint.unsupported = parent.unknown;
+  joint.parent_from_joint =
+      parent.body_from_frame * JointPlace(xml, node, {"_in_parent"});
+  joint.child_from_joint =
+      child.body_from_frame * JointPlace(xml, node, {"_in_child"});
   AddJoint(xml, node, std::move(joint), model);
 }
 

@@ -168,8 +168,8 @@ struct Model {
 // Throws InputError, which names the file, the line and the element, if the
 // file is not well-formed XML, if an element is missing or is not a number, if
 // a name refers to nothing, or if the joints of bodies form a cycle. Joints and
-// functions that are not supported are errors only where they are needed; see
-// CheckBodyIsSupported.
+// functions that are not supported, and frames that are not known, are errors
+// only where they are needed; see CheckBodyIsSupported.
 Model ReadModel(const std::string& path);
 
 }  // namespace musclewarp

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/opensim/component_tree.h"
 #include "musclewarp/opensim/function_reader.h"
 #include "musclewarp/opensim/geometry_reader.h"
 #include "musclewarp/opensim/joint_reader.h"
@@ -16,19 +17,55 @@ namespace musclewarp {
 namespace {
 
 constexpr char kGround[] = "ground";
+constexpr char kCoupler[] = "CoordinateCouplerConstraint";
 
-bool IsGround(pugi::xml_node body) {
-  return std::string(body.attribute("name").value()) == kGround;
+// Returns the components of a set of the model, and those of such a kind that
+// were added to the model on their own, which OpenSim 4 keeps in <components>.
+std::vector<pugi::xml_node> PartsOf(pugi::xml_node model,
+                                    const char* set,
+                                    bool (*is_kind)(pugi::xml_node)) {
+  std::vector<pugi::xml_node> parts = ObjectsOf(model, set);
+  for (const pugi::xml_node component : ElementsOf(model.child("components"))) {
+    if (is_kind(component)) parts.push_back(component);
+  }
+  return parts;
+}
+
+bool IsBody(pugi::xml_node component) {
+  return std::string(component.name()) == "Body";
+}
+
+bool IsJoint(pugi::xml_node component) {
+  return static_cast<bool>(
+      FindSocket(component, {"child_frame", "child_body"}));
+}
+
+bool HasPath(pugi::xml_node component) {
+  return static_cast<bool>(GeometryPathOf(component));
+}
+
+std::vector<pugi::xml_node> BodiesOf(pugi::xml_node model) {
+  return PartsOf(model, "BodySet", IsBody);
+}
+
+// Adds the ground. OpenSim 3 has it among the bodies, OpenSim 4 on its own.
+void ReadGround(const OsimXml& xml, pugi::xml_node node, Model* model) {
+  Body ground;
+  ground.name = kGround;
+  pugi::xml_node element = node.child("Ground");
+  for (const pugi::xml_node body : BodiesOf(node)) {
+    if (ComponentName(body) == kGround) element = body;
+  }
+  ground.geometry = ReadBodyGeometry(xml, element);
+  model->bodies.push_back(std::move(ground));
 }
 
 void ReadBodies(const OsimXml& xml, pugi::xml_node node, Model* model) {
-  Body ground;
-  ground.name = kGround;
-  model->bodies.push_back(std::move(ground));
-  for (const pugi::xml_node element : ObjectsOf(node, "BodySet")) {
-    if (IsGround(element)) continue;
+  ReadGround(xml, node, model);
+  for (const pugi::xml_node element : BodiesOf(node)) {
     Body body;
-    body.name = xml.NameOf(element);
+    body.name = ComponentName(element);
+    if (body.name == kGround) continue;
     if (model->FindBody(body.name) >= 0) {
       xml.Fail(element,
                "is the second body of that name",
@@ -43,16 +80,13 @@ void ReadJoints(const OsimXml& xml,
                 pugi::xml_node node,
                 const OffsetFrames& frames,
                 Model* model) {
-  for (const pugi::xml_node element : ObjectsOf(node, "BodySet")) {
-    if (IsGround(element)) continue;
+  for (const pugi::xml_node element : BodiesOf(node)) {
+    const std::string body = ComponentName(element);
     const auto joint = ElementsOf(element.child("Joint"));
-    if (joint.empty()) continue;
-    AddJointOfBody(xml,
-                   joint[0],
-                   model->FindBody(element.attribute("name").value()),
-                   model);
+    if (body == kGround || joint.empty()) continue;
+    AddJointOfBody(xml, joint[0], model->FindBody(body), model);
   }
-  for (const pugi::xml_node element : ObjectsOf(node, "JointSet")) {
+  for (const pugi::xml_node element : PartsOf(node, "JointSet", IsJoint)) {
     AddJointOfSet(xml, frames, element, model);
   }
 }
@@ -111,7 +145,7 @@ void MarkUnsupported(int coordinate, const std::string& why, Model* model) {
 
 void ReadCoupler(const OsimXml& xml, pugi::xml_node node, Model* model) {
   CoordinateCoupler coupler;
-  coupler.name = xml.NameOf(node);
+  coupler.name = ComponentName(node);
   coupler.independents = CoordinatesNamed(
       xml, xml.Child(node, "independent_coordinate_names"), *model);
   const auto dependent_element = xml.Child(node, "dependent_coordinate_name");
@@ -143,19 +177,23 @@ void ReadCoupler(const OsimXml& xml, pugi::xml_node node, Model* model) {
   model->couplers.push_back(std::move(coupler));
 }
 
+bool IsEnforced(const OsimXml& xml, pugi::xml_node constraint) {
+  return !xml.Bool(constraint, "isDisabled", false) &&
+         xml.Bool(constraint, "isEnforced", true);
+}
+
+// Reads the couplers, which are not in the set of constraints in every file,
+// and names the other constraints.
 void ReadConstraints(const OsimXml& xml, pugi::xml_node node, Model* model) {
+  for (const pugi::xml_node coupler : ElementsNamed(node, kCoupler)) {
+    if (IsEnforced(xml, coupler)) ReadCoupler(xml, coupler, model);
+  }
   std::string others;
   for (const pugi::xml_node element : ObjectsOf(node, "ConstraintSet")) {
-    if (xml.Bool(element, "isDisabled", false) ||
-        !xml.Bool(element, "isEnforced", true)) {
-      continue;
-    }
-    if (std::string(element.name()) == "CoordinateCouplerConstraint") {
-      ReadCoupler(xml, element, model);
-    } else {
-      others += std::string(others.empty() ? "" : ", ") + element.name() +
-                " \"" + element.attribute("name").value() + "\"";
-    }
+    if (element.name() == std::string(kCoupler)) continue;
+    if (!IsEnforced(xml, element)) continue;
+    others += std::string(others.empty() ? "" : ", ") + element.name() + " \"" +
+              element.attribute("name").value() + "\"";
   }
   if (!others.empty()) {
     model->warnings.push_back(xml.path() +
@@ -168,7 +206,7 @@ void ReadMuscles(const OsimXml& xml,
                  const OffsetFrames& frames,
                  Model* model) {
   std::string wrapped;
-  for (const pugi::xml_node force : ObjectsOf(node, "ForceSet")) {
+  for (const pugi::xml_node force : PartsOf(node, "ForceSet", HasPath)) {
     const pugi::xml_node path = GeometryPathOf(force);
     if (!path) continue;
     model->muscles.push_back(ReadPath(xml, frames, force, *model));

@@ -3,20 +3,16 @@
 #include "musclewarp/opensim/offset_frames.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+
+#include "musclewarp/opensim/component_tree.h"
 
 namespace musclewarp {
 namespace {
 
 constexpr int kDeepest = 100;  // more frames on each other are a cycle
 
-// Returns the name of the component to which a frame belongs, that of the
-// nearest element above it that has a name.
-std::string OwnerOf(pugi::xml_node frame) {
-  for (auto node = frame.parent(); node; node = node.parent()) {
-    if (node.attribute("name")) return node.attribute("name").value();
-  }
-  return "";
-}
+constexpr char kOffsetFrame[] = "PhysicalOffsetFrame";
 
 // Returns the component before the last name of a path, such as "knee_r" of
 // "/jointset/knee_r/femur_r_offset".
@@ -42,64 +38,66 @@ Eigen::Matrix4d OffsetTransform(const Eigen::Vector3d& translation_m,
 }
 
 OffsetFrames::OffsetFrames(const OsimXml& xml, const Model& model)
-    : xml_(xml), model_(model) {
-  struct Walker : pugi::xml_tree_walker {
-    std::vector<pugi::xml_node>* nodes;
-    bool for_each(pugi::xml_node& node) override {
-      if (std::string(node.name()) == "PhysicalOffsetFrame") {
-        nodes->push_back(node);
-      }
-      return true;
-    }
-  } walker;
-  walker.nodes = &nodes_;
-  xml.root().traverse(walker);
-}
+    : xml_(xml),
+      model_(model),
+      nodes_(ElementsNamed(xml.root(), kOffsetFrame)) {}
 
-FrameOnBody OffsetFrames::Resolve(pugi::xml_node socket,
-                                  const std::string& owner) const {
-  return Resolve(socket, owner, 0);
+FrameOnBody OffsetFrames::Resolve(pugi::xml_node socket) const {
+  return Resolve(socket, 0);
 }
 
 FrameOnBody OffsetFrames::Place(pugi::xml_node frame) const {
   return Place(frame, 0);
 }
 
-FrameOnBody OffsetFrames::Resolve(pugi::xml_node socket,
-                                  const std::string& owner,
-                                  int depth) const {
-  const std::string path = xml_.Text(socket);
+pugi::xml_node OffsetFrames::FrameNamed(const std::string& path,
+                                        const std::string& owner) const {
   const std::string name = LastName(path);
   const std::string path_owner = OwnerInPath(path);
   pugi::xml_node best;
   int best_rank = 0;
   for (const pugi::xml_node frame : nodes_) {
-    if (frame.attribute("name").value() != name) continue;
-    const std::string keeper = OwnerOf(frame);
+    if (ComponentName(frame) != name) continue;
+    const std::string keeper = ComponentName(OwnerOf(frame));
     const int rank = keeper == path_owner ? 3 : keeper == owner ? 2 : 1;
     if (rank > best_rank) best = frame;
     best_rank = std::max(rank, best_rank);
   }
-  if (best) return Place(best, depth);
+  return best;
+}
+
+FrameOnBody OffsetFrames::Resolve(pugi::xml_node socket, int depth) const {
+  const std::string path = xml_.Text(socket);
+  const pugi::xml_node owner = OwnerOf(socket);
+  pugi::xml_node component =
+      path.empty() ? pugi::xml_node() : FindComponent(owner, path);
+  const std::string type = component.name();
+  const bool is_body = type == "Body" || type == "Ground";
+  if (!is_body && type != kOffsetFrame) {
+    component = FrameNamed(path, ComponentName(owner));
+  }
+  if (component && !is_body) return Place(component, depth);
   FrameOnBody frame;
-  frame.body = model_.FindBody(name);
+  frame.body =
+      model_.FindBody(is_body ? ComponentName(component) : LastName(path));
   if (frame.body < 0) {
-    xml_.Fail(
-        socket,
-        "names \"" + path + "\", which is not a body or frame of the model",
-        "check the name");
+    frame.unknown = "the frame \"" + path + "\" in line " +
+                    std::to_string(xml_.LineOf(socket)) +
+                    ", which is not a body or frame of the model";
   }
   return frame;
 }
 
 FrameOnBody OffsetFrames::Place(pugi::xml_node frame, int depth) const {
   if (depth > kDeepest) {
-    xml_.Fail(frame,
-              "rests on itself through other frames",
-              "set its socket_parent to a body");
+    FrameOnBody unknown;
+    unknown.unknown = "the frame \"" + ComponentName(frame) + "\" in line " +
+                      std::to_string(xml_.LineOf(frame)) +
+                      ", which rests on itself through other frames";
+    return unknown;
   }
   FrameOnBody placed =
-      Resolve(xml_.Child(frame, "socket_parent"), OwnerOf(frame), depth + 1);
+      Resolve(SocketOf(xml_, frame, {"parent", "parent_frame"}), depth + 1);
   placed.body_from_frame =
       placed.body_from_frame *
       OffsetTransform(

@@ -64,12 +64,6 @@ void OsimXml::Fail(pugi::xml_node node,
   throw InputError(Where(node), problem, advice);
 }
 
-std::string OsimXml::NameOf(pugi::xml_node node) const {
-  const std::string name = node.attribute("name").value();
-  if (name.empty()) Fail(node, "has no name", "add the attribute \"name\"");
-  return name;
-}
-
 pugi::xml_node OsimXml::Child(pugi::xml_node node, const char* name) const {
   const pugi::xml_node child = node.child(name);
   if (!child) {

@@ -37,9 +37,6 @@ class OsimXml {
   // The functions below throw InputError at the element if what they return is
   // missing or not valid.
 
-  // Returns the attribute "name".
-  std::string NameOf(pugi::xml_node node) const;
-
   // Returns a child element that must exist.
   pugi::xml_node Child(pugi::xml_node node, const char* name) const;
 

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "musclewarp/opensim/component_tree.h"
 #include "musclewarp/opensim/function_reader.h"
 
 namespace musclewarp {
@@ -13,14 +14,14 @@ namespace {
 
 constexpr char kFunctionBasedPath[] = "FunctionBasedPath";
 
-// Returns the child with the name of OpenSim 3 if there is one, else that with
-// the name of OpenSim 4.
-pugi::xml_node EitherChild(const OsimXml& xml,
-                           pugi::xml_node node,
-                           const char* opensim3,
-                           const char* opensim4) {
+// Returns the child with the name of OpenSim 3 if there is one, else the socket
+// of OpenSim 4.
+pugi::xml_node ChildOrSocket(const OsimXml& xml,
+                             pugi::xml_node node,
+                             const char* opensim3,
+                             const char* socket) {
   if (const auto child = node.child(opensim3)) return child;
-  return xml.Child(node, opensim4);
+  return SocketOf(xml, node, {socket});
 }
 
 int CoordinateOf(const OsimXml& xml,
@@ -41,7 +42,7 @@ void ReadCondition(const OsimXml& xml,
                    const Model& model,
                    PathPoint* point) {
   point->condition = CoordinateOf(
-      xml, EitherChild(xml, node, "coordinate", "socket_coordinate"), model);
+      xml, ChildOrSocket(xml, node, "coordinate", "coordinate"), model);
   xml.Child(node, "range");
   const auto range = xml.Numbers(node, "range", 2, {});
   point->range[0] = range[0];
@@ -59,6 +60,7 @@ bool ReadMovement(const OsimXml& xml,
   for (int i = 0; i < 3; ++i) {
     const std::string letter(1, static_cast<char>('x' + i));
     const std::string location = letter + "_location";
+    const std::string coordinate = letter + "_coordinate";
     const auto element = FunctionElement(node, location.c_str());
     if (!element) {
       xml.Fail(node, "has no <" + location + ">", "give a function");
@@ -75,13 +77,10 @@ bool ReadMovement(const OsimXml& xml,
     point->moving_functions[i] =
         MakeMultiplier(kMillimetresPerMetre, std::move(function));
     if (!needs_coordinate) continue;
-    point->moving_coordinates[i] =
-        CoordinateOf(xml,
-                     EitherChild(xml,
-                                 node,
-                                 (letter + "_coordinate").c_str(),
-                                 ("socket_" + letter + "_coordinate").c_str()),
-                     model);
+    point->moving_coordinates[i] = CoordinateOf(
+        xml,
+        ChildOrSocket(xml, node, coordinate.c_str(), coordinate.c_str()),
+        model);
   }
   return true;
 }
@@ -93,8 +92,13 @@ PathPoint ReadPoint(const OsimXml& xml,
                     std::string* unsupported) {
   PathPoint point;
   point.name = node.attribute("name").value();
-  const FrameOnBody frame = frames.Resolve(
-      EitherChild(xml, node, "body", "socket_parent_frame"), point.name);
+  const FrameOnBody frame =
+      frames.Resolve(ChildOrSocket(xml, node, "body", "parent_frame"));
+  if (frame.body < 0) {
+    *unsupported = frame.unknown;
+    point.body = 0;
+    return point;
+  }
   point.body = frame.body;
   point.body_from_frame = frame.body_from_frame;
   const std::string type = node.name();
@@ -168,7 +172,7 @@ ModelMuscle ReadPath(const OsimXml& xml,
                      pugi::xml_node force,
                      const Model& model) {
   ModelMuscle muscle;
-  muscle.name = xml.NameOf(force);
+  muscle.name = ComponentName(force);
   const pugi::xml_node path = GeometryPathOf(force);
   if (std::string(path.name()) == kFunctionBasedPath) {
     ReadLengthFunction(xml, path, model, &muscle);

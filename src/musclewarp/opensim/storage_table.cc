@@ -6,6 +6,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string_view>
 
@@ -27,6 +28,7 @@ std::string_view Trimmed(std::string_view text) {
 struct Header {
   std::string name;
   std::optional<bool> in_degrees;
+  std::optional<bool> degrees_in_remark;
   std::optional<int> rows;
   std::optional<int> columns;  // with time
 };
@@ -43,11 +45,21 @@ bool ParseDegrees(const TextCursor& cursor, std::string_view value) {
       cursor.Where(), "inDegrees is " + Quoted(value), "allowed: yes, no");
 }
 
-// Reads one line of the header. Lines without a setting are remarks and are
-// ignored.
+// Takes OpenSim's remark about the unit of angles at its word.
+void ReadRemark(std::string_view line, Header* header) {
+  const std::string text = LowerCase(line);
+  const auto has = [&](const char* words) {
+    return text.find(words) != std::string::npos;
+  };
+  if (has("angles are in degrees")) header->degrees_in_remark = true;
+  if (has("angles are in radians")) header->degrees_in_remark = false;
+}
+
+// Reads one line of the header. Lines without a setting are remarks.
 void ReadHeaderLine(const TextCursor& cursor,
                     std::string_view line,
                     Header* header) {
+  ReadRemark(line, header);
   const auto split = line.find_first_of("= \t");
   if (split == std::string_view::npos) return;
   const std::string key = LowerCase(Trimmed(line.substr(0, split)));
@@ -87,29 +99,26 @@ std::vector<std::string> ReadLabels(const std::string& path,
                      "the labels of the columns do not begin with \"time\"",
                      "export the table again");
   }
-  std::vector<std::string> labels(words.begin() + 1, words.end());
-  std::set<std::string> seen;
-  for (const std::string& label : labels) {
-    if (!seen.insert(label).second) {
-      throw InputError(cursor->Where(),
-                       "two columns have the label \"" + label + "\"",
-                       "remove one of the two");
-    }
-  }
-  return labels;
+  return {words.begin() + 1, words.end()};
 }
 
+// Reads a number. What programs for Windows write in place of NaN, such as
+// "-1.#IND", is NaN.
 double ReadValue(const TextCursor& cursor,
                  std::string_view word,
                  const std::string& label) {
   double value = 0;
+  if (word.find("#IND") != std::string_view::npos ||
+      word.find("#QNAN") != std::string_view::npos) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   const char* const end = word.data() + word.size();
   const auto result =
       std::from_chars(word.data() + (word[0] == '+'), end, value);
-  if (result.ptr != end || result.ec != std::errc() || !std::isfinite(value)) {
+  if (result.ptr != end || result.ec != std::errc()) {
     throw InputError(cursor.Where(),
                      "column \"" + label + "\" has " + Quoted(word),
-                     "every value must be a finite number");
+                     "every value must be a number");
   }
   return value;
 }
@@ -125,6 +134,47 @@ void AddCountWarning(const std::string& path,
                       std::to_string(found) + " are there and used");
 }
 
+// Reads the rows and returns their number, with those that are left out.
+int ReadRows(TextCursor* cursor, StorageTable* table) {
+  const size_t columns = table->labels.size() + 1;
+  int count = 0;
+  std::vector<double> values;
+  Words words, before;
+  for (; cursor->NextWords(&words); ++count, before = words) {
+    if (words.size() != columns) {
+      throw InputError(cursor->Where(),
+                       "the row has " + std::to_string(words.size()) +
+                           " values, but there are " + std::to_string(columns) +
+                           " columns",
+                       "complete the row or remove it");
+    }
+    if (words == before) {
+      table->warnings.push_back(cursor->Where() +
+                                ": the row is the one before once more and is "
+                                "left out");
+      continue;
+    }
+    const double time = ReadValue(*cursor, words[0], kTime);
+    if (!std::isfinite(time) ||
+        (!table->times.empty() && time <= table->times.back())) {
+      throw InputError(cursor->Where(),
+                       "time " + std::string(words[0]) +
+                           " is not after that of the row before",
+                       "sort the rows by time");
+    }
+    table->times.push_back(time);
+    table->lines.push_back(static_cast<int>(cursor->line()));
+    for (size_t i = 1; i < columns; ++i) {
+      values.push_back(ReadValue(*cursor, words[i], table->labels[i - 1]));
+    }
+  }
+  using RowMajor =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  table->values = Eigen::Map<const RowMajor>(
+      values.data(), table->times.size(), table->labels.size());
+  return count;
+}
+
 }  // namespace
 
 StorageTable ReadStorageTable(const std::string& path) {
@@ -133,48 +183,18 @@ StorageTable ReadStorageTable(const std::string& path) {
   const Header header = ReadHeader(path, &cursor);
   StorageTable table;
   table.name = header.name;
-  table.in_degrees = header.in_degrees;
+  table.in_degrees =
+      header.in_degrees ? header.in_degrees : header.degrees_in_remark;
   table.labels = ReadLabels(path, &cursor);
-  const size_t columns = table.labels.size() + 1;
-
-  std::vector<double> values;
-  Words words;
-  while (cursor.NextWords(&words)) {
-    if (words.size() != columns) {
-      throw InputError(cursor.Where(),
-                       "the row has " + std::to_string(words.size()) +
-                           " values, but there are " + std::to_string(columns) +
-                           " columns",
-                       "complete the row or remove it");
-    }
-    const double time = ReadValue(cursor, words[0], kTime);
-    if (!table.times.empty() && time <= table.times.back()) {
-      throw InputError(cursor.Where(),
-                       "time " + std::string(words[0]) +
-                           " is not after that of the row before",
-                       "sort the rows by time");
-    }
-    table.times.push_back(time);
-    for (size_t i = 1; i < columns; ++i) {
-      values.push_back(ReadValue(cursor, words[i], table.labels[i - 1]));
-    }
-  }
+  const int rows = ReadRows(&cursor, &table);
   if (table.times.empty()) {
     throw InputError(path, "has no rows", "export the table again");
   }
-  using RowMajor =
-      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  table.values = Eigen::Map<const RowMajor>(
-      values.data(), table.times.size(), table.labels.size());
-  AddCountWarning(path,
-                  "rows",
-                  header.rows,
-                  static_cast<int>(table.times.size()),
-                  &table.warnings);
+  AddCountWarning(path, "rows", header.rows, rows, &table.warnings);
   AddCountWarning(path,
                   "columns",
                   header.columns,
-                  static_cast<int>(columns),
+                  static_cast<int>(table.labels.size()) + 1,
                   &table.warnings);
   return table;
 }

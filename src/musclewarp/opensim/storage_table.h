@@ -20,7 +20,11 @@ struct StorageTable {
 
   std::vector<std::string> labels;  // of the columns, without "time"
   std::vector<double> times;        // s, strictly ascending
-  Eigen::MatrixXd values;           // #times x #labels
+  Eigen::MatrixXd values;           // #times x #labels; may have NaN
+
+  // The lines of the file in which the rows are; empty for a table that was
+  // not read from one.
+  std::vector<int> lines;
 
   // Sentences about where the header and the rows of the file disagree.
   std::vector<std::string> warnings;
@@ -29,12 +33,15 @@ struct StorageTable {
 // Reads a table from a file. The header may be of any version: lines
 // "key=value" up to "endheader", or the older "datarows 12" of SIMM. If it
 // states a wrong number of rows or columns, there is a warning, and the rows
-// that the file has are used.
+// that the file has are used. A row that is the one before once more, as RRA
+// writes the last one, is left out, with a warning.
+//
+// Labels may occur twice and values may be NaN or infinite, as in the columns
+// of forces that real files have: what needs a column has to check it.
 //
 // Throws InputError, which names the file and the line, if there is no
-// "endheader", no column "time" or no row, if two columns have the same label,
-// if a row has too few or too many values or one that is not a finite number,
-// or if times do not ascend.
+// "endheader", no column "time" or no row, if a row has too few or too many
+// values or one that is not a number, or if times do not ascend.
 StorageTable ReadStorageTable(const std::string& path);
 
 // Returns the text of a file that ReadStorageTable and OpenSim's Storage and

@@ -2,18 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/scene/model_scene.h"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
+#include <limits>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
 
-#include "musclewarp/base/input_error.h"
 #include "musclewarp/opensim/coordinate_motion.h"
 #include "musclewarp/opensim/storage_table.h"
+#include "musclewarp/scene/model_bones.h"
+#include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
 namespace {
@@ -38,66 +40,97 @@ ModelRest ReadModelRest(const JsonField& scene, const Model& model) {
   return rest;
 }
 
-// The model's file of an attached mesh: beside the model, or in a folder
-// "Geometry" there or one above, where OpenSim looks.
-std::string FindGeometry(const Model& model, const ModelGeometry& geometry) {
-  namespace fs = std::filesystem;
-  const fs::path folder = fs::path(model.path).parent_path();
-  for (const char* place : {"", "Geometry", "geometry", "../Geometry"}) {
-    const fs::path file = folder / place / geometry.file;
-    if (fs::exists(file)) return file.lexically_normal().string();
-  }
-  throw InputError(
-      model.path,
-      "names the geometry file \"" + geometry.file + "\", which is not there",
-      "put it beside the model or into its folder Geometry, or "
-      "give the bone a \"mesh\"");
+std::string PathIn(const std::string& root, const std::string& path) {
+  return (std::filesystem::path(root) / path).string();
 }
 
-// One bone for each mesh of the model on the body of `bone`.
-std::vector<SceneBone> BonesOfModel(const SceneBone& bone,
-                                    const ModelPoses& poses,
-                                    const std::string& where) {
-  const int body = poses.model.FindBody(bone.body);
-  const auto& geometry = poses.model.bodies[body].geometry;
-  if (geometry.empty()) {
-    throw InputError(where + ": bone \"" + bone.name + "\"",
-                     "has no mesh, and " + poses.model.path +
-                         " attaches none to " + bone.body,
-                     "give a \"mesh\"");
-  }
-  std::vector<SceneBone> bones;
-  for (const ModelGeometry& mesh : geometry) {
-    SceneBone one = bone;
-    if (geometry.size() > 1) {
-      one.name += "_" + std::filesystem::path(mesh.file).stem().string();
+// The folders of a run, then those of the scene.
+std::vector<std::string> MeshFolders(const JsonField& scene,
+                                     const std::string& root,
+                                     const ModelSources& sources) {
+  std::vector<std::string> folders = sources.geometry;
+  if (!scene.Has("geometry")) return folders;
+  const JsonField field = scene.At("geometry");
+  const auto names = field.value().is_array()
+                         ? field.AsStrings()
+                         : std::vector<std::string>{field.AsString()};
+  for (const std::string& name : names) {
+    folders.push_back(PathIn(root, name));
+    if (!std::filesystem::is_directory(folders.back())) {
+      field.Fail(
+          "names \"" + name + "\", and there is no folder " + folders.back(),
+          "give a folder with meshes of the model");
     }
-    one.mesh_path = FindGeometry(poses.model, mesh);
-    Eigen::Matrix4d scale = Eigen::Matrix4d::Identity();
-    scale.diagonal().head<3>() = kMillimetresPerMetre * mesh.scale;
-    one.rest_from_file =
-        poses.body_from_rest[body].inverse() * mesh.body_from_mesh * scale;
-    bones.push_back(std::move(one));
   }
-  return bones;
+  return folders;
+}
+
+CoordinateMotion ReadMotion(const JsonField& scene,
+                            const ModelSources& sources,
+                            const Model& model,
+                            const std::string& path) {
+  std::optional<bool> in_degrees = sources.motion_in_degrees;
+  if (!in_degrees && scene.Has("motion_in_degrees")) {
+    in_degrees = scene.At("motion_in_degrees").AsBool();
+  }
+  return MotionOf(model, ReadStorageTable(path), path, in_degrees);
+}
+
+std::string TimeText(double time, int digits) {
+  std::ostringstream text;
+  text << std::setprecision(digits) << "t=" << time;
+  return text.str();
+}
+
+// Returns the name of the pose at a time, which no other pose has: with ten
+// digits, or as many as it takes.
+std::string PoseName(double time, std::set<std::string>* taken) {
+  constexpr int kExact = std::numeric_limits<double>::max_digits10;
+  std::string name;
+  for (int digits = 10; digits <= kExact; ++digits) {
+    name = TimeText(time, digits);
+    if (taken->insert(name).second) return name;
+  }
+  // Another time was rounded to this one.
+  name += "_" + std::to_string(taken->size());
+  taken->insert(name);
+  return name;
+}
+
+void AddPoses(const CoordinateMotion& motion,
+              const ModelPoses& poses,
+              Scene* scene) {
+  std::set<std::string> names;
+  for (size_t i = 0; i < motion.times.size(); ++i) {
+    ScenePose pose = PoseAt(poses, motion.values[i]);
+    pose.time = motion.times[i];
+    pose.name = PoseName(pose.time, &names);
+    scene->poses.push_back(std::move(pose));
+  }
 }
 
 }  // namespace
 
 void AddModelPoses(const JsonField& field,
+                   const std::string& root,
+                   const ModelSources& sources,
                    Model model,
-                   const std::string& motion_path,
                    Scene* scene) {
   const ModelRest rest = ReadModelRest(field, model);
+  if (AreBonesOfModel(field)) {
+    CheckMusclesTellBodies(field.At("bones"), *scene);
+  }
   const std::vector<std::string> bodies = BodiesInUse(*scene);
   if (bodies.empty()) {
     field.Fail("has a model, but neither bones nor lines on its bodies",
                "add \"bones\"");
   }
   scene->warnings = model.warnings;
-  scene->motion_path = motion_path;
+  scene->motion_path = PathIn(
+      root,
+      sources.motion.empty() ? field.At("motion").AsString() : sources.motion);
   const CoordinateMotion motion =
-      MotionOf(model, ReadStorageTable(motion_path), motion_path);
+      ReadMotion(field, sources, model, scene->motion_path);
   scene->warnings.insert(
       scene->warnings.end(), motion.warnings.begin(), motion.warnings.end());
   auto poses = std::make_shared<ModelPoses>(
@@ -111,24 +144,12 @@ void AddModelPoses(const JsonField& field,
       line = LineOfMuscle(*poses, poses->muscles.back());
     }
   }
-  std::vector<SceneBone> bones;
-  for (const SceneBone& bone : scene->bones) {
-    if (!bone.mesh_path.empty()) {
-      bones.push_back(bone);
-      continue;
-    }
-    const auto found = BonesOfModel(bone, *poses, field.file());
-    bones.insert(bones.end(), found.begin(), found.end());
+  if (AreBonesOfModel(field)) {
+    AddBonesOfMuscles(*poses, bodies, field.At("bones"), scene);
   }
-  scene->bones = std::move(bones);
-  for (size_t i = 0; i < motion.times.size(); ++i) {
-    ScenePose pose = PoseAt(*poses, motion.values[i]);
-    pose.time = motion.times[i];
-    std::ostringstream name;
-    name << std::setprecision(10) << "t=" << pose.time;
-    pose.name = name.str();
-    scene->poses.push_back(std::move(pose));
-  }
+  AddMeshesOfModel(
+      *poses, MeshFolders(field, root, sources), field.file(), scene);
+  AddPoses(motion, *poses, scene);
   scene->model = std::move(poses);
   scene->is_motion = true;
 }

@@ -2,25 +2,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "musclewarp/opensim/model.h"
 #include "musclewarp/scene/json_fields.h"
-#include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
+
+struct Scene;
+
+// What a run gives in addition to what a scene file says about its model.
+struct ModelSources {
+  // The motion in place of the one that the scene names; empty: that one.
+  std::string motion = {};
+
+  // Folders in which meshes of the model are looked for, before those of the
+  // scene. They are relative to the working folder.
+  std::vector<std::string> geometry = {};
+
+  // Whether angles of the motion are in degrees, whatever its header says.
+  std::optional<bool> motion_in_degrees = {};
+};
 
 // Puts a scene whose muscles and bones have been read on its model. It fills in
 // what the scene takes from the model, that is the rest points of lines which
 // are paths of muscles, and the meshes of bones which name none, and makes one
 // pose of every row of the motion.
 //
-// `field` is the scene file, for `model_rest` and for messages. Throws
+// `field` is the scene file, and paths in it are relative to `root`. Throws
 // InputError if the motion cannot be read or does not fit the model, a mesh of
 // the model is not there, and for what BindModel throws.
 void AddModelPoses(const JsonField& field,
+                   const std::string& root,
+                   const ModelSources& sources,
                    Model model,
-                   const std::string& motion_path,
                    Scene* scene);
 
 }  // namespace musclewarp

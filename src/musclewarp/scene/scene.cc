@@ -11,7 +11,7 @@
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/scene/attachments_file.h"
 #include "musclewarp/scene/json_fields.h"
-#include "musclewarp/scene/model_scene.h"
+#include "musclewarp/scene/model_bones.h"
 #include "musclewarp/scene/poses_file.h"
 #include "musclewarp/scene/scene_checks.h"
 
@@ -49,7 +49,6 @@ ActionLine ReadModelLine(const Model& model, int muscle) {
   ActionLine line;
   line.name = model.muscles[muscle].name;
   for (const PathPoint& point : model.muscles[muscle].path) {
-    if (point.condition >= 0) continue;
     line.bodies.push_back(model.bodies[point.body].name);
   }
   return line;
@@ -246,14 +245,22 @@ void CheckSceneFile(const JsonField& field, bool has_other_motion) {
                    "attachments_file",
                    "model",
                    "model_rest",
-                   "motion"});
+                   "geometry",
+                   "motion",
+                   "motion_in_degrees"});
   const bool has_model = field.Has("model");
   if (has_model && field.Has("poses")) {
     field.Fail("has both \"poses\" and a \"model\"", "leave one of them out");
   }
-  if (!has_model &&
-      (field.Has("motion") || field.Has("model_rest") || has_other_motion)) {
-    field.Fail("has a motion but no \"model\"", "add the OpenSim model");
+  if (has_model) return;
+  for (const char* key :
+       {"motion", "model_rest", "geometry", "motion_in_degrees"}) {
+    if (!field.Has(key)) continue;
+    field.Fail("has \"" + std::string(key) + "\" but no \"model\"",
+               "add the OpenSim model");
+  }
+  if (has_other_motion) {
+    field.Fail("has no \"model\" for a motion", "add the OpenSim model");
   }
 }
 
@@ -290,7 +297,7 @@ void ReadMeshes(const JsonField& field,
   for (size_t i = 0; i < muscles.ArraySize(); ++i) {
     scene->muscles.push_back(ReadMuscle(muscles.At(i), named, root));
   }
-  if (field.Has("bones")) {
+  if (field.Has("bones") && !AreBonesOfModel(field)) {
     const JsonField bones = field.At("bones");
     for (size_t i = 0; i < bones.ArraySize(); ++i) {
       scene->bones.push_back(
@@ -322,8 +329,8 @@ void AddFiles(const JsonField& field, const std::string& root, Scene* scene) {
 
 Scene ReadScene(const std::string& path,
                 const std::string& data_root,
-                const std::string& motion) {
-  const JsonField field = ReadSceneFile(path, !motion.empty());
+                const ModelSources& sources) {
+  const JsonField field = ReadSceneFile(path, !sources.motion.empty());
   const std::string root =
       data_root.empty() ? std::filesystem::path(path).parent_path().string()
                         : data_root;
@@ -341,9 +348,7 @@ Scene ReadScene(const std::string& path,
   ReadMeshes(field, root, named, &scene);
   if (field.Has("attachments_file")) AddAttachments(field, root, &scene);
   if (model) {
-    const std::string motion_path =
-        motion.empty() ? field.At("motion").AsString() : motion;
-    AddModelPoses(field, std::move(*model), Resolve(motion_path, root), &scene);
+    AddModelPoses(field, root, sources, std::move(*model), &scene);
   } else {
     scene.is_motion = TimesRise(scene.poses);
   }

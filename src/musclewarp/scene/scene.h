@@ -9,6 +9,7 @@
 
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/scene/model_poses.h"
+#include "musclewarp/scene/model_scene.h"
 #include "musclewarp/scene/scene_pose.h"
 #include "musclewarp/skeleton/action_line.h"
 
@@ -95,8 +96,7 @@ struct Scene {
 
 // Reads a scene file (docs/scene.md), and the model and motion that it names.
 // Paths in it are relative to `data_root`, or to the folder of the scene file
-// if that is empty. If `motion` is not empty, it is taken in place of the
-// scene's motion.
+// if that is empty. `sources` adds to what the file says about its model.
 //
 // Throws InputError that names the file and the field, for a file that is not
 // JSON, an unknown or missing key, a value of the wrong type, coordinates
@@ -104,7 +104,7 @@ struct Scene {
 // CheckScene, ReadModel, ReadStorageTable, MotionOf and BindModel refuse.
 Scene ReadScene(const std::string& path,
                 const std::string& data_root,
-                const std::string& motion = "");
+                const ModelSources& sources = {});
 
 // Returns the pose at a part (0 to 1) of the way from one pose to another. With
 // a model its coordinates are interpolated. Without one bodies move along their

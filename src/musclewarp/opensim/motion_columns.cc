@@ -1,0 +1,156 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/opensim/motion_columns.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+#include <optional>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh_files/text_cursor.h"
+
+namespace musclewarp {
+namespace {
+
+bool EndsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() &&
+         text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+// Returns true for columns of a states file that are not coordinates.
+bool IsOtherState(const std::string& label) {
+  for (const char* end : {"/speed",
+                          "_u",
+                          "/activation",
+                          ".activation",
+                          "/fiber_length",
+                          ".fiber_length"}) {
+    if (EndsWith(label, end)) return true;
+  }
+  return false;
+}
+
+std::vector<std::string> SplitAt(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  size_t begin = 0;
+  for (size_t end = 0; end != std::string::npos; begin = end + 1) {
+    end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end - begin));
+  }
+  return parts;
+}
+
+// Returns the name of the coordinate that a label stands for, in this model or
+// in another one. A path is one of a coordinate if it ends with "value", or if
+// a joint is the owner of what it leads to: that of an actuator may end with
+// the name of a coordinate, too.
+std::optional<std::string> CoordinateNameIn(const std::string& label,
+                                            const Model& model) {
+  std::vector<std::string> parts = SplitAt(label, '/');
+  if (parts.size() == 1) return label;
+  if (parts.back() == "value") {
+    parts.pop_back();
+    return parts.back();
+  }
+  const std::string owner = parts[parts.size() - 2];
+  const bool is_of_joint = std::any_of(
+      model.joints.begin(), model.joints.end(), [&](const Joint& joint) {
+        return joint.name == owner;
+      });
+  const bool is_in_jointset =
+      parts.size() >= 3 && parts[parts.size() - 3] == "jointset";
+  if (!is_of_joint && !is_in_jointset) return std::nullopt;
+  return parts.back();
+}
+
+// The number of letters to change, add, remove or swap with their neighbour to
+// turn one text into the other (optimal string alignment).
+int EditDistance(const std::string& a, const std::string& b) {
+  std::vector<int> before_last, last(b.size() + 1), row(b.size() + 1);
+  std::iota(last.begin(), last.end(), 0);
+  for (size_t i = 1; i <= a.size(); ++i) {
+    row[0] = static_cast<int>(i);
+    for (size_t k = 1; k <= b.size(); ++k) {
+      const int change = a[i - 1] == b[k - 1] ? 0 : 1;
+      row[k] = std::min({last[k] + 1, row[k - 1] + 1, last[k - 1] + change});
+      if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1]) {
+        row[k] = std::min(row[k], before_last[k - 2] + 1);
+      }
+    }
+    before_last = last;
+    last = row;
+  }
+  return last.back();
+}
+
+// Returns true for parts of names that tell coordinates of one kind apart: the
+// side, the axis, or a number.
+bool IsDistinguishing(const std::string& part) {
+  return part.size() <= 2 || part == "left" || part == "right" ||
+         std::any_of(part.begin(), part.end(), [](unsigned char c) {
+           return std::isdigit(c) != 0;
+         });
+}
+
+bool DifferInDistinguishingParts(const std::string& a, const std::string& b) {
+  const auto parts_a = SplitAt(a, '_');
+  const auto parts_b = SplitAt(b, '_');
+  if (a == b || parts_a.size() != parts_b.size()) return false;
+  for (size_t i = 0; i < parts_a.size(); ++i) {
+    if (parts_a[i] == parts_b[i]) continue;
+    if (!IsDistinguishing(parts_a[i]) || !IsDistinguishing(parts_b[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool IsNearlyNamed(const std::string& name, const std::string& coordinate) {
+  const std::string a = LowerCase(name);
+  const std::string b = LowerCase(coordinate);
+  if (DifferInDistinguishingParts(a, b)) return false;
+  const int letters = static_cast<int>(std::max(a.size(), b.size()));
+  return EditDistance(a, b) <= std::max(1, letters / 6);
+}
+
+MotionColumns MatchColumns(const Model& model,
+                           const StorageTable& table,
+                           const std::string& path) {
+  MotionColumns columns;
+  std::vector<char> has_column(model.coordinates.size(), 0);
+  for (const std::string& label : table.labels) {
+    const auto name = CoordinateNameIn(label, model);
+    const int coordinate = name ? model.FindCoordinate(*name) : -1;
+    columns.coordinates.push_back(coordinate);
+    if (coordinate < 0) continue;
+    if (has_column[coordinate]) {
+      throw InputError(path + ": column \"" + label + "\"",
+                       "is the second one for the coordinate " +
+                           model.coordinates[coordinate].name,
+                       "remove one of the two");
+    }
+    has_column[coordinate] = 1;
+  }
+  for (size_t i = 0; i < table.labels.size(); ++i) {
+    const std::string& label = table.labels[i];
+    if (columns.coordinates[i] >= 0 || IsOtherState(label)) continue;
+    columns.others.push_back(label);
+    const auto name = CoordinateNameIn(label, model);
+    if (!name || table.values.col(i).isZero(0)) continue;
+    for (size_t k = 0; k < model.coordinates.size(); ++k) {
+      const std::string& coordinate = model.coordinates[k].name;
+      if (has_column[k] || !IsNearlyNamed(*name, coordinate)) continue;
+      throw InputError(path + ": column \"" + label + "\"",
+                       "is no coordinate of " + model.path +
+                           ", but is nearly named as \"" + coordinate +
+                           "\", which has no column",
+                       "rename the column, or remove it");
+    }
+  }
+  return columns;
+}
+
+}  // namespace musclewarp
