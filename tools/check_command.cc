@@ -33,8 +33,9 @@ struct CheckedFile {
   std::string name;  // for the table
   std::unique_ptr<SearchableMesh> mesh;
   MeshDefects defects;
-  double volume = 0;  // mm^3
-  double area = 0;    // mm^2
+  double volume = 0;  // mm^3, if there is one
+  bool has_volume = false;
+  double area = 0;  // mm^2
   size_t self_pairs = 0;
   bool is_bone = false;
 };
@@ -56,6 +57,7 @@ CheckedFile CheckFile(const std::string& path, TriangleSoup soup) {
   file.name = std::filesystem::path(path).stem().string();
   file.defects = CountDefects(soup);
   file.volume = SignedVolume(soup.points, soup.triangles);
+  file.has_volume = EnclosesVolume(soup.triangles);
   file.area = SurfaceArea(soup.points, soup.triangles);
   file.mesh = std::make_unique<SearchableMesh>(std::move(soup));
   file.self_pairs = SelfIntersections(file.mesh->bvh()).size();
@@ -109,6 +111,7 @@ OrderedJson ToJson(const CheckedFile& file) {
           {"clean", file.defects.IsClean()},
           {"defects", DefectsJson(file.defects)},
           {"volume_mm3", file.volume},
+          {"encloses_volume", file.has_volume},
           {"area_mm2", file.area},
           {"bounding_box_mm",
            {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}},
@@ -126,6 +129,15 @@ OrderedJson ToJson(const CheckedPair& pair) {
           {"max_depth_mm", pair.found.max_depth_mm},
           {"distance_mm", pair.distance},
           {"bones", pair.AreBones()}};
+}
+
+// The volume of a mesh in cm3. One that is not closed, or whose triangles do
+// not all face the same way, has none.
+std::string VolumeText(const CheckedFile& file) {
+  if (!file.has_volume) return "-";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << file.volume / 1000;
+  return text.str();
 }
 
 std::string DefectsText(const MeshDefects& defects) {
@@ -156,8 +168,7 @@ void PrintFiles(const std::vector<CheckedFile>& files,
   for (const CheckedFile& file : files) {
     screen << std::left << std::setw(width) << file.name << std::right
            << std::setw(10) << file.mesh->points().rows() << std::setw(11)
-           << file.mesh->triangles().rows() << std::fixed
-           << std::setprecision(2) << std::setw(12) << file.volume / 1000
+           << file.mesh->triangles().rows() << std::setw(12) << VolumeText(file)
            << std::setw(12) << file.self_pairs << "  "
            << DefectsText(file.defects) << "\n";
   }
@@ -241,9 +252,10 @@ int CheckCommand(const std::vector<std::string>& files,
   }
   if (options.threads > 0) omp_set_num_threads(options.threads);
   std::vector<CheckedFile> checked;
+  std::vector<std::string> notes;
   size_t width = 4;
   const auto check = [&](const std::string& path, bool is_bone) {
-    TriangleSoup soup = ReadTriangleSoup(path);
+    TriangleSoup soup = ReadTriangleSoup(path, &notes);
     soup.points *= options.mm_per_unit;
     checked.push_back(CheckFile(path, std::move(soup)));
     checked.back().is_bone = is_bone;
@@ -267,8 +279,10 @@ int CheckCommand(const std::vector<std::string>& files,
                         {"pairs", OrderedJson::array()}};
     for (const auto& file : checked) json["files"].push_back(ToJson(file));
     for (const auto& pair : pairs) json["pairs"].push_back(ToJson(pair));
+    json["notes"] = notes;
     WriteTextAtomically(options.json, json.dump(2) + "\n");
   }
+  for (const std::string& note : notes) screen << note << "\n";
   PrintFiles(checked, static_cast<int>(width), screen);
   PrintPairs(pairs, options.gap, static_cast<int>(width), screen);
   PrintBonePairs(pairs, screen);

@@ -20,6 +20,21 @@ TEST(Measures, VolumeAndAreaOfABox) {
   EXPECT_DOUBLE_EQ(BoundingBoxDiagonal(box.points), std::sqrt(29.0));
 }
 
+TEST(Measures, OnlyClosedOrientedMeshesEncloseAVolume) {
+  const Triangles box = Box(2, 3, 4).triangles;
+  EXPECT_TRUE(EnclosesVolume(box));
+  EXPECT_FALSE(EnclosesVolume(box.topRows(box.rows() - 1)));
+  Triangles turned = box;
+  EXPECT_TRUE(EnclosesVolume(turned.rowwise().reverse()));  // inside out
+  turned.row(0).reverseInPlace();
+  EXPECT_FALSE(EnclosesVolume(turned));
+  // Two bodies, one of them twice.
+  Triangles twice(2 * box.rows(), 3);
+  twice << box, box;
+  EXPECT_TRUE(EnclosesVolume(twice));
+  EXPECT_FALSE(EnclosesVolume(Triangles(0, 3)));
+}
+
 TEST(Measures, VolumeIsNegativeInsideOut) {
   TriangleSoup tetrahedron = UnitTetrahedron();
   tetrahedron.triangles.col(0).swap(tetrahedron.triangles.col(1));

@@ -90,6 +90,28 @@ TEST(PlyHeader, ElementsAndPropertiesMustMakeSense) {
       "list uchar int", "list uchar", {"line 9", "two types"});
 }
 
+// VTK and MeshLab skip what they do not know.
+TEST(PlyHeader, LinesOfOtherKindsAreSkipped) {
+  const PlyHeader header = Read(
+      "ply  \r\n"
+      "\r\n"
+      "comment  \r\n"
+      "format binary_big_endian 1.0 \t\r\n"
+      "obj_info\r\n"
+      "version 1.0\r\n"
+      "element vertex 4 of them\r\n"
+      "property float x in mm\r\n"
+      "TextureFile a.png\r\n"
+      "element face 2\r\n"
+      "comment between\r\n"
+      "property list uint8 int32 vertex_index extra\r\n"
+      "end_header \r\n");
+  ASSERT_EQ(header.elements.size(), 2u);
+  EXPECT_EQ(header.elements[0].properties.at(0).name, "x");
+  EXPECT_EQ(header.elements[1].properties.at(0).name, "vertex_index");
+  EXPECT_EQ(header.elements[1].properties.at(0).type, ScalarType::kInt32);
+}
+
 TEST(PlyHeader, NeedsAFormat) {
   ExpectPlyHeaderRefusal(
       "format binary_big_endian 1.0\n", "", {"line 9", "'end_header'"});

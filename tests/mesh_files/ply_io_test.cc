@@ -99,6 +99,54 @@ INSTANTIATE_TEST_SUITE_P(Orders,
                                                                 : "Little";
                          });
 
+// Two strips of a band of triangles, whose first runs the same way as the
+// faces.
+TEST(PlyIo, StripsAreFaces) {
+  const std::string header =
+      "element vertex 5\nproperty float x\nproperty float y\n"
+      "property float z\n";
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n";
+  const TriangleSoup faces =
+      ReadPly("faces.ply",
+              "ply\nformat ascii 1.0\n" + header +
+                  "element face 3\nproperty list uchar int vertex_indices\n"
+                  "end_header\n" +
+                  points + "3 0 1 2\n3 2 1 3\n3 2 3 4\n");
+  const std::string strips =
+      "element tristrips 1\nproperty list int int vertex_indices\n"
+      "end_header\n";
+  for (const char* list :
+       {"8 0 1 2 3 -1 2 3 4\n", "9 0 1 2 3 -1\n2 3 4 -1\n"}) {
+    EXPECT_TRUE(SameBits(
+        faces,
+        ReadPly("strips.ply",
+                "ply\nformat ascii 1.0\n" + header + strips + points + list)))
+        << list;
+  }
+  for (const ByteOrder order : {ByteOrder::kLittle, ByteOrder::kBig}) {
+    std::string bytes =
+        "ply\nformat binary_" +
+        std::string(order == ByteOrder::kBig ? "big" : "little") +
+        "_endian 1.0\n" + header + strips;
+    for (const double x : faces.points.reshaped<Eigen::RowMajor>()) {
+      AppendBytes<float>(static_cast<float>(x), order, &bytes);
+    }
+    for (const int v : {8, 0, 1, 2, 3, -1, 2, 3, 4}) {
+      AppendBytes<std::int32_t>(v, order, &bytes);
+    }
+    EXPECT_TRUE(SameBits(faces, ReadPly("strips.ply", bytes)));
+  }
+}
+
+TEST(PlyIo, ItemsMayGoOnOnTheNextLineOrShareOne) {
+  const TriangleSoup square = ReadPly("a.ply", kPlySquare);
+  EXPECT_TRUE(SameBits(
+      square, ReadPly("b.ply", With(kPlySquare, "3 0 1 2", "3\n0 1\n2"))));
+  EXPECT_TRUE(SameBits(
+      square,
+      ReadPly("b.ply", With(kPlySquare, "0 0 0\n1 0 0\n", "0 0 0 1 0 0\n"))));
+}
+
 TEST(PlyIo, TheHeaderMustNotPromiseLess) {
   ExpectPlyRefusal(With(kPlySquare, "face 2", "face 1"),
                    {"line 15", "less than the file holds"});

@@ -67,6 +67,40 @@ TEST(CheckProgram, ReportsDefectsWithoutRepair) {
   EXPECT_EQ(json["files"][0]["triangles"], soup.triangles.rows());
 }
 
+// The sum over the triangles of such a mesh depends on the origin.
+TEST(CheckProgram, AMeshThatEnclosesNothingHasNoVolume) {
+  const std::string dir = TestTempDir();
+  const TriangleSoup box = Box(10, 10, 10);
+  TriangleSoup open = box, turned = box;
+  open.triangles.conservativeResize(open.triangles.rows() - 1, 3);
+  turned.triangles.row(0).reverseInPlace();
+  const auto check = [&](const TriangleSoup& soup) {
+    WriteTriangleSoup(dir + "/box.ply", soup);
+    return Check(dir + "/box.ply --json=" + dir + "/check.json").out;
+  };
+  const auto encloses = [&] {
+    const Json json = Json::parse(FileText(dir + "/check.json"));
+    return json["files"][0]["encloses_volume"].get<bool>();
+  };
+  EXPECT_THAT(check(box), HasSubstr("        1.00           0  none"));
+  EXPECT_TRUE(encloses());
+  for (const TriangleSoup& soup : {open, turned}) {
+    EXPECT_THAT(check(soup), HasSubstr("           -           0  "));
+    EXPECT_FALSE(encloses());
+  }
+}
+
+TEST(CheckProgram, SaysWhatAReaderSkipped) {
+  const std::string dir = TestTempDir();
+  WriteTriangleSoup(dir + "/a.obj", Box(1, 1, 1));
+  WriteTextAtomically(dir + "/a.obj", FileText(dir + "/a.obj") + "vw 1 0\n");
+  const ProgramRun run = Check(dir + "/a.obj --json=" + dir + "/check.json");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.out, HasSubstr("no OBJ statement was skipped: 'vw'"));
+  const Json json = Json::parse(FileText(dir + "/check.json"));
+  EXPECT_EQ(json["notes"].size(), 1u);
+}
+
 TEST(CheckProgram, CanRequireCleanMeshes) {
   const std::string dir = TestTempDir();
   WriteTriangleSoup(dir + "/a.ply", Box(1, 1, 1));

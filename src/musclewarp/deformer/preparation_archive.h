@@ -149,7 +149,8 @@ MUSCLEWARP_ARCHIVE(MeshPreparation,
                    self_crossings,
                    slivers,
                    remaking,
-                   delivered_volume)
+                   delivered_volume,
+                   notes)
 
 // Prepared scenes.
 

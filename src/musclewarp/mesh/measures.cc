@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/mesh/measures.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -28,6 +31,22 @@ double SignedVolume(const Points& points, const Triangles& triangles) {
     six_volumes += a.cross(b).dot(c);
   }
   return six_volumes / 6;
+}
+
+bool EnclosesVolume(const Triangles& triangles) {
+  // How often each edge is passed, from its lower to its higher vertex less the
+  // other way.
+  std::map<std::pair<int, int>, int> passages;
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    for (int c = 0; c < 3; ++c) {
+      const int a = triangles(f, c), b = triangles(f, (c + 1) % 3);
+      if (a != b) passages[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  }
+  return triangles.rows() > 0 &&
+         std::all_of(passages.begin(), passages.end(), [](const auto& edge) {
+           return edge.second == 0;
+         });
 }
 
 Points VolumeGradient(const Points& points, const Triangles& triangles) {

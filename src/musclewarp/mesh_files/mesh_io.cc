@@ -31,20 +31,30 @@ namespace fs = std::filesystem;
 
 struct Format {
   const char* extension;
-  TriangleSoup (*read)(const std::string& path, std::string_view bytes);
+  TriangleSoup (*read)(const std::string& path,
+                       std::string_view bytes,
+                       std::vector<std::string>* notes);
   std::string (*write)(const TriangleSoup& soup);
 };
 
+// For the readers that have nothing to say.
+template <TriangleSoup (*kRead)(const std::string&, std::string_view)>
+TriangleSoup ReadQuietly(const std::string& path,
+                         std::string_view bytes,
+                         std::vector<std::string>*) {
+  return kRead(path, bytes);
+}
+
 const std::vector<Format>& Formats() {
   static const std::vector<Format> kFormats = {
-      {".ply", ReadPly, PlyBytes},
+      {".ply", ReadQuietly<ReadPly>, PlyBytes},
       {".obj", ReadObj, ObjBytes},
-      {".off", ReadOff, OffBytes},
-      {".stl", ReadStl, StlBytes},
-      {".vtk", ReadLegacyVtk, LegacyVtkBytes},
+      {".off", ReadQuietly<ReadOff>, OffBytes},
+      {".stl", ReadQuietly<ReadStl>, StlBytes},
+      {".vtk", ReadQuietly<ReadLegacyVtk>, LegacyVtkBytes},
 #ifdef MUSCLEWARP_WITH_VTK
       {".vtp",
-       ReadVtp,
+       ReadQuietly<ReadVtp>,
        [](const TriangleSoup& soup) { return VtpOfMesh(soup); }},
 #endif
   };
@@ -102,9 +112,11 @@ void CheckFitsStl(const std::string& path, const TriangleSoup& soup) {
 
 }  // namespace
 
-TriangleSoup ReadTriangleSoup(const std::string& path) {
+TriangleSoup ReadTriangleSoup(const std::string& path,
+                              std::vector<std::string>* notes) {
   const Format& format = FormatOf(path);
-  return format.read(path, ReadFile(path));
+  std::vector<std::string> unheard;
+  return format.read(path, ReadFile(path), notes ? notes : &unheard);
 }
 
 void WriteTriangleSoup(const std::string& path, const TriangleSoup& soup) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
 
@@ -14,7 +15,7 @@ namespace musclewarp {
 //   extension  read                                written
 //   .ply       ASCII, binary; float, double        binary, double
 //   .obj       v and f                             ASCII, 17 digits
-//   .off       ASCII                               ASCII, 17 digits
+//   .off       ASCII, binary                       ASCII, 17 digits
 //   .stl       ASCII, binary                       binary, float
 //   .vtk       legacy polydata, ASCII and binary   binary, double
 //   .vtp       XML polydata                        binary, double
@@ -30,8 +31,10 @@ namespace musclewarp {
 // indices in range. Throws InputError if the file is missing, empty, truncated
 // or not a mesh, if it has no face, if a coordinate is not finite, or if a face
 // names a vertex that the file does not have. The message names the line, or
-// the vertex or face.
-TriangleSoup ReadTriangleSoup(const std::string& path);
+// the vertex or face. What the user has to know of how the file was read is
+// appended to `notes`, unless that is null.
+TriangleSoup ReadTriangleSoup(const std::string& path,
+                              std::vector<std::string>* notes = nullptr);
 
 // Writes a mesh; the file appears complete or not at all. Throws InputError if
 // the folder cannot be written, the extension is not one of the above, or the

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
@@ -26,6 +27,43 @@ bool IsSkipped(std::string_view statement) {
       "csh"};
   return kSkipped.count(statement) > 0;
 }
+
+// What a file has that is no statement of the format.
+class UnknownStatements {
+ public:
+  void Add(std::string_view word) {
+    ++count_;
+    const auto same = [&](const auto& other) { return other.first == word; };
+    const auto found = std::find_if(words_.begin(), words_.end(), same);
+    if (found != words_.end()) {
+      ++found->second;
+    } else if (words_.size() < kMostNamed) {
+      words_.emplace_back(word, 1);
+    } else {
+      has_more_ = true;
+    }
+  }
+
+  void AddNote(const std::string& path, std::vector<std::string>* notes) const {
+    if (count_ == 0) return;
+    std::string named;
+    for (const auto& [word, count] : words_) {
+      named += (named.empty() ? "" : ", ") + Quoted(word) +
+               (count > 1 ? " " + std::to_string(count) + " times" : "");
+    }
+    notes->push_back(path + ": " + std::to_string(count_) +
+                     (count_ == 1 ? " line that is no OBJ statement was"
+                                  : " lines that are no OBJ statements were") +
+                     " skipped: " + named + (has_more_ ? ", ..." : ""));
+  }
+
+ private:
+  static constexpr std::size_t kMostNamed = 5;
+
+  std::int64_t count_ = 0;
+  std::vector<std::pair<std::string_view, std::int64_t>> words_;
+  bool has_more_ = false;
+};
 
 // Sets `statement` to the words of the next one; a backslash at the end of a
 // line continues the statement on the next line.
@@ -86,16 +124,19 @@ std::int64_t CornerFromWord(const TextCursor& cursor,
 
 }  // namespace
 
-TriangleSoup ReadObj(const std::string& path, std::string_view bytes) {
+TriangleSoup ReadObj(const std::string& path,
+                     std::string_view bytes,
+                     std::vector<std::string>* notes) {
   TextCursor cursor(path, bytes, '#');
   SoupBuilder builder(path, 1);
   Words words;
   std::vector<std::int64_t> corners;
+  UnknownStatements unknown;
   while (NextStatement(&cursor, &words)) {
     if (words.empty()) continue;
     if (words[0] == "v") {
       AddObjVertex(cursor, words, &builder);
-    } else if (words[0] == "f") {
+    } else if (words[0] == "f" || words[0] == "fo") {
       corners.clear();
       for (std::size_t i = 1; i < words.size(); ++i) {
         corners.push_back(
@@ -103,11 +144,10 @@ TriangleSoup ReadObj(const std::string& path, std::string_view bytes) {
       }
       builder.AddPolygon(corners, cursor.line());
     } else if (!IsSkipped(words[0])) {
-      throw InputError(cursor.Where(),
-                       Quoted(words[0]) + " is not an OBJ statement",
-                       "check that this is an OBJ file, or export it again");
+      unknown.Add(words[0]);
     }
   }
+  unknown.AddNote(path, notes);
   return builder.Build();
 }
 

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
 
@@ -11,12 +12,14 @@ namespace musclewarp {
 
 // Reads a Wavefront OBJ file. `bytes` is the whole file, `path` is used in
 // messages only; see mesh_io.h for what all readers promise and throw. The
-// statements v (vertex) and f (face) are read, the other statements of the
-// format are skipped, and unknown statements are refused. Of the corners
-// "v/vt/vn" of a face only v counts; negative indices count back from the last
-// vertex before the face. The format holds no counts: a file that was cut off
-// between two faces cannot be told from a whole one.
-TriangleSoup ReadObj(const std::string& path, std::string_view bytes);
+// statements v (vertex) and f (face; fo in old files) are read, the others are
+// skipped, and a note counts those that the format does not have. Of the
+// corners "v/vt/vn" of a face only v counts; negative indices count back from
+// the last vertex before the face. The format holds no counts: a file that was
+// cut off between two faces cannot be told from a whole one.
+TriangleSoup ReadObj(const std::string& path,
+                     std::string_view bytes,
+                     std::vector<std::string>* notes);
 
 // Returns the text of an OBJ file of v and f statements. Coordinates have 17
 // digits, from which the same doubles are read again.

@@ -2,123 +2,190 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/mesh_files/off_io.h"
 
-#include <set>
+#include <limits>
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh_files/binary_scalar.h"
 #include "musclewarp/mesh_files/export_advice.h"
+#include "musclewarp/mesh_files/off_records.h"
 #include "musclewarp/mesh_files/soup_builder.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
 namespace musclewarp {
 namespace {
 
-struct Counts {
-  std::int64_t vertices;
-  std::int64_t faces;
-};
-
-// A header is the keyword, then the numbers of vertices, faces and edges, on
-// the same line or on the next.
-Counts ReadHeader(const std::string& path, TextCursor* cursor) {
-  // Each prefix adds values behind the coordinates of a vertex.
-  static const std::set<std::string_view> kKeywords = {
-      "OFF", "COFF", "NOFF", "STOFF", "CNOFF", "STCOFF", "STNOFF", "STCNOFF"};
-  Words words;
-  cursor->NextWords(&words);
-  if (words.empty() || kKeywords.count(words[0]) == 0 ||
-      (words.size() > 1 && words[1] == "BINARY")) {
-    throw InputError(path,
-                     "is not an ASCII OFF file: it starts with " +
-                         Quoted(words.empty() ? "" : words[0]) +
-                         (words.size() > 1 ? " " + Quoted(words[1]) : "") +
-                         " instead of 'OFF'",
-                     "name the file by what it holds, or export it as ASCII");
-  }
-  words.erase(words.begin());
-  if (words.empty()) cursor->NextWords(&words);
-  if (words.size() < 2) {
-    throw InputError(path,
-                     "is truncated: the numbers of vertices and faces are "
-                     "missing",
-                     kCopyAgain);
-  }
-  const Counts counts = {cursor->Integer(words[0], "the number of vertices"),
-                         cursor->Integer(words[1], "the number of faces")};
-  if (counts.vertices < 0 || counts.faces < 0) {
-    throw InputError(cursor->Where(),
-                     "a number of vertices or faces is negative",
-                     kCopyAgain);
-  }
-  return counts;
-}
-
-// Reads the words of the next vertex or face.
-void NextItem(const std::string& path,
-              const std::string& items,
-              std::int64_t index,
-              std::int64_t count,
-              TextCursor* cursor,
-              Words* words) {
-  if (cursor->NextWords(words)) return;
-  throw InputError(path,
-                   "is truncated: the header promises " +
-                       std::to_string(count) + " " + items +
-                       ", the file ends after " + std::to_string(index),
+[[noreturn]] void ThrowMoreThanPromised(const std::string& where) {
+  throw InputError(where,
+                   "data follow the last face, the header promises less than "
+                   "the file holds",
                    kCopyAgain);
 }
 
-[[noreturn]] void ThrowTooFew(const TextCursor& cursor,
-                              std::size_t seen,
-                              std::int64_t needed) {
-  throw InputError(cursor.Where(),
-                   "has " + std::to_string(seen) + " values, " +
-                       std::to_string(needed) + " needed",
-                   kExportAgain);
-}
+// Reads the vertices and faces of a text file, which follow its header.
+class OffText {
+ public:
+  OffText(const std::string& path, const OffHeader& header, TextCursor* cursor)
+      : path_(path),
+        header_(header),
+        layout_(LayoutOfOff(header, *cursor)),
+        cursor_(*cursor) {}
 
-void AddOffVertex(const TextCursor& cursor,
-                  const Words& words,
-                  SoupBuilder* builder) {
-  if (words.size() < 3) ThrowTooFew(cursor, words.size(), 3);
-  Eigen::Vector3d point;
-  for (int i = 0; i < 3; ++i) point[i] = cursor.Real(words[i], "a coordinate");
-  builder->AddPoint(point, cursor.line());
-}
-
-void AddFace(const TextCursor& cursor,
-             const Words& words,
-             SoupBuilder* builder) {
-  const std::int64_t size = cursor.Integer(words[0], "the number of corners");
-  const auto listed = static_cast<std::int64_t>(words.size()) - 1;
-  if (size < 0 || size > listed) ThrowTooFew(cursor, words.size(), size);
-  std::vector<std::int64_t> corners;
-  for (std::int64_t i = 1; i <= size; ++i) {
-    corners.push_back(cursor.Integer(words[i], "a vertex index"));
+  void Read(SoupBuilder* builder) {
+    for (std::int64_t i = 0; i < header_.vertices; ++i) {
+      BeginRecord("vertices", i, header_.vertices);
+      // What stands behind the coordinates may be missing, but in records that
+      // end nowhere else.
+      const bool is_whole = layout_ != OffLayout::kLines;
+      const int of_colour = layout_ == OffLayout::kStream ? 4 : 3;
+      Need(is_whole ? NumbersOfVertex(header_, of_colour) : 3);
+      Eigen::Vector3d point;
+      for (int k = 0; k < 3; ++k) {
+        point[k] = cursor_.Real(words_[at_ + k], "a coordinate");
+      }
+      builder->AddPoint(point, cursor_.line());
+      at_ += NumbersOfVertex(header_, of_colour);
+    }
+    std::vector<std::int64_t> corners;
+    for (std::int64_t i = 0; i < header_.faces; ++i) {
+      BeginRecord("faces", i, header_.faces);
+      const std::int64_t size =
+          cursor_.Integer(words_[at_], "the number of corners");
+      if (size < 0 || size > std::numeric_limits<int>::max()) {
+        throw InputError(cursor_.Where(),
+                         "has a face of " + std::to_string(size) +
+                             " corners; allowed: 3 or more",
+                         kExportAgain);
+      }
+      Need(1 + size);
+      corners.clear();
+      for (std::int64_t k = 1; k <= size; ++k) {
+        corners.push_back(cursor_.Integer(words_[at_ + k], "a vertex index"));
+      }
+      builder->AddPolygon(corners, cursor_.line());
+      at_ += 1 + size;
+    }
+    if (!cursor_.NextWords(&words_)) return;
+    ThrowMoreThanPromised(cursor_.Where());
   }
-  builder->AddPolygon(corners, cursor.line());
-}
+
+ private:
+  // Goes to the first word of the next record.
+  void BeginRecord(const std::string& records,
+                   std::int64_t index,
+                   std::int64_t count) {
+    if (layout_ == OffLayout::kStream && at_ < words_.size()) return;
+    at_ = 0;
+    if (cursor_.NextWords(&words_)) return;
+    throw InputError(path_,
+                     "is truncated: the header promises " +
+                         std::to_string(count) + " " + records +
+                         ", the file ends after " + std::to_string(index),
+                     kCopyAgain);
+  }
+
+  // Goes on to the next lines, where records do so, until there are `count`
+  // words of the record.
+  void Need(std::int64_t count) {
+    Words more;
+    const auto seen = [&] {
+      return static_cast<std::int64_t>(words_.size() - at_);
+    };
+    while (seen() < count) {
+      if (layout_ == OffLayout::kLines || !cursor_.NextWords(&more)) {
+        throw InputError(cursor_.Where(),
+                         "has " + std::to_string(seen()) + " values, " +
+                             std::to_string(count) + " needed",
+                         kExportAgain);
+      }
+      // Only what is still needed is kept: a stream may be one record a line.
+      words_.erase(words_.begin(), words_.begin() + at_);
+      at_ = 0;
+      words_.insert(words_.end(), more.begin(), more.end());
+    }
+  }
+
+  const std::string& path_;
+  const OffHeader& header_;
+  const OffLayout layout_;
+  TextCursor& cursor_;
+  Words words_;         // of the line, or of the lines of the record
+  std::size_t at_ = 0;  // the first word of the record
+};
+
+// Reads the counts, vertices and faces behind "OFF BINARY", 4 bytes a number,
+// the highest first (geomview.org/docs/html/OFF.html).
+class OffBinary {
+ public:
+  OffBinary(const std::string& path,
+            const OffHeader& header,
+            TextCursor* cursor)
+      : path_(path), header_(header), cursor_(*cursor) {}
+
+  void Read(SoupBuilder* builder) {
+    const std::int64_t vertices = Count("numbers of vertices and faces");
+    const std::int64_t faces = Count("numbers of vertices and faces");
+    Count("number of edges");
+    const std::int64_t numbers = NumbersOfVertex(header_, 4);
+    for (std::int64_t i = 0; i < vertices; ++i) {
+      const char* const bytes = Take(numbers, "vertices");
+      Eigen::Vector3d point;
+      for (int k = 0; k < 3; ++k) {
+        point[k] = LoadAs<float>(bytes + kNumber * k, ByteOrder::kBig);
+      }
+      builder->AddPoint(point);
+    }
+    std::vector<std::int64_t> corners;
+    for (std::int64_t i = 0; i < faces; ++i) {
+      const std::int64_t size = Count("faces");
+      const char* const bytes = Take(size, "faces");
+      corners.clear();
+      for (std::int64_t k = 0; k < size; ++k) {
+        corners.push_back(
+            LoadAs<std::int32_t>(bytes + kNumber * k, ByteOrder::kBig));
+      }
+      builder->AddPolygon(corners);
+      Take(Count("colours of faces"), "colours of faces");
+    }
+    std::string_view word;  // blanks at the end do no harm
+    if (cursor_.NextWord(&word)) ThrowMoreThanPromised(cursor_.Where());
+  }
+
+ private:
+  static constexpr int kNumber = 4;  // bytes
+
+  const char* Take(std::int64_t numbers, const char* what) {
+    const std::size_t bytes = static_cast<std::size_t>(numbers) * kNumber;
+    if (bytes <= cursor_.bytes_left()) return cursor_.TakeBytes(bytes).data();
+    throw InputError(path_,
+                     "is truncated: the file ends in its " + std::string(what),
+                     kCopyAgain);
+  }
+
+  std::int64_t Count(const char* what) {
+    const auto count = LoadAs<std::int32_t>(Take(1, what), ByteOrder::kBig);
+    if (count >= 0) return count;
+    throw InputError(cursor_.Where(),
+                     "the count " + std::to_string(count) + " stands in its " +
+                         what + "; allowed: 0 or more",
+                     kExportAgain);
+  }
+
+  const std::string& path_;
+  const OffHeader& header_;
+  TextCursor& cursor_;
+};
 
 }  // namespace
 
 TriangleSoup ReadOff(const std::string& path, std::string_view bytes) {
   TextCursor cursor(path, bytes, '#');
-  const Counts counts = ReadHeader(path, &cursor);
+  const OffHeader header = ReadOffHeader(path, &cursor);
   SoupBuilder builder(path);
-  Words words;
-  for (std::int64_t i = 0; i < counts.vertices; ++i) {
-    NextItem(path, "vertices", i, counts.vertices, &cursor, &words);
-    AddOffVertex(cursor, words, &builder);
-  }
-  for (std::int64_t i = 0; i < counts.faces; ++i) {
-    NextItem(path, "faces", i, counts.faces, &cursor, &words);
-    AddFace(cursor, words, &builder);
-  }
-  if (cursor.NextWords(&words)) {
-    throw InputError(cursor.Where(),
-                     "data follow the last face, the header promises less than "
-                     "the file holds",
-                     kCopyAgain);
+  if (header.is_binary) {
+    OffBinary(path, header, &cursor).Read(&builder);
+  } else {
+    OffText(path, header, &cursor).Read(&builder);
   }
   return builder.Build();
 }

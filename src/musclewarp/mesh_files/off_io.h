@@ -9,11 +9,11 @@
 
 namespace musclewarp {
 
-// Reads an ASCII OFF file (the object file format of Geomview). `bytes` is the
-// whole file, `path` is used in messages only; see mesh_io.h for what all
-// readers promise and throw. Each vertex and each face must have a line of its
-// own; what follows the coordinates or the corners on that line (normals,
-// colours, texture coordinates) is skipped.
+// Reads an OFF file (the object file format of Geomview), ASCII or binary.
+// `bytes` is the whole file, `path` is used in messages only; see mesh_io.h for
+// what all readers promise and throw. Normals, colours and texture coordinates
+// are skipped. A vertex or a face has a line of its own, goes on on the next
+// one, or shares it with others (OffLayout).
 TriangleSoup ReadOff(const std::string& path, std::string_view bytes);
 
 // Returns the text of an OFF file. Coordinates have 17 digits, from which the

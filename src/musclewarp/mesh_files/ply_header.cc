@@ -80,7 +80,7 @@ void AddProperty(const TextCursor& cursor,
                  PlyHeader* header) {
   PlyProperty property;
   property.is_list = words[1] == "list";
-  if (header->elements.empty() || (property.is_list && words.size() != 5)) {
+  if (header->elements.empty() || (property.is_list && words.size() < 5)) {
     throw InputError(cursor.Where(),
                      header->elements.empty()
                          ? "a property stands before the first element"
@@ -96,9 +96,21 @@ void AddProperty(const TextCursor& cursor,
                        kExportAgain);
     }
   }
-  property.type = PlyTypeFromName(cursor, words[words.size() - 2]);
-  property.name = words.back();
+  const std::size_t type = property.is_list ? 3 : 1;
+  property.type = PlyTypeFromName(cursor, words[type]);
+  property.name = words[type + 1];
   header->elements.back().properties.push_back(property);
+}
+
+[[noreturn]] void ThrowNoHeaderLine(const std::string& where,
+                                    std::string_view keyword) {
+  throw InputError(
+      where, Quoted(keyword) + " is not a line of a PLY header", kExportAgain);
+}
+
+bool IsHeaderKeyword(std::string_view word) {
+  return word == "format" || word == "element" || word == "property" ||
+         word == "end_header";
 }
 
 }  // namespace
@@ -115,21 +127,29 @@ PlyHeader ReadPlyHeader(const std::string& path, TextCursor* cursor) {
                      "name the file by what it holds");
   }
   bool has_format = false;
+  // A line of another kind is skipped as other readers do, unless properties
+  // follow: then it is an element that lost its keyword.
+  std::string unknown, unknown_where;
   while (cursor->NextWords(&words)) {
     const std::string_view keyword = words[0];
     if (keyword == "comment" || keyword == "obj_info") continue;
+    if (keyword == "property" && !unknown.empty()) {
+      ThrowNoHeaderLine(unknown_where, unknown);
+    }
+    unknown.clear();
     if (keyword == "end_header" && has_format) return header;
     if (keyword == "format" && words.size() >= 2) {
       header.format = FormatFromName(*cursor, words[1]);
       has_format = true;
-    } else if (keyword == "element" && words.size() == 3) {
+    } else if (keyword == "element" && words.size() >= 3) {
       AddElement(*cursor, words, &header);
     } else if (keyword == "property" && words.size() >= 3) {
       AddProperty(*cursor, words, &header);
+    } else if (IsHeaderKeyword(keyword)) {
+      ThrowNoHeaderLine(cursor->Where(), keyword);
     } else {
-      throw InputError(cursor->Where(),
-                       Quoted(keyword) + " is not a line of a PLY header",
-                       kExportAgain);
+      unknown = keyword;
+      unknown_where = cursor->Where();
     }
   }
   throw InputError(path,

@@ -45,7 +45,8 @@ struct PlyHeader {
 
 // Reads the header and leaves the cursor behind the line "end_header". Throws
 // InputError if the text does not start with a PLY header, or if the header is
-// cut off, declares an element twice, or has an unknown format or type.
+// cut off, declares an element twice, or has an unknown format or type. Lines
+// of unknown kinds are skipped, unless properties follow.
 PlyHeader ReadPlyHeader(const std::string& path, TextCursor* cursor);
 
 }  // namespace musclewarp

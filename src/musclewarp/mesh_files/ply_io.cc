@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/mesh_files/ply_io.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -83,9 +84,13 @@ class BinaryBody : public PlyBody {
   ByteOrder order_;
 };
 
+// Each item has a line of its own. Where there are more or fewer lines than
+// items, numbers are read without regard to lines, as other readers do.
 class AsciiBody : public PlyBody {
  public:
-  using PlyBody::PlyBody;
+  AsciiBody(std::string path, const PlyHeader& header, TextCursor* cursor)
+      : PlyBody(std::move(path), cursor),
+        has_lines_(NumItems(header) == NumLines(*cursor)) {}
 
   double Real(ScalarType) override {
     return cursor().Real(Take(), "a coordinate");
@@ -95,13 +100,16 @@ class AsciiBody : public PlyBody {
   }
   void Skip(ScalarType) override { Take(); }
   void EndItem() override {
-    if (next_ < words_.size()) ThrowCount("more");
+    if (has_lines_ && next_ < words_.size()) ThrowCount("more");
   }
   std::size_t line() const override { return cursor().line(); }
-  bool AtEnd() override { return !cursor().NextWords(&words_); }
+  bool AtEnd() override {
+    return next_ == words_.size() && !cursor().NextWords(&words_);
+  }
 
  protected:
   void DoBeginItem() override {
+    if (!has_lines_ && next_ < words_.size()) return;
     next_ = 0;
     if (!cursor().NextWords(&words_)) ThrowTruncated();
   }
@@ -109,8 +117,9 @@ class AsciiBody : public PlyBody {
  private:
   std::string_view Take() {
     if (next_ == words_.size()) {
-      if (cursor().bytes_left() == 0) ThrowTruncated();
-      ThrowCount("fewer");
+      if (has_lines_ && cursor().bytes_left() > 0) ThrowCount("fewer");
+      next_ = 0;
+      if (has_lines_ || !cursor().NextWords(&words_)) ThrowTruncated();
     }
     return words_[next_++];
   }
@@ -123,20 +132,37 @@ class AsciiBody : public PlyBody {
                      kExportAgain);
   }
 
-  std::vector<std::string_view> words_;
+  // Items of elements without properties have no lines.
+  static double NumItems(const PlyHeader& header) {
+    double items = 0;  // whatever the header promises
+    for (const PlyElement& element : header.elements) {
+      if (!element.properties.empty()) items += element.count;
+    }
+    return items;
+  }
+  static double NumLines(TextCursor cursor) {
+    Words words;
+    double lines = 0;
+    while (cursor.NextWords(&words)) ++lines;
+    return lines;
+  }
+
+  bool has_lines_;
+  Words words_;
   std::size_t next_ = 0;
 };
 
 std::unique_ptr<PlyBody> MakeBody(const std::string& path,
-                                  PlyFormat format,
+                                  const PlyHeader& header,
                                   TextCursor* cursor) {
-  if (format == PlyFormat::kAscii) {
-    return std::make_unique<AsciiBody>(path, cursor);
+  if (header.format == PlyFormat::kAscii) {
+    return std::make_unique<AsciiBody>(path, header, cursor);
   }
-  return std::make_unique<BinaryBody>(
-      path,
-      cursor,
-      format == PlyFormat::kBinaryBig ? ByteOrder::kBig : ByteOrder::kLittle);
+  return std::make_unique<BinaryBody>(path,
+                                      cursor,
+                                      header.format == PlyFormat::kBinaryBig
+                                          ? ByteOrder::kBig
+                                          : ByteOrder::kLittle);
 }
 
 std::int64_t ListLength(const std::string& path,
@@ -205,8 +231,31 @@ bool IsCornerList(const PlyProperty& property) {
          (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
+// Adds the faces of an element, each item of which has the corners of one.
+void AddPlyFace(const std::vector<std::int64_t>& corners,
+                std::size_t line,
+                SoupBuilder* builder) {
+  builder->AddPolygon(corners, line);
+}
+
+// The same for an element whose items have strips of triangles, with -1 behind
+// each but the last. A strip of fewer corners has no triangle.
+void AddPlyStrips(const std::vector<std::int64_t>& corners,
+                  std::size_t line,
+                  SoupBuilder* builder) {
+  auto begin = corners.begin();
+  while (begin != corners.end()) {
+    const auto end = std::find(begin, corners.end(), -1);
+    if (end - begin >= 3) builder->AddStrip({begin, end}, line);
+    begin = end == corners.end() ? end : end + 1;
+  }
+}
+
+// Reads the lists of corners of an element, and gives each to `add`.
+template <typename Add>
 void ReadFaces(const std::string& path,
                const PlyElement& element,
+               const Add& add,
                PlyBody* body,
                SoupBuilder* builder) {
   std::size_t corner_list = 0;
@@ -233,7 +282,7 @@ void ReadFaces(const std::string& path,
       }
     }
     body->EndItem();
-    builder->AddPolygon(corners, body->line());
+    add(corners, body->line(), builder);
   }
 }
 
@@ -255,13 +304,15 @@ void SkipElement(const std::string& path,
 TriangleSoup ReadPly(const std::string& path, std::string_view bytes) {
   TextCursor cursor(path, bytes);
   const PlyHeader header = ReadPlyHeader(path, &cursor);
-  const auto body = MakeBody(path, header.format, &cursor);
+  const auto body = MakeBody(path, header, &cursor);
   SoupBuilder builder(path);
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex") {
       ReadVertices(path, element, body.get(), &builder);
     } else if (element.name == "face") {
-      ReadFaces(path, element, body.get(), &builder);
+      ReadFaces(path, element, AddPlyFace, body.get(), &builder);
+    } else if (element.name == "tristrips") {
+      ReadFaces(path, element, AddPlyStrips, body.get(), &builder);
     } else {
       SkipElement(path, element, body.get());
     }

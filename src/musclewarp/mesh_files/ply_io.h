@@ -13,7 +13,8 @@ namespace musclewarp {
 // file, `path` is used in messages only; see mesh_io.h for what all readers
 // promise and throw. The points are the properties x, y, z of the element
 // "vertex", the faces the list vertex_indices (or vertex_index) of the element
-// "face"; all other properties and elements are skipped.
+// "face", and the strips of triangles that of "tristrips"; all other properties
+// and elements are skipped.
 //
 // This reader, like those of the other formats, exists because the ready-made
 // ones are not strict enough: those of CGAL 5.5 allocate whatever the header

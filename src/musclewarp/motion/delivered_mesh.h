@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
 
 // Return the mesh of a muscle or bone as it was delivered, in memory or in a
-// file, in the rest pose and in mm. Throw InputError if the file cannot be
-// read.
-TriangleSoup DeliveredMesh(const SceneMuscle& muscle);
-TriangleSoup DeliveredMesh(const SceneBone& bone);
+// file, in the rest pose and in mm. What the user has to know of how the file
+// was read is appended to `notes`. Throw InputError if the file cannot be read.
+TriangleSoup DeliveredMesh(const SceneMuscle& muscle,
+                           std::vector<std::string>* notes);
+TriangleSoup DeliveredMesh(const SceneBone& bone,
+                           std::vector<std::string>* notes);
 
 }  // namespace musclewarp

@@ -112,8 +112,9 @@ void PrepareModel(const Surroundings& surroundings,
 // Reads and repairs the mesh of a bone.
 PreparedBone RepairBone(const PrepareOptions& options, const SceneBone& bone) {
   PreparedBone prepared;
-  prepared.rest = Repaired(
-      DeliveredMesh(bone), bone.name, bone.mesh_path, options, &prepared.mesh);
+  const TriangleSoup delivered = DeliveredMesh(bone, &prepared.mesh.notes);
+  prepared.rest =
+      Repaired(delivered, bone.name, bone.mesh_path, options, &prepared.mesh);
   prepared.body = bone.body;
   return prepared;
 }
@@ -124,7 +125,7 @@ TriangleSoup RepairMuscle(const PrepareOptions& options,
                           PreparedMuscle* prepared) {
   const std::string& where =
       muscle.mesh_path.empty() ? muscle.name : muscle.mesh_path;
-  const TriangleSoup delivered = DeliveredMesh(muscle);
+  const TriangleSoup delivered = DeliveredMesh(muscle, &prepared->mesh.notes);
   CheckCoordinates(where, delivered.points);
   // Before the repair, whose tolerances are those of a muscle.
   CheckMuscleSize(where,
@@ -231,13 +232,14 @@ void CheckBones(PreparedScene* prepared) {
 // Adds what was found while preparing to the warnings of the scene.
 void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
   std::vector<std::string>& warnings = prepared->warnings;
-  warnings.insert(warnings.end(),
-                  prepared->scene.warnings.begin(),
-                  prepared->scene.warnings.end());
+  const auto add = [&](const std::vector<std::string>& more) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  };
+  add(prepared->scene.warnings);
+  for (const PreparedBone& bone : prepared->bones) add(bone.mesh.notes);
   for (const PreparedMuscle& muscle : prepared->muscles) {
-    warnings.insert(warnings.end(),
-                    muscle.attachment_warnings.begin(),
-                    muscle.attachment_warnings.end());
+    add(muscle.mesh.notes);
+    add(muscle.attachment_warnings);
     if (muscle.fibres.num_lines() >= options.fibres.fibres) continue;
     warnings.push_back(muscle.model.name + " has room for " +
                        std::to_string(muscle.fibres.num_lines()) +
@@ -250,18 +252,10 @@ void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
   for (size_t i = 0; i < prepared->muscles.size(); ++i) {
     const MuscleModel& model = prepared->muscles[i].model;
     sizes.push_back({model.name, BoundingBoxDiagonal(model.fine_rest)});
-    for (const std::string& warning :
-         FarLineWarnings(prepared->scene.muscles[i], model.fine_rest)) {
-      warnings.push_back(warning);
-    }
+    add(FarLineWarnings(prepared->scene.muscles[i], model.fine_rest));
   }
-  for (const std::string& warning : FoldedLineWarnings(prepared->scene)) {
-    warnings.push_back(warning);
-  }
-  for (const std::string& warning :
-       ScaleWarnings(sizes, options.scale_warning_ratio)) {
-    warnings.push_back(warning);
-  }
+  add(FoldedLineWarnings(prepared->scene));
+  add(ScaleWarnings(sizes, options.scale_warning_ratio));
 }
 
 }  // namespace

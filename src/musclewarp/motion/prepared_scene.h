@@ -91,6 +91,10 @@ struct MeshPreparation {
   // mm^3: of the mesh after repair, before anything else was done to it, or
   // what the scene says (SceneMuscle::delivered_volume).
   double delivered_volume = 0;
+
+  // What the user has to know of how the file was read; among the warnings of
+  // the scene.
+  std::vector<std::string> notes;
 };
 
 // A muscle with everything that does not change with the pose.
