@@ -77,7 +77,8 @@ PostureOptions PostureOptionsFromFlags() {
           FLAGS_frame,
           FLAGS_muscle,
           FLAGS_out,
-          FLAGS_posture_spacing};
+          FLAGS_posture_spacing,
+          SceneOptionsFromFlags().deformer.prepare.repair};
 }
 
 // Throws InputError for flags that mean nothing without --posture.

@@ -37,6 +37,11 @@ DEFINE_double(max_loss,
               0.06,
               "share of the volume of a mesh or label, as it was delivered, "
               "that may be lost; with more the exit code is 1");
+DEFINE_double(max_hole,
+              musclewarp::HoleLimits().max_perimeter,
+              "holes whose border is at most this long are filled when a mesh "
+              "file is repaired, mm; slits and missing faces are whatever "
+              "their length");
 DEFINE_double(gap,
               0.1,
               "distance that is kept between meshes, mm; at most 0.5");
@@ -75,6 +80,7 @@ int main(int argc, char** argv) {
         options.edge = FLAGS_edge;
         options.pieces = musclewarp::ParsePieces(FLAGS_pieces);
         options.max_loss = FLAGS_max_loss;
+        options.max_hole = FLAGS_max_hole;
         options.gap = FLAGS_gap;
         options.remake = musclewarp::ParseRemake(FLAGS_remake);
         options.formats = musclewarp::ParseFormats(FLAGS_format);

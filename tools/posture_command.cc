@@ -15,6 +15,7 @@
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_repair/repair.h"
 #include "musclewarp/page/run_files.h"
+#include "tools/option_flags.h"
 #include "tools/output_folder.h"
 #ifdef MUSCLEWARP_WITH_VTK
 #include "musclewarp/mesh_files/vtp_writer.h"
@@ -56,6 +57,9 @@ void CheckOptions(const PostureOptions& options) {
         "is " + std::to_string(options.spacing) + ", allowed: 0 or above",
         "leave it out for the diagonal over 300");
   }
+  DeformOptions repair;
+  repair.deformer.prepare.repair = options.repair;
+  CheckValid(repair);
 }
 
 // Returns the file of the mesh that is compared with the posture.
@@ -81,8 +85,8 @@ std::string ComparedFile(const PostureOptions& options) {
                    "its meshes: " + names);
 }
 
-TriangleSoup ReadClosed(const std::string& file) {
-  return RepairMesh(ReadTriangleSoup(file), file, RepairOptions(), nullptr);
+TriangleSoup ReadClosed(const std::string& file, const RepairOptions& options) {
+  return RepairMesh(ReadTriangleSoup(file), file, options, nullptr);
 }
 
 // Throws InputError if the samples asked for are too many to be held.
@@ -198,8 +202,8 @@ int PostureCommand(const PostureOptions& options, std::ostream& screen) {
   CheckOptions(options);
   if (!options.out.empty()) CheckWritable(options.out);
   const std::string file = ComparedFile(options);
-  const TriangleSoup muscle = ReadClosed(file);
-  const TriangleSoup posture = ReadClosed(options.posture);
+  const TriangleSoup muscle = ReadClosed(file, options.repair);
+  const TriangleSoup posture = ReadClosed(options.posture, options.repair);
   CheckSpacing(file, muscle, options.spacing);
   CheckSpacing(options.posture, posture, options.spacing);
   SurfaceComparisonOptions comparison;

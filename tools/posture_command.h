@@ -5,6 +5,8 @@
 #include <ostream>
 #include <string>
 
+#include "musclewarp/mesh_repair/repair.h"
+
 namespace musclewarp {
 
 struct PostureOptions {
@@ -20,6 +22,7 @@ struct PostureOptions {
 
   std::string out;  // folder for posture.json and the coloured mesh, or empty
   double spacing = 0;  // SurfaceComparisonOptions::spacing, mm
+  RepairOptions repair = {};
 };
 
 // Compares a muscle in a frame with a mesh of the same muscle that was

@@ -358,6 +358,7 @@ class SeparateRun {
 DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
   DeformerOptions deformer;
   deformer.frames.contact = ContactKind::kCertified;
+  deformer.prepare.repair.holes.max_perimeter = options.max_hole;
   SetGap(options.gap, &deformer.frames.certified);
   // No mesh has to follow a line. Without the coarse solve only what is around
   // an overlap moves (docs/results.md has the figures).

@@ -29,6 +29,9 @@ struct SeparateOptions {
   double edge = 0;
   PieceChoice pieces = PieceChoice::kLargest;
 
+  // The longest border of a hole that is filled whatever its shape, mm.
+  double max_hole = HoleLimits().max_perimeter;
+
   double gap = 0.1;  // mm, that meshes keep at least
 
   // What happens to meshes that cannot be separated by moving their vertices.

@@ -319,6 +319,9 @@ class Model:
     def body_frames(
             self, coordinates: Mapping[str, float]
     ) -> Dict[str, NDArray[np.float64]]: ...
+    def path_points(
+            self, muscle: str, coordinates: Mapping[str, float]
+    ) -> NDArray[np.float64]: ...
     def path_length(self, muscle: str,
                     coordinates: Mapping[str, float]) -> float: ...
     def moment_arm(self, muscle: str, coordinate: str,

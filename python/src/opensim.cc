@@ -79,6 +79,14 @@ const ModelMuscle& SupportedMuscle(const Model& model,
   return model.muscles[m];
 }
 
+py::array PointsOfPath(const Model& model,
+                       const std::string& muscle,
+                       const Coordinates& given) {
+  const ModelMuscle& path = SupportedMuscle(model, muscle);
+  const CoordinateValues values = ValuesOf(model, given);
+  return CopyOf(PathPoints(path, BodyFrames(model, values), values));
+}
+
 double LengthOfPath(const Model& model,
                     const std::string& muscle,
                     const Coordinates& given) {
@@ -209,6 +217,12 @@ Attributes:
            &FramesOfBodies,
            py::arg("coordinates"),
            "Returns ground_from_body (4, 4), mm, of every body by name.")
+      .def("path_points",
+           &PointsOfPath,
+           py::arg("muscle"),
+           py::arg("coordinates"),
+           "Returns the active points of a path in the ground frame (p, 3), "
+           "mm.")
       .def("path_length",
            &LengthOfPath,
            py::arg("muscle"),

@@ -45,6 +45,13 @@ def test_moment_arms_are_minus_the_slope_of_lengths(model):
     assert arm == pytest.approx(-slope, abs=1e-5)
 
 
+def test_path_points_are_those_of_the_length(model):
+    muscle, pose = model.muscles[0], {"hip_flexion_r": 0.3}
+    points = model.path_points(muscle, pose)
+    sides = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    assert sides.sum() == pytest.approx(model.path_length(muscle, pose))
+
+
 def test_motions_are_in_radians(model):
     table = mw.read_table(MOT)
     rows = model.read_motion(MOT)

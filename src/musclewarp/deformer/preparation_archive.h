@@ -111,7 +111,8 @@ MUSCLEWARP_ARCHIVE(MeshDefects,
 MUSCLEWARP_ARCHIVE(PointMerges, merged, longest)
 MUSCLEWARP_ARCHIVE(Separation, edges, copies)
 MUSCLEWARP_ARCHIVE(Stitches, merged_points, inserted_points, longest)
-MUSCLEWARP_ARCHIVE(Fillings, holes, triangles, points, area, longest)
+MUSCLEWARP_ARCHIVE(
+    Fillings, holes, missing_faces, triangles, points, area, longest)
 MUSCLEWARP_ARCHIVE(Pulls, points, longest)
 MUSCLEWARP_ARCHIVE(RepairReport,
                    point_merges,

@@ -220,6 +220,7 @@ bool HoleLimits::IsValid(std::string* error) const {
   };
   if (!(max_perimeter >= 0)) return fail("max_perimeter", max_perimeter);
   if (!(max_slit_ratio >= 0)) return fail("max_slit_ratio", max_slit_ratio);
+  if (face_edges < 0) return fail("face_edges", face_edges);
   if (max_edges < 0) return fail("max_edges", max_edges);
   return true;
 }
@@ -237,14 +238,17 @@ Fillings FillHoles(const HoleLimits& limits, TriangleSoup* soup) {
     const Triangles patch = FillLoop(loop, edges, &soup->points);
     const double length = LoopLength(loop, soup->points);
     const double area = SurfaceArea(soup->points, patch);
-    if (length > limits.max_perimeter &&
-        area > limits.max_slit_ratio * length * length) {
+    const bool is_small = length <= limits.max_perimeter ||
+                          area <= limits.max_slit_ratio * length * length;
+    const bool is_face = static_cast<int>(loop.size()) <= limits.face_edges;
+    if (!is_small && !is_face) {
       soup->points.conservativeResize(old_points, 3);
       continue;
     }
     Append(patch, &soup->triangles);
     edges.merge(AllEdges(patch));
     ++fillings.holes;
+    fillings.missing_faces += !is_small;
     fillings.triangles += static_cast<int>(patch.rows());
     fillings.points += static_cast<int>(soup->points.rows()) - old_points;
     fillings.area += area;

@@ -23,14 +23,16 @@ std::vector<BorderLoop> FindBorderLoops(const Triangles& triangles);
 double LoopLength(const BorderLoop& loop, const Points& points);
 
 // Which holes may be filled. A filling invents surface, so a hole must either
-// be small, or so narrow that hardly any surface is missing. With the length P
-// of the border and the area A of the filling, a hole is filled if it has at
-// most `max_edges` edges and
+// be small, or so narrow that hardly any surface is missing, or a face that got
+// lost. With the length P of the border and the area A of the filling, a hole
+// is filled if it has at most `max_edges` edges and
 //
-//   P <= max_perimeter   or   A <= max_slit_ratio P^2.
+//   P <= max_perimeter   or   A <= max_slit_ratio P^2,
 //
-// The second alternative means that a slit is filled however long it is: the
-// two sides of a crack that was too wide to be stitched, for example.
+// or if it has at most `face_edges` edges. The second alternative means that a
+// slit is filled however long it is: the two sides of a crack that was too wide
+// to be stitched, for example. The third is for meshes with large triangles,
+// such as the bones that come with OpenSim.
 struct HoleLimits {
   // The longest border of a hole that is filled whatever its shape, mm.
   double max_perimeter = 30;
@@ -38,6 +40,10 @@ struct HoleLimits {
   // The largest A / P^2 of a slit. The ratio is 0.08 for a circle, 0.06 for a
   // square, and 0.006 for a slit 40 times as long as wide.
   double max_slit_ratio = 0.006;
+
+  // A hole with at most so many edges is a triangle or quadrilateral that is
+  // missing. It is filled whatever its size.
+  int face_edges = 4;
 
   // A hole with more edges stays open, because the work of filling it grows
   // with the cube of their number.
@@ -51,6 +57,8 @@ struct HoleLimits {
 // What FillHoles has done.
 struct Fillings {
   int holes = 0;
+  // The holes among them that are filled only because they are missing faces.
+  int missing_faces = 0;
   // Added triangles, and points added in the middle of chords.
   int triangles = 0;
   int points = 0;

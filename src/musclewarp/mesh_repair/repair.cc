@@ -111,7 +111,8 @@ void CheckClosed(const TriangleSoup& soup,
   if (loops.size() > 1) problem << " and " << loops.size() - 1 << " smaller";
   problem << "; allowed: holes of up to " << limits.max_perimeter
           << " mm or narrow slits of any length, with up to "
-          << limits.max_edges << " edges";
+          << limits.max_edges << " edges, and any of up to "
+          << limits.face_edges << " edges";
   throw InputError(name,
                    problem.str(),
                    "close the surface, or allow longer holes (--max_hole)");

@@ -173,6 +173,22 @@ bool IsActive(const PathPoint& point, const CoordinateValues& values) {
          value <= point.range[1] + kRangeSlack;
 }
 
+Points PathPoints(const ModelMuscle& muscle,
+                  const std::vector<Eigen::Matrix4d>& body_frames,
+                  const CoordinateValues& values) {
+  Points path(muscle.path.size(), 3);
+  Eigen::Index count = 0;
+  for (const PathPoint& point : muscle.path) {
+    if (!IsActive(point, values)) continue;
+    path.row(count++) =
+        (body_frames[point.body] * LocationOnBody(point, values).homogeneous())
+            .head<3>()
+            .transpose();
+  }
+  path.conservativeResize(count, 3);
+  return path;
+}
+
 double PathLength(const ModelMuscle& muscle,
                   const std::vector<Eigen::Matrix4d>& body_frames,
                   const CoordinateValues& values) {
@@ -183,17 +199,10 @@ double PathLength(const ModelMuscle& muscle,
     }
     return kMillimetresPerMetre * muscle.length_function->Value(arguments);
   }
+  const Points path = PathPoints(muscle, body_frames, values);
   double length = 0;
-  Eigen::Vector3d last;
-  bool has_last = false;
-  for (const PathPoint& point : muscle.path) {
-    if (!IsActive(point, values)) continue;
-    const Eigen::Vector3d here =
-        (body_frames[point.body] * LocationOnBody(point, values).homogeneous())
-            .head<3>();
-    if (has_last) length += (here - last).norm();
-    last = here;
-    has_last = true;
+  for (Eigen::Index i = 0; i + 1 < path.rows(); ++i) {
+    length += (path.row(i + 1) - path.row(i)).norm();
   }
   return length;
 }

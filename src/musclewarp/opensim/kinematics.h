@@ -54,6 +54,12 @@ Eigen::Vector3d LocationOnBody(const PathPoint& point,
 // conditional points are only for a range of a coordinate.
 bool IsActive(const PathPoint& point, const CoordinateValues& values);
 
+// Returns the active points of a path in the ground frame, #points x 3, mm.
+// `body_frames` is the result of BodyFrames for the same values.
+Points PathPoints(const ModelMuscle& muscle,
+                  const std::vector<Eigen::Matrix4d>& body_frames,
+                  const CoordinateValues& values);
+
 // Returns the length (mm) of the polyline through the active points of a path,
 // or the value of its length function if it has one.
 // Wrapping surfaces are ignored. `body_frames` is the result of BodyFrames for

@@ -127,6 +127,7 @@ nlohmann::ordered_json RepairsJson(const MeshPreparation& mesh) {
            repairs.stitches.merged_points + repairs.stitches.inserted_points},
           {"longest_stitch_mm", repairs.stitches.longest},
           {"holes_filled", repairs.fillings.holes},
+          {"missing_faces_filled", repairs.fillings.missing_faces},
           {"filled_area_mm2", repairs.fillings.area},
           {"longest_hole_mm", repairs.fillings.longest},
           {"dropped_components", repairs.dropped_components},

@@ -45,9 +45,15 @@ std::vector<std::string> Shortcomings(const RunRecord& run) {
   return lines;
 }
 
+std::string Counted(int count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 // Returns what was done to a mesh, for the end of its line.
 std::string Treatment(const MeshPreparation& mesh) {
   std::string text = mesh.repairs.AnythingDone() ? ", repaired" : "";
+  const int faces = mesh.repairs.fillings.missing_faces;
+  if (faces > 0) text += ", " + Counted(faces, "missing face") + " filled";
   const SelfCrossingRemoval& crossings = mesh.self_crossings;
   const int removed = crossings.pairs_before - crossings.pairs_after;
   if (removed > 0) {
