@@ -11,7 +11,7 @@ namespace musclewarp {
 
 TEST(LabelImageFile, IsKnownByItsName) {
   for (const char* name :
-       {"a.nii", "b/a.NII.GZ", "a.seg.nrrd", "a.mha", "a.MHD"}) {
+       {"a.nii", "b/a.NII.GZ", "a.seg.nrrd", "a.nhdr", "a.mha", "a.MHD"}) {
     EXPECT_TRUE(IsLabelImageFile(name)) << name;
   }
   for (const char* name : {"a.ply", "nii", ".nrrd", "a.gz", "a.nrrd.ply", ""}) {

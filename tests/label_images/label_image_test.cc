@@ -200,6 +200,28 @@ TEST(LabelImage, NrrdMayBeNarrow) {
   }
 }
 
+// The image as 3D Slicer writes it, with an axis of one voxel, and with its
+// data in a file of their own.
+TEST(LabelImage, NrrdMayHaveAnAxisMoreAndDataInAnotherFile) {
+  const std::string dir = TestTempDir();
+  const MadeImage image = ManyLabels({12, 5, 4});
+  std::string bytes = NrrdBytes(image);
+  const auto replace = [&](const std::string& text, const std::string& by) {
+    bytes.replace(bytes.find(text), text.size(), by);
+  };
+  replace("dimension: 3", "dimension: 4");
+  replace("sizes:", "sizes: 1");
+  replace("directions:", "directions: none");
+  replace("kinds:", "kinds: list");
+  WriteTextAtomically(dir + "/a.seg.nrrd", bytes);
+  ExpectImage(dir + "/a.seg.nrrd", image);
+  const std::size_t data = bytes.size() - image.labels.size();
+  WriteTextAtomically(dir + "/a.raw", bytes.substr(data));
+  WriteTextAtomically(dir + "/a.nhdr",
+                      bytes.substr(0, data - 1) + "data file: a.raw\n");
+  ExpectImage(dir + "/a.nhdr", image);
+}
+
 TEST(LabelImage, NrrdWithoutASpaceIsTakenAsItIs) {
   const std::string path = TestTempDir() + "/a.nrrd";
   WriteTextAtomically(path, NrrdBytes(ManyLabels({12, 5, 4}), ""));

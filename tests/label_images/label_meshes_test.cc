@@ -145,7 +145,7 @@ TEST(LabelMeshes, TheTableNamesAndSelects) {
   EXPECT_TRUE(meshes.meshes[1].is_bone);
   ASSERT_EQ(meshes.notes.size(), 3u);
   EXPECT_THAT(meshes.notes[0], HasSubstr("label 9 (tibia)"));
-  EXPECT_THAT(meshes.notes[0], HasSubstr("is not in the image"));
+  EXPECT_THAT(meshes.notes[0], HasSubstr("not in the image"));
   EXPECT_THAT(meshes.notes[1], HasSubstr("are left out: 2"));
 }
 
@@ -153,12 +153,14 @@ TEST(LabelMeshes, SegmentsOfSlicerBringTheirNames) {
   const std::string dir = TestTempDir();
   std::string bytes = NrrdBytes(WithShapes());
   bytes.insert(bytes.find("kinds:"),
-               "Segment0_LabelValue:=2\nSegment0_Name:=iliacus\n");
+               "Segment0_LabelValue:=2\nSegment0_Name:=iliacus\n"
+               "Segment1_LabelValue:=8\nSegment1_Name:=psoas\n");
   WriteTextAtomically(dir + "/a.seg.nrrd", bytes);
   const LabelMeshes meshes = ReadLabelMeshes(dir + "/a.seg.nrrd", {});
   ASSERT_EQ(meshes.meshes.size(), 3u);
   EXPECT_EQ(meshes.meshes[0].name, "label_1");
   EXPECT_EQ(meshes.meshes[1].name, "iliacus");
+  EXPECT_THAT(meshes.notes[0], HasSubstr("without voxels: segment 8 (psoas)"));
 }
 
 TEST(LabelMeshes, TheEdgeLengthSetsTheNumberOfTriangles) {
@@ -181,7 +183,39 @@ TEST(LabelMeshes, RefusesImagesAndTablesThatDoNotFit) {
   MadeImage crumb = TouchingLabels();
   crumb.labels[5000] = 4;
   ExpectInputError([&] { ReadLabelMeshes(WriteImage(dir, crumb), {}); },
-                   {"image.nrrd: label 4 (label_4): has 1 voxels"});
+                   {"image.nrrd: label 4 (label_4) has 1 voxels",
+                    "allowed: at least 64",
+                    "--labels=TABLE"});
+}
+
+TEST(LabelMeshes, AllTinyLabelsAreNamedAtOnce) {
+  const std::string dir = TestTempDir();
+  MadeImage crumbs = WithShapes();
+  for (int label = 11; label < 14; ++label) {
+    for (int i = 0; i < label; ++i) crumbs.labels[30 * label + i] = label;
+  }
+  const std::string path = WriteImage(dir, crumbs);
+  ExpectInputError([&] { ReadLabelMeshes(path, {}); },
+                   {"image.nrrd: 3 labels: 11 (label_11), 12 (label_12), 13 "
+                    "(label_13)",
+                    "none has more than 13 voxels",
+                    "--labels=TABLE"});
+  // What it says to do.
+  LabelMeshOptions options;
+  options.table = dir + "/table.csv";
+  WriteTextAtomically(options.table, "1,a\n2,b\n5,c\n");
+  EXPECT_EQ(ReadLabelMeshes(path, options).meshes.size(), 3u);
+}
+
+TEST(LabelMeshes, NamesThatAreNotInTheImageAreOneLine) {
+  std::string table = "1,psoas\n2,iliacus\n5,femur\n";
+  for (int label = 100; label < 400; ++label) {
+    table += std::to_string(label) + ",muscle_" + std::to_string(label) + "\n";
+  }
+  const LabelMeshes meshes = MeshesBy(table);
+  ASSERT_EQ(meshes.notes.size(), 2u);  // the other is of the crumb
+  EXPECT_THAT(meshes.notes[0], HasSubstr("300 labels: 100 (muscle_100), 101"));
+  EXPECT_THAT(meshes.notes[0], HasSubstr("(muscle_107) and 292 more"));
 }
 
 TEST(LabelMeshes, AnImageWithAThousandValuesIsNoLabelMap) {

@@ -10,7 +10,6 @@
 #include <vtkNIFTIImageHeader.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
-#include <vtkNrrdReader.h>
 #include <vtkPointData.h>
 
 #include <cmath>
@@ -21,7 +20,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/label_images/meta_image_header.h"
-#include "musclewarp/label_images/nrrd_header.h"
+#include "musclewarp/label_images/nrrd_voxels.h"
 #include "musclewarp/mesh_files/export_advice.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 #include "musclewarp/mesh_files/vtk_errors.h"
@@ -84,6 +83,29 @@ void CheckIsImageFile(const std::string& path) {
   }
 }
 
+// Sets the labels to the values `value_of` the voxels.
+template <typename ValueOf>
+void SetLabels(const ValueOf& value_of, LabelImage* image) {
+  const std::int64_t count = image->grid.NumVoxels();
+  image->labels.resize(count);
+  for (std::int64_t i = 0; i < count; ++i) {
+    const double value = value_of(i);
+    if (!(value >= 0 && value <= std::numeric_limits<int>::max() &&
+          value == std::floor(value))) {
+      const Eigen::Array3i& size = image->grid.size;
+      std::ostringstream text;
+      text << "voxel (" << i % size[0] << ", " << i / size[0] % size[1] << ", "
+           << i / size[0] / size[1] << ") has the value " << value
+           << "; allowed: labels, which are whole numbers from 0 to 2147483647";
+      throw InputError(image->path,
+                       text.str(),
+                       "export the segmentation as a label map, not the image "
+                       "that it was made on");
+    }
+    image->labels[i] = static_cast<int>(value);
+  }
+}
+
 // Copies the voxels. VTK may have taken the first axis for components, which
 // does not change their order.
 void TakeLabels(vtkImageReader2* reader,
@@ -99,26 +121,13 @@ void TakeLabels(vtkImageReader2* reader,
             " voxels; allowed: one a voxel",
         "export one label map");
   }
-  image->labels.resize(count);
   const int components = values->GetNumberOfComponents();
-  for (std::int64_t i = 0; i < count; ++i) {
-    const double value =
-        rescale.slope * values->GetComponent(i / components, i % components) +
-        rescale.intercept;
-    if (!(value >= 0 && value <= std::numeric_limits<int>::max() &&
-          value == std::floor(value))) {
-      const Eigen::Array3i& size = image->grid.size;
-      std::ostringstream text;
-      text << "voxel (" << i % size[0] << ", " << i / size[0] % size[1] << ", "
-           << i / size[0] / size[1] << ") has the value " << value
-           << "; allowed: labels, which are whole numbers from 0 to 2147483647";
-      throw InputError(image->path,
-                       text.str(),
-                       "export the segmentation as a label map, not the image "
-                       "that it was made on");
-    }
-    image->labels[i] = static_cast<int>(value);
-  }
+  const auto value_of = [&](std::int64_t i) {
+    return rescale.slope *
+               values->GetComponent(i / components, i % components) +
+           rescale.intercept;
+  };
+  SetLabels(value_of, image);
 }
 
 // What a unit of length of a NIfTI file is in mm; `unstated` if it has none.
@@ -193,9 +202,17 @@ void ReadNifti(double mm_per_unit, LabelImage* image) {
   TakeLabels(reader, rescale, image);
 }
 
-template <typename Reader>
-void ReadWith(LabelImage* image) {
-  vtkNew<Reader> reader;
+void ReadNrrd(double mm_per_unit, LabelImage* image) {
+  const NrrdHeader header = ReadNrrdHeader(image->path, mm_per_unit);
+  image->grid = header.grid;
+  const NrrdVoxels voxels =
+      ReadNrrdVoxels(header.source, header.grid.NumVoxels());
+  SetLabels([&](std::int64_t i) { return voxels.At(i); }, image);
+}
+
+void ReadMetaImage(double mm_per_unit, LabelImage* image) {
+  image->grid = ReadMetaImageHeader(image->path, mm_per_unit);
+  vtkNew<vtkMetaImageReader> reader;
   reader->SetFileName(image->path.c_str());
   WithVtkErrors(image->path, [&] { reader->Update(); });
   TakeLabels(reader, Rescale(), image);
@@ -208,12 +225,10 @@ LabelImage ReadLabelImage(const std::string& path, double mm_per_unit) {
   LabelImage image;
   image.path = path;
   const std::string extension = LowerCase(fs::path(path).extension().string());
-  if (extension == ".nrrd") {
-    image.grid = ReadNrrdHeader(path, mm_per_unit);
-    ReadWith<vtkNrrdReader>(&image);
+  if (extension == ".nrrd" || extension == ".nhdr") {
+    ReadNrrd(mm_per_unit, &image);
   } else if (extension == ".mha" || extension == ".mhd") {
-    image.grid = ReadMetaImageHeader(path, mm_per_unit);
-    ReadWith<vtkMetaImageReader>(&image);
+    ReadMetaImage(mm_per_unit, &image);
   } else {
     ReadNifti(mm_per_unit, &image);
   }

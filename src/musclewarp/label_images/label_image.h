@@ -22,12 +22,12 @@ struct LabelImage {
   std::vector<std::string> notes;
 };
 
-// Reads an image with the reader of VTK for its format: NIfTI (.nii, .nii.gz),
-// NRRD (.nrrd) or MetaImage (.mha, .mhd).
+// Reads NIfTI (.nii, .nii.gz) and MetaImage (.mha, .mhd) with the readers of
+// VTK, and NRRD (.nrrd, .nhdr; nrrd_header.h).
 //
 // Places are in millimetres and in LPS, whatever the format has. What VTK does
-// not read of the frame is taken from the header (nrrd_header.h and
-// meta_image_header.h). NIfTI files are turned from RAS; of their two
+// not read of the frame is taken from the header
+// (meta_image_header.h). NIfTI files are turned from RAS; of their two
 // transforms the sform is taken if it is set, otherwise the qform, as nibabel
 // does. A file with neither is not oriented, and a note says so. Slope and
 // intercept of NIfTI are applied.

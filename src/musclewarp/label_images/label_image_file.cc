@@ -10,7 +10,7 @@ namespace musclewarp {
 bool IsLabelImageFile(const std::string& path) {
   const std::string name = LowerCase(path);
   for (const std::string ending :
-       {".nii", ".nii.gz", ".nrrd", ".mha", ".mhd"}) {
+       {".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd"}) {
     if (name.size() > ending.size() &&
         name.compare(name.size() - ending.size(), ending.size(), ending) == 0) {
       return true;

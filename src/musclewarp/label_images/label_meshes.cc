@@ -70,37 +70,60 @@ std::vector<LabelEntry> EntriesOf(const LabelImage& image, const Boxes& boxes) {
   return entries;
 }
 
+// Returns the first few of some texts, and how many there are more.
+std::string FirstOf(const std::vector<std::string>& texts) {
+  constexpr std::size_t kMostNamed = 8;
+  std::string first;
+  for (std::size_t i = 0; i < std::min(texts.size(), kMostNamed); ++i) {
+    first += (i == 0 ? "" : ", ") + texts[i];
+  }
+  if (texts.size() > kMostNamed) {
+    first += " and " + std::to_string(texts.size() - kMostNamed) + " more";
+  }
+  return first;
+}
+
+// "label 3 (femur)" or "3 labels (4 (tibia), 5 (fibula), 6 (patella))".
+std::string LabelsText(const std::vector<LabelEntry>& entries,
+                       const std::string& kind) {
+  std::vector<std::string> texts;
+  for (const LabelEntry& entry : entries) {
+    texts.push_back(std::to_string(entry.label) + " (" + entry.name + ")");
+  }
+  return texts.size() == 1 ? kind + " " + texts[0]
+                           : std::to_string(texts.size()) + " " + kind +
+                                 "s: " + FirstOf(texts);
+}
+
 // Returns the rows of the table whose labels the image has, by label. What one
 // of them has and the other has not goes to `notes`.
 std::vector<LabelEntry> EntriesInBoth(const LabelImage& image,
                                       const Boxes& boxes,
                                       const std::string& table,
                                       std::vector<std::string>* notes) {
-  std::vector<LabelEntry> entries;
+  std::vector<LabelEntry> entries, absent;
   std::set<int> named;
   for (const LabelEntry& entry : ReadLabelTable(table)) {
     named.insert(entry.label);
-    if (boxes.count(entry.label)) {
-      entries.push_back(entry);
-    } else {
-      notes->push_back("label " + std::to_string(entry.label) + " (" +
-                       entry.name + ") of " + table + " is not in the image");
-    }
+    (boxes.count(entry.label) ? entries : absent).push_back(entry);
   }
-  std::string unnamed;
+  if (!absent.empty()) {
+    notes->push_back("not in the image, but in " + table + ": " +
+                     LabelsText(absent, "label"));
+  }
+  std::vector<std::string> unnamed;
   for (const auto& [label, box] : boxes) {
-    if (named.count(label)) continue;
-    unnamed += (unnamed.empty() ? "" : ", ") + std::to_string(label);
+    if (!named.count(label)) unnamed.push_back(std::to_string(label));
   }
   if (entries.empty()) {
     throw InputError(table,
                      "has none of the labels of " + image.path + " (" +
-                         unnamed.substr(0, 60) + ")",
+                         FirstOf(unnamed) + ")",
                      "check that the table belongs to the image");
   }
   if (!unnamed.empty()) {
     notes->push_back("labels of the image that are not in " + table +
-                     " are left out: " + unnamed);
+                     " are left out: " + FirstOf(unnamed));
   }
   std::sort(entries.begin(),
             entries.end(),
@@ -129,6 +152,12 @@ class MeshesOfLabel {
         options_(options),
         voxel_(image.grid.VoxelVolume()),
         notes_(notes) {}
+
+  // How many voxels the largest piece has, with its cavities.
+  std::int64_t LargestPiece(const LabelBox& box) const {
+    CheckBoxFits(box);
+    return PiecesOfLabel(image_, entry_.label, box).regions[0].voxels;
+  }
 
   std::vector<LabelMesh> Make(const LabelBox& box) {
     CheckBoxFits(box);
@@ -200,6 +229,8 @@ class MeshesOfLabel {
       if (kept.regions.size() == found) {
         text +=
             ", each of fewer than " + std::to_string(kFewestVoxels) + " voxels";
+      } else {
+        text += "; --pieces=all makes a mesh of each";
       }
     }
     Note(entry_.name, text);
@@ -242,6 +273,71 @@ class MeshesOfLabel {
   std::vector<std::string>* notes_;
 };
 
+constexpr char kLeaveOut[] =
+    "leave them out by --labels=TABLE, a table of the other labels (lines such "
+    "as 3,femur,bone), or remove them from the image";
+
+// Throws InputError that names all labels that are too small for a surface,
+// rather than the first one.
+void CheckAreLargeEnough(const LabelImage& image,
+                         const Boxes& boxes,
+                         const std::vector<LabelEntry>& entries) {
+  std::vector<LabelEntry> small;
+  std::int64_t voxels = 0;
+  for (const LabelEntry& entry : entries) {
+    const LabelMeshOptions options;
+    std::vector<std::string> notes;
+    const std::int64_t largest = MeshesOfLabel(image, entry, options, &notes)
+                                     .LargestPiece(boxes.at(entry.label));
+    if (largest >= kFewestVoxels) continue;
+    small.push_back(entry);
+    voxels = std::max(voxels, largest);
+  }
+  if (small.empty()) return;
+  const bool is_one = small.size() == 1;
+  throw InputError(image.path,
+                   LabelsText(small, "label") +
+                       (is_one ? " has " : ": none has more than ") +
+                       std::to_string(voxels) +
+                       " voxels in one piece; allowed: at least " +
+                       std::to_string(kFewestVoxels),
+                   kLeaveOut);
+}
+
+// Names the segments of the file (.seg.nrrd) that have no voxels.
+void NoteEmptySegments(const LabelImage& image,
+                       const Boxes& boxes,
+                       std::vector<std::string>* notes) {
+  std::vector<LabelEntry> empty;
+  for (const auto& [label, name] : image.grid.names) {
+    if (label > 0 && !boxes.count(label)) {
+      empty.push_back({label, name, std::nullopt});
+    }
+  }
+  if (empty.empty()) return;
+  notes->push_back("named in " + image.path +
+                   ", but without voxels: " + LabelsText(empty, "segment"));
+}
+
+// Throws InputError for the labels of which no surface could be made.
+void ThrowRefused(const LabelImage& image,
+                  const std::vector<InputError>& refused) {
+  if (refused.empty()) return;
+  if (refused.size() == 1) throw refused[0];
+  std::vector<std::string> texts;
+  for (const InputError& error : refused) {
+    std::string where = error.where();
+    if (where.rfind(image.path + ": ", 0) == 0) {
+      where = where.substr(image.path.size() + 2);
+    }
+    texts.push_back(where + " " + error.problem());
+  }
+  throw InputError(image.path,
+                   std::to_string(refused.size()) +
+                       " labels become no surfaces: " + FirstOf(texts),
+                   kLeaveOut);
+}
+
 }  // namespace
 
 LabelMeshes ReadLabelMeshes(const std::string& path,
@@ -259,12 +355,20 @@ LabelMeshes ReadLabelMeshes(const std::string& path,
       options.table.empty()
           ? EntriesOf(image, boxes)
           : EntriesInBoth(image, boxes, options.table, &result.notes);
+  if (options.table.empty()) NoteEmptySegments(image, boxes, &result.notes);
+  CheckAreLargeEnough(image, boxes, entries);
+  std::vector<InputError> refused;
   for (const LabelEntry& entry : entries) {
-    for (LabelMesh& mesh : MeshesOfLabel(image, entry, options, &result.notes)
-                               .Make(boxes.at(entry.label))) {
-      result.meshes.push_back(std::move(mesh));
+    try {
+      for (LabelMesh& mesh : MeshesOfLabel(image, entry, options, &result.notes)
+                                 .Make(boxes.at(entry.label))) {
+        result.meshes.push_back(std::move(mesh));
+      }
+    } catch (const InputError& error) {
+      refused.push_back(error);
     }
   }
+  ThrowRefused(image, refused);
   return result;
 }
 #else

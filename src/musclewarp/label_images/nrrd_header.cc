@@ -2,104 +2,169 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/label_images/nrrd_header.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
-#include <fstream>
+#include <filesystem>
 #include <map>
+#include <optional>
+#include <sstream>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/label_images/nrrd_text.h"
 #include "musclewarp/mesh_files/export_advice.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
 namespace musclewarp {
 namespace {
 
-using Fields = std::map<std::string, std::string>;
+namespace fs = std::filesystem;
 
-struct NrrdText {
-  Fields fields;                // "sizes: 5 6 7"
-  Fields values;                // "Segment0_Name:=femur"
-  std::uint64_t data_from = 0;  // the byte behind the header
-};
+constexpr int kMostAxes = 16;  // of the format
 
-std::string Trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string::npos) return "";
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
+const char* const kOneLayer =
+    "make one label map of it: in 3D Slicer, Segmentations, Export to "
+    "labelmap, "
+    "or Binary labelmap layers, Force collapse to single layer";
 
-// A header ends with an empty line, or with the file if it has no data.
-NrrdText ReadText(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  char magic[4] = {};
-  file.read(magic, 4);
-  if (!file || std::string_view(magic, 4) != "NRRD") {
-    throw InputError(path,
-                     "is not an NRRD file: it starts with " +
-                         Quoted(std::string_view(magic, file.gcount())),
-                     "name the file by what it holds");
-  }
-  NrrdText text;
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    line = Trimmed(line);
-    if (line.empty()) {
-      text.data_from = static_cast<std::uint64_t>(file.tellg());
-      return text;
-    }
-    if (line[0] == '#') continue;
-    const std::size_t value = line.find(":="), field = line.find(": ");
-    if (value < field) {
-      text.values[line.substr(0, value)] = line.substr(value + 2);
-    } else if (field != std::string::npos) {
-      text.fields[LowerCase(line.substr(0, field))] =
-          Trimmed(line.substr(field + 2));
-    }
-  }
-  throw InputError(path, "is truncated: its header has no end", kCopyAgain);
-}
-
-const std::string& Field(const std::string& path,
-                         const Fields& fields,
-                         const std::string& name) {
-  const auto found = fields.find(name);
-  if (found != fields.end()) return found->second;
+std::string Required(const std::string& path,
+                     const NrrdText& text,
+                     const std::string& name) {
+  const std::string field = text.Find(name);
+  if (!field.empty()) return field;
   throw InputError(path, "has no field " + Quoted(name), kCopyAgain);
 }
 
-std::string Optional(const Fields& fields, const std::string& name) {
-  const auto found = fields.find(name);
-  return found == fields.end() ? "" : found->second;
+// An axis of the file.
+struct NrrdAxis {
+  double size = 0;
+  std::string kind;
+
+  // None: it does not lead through space. A spacing is along x.
+  std::optional<Eigen::Vector3d> step;
+
+  bool IsSpace() const {
+    return kind.empty() || kind == "domain" || kind == "space" || kind == "???";
+  }
+};
+
+std::vector<NrrdAxis> AxesOf(const std::string& path, const NrrdText& text) {
+  const std::string dimension = Required(path, text, "dimension");
+  int count = 0;
+  const auto [rest, error] = std::from_chars(
+      dimension.data(), dimension.data() + dimension.size(), count);
+  if (error != std::errc() || rest != dimension.data() + dimension.size() ||
+      count < 3 || count > kMostAxes) {
+    throw InputError(path + ": dimension",
+                     "is " + Quoted(dimension) +
+                         "; allowed: 3, and more with axes of one voxel",
+                     "export one label map of three dimensions");
+  }
+  std::vector<NrrdAxis> axes(count);
+  const std::string sizes = Required(path, text, "sizes");
+  const std::vector<double> numbers =
+      HeaderNumbers(path + ": sizes", sizes, count);
+  std::istringstream kinds(LowerCase(text.Find("kinds")));
+  for (int axis = 0; axis < count; ++axis) {
+    const double size = numbers[axis];
+    if (size != std::floor(size) || size < 1 || size > 1e9) {
+      throw InputError(
+          path + ": sizes",
+          "is " + Quoted(sizes) + "; allowed: whole numbers above 0",
+          kCopyAgain);
+    }
+    axes[axis].size = size;
+    kinds >> axes[axis].kind;
+  }
+  return axes;
 }
 
-void CheckIsRead(const std::string& path, const Fields& fields) {
-  const std::string dimension = Field(path, fields, "dimension");
-  if (dimension != "3") {
-    throw InputError(
-        path + ": dimension",
-        "is " + Quoted(dimension) + "; allowed: 3, one number a voxel",
-        "export one label map (3D Slicer: Segmentations, Export to labelmap; "
-        "segments that overlap make a fourth dimension)");
+// Splits "none (1,0,0) (0,1,0)" before blanks and parentheses.
+std::vector<std::string> VectorsIn(const std::string& text) {
+  std::vector<std::string> vectors;
+  std::size_t begin = 0;
+  while ((begin = text.find_first_not_of(" \t", begin)) != std::string::npos) {
+    std::size_t end = text[begin] == '(' ? text.find(')', begin)
+                                         : text.find_first_of(" \t(", begin);
+    if (end == std::string::npos) end = text.size();
+    if (end < text.size() && text[end] == ')') ++end;
+    vectors.push_back(text.substr(begin, end - begin));
+    begin = end;
   }
-  for (const char* name : {"data file", "datafile"}) {
-    if (fields.count(name) == 0) continue;
-    throw InputError(path + ": " + name,
-                     "names another file; allowed: data in the same file",
-                     "save the image as one .nrrd file");
+  return vectors;
+}
+
+// Sets the steps from "space directions", with a vector or "none" for each
+// axis, or from "spacings", with a length or "nan".
+void SetSteps(const std::string& path,
+              const NrrdText& text,
+              std::vector<NrrdAxis>* axes) {
+  const std::string directions = text.Find("space directions");
+  const bool has_directions = !directions.empty();
+  const std::string name = has_directions ? "space directions" : "spacings";
+  const std::string where = path + ": " + name;
+  const std::vector<std::string> steps = VectorsIn(Required(path, text, name));
+  if (steps.size() != axes->size()) {
+    throw InputError(where,
+                     "has " + std::to_string(steps.size()) + " for " +
+                         std::to_string(axes->size()) + " axes",
+                     kCopyAgain);
   }
-  const std::string encoding = LowerCase(Field(path, fields, "encoding"));
-  if (encoding != "raw" && encoding != "gzip" && encoding != "gz") {
-    throw InputError(path + ": encoding",
-                     "is " + Quoted(encoding) + "; allowed: raw, gzip",
-                     "save the image again, compressed or raw");
+  for (std::size_t axis = 0; axis < steps.size(); ++axis) {
+    NrrdAxis& of = (*axes)[axis];
+    const std::string step = LowerCase(steps[axis]);
+    if (step == "none" || step.find("nan") != std::string::npos) continue;
+    const std::vector<double> numbers =
+        HeaderNumbers(where, step, has_directions ? 3 : 1);
+    of.step = Eigen::Vector3d::Zero();
+    if (has_directions) {
+      *of.step = Eigen::Map<const Eigen::Vector3d>(numbers.data());
+    } else {
+      (*of.step)[0] = numbers[0];
+    }
   }
+}
+
+// Leaves the three axes of space. Those that are left out have one voxel: they
+// do not lead through space, or are one too many.
+void KeepSpace(const std::string& path, std::vector<NrrdAxis>* axes) {
+  const auto leave_out = [&](const auto& is_meant) {
+    for (std::size_t i = axes->size(); i-- > 0;) {
+      const NrrdAxis& axis = (*axes)[i];
+      if (axis.size == 1 && is_meant(axis)) axes->erase(axes->begin() + i);
+    }
+  };
+  leave_out([](const NrrdAxis& axis) { return !axis.step; });
+  leave_out([&](const NrrdAxis& axis) {
+    return axes->size() > 3 && !axis.IsSpace();
+  });
+  leave_out([&](const NrrdAxis&) { return axes->size() > 3; });
+  const auto layers =
+      std::find_if(axes->begin(), axes->end(), [](const NrrdAxis& axis) {
+        return !axis.step || !axis.IsSpace();
+      });
+  if (axes->size() == 3 && (layers == axes->end() || layers->step)) return;
+  const std::string count =
+      layers == axes->end()
+          ? ""
+          : " of " + std::to_string(std::llround(layers->size)) + " numbers";
+  throw InputError(
+      path + ": sizes",
+      axes->size() < 3
+          ? "leaves " + std::to_string(axes->size()) +
+                " axes with a direction in space; allowed: 3"
+          : "has an axis" + count +
+                " beside those of space, as segments that overlap make one; "
+                "allowed: one number a voxel",
+      kOneLayer);
 }
 
 // What a unit of the file is in mm; `unstated` if it does not say.
 double MillimetresOf(const std::string& path,
-                     const Fields& fields,
+                     const NrrdText& text,
                      double unstated) {
-  const std::string units = Optional(fields, "space units");
+  const std::string units = text.Find("space units");
   if (units.empty()) return unstated;
   const std::map<std::string, double> known = {
       {"mm", 1}, {"cm", 10}, {"m", 1000}, {"um", 1e-3}, {"", unstated}};
@@ -115,39 +180,34 @@ double MillimetresOf(const std::string& path,
                    "save the image in mm");
 }
 
-// The steps from voxel to voxel, from "space directions" or "spacings".
-void SetSteps(const std::string& path,
-              const Fields& fields,
-              double mm_per_unit,
-              ImageGrid* grid) {
-  const std::string directions = Optional(fields, "space directions");
-  if (!directions.empty()) {
-    const std::vector<double> numbers =
-        HeaderNumbers(path + ": space directions", directions, 9);
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int k = 0; k < 3; ++k) {
-        grid->world_from_index(k, axis) = numbers[3 * axis + k];
-      }
-    }
-  } else {
-    const std::vector<double> spacings =
-        HeaderNumbers(path + ": spacings", Field(path, fields, "spacings"), 3);
-    for (int axis = 0; axis < 3; ++axis) {
-      grid->world_from_index(axis, axis) = spacings[axis];
-    }
+// Where the voxels are, in the frame of the file.
+ImageGrid GridOf(const std::string& path,
+                 const NrrdText& text,
+                 double mm_per_unit) {
+  std::vector<NrrdAxis> axes = AxesOf(path, text);
+  SetSteps(path, text, &axes);
+  KeepSpace(path, &axes);
+  const bool has_directions = !text.Find("space directions").empty();
+  ImageGrid grid;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d& step = *axes[axis].step;
+    grid.size[axis] = static_cast<int>(axes[axis].size);
+    grid.world_from_index.col(axis).head<3>() =
+        has_directions ? step
+                       : Eigen::Vector3d(step[0] * Eigen::Vector3d::Unit(axis));
   }
-  const std::string origin = Optional(fields, "space origin");
+  const std::string origin = text.Find("space origin");
   if (!origin.empty()) {
     const std::vector<double> place =
         HeaderNumbers(path + ": space origin", origin, 3);
-    for (int k = 0; k < 3; ++k) grid->world_from_index(k, 3) = place[k];
+    for (int k = 0; k < 3; ++k) grid.world_from_index(k, 3) = place[k];
   }
-  grid->world_from_index.topRows<3>() *=
-      MillimetresOf(path, fields, mm_per_unit);
+  grid.world_from_index.topRows<3>() *= MillimetresOf(path, text, mm_per_unit);
+  return grid;
 }
 
-void Orient(const std::string& path, const Fields& fields, ImageGrid* grid) {
-  const std::string space = LowerCase(Optional(fields, "space"));
+void Orient(const std::string& path, const NrrdText& text, ImageGrid* grid) {
+  const std::string space = LowerCase(text.Find("space"));
   if (space == "left-posterior-superior" || space == "lps") {
     grid->is_oriented = true;
   } else if (space == "right-anterior-superior" || space == "ras") {
@@ -163,57 +223,118 @@ void Orient(const std::string& path, const Fields& fields, ImageGrid* grid) {
   }
 }
 
-// VTK gives each type the size that it has here; the names are those of NRRD.
-int BytesOf(const std::string& path, const std::string& type) {
-  static const std::map<std::string, int> kBytes = {
-      {"signed char", 1},
-      {"int8", 1},
-      {"int8_t", 1},
-      {"uchar", 1},
-      {"unsigned char", 1},
-      {"uint8", 1},
-      {"uint8_t", 1},
-      {"short", 2},
-      {"short int", 2},
-      {"signed short", 2},
-      {"signed short int", 2},
-      {"int16", 2},
-      {"int16_t", 2},
-      {"ushort", 2},
-      {"unsigned short", 2},
-      {"unsigned short int", 2},
-      {"uint16", 2},
-      {"uint16_t", 2},
-      {"int", 4},
-      {"signed int", 4},
-      {"int32", 4},
-      {"int32_t", 4},
-      {"uint", 4},
-      {"unsigned int", 4},
-      {"uint32", 4},
-      {"uint32_t", 4},
-      {"longlong", 8},
-      {"long long", 8},
-      {"long long int", 8},
-      {"signed long long", 8},
-      {"signed long long int", 8},
-      {"int64", 8},
-      {"int64_t", 8},
-      {"ulonglong", 8},
-      {"unsigned long long", 8},
-      {"unsigned long long int", 8},
-      {"uint64", 8},
-      {"uint64_t", 8},
-      {"float", 4},
-      {"double", 8}};
-  const auto found = kBytes.find(type);
-  if (found != kBytes.end()) return found->second;
+ScalarType TypeOf(const std::string& path, const std::string& type) {
+  static const std::map<std::string, ScalarType> kTypes = {
+      {"signed char", ScalarType::kInt8},
+      {"int8", ScalarType::kInt8},
+      {"int8_t", ScalarType::kInt8},
+      {"uchar", ScalarType::kUInt8},
+      {"unsigned char", ScalarType::kUInt8},
+      {"uint8", ScalarType::kUInt8},
+      {"uint8_t", ScalarType::kUInt8},
+      {"short", ScalarType::kInt16},
+      {"short int", ScalarType::kInt16},
+      {"signed short", ScalarType::kInt16},
+      {"signed short int", ScalarType::kInt16},
+      {"int16", ScalarType::kInt16},
+      {"int16_t", ScalarType::kInt16},
+      {"ushort", ScalarType::kUInt16},
+      {"unsigned short", ScalarType::kUInt16},
+      {"unsigned short int", ScalarType::kUInt16},
+      {"uint16", ScalarType::kUInt16},
+      {"uint16_t", ScalarType::kUInt16},
+      {"int", ScalarType::kInt32},
+      {"signed int", ScalarType::kInt32},
+      {"int32", ScalarType::kInt32},
+      {"int32_t", ScalarType::kInt32},
+      {"uint", ScalarType::kUInt32},
+      {"unsigned int", ScalarType::kUInt32},
+      {"uint32", ScalarType::kUInt32},
+      {"uint32_t", ScalarType::kUInt32},
+      {"longlong", ScalarType::kInt64},
+      {"long long", ScalarType::kInt64},
+      {"long long int", ScalarType::kInt64},
+      {"signed long long", ScalarType::kInt64},
+      {"signed long long int", ScalarType::kInt64},
+      {"int64", ScalarType::kInt64},
+      {"int64_t", ScalarType::kInt64},
+      {"ulonglong", ScalarType::kUInt64},
+      {"unsigned long long", ScalarType::kUInt64},
+      {"unsigned long long int", ScalarType::kUInt64},
+      {"uint64", ScalarType::kUInt64},
+      {"uint64_t", ScalarType::kUInt64},
+      {"float", ScalarType::kFloat32},
+      {"double", ScalarType::kFloat64},
+  };
+  const auto found = kTypes.find(LowerCase(type));
+  if (found != kTypes.end()) return found->second;
   throw InputError(path + ": type",
                    "is " + Quoted(type) + "; allowed: whole and real numbers",
                    "save the image as labels of 8 or 16 bits");
 }
 
-void ReadSegments(const Fields& values, ImageGrid* grid) {
+NrrdEncoding EncodingOf(const std::string& path, const NrrdText& text) {
+  static const std::map<std::string, NrrdEncoding> kEncodings = {
+      {"raw", NrrdEncoding::kRaw},
+      {"gzip", NrrdEncoding::kGzip},
+      {"gz", NrrdEncoding::kGzip},
+      {"ascii", NrrdEncoding::kText},
+      {"text", NrrdEncoding::kText},
+      {"txt", NrrdEncoding::kText}};
+  const std::string encoding = LowerCase(Required(path, text, "encoding"));
+  const auto found = kEncodings.find(encoding);
+  if (found != kEncodings.end()) return found->second;
+  throw InputError(path + ": encoding",
+                   "is " + Quoted(encoding) + "; allowed: raw, gzip, ascii",
+                   "save the image again, compressed by gzip or raw");
+}
+
+// The number of bytes or lines that are skipped; 0 if the field is not there.
+std::int64_t SkipOf(const std::string& path,
+                    const NrrdText& text,
+                    const std::string& name,
+                    std::int64_t least) {
+  const std::string field = text.Find(name);
+  if (field.empty()) return 0;
+  std::int64_t skip = least - 1;
+  const char* const end = field.data() + field.size();
+  const auto [rest, error] = std::from_chars(field.data(), end, skip);
+  if (error == std::errc() && rest == end && skip >= least) return skip;
+  throw InputError(path + ": " + name,
+                   "is " + Quoted(field) + "; allowed: whole numbers from " +
+                       std::to_string(least) + " on",
+                   kCopyAgain);
+}
+
+// Where the data are: behind the header, or in files beside it.
+NrrdSource SourceOf(const std::string& path, const NrrdText& text) {
+  NrrdSource source;
+  source.type = TypeOf(path, Required(path, text, "type"));
+  source.encoding = EncodingOf(path, text);
+  if (LowerCase(text.Find("endian")) == "big") source.order = ByteOrder::kBig;
+  source.line_skip = SkipOf(path, text, "line skip", 0);
+  // -1 is for what precedes raw data in a file, whatever its size.
+  const bool is_raw = source.encoding == NrrdEncoding::kRaw;
+  source.byte_skip = SkipOf(path, text, "byte skip", is_raw ? -1 : 0);
+  for (const std::string& name : text.data_files) {
+    const fs::path file = fs::path(path).parent_path() / name;
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) {
+      throw InputError(path + ": data file",
+                       "names " + file.string() + ", which does not exist",
+                       "copy it beside the header");
+    }
+    source.files.push_back(file.string());
+  }
+  if (source.files.empty()) {
+    source.files = {path};
+    source.begin = text.data_from;
+  }
+  return source;
+}
+
+void ReadSegments(const std::map<std::string, std::string>& values,
+                  ImageGrid* grid) {
   for (const auto& [key, name] : values) {
     const std::size_t end = key.find("_Name");
     if (key.rfind("Segment", 0) != 0 || end == std::string::npos ||
@@ -222,26 +343,21 @@ void ReadSegments(const Fields& values, ImageGrid* grid) {
     }
     const auto label = values.find(key.substr(0, end) + "_LabelValue");
     if (label == values.end()) continue;
-    grid->names[std::atoi(label->second.c_str())] = Trimmed(name);
+    grid->names[std::atoi(label->second.c_str())] = name;
   }
 }
 
 }  // namespace
 
-ImageGrid ReadNrrdHeader(const std::string& path, double mm_per_unit) {
-  const NrrdText text = ReadText(path);
-  CheckIsRead(path, text.fields);
-  ImageGrid grid;
-  grid.size = HeaderSizes(path + ": sizes", Field(path, text.fields, "sizes"));
-  SetSteps(path, text.fields, mm_per_unit, &grid);
-  Orient(path, text.fields, &grid);
-  ReadSegments(text.values, &grid);
-  CheckGrid(path, grid);
-  const int bytes = BytesOf(path, Field(path, text.fields, "type"));
-  if (LowerCase(Field(path, text.fields, "encoding")) == "raw") {
-    CheckDataSize(path, text.data_from, grid.NumVoxels() * bytes);
-  }
-  return grid;
+NrrdHeader ReadNrrdHeader(const std::string& path, double mm_per_unit) {
+  const NrrdText text = ReadNrrdText(path);
+  NrrdHeader header;
+  header.grid = GridOf(path, text, mm_per_unit);
+  Orient(path, text, &header.grid);
+  ReadSegments(text.values, &header.grid);
+  CheckGrid(path, header.grid);
+  header.source = SourceOf(path, text);
+  return header;
 }
 
 }  // namespace musclewarp
