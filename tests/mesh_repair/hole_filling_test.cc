@@ -25,6 +25,13 @@ TriangleSoup BoxWithoutLid(double x, double y, double z) {
   return box;
 }
 
+// Limits under which the lid of a box is a hole as any other.
+HoleLimits WithoutMissingFaces() {
+  HoleLimits limits;
+  limits.face_edges = 0;
+  return limits;
+}
+
 TEST(HoleFilling, TheLidOfABoxIsFlat) {
   TriangleSoup box = BoxWithoutLid(2, 3, 4);
   const Fillings fillings = FillHoles(HoleLimits(), &box);
@@ -40,7 +47,7 @@ TEST(HoleFilling, TheLidOfABoxIsFlat) {
 
 TEST(HoleFilling, AHoleBeyondTheLimitStaysOpen) {
   TriangleSoup box = BoxWithoutLid(2, 3, 4);
-  HoleLimits limits;
+  HoleLimits limits = WithoutMissingFaces();
   limits.max_perimeter = 9.9;
   EXPECT_EQ(FillHoles(limits, &box).holes, 0);
   EXPECT_EQ(box.triangles.rows(), 10);
@@ -49,7 +56,7 @@ TEST(HoleFilling, AHoleBeyondTheLimitStaysOpen) {
 
 TEST(HoleFilling, ALongSlitIsFilled) {
   TriangleSoup box = BoxWithoutLid(100, 0.5, 4);
-  HoleLimits limits;
+  HoleLimits limits = WithoutMissingFaces();
   limits.max_perimeter = 10;
   const Fillings fillings = FillHoles(limits, &box);
   EXPECT_EQ(fillings.holes, 1);
@@ -61,8 +68,32 @@ TEST(HoleFilling, ALongSlitIsFilled) {
 TEST(HoleFilling, ALongHoleIsFilledIfItIsNarrowEnough) {
   for (const auto& [width, is_slit] : {std::pair(2.5, true), {2.6, false}}) {
     TriangleSoup box = BoxWithoutLid(100, width, 4);
-    EXPECT_EQ(FillHoles(HoleLimits(), &box).holes, is_slit) << width;
+    EXPECT_EQ(FillHoles(WithoutMissingFaces(), &box).holes, is_slit) << width;
   }
+}
+
+TEST(HoleFilling, AMissingFaceIsFilledWhateverItsSize) {
+  for (const double size : {1.0, 1000.0}) {
+    TriangleSoup box = BoxWithoutLid(2 * size, 3 * size, 4 * size);
+    const Fillings fillings = FillHoles(HoleLimits(), &box);
+    EXPECT_EQ(fillings.holes, 1);
+    // Named where the other limits would not have allowed it.
+    EXPECT_EQ(fillings.missing_faces, size > 1);
+    EXPECT_TRUE(CountDefects(box).IsClean());
+  }
+  TriangleSoup without_triangle = Box(1000, 1000, 1000);
+  without_triangle.triangles.conservativeResize(11, 3);
+  EXPECT_EQ(FillHoles(HoleLimits(), &without_triangle).missing_faces, 1);
+  // A hole of five edges, around a corner of an icosahedron, may be anything.
+  TriangleSoup without_corner = Icosphere(1000, 0);
+  Triangles rest(15, 3);
+  Eigen::Index kept = 0;
+  for (const auto& triangle : without_corner.triangles.rowwise()) {
+    if ((triangle.array() != 0).all()) rest.row(kept++) = triangle;
+  }
+  ASSERT_EQ(kept, 15);
+  without_corner.triangles = rest;
+  EXPECT_EQ(FillHoles(HoleLimits(), &without_corner).holes, 0);
 }
 
 TEST(HoleFilling, AHoleOfTooManyEdgesStaysOpen) {

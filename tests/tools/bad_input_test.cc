@@ -186,6 +186,10 @@ TEST_F(BadInput, FlagsThatAreNotAllowedAreRefusedByTheirName) {
       {"remake", "always", "auto, never"},
       {"attachments", "all", "auto, scene, none"},
       {"format", "doc", "ply, obj, vtp"},
+      {"motion_in_degrees", "perhaps", "yes, no"},
+      {"geometry", "nowhere", "folders that exist"},
+      {"model", "leg.osim", "--list"},
+      {"list", "true", "--model"},
       {"frames", "2:9", "frames 0 to 1"}};
   for (const Case& bad : cases) {
     const std::string flag = std::string("--") + bad.flag;

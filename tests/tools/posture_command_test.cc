@@ -114,6 +114,10 @@ TEST_F(Posture, RefusesAnOpenMesh) {
   open.triangles.conservativeResize(open.triangles.rows() / 2, 3);
   WriteTriangleSoup(options_.posture, open);
   ExpectInputError([&] { Run(); }, {"segmented.ply"});
+  options_.repair.holes.max_perimeter = -1;
+  ExpectInputError([&] { Run(); }, {"--max_hole: is -1"});
+  options_.repair.holes.max_perimeter = 2000;
+  EXPECT_NO_THROW(Run());
 }
 
 }  // namespace

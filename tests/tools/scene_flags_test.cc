@@ -78,6 +78,9 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
                                            {"attachment_weight", "3"},
                                            {"auto_lines", "4"},
                                            {"max_hole", "50"},
+                                           {"motion", "walk.mot"},
+                                           {"motion_in_degrees", "no"},
+                                           {"geometry", "/,."},
                                            {"max_iterations", "60"},
                                            {"seed", "7"},
                                            {"threads", "8"},
@@ -98,6 +101,9 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
   EXPECT_EQ(options.deformer.prepare.attachments, AttachmentKind::kScene);
   EXPECT_EQ(options.deformer.prepare.auto_lines, 4);
   EXPECT_EQ(options.deformer.prepare.repair.holes.max_perimeter, 50);
+  EXPECT_EQ(options.model.motion, "walk.mot");
+  EXPECT_EQ(options.model.motion_in_degrees, false);
+  EXPECT_EQ(options.model.geometry, (std::vector<std::string>{"/", "."}));
   EXPECT_EQ(options.deformer.solver.gauss_newton.max_iterations, 60);
   EXPECT_EQ(options.deformer.frames.paper.group.paper.seed, 7u);
   EXPECT_EQ(options.threads, 8);

@@ -270,4 +270,26 @@ TEST(SeparateProgram, TakesItsFlags) {
   EXPECT_EQ(Json::parse(FileText(dir + "/out/separation.json"))["gap_mm"], 0.2);
 }
 
+TEST(SeparateCommand, TheLongestHoleThatIsFilledMayBeSet) {
+  const std::string dir = TestTempDir();
+  WriteOverlappingMeshes(dir);
+  // Without the triangles around a corner: a hole of five or six edges.
+  TriangleSoup open = Icosphere(30, 1);
+  Triangles rest(0, 3);
+  for (const auto& triangle : open.triangles.rowwise()) {
+    if ((triangle.array() == 0).any()) continue;
+    rest.conservativeResize(rest.rows() + 1, 3);
+    rest.bottomRows<1>() = triangle;
+  }
+  open.triangles = rest;
+  WriteTriangleSoup(dir + "/open.ply", MovedBy(open, {200, 0, 0}));
+  SeparateOptions options = WithoutBones(dir, "out");
+  const std::vector<std::string> files = {dir + "/open.ply", dir + "/a.ply"};
+  ExpectSeparationRefused(files, options, {"open.ply", "--max_hole"});
+  options.max_hole = -1;
+  ExpectSeparationRefused(files, options, {"--max_hole: is -1", "0 or above"});
+  options.max_hole = 200;
+  EXPECT_EQ(Separate(dir, {"open", "a"}, options), kExitUsable);
+}
+
 }  // namespace musclewarp
