@@ -33,8 +33,8 @@ struct CheckedFile {
   std::string name;  // for the table
   std::unique_ptr<SearchableMesh> mesh;
   MeshDefects defects;
-  double volume = 0;  // mm^3, if there is one
-  bool has_volume = false;
+  double volume = 0;  // mm^3; means nothing if the mesh is not oriented
+  bool is_oriented = false;
   double area = 0;  // mm^2
   size_t self_pairs = 0;
   bool is_bone = false;
@@ -57,7 +57,7 @@ CheckedFile CheckFile(const std::string& path, TriangleSoup soup) {
   file.name = std::filesystem::path(path).stem().string();
   file.defects = CountDefects(soup);
   file.volume = SignedVolume(soup.points, soup.triangles);
-  file.has_volume = EnclosesVolume(soup.triangles);
+  file.is_oriented = IsConsistentlyOriented(soup.triangles);
   file.area = SurfaceArea(soup.points, soup.triangles);
   file.mesh = std::make_unique<SearchableMesh>(std::move(soup));
   file.self_pairs = SelfIntersections(file.mesh->bvh()).size();
@@ -111,7 +111,7 @@ OrderedJson ToJson(const CheckedFile& file) {
           {"clean", file.defects.IsClean()},
           {"defects", DefectsJson(file.defects)},
           {"volume_mm3", file.volume},
-          {"encloses_volume", file.has_volume},
+          {"oriented", file.is_oriented},
           {"area_mm2", file.area},
           {"bounding_box_mm",
            {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}},
@@ -131,10 +131,10 @@ OrderedJson ToJson(const CheckedPair& pair) {
           {"bones", pair.AreBones()}};
 }
 
-// The volume of a mesh in cm3. One that is not closed, or whose triangles do
-// not all face the same way, has none.
+// The volume of a mesh in cm3. One whose triangles do not all face the same way
+// has none.
 std::string VolumeText(const CheckedFile& file) {
-  if (!file.has_volume) return "-";
+  if (!file.is_oriented) return "-";
   std::ostringstream text;
   text << std::fixed << std::setprecision(2) << file.volume / 1000;
   return text.str();

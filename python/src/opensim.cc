@@ -185,10 +185,7 @@ Attributes:
       "names the line.");
 }
 
-}  // namespace
-
-void BindOpenSim(py::module_* module) {
-  BindTables(module);
+void BindModelClass(py::module_* module) {
   py::class_<Model, SharedModel>(
       *module,
       "Model",
@@ -241,6 +238,13 @@ Attributes:
            py::arg("path"),
            "Returns the time (s) and all coordinates (rad or m, by name) of "
            "every row of an OpenSim motion.");
+}
+
+}  // namespace
+
+void BindOpenSim(py::module_* module) {
+  BindTables(module);
+  BindModelClass(module);
   module->def(
       "read_model",
       [](const std::filesystem::path& path) {

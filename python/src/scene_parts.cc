@@ -100,8 +100,10 @@ void SetMesh(const py::object& points,
 // Returns the mesh of a muscle or bone as it was delivered.
 template <typename Part>
 std::shared_ptr<TriangleSoup> MeshOf(const Part& part) {
-  return ComputeFree(
-      [&part] { return std::make_shared<TriangleSoup>(DeliveredMesh(part)); });
+  return ComputeFree([&part] {
+    std::vector<std::string> notes;  // a Deformer gives them
+    return std::make_shared<TriangleSoup>(DeliveredMesh(part, &notes));
+  });
 }
 
 SharedLine MakeLine(const std::string& name,

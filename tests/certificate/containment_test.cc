@@ -54,5 +54,23 @@ TEST(IsInsideClosed, AHoleInsideIsOutside) {
   EXPECT_TRUE(IsInsideClosed(RowVector3d(7, 0.5, 0), view));
 }
 
+// The certificate errs on the side of more crossings. A triangle whose corners
+// are one point, beside every ray, leaves each of them undecided.
+TEST(IsInsideClosed, WhatNoRayDecidesCountsAsInside) {
+  TriangleSoup sphere = Icosphere(10, 2);
+  const RowVector3d outside(6, -9, 6);  // within the bounding box
+  {
+    const SurfaceView view = {&sphere.points, &sphere.triangles};
+    ASSERT_FALSE(IsInsideClosed(outside, view));
+  }
+  const Eigen::Index v = sphere.points.rows();
+  sphere.points.conservativeResize(v + 1, 3);
+  sphere.points.row(v) = outside + RowVector3d(1, 1e-3, -1e-4);
+  sphere.triangles.conservativeResize(sphere.triangles.rows() + 1, 3);
+  sphere.triangles.bottomRows<1>().setConstant(static_cast<int>(v));
+  const SurfaceView view = {&sphere.points, &sphere.triangles};
+  EXPECT_TRUE(IsInsideClosed(outside, view));
+}
+
 }  // namespace
 }  // namespace musclewarp

@@ -203,6 +203,29 @@ TEST(Shortcomings, NameMeshesThatAreNearerThanTheGap) {
   EXPECT_THAT(deformed.Shortcomings(requirements), IsEmpty());
 }
 
+// What is proved counts: the distance may be anything between the bounds.
+TEST(Shortcomings, TakeTheLowerBoundOfAGap) {
+  SceneIntersections intersections;
+  intersections.gaps = {{"psoas", "femur", 0.08, 0.12, {}}};
+  FrameRequirements requirements;
+  requirements.gap = 0.1;
+  EXPECT_THAT(Shortcomings(requirements, intersections, {}),
+              ElementsAre(HasSubstr("are 0.08 mm apart")));
+  intersections.gaps[0].at_least_mm = 0.1;
+  EXPECT_THAT(Shortcomings(requirements, intersections, {}), IsEmpty());
+}
+
+TEST(Shortcomings, NameASinglePairInWhichAMuscleCrossesItself) {
+  MuscleMeasures measures;
+  measures.name = "psoas";
+  measures.delivered_volume = 1;
+  measures.volume_ratio = 1;
+  EXPECT_THAT(Shortcomings({}, {}, {measures}), IsEmpty());
+  measures.self_pairs = 1;
+  EXPECT_THAT(Shortcomings({}, {}, {measures}),
+              ElementsAre(HasSubstr("psoas")));
+}
+
 TEST(Shortcomings, NameACrossingOnceIfAGapIsRequired) {
   Deformed deformed;
   deformed.bones = {MovedBy(Box(4, 4, 4), {10, 0, 0})};

@@ -79,6 +79,45 @@ TEST(Relax, LowersTheEnergyWithEverySweep) {
   }
 }
 
+// Where a single vertex is stiff, the edges to all its neighbours are.
+TEST(Relax, AnEdgeHasTheLargerStiffnessOfItsEnds) {
+  const ContactGroup group({SphereAt({0, 0, 0}, 10, 1)}, {});
+  const MuscleSurface& surface = group.scene.muscles[0];
+  const StepOptions options;
+  const Points& targets = group.state.targets[0];
+  constexpr int kHeld = 0;
+  const int stiff = surface.neighbours[surface.first[kHeld]];
+  AttachedPoints attached{{kHeld}, targets.row(kHeld)};
+  attached.positions(0, 0) += 0.5;
+  const ContactStep step = MakeContactStep(
+      group.scene, group.state, group.state.targets, {}, {attached});
+  Stiffness stiffness = UniformStiffness(group.scene);
+  stiffness[0][stiff] = 50;
+  PlaneSet planes(options, step);
+  const Points offsets = Relax(options,
+                               step,
+                               group.state.targets,
+                               stiffness,
+                               2000,
+                               &planes,
+                               StartOf(step))
+                             .points[0] -
+                         targets;
+  const double length = options.relaxation.smoothing_length;
+  for (int v = 0; v < surface.num_vertices(); ++v) {
+    if (v == kHeld) continue;
+    Eigen::RowVector3d gradient =
+        surface.areas[v] / (length * length) * offsets.row(v);
+    for (int e = surface.first[v]; e < surface.first[v + 1]; ++e) {
+      const int u = surface.neighbours[e];
+      gradient += surface.weights[e] *
+                  std::max(stiffness[0][u], stiffness[0][v]) *
+                  (offsets.row(v) - offsets.row(u));
+    }
+    EXPECT_LT(gradient.norm(), 1e-9) << v;
+  }
+}
+
 TEST(Relax, KeepsTheGapToABone) {
   Relaxed relaxed(SpheresOverABone());
   relaxed.targets[0].col(2).array() -= 0.7;  // 0.2 into the bone

@@ -210,4 +210,26 @@ TEST(Step, DoesNotDependOnTheOrderOfMuscles) {
   }
 }
 
+TEST(StepFaults, CrossingsAreWorseThanAGapAndThatIsWorseThanFolds) {
+  StepFaults folded, narrow, self_crossing, crossing;
+  folded.folded_triangles = 100;
+  narrow.is_gap_violated = true;
+  self_crossing.self_crossing_pairs = 1;
+  crossing.crossing_pairs = 1;
+  for (const StepFaults& faults : {folded, narrow, self_crossing, crossing}) {
+    EXPECT_FALSE(faults.IsEmpty());
+    EXPECT_TRUE(IsBetter(StepFaults(), faults));
+    EXPECT_FALSE(IsBetter(faults, faults));
+  }
+  EXPECT_TRUE(IsBetter(folded, narrow));
+  EXPECT_TRUE(IsBetter(narrow, self_crossing));
+  EXPECT_TRUE(IsBetter(narrow, crossing));
+  // Both kinds of crossings count alike.
+  EXPECT_FALSE(IsBetter(self_crossing, crossing));
+  EXPECT_FALSE(IsBetter(crossing, self_crossing));
+  StepFaults two = crossing;
+  two.self_crossing_pairs = 1;
+  EXPECT_TRUE(IsBetter(crossing, two));
+}
+
 }  // namespace musclewarp

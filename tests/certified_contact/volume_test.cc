@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "certified_contact/contact_group.h"
 #include "musclewarp/mesh/measures.h"
@@ -13,7 +15,7 @@ namespace musclewarp {
 namespace {
 
 struct Squeezed {
-  ContactGroup group = SpheresOverABone();
+  ContactGroup group;
   StepOptions options;
   ContactStep step = MakeContactStep(group.scene,
                                      group.state,
@@ -22,10 +24,11 @@ struct Squeezed {
   PlaneSet planes{options, step};
   RelaxedPoints relaxed = StartOf(step);
 
-  explicit Squeezed(double factor) {
+  explicit Squeezed(double factor, ContactGroup squeezed = SpheresOverABone())
+      : group(std::move(squeezed)) {
     std::vector<TriangleBvh> trees = CarriedTrees(step);
     planes.Add(FindSeparatingPlanes(options, step, &trees));
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < step.num_muscles(); ++i) {
       const Eigen::RowVector3d centre = relaxed.points[i].colwise().mean();
       relaxed.points[i] =
           (factor * (relaxed.points[i].rowwise() - centre)).rowwise() + centre;
@@ -98,6 +101,47 @@ TEST(RestoreVolumes, SaysWhatIsLeftWhereAllVerticesAreHeld) {
       squeezed.options, squeezed.step, squeezed.relaxed, &squeezed.planes);
   EXPECT_NEAR(restored.worst_error, 1 - std::pow(0.99, 3), 1e-9);
   EXPECT_EQ(restored.points[0], squeezed.relaxed.points[0]);
+}
+
+// A sphere with nothing around it, about the origin.
+Squeezed SqueezedAlone(double factor) {
+  return Squeezed(factor, ContactGroup({SphereAt({0, 0, 0}, 10, 3)}, {}));
+}
+
+TEST(RestoreVolumes, MovesVerticesBesideHeldOnesLess) {
+  Squeezed squeezed = SqueezedAlone(0.99);
+  const Points& points = squeezed.relaxed.points[0];
+  const auto is_held = [&](int v) { return points(v, 2) < 0; };
+  for (int v = 0; v < points.rows(); ++v) {
+    if (is_held(v)) squeezed.relaxed.unprojected[0](v, 2) -= 0.1;
+  }
+  const RestoredVolumes restored = RestoreVolumes(
+      squeezed.options, squeezed.step, squeezed.relaxed, &squeezed.planes);
+  const Eigen::VectorXd moves = (restored.points[0] - points).rowwise().norm();
+  const MuscleSurface& surface = squeezed.group.scene.muscles[0];
+  double most_beside = 0;
+  for (int v = 0; v < surface.num_vertices(); ++v) {
+    if (is_held(v)) continue;
+    for (int e = surface.first[v]; e < surface.first[v + 1]; ++e) {
+      if (!is_held(surface.neighbours[e])) continue;
+      most_beside = std::max(most_beside, moves[v]);
+    }
+  }
+  EXPECT_GT(most_beside, 0);
+  EXPECT_LT(most_beside, 0.8 * moves.maxCoeff());
+}
+
+TEST(RestoreVolumes, MovesNoVertexByMoreThanTheReachInOneStep) {
+  Squeezed squeezed = SqueezedAlone(0.5);  // 5 mm are missing all around
+  squeezed.options.volume.max_steps = 1;
+  const RestoredVolumes restored = RestoreVolumes(
+      squeezed.options, squeezed.step, squeezed.relaxed, &squeezed.planes);
+  EXPECT_NEAR((restored.points[0] - squeezed.relaxed.points[0])
+                  .rowwise()
+                  .norm()
+                  .maxCoeff(),
+              squeezed.options.reach,
+              1e-9);
 }
 
 }  // namespace

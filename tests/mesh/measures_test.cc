@@ -20,19 +20,21 @@ TEST(Measures, VolumeAndAreaOfABox) {
   EXPECT_DOUBLE_EQ(BoundingBoxDiagonal(box.points), std::sqrt(29.0));
 }
 
-TEST(Measures, OnlyClosedOrientedMeshesEncloseAVolume) {
+TEST(Measures, NeighboursOfOneOrientationPassTheirEdgeInBothDirections) {
   const Triangles box = Box(2, 3, 4).triangles;
-  EXPECT_TRUE(EnclosesVolume(box));
-  EXPECT_FALSE(EnclosesVolume(box.topRows(box.rows() - 1)));
+  EXPECT_TRUE(IsConsistentlyOriented(box));
+  EXPECT_TRUE(IsConsistentlyOriented(box.topRows(box.rows() - 1)));  // open
   Triangles turned = box;
-  EXPECT_TRUE(EnclosesVolume(turned.rowwise().reverse()));  // inside out
+  EXPECT_TRUE(
+      IsConsistentlyOriented(turned.rowwise().reverse()));  // inside out
   turned.row(0).reverseInPlace();
-  EXPECT_FALSE(EnclosesVolume(turned));
-  // Two bodies, one of them twice.
+  EXPECT_FALSE(IsConsistentlyOriented(turned));
+  // Every triangle twice, and then one of them the other way.
   Triangles twice(2 * box.rows(), 3);
   twice << box, box;
-  EXPECT_TRUE(EnclosesVolume(twice));
-  EXPECT_FALSE(EnclosesVolume(Triangles(0, 3)));
+  EXPECT_TRUE(IsConsistentlyOriented(twice));
+  twice.row(0).reverseInPlace();
+  EXPECT_FALSE(IsConsistentlyOriented(twice));
 }
 
 TEST(Measures, VolumeIsNegativeInsideOut) {

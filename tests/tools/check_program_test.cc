@@ -67,27 +67,23 @@ TEST(CheckProgram, ReportsDefectsWithoutRepair) {
   EXPECT_EQ(json["files"][0]["triangles"], soup.triangles.rows());
 }
 
-// The sum over the triangles of such a mesh depends on the origin.
-TEST(CheckProgram, AMeshThatEnclosesNothingHasNoVolume) {
+TEST(CheckProgram, AMeshThatIsNotOrientedHasNoVolume) {
   const std::string dir = TestTempDir();
   const TriangleSoup box = Box(10, 10, 10);
-  TriangleSoup open = box, turned = box;
-  open.triangles.conservativeResize(open.triangles.rows() - 1, 3);
+  TriangleSoup turned = box;
   turned.triangles.row(0).reverseInPlace();
   const auto check = [&](const TriangleSoup& soup) {
     WriteTriangleSoup(dir + "/box.ply", soup);
     return Check(dir + "/box.ply --json=" + dir + "/check.json").out;
   };
-  const auto encloses = [&] {
+  const auto is_oriented = [&] {
     const Json json = Json::parse(FileText(dir + "/check.json"));
-    return json["files"][0]["encloses_volume"].get<bool>();
+    return json["files"][0]["oriented"].get<bool>();
   };
   EXPECT_THAT(check(box), HasSubstr("        1.00           0  none"));
-  EXPECT_TRUE(encloses());
-  for (const TriangleSoup& soup : {open, turned}) {
-    EXPECT_THAT(check(soup), HasSubstr("           -           0  "));
-    EXPECT_FALSE(encloses());
-  }
+  EXPECT_TRUE(is_oriented());
+  EXPECT_THAT(check(turned), HasSubstr("           -           0  "));
+  EXPECT_FALSE(is_oriented());
 }
 
 TEST(CheckProgram, SaysWhatAReaderSkipped) {

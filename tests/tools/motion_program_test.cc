@@ -175,7 +175,11 @@ TEST_F(MotionProgram, MusclesWithoutLinesGetThem) {
 
 TEST_F(MotionProgram, RefusesMotionsThatDoNotFit) {
   ExpectRefusedWith(
-      &motion_, "time\tknee", "time\thip", {"bend.mot", "\"hip\"", "knee"});
+      &motion_, "time\tknee", "time\thip", {"bend.mot", "no column", "knee"});
+  ExpectRefusedWith(&motion_,
+                    "time\tknee",
+                    "time\tkne",
+                    {"bend.mot", "\"kne\"", "nearly named as \"knee\""});
   ExpectRefusedWith(&motion_, "inDegrees=yes\n", "", {"bend.mot", "inDegrees"});
   ExpectRefusedWith(&motion_, "\t-15", "\tNaN", {"bend.mot", "line 11"});
   ExpectRefusedWith(&motion_, "\t-15", "\tabc", {"bend.mot", "line 11"});
@@ -205,7 +209,7 @@ TEST_F(MotionProgram, RefusesModelsThatDoNotFit) {
                  20,
                  "<Body name=\"thigh\"><attached_geometry><Mesh><mesh_file>"
                  "femur.vtp</mesh_file></Mesh></attached_geometry></Body>");
-  ExpectRefused({"leg.osim", "femur.vtp", "not there"});
+  ExpectRefused({"leg.osim", "femur.vtp", "none of the folders"});
 }
 
 #ifdef MUSCLEWARP_WITH_VTK

@@ -33,20 +33,25 @@ double SignedVolume(const Points& points, const Triangles& triangles) {
   return six_volumes / 6;
 }
 
-bool EnclosesVolume(const Triangles& triangles) {
-  // How often each edge is passed, from its lower to its higher vertex less the
-  // other way.
-  std::map<std::pair<int, int>, int> passages;
+bool IsConsistentlyOriented(const Triangles& triangles) {
+  // How often each edge is passed, and how often from its lower to its higher
+  // vertex less the other way.
+  struct Passages {
+    int all = 0, surplus = 0;
+  };
+  std::map<std::pair<int, int>, Passages> edges;
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
     for (int c = 0; c < 3; ++c) {
       const int a = triangles(f, c), b = triangles(f, (c + 1) % 3);
-      if (a != b) passages[std::minmax(a, b)] += a < b ? 1 : -1;
+      if (a == b) continue;
+      Passages& passages = edges[std::minmax(a, b)];
+      ++passages.all;
+      passages.surplus += a < b ? 1 : -1;
     }
   }
-  return triangles.rows() > 0 &&
-         std::all_of(passages.begin(), passages.end(), [](const auto& edge) {
-           return edge.second == 0;
-         });
+  return std::all_of(edges.begin(), edges.end(), [](const auto& edge) {
+    return std::abs(edge.second.surplus) <= edge.second.all % 2;
+  });
 }
 
 Points VolumeGradient(const Points& points, const Triangles& triangles) {

@@ -18,10 +18,10 @@ namespace musclewarp {
 // enclosed volume for closed meshes only: for others it depends on the origin.
 double SignedVolume(const Points& points, const Triangles& triangles);
 
-// True if a mesh has a volume: triangles pass along every edge as often in one
-// direction as in the other, so that the mesh is closed and consistently
-// oriented, and SignedVolume does not depend on the origin.
-bool EnclosesVolume(const Triangles& triangles);
+// Returns true if triangles pass along every edge as often in one direction as
+// in the other, but for one where their number is odd, as at a border. If they
+// do not, the signs of SignedVolume are mixed, and its value means nothing.
+bool IsConsistentlyOriented(const Triangles& triangles);
 
 // Returns dV/dX, #V x 3, mm^2. The row of vertex i is 1/6 sum (x_b x x_c) over
 // the triangles (i, b, c) around it; paper eq. (2.10), J_g.
