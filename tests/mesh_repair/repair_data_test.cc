@@ -122,8 +122,10 @@ TEST_F(RepairData, OpenSimBones) {
         RepairMesh(soup, file, RepairOptions(), &report);
     EXPECT_TRUE(CountDefects(repaired).IsClean()) << file;
     EXPECT_GT(report.fillings.missing_faces, 0) << file;
-    // The surface is there but for these faces.
-    EXPECT_LT(report.dropped_area, 0.05 * report.fillings.area) << file;
+    // What is dropped are single triangles, doubled ones for the most part.
+    EXPECT_LT(report.dropped_area,
+              0.02 * SurfaceArea(repaired.points, repaired.triangles))
+        << file;
   }
 }
 
