@@ -78,5 +78,14 @@ TEST(StepOptions, NameTheFieldThatIsWrong) {
   }
 }
 
+// Two vertices that are beyond their planes by all that is allowed still keep
+// the gap.
+TEST(StepOptions, TheGapIsKeptIfViolationsAreAllowed) {
+  StepOptions options;
+  options.gap = 0.3;
+  EXPECT_GT(options.AllowedViolation(), 0);
+  EXPECT_NEAR(options.AimedGap() - 2 * options.AllowedViolation(), 0.3, 1e-15);
+}
+
 }  // namespace
 }  // namespace musclewarp

@@ -38,42 +38,83 @@ Matrix4d TurnAboutZ(double angle) {
 // nothing is left for single vertices.
 TEST(Step, ShowsTheCoarseMeshesThePlanesToMakeWayFor) {
   ContactGroup group = SpheresOverABone();
-  std::vector<Points> targets = group.state.targets;
-  targets[0].rowwise() += RowVector3d(0, 0, -0.8);
-  const Points free = targets[0];
-  std::vector<int> all(free.rows());
+  std::vector<Points> free = group.state.targets;
+  free[0].rowwise() += RowVector3d(0, 0, -0.8);
+  std::vector<int> all(free[0].rows());
   std::iota(all.begin(), all.end(), 0);
+  double deepest = 0;
+  std::vector<Points> solved = free;
+  const auto make_way = [&](const PlaneSet& planes,
+                            const std::vector<Points>& points) {
+    for (const VertexHalfSpace& plane :
+         planes.MostViolated(0, all, points[0], free[0]).spaces) {
+      const RowVector3d& normal = plane.space.normal;
+      EXPECT_NEAR(normal.norm(), 1, 1e-12);
+      const double depth =
+          plane.space.level - normal.dot(free[0].row(plane.vertex));
+      if (depth <= deepest) continue;
+      deepest = depth;
+      // The bone is below, its upper side at 0, the muscle was at 0.5.
+      EXPECT_NEAR(normal[2], 1, 1e-6);
+      EXPECT_GT(plane.space.level, 0);
+      EXPECT_LT(plane.space.level, 0.5);
+    }
+    solved[0].col(2).array() += deepest;
+    return solved;
+  };
   StepOptions options;
   options.sweeps = 1000;  // until nothing changes
-  const ContactStep step = MakeContactStep(
-      group.scene, group.state, targets, group.state.bones_from_rest);
-  OpenStep open = BeginStep(options, step, targets, options.sweeps / 2);
-  double deepest = 0;
-  for (const VertexHalfSpace& plane :
-       open.planes.MostViolated(0, all, open.relaxed.points[0], targets[0])
-           .spaces) {
-    const RowVector3d& normal = plane.space.normal;
-    EXPECT_NEAR(normal.norm(), 1, 1e-12);
-    const double depth = plane.space.level - normal.dot(free.row(plane.vertex));
-    if (depth <= deepest) continue;
-    deepest = depth;
-    // The bone is below, its upper side at 0, the muscle was at 0.5.
-    EXPECT_NEAR(normal[2], 1, 1e-6);
-    EXPECT_GT(plane.space.level, 0);
-    EXPECT_LT(plane.space.level, 0.5);
-  }
+  const StepResult result = Step(options,
+                                 group.scene,
+                                 group.state,
+                                 {free, group.state.bones_from_rest},
+                                 make_way);
   EXPECT_GT(deepest, 0.3);
-  targets[0].col(2).array() += deepest;
-  const StepResult result =
-      FinishStep(options, step, targets, options.sweeps / 2, std::move(open));
   EXPECT_FALSE(result.summary.faults.HasCrossings());
   group.state = result.state;
   EXPECT_EQ(group.CrossingPairs(), 0);
+  EXPECT_EQ(group.state.targets[0], solved[0]);
   // Next to nothing is left for single vertices: other planes than the deepest
   // may ask for a little more.
-  const Points offset = group.state.points[0] - targets[0];
+  const Points offset = group.state.points[0] - solved[0];
   EXPECT_LT(offset.rowwise().norm().maxCoeff(), 1e-3);
-  EXPECT_GT((targets[0] - free).rowwise().norm().minCoeff(), 0.3);
+}
+
+TEST(Step, IsGivenUpIfItPushesMusclesTooFar) {
+  const ContactGroup group = SpheresOverABone();
+  StepGoal goal = {group.state.targets, group.state.bones_from_rest};
+  goal.targets[0].col(2).array() -= 1.2;  // 0.7 into the bone
+  const StepOptions options;
+  const StepSummary taken =
+      Step(options, group.scene, group.state, goal).summary;
+  EXPECT_FALSE(taken.is_given_up);
+  EXPECT_GT(taken.push, 0);
+  // Half of the sweeps show whether the push is too large.
+  const auto stay = [&](const PlaneSet&, const std::vector<Points>&) {
+    return goal.targets;
+  };
+  goal.max_push = taken.push / 4;
+  const StepResult given_up =
+      Step(options, group.scene, group.state, goal, stay);
+  EXPECT_TRUE(given_up.summary.is_given_up);
+  EXPECT_GT(given_up.summary.push, goal.max_push);
+  EXPECT_TRUE(given_up.state.points.empty());
+  goal.max_push = 4 * taken.push;
+  EXPECT_FALSE(
+      Step(options, group.scene, group.state, goal, stay).summary.is_given_up);
+}
+
+TEST(Step, TellsWhetherMusclesArePushedByAllTheyMayBe) {
+  const ContactGroup group = SpheresOverABone();
+  StepGoal goal = {group.state.targets, group.state.bones_from_rest};
+  const StepOptions options;
+  EXPECT_TRUE(
+      Step(options, group.scene, group.state, goal).summary.is_short_of_reach);
+  // Both spheres are to go by more than the reach beside their targets.
+  ContactState aside = group.state;
+  for (Points& points : aside.points) points.col(1).array() += 3;
+  EXPECT_FALSE(
+      Step(options, group.scene, aside, goal).summary.is_short_of_reach);
 }
 
 TEST(Step, GoesToTheTargetsWhereNothingIsInTheWay) {
@@ -125,6 +166,8 @@ TEST(Step, KeepsVolumeAndDistanceUnderPressure) {
                       RowVector3d(-0.1 * step, 0, -0.1 * step);
     const StepSummary summary = group.StepTo(next);
     ASSERT_FALSE(summary.faults.HasCrossings()) << step;
+    EXPECT_EQ(summary.faults.is_gap_violated,
+              summary.violation > StepOptions().AllowedViolation());
     EXPECT_EQ(group.CrossingPairs(), 0);
     for (int i = 0; i < 2; ++i) {
       EXPECT_GT(group.state.points[i].col(2).minCoeff(), 0);

@@ -10,6 +10,9 @@
 #include <utility>
 
 #include "musclewarp/certified_contact/defects.h"
+#include "musclewarp/certified_contact/moves.h"
+#include "musclewarp/certified_contact/passages.h"
+#include "musclewarp/certified_contact/relaxation.h"
 #include "musclewarp/certified_contact/sheet_planes.h"
 #include "musclewarp/certified_contact/volume.h"
 
@@ -22,8 +25,7 @@ StepFaults FaultsOf(const StepOptions& options,
   StepFaults faults;
   faults.crossing_pairs = defects.num_crossings();
   faults.self_crossing_pairs = static_cast<int>(defects.self_crossings.size());
-  // Two muscles share a gap.
-  faults.is_gap_violated = violation > (options.AimedGap() - options.gap) / 2;
+  faults.is_gap_violated = violation > options.AllowedViolation();
   faults.folded_triangles = defects.num_folded();
   return faults;
 }
@@ -34,26 +36,37 @@ struct Round {
   std::vector<Points> points;
 };
 
-StepResult ResultOf(const ContactStep& step,
+// A step that is under way: its planes, and how far the vertices have come.
+struct OpenStep {
+  PlaneSet planes;
+  RelaxedPoints relaxed;
+  std::vector<TriangleBvh> trees;  // fitted to whatever is searched
+};
+
+StepResult ResultOf(const StepOptions& options,
+                    const ContactStep& step,
                     const std::vector<Points>& targets,
                     int rounds,
                     Round best) {
-  best.summary.rounds = rounds;
-  return {{std::move(best.points), targets, step.bones_from_rest},
-          best.summary};
+  StepSummary& summary = best.summary;
+  summary.rounds = rounds;
+  summary.push = MoveOfMostMoved(best.points, step.carried, kPushedFarthest) +
+                 summary.violation;
+  summary.is_short_of_reach =
+      summary.push < options.reach &&
+      MoveOfMostMoved(best.points, step.carried, kUnsettled) <
+          0.99 * options.reach;
+  return {{std::move(best.points), targets, step.bones_from_rest}, summary};
 }
 
-}  // namespace
-
-bool IsBetter(const StepFaults& a, const StepFaults& b) {
-  const auto rank = [](const StepFaults& faults) {
-    return std::make_tuple(faults.crossing_pairs + faults.self_crossing_pairs,
-                           faults.is_gap_violated,
-                           faults.folded_triangles);
-  };
-  return rank(a) < rank(b);
+StepResult GivenUp(double push) {
+  StepResult result;
+  result.summary.push = push;
+  result.summary.is_given_up = true;
+  return result;
 }
 
+// Finds the separating planes and relaxes the vertices between them.
 OpenStep BeginStep(const StepOptions& options,
                    const ContactStep& step,
                    const std::vector<Points>& targets,
@@ -77,6 +90,8 @@ OpenStep BeginStep(const StepOptions& options,
   return open;
 }
 
+// Relaxes, restores volumes and finds defects until there are none. `targets`:
+// where the coarse meshes have the vertices now.
 StepResult FinishStep(const StepOptions& options,
                       const ContactStep& step,
                       const std::vector<Points>& targets,
@@ -112,30 +127,50 @@ StepResult FinishStep(const StepOptions& options,
     if (left.IsEmpty() ||
         (!left.HasCrossings() &&
          polishing_rounds++ == options.max_polishing_rounds)) {
-      return ResultOf(step, targets, round, std::move(*best));
+      return ResultOf(options, step, targets, round, std::move(*best));
     }
     open.planes.Add(PlanesAgainst(defects, options, step, targets));
     stiffness =
         Stiffened(defects, options.defects, step.scene, std::move(stiffness));
   }
-  return ResultOf(step, targets, options.max_rounds, std::move(*best));
+  return ResultOf(options, step, targets, options.max_rounds, std::move(*best));
 }
 
-StepResult AdvanceWithoutIntersection(
-    const StepOptions& options,
-    const ContactScene& scene,
-    const ContactState& before,
-    const std::vector<Points>& targets,
-    const std::vector<Eigen::Matrix4d>& bones_from_rest) {
+}  // namespace
+
+bool IsBetter(const StepFaults& a, const StepFaults& b) {
+  const auto rank = [](const StepFaults& faults) {
+    return std::make_tuple(faults.crossing_pairs + faults.self_crossing_pairs,
+                           faults.is_gap_violated,
+                           faults.folded_triangles);
+  };
+  return rank(a) < rank(b);
+}
+
+StepResult Step(const StepOptions& options,
+                const ContactScene& scene,
+                const ContactState& before,
+                const StepGoal& goal,
+                const SolveCoarse& solve_coarse) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
-  const ContactStep step =
-      MakeContactStep(scene, before, targets, bones_from_rest);
-  return FinishStep(options,
-                    step,
-                    targets,
-                    options.sweeps,
-                    BeginStep(options, step, targets, 0));
+  const ContactStep step = MakeContactStep(
+      scene, before, goal.targets, goal.bones_from_rest, goal.attached);
+  if (goal.max_push < kInfinity) {
+    const double passage = LongestPassage(step);
+    if (passage > options.relaxation.max_push) return GivenUp(passage);
+  }
+  const int sweeps_before = solve_coarse ? options.sweeps / 2 : 0;
+  OpenStep open = BeginStep(options, step, goal.targets, sweeps_before);
+  // The other sweeps change little in the push.
+  const double push =
+      MoveOfMostMoved(open.relaxed.points, step.carried, kPushedFarthest);
+  if (push > goal.max_push) return GivenUp(push);
+  const std::vector<Points> targets =
+      solve_coarse ? solve_coarse(open.planes, open.relaxed.points)
+                   : goal.targets;
+  return FinishStep(
+      options, step, targets, options.sweeps - sweeps_before, std::move(open));
 }
 
 }  // namespace musclewarp

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
+#include "musclewarp/base/infinity.h"
 #include "musclewarp/certified_contact/contact_step.h"
 #include "musclewarp/certified_contact/plane_set.h"
-#include "musclewarp/certified_contact/relaxation.h"
 #include "musclewarp/certified_contact/step_options.h"
 
 namespace musclewarp {
@@ -33,11 +34,29 @@ struct StepFaults {
 // gap.
 bool IsBetter(const StepFaults& a, const StepFaults& b);
 
+// How far contact moves vertices beside the way that their muscle is carried is
+// measured without the share of them that moves farthest: single vertices are
+// pushed far where muscles are squeezed.
+constexpr double kPushedFarthest = 1.0 / 100;  // for the length of steps
+constexpr double kUnsettled = 1.0 / 500;       // for what has settled
+
 struct StepSummary {
   StepFaults faults;
   int rounds = 0;
   double violation = 0;     // of a plane by a vertex, at most, mm
   double volume_error = 0;  // relative, the worst of all muscles
+
+  // How far contact has pushed the muscle that it pushed farthest, mm, but for
+  // the share kPushedFarthest of its vertices.
+  double push = 0;
+
+  // True if muscles, but for the share kUnsettled of their vertices, are pushed
+  // by less than the reach, so that no second step would push them farther.
+  bool is_short_of_reach = false;
+
+  // True if the step was given up because it pushes muscles too far. There is
+  // no state then.
+  bool is_given_up = false;
 };
 
 struct StepResult {
@@ -45,43 +64,42 @@ struct StepResult {
   StepSummary summary;
 };
 
-// A step that is under way: its planes, and how far the vertices have come.
-struct OpenStep {
-  PlaneSet planes;
-  RelaxedPoints relaxed;
-  std::vector<TriangleBvh> trees;  // fitted to whatever is searched
+// Where a step goes.
+struct StepGoal {
+  // Where the coarse meshes are expected to have the vertices, #V x 3 each, mm.
+  std::vector<Points> targets;
+
+  std::vector<Eigen::Matrix4d> bones_from_rest;
+
+  // By muscle, or empty if nothing is attached.
+  std::vector<AttachedPoints> attached = {};
+
+  // A step that pushes muscles farther is given up, mm; and so is one that
+  // carries them so far through a bone that planes cannot hold them, unless
+  // this is infinite.
+  double max_push = kInfinity;
 };
 
-// Finds the separating planes of a step and relaxes the vertices between them
-// by `sweeps` sweeps. From there on the planes tell what the coarse meshes
-// should make way for (PlaneSet::MostViolated). Keeps references to the options
-// and the step.
-OpenStep BeginStep(const StepOptions& options,
-                   const ContactStep& step,
-                   const std::vector<Points>& targets,
-                   int sweeps);
+// Solves the coarse meshes so that they make way for the planes, as far as
+// PlaneSet::MostViolated says, and returns where they have the vertices then,
+// #V x 3 each, mm. `points`: the vertices between the planes, #V x 3 each, mm.
+using SolveCoarse = std::function<std::vector<Points>(
+    const PlaneSet& planes, const std::vector<Points>& points)>;
 
-// Ends a step: relaxes by `sweeps` sweeps, restores volumes, finds defects, and
-// goes on with planes against these until there are none, at most so many
-// rounds. The best round counts. `targets`: where the coarse meshes have the
-// vertices now, #V x 3 each, mm. If triangles cross at the end, the step was
-// too long or there is no room.
-StepResult FinishStep(const StepOptions& options,
-                      const ContactStep& step,
-                      const std::vector<Points>& targets,
-                      int sweeps,
-                      OpenStep open);
-
-// Moves muscles and bones from `before`, in which no triangles cross, to where
-// the coarse meshes have the vertices at `targets` (#V x 3 each, mm) and the
-// bones are at `bones_from_rest`, so that none cross there: both parts of a
-// step, without a coarse solve between. Precondition (CHECKed): the options are
-// valid.
-StepResult AdvanceWithoutIntersection(
-    const StepOptions& options,
-    const ContactScene& scene,
-    const ContactState& before,
-    const std::vector<Points>& targets,
-    const std::vector<Eigen::Matrix4d>& bones_from_rest);
+// Moves muscles and bones from `before`, in which no triangles cross, to the
+// goal, so that none cross there. Separating planes are found, vertices are
+// relaxed between them, by half of the sweeps, the coarse meshes are solved to
+// make way for the planes, and the other half follows. Then volumes are
+// restored and defects are found, and rounds go on with planes against these
+// until there are none, at most so many rounds. The best round counts. If
+// triangles cross at the end, the step was too long, or there is no room.
+//
+// Without `solve_coarse` the coarse meshes stay where the goal has them.
+// Precondition (CHECKed): the options are valid.
+StepResult Step(const StepOptions& options,
+                const ContactScene& scene,
+                const ContactState& before,
+                const StepGoal& goal,
+                const SolveCoarse& solve_coarse = nullptr);
 
 }  // namespace musclewarp

@@ -162,6 +162,10 @@ struct StepOptions {
   // count.
   double AimedGap() const { return gap / (1 - planes.overlooked_share); }
 
+  // By how much a vertex may be beyond its plane at the end of a step, mm. As
+  // two muscles share the gap between them, it is half of what is to spare.
+  double AllowedViolation() const { return (AimedGap() - gap) / 2; }
+
   // Also checks the options within.
   bool IsValid(std::string* error) const;
 };

@@ -13,7 +13,8 @@
 #include "musclewarp/base/infinity.h"
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/stopwatch.h"
-#include "musclewarp/certified_contact/passages.h"
+#include "musclewarp/certified_contact/moves.h"
+#include "musclewarp/motion/step_remedies.h"
 
 namespace musclewarp {
 namespace {
@@ -32,7 +33,8 @@ SolvedPose SolveFree(const Mover& mover,
 
 // Solves the muscles with rows for the planes that their samples violate most.
 SolvedPose SolveWithContactRows(const Mover& mover,
-                                const OpenStep& open,
+                                const PlaneSet& contact_planes,
+                                const std::vector<Points>& points,
                                 const std::vector<Points>& targets,
                                 const ScenePose& pose,
                                 const SolvedPose& free,
@@ -41,10 +43,8 @@ SolvedPose SolveWithContactRows(const Mover& mover,
   const CertifiedScene& certified = mover.certified;
   std::vector<ContactRows> contact(mover.scene.muscles.size());
   for (size_t k = 0; k < certified.order.size(); ++k) {
-    CarriedHalfSpaces planes = open.planes.MostViolated(static_cast<int>(k),
-                                                        certified.samples[k],
-                                                        open.relaxed.points[k],
-                                                        targets[k]);
+    CarriedHalfSpaces planes = contact_planes.MostViolated(
+        static_cast<int>(k), certified.samples[k], points[k], targets[k]);
     for (PlaneCarrier& carrier : planes.carriers) {
       if (carrier.IsBone()) continue;
       carrier.muscle_above = certified.order[carrier.muscle_above];
@@ -63,47 +63,15 @@ SolvedPose SolveWithContactRows(const Mover& mover,
                        start.states);
 }
 
-// The distance that all points but a share of them move by less than, mm.
-// Where muscles are squeezed, single vertices never settle.
-double MoveOfMost(const std::vector<Points>& a,
-                  const std::vector<Points>& b,
-                  double share) {
-  std::vector<double> moves;
-  for (size_t i = 0; i < a.size(); ++i) {
-    for (Eigen::Index v = 0; v < a[i].rows(); ++v) {
-      moves.push_back((a[i].row(v) - b[i].row(v)).norm());
-    }
-  }
-  if (moves.empty()) return 0;
-  const auto most = moves.end() - 1 -
-                    static_cast<int>(share * static_cast<double>(moves.size()));
-  std::nth_element(moves.begin(), most, moves.end());
-  return *most;
-}
+// A step that was tried: where it ended, and what came of it.
+struct Attempt {
+  Place place;
+  StepSummary summary;
+};
 
-// How far contact has pushed all but a share of the vertices of the muscle that
-// it pushed most, mm.
-double PushOfMost(const ContactStep& step,
-                  const std::vector<Points>& points,
-                  double share) {
-  double push = 0;
-  for (size_t i = 0; i < points.size(); ++i) {
-    push = std::max(push, MoveOfMost({points[i]}, {step.carried[i]}, share));
-  }
-  return push;
-}
-
-// The vertices that may not have settled, as a share of all.
-constexpr double kUnsettled = 1.0 / 500;
-
-double PushOf(const ContactStep& step, const std::vector<Points>& points) {
-  return PushOfMost(step, points, 0.01);
-}
-
-// One step: planes, half of the sweeps, the coarse solve with contact rows, the
-// other half, and rounds until nothing crosses. `start` is where the coarse
-// meshes are predicted. The step is given up before the coarse solve if it
-// pushes muscles by more than `max_push`, mm, or carries them through a bone.
+// Tries a step from a place to a pose. `start` is where the coarse meshes are
+// predicted. The step is given up if it pushes muscles by more than `max_push`,
+// mm.
 Attempt TryStep(const Mover& mover,
                 const StepOptions& options,
                 const Place& from,
@@ -115,37 +83,23 @@ Attempt TryStep(const Mover& mover,
   attempt.place.pose = pose;
   attempt.place.free = free;
   attempt.place.solved = start;
-  std::vector<Points> targets = FineMeshes(mover, start.states);
-  const ContactStep step = MakeContactStep(mover.certified.contact,
-                                           from.surfaces,
-                                           targets,
-                                           BonesFromRest(mover.scene, pose),
-                                           AttachedIn(mover, pose));
-  if (max_push < kInfinity) {
-    attempt.push = LongestPassage(step);
-    if (attempt.push > options.relaxation.max_push) return attempt;
+  const StepGoal goal = {FineMeshes(mover, start.states),
+                         BonesFromRest(mover.scene, pose),
+                         AttachedIn(mover, pose),
+                         max_push};
+  SolveCoarse solve_coarse;
+  if (mover.certified.options.coarse_weight > 0) {
+    solve_coarse = [&](const PlaneSet& planes,
+                       const std::vector<Points>& points) {
+      attempt.place.solved = SolveWithContactRows(
+          mover, planes, points, goal.targets, pose, free, start);
+      return FineMeshes(mover, attempt.place.solved.states);
+    };
   }
-  const bool has_rows = mover.certified.options.coarse_weight > 0;
-  const int sweeps_before = has_rows ? options.sweeps / 2 : 0;
-  OpenStep open = BeginStep(options, step, targets, sweeps_before);
-  // The other sweeps change little in the push.
-  attempt.push = PushOf(step, open.relaxed.points);
-  if (attempt.push > max_push) return attempt;
-  if (has_rows) {
-    attempt.place.solved =
-        SolveWithContactRows(mover, open, targets, pose, free, start);
-    targets = FineMeshes(mover, attempt.place.solved.states);
-  }
-  StepResult result = FinishStep(
-      options, step, targets, options.sweeps - sweeps_before, std::move(open));
+  StepResult result =
+      Step(options, mover.certified.contact, from.surfaces, goal, solve_coarse);
   attempt.place.surfaces = std::move(result.state);
   attempt.summary = result.summary;
-  attempt.push =
-      PushOf(step, attempt.place.surfaces.points) + attempt.summary.violation;
-  attempt.is_short_of_reach =
-      attempt.push < options.reach &&
-      PushOfMost(step, attempt.place.surfaces.points, kUnsettled) <
-          0.99 * options.reach;
   return attempt;
 }
 
@@ -219,7 +173,7 @@ class Walker {
   double at() const { return at_; }
   WalkSummary TakeSummary() { return std::move(summary_); }
 
-  // Tries a step on the way.
+  // Tries a step on the way, and does what follows.
   void Advance() {
     const double to = length_.NextFrom(at_);
     const ScenePose pose =
@@ -227,36 +181,23 @@ class Walker {
     const SolvedPose free = SolveFree(mover_, *place_, pose);
     Attempt attempt =
         Try(pose, free, MovedAlong(*place_, free), length_.max_push());
-    if (length_.ShortenFor(attempt.push)) return;
-    const bool crosses = Crosses(attempt.summary);
-    if (crosses && !summary_.last_clean) {
-      if (length_.Halve() || GoBack() || ReachFarther()) return;
-      summary_.last_clean = *place_;
+    StepOutcome outcome = StepOutcome::kClean;
+    if (attempt.summary.push > length_.max_push()) {
+      outcome = StepOutcome::kPushedFar;
+    } else if (Crosses(attempt.summary)) {
+      outcome = summary_.last_clean ? StepOutcome::kStillStuck
+                                    : StepOutcome::kCrossing;
     }
-    length_.Grow(attempt.push);
-    if (!crosses) summary_.last_clean.reset();
-    // Muscles that are pushed by less than the reach get there in one step.
-    is_settled_ = attempt.is_short_of_reach;
-    if (!crosses) LeaveWaypoint();
-    Accept(std::move(attempt));
-    at_ = to;
+    Respond(outcome, to, std::move(attempt));
   }
 
-  // Tries a step at the pose.
+  // The same at the pose.
   void Settle() {
     Attempt attempt = Try(goal_, place_->free, place_->solved, kInfinity);
-    if (Crosses(attempt.summary)) {
-      is_settled_ = !ReachFarther();
-      return;
-    }
-    const double move = MoveOfMost(
-        place_->surfaces.points, attempt.place.surfaces.points, kUnsettled);
-    VLOG(1) << "most vertices have moved by less than " << move << " mm";
-    summary_.last_clean.reset();
-    const bool stops_short =
-        attempt.summary.faults.IsEmpty() && move > step_.reach;
-    Accept(std::move(attempt), stops_short);
-    is_settled_ = move < options_.settling_tolerance;
+    Respond(Crosses(attempt.summary) ? StepOutcome::kSettledCrossing
+                                     : StepOutcome::kSettledClean,
+            1,
+            std::move(attempt));
   }
 
   // Goes the rest of the way without contact.
@@ -268,6 +209,61 @@ class Walker {
   }
 
  private:
+  void Respond(StepOutcome outcome, double to, Attempt attempt) {
+    for (const StepRemedy remedy : RemediesOf(outcome)) {
+      if (Apply(remedy, to, &attempt)) return;
+    }
+  }
+
+  // Returns false if a remedy is not possible.
+  bool Apply(StepRemedy remedy, double to, Attempt* attempt) {
+    switch (remedy) {
+      case StepRemedy::kAccept:
+        summary_.last_clean.reset();
+        LeaveWaypoint();
+        GoOn(to, attempt);
+        return true;
+      case StepRemedy::kAcceptStuck:
+        if (!summary_.last_clean) summary_.last_clean = *place_;
+        GoOn(to, attempt);
+        return true;
+      case StepRemedy::kShorten:
+        return length_.ShortenFor(attempt->summary.push);
+      case StepRemedy::kHalve:
+        return length_.Halve();
+      case StepRemedy::kGoBack:
+        return GoBack();
+      case StepRemedy::kReachFarther:
+        return ReachFarther();
+      case StepRemedy::kSettle:
+        SettleAt(attempt);
+        return true;
+      case StepRemedy::kEndSettling:
+        is_settled_ = true;
+        return true;
+    }
+    return false;
+  }
+
+  void GoOn(double to, Attempt* attempt) {
+    length_.Grow(attempt->summary.push);
+    // Muscles that are pushed by less than the reach get there in one step.
+    is_settled_ = attempt->summary.is_short_of_reach;
+    Accept(std::move(*attempt));
+    at_ = to;
+  }
+
+  void SettleAt(Attempt* attempt) {
+    const double move = MoveOfMost(
+        place_->surfaces.points, attempt->place.surfaces.points, kUnsettled);
+    VLOG(1) << "most vertices have moved by less than " << move << " mm";
+    summary_.last_clean.reset();
+    const bool stops_short =
+        attempt->summary.faults.IsEmpty() && move > step_.reach;
+    Accept(std::move(*attempt), stops_short);
+    is_settled_ = move < options_.settling_tolerance;
+  }
+
   // Remembers the place before a step, unless it is close to the last one.
   void LeaveWaypoint() {
     const double spacing = options_.length.unchecked;
@@ -299,7 +295,7 @@ class Walker {
     Attempt attempt =
         TryStep(mover_, step_, *place_, pose, free, start, max_push);
     VLOG(1) << "step from " << at_ << " of length " << length_.length()
-            << ", reach " << step_.reach << " mm: push " << attempt.push
+            << ", reach " << step_.reach << " mm: push " << attempt.summary.push
             << " mm, " << attempt.summary.rounds << " rounds, "
             << attempt.summary.faults.crossing_pairs << " crossing pairs, "
             << attempt.summary.faults.self_crossing_pairs

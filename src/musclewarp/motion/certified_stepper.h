@@ -18,20 +18,6 @@ namespace musclewarp {
 //   const WalkSummary walk = Walk(mover, options, pose, /*at=*/0, {}, &place);
 //   state = StateOf(mover, place);
 
-// A step that was tried from one place to another.
-struct Attempt {
-  Place place;
-  StepSummary summary;
-
-  // How far contact has pushed muscles beside the way that they are carried,
-  // mm: less than this for all but one in a hundred vertices of each.
-  double push = 0;
-
-  // True if muscles are pushed by less than they may be: for all but one in
-  // five hundred vertices of each.
-  bool is_short_of_reach = false;
-};
-
 // How a scene goes from one place to another.
 struct WalkOptions {
   StepOptions step;
@@ -72,13 +58,13 @@ struct WalkSummary {
 // Moves on from `place` to a pose, and settles there. `at` is the share of the
 // way that is already done: 1 if the place is the pose.
 //
-// A step that pushes muscles too far is shortened (StepLength), and one after
-// which triangles cross is halved. If it cannot be, muscles are in a dead end:
-// the walk goes back a few steps, and on from there by steps a quarter as long.
-// If it may not go back again, the step is tried with more reach. If that does
-// not help either, it ends the settling; on the way to a pose it is taken all
-// the same, as what follows may part the triangles, but nothing more is tried
-// until they have parted.
+// What follows a step is in step_remedies.h: one that pushes muscles too far is
+// shortened (StepLength), and one after which triangles cross is halved. If it
+// cannot be, muscles are in a dead end: the walk goes back a few steps, and on
+// from there by steps a quarter as long. If it may not go back again, the step
+// is tried with more reach. If that does not help either, it ends the settling;
+// on the way to a pose it is taken all the same, as what follows may part the
+// triangles, but nothing more is tried until they have parted.
 //
 // `on_progress` may be empty, and may throw: the place is then where the last
 // step has left it.
