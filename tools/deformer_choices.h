@@ -17,10 +17,10 @@ struct DeformerChoices {
   std::string contact_level = "coarse";
   std::string attachments = "auto";
   std::string remake = "auto";
-  double max_loss = 0.06;
+  double max_loss = FrameRequirements().max_volume_loss;
   int max_iterations = 500;
   unsigned seed = 1;
-  double max_hole = 30;  // mm
+  double max_hole = HoleLimits().max_perimeter;  // mm
   int coarse_vertices = 200;
   int bone_coarse_vertices = 1000;
   double sample_spacing = 10;  // mm
@@ -28,7 +28,7 @@ struct DeformerChoices {
   double attachment_weight = 8;
   int auto_lines = 3;
   int fibres = 0;
-  double gap = 0.1;  // mm
+  double gap = StepOptions().gap;  // mm
   int max_rounds = 6;
   double frame_timeout_s = CertifiedContactOptions::kTimeoutByMuscles;
   double max_step_turn = 20;  // degrees

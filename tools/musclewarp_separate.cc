@@ -34,16 +34,16 @@ DEFINE_string(
     "their faces: largest (the largest piece, the others are lost) or "
     "all (a mesh of each piece)");
 DEFINE_double(max_loss,
-              0.06,
+              musclewarp::SeparateOptions().max_loss,
               "share of the volume of a mesh or label, as it was delivered, "
               "that may be lost; with more the exit code is 1");
 DEFINE_double(max_hole,
-              musclewarp::HoleLimits().max_perimeter,
+              musclewarp::SeparateOptions().max_hole,
               "holes whose border is at most this long are filled when a mesh "
               "file is repaired, mm; slits and missing faces are whatever "
               "their length");
 DEFINE_double(gap,
-              0.1,
+              musclewarp::SeparateOptions().gap,
               "distance that is kept between meshes, mm; at most 0.5");
 DEFINE_string(format, "ply", "mesh files to write: ply, obj, vtp; commas");
 DEFINE_string(remake,

@@ -43,7 +43,7 @@ DEFINE_int32(max_iterations, 500, "of a solver, before it gives up");
 DEFINE_uint32(seed, 1, "of the rays that tell inside from outside");
 DEFINE_int32(threads, 0, "threads; 0: one a core");
 DEFINE_double(max_hole,
-              30,
+              musclewarp::DeformerChoices().max_hole,
               "holes whose border is at most this long are filled when a mesh "
               "is repaired, mm; a longer one is filled only if it is a slit: "
               "if the area of its filling is at most 0.006 times the square of "
@@ -68,7 +68,7 @@ DEFINE_int32(auto_lines,
              3,
              "lines made for a muscle that has none; 1: a centre line");
 DEFINE_double(gap,
-              0.1,
+              musclewarp::DeformerChoices().gap,
               "distance that certified contact keeps between surfaces, mm; at "
               "most 0.5");
 DEFINE_int32(max_rounds,
@@ -86,7 +86,7 @@ DEFINE_string(remake,
               "auto (their meshes are made anew) or never (the scene is "
               "refused)");
 DEFINE_double(max_loss,
-              0.06,
+              musclewarp::DeformerChoices().max_loss,
               "share of the volume of a muscle, as it was delivered, that may "
               "be lost where its mesh is made anew; with more, frames are not "
               "usable");

@@ -32,14 +32,14 @@ struct SeparateOptions {
   // The longest border of a hole that is filled whatever its shape, mm.
   double max_hole = HoleLimits().max_perimeter;
 
-  double gap = 0.1;  // mm, that meshes keep at least
+  double gap = StepOptions().gap;  // mm, that meshes keep at least
 
   // What happens to meshes that cannot be separated by moving their vertices.
   RemakeKind remake = RemakeKind::kAuto;
 
   // The share of the volume of a mesh or label, as it was delivered, that may
   // be lost; with more the result is not usable.
-  double max_loss = 0.06;
+  double max_loss = FrameRequirements().max_volume_loss;
   std::vector<std::string> formats = {"ply"};  // of the meshes written
   bool json = false;         // if true, separation.json is written, too
   int threads = 0;           // 0: as many as OpenMP chooses

@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/programs_data.h"
 
-#include <cstdlib>
-
+#include "support/data_root.h"
 #include "tools/run_program.h"
 
 namespace musclewarp {
 
 void ProgramsDataTest::SetUp() {
-  const char* root = std::getenv("MUSCLEWARP_DATA_ROOT");
-  if (!root) GTEST_SKIP() << "MUSCLEWARP_DATA_ROOT is not set";
-  root_ = root;
+  root_ = DataRoot();
+  if (root_.empty()) GTEST_SKIP() << kNoDataRoot;
 }
 
 nlohmann::json ProgramsDataTest::Deform(const std::string& scene,

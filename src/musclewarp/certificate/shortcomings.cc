@@ -151,6 +151,7 @@ bool FrameRequirements::IsValid(std::string* error) const {
       .IsWithin("max_folded_share", max_folded_share, 0, 1)
       .IsAtLeast("displacement_per_depth", displacement_per_depth, 0)
       .IsAtLeast("displacement_allowance", displacement_allowance, 0)
+      .IsWithin("touching_distance", touching_distance, 0, kMeshGapLimit)
       .IsWithin("gap", gap, 0, kMeshGapLimit)
       .is_valid();
 }

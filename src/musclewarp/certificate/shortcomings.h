@@ -34,7 +34,8 @@ struct FrameRequirements {
   double displacement_per_depth = 2;
   double displacement_allowance = 1;
 
-  // Muscles that are nearer to each other than this, mm, pass a push on.
+  // Muscles that are nearer to each other than this, mm, at most kMeshGapLimit,
+  // pass a push on.
   double touching_distance = 0.5;
 
   // The proved distance of every two meshes, mm, at most kMeshGapLimit; 0 if

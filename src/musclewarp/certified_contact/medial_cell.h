@@ -17,8 +17,8 @@ struct MedialCellOptions {
   double margin = 0.2;
 
   // The size of the voxels that tell which parts of a cell are connected, mm.
-  // With 3 mm the LHDL hip is prepared in three quarters of the time, but
-  // muscles are moved farther (at most 18.6 mm instead of 16.4).
+  // With larger voxels a scene is prepared faster, but muscles are moved
+  // farther.
   double voxel_size = 1.5;
 
   // Surfaces farther away than this do not bound the cell, mm.

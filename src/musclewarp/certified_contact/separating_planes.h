@@ -70,8 +70,9 @@ SeparatingPlane PlaneOfBone(const ContactStep& step,
 
 // Finds planes between all surfaces that may meet in a step: pairs of triangles
 // of two muscles, and triangles of muscles with bones, that are near each other
-// before the step or where the step carries them. Planes of one muscle with
-// itself are added only once its triangles cross (defects.h).
+// before the step or where the step carries them. Planes between the sheets of
+// one muscle are found by sheet_planes.h, and against crossings that are left
+// by defects.h.
 //
 // `carried` are the trees of CarriedTrees(step). They hold other boxes
 // afterwards. The order of the planes depends on the meshes only.

@@ -46,10 +46,9 @@ struct PlaneSearchOptions {
 // (Relax).
 struct RelaxationOptions {
   // How fast an offset dies away beside the place where contact asks for it,
-  // mm: the length l of the energy in docs/method.md. With 4 mm single vertices
-  // move farther (at most 17.4 mm instead of 16.4) and more triangles fold;
-  // with 16 mm the whole muscle moves more (0.92 mm on average instead of
-  // 0.83).
+  // mm: the length l of the energy in docs/method.md. With a shorter one single
+  // vertices move farther and more triangles fold; with a longer one the whole
+  // muscle moves more.
   double smoothing_length = 8;
 
   // Every so many sweeps, and in the last one, a vertex looks at all its
@@ -127,15 +126,14 @@ struct DefectOptions {
 
 // All numbers that steer one step of certified contact.
 struct StepOptions {
-  // The distance that two surfaces keep at least, mm. Muscles move more the
-  // larger it is (0.86 mm on average with a gap of 0.2 mm instead of 0.83).
+  // The distance that two surfaces keep at least, mm. Muscles move farther the
+  // larger it is. The default of every program.
   double gap = 0.1;
 
   // How far a vertex may move in one step beside the way that it is carried
   // along with its muscle, mm. Surfaces that are farther apart than the gap and
-  // twice the reach get no plane. With 2 mm a step takes half as long again, as
-  // there are more planes; with 0.5 mm vertices are moved farther (at most 17.0
-  // mm instead of 16.4).
+  // twice the reach get no plane. With more reach a step takes longer, as there
+  // are more planes; with less, vertices are moved farther in the end.
   double reach = 1;
 
   // Gauss-Seidel sweeps over all vertices: before the exact test of the first

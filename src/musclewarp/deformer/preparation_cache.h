@@ -44,7 +44,7 @@ struct Preparation {
 //   std::optional<Preparation> preparation = cache.Read(scene);
 //   if (!preparation) {
 //     preparation = Prepare(scene);
-//     cache.Write(*preparation);
+//     cache.Write(preparation->scene, preparation->rest);
 //   }
 //
 // Files appear complete or not at all, so that several programs may share a

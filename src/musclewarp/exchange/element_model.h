@@ -59,8 +59,8 @@ struct ElementModel {
   Points fibres;
 };
 
-// Returns the surfaces of all muscles of a frame as one, and where the points
-// of each begin.
+// Returns the surfaces of all muscles of a frame as one. Points and triangles
+// of a muscle follow those of the muscle before.
 TriangleSoup JoinedSurface(const std::vector<TriangleSoup>& muscles);
 
 // Returns the model of a frame. `mesh` fills JoinedSurface(pose.muscles);

@@ -14,10 +14,14 @@ namespace musclewarp {
 
 namespace {
 
-// The last column of the table. "converged" is said of the solver alone, and
-// would be wrong beside crossings.
+// The last column of the table. "converged" is said of the solver alone:
+// without certified contact it may stand beside crossings, which are then
+// named, too.
 std::string OutcomeOf(const FrameRecord& frame) {
-  return frame.shortcomings.empty() ? frame.stop_reason : "NOT usable";
+  if (!frame.shortcomings.empty()) return "NOT usable";
+  const bool is_clean = frame.intersections.triangle_pairs == 0 &&
+                        frame.intersections.vertices_inside == 0;
+  return frame.stop_reason + (is_clean ? "" : ", crossing");
 }
 
 // Prints a list under a title, unless it is empty.
