@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "musclewarp/scene/model_scene.h"
+#include "musclewarp/scene/model_sources.h"
 
 namespace musclewarp {
 

@@ -106,10 +106,13 @@ double MomentArm(const Model& model,
 }
 
 std::vector<std::pair<double, Coordinates>> ReadMotion(
-    const SharedModel& model, const std::filesystem::path& path) {
+    const SharedModel& model,
+    const std::filesystem::path& path,
+    const std::optional<bool>& in_degrees) {
   const std::string file = path.string();
-  const CoordinateMotion motion = ComputeFree(
-      [=] { return MotionOf(*model, ReadStorageTable(file), file); });
+  const CoordinateMotion motion = ComputeFree([=] {
+    return MotionOf(*model, ReadStorageTable(file), file, in_degrees);
+  });
   std::vector<std::pair<double, Coordinates>> rows;
   for (size_t i = 0; i < motion.times.size(); ++i) {
     rows.emplace_back(motion.times[i], ByName(*model, motion.values[i]));
@@ -236,8 +239,10 @@ Attributes:
       .def("read_motion",
            &ReadMotion,
            py::arg("path"),
+           py::arg("in_degrees") = py::none(),
            "Returns the time (s) and all coordinates (rad or m, by name) of "
-           "every row of an OpenSim motion.");
+           "every row of an OpenSim motion. in_degrees: whether angles are in "
+           "degrees, whatever the header says.");
 }
 
 }  // namespace

@@ -45,6 +45,14 @@ def test_moment_arms_are_minus_the_slope_of_lengths(model):
     assert arm == pytest.approx(-slope, abs=1e-5)
 
 
+def test_the_unit_of_angles_may_be_told(model):
+    in_degrees = model.read_motion(MOT, in_degrees=True)
+    in_radians = model.read_motion(MOT, in_degrees=False)
+    for (_, degrees), (_, radians) in zip(in_degrees, in_radians):
+        assert degrees["hip_flexion_r"] == pytest.approx(
+            math.radians(radians["hip_flexion_r"]))
+
+
 def test_path_points_are_those_of_the_length(model):
     muscle, pose = model.muscles[0], {"hip_flexion_r": 0.3}
     points = model.path_points(muscle, pose)

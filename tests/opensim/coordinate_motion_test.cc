@@ -74,7 +74,7 @@ TEST(CoordinateMotion, OneWarningCountsTheColumnsThatAreLeftOut) {
   ASSERT_EQ(motion.warnings.size(), 1u);
   EXPECT_THAT(motion.warnings[0], HasSubstr("20 columns"));
   EXPECT_THAT(motion.warnings[0], HasSubstr("force_0, force_1, "));
-  EXPECT_THAT(motion.warnings[0], HasSubstr("and 8 more"));
+  EXPECT_THAT(motion.warnings[0], HasSubstr("and 10 more"));
 }
 
 TEST(CoordinateMotion, RefusesTablesThatDoNotFit) {

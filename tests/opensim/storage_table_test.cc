@@ -67,7 +67,7 @@ TEST(StorageTable, ARowThatIsRepeatedWholeIsLeftOut) {
   EXPECT_THAT(table.times, ElementsAre(0));
   // It counts as a row of the two that the header promises.
   ASSERT_EQ(table.warnings.size(), 1u);
-  EXPECT_THAT(table.warnings[0], HasSubstr("line 11"));
+  EXPECT_THAT(table.warnings[0], HasSubstr("in line 11"));
 }
 
 TEST(StorageTable, TheRemarkAboutAnglesIsTakenAtItsWord) {

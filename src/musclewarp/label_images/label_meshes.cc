@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/short_list.h"
 #include "musclewarp/label_images/label_image.h"
 #include "musclewarp/label_images/label_regions.h"
 #include "musclewarp/label_images/label_surface.h"
@@ -70,19 +71,6 @@ std::vector<LabelEntry> EntriesOf(const LabelImage& image, const Boxes& boxes) {
   return entries;
 }
 
-// Returns the first few of some texts, and how many there are more.
-std::string FirstOf(const std::vector<std::string>& texts) {
-  constexpr std::size_t kMostNamed = 8;
-  std::string first;
-  for (std::size_t i = 0; i < std::min(texts.size(), kMostNamed); ++i) {
-    first += (i == 0 ? "" : ", ") + texts[i];
-  }
-  if (texts.size() > kMostNamed) {
-    first += " and " + std::to_string(texts.size() - kMostNamed) + " more";
-  }
-  return first;
-}
-
 // "label 3 (femur)" or "3 labels (4 (tibia), 5 (fibula), 6 (patella))".
 std::string LabelsText(const std::vector<LabelEntry>& entries,
                        const std::string& kind) {
@@ -92,7 +80,7 @@ std::string LabelsText(const std::vector<LabelEntry>& entries,
   }
   return texts.size() == 1 ? kind + " " + texts[0]
                            : std::to_string(texts.size()) + " " + kind +
-                                 "s: " + FirstOf(texts);
+                                 "s: " + ShortList(texts);
 }
 
 // Returns the rows of the table whose labels the image has, by label. What one
@@ -118,12 +106,12 @@ std::vector<LabelEntry> EntriesInBoth(const LabelImage& image,
   if (entries.empty()) {
     throw InputError(table,
                      "has none of the labels of " + image.path + " (" +
-                         FirstOf(unnamed) + ")",
+                         ShortList(unnamed) + ")",
                      "check that the table belongs to the image");
   }
   if (!unnamed.empty()) {
     notes->push_back("labels of the image that are not in " + table +
-                     " are left out: " + FirstOf(unnamed));
+                     " are left out: " + ShortList(unnamed));
   }
   std::sort(entries.begin(),
             entries.end(),
@@ -334,7 +322,7 @@ void ThrowRefused(const LabelImage& image,
   }
   throw InputError(image.path,
                    std::to_string(refused.size()) +
-                       " labels become no surfaces: " + FirstOf(texts),
+                       " labels become no surfaces: " + ShortList(texts),
                    kLeaveOut);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/short_list.h"
 #include "musclewarp/opensim/motion_columns.h"
 
 namespace musclewarp {
@@ -18,23 +19,16 @@ std::string KnownCoordinates(const Model& model) {
   return known;
 }
 
-// A sentence about the columns that are left out; long lists are cut off.
+// A sentence about the columns that are left out.
 std::string LeftOut(const std::vector<std::string>& labels,
                     const Model& model,
                     const std::string& path) {
-  constexpr size_t kNamed = 12;
-  std::string names;
-  for (size_t i = 0; i < std::min(labels.size(), kNamed); ++i) {
-    names += (i == 0 ? "" : ", ") + labels[i];
-  }
-  if (labels.size() > kNamed) {
-    names += " and " + std::to_string(labels.size() - kNamed) + " more";
-  }
   const bool is_one = labels.size() == 1;
   return path + ": " + std::to_string(labels.size()) +
          (is_one ? " column that is no coordinate of "
                  : " columns that are no coordinates of ") +
-         model.path + (is_one ? " is" : " are") + " left out: " + names;
+         model.path + (is_one ? " is" : " are") +
+         " left out: " + ShortList(labels);
 }
 
 void CheckFinite(const StorageTable& table,

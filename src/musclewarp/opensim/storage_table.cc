@@ -12,6 +12,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
+#include "musclewarp/base/short_list.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
 namespace musclewarp {
@@ -135,10 +136,11 @@ void AddCountWarning(const std::string& path,
 }
 
 // Reads the rows and returns their number, with those that are left out.
-int ReadRows(TextCursor* cursor, StorageTable* table) {
+int ReadRows(const std::string& path, TextCursor* cursor, StorageTable* table) {
   const size_t columns = table->labels.size() + 1;
   int count = 0;
   std::vector<double> values;
+  std::vector<std::string> repeated;  // their lines
   Words words, before;
   for (; cursor->NextWords(&words); ++count, before = words) {
     if (words.size() != columns) {
@@ -149,9 +151,7 @@ int ReadRows(TextCursor* cursor, StorageTable* table) {
                        "complete the row or remove it");
     }
     if (words == before) {
-      table->warnings.push_back(cursor->Where() +
-                                ": the row is the one before once more and is "
-                                "left out");
+      repeated.push_back(std::to_string(cursor->line()));
       continue;
     }
     const double time = ReadValue(*cursor, words[0], kTime);
@@ -167,6 +167,11 @@ int ReadRows(TextCursor* cursor, StorageTable* table) {
     for (size_t i = 1; i < columns; ++i) {
       values.push_back(ReadValue(*cursor, words[i], table->labels[i - 1]));
     }
+  }
+  if (!repeated.empty()) {
+    table->warnings.push_back(
+        path + ": rows that repeat the one before are left out, in line " +
+        ShortList(repeated));
   }
   using RowMajor =
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -186,7 +191,7 @@ StorageTable ReadStorageTable(const std::string& path) {
   table.in_degrees =
       header.in_degrees ? header.in_degrees : header.degrees_in_remark;
   table.labels = ReadLabels(path, &cursor);
-  const int rows = ReadRows(&cursor, &table);
+  const int rows = ReadRows(path, &cursor, &table);
   if (table.times.empty()) {
     throw InputError(path, "has no rows", "export the table again");
   }

@@ -13,8 +13,9 @@
 namespace musclewarp {
 namespace {
 
-// Returns a name that no bone has yet: two meshes of a body may have files of
-// one name in different folders.
+// Returns a name that no bone has yet: two files of one name may be in
+// different folders, and "tibia" with "r_fibula" is named as "tibia_r" with
+// "fibula".
 std::string FreeName(const std::string& name, std::set<std::string>* taken) {
   std::string free = name;
   for (int i = 2; !taken->insert(free).second; ++i) {
@@ -27,7 +28,8 @@ std::string FreeName(const std::string& name, std::set<std::string>* taken) {
 std::vector<SceneBone> BonesOfBody(const SceneBone& bone,
                                    const ModelPoses& poses,
                                    const std::vector<std::string>& folders,
-                                   const std::string& where) {
+                                   const std::string& where,
+                                   std::set<std::string>* names) {
   const int body = poses.model.FindBody(bone.body);
   const auto& geometry = poses.model.bodies[body].geometry;
   if (geometry.empty()) {
@@ -37,13 +39,12 @@ std::vector<SceneBone> BonesOfBody(const SceneBone& bone,
                      "give a \"mesh\"");
   }
   std::vector<SceneBone> bones;
-  std::set<std::string> names;
   for (const ModelGeometry& mesh : geometry) {
     SceneBone one = bone;
     if (geometry.size() > 1) {
       one.name = FreeName(
           one.name + "_" + std::filesystem::path(mesh.file).stem().string(),
-          &names);
+          names);
     }
     one.mesh_path = GeometryFile(poses.model, mesh, folders);
     Eigen::Matrix4d scale = Eigen::Matrix4d::Identity();
@@ -106,12 +107,14 @@ void AddMeshesOfModel(const ModelPoses& poses,
                       const std::string& where,
                       Scene* scene) {
   std::vector<SceneBone> bones;
+  std::set<std::string> names;
+  for (const SceneBone& bone : scene->bones) names.insert(bone.name);
   for (const SceneBone& bone : scene->bones) {
     if (!bone.mesh_path.empty()) {
       bones.push_back(bone);
       continue;
     }
-    const auto found = BonesOfBody(bone, poses, folders, where);
+    const auto found = BonesOfBody(bone, poses, folders, where, &names);
     bones.insert(bones.end(), found.begin(), found.end());
   }
   scene->bones = std::move(bones);

@@ -12,6 +12,7 @@
 #include "musclewarp/scene/attachments_file.h"
 #include "musclewarp/scene/json_fields.h"
 #include "musclewarp/scene/model_bones.h"
+#include "musclewarp/scene/model_scene.h"
 #include "musclewarp/scene/poses_file.h"
 #include "musclewarp/scene/scene_checks.h"
 

@@ -9,7 +9,7 @@
 
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/scene/model_poses.h"
-#include "musclewarp/scene/model_scene.h"
+#include "musclewarp/scene/model_sources.h"
 #include "musclewarp/scene/scene_pose.h"
 #include "musclewarp/skeleton/action_line.h"
 
