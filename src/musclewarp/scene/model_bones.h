@@ -14,10 +14,13 @@ namespace musclewarp {
 // "bones": "model".
 bool AreBonesOfModel(const JsonField& scene);
 
+// Throws InputError at `field` ("bones") if a muscle has neither lines nor
+// attachments, so that it does not tell on which bodies it is.
+void CheckMusclesTellBodies(const JsonField& field, const Scene& scene);
+
 // Adds a bone without mesh for each body to which the model attaches meshes,
 // out of `bodies`, on which the lines and attachments of the muscles are.
-// Throws InputError at `field` ("bones") if there is none, or if a muscle has
-// neither lines nor attachments, so that it does not tell its bodies.
+// Throws InputError at `field` ("bones") if there is none.
 void AddBonesOfMuscles(const ModelPoses& poses,
                        const std::vector<std::string>& bodies,
                        const JsonField& field,
