@@ -31,8 +31,7 @@ ContactGroup::ContactGroup(std::vector<TriangleSoup> muscles,
 
 StepSummary ContactGroup::StepTo(const ContactState& next,
                                  const StepOptions& options) {
-  StepResult result =
-      Step(options, scene, state, {next.targets, next.bones_from_rest});
+  StepResult result = Step(options, scene, state, {next});
   if (!result.summary.faults.HasCrossings()) state = std::move(result.state);
   return result.summary;
 }

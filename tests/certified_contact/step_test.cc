@@ -60,15 +60,14 @@ TEST(Step, ShowsTheCoarseMeshesThePlanesToMakeWayFor) {
       EXPECT_LT(plane.space.level, 0.5);
     }
     solved[0].col(2).array() += deepest;
-    return solved;
+    return CoarseSolution{{}, solved, {}};
   };
+  StepGoal goal = {group.state};
+  goal.state.targets = free;
   StepOptions options;
   options.sweeps = 1000;  // until nothing changes
-  const StepResult result = Step(options,
-                                 group.scene,
-                                 group.state,
-                                 {free, group.state.bones_from_rest},
-                                 make_way);
+  const StepResult result =
+      Step(options, group.scene, group.state, goal, make_way);
   EXPECT_GT(deepest, 0.3);
   EXPECT_FALSE(result.summary.faults.HasCrossings());
   group.state = result.state;
@@ -82,8 +81,8 @@ TEST(Step, ShowsTheCoarseMeshesThePlanesToMakeWayFor) {
 
 TEST(Step, IsGivenUpIfItPushesMusclesTooFar) {
   const ContactGroup group = SpheresOverABone();
-  StepGoal goal = {group.state.targets, group.state.bones_from_rest};
-  goal.targets[0].col(2).array() -= 1.2;  // 0.7 into the bone
+  StepGoal goal = {group.state};
+  goal.state.targets[0].col(2).array() -= 1.2;  // 0.7 into the bone
   const StepOptions options;
   const StepSummary taken =
       Step(options, group.scene, group.state, goal).summary;
@@ -91,7 +90,7 @@ TEST(Step, IsGivenUpIfItPushesMusclesTooFar) {
   EXPECT_GT(taken.push, 0);
   // Half of the sweeps show whether the push is too large.
   const auto stay = [&](const PlaneSet&, const std::vector<Points>&) {
-    return goal.targets;
+    return CoarseSolution{{}, goal.state.targets, {}};
   };
   goal.max_push = taken.push / 4;
   const StepResult given_up =
@@ -106,7 +105,7 @@ TEST(Step, IsGivenUpIfItPushesMusclesTooFar) {
 
 TEST(Step, TellsWhetherMusclesArePushedByAllTheyMayBe) {
   const ContactGroup group = SpheresOverABone();
-  StepGoal goal = {group.state.targets, group.state.bones_from_rest};
+  StepGoal goal = {group.state};
   const StepOptions options;
   EXPECT_TRUE(
       Step(options, group.scene, group.state, goal).summary.is_short_of_reach);

@@ -23,7 +23,7 @@ CertifiedScene Certified(const PreparedScene& scene,
 CertifiedMotion Move(const PreparedScene& scene,
                      const CertifiedScene& certified,
                      const ScenePose& pose,
-                     const SceneState& before) {
+                     const ContactState& before) {
   return MoveCertified(
       scene, certified, pose, {}, ReferenceSolvers().single, before, {});
 }
@@ -32,10 +32,9 @@ TEST(PrepareCertifiedScene, LeavesARestPoseInWhichNothingIsNear) {
   const PreparedScene scene = PreparedSmallScene();
   const CertifiedScene certified = Certified(scene);
   for (size_t i = 0; i < 2; ++i) {
-    EXPECT_LT((FinePoints(scene.muscles[i].model, certified.rest.muscles[i]) -
-               scene.muscles[i].model.fine_rest)
-                  .norm(),
-              1e-6);
+    EXPECT_LT(
+        (certified.rest.points[i] - scene.muscles[i].model.fine_rest).norm(),
+        1e-6);
   }
 }
 
@@ -56,8 +55,8 @@ TEST(MoveCertified, ReachesAPoseWithoutCrossings) {
   ASSERT_EQ(motion.summary.summaries.size(), 2u);
   const Frame frame = MeasureFrame(scene,
                                    motion.state.pose,
-                                   motion.state.muscles,
-                                   &certified.rest,
+                                   ShapesOf(certified, motion.state),
+                                   {},
                                    motion.summary.summaries,
                                    &meshes);
   EXPECT_TRUE(frame.intersections.IsClean());
@@ -65,26 +64,26 @@ TEST(MoveCertified, ReachesAPoseWithoutCrossings) {
 }
 
 // The largest difference of the fine meshes of two states, mm.
-double LargestDifference(const PreparedScene& scene,
-                         const SceneState& a,
-                         const SceneState& b) {
+double LargestDifference(const ContactState& a, const ContactState& b) {
   double largest = 0;
-  for (size_t i = 0; i < a.muscles.size(); ++i) {
-    const MuscleModel& model = scene.muscles[i].model;
-    largest = std::max(
-        largest,
-        (FinePoints(model, a.muscles[i]) - FinePoints(model, b.muscles[i]))
-            .cwiseAbs()
-            .maxCoeff());
+  for (size_t i = 0; i < a.points.size(); ++i) {
+    largest =
+        std::max(largest, (a.points[i] - b.points[i]).cwiseAbs().maxCoeff());
   }
   return largest;
 }
 
 // Returns whether nothing crosses in a state.
-bool IsClean(const PreparedScene& scene, const SceneState& state) {
+bool IsClean(const PreparedScene& scene,
+             const CertifiedScene& certified,
+             const ContactState& state) {
   SceneMeshes meshes(scene);
-  return MeasureFrame(
-             scene, state.pose, state.muscles, nullptr, {{}, {}}, &meshes)
+  return MeasureFrame(scene,
+                      state.pose,
+                      ShapesOf(certified, state),
+                      {},
+                      {{}, {}},
+                      &meshes)
       .intersections.IsClean();
 }
 
@@ -109,14 +108,15 @@ TEST(MoveCertified, GoesOnFromTheLastCleanStateAfterAFailure) {
   const CertifiedScene certified = Certified(scene, options);
   const CertifiedMotion failed =
       Move(scene, certified, IntoTheMuscles(), certified.rest);
-  ASSERT_FALSE(IsClean(scene, failed.state));
+  ASSERT_FALSE(IsClean(scene, certified, failed.state));
+  ASSERT_TRUE(failed.last_clean.has_value());
   EXPECT_EQ(failed.state.pose.name, "into the muscles");
-  EXPECT_TRUE(IsClean(scene, failed.next));
+  EXPECT_TRUE(IsClean(scene, certified, *failed.last_clean));
   // It may have settled in its own pose, where it was at rest but for rounding.
-  EXPECT_LT(LargestDifference(scene, failed.next, certified.rest), 1e-9);
+  EXPECT_LT(LargestDifference(*failed.last_clean, certified.rest), 1e-9);
   const CertifiedMotion back =
-      Move(scene, certified, FlexedPose(0.05), failed.next);
-  EXPECT_TRUE(IsClean(scene, back.state));
+      Move(scene, certified, FlexedPose(0.05), *failed.last_clean);
+  EXPECT_TRUE(IsClean(scene, certified, back.state));
 }
 
 TEST(MoveCertified, GoesBackForShorterStepsWhereItIsStuck) {
@@ -133,10 +133,10 @@ TEST(MoveCertified, GoesBackForShorterStepsWhereItIsStuck) {
   pose.bodies["femur"](2, 3) = -45;
   CertifiedScene certified = Certified(scene, options);
   const CertifiedMotion stuck = Move(scene, certified, pose, certified.rest);
-  EXPECT_FALSE(IsClean(scene, stuck.state));
+  EXPECT_FALSE(IsClean(scene, certified, stuck.state));
   certified.options.max_returns = 1;
   const CertifiedMotion back = Move(scene, certified, pose, certified.rest);
-  EXPECT_TRUE(IsClean(scene, back.state));
+  EXPECT_TRUE(IsClean(scene, certified, back.state));
   // Four steps more, and those that settle.
   EXPECT_GE(back.summary.steps, 5);
 }
@@ -152,8 +152,22 @@ TEST(MoveCertified, GoesTheRestOfTheWayWithoutContactWhenTheTimeRunsOut) {
   EXPECT_EQ(*motion.summary.timed_out_at, 0);
   EXPECT_EQ(motion.summary.steps, 0);
   EXPECT_EQ(motion.state.pose.name, "flexed");
-  EXPECT_GT(LargestDifference(scene, motion.state, certified.rest), 1);
-  EXPECT_EQ(LargestDifference(scene, motion.next, certified.rest), 0);
+  EXPECT_GT(LargestDifference(motion.state, certified.rest), 1);
+  EXPECT_EQ(LargestDifference(*motion.last_clean, certified.rest), 0);
+}
+
+// What a frame shows is in the order of the scene, contact has its own.
+TEST(ShapesOf, AreInTheOrderOfTheScene) {
+  Scene scene = SmallScene();
+  scene.muscles[0].name = "z_left";
+  const PreparedScene prepared = PreparedSmallScene(scene);
+  const CertifiedScene certified = Certified(prepared);
+  ContactState state = certified.rest;
+  state.points[1].array() += 1;  // of z_left
+  const MuscleShapes shapes = ShapesOf(certified, state);
+  EXPECT_EQ(shapes.fine[0], state.points[1]);
+  EXPECT_EQ(shapes.fine[1], state.points[0]);
+  EXPECT_EQ(shapes.coarse[0], state.coarse[1]);
 }
 
 TEST(MoveCertified, DoesNotDependOnTheLengthOfSteps) {
@@ -168,7 +182,7 @@ TEST(MoveCertified, DoesNotDependOnTheLengthOfSteps) {
       Move(scene, short_steps, FlexedPose(0.3), short_steps.rest);
   EXPECT_LE(a.summary.steps, 3);
   EXPECT_GE(b.summary.steps, 17);
-  EXPECT_LT(LargestDifference(scene, a.state, b.state), 1e-3);
+  EXPECT_LT(LargestDifference(a.state, b.state), 1e-3);
 }
 
 TEST(MoveCertified, DoesNotDependOnTheCoarseWeightWhereNothingIsInTheWay) {
@@ -186,8 +200,7 @@ TEST(MoveCertified, DoesNotDependOnTheCoarseWeightWhereNothingIsInTheWay) {
   const CertifiedMotion a = Move(scene, without, apart, without.rest);
   const CertifiedMotion b = Move(scene, with, apart, with.rest);
   for (size_t i = 0; i < 2; ++i) {
-    EXPECT_LT((a.state.muscles[i].coarse - b.state.muscles[i].coarse).norm(),
-              1e-6);
+    EXPECT_LT((a.state.coarse[i] - b.state.coarse[i]).norm(), 1e-6);
   }
 }
 

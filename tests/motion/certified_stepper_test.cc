@@ -22,23 +22,21 @@ class CertifiedStepperTest : public ::testing::Test {
         mover_{scene_, certified_, pre_rotation_, solver_} {}
 
   // The rest pose with all muscles 12 mm aside, where nothing is in their way.
-  Place Aside() const {
-    Place place = PlaceOf(mover_, certified_.rest);
-    for (Points& points : place.surfaces.points) {
+  ContactState Aside() const {
+    ContactState state = certified_.rest;
+    for (Points& points : state.points) {
       points.rowwise() += Eigen::RowVector3d(0, 12, 0);
     }
-    return place;
+    return state;
   }
 
   // How far the farthest vertex is from where its coarse mesh has it, mm.
-  static double LargestOffset(const Place& place) {
+  static double LargestOffset(const ContactState& state) {
     double largest = 0;
-    for (size_t i = 0; i < place.surfaces.points.size(); ++i) {
-      largest = std::max(largest,
-                         (place.surfaces.points[i] - place.surfaces.targets[i])
-                             .rowwise()
-                             .norm()
-                             .maxCoeff());
+    for (size_t i = 0; i < state.points.size(); ++i) {
+      largest = std::max(
+          largest,
+          (state.points[i] - state.targets[i]).rowwise().norm().maxCoeff());
     }
     return largest;
   }
@@ -48,6 +46,7 @@ class CertifiedStepperTest : public ::testing::Test {
   const MuscleSolver solver_;
   const CertifiedScene certified_;
   const Mover mover_;
+  const ScenePose pose_ = certified_.rest.pose;
 };
 
 TEST_F(CertifiedStepperTest, SettlingStepsReachFartherWhileThereIsFarToGo) {
@@ -55,18 +54,18 @@ TEST_F(CertifiedStepperTest, SettlingStepsReachFartherWhileThereIsFarToGo) {
   walk.step = certified_.options.step;
   walk.max_settling_steps = 6;
   walk.settling_tolerance = 0.05;
-  Place place = Aside();
-  Walk(mover_, walk, place.pose, /*at=*/1, {}, &place);
+  ContactState state = Aside();
+  Walk(mover_, walk, pose_, /*at=*/1, {}, &state);
   // By the reach of 1 mm in each step.
-  EXPECT_GT(LargestOffset(place), 5.9);
+  EXPECT_GT(LargestOffset(state), 5.9);
 
   walk.reach_growth = 1.5;
   walk.max_reach = 4;
-  place = Aside();
-  Walk(mover_, walk, place.pose, /*at=*/1, {}, &place);
+  state = Aside();
+  Walk(mover_, walk, pose_, /*at=*/1, {}, &state);
   // 1 + 1.5 + 2.25 + 3.375 + 4 mm are more than 12; the rest is less than
   // one reach.
-  EXPECT_LT(LargestOffset(place), 1);
+  EXPECT_LT(LargestOffset(state), 1);
 }
 
 TEST_F(CertifiedStepperTest, SettlingEndsWhereNothingMoves) {
@@ -74,8 +73,8 @@ TEST_F(CertifiedStepperTest, SettlingEndsWhereNothingMoves) {
   walk.step = certified_.options.step;
   walk.max_settling_steps = 6;
   walk.settling_tolerance = 0.05;
-  Place place = PlaceOf(mover_, certified_.rest);
-  EXPECT_EQ(Walk(mover_, walk, place.pose, /*at=*/1, {}, &place).steps, 1);
+  ContactState state = certified_.rest;
+  EXPECT_EQ(Walk(mover_, walk, pose_, /*at=*/1, {}, &state).steps, 1);
 }
 
 }  // namespace

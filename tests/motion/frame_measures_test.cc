@@ -22,8 +22,12 @@ TEST(MeasureFrame, OfMusclesAtRestIsTheRestFrame) {
   SceneMeshes meshes(scene);
   const Frame rest = RestFrame(scene, &meshes);
   const SceneState state = RestState(scene);
-  const Frame frame = MeasureFrame(
-      scene, state.pose, state.muscles, nullptr, TwoSummaries(), &meshes);
+  const Frame frame = MeasureFrame(scene,
+                                   state.pose,
+                                   ShapesOf(scene, state.muscles),
+                                   {},
+                                   TwoSummaries(),
+                                   &meshes);
   for (size_t i = 0; i < 2; ++i) {
     // W X_0 is the fine rest mesh to 1e-12 mm.
     EXPECT_LT((frame.muscles[i].points - rest.muscles[i].points)
@@ -48,8 +52,12 @@ TEST(MeasureFrame, CountsWhatCrossesAndMovesTheBones) {
   Eigen::Matrix4d down = Eigen::Matrix4d::Identity();
   down(2, 3) = -15;  // 10 mm into the muscles
   pose.bodies["femur"] = down;
-  const Frame frame = MeasureFrame(
-      scene, pose, RestState(scene).muscles, nullptr, TwoSummaries(), &meshes);
+  const Frame frame = MeasureFrame(scene,
+                                   pose,
+                                   ShapesOf(scene, RestState(scene).muscles),
+                                   {},
+                                   TwoSummaries(),
+                                   &meshes);
   EXPECT_EQ(frame.name, "down");
   EXPECT_EQ(frame.bones[1], Transformed(scene.bones[1].rest.points, down));
   EXPECT_GT(frame.intersections.triangle_pairs, 0);
@@ -58,13 +66,14 @@ TEST(MeasureFrame, CountsWhatCrossesAndMovesTheBones) {
   EXPECT_LT(frame.muscles[0].gaps.minCoeff(), 0);
 }
 
-TEST(IntersectAtRest, SeesTheStatesOfTheMuscles) {
+TEST(IntersectAtRest, SeesWhereTheMusclesAre) {
   const PreparedScene scene = PreparedSmallScene();
+  const SceneState rest = RestState(scene);
   SceneMeshes meshes(scene);
-  SceneState state = RestState(scene);
-  EXPECT_TRUE(IntersectAtRest(scene, state.muscles, &meshes).IsClean());
-  state.muscles[0].coarse.col(0).array() += 4;  // into the other
-  EXPECT_FALSE(IntersectAtRest(scene, state.muscles, &meshes).IsClean());
+  std::vector<Points> muscles = FinePointsOf(scene, &rest);
+  EXPECT_TRUE(IntersectAtRest(scene, muscles, &meshes).IsClean());
+  muscles[0].col(0).array() += 4;  // into the other
+  EXPECT_FALSE(IntersectAtRest(scene, muscles, &meshes).IsClean());
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ std::vector<Points> SolvedFree(const PreparedScene& scene,
                                const MuscleSolver& solver,
                                const ScenePose& pose) {
   const SolvedPose solved =
-      SolvePose(scene, pose, {}, solver, RestState(scene).muscles);
+      SolvePose(ModelsOf(scene), pose, {}, solver, RestState(scene).muscles);
   for (const SolverSummary& summary : solved.summaries) {
     EXPECT_TRUE(summary.IsSolutionUsable()) << summary.FullReport();
   }
@@ -239,7 +239,8 @@ class MomentArmsInContact : public ::testing::Test {
     return At(scene_, 0.2, 0, lean_beside - 0.25);
   }
 
-  CertifiedMotion Moved(const ScenePose& pose, const SceneState& before) const {
+  CertifiedMotion Moved(const ScenePose& pose,
+                        const ContactState& before) const {
     return MoveCertified(
         scene_, certified_, pose, {}, TightReference(), before, {});
   }
@@ -247,20 +248,23 @@ class MomentArmsInContact : public ::testing::Test {
   Frame ArmsOf(const CertifiedMotion& motion) const {
     return FrameWithArms(scene_,
                          motion.state.pose,
-                         {CoarseOf(motion.state.muscles),
-                          motion.contact,
-                          motion.state.free_coarse});
+                         {ShapesOf(certified_, motion.state).coarse,
+                          ContactRowsOf(certified_, motion.state),
+                          FreeCoarseOf(certified_, motion.state)});
   }
 
   // Active rows on planes of bones, or between muscles.
   int ActiveRows(const CertifiedMotion& motion, bool of_bones) const {
     int count = 0;
-    for (size_t i = 0; i < motion.contact.size(); ++i) {
-      const ContactRows& contact = motion.contact[i];
+    const std::vector<ContactRows> all =
+        ContactRowsOf(certified_, motion.state);
+    const MuscleShapes shapes = ShapesOf(certified_, motion.state);
+    for (size_t i = 0; i < all.size(); ++i) {
+      const ContactRows& contact = all[i];
       const Eigen::VectorXd depths =
           OneSidedDepths(contact.rows,
                          FineFromCoarse(scene_.muscles[i].model, contact.rows),
-                         motion.state.muscles[i].coarse);
+                         shapes.coarse[i]);
       for (int k = 0; k < contact.rows.size(); ++k) {
         count += depths[k] > 0 && contact.carriers[k].IsBone() == of_bones;
       }
@@ -292,8 +296,9 @@ TEST_F(MomentArmsInContact, AreNearTheSlopesOfSteps) {
   const CertifiedMotion motion = Moved(Pressed(), before.state);
   constexpr double kBeside = 1e-3;
   const auto lengths = [&](double lean) {
-    return Lengths(scene_,
-                   CoarseOf(Moved(Pressed(lean), before.state).state.muscles));
+    return Lengths(
+        scene_,
+        ShapesOf(certified_, Moved(Pressed(lean), before.state).state).coarse);
   };
   const std::vector<double> low = lengths(-kBeside), high = lengths(kBeside);
   const std::vector<double> arms = Arms(ArmsOf(motion), "lean");
@@ -345,11 +350,16 @@ class MomentArmsOfHeldRows : public ::testing::Test {
       }
     }
     const ScenePose pose = At(scene_, 0.2, -0.3 + beside);
+    std::vector<OneSidedRows> rows;
+    for (const ContactRows& moved_rows : contact) {
+      rows.push_back(moved_rows.rows);
+    }
+    const MuscleModels models = ModelsOf(scene_);
     const SolvedPose free = SolvePose(
-        scene_, pose, {}, TightReference(), RestState(scene_).muscles);
+        models, pose, {}, TightReference(), RestState(scene_).muscles);
     return CoarseOf(
         SolveWithRows(
-            scene_, free, pose, {}, TightReference(), contact, free.states)
+            models, free, pose, {}, TightReference(), rows, free.states)
             .states);
   }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/prepared_small_scene.h"
+#include "musclewarp/motion/scene_state.h"
 
 namespace musclewarp {
 namespace {
@@ -15,8 +16,8 @@ constexpr double kSolver = 1e-3;
 TEST(SolvePose, ARestPoseIsKept) {
   const PreparedScene scene = PreparedSmallScene();
   const SceneState rest = RestState(scene);
-  const SolvedPose solved =
-      SolvePose(scene, rest.pose, {}, ReferenceSolvers().single, rest.muscles);
+  const SolvedPose solved = SolvePose(
+      ModelsOf(scene), rest.pose, {}, ReferenceSolvers().single, rest.muscles);
   for (size_t i = 0; i < 2; ++i) {
     EXPECT_LT(
         (solved.states[i].coarse - scene.muscles[i].model.coarse_rest).norm(),
@@ -29,7 +30,8 @@ TEST(Predict, IsExactButForTheVolume) {
   const PreparedScene scene = PreparedSmallScene();
   const SceneState rest = RestState(scene);
   const ScenePose pose = FlexedPose(0.2);
-  const std::vector<MuscleState> predicted = Predict(scene, rest, pose, {});
+  const std::vector<MuscleState> predicted =
+      Predict(ModelsOf(scene), rest.muscles, rest.pose, pose, {});
   for (size_t i = 0; i < 2; ++i) {
     const MuscleModel& model = scene.muscles[i].model;
     // From rest to the unconstrained minimiser.
@@ -45,9 +47,14 @@ TEST(SolvePose, TheResultDoesNotDependOnTheStart) {
   const SceneState rest = RestState(scene);
   const ScenePose pose = FlexedPose(0.2);
   const MuscleSolver solver = ReferenceSolvers().single;
-  const SolvedPose one = SolvePose(scene, pose, {}, solver, rest.muscles);
+  const SolvedPose one =
+      SolvePose(ModelsOf(scene), pose, {}, solver, rest.muscles);
   const SolvedPose two =
-      SolvePose(scene, pose, {}, solver, Predict(scene, rest, pose, {}));
+      SolvePose(ModelsOf(scene),
+                pose,
+                {},
+                solver,
+                Predict(ModelsOf(scene), rest.muscles, rest.pose, pose, {}));
   for (size_t i = 0; i < 2; ++i) {
     EXPECT_LT((one.states[i].coarse - two.states[i].coarse)
                   .rowwise()
@@ -61,13 +68,14 @@ TEST(SolveWithRows, MovesTheMusclesThatHaveRowsAndNoOthers) {
   const PreparedScene scene = PreparedSmallScene();
   const SceneState rest = RestState(scene);
   const MuscleSolver solver = ReferenceSolvers().single;
-  const SolvedPose free = SolvePose(scene, rest.pose, {}, solver, rest.muscles);
+  const SolvedPose free =
+      SolvePose(ModelsOf(scene), rest.pose, {}, solver, rest.muscles);
   // Vertex 100 of the first muscle should be 2 mm farther along x.
   const Eigen::RowVector3d p = scene.muscles[0].model.fine_rest.row(100);
-  std::vector<ContactRows> rows(2);
-  rows[0].rows = OneSidedRowsOf({{100, {{1, 0, 0}, p[0] + 2}}}, 10);
-  const SolvedPose solved =
-      SolveWithRows(scene, free, rest.pose, {}, solver, rows, free.states);
+  std::vector<OneSidedRows> rows(2);
+  rows[0] = OneSidedRowsOf({{100, {{1, 0, 0}, p[0] + 2}}}, 10);
+  const SolvedPose solved = SolveWithRows(
+      ModelsOf(scene), free, rest.pose, {}, solver, rows, free.states);
   EXPECT_EQ(solved.states[1].coarse, free.states[1].coarse);
   const Points fine =
       FinePoints(scene.muscles[0].model, {solved.states[0].coarse, {}});
@@ -80,13 +88,14 @@ TEST(SolveWithRows, AMuscleThatFailedWithoutRowsStaysFailed) {
   const PreparedScene scene = PreparedSmallScene();
   const SceneState rest = RestState(scene);
   const MuscleSolver solver = ReferenceSolvers().single;
-  SolvedPose free = SolvePose(scene, rest.pose, {}, solver, rest.muscles);
+  SolvedPose free =
+      SolvePose(ModelsOf(scene), rest.pose, {}, solver, rest.muscles);
   free.summaries[0].stop_reason = StopReason::kFailed;
   free.summaries[0].message = "no step";
-  std::vector<ContactRows> rows(2);
-  rows[0].rows = OneSidedRowsOf({{100, {{1, 0, 0}, 0}}}, 1);
-  const SolvedPose solved =
-      SolveWithRows(scene, free, rest.pose, {}, solver, rows, free.states);
+  std::vector<OneSidedRows> rows(2);
+  rows[0] = OneSidedRowsOf({{100, {{1, 0, 0}, 0}}}, 1);
+  const SolvedPose solved = SolveWithRows(
+      ModelsOf(scene), free, rest.pose, {}, solver, rows, free.states);
   EXPECT_EQ(solved.summaries[0].stop_reason, StopReason::kFailed);
   EXPECT_EQ(solved.summaries[0].message, "no step");
 }

@@ -6,36 +6,19 @@
 #include <memory>
 #include <vector>
 
+#include "musclewarp/certified_contact/contact_state.h"
 #include "musclewarp/certified_contact/muscle_surface.h"
 #include "musclewarp/geometry/triangle_bvh.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
 
-// The muscles and bones of a scene as certified contact sees them. Constant
-// once it is prepared.
+// The muscles and bones of a scene as certified contact sees them, muscles in
+// the order of their names, so that not even rounding depends on their order in
+// the scene. Constant once it is prepared.
 struct ContactScene {
   std::vector<MuscleSurface> muscles;
   std::vector<std::shared_ptr<const TriangleBvh>> bones;  // in the rest pose
-};
-
-// Where the muscles and bones of a scene are at one moment.
-struct ContactState {
-  // The fine vertices of each muscle, #V x 3, mm.
-  std::vector<Points> points;
-
-  // The same vertices where their coarse meshes have them, #V x 3, mm. The
-  // difference is the offset by which contact moves single vertices.
-  std::vector<Points> targets;
-
-  // The place of each bone.
-  std::vector<Eigen::Matrix4d> bones_from_rest;
-};
-
-// The vertices of a muscle that follow a bone, because it is attached there.
-struct AttachedPoints {
-  std::vector<int> vertices;  // in rising order
-  Points positions;           // #vertices x 3, mm: where the bone has them
 };
 
 // One step of contact, from a state in which no triangles cross to a nearby

@@ -45,7 +45,7 @@ struct OpenStep {
 
 StepResult ResultOf(const StepOptions& options,
                     const ContactStep& step,
-                    const std::vector<Points>& targets,
+                    ContactState state,
                     int rounds,
                     Round best) {
   StepSummary& summary = best.summary;
@@ -56,7 +56,8 @@ StepResult ResultOf(const StepOptions& options,
       summary.push < options.reach &&
       MoveOfMostMoved(best.points, step.carried, kUnsettled) <
           0.99 * options.reach;
-  return {{std::move(best.points), targets, step.bones_from_rest}, summary};
+  state.points = std::move(best.points);
+  return {std::move(state), summary};
 }
 
 StepResult GivenUp(double push) {
@@ -90,13 +91,14 @@ OpenStep BeginStep(const StepOptions& options,
   return open;
 }
 
-// Relaxes, restores volumes and finds defects until there are none. `targets`:
-// where the coarse meshes have the vertices now.
+// Relaxes, restores volumes and finds defects until there are none. `state`:
+// all of the result but the points.
 StepResult FinishStep(const StepOptions& options,
                       const ContactStep& step,
-                      const std::vector<Points>& targets,
+                      ContactState state,
                       int sweeps,
                       OpenStep open) {
+  const std::vector<Points>& targets = state.targets;
   Stiffness stiffness = UniformStiffness(step.scene);
   RelaxedPoints relaxed = std::move(open.relaxed);
   std::optional<Round> best;
@@ -127,13 +129,14 @@ StepResult FinishStep(const StepOptions& options,
     if (left.IsEmpty() ||
         (!left.HasCrossings() &&
          polishing_rounds++ == options.max_polishing_rounds)) {
-      return ResultOf(options, step, targets, round, std::move(*best));
+      return ResultOf(options, step, std::move(state), round, std::move(*best));
     }
     open.planes.Add(PlanesAgainst(defects, options, step, targets));
     stiffness =
         Stiffened(defects, options.defects, step.scene, std::move(stiffness));
   }
-  return ResultOf(options, step, targets, options.max_rounds, std::move(*best));
+  return ResultOf(
+      options, step, std::move(state), options.max_rounds, std::move(*best));
 }
 
 }  // namespace
@@ -154,23 +157,31 @@ StepResult Step(const StepOptions& options,
                 const SolveCoarse& solve_coarse) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
+  ContactState state = goal.state;
   const ContactStep step = MakeContactStep(
-      scene, before, goal.targets, goal.bones_from_rest, goal.attached);
+      scene, before, state.targets, state.bones_from_rest, state.held);
   if (goal.max_push < kInfinity) {
     const double passage = LongestPassage(step);
     if (passage > options.relaxation.max_push) return GivenUp(passage);
   }
   const int sweeps_before = solve_coarse ? options.sweeps / 2 : 0;
-  OpenStep open = BeginStep(options, step, goal.targets, sweeps_before);
+  OpenStep open = BeginStep(options, step, state.targets, sweeps_before);
   // The other sweeps change little in the push.
   const double push =
       MoveOfMostMoved(open.relaxed.points, step.carried, kPushedFarthest);
   if (push > goal.max_push) return GivenUp(push);
-  const std::vector<Points> targets =
-      solve_coarse ? solve_coarse(open.planes, open.relaxed.points)
-                   : goal.targets;
-  return FinishStep(
-      options, step, targets, options.sweeps - sweeps_before, std::move(open));
+  state.planes.clear();
+  if (solve_coarse) {
+    CoarseSolution solution = solve_coarse(open.planes, open.relaxed.points);
+    state.coarse = std::move(solution.coarse);
+    state.targets = std::move(solution.targets);
+    state.planes = std::move(solution.planes);
+  }
+  return FinishStep(options,
+                    step,
+                    std::move(state),
+                    options.sweeps - sweeps_before,
+                    std::move(open));
 }
 
 }  // namespace musclewarp

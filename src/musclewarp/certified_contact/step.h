@@ -66,13 +66,10 @@ struct StepResult {
 
 // Where a step goes.
 struct StepGoal {
-  // Where the coarse meshes are expected to have the vertices, #V x 3 each, mm.
-  std::vector<Points> targets;
-
-  std::vector<Eigen::Matrix4d> bones_from_rest;
-
-  // By muscle, or empty if nothing is attached.
-  std::vector<AttachedPoints> attached = {};
+  // The state as it is predicted: its pose, its bones, what they hold, and the
+  // coarse meshes, which carry the vertices to its targets. Its points and
+  // planes are not read.
+  ContactState state;
 
   // A step that pushes muscles farther is given up, mm; and so is one that
   // carries them so far through a bone that planes cannot hold them, unless
@@ -80,10 +77,18 @@ struct StepGoal {
   double max_push = kInfinity;
 };
 
+// What the coarse meshes become as they make way for planes, by muscle; see
+// ContactState.
+struct CoarseSolution {
+  std::vector<Points> coarse;
+  std::vector<Points> targets;
+  std::vector<CarriedHalfSpaces> planes;
+};
+
 // Solves the coarse meshes so that they make way for the planes, as far as
-// PlaneSet::MostViolated says, and returns where they have the vertices then,
-// #V x 3 each, mm. `points`: the vertices between the planes, #V x 3 each, mm.
-using SolveCoarse = std::function<std::vector<Points>(
+// PlaneSet::MostViolated says. `points`: the vertices between the planes, #V x
+// 3 each, mm.
+using SolveCoarse = std::function<CoarseSolution(
     const PlaneSet& planes, const std::vector<Points>& points)>;
 
 // Moves muscles and bones from `before`, in which no triangles cross, to the

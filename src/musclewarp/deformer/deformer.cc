@@ -82,7 +82,7 @@ void Deformer::Prepare(const Scene& scene) {
 
 Frame Deformer::MoveTo(const ScenePose& pose) {
   CheckPose(scene_->scene, pose);
-  if (state_.muscles.empty()) Reset();
+  if (state_.IsEmpty()) Reset();
   SolvedFrame solved = Solve(pose, &state_);
   state_ = std::move(solved.state);
   return std::move(solved.frame);

@@ -5,32 +5,16 @@
 // How cereal writes and reads everything that a preparation consists of, for
 // preparation_cache.cc.
 
-#include <cereal/types/map.hpp>
 #include <cereal/types/optional.hpp>
 #include <cereal/types/string.hpp>
 #include <cereal/types/vector.hpp>
 #include <cstdint>
 
-#include "musclewarp/deformer/archived_fields.h"
 #include "musclewarp/motion/frame_solver.h"
 #include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/motion/state_archive.h"
 
 namespace cereal {
-
-template <class Archive, class T, int R, int C, int O, int MR, int MC>
-void save(Archive& archive, const Eigen::Matrix<T, R, C, O, MR, MC>& matrix) {
-  archive(static_cast<std::int64_t>(matrix.rows()),
-          static_cast<std::int64_t>(matrix.cols()),
-          binary_data(matrix.data(), matrix.size() * sizeof(T)));
-}
-
-template <class Archive, class T, int R, int C, int O, int MR, int MC>
-void load(Archive& archive, Eigen::Matrix<T, R, C, O, MR, MC>& matrix) {
-  std::int64_t rows, columns;
-  archive(rows, columns);
-  matrix.resize(rows, columns);
-  archive(binary_data(matrix.data(), matrix.size() * sizeof(T)));
-}
 
 template <class Archive>
 void save(Archive& archive, const musclewarp::SparseMatrix& matrix) {
@@ -83,14 +67,6 @@ MUSCLEWARP_ARCHIVE(SceneMuscle,
                    delivered_volume)
 MUSCLEWARP_ARCHIVE(
     SceneBone, name, points, triangles, body, mesh_path, rest_from_file)
-MUSCLEWARP_ARCHIVE(ScenePose,
-                   name,
-                   time,
-                   coordinates,
-                   bodies,
-                   lines,
-                   model_values,
-                   path_lengths)
 MUSCLEWARP_ARCHIVE(ExemptArea, muscle, bone, vertices, triangles)
 
 // What was done to a mesh.
@@ -226,10 +202,6 @@ MUSCLEWARP_ARCHIVE_WITHOUT(PreparedScene,
 
 // The separated rest pose.
 
-MUSCLEWARP_ARCHIVE(HeldVertices, vertices, positions)
-MUSCLEWARP_ARCHIVE(VertexCorrections, fine_offset, held_coarse, held_fine)
-MUSCLEWARP_ARCHIVE(MuscleState, coarse, corrections)
-MUSCLEWARP_ARCHIVE(SceneState, pose, muscles, free_coarse)
-MUSCLEWARP_ARCHIVE(SeparatedRest, state, attached, intersections, displaced)
+MUSCLEWARP_ARCHIVE(SeparatedRest, state, intersections, displaced)
 
 }  // namespace musclewarp

@@ -26,11 +26,8 @@ CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
                                            std::optional<SeparatedRest> rest)
     : FrameSolver(scene, options, std::move(meshes)) {
   if (rest) {
-    certified_ = RestoreCertifiedScene(scene,
-                                       *meshes_,
-                                       options.certified,
-                                       std::move(rest->state),
-                                       std::move(rest->attached));
+    certified_ = RestoreCertifiedScene(
+        scene, *meshes_, options.certified, std::move(rest->state));
     contact_.rest = std::move(rest->intersections);
     contact_.displaced_at_rest = std::move(rest->displaced);
   } else {
@@ -41,8 +38,8 @@ CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
                                        options.pre_rotation,
                                        solvers.single,
                                        on_progress);
-    contact_.rest =
-        IntersectAtRest(scene, certified_.rest.muscles, meshes_.get());
+    contact_.rest = IntersectAtRest(
+        scene, ShapesOf(certified_, certified_.rest).fine, meshes_.get());
     contact_.displaced_at_rest = DisplacedAtRest();
   }
   contact_.options = {{"gap_mm", options.certified.step.gap}};
@@ -50,21 +47,19 @@ CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
 }
 
 std::optional<SeparatedRest> CertifiedFrameSolver::separated_rest() const {
-  return SeparatedRest{certified_.rest,
-                       certified_.attached_rest,
-                       *contact_.rest,
-                       contact_.displaced_at_rest};
+  return SeparatedRest{
+      certified_.rest, *contact_.rest, contact_.displaced_at_rest};
 }
 
 std::vector<int> CertifiedFrameSolver::DisplacedAtRest() {
   Frame rest;
+  MuscleShapes shapes = ShapesOf(certified_, certified_.rest);
   rest.intersections = *contact_.rest;
   rest.bones = RestFrame().bones;
   for (size_t i = 0; i < scene_.muscles.size(); ++i) {
     MuscleFrame& muscle = rest.muscles.emplace_back();
     muscle.name = scene_.muscles[i].model.name;
-    muscle.points =
-        FinePoints(scene_.muscles[i].model, certified_.rest.muscles[i]);
+    muscle.points = std::move(shapes.fine[i]);
   }
   MeasureContact(certified_.rest, &rest);
   std::vector<int> displaced;
@@ -80,7 +75,7 @@ std::vector<int> CertifiedFrameSolver::DisplacedAtRest() {
 
 SceneState CertifiedFrameSolver::StartOfMotion(
     const MuscleSolvers& /*solvers*/) {
-  return certified_.rest;
+  return {certified_.rest.pose, {}, certified_.rest};
 }
 
 int CertifiedFrameSolver::ExpectedSteps(const ScenePose* from,
@@ -98,23 +93,26 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
                                         const SceneState* before,
                                         const ProgressCallback& on_progress) {
   const Stopwatch moving;
+  const ContactState& from = before ? *before->contact : certified_.rest;
   CertifiedMotion motion = MoveCertified(scene_,
                                          certified_,
                                          pose,
                                          options_.pre_rotation,
                                          solvers.single,
-                                         before ? *before : certified_.rest,
+                                         from,
                                          on_progress);
   const double wall_ms = moving.Milliseconds();
   const Stopwatch certifying;
+  const MuscleShapes shapes = ShapesOf(certified_, motion.state);
   SolvedFrame result;
-  result.frame = MeasureFrame(scene_,
-                              pose,
-                              motion.state.muscles,
-                              before,
-                              std::move(motion.summary.summaries),
-                              meshes_.get());
-  MeasureDrift(pose, &result.frame);
+  result.frame = MeasureFrame(
+      scene_,
+      pose,
+      shapes,
+      before ? ShapesOf(certified_, from).fine : std::vector<Points>(),
+      std::move(motion.summary.summaries),
+      meshes_.get());
+  MeasureDrift(motion.state, &result.frame);
   MeasureContact(motion.state, &result.frame);
   Judge(&result.frame);
   AddBoneOverlaps(&result.frame);
@@ -133,11 +131,13 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
   AddMomentArms(scene_,
                 pose,
                 options_.pre_rotation,
-                {CoarseOf(motion.state.muscles),
-                 std::move(motion.contact),
-                 motion.state.free_coarse},
+                {shapes.coarse,
+                 ContactRowsOf(certified_, motion.state),
+                 FreeCoarseOf(certified_, motion.state)},
                 &result.frame);
-  result.state = std::move(motion.next);
+  ContactState& next = motion.last_clean ? *motion.last_clean : motion.state;
+  result.state.pose = next.pose;
+  result.state.contact = std::move(next);
   return result;
 }
 
@@ -158,37 +158,29 @@ std::vector<std::pair<int, int>> CertifiedFrameSolver::TouchingMuscles(
 }
 
 std::vector<Points> CertifiedFrameSolver::MeshesWithoutContact(
-    const SceneState& state) const {
+    const ContactState& state) const {
   std::vector<Points> meshes(scene_.muscles.size());
 #pragma omp parallel for schedule(dynamic, 1)
   for (size_t k = 0; k < certified_.order.size(); ++k) {
-    const int i = certified_.order[k];
-    const PreparedMuscle& muscle = scene_.muscles[i];
-    Points& points = meshes[i];
-    points = FinePoints(muscle.model, {state.free_coarse[i], {}});
-    const Points attached = AttachedPositions(muscle.model.attachments,
-                                              muscle.attached,
-                                              certified_.attached_rest[k],
-                                              state.pose);
+    const AttachedPoints& held = state.held[k];
+    Points& points = meshes[certified_.order[k]];
+    points =
+        FinePoints(certified_.muscles[k]->model, {state.free_coarse[k], {}});
     points += certified_.extensions[k]->Extended(
-        attached - Points(points(muscle.attached.vertices, Eigen::all)));
+        held.positions - Points(points(held.vertices, Eigen::all)));
   }
   return meshes;
 }
 
-void CertifiedFrameSolver::MeasureDrift(const ScenePose& pose,
+void CertifiedFrameSolver::MeasureDrift(const ContactState& state,
                                         Frame* frame) const {
   for (size_t k = 0; k < certified_.order.size(); ++k) {
-    const int i = certified_.order[k];
-    const PreparedMuscle& muscle = scene_.muscles[i];
-    frame->muscles[i].attachments =
-        DriftOf(muscle.model.attachments,
-                muscle.attached,
-                AttachedPositions(muscle.model.attachments,
-                                  muscle.attached,
-                                  certified_.attached_rest[k],
-                                  pose),
-                frame->muscles[i].points);
+    const PreparedMuscle& muscle = *certified_.muscles[k];
+    MuscleFrame& measured = frame->muscles[certified_.order[k]];
+    measured.attachments = DriftOf(muscle.model.attachments,
+                                   muscle.attached,
+                                   state.held[k].positions,
+                                   measured.points);
   }
 }
 
@@ -209,7 +201,7 @@ void CertifiedFrameSolver::AddBoneOverlaps(Frame* frame) const {
   frame->bone_overlaps = BoneOverlaps(meshes_->bones(), bodies);
 }
 
-void CertifiedFrameSolver::MeasureContact(const SceneState& state,
+void CertifiedFrameSolver::MeasureContact(const ContactState& state,
                                           Frame* frame) {
   const ScopedStage stage("displacement by contact");
   const std::vector<Points> without_contact = MeshesWithoutContact(state);

@@ -39,14 +39,14 @@ class CertifiedFrameSolver : public FrameSolver {
 
   // Returns the fine meshes of a state as they would be without contact, in the
   // order of the scene: each free shape, with its attachments in place.
-  std::vector<Points> MeshesWithoutContact(const SceneState& state) const;
+  std::vector<Points> MeshesWithoutContact(const ContactState& state) const;
 
-  // Measures how far attachments have left their bodies in a pose.
-  void MeasureDrift(const ScenePose& pose, Frame* frame) const;
+  // Measures how far attachments have left their bodies.
+  void MeasureDrift(const ContactState& state, Frame* frame) const;
 
   // Measures what contact has done to the muscles of a frame, against their
   // shapes without contact.
-  void MeasureContact(const SceneState& state, Frame* frame);
+  void MeasureContact(const ContactState& state, Frame* frame);
 
   // Returns the muscles that contact has moved too far in the rest pose.
   std::vector<int> DisplacedAtRest();

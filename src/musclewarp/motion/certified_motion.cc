@@ -16,6 +16,7 @@
 #include "musclewarp/geometry/spread_points.h"
 #include "musclewarp/motion/certified_stepper.h"
 #include "musclewarp/motion/memory_limits.h"
+#include "musclewarp/motion/mover.h"
 
 namespace musclewarp {
 namespace {
@@ -27,6 +28,17 @@ std::vector<int> OrderOfNames(const PreparedScene& scene) {
     return scene.muscles[a].model.name < scene.muscles[b].model.name;
   });
   return order;
+}
+
+// Returns what there is of each muscle, or nothing, in the order of the scene.
+template <typename T>
+std::vector<T> InOrderOfScene(const std::vector<int>& order,
+                              std::vector<T> of_muscles) {
+  std::vector<T> sorted(of_muscles.size());
+  for (size_t i = 0; i < of_muscles.size(); ++i) {
+    sorted[order[i]] = std::move(of_muscles[i]);
+  }
+  return sorted;
 }
 
 // The exempt areas with muscles numbered in the order of contact.
@@ -45,8 +57,8 @@ void AddSurfaces(const PreparedScene& scene,
                  const std::vector<ExemptArea>& exempt,
                  CertifiedScene* certified) {
   const CertifiedContactOptions& options = certified->options;
-  for (const int i : certified->order) {
-    const MuscleModel& model = scene.muscles[i].model;
+  for (const PreparedMuscle* muscle : certified->muscles) {
+    const MuscleModel& model = muscle->model;
     certified->contact.muscles.push_back(MakeMuscleSurface(model.fine_rest,
                                                            model.fine_triangles,
                                                            model.rest_volume,
@@ -67,31 +79,23 @@ void AddSurfaces(const PreparedScene& scene,
   }
 }
 
-// From here on, attached vertices follow their bodies from where they are in
-// the rest pose. They could not before, as they may have been in a bone.
-void HoldAttachments(const PreparedScene& scene,
-                     std::vector<Points> attached_rest,
-                     CertifiedScene* certified) {
-  certified->attached_rest = std::move(attached_rest);
-  certified->extensions.resize(certified->order.size());
-  ParallelFor(certified->order.size(), [&](size_t k) {
-    certified->extensions[k] = std::make_shared<OffsetExtension>(
-        certified->contact.muscles[k],
-        scene.muscles[certified->order[k]].attached.vertices,
+// Adds the rest pose. From here on, attached vertices follow their bodies from
+// where they are in it. They could not before, as they may have been in a bone.
+void AddRest(ContactState rest, CertifiedScene* certified) {
+  const size_t num_muscles = certified->muscles.size();
+  rest.held.clear();
+  for (size_t i = 0; i < num_muscles; ++i) {
+    const std::vector<int>& vertices = certified->muscles[i]->attached.vertices;
+    rest.held.push_back({vertices, rest.points[i](vertices, Eigen::all)});
+  }
+  certified->rest = std::move(rest);
+  certified->extensions.resize(num_muscles);
+  ParallelFor(num_muscles, [&](size_t i) {
+    certified->extensions[i] = std::make_shared<OffsetExtension>(
+        certified->contact.muscles[i],
+        certified->muscles[i]->attached.vertices,
         certified->options.step.relaxation.smoothing_length);
   });
-}
-
-// Returns the attached vertices of each muscle, in the order of contact.
-std::vector<Points> AttachedAmong(const PreparedScene& scene,
-                                  const std::vector<int>& order,
-                                  const std::vector<Points>& points) {
-  std::vector<Points> attached;
-  for (size_t k = 0; k < order.size(); ++k) {
-    attached.push_back(
-        points[k](scene.muscles[order[k]].attached.vertices, Eigen::all));
-  }
-  return attached;
 }
 
 // Returns the scene with all but its rest pose.
@@ -104,6 +108,9 @@ CertifiedScene BeginScene(const PreparedScene& scene,
   CertifiedScene certified;
   certified.options = options;
   certified.order = OrderOfNames(scene);
+  for (const int i : certified.order) {
+    certified.muscles.push_back(&scene.muscles[i]);
+  }
   AddSurfaces(scene, meshes, exempt, &certified);
   return certified;
 }
@@ -177,12 +184,13 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                         });
 
   const Mover mover = {scene, certified, pre_rotation, solver};
-  SceneState rest = RestState(scene);
-  for (const MuscleState& muscle : rest.muscles) {
-    rest.free_coarse.push_back(muscle.coarse);
+  std::vector<Points> coarse;
+  for (const PreparedMuscle* muscle : certified.muscles) {
+    coarse.push_back(muscle->model.coarse_rest);
   }
-  Place place = PlaceOf(mover, rest);
-  place.surfaces.points = std::move(separation.points);
+  ContactState rest = StateWithoutContact(
+      scene, certified, RestPose(scene.scene), std::move(coarse));
+  rest.points = std::move(separation.points);
   WalkOptions walk;
   walk.step = options.step;
   walk.step.sweeps = options.rest_sweeps;
@@ -193,12 +201,10 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
   walk.accepts_self_crossings = true;
   // The steps need a start in which nothing crosses.
   if (separation.crossing_pairs == 0) {
-    Walk(mover, walk, rest.pose, /*at=*/1, on_progress, &place);
+    const ScenePose pose = rest.pose;
+    Walk(mover, walk, pose, /*at=*/1, on_progress, &rest);
   }
-  certified.rest = StateOf(mover, place);
-  HoldAttachments(scene,
-                  AttachedAmong(scene, certified.order, place.surfaces.points),
-                  &certified);
+  AddRest(std::move(rest), &certified);
   certified.wall_ms = preparing.Milliseconds();
   return certified;
 }
@@ -206,13 +212,11 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
 CertifiedScene RestoreCertifiedScene(const PreparedScene& scene,
                                      const SceneMeshes& meshes,
                                      const CertifiedContactOptions& options,
-                                     SceneState rest,
-                                     std::vector<Points> attached_rest) {
+                                     ContactState rest) {
   const Stopwatch preparing;
   CertifiedScene certified = BeginScene(
       scene, meshes, ExemptInOrder(scene, OrderOfNames(scene)), options);
-  certified.rest = std::move(rest);
-  HoldAttachments(scene, std::move(attached_rest), &certified);
+  AddRest(std::move(rest), &certified);
   certified.wall_ms = preparing.Milliseconds();
   return certified;
 }
@@ -222,7 +226,7 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
                               const ScenePose& pose,
                               const PreRotationOptions& pre_rotation,
                               const MuscleSolver& solver,
-                              const SceneState& before,
+                              const ContactState& before,
                               const ProgressCallback& on_progress) {
   const Mover mover = {scene, certified, pre_rotation, solver};
   const CertifiedContactOptions& options = certified.options;
@@ -240,18 +244,43 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
   walk.max_settling_steps = options.max_settling_steps;
   walk.settling_tolerance = options.settling_tolerance;
   walk.timeout_s = TimeoutOf(options, scene.muscles.size());
-  Place place = PlaceOf(mover, before);
   CertifiedMotion motion;
-  const WalkSummary walked =
-      Walk(mover, walk, pose, /*at=*/0, on_progress, &place);
+  motion.state = before;
+  WalkSummary walked =
+      Walk(mover, walk, pose, /*at=*/0, on_progress, &motion.state);
+  motion.last_clean = std::move(walked.last_clean);
   motion.summary.steps = walked.steps;
   if (walked.is_timed_out) motion.summary.timed_out_at = walked.reached;
-  motion.state = StateOf(mover, place);
-  motion.next =
-      walked.last_clean ? StateOf(mover, *walked.last_clean) : motion.state;
-  motion.contact = std::move(place.solved.contact);
-  motion.summary.summaries = std::move(place.solved.summaries);
+  motion.summary.summaries =
+      InOrderOfScene(certified.order, std::move(walked.solves));
   return motion;
+}
+
+MuscleShapes ShapesOf(const CertifiedScene& certified,
+                      const ContactState& state) {
+  return {InOrderOfScene(certified.order, state.coarse),
+          InOrderOfScene(certified.order, state.points)};
+}
+
+std::vector<Points> FreeCoarseOf(const CertifiedScene& certified,
+                                 const ContactState& state) {
+  return InOrderOfScene(certified.order, state.free_coarse);
+}
+
+std::vector<ContactRows> ContactRowsOf(const CertifiedScene& certified,
+                                       const ContactState& state) {
+  std::vector<ContactRows> contact;
+  for (const CarriedHalfSpaces& planes : state.planes) {
+    contact.push_back(
+        {OneSidedRowsOf(planes.spaces, certified.options.coarse_weight),
+         planes.carriers});
+    for (PlaneCarrier& carrier : contact.back().carriers) {
+      if (carrier.IsBone()) continue;
+      carrier.muscle_above = certified.order[carrier.muscle_above];
+      carrier.muscle_below = certified.order[carrier.muscle_below];
+    }
+  }
+  return InOrderOfScene(certified.order, std::move(contact));
 }
 
 }  // namespace musclewarp

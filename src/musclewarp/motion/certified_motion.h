@@ -11,6 +11,8 @@
 #include "musclewarp/certified_contact/initial_separation.h"
 #include "musclewarp/certified_contact/offset_extension.h"
 #include "musclewarp/certified_contact/step.h"
+#include "musclewarp/motion/muscle_shapes.h"
+#include "musclewarp/motion/plane_rates.h"
 #include "musclewarp/motion/pose_steps.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_meshes.h"
@@ -91,22 +93,21 @@ struct CertifiedContactOptions {
 struct CertifiedScene {
   CertifiedContactOptions options;
 
-  // Contact takes the muscles in the order of their names, so that not even
-  // rounding depends on their order in the scene: for each, its index there.
+  // The muscles in the order of contact, which that of all below is too, and
+  // the number of each in the scene. Points into the scene.
+  std::vector<const PreparedMuscle*> muscles;
   std::vector<int> order;
-  ContactScene contact;  // muscles in that order
 
-  // The fine vertices of each muscle, in that order, that may have rows in the
-  // coarse solve.
+  ContactScene contact;
+
+  // The fine vertices of each muscle that may have rows in the coarse solve.
   std::vector<std::vector<int>> samples;
 
-  SceneState rest;
+  // The separated rest pose. Attached vertices are where they are in it; their
+  // bodies carry them along from there.
+  ContactState rest;
 
-  // In that order: where the attached vertices are in that state, #attached x
-  // 3, mm. Their bodies carry them along from there.
-  std::vector<Points> attached_rest;
-
-  // In that order: what attachments make of the shape without contact.
+  // What attachments make of the shape without contact.
   std::vector<std::shared_ptr<const OffsetExtension>> extensions;
   double wall_ms = 0;
 };
@@ -121,31 +122,31 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                                      const MuscleSolver& solver,
                                      const ProgressCallback& on_progress);
 
-// Puts a scene together whose rest pose has been separated before: `rest` and
-// `attached_rest` are those of an equal CertifiedScene. `meshes` are those of
-// the scene, in the rest pose. Precondition (CHECKed): the options are valid.
+// Puts a scene together whose rest pose has been separated before: `rest` is
+// that of an equal CertifiedScene. `meshes` are those of the scene, in the rest
+// pose. Precondition (CHECKed): the options are valid.
 CertifiedScene RestoreCertifiedScene(const PreparedScene& scene,
                                      const SceneMeshes& meshes,
                                      const CertifiedContactOptions& options,
-                                     SceneState rest,
-                                     std::vector<Points> attached_rest);
+                                     ContactState rest);
 
 // How a pose was reached.
 struct MotionSummary {
-  std::vector<SolverSummary> summaries;  // of the last step, by muscle
-  int steps = 0;                         // including those that were given up
+  // Of the last step, by muscle, in the order of the scene.
+  std::vector<SolverSummary> summaries;
+  int steps = 0;  // including those that were given up
 
   // If the time ran out, the share of the way that was gone by then.
   std::optional<double> timed_out_at;
 };
 
 struct CertifiedMotion {
-  SceneState state;
+  ContactState state;
 
-  // What the next pose should be reached from: the same or, if something
-  // crosses in it, the last state in which nothing did.
-  SceneState next;
-  std::vector<ContactRows> contact;  // of the last solve, see SolvedPose
+  // What the next pose should be reached from: the last state in which nothing
+  // crossed, if something does in `state`; else there is none, and it is
+  // `state`.
+  std::optional<ContactState> last_clean;
   MotionSummary summary;
 };
 
@@ -158,7 +159,21 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
                               const ScenePose& pose,
                               const PreRotationOptions& pre_rotation,
                               const MuscleSolver& solver,
-                              const SceneState& before,
+                              const ContactState& before,
                               const ProgressCallback& on_progress);
+
+// What a frame shows of a state, in the order of the scene.
+MuscleShapes ShapesOf(const CertifiedScene& certified,
+                      const ContactState& state);
+
+// Returns the coarse vertices as they would be without contact, in the order of
+// the scene, N x 3 each, mm.
+std::vector<Points> FreeCoarseOf(const CertifiedScene& certified,
+                                 const ContactState& state);
+
+// Returns the rows with which contact had each muscle solved, and what their
+// planes go along with, in the order of the scene.
+std::vector<ContactRows> ContactRowsOf(const CertifiedScene& certified,
+                                       const ContactState& state);
 
 }  // namespace musclewarp

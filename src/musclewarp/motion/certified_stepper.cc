@@ -11,131 +11,21 @@
 #include <vector>
 
 #include "musclewarp/base/infinity.h"
-#include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/certified_contact/moves.h"
+#include "musclewarp/motion/pose_step.h"
 #include "musclewarp/motion/step_remedies.h"
 
 namespace musclewarp {
 namespace {
 
-SolvedPose SolveFree(const Mover& mover,
-                     const Place& from,
-                     const ScenePose& pose) {
-  const ScopedStage stage("solve without contact");
-  const SceneState before = {from.pose, from.free.states, {}};
-  return SolvePose(mover.scene,
-                   pose,
-                   mover.pre_rotation,
-                   mover.solver,
-                   Predict(mover.scene, before, pose, mover.pre_rotation));
-}
-
-// Solves the muscles with rows for the planes that their samples violate most.
-SolvedPose SolveWithContactRows(const Mover& mover,
-                                const PlaneSet& contact_planes,
-                                const std::vector<Points>& points,
-                                const std::vector<Points>& targets,
-                                const ScenePose& pose,
-                                const SolvedPose& free,
-                                const SolvedPose& start) {
-  const ScopedStage stage("solve with contact");
-  const CertifiedScene& certified = mover.certified;
-  std::vector<ContactRows> contact(mover.scene.muscles.size());
-  for (size_t k = 0; k < certified.order.size(); ++k) {
-    CarriedHalfSpaces planes = contact_planes.MostViolated(
-        static_cast<int>(k), certified.samples[k], points[k], targets[k]);
-    for (PlaneCarrier& carrier : planes.carriers) {
-      if (carrier.IsBone()) continue;
-      carrier.muscle_above = certified.order[carrier.muscle_above];
-      carrier.muscle_below = certified.order[carrier.muscle_below];
-    }
-    contact[certified.order[k]] = {
-        OneSidedRowsOf(planes.spaces, certified.options.coarse_weight),
-        std::move(planes.carriers)};
-  }
-  return SolveWithRows(mover.scene,
-                       free,
-                       pose,
-                       mover.pre_rotation,
-                       mover.solver,
-                       std::move(contact),
-                       start.states);
-}
-
-// A step that was tried: where it ended, and what came of it.
-struct Attempt {
-  Place place;
-  StepSummary summary;
-};
-
-// Tries a step from a place to a pose. `start` is where the coarse meshes are
-// predicted. The step is given up if it pushes muscles by more than `max_push`,
-// mm.
-Attempt TryStep(const Mover& mover,
-                const StepOptions& options,
-                const Place& from,
-                const ScenePose& pose,
-                const SolvedPose& free,
-                const SolvedPose& start,
-                double max_push) {
-  Attempt attempt;
-  attempt.place.pose = pose;
-  attempt.place.free = free;
-  attempt.place.solved = start;
-  const StepGoal goal = {FineMeshes(mover, start.states),
-                         BonesFromRest(mover.scene, pose),
-                         AttachedIn(mover, pose),
-                         max_push};
-  SolveCoarse solve_coarse;
-  if (mover.certified.options.coarse_weight > 0) {
-    solve_coarse = [&](const PlaneSet& planes,
-                       const std::vector<Points>& points) {
-      attempt.place.solved = SolveWithContactRows(
-          mover, planes, points, goal.targets, pose, free, start);
-      return FineMeshes(mover, attempt.place.solved.states);
-    };
-  }
-  StepResult result =
-      Step(options, mover.certified.contact, from.surfaces, goal, solve_coarse);
-  attempt.place.surfaces = std::move(result.state);
-  attempt.summary = result.summary;
-  return attempt;
-}
-
-// Predicts the coarse meshes of the next step: they keep the displacement by
-// contact that they have.
-SolvedPose MovedAlong(const Place& from, const SolvedPose& free) {
-  SolvedPose start = free;
-  for (size_t i = 0; i < start.states.size(); ++i) {
-    start.states[i].coarse +=
-        from.solved.states[i].coarse - from.free.states[i].coarse;
-  }
-  return start;
-}
-
-// Goes to a pose without contact: muscles keep the offsets that they have.
-void GoWithoutContact(const Mover& mover, const ScenePose& goal, Place* place) {
-  const SolvedPose free = SolveFree(mover, *place, goal);
-  SolvedPose solved = MovedAlong(*place, free);
-  const std::vector<Points> targets = FineMeshes(mover, solved.states);
-  for (size_t k = 0; k < targets.size(); ++k) {
-    place->surfaces.points[k] += targets[k] - place->surfaces.targets[k];
-  }
-  place->surfaces.targets = targets;
-  place->surfaces.bones_from_rest = BonesFromRest(mover.scene, goal);
-  place->pose = goal;
-  place->free = free;
-  place->solved = std::move(solved);
-}
-
-// How many places a walk may go back.
+// How many states a walk may go back.
 constexpr size_t kMaxWaypoints = 4;
 
-// A place on the way, in which nothing crosses.
+// A state on the way, in which nothing crosses.
 struct Waypoint {
   double at;
-  Place place;
+  ContactState state;
 };
 
 // The length of steps after a walk has gone back so many times: a quarter of
@@ -154,15 +44,16 @@ class Walker {
          const WalkOptions& options,
          const ScenePose& goal,
          double at,
-         Place* place)
+         ContactState* state)
       : mover_(mover),
         options_(options),
-        from_(place->pose),
+        from_(state->pose),
         goal_(goal),
         step_(options.step),
         length_(options.length),
         at_(at),
-        place_(place) {}
+        state_(state),
+        solves_(state->points.size()) {}
 
   bool IsAtGoal() const { return at_ >= 1; }
   bool IsSettled() const { return is_settled_; }
@@ -171,16 +62,18 @@ class Walker {
            watch_.Milliseconds() > 1000 * options_.timeout_s;
   }
   double at() const { return at_; }
-  WalkSummary TakeSummary() { return std::move(summary_); }
+  WalkSummary TakeSummary() {
+    summary_.solves = std::move(solves_.all);
+    return std::move(summary_);
+  }
 
   // Tries a step on the way, and does what follows.
   void Advance() {
     const double to = length_.NextFrom(at_);
     const ScenePose pose =
         to == 1 ? goal_ : PoseBetween(mover_.scene.scene, from_, goal_, to);
-    const SolvedPose free = SolveFree(mover_, *place_, pose);
-    Attempt attempt =
-        Try(pose, free, MovedAlong(*place_, free), length_.max_push());
+    PoseStepResult attempt =
+        Try({step_, pose, /*is_settling=*/false, length_.max_push()});
     StepOutcome outcome = StepOutcome::kClean;
     if (attempt.summary.push > length_.max_push()) {
       outcome = StepOutcome::kPushedFar;
@@ -193,7 +86,8 @@ class Walker {
 
   // The same at the pose.
   void Settle() {
-    Attempt attempt = Try(goal_, place_->free, place_->solved, kInfinity);
+    PoseStepResult attempt =
+        Try({step_, goal_, /*is_settling=*/true, kInfinity});
     Respond(Crosses(attempt.summary) ? StepOutcome::kSettledCrossing
                                      : StepOutcome::kSettledClean,
             1,
@@ -204,19 +98,19 @@ class Walker {
   void GiveUp() {
     summary_.is_timed_out = true;
     summary_.reached = at_;
-    if (!summary_.last_clean) summary_.last_clean = *place_;
-    GoWithoutContact(mover_, goal_, place_);
+    if (!summary_.last_clean) summary_.last_clean = *state_;
+    Accept(GoWithoutContact(mover_, goal_, *state_));
   }
 
  private:
-  void Respond(StepOutcome outcome, double to, Attempt attempt) {
+  void Respond(StepOutcome outcome, double to, PoseStepResult attempt) {
     for (const StepRemedy remedy : RemediesOf(outcome)) {
       if (Apply(remedy, to, &attempt)) return;
     }
   }
 
   // Returns false if a remedy is not possible.
-  bool Apply(StepRemedy remedy, double to, Attempt* attempt) {
+  bool Apply(StepRemedy remedy, double to, PoseStepResult* attempt) {
     switch (remedy) {
       case StepRemedy::kAccept:
         summary_.last_clean.reset();
@@ -224,7 +118,7 @@ class Walker {
         GoOn(to, attempt);
         return true;
       case StepRemedy::kAcceptStuck:
-        if (!summary_.last_clean) summary_.last_clean = *place_;
+        if (!summary_.last_clean) summary_.last_clean = *state_;
         GoOn(to, attempt);
         return true;
       case StepRemedy::kShorten:
@@ -245,7 +139,7 @@ class Walker {
     return false;
   }
 
-  void GoOn(double to, Attempt* attempt) {
+  void GoOn(double to, PoseStepResult* attempt) {
     length_.Grow(attempt->summary.push);
     // Muscles that are pushed by less than the reach get there in one step.
     is_settled_ = attempt->summary.is_short_of_reach;
@@ -253,9 +147,9 @@ class Walker {
     at_ = to;
   }
 
-  void SettleAt(Attempt* attempt) {
-    const double move = MoveOfMost(
-        place_->surfaces.points, attempt->place.surfaces.points, kUnsettled);
+  void SettleAt(PoseStepResult* attempt) {
+    const double move =
+        MoveOfMost(state_->points, attempt->state.points, kUnsettled);
     VLOG(1) << "most vertices have moved by less than " << move << " mm";
     summary_.last_clean.reset();
     const bool stops_short =
@@ -264,12 +158,12 @@ class Walker {
     is_settled_ = move < options_.settling_tolerance;
   }
 
-  // Remembers the place before a step, unless it is close to the last one.
+  // Remembers the state before a step, unless it is close to the last one.
   void LeaveWaypoint() {
     const double spacing = options_.length.unchecked;
     if (!trail_.empty() && at_ - trail_.back().at < 0.99 * spacing) return;
     if (trail_.size() == kMaxWaypoints) trail_.erase(trail_.begin());
-    trail_.push_back({at_, *place_});
+    trail_.push_back({at_, *state_});
   }
 
   // Goes back to the first waypoint, if there is one, for shorter steps from
@@ -279,7 +173,7 @@ class Walker {
     ++returns_;
     if (!trail_.empty()) {
       at_ = trail_.front().at;
-      *place_ = std::move(trail_.front().place);
+      *state_ = std::move(trail_.front().state);
       trail_.clear();
     }
     length_ = ShorterSteps(options_.length, returns_);
@@ -287,13 +181,9 @@ class Walker {
     return true;
   }
 
-  Attempt Try(const ScenePose& pose,
-              const SolvedPose& free,
-              const SolvedPose& start,
-              double max_push) {
+  PoseStepResult Try(const PoseStep& step) {
     ++summary_.steps;
-    Attempt attempt =
-        TryStep(mover_, step_, *place_, pose, free, start, max_push);
+    PoseStepResult attempt = TakeStep(mover_, step, *state_, solves_);
     VLOG(1) << "step from " << at_ << " of length " << length_.length()
             << ", reach " << step_.reach << " mm: push " << attempt.summary.push
             << " mm, " << attempt.summary.rounds << " rounds, "
@@ -317,13 +207,14 @@ class Walker {
   }
 
   // If muscles have farther to go, the next step reaches farther.
-  void Accept(Attempt attempt, bool stops_short = false) {
+  void Accept(PoseStepResult attempt, bool stops_short = false) {
     if (stops_short) {
       ReachFarther();
     } else {
       step_.reach = options_.step.reach;
     }
-    *place_ = std::move(attempt.place);
+    *state_ = std::move(attempt.state);
+    solves_ = std::move(attempt.solves);
   }
 
   const Mover& mover_;
@@ -337,7 +228,8 @@ class Walker {
   bool is_settled_ = false;
   int returns_ = 0;
   std::vector<Waypoint> trail_;  // the latest last
-  Place* place_;
+  ContactState* state_;
+  StepSolves solves_;  // that the state comes from
   WalkSummary summary_;
 };
 
@@ -348,11 +240,11 @@ WalkSummary Walk(const Mover& mover,
                  const ScenePose& goal,
                  double at,
                  const ProgressCallback& on_progress,
-                 Place* place) {
+                 ContactState* state) {
   const auto say = [&](const std::string& stage, int done, int total) {
     if (on_progress) on_progress({stage, done, total});
   };
-  Walker walker(mover, options, goal, at, place);
+  Walker walker(mover, options, goal, at, state);
   while (!walker.IsAtGoal()) {
     say("moving", static_cast<int>(100 * walker.at()), 100);
     if (walker.IsTimedOut()) {

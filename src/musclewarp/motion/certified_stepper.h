@@ -3,22 +3,22 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "musclewarp/base/progress.h"
 #include "musclewarp/certified_contact/step.h"
-#include "musclewarp/motion/place.h"
+#include "musclewarp/motion/mover.h"
 #include "musclewarp/motion/step_length.h"
+#include "musclewarp/solver/solver_summary.h"
 
 namespace musclewarp {
 
 // The stepper of certified contact. The rest pose is relaxed and poses are
 // reached by the same steps, with other options:
 //
-//   Place place = PlaceOf(mover, state);
-//   const WalkSummary walk = Walk(mover, options, pose, /*at=*/0, {}, &place);
-//   state = StateOf(mover, place);
+//   const WalkSummary walk = Walk(mover, options, pose, /*at=*/0, {}, &state);
 
-// How a scene goes from one place to another.
+// How a scene goes from one state to another.
 struct WalkOptions {
   StepOptions step;
 
@@ -51,12 +51,15 @@ struct WalkSummary {
   double reached = 1;         // the share of the way that was gone
   bool is_timed_out = false;  // then the last part was gone without contact
 
-  // The last place in which nothing crossed, if something does at the end.
-  std::optional<Place> last_clean;
+  // The last state in which nothing crossed, if something does at the end.
+  std::optional<ContactState> last_clean;
+
+  // Of the last step, by muscle, in the order of contact.
+  std::vector<SolverSummary> solves;
 };
 
-// Moves on from `place` to a pose, and settles there. `at` is the share of the
-// way that is already done: 1 if the place is the pose.
+// Moves on from `state` to a pose, and settles there. `at` is the share of the
+// way that is already done: 1 if the state is in that pose.
 //
 // What follows a step is in step_remedies.h: one that pushes muscles too far is
 // shortened (StepLength), and one after which triangles cross is halved. If it
@@ -66,13 +69,13 @@ struct WalkSummary {
 // on the way to a pose it is taken all the same, as what follows may part the
 // triangles, but nothing more is tried until they have parted.
 //
-// `on_progress` may be empty, and may throw: the place is then where the last
-// step has left it.
+// `on_progress` may be empty, and may throw: the state is then as the last step
+// has left it.
 WalkSummary Walk(const Mover& mover,
                  const WalkOptions& options,
                  const ScenePose& goal,
                  double at,
                  const ProgressCallback& on_progress,
-                 Place* place);
+                 ContactState* state);
 
 }  // namespace musclewarp

@@ -17,14 +17,15 @@ namespace {
 
 MuscleFrame FrameOf(const PreparedMuscle& muscle,
                     const ScenePose& pose,
-                    const MuscleState& state,
-                    const MuscleState* before,
+                    const Points& coarse,
+                    const Points& fine,
+                    const Points* before,
                     SolverSummary summary) {
   const MuscleModel& model = muscle.model;
   MuscleFrame frame;
   frame.name = model.name;
   frame.solver = std::move(summary);
-  frame.points = FinePoints(model, state);
+  frame.points = fine;
   const double volume = SignedVolume(frame.points, model.fine_triangles);
   frame.volume_ratio = volume / muscle.mesh.delivered_volume;
   frame.volume_error = volume / model.rest_volume - 1;
@@ -33,8 +34,7 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
   frame.folded_triangles = static_cast<int>(
       FoldedTriangles(model.fine_rest, frame.points, model.fine_triangles)
           .size());
-  frame.shape = MeasureShape(
-      model, frame.points, before ? FinePoints(model, *before) : Points());
+  frame.shape = MeasureShape(model, frame.points, before ? *before : Points());
   frame.attachments = DriftOf(
       model.attachments,
       muscle.attached,
@@ -43,8 +43,8 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
                         model.fine_rest(muscle.attached.vertices, Eigen::all),
                         pose),
       frame.points);
-  frame.lines = LinesAt(muscle.lines, state.coarse);
-  frame.fibres = LinesAt(muscle.fibres, state.coarse);
+  frame.lines = LinesAt(muscle.lines, coarse);
+  frame.fibres = LinesAt(muscle.fibres, coarse);
   for (const ActionLine& line : model.lines) {
     frame.path_lengths.push_back(PathLengthIn(pose, line));
   }
@@ -89,8 +89,8 @@ void AddIntersections(const PreparedScene& scene,
 
 Frame MeasureFrame(const PreparedScene& scene,
                    const ScenePose& pose,
-                   const std::vector<MuscleState>& states,
-                   const SceneState* before,
+                   const MuscleShapes& shapes,
+                   const std::vector<Points>& before,
                    std::vector<SolverSummary> summaries,
                    SceneMeshes* meshes) {
   const ScopedStage stage("measures of shapes");
@@ -103,8 +103,9 @@ Frame MeasureFrame(const PreparedScene& scene,
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
     frame.muscles[i] = FrameOf(scene.muscles[i],
                                pose,
-                               states[i],
-                               before ? &before->muscles[i] : nullptr,
+                               shapes.coarse[i],
+                               shapes.fine[i],
+                               before.empty() ? nullptr : &before[i],
                                std::move(summaries[i]));
   }
   frame.bones = BonesIn(scene, pose);
@@ -143,12 +144,9 @@ Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes) {
 }
 
 SceneIntersections IntersectAtRest(const PreparedScene& scene,
-                                   const std::vector<MuscleState>& states,
+                                   const std::vector<Points>& muscles,
                                    SceneMeshes* meshes) {
-  std::vector<Points> muscles, bones;
-  for (size_t i = 0; i < states.size(); ++i) {
-    muscles.push_back(FinePoints(scene.muscles[i].model, states[i]));
-  }
+  std::vector<Points> bones;
   for (const PreparedBone& bone : scene.bones) {
     bones.push_back(bone.rest.points);
   }

@@ -6,10 +6,10 @@
 
 #include "musclewarp/certificate/shortcomings.h"
 #include "musclewarp/motion/frame.h"
+#include "musclewarp/motion/muscle_shapes.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_meshes.h"
-#include "musclewarp/motion/solved_pose.h"
-#include "musclewarp/solver/muscle_state.h"
+#include "musclewarp/solver/solver_summary.h"
 
 namespace musclewarp {
 
@@ -17,13 +17,13 @@ namespace musclewarp {
 // volumes, folded triangles, lines and fibres, and everything that crosses. The
 // times, `pose_steps`, moment arms and what concerns contact are left to the
 // caller.
-// `before` is the state that the pose was reached from, or null if it was
-// reached on its own. `meshes` are those of the scene and are moved to the
-// pose.
+// `before` are the fine meshes that the pose was reached from, by muscle, n x
+// 3, mm, or none if it was reached on its own. `meshes` are those of the scene
+// and are moved to the pose.
 Frame MeasureFrame(const PreparedScene& scene,
                    const ScenePose& pose,
-                   const std::vector<MuscleState>& states,
-                   const SceneState* before,
+                   const MuscleShapes& shapes,
+                   const std::vector<Points>& before,
                    std::vector<SolverSummary> summaries,
                    SceneMeshes* meshes);
 
@@ -35,9 +35,10 @@ MuscleMeasures MuscleMeasuresOf(const PreparedMuscle& muscle,
 // Returns the frame of a scene with every mesh where it was delivered.
 Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes);
 
-// Counts what crosses with muscles in `states` and bones in the rest pose.
+// Counts what crosses with the fine vertices of muscles at `muscles` (n x 3
+// each, mm) and bones in the rest pose.
 SceneIntersections IntersectAtRest(const PreparedScene& scene,
-                                   const std::vector<MuscleState>& states,
+                                   const std::vector<Points>& muscles,
                                    SceneMeshes* meshes);
 
 }  // namespace musclewarp

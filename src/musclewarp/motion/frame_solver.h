@@ -17,7 +17,7 @@
 #include "musclewarp/motion/pose_steps.h"
 #include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/scene_meshes.h"
-#include "musclewarp/motion/solved_pose.h"
+#include "musclewarp/motion/scene_state.h"
 
 namespace musclewarp {
 
@@ -74,8 +74,7 @@ struct ContactReport {
 // long to find, and all that a frame solver for the same scene and options
 // needs to be made without.
 struct SeparatedRest {
-  SceneState state;
-  std::vector<Points> attached;  // as CertifiedScene::attached_rest
+  ContactState state;
 
   // As ContactReport has them.
   SceneIntersections intersections;

@@ -8,6 +8,7 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/motion/frame_measures.h"
 #include "musclewarp/motion/moment_arms.h"
+#include "musclewarp/motion/solved_pose.h"
 
 namespace musclewarp {
 
@@ -31,20 +32,24 @@ SolvedFrame FreeFrameSolver::Solve(const MuscleSolvers& solvers,
                                    const ProgressCallback& on_progress) {
   if (on_progress) on_progress({"moving", 0, 1});
   const Stopwatch moving;
-  SolvedPose solved =
-      SolvePose(scene_,
-                pose,
-                options_.pre_rotation,
-                solvers.single,
-                before ? Predict(scene_, *before, pose, options_.pre_rotation)
-                       : RestState(scene_).muscles);
+  const MuscleModels models = ModelsOf(scene_);
+  SolvedPose solved = SolvePose(models,
+                                pose,
+                                options_.pre_rotation,
+                                solvers.single,
+                                before ? Predict(models,
+                                                 before->muscles,
+                                                 before->pose,
+                                                 pose,
+                                                 options_.pre_rotation)
+                                       : RestState(scene_).muscles);
   const double wall_ms = moving.Milliseconds();
   const Stopwatch certifying;
   SolvedFrame result;
   result.frame = MeasureFrame(scene_,
                               pose,
-                              solved.states,
-                              before,
+                              ShapesOf(scene_, solved.states),
+                              FinePointsOf(scene_, before),
                               std::move(solved.summaries),
                               meshes_.get());
   result.frame.shortcomings = ShortcomingsOf(result.frame);
@@ -56,7 +61,7 @@ SolvedFrame FreeFrameSolver::Solve(const MuscleSolvers& solvers,
                 options_.pre_rotation,
                 {CoarseOf(solved.states), {}, {}},
                 &result.frame);
-  result.state = {pose, std::move(solved.states), {}};
+  result.state = {pose, std::move(solved.states), std::nullopt};
   return result;
 }
 

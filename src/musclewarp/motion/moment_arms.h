@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "musclewarp/motion/frame.h"
+#include "musclewarp/motion/plane_rates.h"
 #include "musclewarp/motion/prepared_scene.h"
-#include "musclewarp/motion/solved_pose.h"
 #include "musclewarp/solver/muscle_target.h"
 
 namespace musclewarp {

@@ -26,17 +26,17 @@ PaperFrameSolver::PaperFrameSolver(const PreparedScene& scene,
   contact_.prepare_ms = paper_.wall_ms;
   std::vector<MuscleState> fixed = RestState(scene).muscles;
   ContactInPose(scene, paper_, ScenePose()).Start(&fixed);
-  contact_.rest = IntersectAtRest(scene, fixed, meshes_.get());
+  contact_.rest =
+      IntersectAtRest(scene, ShapesOf(scene, fixed).fine, meshes_.get());
 }
 
 SolvedPose PaperFrameSolver::SolveGroup(const GroupSolver& solver,
                                         const ScenePose& pose,
                                         const SceneState* before) const {
-  std::vector<const MuscleModel*> models;
+  const MuscleModels models = ModelsOf(scene_);
   std::vector<MuscleTarget> targets;
   SolvedPose solved;
   for (const PreparedMuscle& muscle : scene_.muscles) {
-    models.push_back(&muscle.model);
     targets.push_back(TargetOf(muscle.model, pose, options_.pre_rotation));
     if (before) continue;
     MuscleState start;
@@ -45,7 +45,8 @@ SolvedPose PaperFrameSolver::SolveGroup(const GroupSolver& solver,
   }
   GroupContact contact = ContactInPose(scene_, paper_, pose);
   if (before) {
-    solved.states = Predict(scene_, *before, pose, options_.pre_rotation);
+    solved.states = Predict(
+        models, before->muscles, before->pose, pose, options_.pre_rotation);
     std::vector<Eigen::Matrix4d> now_from_before;
     for (const PreparedBone& bone : scene_.bones) {
       now_from_before.push_back(
@@ -113,8 +114,8 @@ SolvedFrame PaperFrameSolver::Solve(const MuscleSolvers& solvers,
   SolvedFrame result;
   result.frame = MeasureFrame(scene_,
                               pose,
-                              solved.states,
-                              before,
+                              ShapesOf(scene_, solved.states),
+                              FinePointsOf(scene_, before),
                               std::move(solved.summaries),
                               meshes_.get());
   result.frame.pose_steps = steps;

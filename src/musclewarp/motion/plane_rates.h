@@ -5,11 +5,19 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "musclewarp/motion/solved_pose.h"
+#include "musclewarp/certified_contact/plane_carrier.h"
 #include "musclewarp/solver/muscle_model.h"
+#include "musclewarp/solver/one_sided_rows.h"
 #include "musclewarp/solver/shape_derivative.h"
 
 namespace musclewarp {
+
+// The one-sided rows with which contact had a muscle solved, and what the plane
+// of each row goes along with. Muscles and bones are numbered as in the scene.
+struct ContactRows {
+  OneSidedRows rows;
+  std::vector<PlaneCarrier> carriers;
+};
 
 // How a muscle that carries planes moves with a coordinate: its fine vertices,
 // #V x 3, mm, and their derivatives beside the motion of a body.

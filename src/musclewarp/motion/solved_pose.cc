@@ -8,46 +8,56 @@
 
 namespace musclewarp {
 
+MuscleModels ModelsOf(const PreparedScene& scene) {
+  MuscleModels models;
+  for (const PreparedMuscle& muscle : scene.muscles) {
+    models.push_back(&muscle.model);
+  }
+  return models;
+}
+
+MuscleModels ModelsOf(const std::vector<const PreparedMuscle*>& muscles) {
+  MuscleModels models;
+  for (const PreparedMuscle* muscle : muscles) {
+    models.push_back(&muscle->model);
+  }
+  return models;
+}
+
 std::vector<Points> CoarseOf(const std::vector<MuscleState>& states) {
   std::vector<Points> coarse;
   for (const MuscleState& state : states) coarse.push_back(state.coarse);
   return coarse;
 }
 
-SceneState RestState(const PreparedScene& scene) {
-  SceneState state;
-  state.pose = RestPose(scene.scene);
-  for (const PreparedMuscle& muscle : scene.muscles) {
-    state.muscles.push_back({muscle.model.coarse_rest, {}});
-  }
-  return state;
-}
-
-std::vector<MuscleState> Predict(const PreparedScene& scene,
-                                 const SceneState& before,
-                                 const ScenePose& pose,
-                                 const PreRotationOptions& pre_rotation) {
-  std::vector<MuscleState> states = before.muscles;
-  for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    const MuscleModel& model = scene.muscles[i].model;
-    states[i].coarse +=
-        UnconstrainedMinimizer(model, TargetOf(model, pose, pre_rotation)) -
-        UnconstrainedMinimizer(model,
-                               TargetOf(model, before.pose, pre_rotation));
-  }
+std::vector<MuscleState> StatesOf(const std::vector<Points>& coarse) {
+  std::vector<MuscleState> states;
+  for (const Points& points : coarse) states.push_back({points, {}});
   return states;
 }
 
-SolvedPose SolvePose(const PreparedScene& scene,
+std::vector<MuscleState> Predict(const MuscleModels& models,
+                                 std::vector<MuscleState> before,
+                                 const ScenePose& from,
+                                 const ScenePose& pose,
+                                 const PreRotationOptions& pre_rotation) {
+  for (size_t i = 0; i < models.size(); ++i) {
+    const MuscleModel& model = *models[i];
+    before[i].coarse +=
+        UnconstrainedMinimizer(model, TargetOf(model, pose, pre_rotation)) -
+        UnconstrainedMinimizer(model, TargetOf(model, from, pre_rotation));
+  }
+  return before;
+}
+
+SolvedPose SolvePose(const MuscleModels& models,
                      const ScenePose& pose,
                      const PreRotationOptions& pre_rotation,
                      const MuscleSolver& solver,
                      std::vector<MuscleState> start) {
-  std::vector<const MuscleModel*> models;
   std::vector<MuscleTarget> targets;
-  for (const PreparedMuscle& muscle : scene.muscles) {
-    models.push_back(&muscle.model);
-    targets.push_back(TargetOf(muscle.model, pose, pre_rotation));
+  for (const MuscleModel* model : models) {
+    targets.push_back(TargetOf(*model, pose, pre_rotation));
   }
   SolvedPose solved;
   solved.states = std::move(start);
@@ -57,35 +67,35 @@ SolvedPose SolvePose(const PreparedScene& scene,
   return solved;
 }
 
-SolvedPose SolveWithRows(const PreparedScene& scene,
+SolvedPose SolveWithRows(const MuscleModels& models,
                          const SolvedPose& without_rows,
                          const ScenePose& pose,
                          const PreRotationOptions& pre_rotation,
                          const MuscleSolver& solver,
-                         std::vector<ContactRows> contact,
+                         const std::vector<OneSidedRows>& rows,
                          const std::vector<MuscleState>& start) {
   std::vector<size_t> with_rows;
-  std::vector<const MuscleModel*> models;
+  MuscleModels models_with_rows;
   std::vector<MuscleTarget> targets;
   std::vector<MuscleState> states;
-  for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    if (contact[i].rows.size() == 0) continue;
+  for (size_t i = 0; i < models.size(); ++i) {
+    if (rows[i].size() == 0) continue;
     with_rows.push_back(i);
-    models.push_back(&scene.muscles[i].model);
-    targets.push_back(TargetOf(*models.back(), pose, pre_rotation));
-    targets.back().one_sided = contact[i].rows;
+    models_with_rows.push_back(models[i]);
+    targets.push_back(TargetOf(*models[i], pose, pre_rotation));
+    targets.back().one_sided = rows[i];
     states.push_back(start[i]);
   }
   SolvedPose solved = without_rows;
-  solved.contact = std::move(contact);
   std::vector<SolverSummary> summaries;
   const Stopwatch solving;
-  SolveEachOnItsOwn(solver, models, targets, &states, &summaries);
+  SolveEachOnItsOwn(solver, models_with_rows, targets, &states, &summaries);
   solved.solve_ms += solving.Milliseconds();
   for (size_t k = 0; k < with_rows.size(); ++k) {
-    solved.states[with_rows[k]] = std::move(states[k]);
-    const SolverSummary& without = without_rows.summaries[with_rows[k]];
-    SolverSummary& summary = solved.summaries[with_rows[k]];
+    const size_t i = with_rows[k];
+    solved.states[i] = std::move(states[k]);
+    const SolverSummary& without = without_rows.summaries[i];
+    SolverSummary& summary = solved.summaries[i];
     summary = MergedSummary(without, std::move(summaries[k]));
     if (!without.IsSolutionUsable()) {
       summary.stop_reason = without.stop_reason;

@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/report/resume_log.h"
 
-#include <array>
+#include <cereal/archives/binary.hpp>
+#include <cstdint>
+#include <exception>
 #include <filesystem>
+#include <sstream>
 #include <utility>
+#include <vector>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/motion/frame_files.h"
+#include "musclewarp/motion/state_archive.h"
 
 namespace musclewarp {
 namespace {
@@ -18,52 +23,26 @@ namespace {
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
 
-OrderedJson ToJson(const Points& points) {
-  return std::vector<double>(points.data(), points.data() + points.size());
+std::vector<std::uint8_t> Archived(const SceneState& state) {
+  std::ostringstream stream(std::ios::binary);
+  cereal::BinaryOutputArchive archive(stream);
+  archive(state);
+  const std::string bytes = stream.str();
+  return {bytes.begin(), bytes.end()};
 }
 
-Points PointsFromJson(const OrderedJson& json) {
-  const auto values = json.get<std::vector<double>>();
-  return Eigen::Map<const Points>(values.data(), values.size() / 3, 3);
-}
-
-// A pose may lie between those of the scene, if a frame was given up.
-OrderedJson ToJson(const ScenePose& pose) {
-  OrderedJson bodies = OrderedJson::object(), lines = OrderedJson::object();
-  for (const auto& [name, target] : pose.bodies) {
-    bodies[name] =
-        std::vector<double>(target.data(), target.data() + target.size());
-  }
-  for (const auto& [name, line] : pose.lines) lines[name] = ToJson(line);
-  return {{"name", pose.name},
-          {"time", pose.time},
-          {"coordinates", pose.coordinates},
-          {"bodies", bodies},
-          {"lines", lines},
-          {"model_values", pose.model_values},
-          {"path_lengths", pose.path_lengths}};
-}
-
-ScenePose PoseFromJson(const OrderedJson& json) {
-  ScenePose pose;
-  json.at("name").get_to(pose.name);
-  json.at("time").get_to(pose.time);
-  json.at("coordinates").get_to(pose.coordinates);
-  for (const auto& [name, target] : json.at("bodies").items()) {
-    const auto values = target.get<std::array<double, 16>>();
-    pose.bodies[name] = Eigen::Map<const Eigen::Matrix4d>(values.data());
-  }
-  for (const auto& [name, line] : json.at("lines").items()) {
-    pose.lines[name] = PointsFromJson(line);
-  }
-  json.at("model_values").get_to(pose.model_values);
-  json.at("path_lengths").get_to(pose.path_lengths);
-  return pose;
+SceneState StateFrom(const std::vector<std::uint8_t>& bytes) {
+  std::istringstream stream(std::string(bytes.begin(), bytes.end()),
+                            std::ios::binary);
+  cereal::BinaryInputArchive archive(stream);
+  SceneState state;
+  archive(state);
+  return state;
 }
 
 // The first line of the key file. The number grows whenever a file of the log
 // gets another layout; logs before the first number had no such line.
-constexpr char kFormat[] = "musclewarp resume log 5";
+constexpr char kFormat[] = "musclewarp resume log 6";
 
 constexpr char kAdvice[] = "run without --resume, or choose another --out";
 
@@ -76,16 +55,7 @@ struct LoggedFrame {
 LoggedFrame LoggedFrameFromJson(const OrderedJson& json) {
   LoggedFrame frame;
   frame.record = FrameRecordFromJson(json.at("record"));
-  frame.state.pose = PoseFromJson(json.at("pose"));
-  for (const OrderedJson& item : json.at("muscles")) {
-    MuscleState muscle;
-    muscle.coarse = PointsFromJson(item.at("coarse"));
-    muscle.corrections.fine_offset = PointsFromJson(item.at("fine_offset"));
-    frame.state.muscles.push_back(std::move(muscle));
-  }
-  for (const OrderedJson& coarse : json.at("free_coarse")) {
-    frame.state.free_coarse.push_back(PointsFromJson(coarse));
-  }
+  frame.state = StateFrom(json.at("state").get_binary());
   return frame;
 }
 
@@ -95,7 +65,7 @@ LoggedFrame ReadLoggedFrame(const std::string& file) {
   if (json.is_discarded()) throw InputError(file, "is damaged", kAdvice);
   try {
     return LoggedFrameFromJson(json);
-  } catch (const OrderedJson::exception&) {
+  } catch (const std::exception&) {  // of JSON, cereal or memory
     throw InputError(
         file,
         "does not hold what this build of musclewarp keeps of a frame",
@@ -164,21 +134,9 @@ void ResumeLog::StartAnew() const {
 
 void ResumeLog::FrameDone(const FrameRecord& record,
                           const SceneState& state) const {
-  OrderedJson muscles = OrderedJson::array(),
-              free_coarse = OrderedJson::array();
-  for (const MuscleState& muscle : state.muscles) {
-    muscles.push_back(
-        {{"coarse", ToJson(muscle.coarse)},
-         {"fine_offset", ToJson(muscle.corrections.fine_offset)}});
-  }
-  for (const Points& coarse : state.free_coarse) {
-    free_coarse.push_back(ToJson(coarse));
-  }
-  const auto bytes =
-      OrderedJson::to_cbor(OrderedJson{{"record", musclewarp::ToJson(record)},
-                                       {"pose", ToJson(state.pose)},
-                                       {"muscles", muscles},
-                                       {"free_coarse", free_coarse}});
+  const auto bytes = OrderedJson::to_cbor(
+      OrderedJson{{"record", ToJson(record)},
+                  {"state", OrderedJson::binary(Archived(state))}});
   WriteTextAtomically(FrameFile(record.index),
                       std::string(bytes.begin(), bytes.end()));
 }

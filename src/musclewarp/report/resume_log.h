@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/motion/solved_pose.h"
+#include "musclewarp/motion/scene_state.h"
 #include "musclewarp/report/frame_record.h"
 
 namespace musclewarp {

@@ -1,0 +1,138 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/pose_step.h"
+
+#include <utility>
+
+#include "musclewarp/base/stage_times.h"
+#include "musclewarp/motion/solved_pose.h"
+
+namespace musclewarp {
+namespace {
+
+SolvedPose SolveFree(const Mover& mover,
+                     const ContactState& from,
+                     const ScenePose& pose) {
+  const ScopedStage stage("solve without contact");
+  const MuscleModels models = ModelsOf(mover.certified.muscles);
+  return SolvePose(models,
+                   pose,
+                   mover.pre_rotation,
+                   mover.solver,
+                   Predict(models,
+                           StatesOf(from.free_coarse),
+                           from.pose,
+                           pose,
+                           mover.pre_rotation));
+}
+
+// Solves the muscles with rows for the planes that their samples violate most.
+// `goal` is the state without them, `free` the solution without contact.
+// `summaries` become those of both solves.
+CoarseSolution SolveWithContactRows(const Mover& mover,
+                                    const PlaneSet& planes,
+                                    const std::vector<Points>& points,
+                                    const ContactState& goal,
+                                    const SolvedPose& free,
+                                    std::vector<SolverSummary>* summaries) {
+  const ScopedStage stage("solve with contact");
+  const CertifiedScene& certified = mover.certified;
+  CoarseSolution solution;
+  std::vector<OneSidedRows> rows;
+  for (size_t i = 0; i < certified.muscles.size(); ++i) {
+    solution.planes.push_back(planes.MostViolated(
+        static_cast<int>(i), certified.samples[i], points[i], goal.targets[i]));
+    rows.push_back(OneSidedRowsOf(solution.planes.back().spaces,
+                                  certified.options.coarse_weight));
+  }
+  SolvedPose solved = SolveWithRows(ModelsOf(certified.muscles),
+                                    free,
+                                    goal.pose,
+                                    mover.pre_rotation,
+                                    mover.solver,
+                                    rows,
+                                    StatesOf(goal.coarse));
+  solution.coarse = CoarseOf(solved.states);
+  solution.targets = FineMeshes(certified, solution.coarse);
+  *summaries = std::move(solved.summaries);
+  return solution;
+}
+
+// Returns the coarse meshes of the next step as they are predicted: they keep
+// the displacement by contact that they have.
+std::vector<Points> MovedAlong(const ContactState& from,
+                               const std::vector<Points>& free_coarse) {
+  std::vector<Points> coarse = free_coarse;
+  for (size_t i = 0; i < coarse.size(); ++i) {
+    coarse[i] += from.coarse[i] - from.free_coarse[i];
+  }
+  return coarse;
+}
+
+// Returns the state of these coarse meshes in a pose, but for its points.
+ContactState GoalOf(const Mover& mover,
+                    const ScenePose& pose,
+                    std::vector<Points> free_coarse,
+                    std::vector<Points> coarse) {
+  ContactState state;
+  state.pose = pose;
+  state.bones_from_rest = BonesFromRest(mover.scene, pose);
+  state.free_coarse = std::move(free_coarse);
+  state.coarse = std::move(coarse);
+  state.targets = FineMeshes(mover.certified, state.coarse);
+  state.held = AttachedIn(mover.certified, pose);
+  return state;
+}
+
+}  // namespace
+
+PoseStepResult TakeStep(const Mover& mover,
+                        const PoseStep& step,
+                        const ContactState& before,
+                        const StepSolves& solves) {
+  const SolvedPose free =
+      step.is_settling
+          ? SolvedPose{StatesOf(before.free_coarse), solves.free, 0}
+          : SolveFree(mover, before, step.pose);
+  PoseStepResult result;
+  result.solves.free = free.summaries;
+  result.solves.all = step.is_settling ? solves.all : free.summaries;
+  std::vector<Points> free_coarse = CoarseOf(free.states);
+  std::vector<Points> coarse =
+      step.is_settling ? before.coarse : MovedAlong(before, free_coarse);
+  const StepGoal goal = {
+      GoalOf(mover, step.pose, std::move(free_coarse), std::move(coarse)),
+      step.max_push};
+  SolveCoarse solve_coarse;
+  if (mover.certified.options.coarse_weight > 0) {
+    solve_coarse = [&](const PlaneSet& planes,
+                       const std::vector<Points>& points) {
+      return SolveWithContactRows(
+          mover, planes, points, goal.state, free, &result.solves.all);
+    };
+  }
+  StepResult taken =
+      Step(step.options, mover.certified.contact, before, goal, solve_coarse);
+  result.state = std::move(taken.state);
+  result.summary = taken.summary;
+  return result;
+}
+
+PoseStepResult GoWithoutContact(const Mover& mover,
+                                const ScenePose& pose,
+                                const ContactState& before) {
+  SolvedPose free = SolveFree(mover, before, pose);
+  PoseStepResult result;
+  std::vector<Points> free_coarse = CoarseOf(free.states);
+  std::vector<Points> coarse = MovedAlong(before, free_coarse);
+  result.state = GoalOf(mover, pose, std::move(free_coarse), std::move(coarse));
+  result.state.points = before.points;
+  for (size_t i = 0; i < before.points.size(); ++i) {
+    result.state.points[i] += result.state.targets[i] - before.targets[i];
+  }
+  result.solves.free = free.summaries;
+  result.solves.all = std::move(free.summaries);
+  return result;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,69 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// How cereal writes and reads the states of a scene, to the last bit: in the
+// log of a run that may be resumed, in the cache of preparations and in
+// recorded steps.
+
+#include <cereal/types/map.hpp>
+#include <cereal/types/optional.hpp>
+#include <cereal/types/string.hpp>
+#include <cereal/types/vector.hpp>
+#include <cstdint>
+
+#include "musclewarp/base/archived_fields.h"
+#include "musclewarp/motion/scene_state.h"
+
+namespace cereal {
+
+template <class Archive, class T, int R, int C, int O, int MR, int MC>
+void save(Archive& archive, const Eigen::Matrix<T, R, C, O, MR, MC>& matrix) {
+  archive(static_cast<std::int64_t>(matrix.rows()),
+          static_cast<std::int64_t>(matrix.cols()),
+          binary_data(matrix.data(), matrix.size() * sizeof(T)));
+}
+
+template <class Archive, class T, int R, int C, int O, int MR, int MC>
+void load(Archive& archive, Eigen::Matrix<T, R, C, O, MR, MC>& matrix) {
+  std::int64_t rows, columns;
+  archive(rows, columns);
+  matrix.resize(rows, columns);
+  archive(binary_data(matrix.data(), matrix.size() * sizeof(T)));
+}
+
+}  // namespace cereal
+
+namespace musclewarp {
+
+MUSCLEWARP_ARCHIVE(ScenePose,
+                   name,
+                   time,
+                   coordinates,
+                   bodies,
+                   lines,
+                   model_values,
+                   path_lengths)
+
+MUSCLEWARP_ARCHIVE(HalfSpace, normal, level)
+MUSCLEWARP_ARCHIVE(VertexHalfSpace, vertex, space)
+MUSCLEWARP_ARCHIVE(
+    PlaneCarrier, bone, muscle_above, muscle_below, above, below, share_above)
+MUSCLEWARP_ARCHIVE(CarriedHalfSpaces, spaces, carriers)
+MUSCLEWARP_ARCHIVE(AttachedPoints, vertices, positions)
+MUSCLEWARP_ARCHIVE(ContactState,
+                   pose,
+                   bones_from_rest,
+                   free_coarse,
+                   coarse,
+                   targets,
+                   points,
+                   held,
+                   planes)
+
+MUSCLEWARP_ARCHIVE(HeldVertices, vertices, positions)
+MUSCLEWARP_ARCHIVE(VertexCorrections, fine_offset, held_coarse, held_fine)
+MUSCLEWARP_ARCHIVE(MuscleState, coarse, corrections)
+MUSCLEWARP_ARCHIVE(SceneState, pose, muscles, contact)
+
+}  // namespace musclewarp
