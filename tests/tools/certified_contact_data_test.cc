@@ -1,6 +1,7 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -15,8 +16,9 @@ namespace {
 using Json = nlohmann::json;
 
 // Every frame holds what certified contact promises, and musclewarp-check finds
-// nothing that crosses in the files of one of them.
-void ExpectCertified(const Json& report, const std::string& out) {
+// nothing that crosses in the files of one of them, the `checked` one.
+void ExpectCertified(const Json& report, const std::string& out, int checked) {
+  constexpr double kGap = 0.1;  // mm: the default of --gap
   EXPECT_EQ(report["rest"]["after_initial_fix"]["triangle_pairs"], 0);
   EXPECT_GT(report["rest"]["intersections"]["triangle_pairs"], 1000);
   EXPECT_EQ(report["summary"]["frames_clean"], report["summary"]["frames"]);
@@ -24,6 +26,7 @@ void ExpectCertified(const Json& report, const std::string& out) {
     EXPECT_TRUE(frame["usable"]) << frame["name"] << frame["shortcomings"];
     EXPECT_EQ(frame["intersections"]["triangle_pairs"], 0) << frame["name"];
     EXPECT_EQ(frame["intersections"]["vertices_inside"], 0) << frame["name"];
+    EXPECT_GE(frame["smallest_gap_mm"], kGap) << frame["name"];
     for (const Json& muscle : frame["muscles"]) {
       EXPECT_NEAR(muscle["volume_error"], 0, 4e-4) << muscle["name"];
       EXPECT_LE(muscle["max_contact_displacement_mm"],
@@ -32,10 +35,12 @@ void ExpectCertified(const Json& report, const std::string& out) {
           << frame["name"] << muscle["name"];
     }
   }
+  char folder[32];
+  std::snprintf(folder, sizeof(folder), "/frame_%04d/", checked);
   std::string files;
   for (const char* kind : {"muscles", "bones"}) {
     for (const Json& mesh : report["prepare"][kind]) {
-      files += out + "/frame_0002/" + mesh["name"].get<std::string>() + ".ply ";
+      files += out + folder + mesh["name"].get<std::string>() + ".ply ";
     }
   }
   const std::string check_file = out + "/check.json";
@@ -63,48 +68,58 @@ void ExpectCertified(const Json& report, const std::string& out) {
   EXPECT_GT(of_muscles, 0);
 }
 
+std::string SceneFile(const std::string& name) {
+  return MUSCLEWARP_DATA_DIR "/scenes/" + name + ".json";
+}
+
 TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheBodyParts3dHip) {
   const std::string out = TestTempDir() + "/run";
-  ExpectCertified(
-      Deform("bodyparts3d_hip", "ceres", out, "--contact=certified"), out);
+  ExpectCertified(DeformFile(SceneFile("bodyparts3d_hip"), out), out, 2);
 }
 
 TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheHamstrings) {
   const std::string out = TestTempDir() + "/run";
-  ExpectCertified(Deform("bodyparts3d_hamstrings_leg",
-                         "ceres",
-                         out,
-                         "--contact=certified --frames=0:2"),
-                  out);
+  const std::string scene = SceneFile("bodyparts3d_hamstrings_leg");
+  ExpectCertified(DeformFile(scene, out, "--frames=0:2"), out, 2);
 }
 
 TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheOriginalHamstrings) {
   const std::string out = TestTempDir() + "/run";
-  ExpectCertified(Deform("bodyparts3d_hamstrings_leg_original",
-                         "ceres",
-                         out,
-                         "--contact=certified --frames=0:2"),
-                  out);
+  const std::string scene = SceneFile("bodyparts3d_hamstrings_leg_original");
+  ExpectCertified(DeformFile(scene, out, "--frames=0:2"), out, 2);
 }
 
-// Lines and attachments in use.
+// Lines and attachments in use, up to 60 degrees.
 TEST_F(ProgramsDataTest, CertifiedContactHoldsForLhdlFlexion) {
   const std::string out = TestTempDir() + "/run";
-  ExpectCertified(Deform("lhdl_hip_attached",
-                         "ceres",
-                         out,
-                         "--contact=certified --attachment_weight=1"),
-                  out);
+  ExpectCertified(DeformFile(SceneFile("lhdl_hip_attached"), out), out, 35);
 }
 
 // The repaired originals, with their slivers.
 TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheOriginalHip) {
   const std::string out = TestTempDir() + "/run";
-  ExpectCertified(Deform("bodyparts3d_hip_original",
-                         "ceres",
-                         out,
-                         "--contact=certified --frames=0:3"),
-                  out);
+  const std::string scene = SceneFile("bodyparts3d_hip_original");
+  ExpectCertified(DeformFile(scene, out, "--frames=0:3"), out, 2);
+}
+
+// One pose each of the anatomies of many muscles, whose preparation takes most
+// of the time; scripts/try_poses.py runs the others.
+TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheThigh) {
+  const std::string out = TestTempDir() + "/run";
+  const std::string scene = SceneFile("bodyparts3d_thigh");
+  ExpectCertified(DeformFile(scene, out, "--frames=1"), out, 1);
+}
+
+TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheShank) {
+  const std::string out = TestTempDir() + "/run";
+  const std::string scene = root_ + "/bodyparts3d_shank/scene_uniform.json";
+  ExpectCertified(DeformFile(scene, out, "--frames=1"), out, 1);
+}
+
+TEST_F(ProgramsDataTest, CertifiedContactHoldsForTheShoulder) {
+  const std::string out = TestTempDir() + "/run";
+  const std::string scene = root_ + "/bodyparts3d_shoulder/scene_uniform.json";
+  ExpectCertified(DeformFile(scene, out, "--frames=3"), out, 3);
 }
 
 }  // namespace

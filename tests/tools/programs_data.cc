@@ -12,17 +12,24 @@ void ProgramsDataTest::SetUp() {
   if (root_.empty()) GTEST_SKIP() << kNoDataRoot;
 }
 
+nlohmann::json ProgramsDataTest::DeformFile(const std::string& scene_file,
+                                            const std::string& out,
+                                            const std::string& flags) {
+  const ProgramRun run =
+      RunCommandLine(MUSCLEWARP_DEFORM,
+                     "--scene=" + scene_file + " --data_root=" + root_ +
+                         " --out=" + out + " " + flags);
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
+  return nlohmann::json::parse(FileText(out + "/report.json"));
+}
+
 nlohmann::json ProgramsDataTest::Deform(const std::string& scene,
                                         const std::string& solver,
                                         const std::string& out,
                                         const std::string& flags) {
-  const ProgramRun run = RunCommandLine(
-      MUSCLEWARP_DEFORM,
-      "--scene=" MUSCLEWARP_DATA_DIR "/scenes/" + scene +
-          ".json --data_root=" + root_ + " --contact=none --solver=" + solver +
-          " --out=" + out + " " + flags);
-  EXPECT_EQ(run.exit_code, 0) << run.out << run.errors;
-  return nlohmann::json::parse(FileText(out + "/report.json"));
+  return DeformFile(MUSCLEWARP_DATA_DIR "/scenes/" + scene + ".json",
+                    out,
+                    "--contact=none --solver=" + solver + " " + flags);
 }
 
 }  // namespace musclewarp

@@ -15,8 +15,14 @@ class ProgramsDataTest : public ::testing::Test {
  protected:
   void SetUp() override;
 
-  // Runs a scene of data/scenes, without contact unless `flags` say otherwise,
+  // Runs a scene file with default options unless `flags` say otherwise,
   // expects exit code 0 and returns the report.
+  nlohmann::json DeformFile(const std::string& scene_file,
+                            const std::string& out,
+                            const std::string& flags = "");
+
+  // The same for a scene of data/scenes, with a solver and without contact
+  // unless `flags` say otherwise.
   nlohmann::json Deform(const std::string& scene,
                         const std::string& solver,
                         const std::string& out,
