@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh/triangle.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -115,6 +118,65 @@ TEST(HoleFilling, TheDiagonalAvoidsAnEdgeThatIsThere) {
               1.0 / 6,
               kFillingRounding);
   EXPECT_TRUE(CountDefects(tetrahedron).IsClean());
+}
+
+// The middle of an edge of the lid is a corner of the hole, too. A triangle of
+// this edge would have no area, and what is left would be as large as with
+// another triangulation.
+TEST(HoleFilling, NoTriangleOfAFillingIsFlatIfItNeedNotBe) {
+  for (const double size : {1e-3, 1.0, 1e3}) {
+    for (int shift = 0; shift < 5; ++shift) {
+      // The border only: triangles to a point far below, in this order.
+      TriangleSoup cone;
+      cone.points.resize(6, 3);
+      cone.points << 0, 0, 0, 1, 0, 0, 2, 0, 0, 2, 3, 0, 0, 3, 0, 1, 1, -9;
+      cone.points *= size;
+      cone.triangles.resize(5, 3);
+      for (int k = 0; k < 5; ++k) cone.triangles.row(k) << (k + 1) % 5, k, 5;
+      // Which corner is the first is that of the lowest number.
+      const auto renumbered = [&](int v) {
+        return v < 5 ? (v + shift) % 5 : v;
+      };
+      TriangleSoup soup = cone;
+      for (int v = 0; v < 6; ++v) {
+        soup.points.row(renumbered(v)) = cone.points.row(v);
+      }
+      soup.triangles = cone.triangles.unaryExpr(renumbered);
+      HoleLimits limits;
+      limits.max_perimeter = 1e6;
+      const Fillings fillings = FillHoles(limits, &soup);
+      ASSERT_EQ(fillings.triangles, 3);
+      EXPECT_NEAR(fillings.area / (size * size), 6, kFillingRounding);
+      for (int f = 5; f < 8; ++f) {
+        EXPECT_GT(SurfaceArea(soup.points, soup.triangles.row(f)),
+                  0.1 * size * size);
+      }
+    }
+  }
+}
+
+// Two corners in one place: a triangle between them has no area whatever one
+// does. What is left is filled by the better of two diagonals nevertheless.
+TEST(HoleFilling, AFlatTriangleThatHasToBeLeavesTheOthersBest) {
+  for (const int raised : {2, 3, 4}) {
+    TriangleSoup soup;
+    soup.points.resize(6, 3);
+    soup.points << 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 1, -9;
+    soup.points(raised, 2) = 1;
+    soup.triangles.resize(5, 3);
+    for (int k = 0; k < 5; ++k) soup.triangles.row(k) << (k + 1) % 5, k, 5;
+    const auto area_of = [&](int a, int b, int c) {
+      return AreaVector(CornersOf(soup.points, {a, b, c})).norm() / 2;
+    };
+    const double one = area_of(0, 2, 3) + area_of(0, 3, 4);
+    const double other = area_of(2, 3, 4) + area_of(2, 4, 0);
+    // Beside the penalty of a flat triangle, areas are known to this, mm^2.
+    constexpr double kBesidePenalty = 1e-3;
+    ASSERT_GT(std::abs(one - other), 10 * kBesidePenalty);
+    const Fillings fillings = FillHoles(HoleLimits(), &soup);
+    EXPECT_EQ(fillings.triangles, 3);
+    EXPECT_NEAR(fillings.area, std::min(one, other), kBesidePenalty);
+  }
 }
 
 TEST(HoleFilling, HolesThatMeetInAPointAreTwo) {

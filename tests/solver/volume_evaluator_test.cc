@@ -66,6 +66,15 @@ TEST(VolumeEvaluator, SeesChangedCorrectionsWhenTold) {
   EXPECT_NE(volume.Error(model.coarse_rest), before);
 }
 
+TEST(VolumeEvaluator, AnOffsetByTheShapeItselfMakesTheVolumeEightfold) {
+  const MuscleModel model = SpindleModel();
+  VertexCorrections corrections;
+  corrections.fine_offset = model.fine_rest;
+  VolumeEvaluator volume(model, &corrections);
+  // The fine mesh is reproduced by coordinates that are exact to 1e-10.
+  EXPECT_NEAR(volume.Error(model.coarse_rest) / model.rest_volume, 7, 1e-8);
+}
+
 TEST(VolumeEvaluator, HasTheGradientOfItsError) {
   const MuscleModel model = SpindleModel();
   const VertexCorrections corrections = SomeCorrections(model);
