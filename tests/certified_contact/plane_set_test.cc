@@ -196,6 +196,7 @@ TEST(PlaneSet, ShiftsAPlaneToTheSideThatCannotMove) {
 }
 
 TEST(PlaneSet, AShiftThatNobodyNeedsAnyMoreFades) {
+  constexpr double kSums = 1e-12;  // of a few numbers of size 1
   TwoSpheres spheres;
   PlaneSet planes(spheres.options, spheres.step);
   SeparatingPlane plane;
@@ -214,7 +215,7 @@ TEST(PlaneSet, AShiftThatNobodyNeedsAnyMoreFades) {
   held[0](0, 2) = -0.1;
   held[1](0, 2) = -0.1;
   planes.UpdateLevels(wanted, held, false);
-  EXPECT_NEAR(planes.WorstViolation(held), 0, 1e-12);
+  EXPECT_NEAR(planes.WorstViolation(held), 0, kSums);
   // Then both are free and far on their sides of it: it goes back to half way
   // between where they want to go, by the same share each time.
   std::vector<Points> free = wanted;
@@ -227,10 +228,11 @@ TEST(PlaneSet, AShiftThatNobodyNeedsAnyMoreFades) {
     planes.UpdateLevels(wanted, free, false);
     shift *= spheres.options.relaxation.room_decay;
     if (shift > 0.2) continue;
-    EXPECT_NEAR(planes.WorstViolation(at_zero), 0.2 - shift, 1e-12);
+    EXPECT_NEAR(planes.WorstViolation(at_zero), 0.2 - shift, kSums);
   }
   // 0.97^200 is 0.002.
-  EXPECT_NEAR(planes.WorstViolation(at_zero), 0.2, 1e-3);
+  constexpr double kLeft = 1e-3;
+  EXPECT_NEAR(planes.WorstViolation(at_zero), 0.2, kLeft);
 }
 
 TEST(PlaneSet, NamesThePlaneThatATargetViolatesMost) {

@@ -90,7 +90,8 @@ TEST(BoundingCapsule, CapsulesThatTouchShareAPoint) {
   for (Capsule b : {beside, beyond}) {
     EXPECT_TRUE(Overlap(a, b));
     EXPECT_TRUE(Overlap(b, a));
-    b.radius -= 1e-9;  // more than a rounding of the sum of the radii
+    constexpr double kHair = 1e-9;  // more than the sum of radii is rounded
+    b.radius -= kHair;
     EXPECT_FALSE(Overlap(a, b));
   }
 }

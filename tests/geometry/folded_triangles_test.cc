@@ -144,10 +144,11 @@ TEST(FoldedTriangles, ATinyTurnOfTheShapeTurnsTheRotationsByAsMuch) {
   ASSERT_EQ(folded.size() % 2, 0u);
   for (size_t i = 0; i < folded.size(); i += 2) {
     ASSERT_EQ(folded[i].triangle + 1, folded[i + 1].triangle);
-    // The search ends when a rotation is right to the square of 1e-6, but for
-    // how well the deformation determines it.
+    // The search ends when a rotation is right to the square of 1e-6, times
+    // how badly the deformation determines it.
+    constexpr double kSearch = 1e-9;
     EXPECT_LT((turn * folded[i].rotation - folded[i + 1].rotation).norm(),
-              1e-9);
+              kSearch);
   }
 }
 

@@ -152,9 +152,9 @@ TEST_F(UnpairedTip, OfAnObstacleIsLeft) {
 }
 
 TEST(InitialFix, WhichRegionsArePairedGoesByTheSmallerBody) {
-  // The regions' centres are 1.2 apart: a fifth of the radius of a box of
-  // 6 x 6 x 4 is less, three tenths are more. Both are less than that of a
-  // column of the same base, and how far the column goes on does not matter.
+  // The regions' centres are 1.2 apart, which is between a fifth and three
+  // tenths of the radius of a box of 6 x 6 x 4. That a column on the same base
+  // has a larger radius makes no difference.
   for (const double share : {0.2, 0.3}) {
     PaperContactOptions options = FixOptions();
     options.pairing_share = share;

@@ -71,8 +71,10 @@ TEST(VolumeEvaluator, AnOffsetByTheShapeItselfMakesTheVolumeEightfold) {
   VertexCorrections corrections;
   corrections.fine_offset = model.fine_rest;
   VolumeEvaluator volume(model, &corrections);
-  // The fine mesh is reproduced by coordinates that are exact to 1e-10.
-  EXPECT_NEAR(volume.Error(model.coarse_rest) / model.rest_volume, 7, 1e-8);
+  // The coarse mesh reproduces the fine one to 1e-10 of its size.
+  constexpr double kReproduced = 1e-8;
+  EXPECT_NEAR(
+      volume.Error(model.coarse_rest) / model.rest_volume, 7, kReproduced);
 }
 
 TEST(VolumeEvaluator, HasTheGradientOfItsError) {
