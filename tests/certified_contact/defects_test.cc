@@ -127,6 +127,27 @@ TEST(FindDefects, SeparatesAMuscleThatCrossesItself) {
   EXPECT_EQ(stiffness[0].minCoeff(), 1);
 }
 
+TEST(Stiffened, AllCornersOfBothTrianglesThatCross) {
+  const Moved moved(ContactGroup(
+      {SphereAt({0, 0, 0}, 10, 2), SphereAt({30, 0, 0}, 10, 2)}, {}));
+  const Triangles& triangles = moved.group.soups[0].triangles;
+  const int f = 0, g = static_cast<int>(triangles.rows()) - 1;
+  StepDefects defects;
+  defects.folded.resize(2);
+  defects.self_crossings = {{0, f, 0, g}};
+  const Stiffness stiffness = Stiffened(defects,
+                                        moved.options.defects,
+                                        moved.group.scene,
+                                        UniformStiffness(moved.group.scene));
+  for (int v = 0; v < stiffness[0].size(); ++v) {
+    const bool is_corner = (triangles.row(f).array() == v).any() ||
+                           (triangles.row(g).array() == v).any();
+    EXPECT_EQ(stiffness[0][v],
+              is_corner ? moved.options.defects.stiffening : 1);
+  }
+  EXPECT_EQ(stiffness[1].maxCoeff(), 1);
+}
+
 TEST(FindDefects, LeavesCrossingsThatNoPlaneCanSeparate) {
   TriangleSoup soup = SphereAt({0, 0, 0}, 10, 2);
   soup.points.row(0) *= -1.05;

@@ -195,6 +195,46 @@ TEST(PlaneSet, ShiftsAPlaneToTheSideThatCannotMove) {
   EXPECT_NEAR(planes.WorstViolation(reached), 0, 1e-12);
 }
 
+TEST(PlaneSet, AShiftThatNobodyNeedsAnyMoreFades) {
+  constexpr double kSums = 1e-12;  // of a few numbers of size 1
+  TwoSpheres spheres;
+  PlaneSet planes(spheres.options, spheres.step);
+  SeparatingPlane plane;
+  plane.muscle_above = 0;
+  plane.muscle_below = 1;
+  plane.above = RowVector3i::Constant(0);
+  plane.below = RowVector3i::Constant(0);
+  plane.normal = RowVector3d(0, 0, 1);
+  planes.Add({plane});
+  std::vector<Points> wanted = spheres.step.carried;
+  wanted[0].row(0) << 0, 0, 0;
+  wanted[1].row(0) << 0, 0, 0.4;
+  planes.UpdateLevels(wanted, wanted, true);
+  // Held back by 0.3, the upper one has the plane shifted down to it.
+  std::vector<Points> held = wanted;
+  held[0](0, 2) = -0.1;
+  held[1](0, 2) = -0.1;
+  planes.UpdateLevels(wanted, held, false);
+  EXPECT_NEAR(planes.WorstViolation(held), 0, kSums);
+  // Then both are free and far on their sides of it: it goes back to half way
+  // between where they want to go, by the same share each time.
+  std::vector<Points> free = wanted;
+  free[0](0, 2) = 1;
+  free[1](0, 2) = -1;
+  std::vector<Points> at_zero = free;
+  at_zero[0](0, 2) = 0;
+  double shift = 0.3;
+  for (int sweep = 0; sweep < 200; ++sweep) {
+    planes.UpdateLevels(wanted, free, false);
+    shift *= spheres.options.relaxation.room_decay;
+    if (shift > 0.2) continue;
+    EXPECT_NEAR(planes.WorstViolation(at_zero), 0.2 - shift, kSums);
+  }
+  // 0.97^200 is 0.002.
+  constexpr double kLeft = 1e-3;
+  EXPECT_NEAR(planes.WorstViolation(at_zero), 0.2, kLeft);
+}
+
 TEST(PlaneSet, NamesThePlaneThatATargetViolatesMost) {
   TwoSpheres spheres;
   PlaneSet planes(spheres.options, spheres.step);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -110,6 +111,31 @@ TEST(SeparateFromObstacles, NeedsOnePlaneOverAFlatObstacle) {
   EXPECT_LT((spaces[0].normal - RowVector3d(0, 0, 1)).norm(), 1e-12);
   // Half of the room above 1 beyond the gap is left.
   EXPECT_NEAR(spaces[0].level, 1 + kGap + (1 - kGap) / 2, kSeparationRounding);
+}
+
+// A triangle within a sphere needs planes all around.
+TEST(SeparateFromObstacles, FindsNoMorePlanesThanAllowedTheNearestFirst) {
+  const TriangleSoup sphere = Icosphere(10, 3);
+  const TriangleBvh bvh(sphere.points, sphere.triangles);
+  const std::vector<int> near = All(bvh);
+  Corners t;
+  t << 3, 1, 0.5, 4, 1.5, 0, 3, 2, 1;
+  const auto planes_within = [&](size_t max_planes) {
+    ObstacleOptions options = Within(20);
+    options.max_planes = static_cast<int>(max_planes);
+    return SeparateFromObstacles(
+        t, bvh, near.data(), static_cast<int>(near.size()), options);
+  };
+  const std::vector<HalfSpace> all = planes_within(1000);
+  ASSERT_GT(all.size(), 4u);
+  for (size_t most = 0; most < all.size() + 2; ++most) {
+    const std::vector<HalfSpace> spaces = planes_within(most);
+    ASSERT_EQ(spaces.size(), std::min(most, all.size()));
+    for (size_t i = 0; i < spaces.size(); ++i) {
+      EXPECT_EQ(spaces[i].normal, all[i].normal);
+      EXPECT_EQ(spaces[i].level, all[i].level);
+    }
+  }
 }
 
 TEST(SeparateFromObstacles, LooksAtTheGivenTrianglesOnly) {

@@ -83,6 +83,19 @@ TEST(BoundingCapsule, MeshesThatShareAPointHaveCapsulesThatOverlap) {
   EXPECT_GT(apart, 100);
 }
 
+TEST(BoundingCapsule, CapsulesThatTouchShareAPoint) {
+  const Capsule a = {RowVector3d(0, 0, 0), RowVector3d(0, 0, 8), 2};
+  const Capsule beside = {RowVector3d(5, 0, 4), RowVector3d(9, 0, 4), 3};
+  const Capsule beyond = {RowVector3d(3, 0, 12), RowVector3d(3, 0, 20), 3};
+  for (Capsule b : {beside, beyond}) {
+    EXPECT_TRUE(Overlap(a, b));
+    EXPECT_TRUE(Overlap(b, a));
+    constexpr double kHair = 1e-9;  // more than the sum of radii is rounded
+    b.radius -= kHair;
+    EXPECT_FALSE(Overlap(a, b));
+  }
+}
+
 TEST(BoundingCapsule, OverlapMovesWithThem) {
   std::mt19937 random(3);
   const Eigen::Matrix3d rotation =

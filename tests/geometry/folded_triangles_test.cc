@@ -119,6 +119,39 @@ TEST(FoldedTriangles, FindsTheOnesAroundAPushedVertex) {
   }
 }
 
+// A triangle's rotation is searched from that of the one before, which is
+// nearly right here and must not be taken as it is.
+TEST(FoldedTriangles, ATinyTurnOfTheShapeTurnsTheRotationsByAsMuch) {
+  const TriangleSoup one = Icosphere(10, 1);
+  const int num_points = static_cast<int>(one.points.rows());
+  const Points crumpled = one.points + 5 * RandomPoints(num_points, 7);
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(5e-7, Eigen::Vector3d(1, 2, 3).normalized())
+          .toRotationMatrix();
+  // Triangles 2 f and 2 f + 1 are the same of two spheres, of which the second
+  // is turned as well.
+  const Points rest = Together(one, one).points;
+  Points deformed(rest.rows(), 3);
+  deformed << crumpled, crumpled * turn.transpose();
+  Triangles triangles(2 * one.triangles.rows(), 3);
+  for (Eigen::Index f = 0; f < one.triangles.rows(); ++f) {
+    triangles.row(2 * f) = one.triangles.row(f);
+    triangles.row(2 * f + 1) = one.triangles.row(f).array() + num_points;
+  }
+  const std::vector<FoldedTriangle> folded =
+      FoldedTriangles(rest, deformed, triangles);
+  ASSERT_GT(folded.size(), 4u);
+  ASSERT_EQ(folded.size() % 2, 0u);
+  for (size_t i = 0; i < folded.size(); i += 2) {
+    ASSERT_EQ(folded[i].triangle + 1, folded[i + 1].triangle);
+    // The search ends when a rotation is right to the square of 1e-6, times
+    // how badly the deformation determines it.
+    constexpr double kSearch = 1e-9;
+    EXPECT_LT((turn * folded[i].rotation - folded[i + 1].rotation).norm(),
+              kSearch);
+  }
+}
+
 TEST(FoldedTriangles, NeedlesDoNotCount) {
   // The corner of a needle moved across its long edge by a rounding.
   TriangleSoup soup = UnitTetrahedron();

@@ -182,6 +182,20 @@ TEST(CompromiseBetweenHalfSpaces, IsBetterThanThePlacesAround) {
   }
 }
 
+// Of a point d before a plane, m^2 + w^2 (d - m)^2 is least for a move by
+// m = d w^2 / (1 + w^2).
+TEST(CompromiseBetweenHalfSpaces, GoesTheWayThatTheWeightAsksFor) {
+  const std::vector<HalfSpace> spaces = {{RowVector3d(0.6, 0, 0.8), 3}};
+  for (const double weight : {0.1, 1.0, 3.0, 100.0}) {
+    RowVector3d point(0, 7, 0);
+    CompromiseBetweenHalfSpaces(spaces.data(), 1, weight, &point);
+    const double share = weight * weight / (1 + weight * weight);
+    EXPECT_LT((point - RowVector3d(1.8 * share, 7, 2.4 * share)).norm(),
+              kInside)
+        << "weight " << weight;
+  }
+}
+
 TEST(CompromiseBetweenHalfSpaces, LeavesAPointThatIsInAll) {
   const std::vector<HalfSpace> spaces = {{RowVector3d(1, 0, 0), 1},
                                          {RowVector3d(0, 1, 0), 2}};

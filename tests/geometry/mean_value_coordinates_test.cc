@@ -185,6 +185,55 @@ TEST(MeanValueCoordinates, ReproducePointsInThePlaneOfAFace) {
   ExpectReproduces(box, corners);
 }
 
+TEST(MeanValueCoordinates, BesideADiagonalAreThoseOfTheTriangleTheyAreIn) {
+  const TriangleSoup box = Box(2, 3, 4);
+  // The upper side, whose diagonal runs from corner 4 to corner 7. A point is
+  // `aside` of it towards corner 5 or 6.
+  for (const double aside : {1e-4, 1e-6, 1e-7, 1e-8}) {
+    for (const int corner : {5, 6}) {
+      for (const double along : {0.2, 0.5, 0.7}) {
+        Eigen::RowVectorXd expected = Eigen::RowVectorXd::Zero(8);
+        expected[4] = 1 - along - aside;
+        expected[7] = along;
+        expected[corner] = aside;
+        const Points query = expected * box.points;
+        // What the coordinates near an edge lose: the rounding of the point,
+        // 1e-16, times the logarithm of the distance.
+        constexpr double kBesideDiagonal = 1e-12;
+        EXPECT_LT(
+            (MeanValueCoordinates(query, box.points, box.triangles) - expected)
+                .cwiseAbs()
+                .maxCoeff(),
+            kBesideDiagonal)
+            << aside << " towards " << corner;
+      }
+    }
+  }
+}
+
+// Where a triangle is seen nearly edge on, the weights lose digits, and what is
+// reproduced has them all the same.
+TEST(MeanValueCoordinates, ReproducePointsBesideAPlaneToTheLastDigits) {
+  const TriangleSoup cage = Icosphere(50, 2);
+  Random random;
+  for (const double beside : {1e-10, 1e-9, 1e-8, 1e-7}) {
+    Points queries(1000, 3);
+    for (Eigen::Index i = 0; i < queries.rows(); ++i) {
+      queries.row(i) = OnFace(cage,
+                              random.Index(320),
+                              random.Uniform(-5, 5),
+                              random.Uniform(-5, 5)) +
+                       beside * random.Vector();
+    }
+    const RowMajorMatrix w =
+        MeanValueCoordinates(queries, cage.points, cage.triangles);
+    // Sums of 162 products of up to 50 mm with coordinates of size 1.
+    constexpr double kSumOfProducts = 1e-12;
+    EXPECT_LT((w * cage.points - queries).cwiseAbs().maxCoeff(), kSumOfProducts)
+        << beside;
+  }
+}
+
 TEST(MeanValueCoordinates, AreContinuousAcrossTheCage) {
   const TriangleSoup cage = DentedCage();
   Random random;

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh/triangle.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -30,6 +33,24 @@ HoleLimits WithoutMissingFaces() {
   HoleLimits limits;
   limits.face_edges = 0;
   return limits;
+}
+
+// A funnel whose border, seen from above, runs counterclockwise through the
+// corners of a hole. Corner k has the number k + shift, from 0 again at the
+// end: a filling is searched from the corner of the lowest number.
+TriangleSoup FunnelBelow(const Points& corners, int shift) {
+  const int count = static_cast<int>(corners.rows());
+  TriangleSoup funnel;
+  funnel.points.resize(count + 1, 3);
+  funnel.points.row(count) = corners.colwise().mean();
+  funnel.points(count, 2) -= 9;
+  funnel.triangles.resize(count, 3);
+  for (int k = 0; k < count; ++k) {
+    const int from = (k + shift) % count, to = (k + 1 + shift) % count;
+    funnel.points.row(from) = corners.row(k);
+    funnel.triangles.row(k) << to, from, count;
+  }
+  return funnel;
 }
 
 TEST(HoleFilling, TheLidOfABoxIsFlat) {
@@ -115,6 +136,52 @@ TEST(HoleFilling, TheDiagonalAvoidsAnEdgeThatIsThere) {
               1.0 / 6,
               kFillingRounding);
   EXPECT_TRUE(CountDefects(tetrahedron).IsClean());
+}
+
+// The middle of an edge of the hole is a corner of it, too. A triangle within
+// this edge would have no area, and the others could be as large as without it.
+TEST(HoleFilling, NoTriangleOfAFillingIsFlatIfItNeedNotBe) {
+  Points corners(5, 3);
+  corners << 0, 0, 0, 1, 0, 0, 2, 0, 0, 2, 3, 0, 0, 3, 0;
+  for (const double size : {1e-3, 1.0, 1e3}) {
+    for (int shift = 0; shift < 5; ++shift) {
+      TriangleSoup soup = FunnelBelow(size * corners, shift);
+      HoleLimits limits;
+      limits.max_perimeter = 1e6;
+      const Fillings fillings = FillHoles(limits, &soup);
+      ASSERT_EQ(fillings.triangles, 3);
+      EXPECT_NEAR(fillings.area / (size * size), 6, kFillingRounding);
+      for (int f = 5; f < 8; ++f) {
+        EXPECT_GT(SurfaceArea(soup.points, soup.triangles.row(f)),
+                  0.1 * size * size);
+      }
+    }
+  }
+}
+
+// Two corners in one place: a triangle between them has no area whatever one
+// does. What is left is filled by the better of two diagonals nevertheless.
+TEST(HoleFilling, AFlatTriangleThatHasToBeLeavesTheOthersBest) {
+  for (const int raised : {2, 3, 4}) {
+    Points corners(5, 3);
+    corners << 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
+    corners(raised, 2) = 0.7;
+    const auto area_of = [&](int a, int b, int c) {
+      return AreaVector(CornersOf(corners, {a, b, c})).norm() / 2;
+    };
+    const double one = area_of(0, 2, 3) + area_of(0, 3, 4);
+    const double other = area_of(2, 3, 4) + area_of(2, 4, 0);
+    // Beside the penalty of a flat triangle, areas are known to this, mm^2.
+    constexpr double kBesidePenalty = 1e-3;
+    ASSERT_GT(std::abs(one - other), 10 * kBesidePenalty);
+    for (int shift = 0; shift < 5; ++shift) {
+      TriangleSoup soup = FunnelBelow(corners, shift);
+      const Fillings fillings = FillHoles(HoleLimits(), &soup);
+      EXPECT_EQ(fillings.triangles, 3);
+      EXPECT_NEAR(fillings.area, std::min(one, other), kBesidePenalty)
+          << "raised " << raised << " shift " << shift;
+    }
+  }
 }
 
 TEST(HoleFilling, HolesThatMeetInAPointAreTwo) {

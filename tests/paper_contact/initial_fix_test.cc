@@ -151,6 +151,27 @@ TEST_F(UnpairedTip, OfAnObstacleIsLeft) {
   EXPECT_EQ(pyramid.body.points(), pyramid.shape.rest);
 }
 
+TEST(InitialFix, WhichRegionsArePairedGoesByTheSmallerBody) {
+  // The regions' centres are 1.2 apart, which is between a fifth and three
+  // tenths of the radius of a box of 6 x 6 x 4. That a column on the same base
+  // has a larger radius makes no difference.
+  for (const double share : {0.2, 0.3}) {
+    PaperContactOptions options = FixOptions();
+    options.pairing_share = share;
+    for (const bool is_muscle : {true, false}) {
+      LoneBody a(LowerBox(), true), b(LowerBox(), true);
+      LoneBody box(BoxInside(), is_muscle);
+      LoneBody column(MovedBy(LatticeBox(6, 6, 40), {0.25, 0.25, 3.5}),
+                      is_muscle);
+      EXPECT_TRUE(FixInitialIntersections(options, &a.body, &box.body));
+      EXPECT_TRUE(FixInitialIntersections(options, &b.body, &column.body));
+      EXPECT_LT((a.body.points() - b.body.points()).cwiseAbs().maxCoeff(),
+                kCoordinateRounding)
+          << share;
+    }
+  }
+}
+
 TEST(InitialFix, RegionsTooFarApartAreNotPaired) {
   PaperContactOptions options = FixOptions();
   options.pairing_share = 0;

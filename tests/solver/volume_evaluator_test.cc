@@ -66,6 +66,17 @@ TEST(VolumeEvaluator, SeesChangedCorrectionsWhenTold) {
   EXPECT_NE(volume.Error(model.coarse_rest), before);
 }
 
+TEST(VolumeEvaluator, AnOffsetByTheShapeItselfMakesTheVolumeEightfold) {
+  const MuscleModel model = SpindleModel();
+  VertexCorrections corrections;
+  corrections.fine_offset = model.fine_rest;
+  VolumeEvaluator volume(model, &corrections);
+  // The coarse mesh reproduces the fine one to 1e-10 of its size.
+  constexpr double kReproduced = 1e-8;
+  EXPECT_NEAR(
+      volume.Error(model.coarse_rest) / model.rest_volume, 7, kReproduced);
+}
+
 TEST(VolumeEvaluator, HasTheGradientOfItsError) {
   const MuscleModel model = SpindleModel();
   const VertexCorrections corrections = SomeCorrections(model);
