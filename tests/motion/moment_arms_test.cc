@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-
 #include <cmath>
 #include <memory>
 #include <string>
@@ -239,32 +238,31 @@ class MomentArmsInContact : public ::testing::Test {
     return At(scene_, 0.2, 0, lean_beside - 0.25);
   }
 
-  CertifiedMotion Moved(const ScenePose& pose,
-                        const ContactState& before) const {
+  CertifiedMotion Moved(const ScenePose& to, const ContactState& from) const {
     return MoveCertified(
-        scene_, certified_, pose, {}, TightReference(), before, {});
+        scene_, certified_, to, {}, TightReference(), from, {});
   }
 
   Frame ArmsOf(const CertifiedMotion& motion) const {
+    const ContactState& state = motion.state;
     return FrameWithArms(scene_,
-                         motion.state.pose,
-                         {ShapesOf(certified_, motion.state).coarse,
-                          ContactRowsOf(certified_, motion.state),
-                          FreeCoarseOf(certified_, motion.state)});
+                         state.pose,
+                         {ShapesOf(certified_, state).coarse,
+                          ContactRowsOf(certified_, state),
+                          FreeCoarseOf(certified_, state)});
   }
 
   // Active rows on planes of bones, or between muscles.
   int ActiveRows(const CertifiedMotion& motion, bool of_bones) const {
     int count = 0;
-    const std::vector<ContactRows> all =
-        ContactRowsOf(certified_, motion.state);
-    const MuscleShapes shapes = ShapesOf(certified_, motion.state);
+    const auto all = ContactRowsOf(certified_, motion.state);
+    const auto coarse = ShapesOf(certified_, motion.state).coarse;
     for (size_t i = 0; i < all.size(); ++i) {
       const ContactRows& contact = all[i];
       const Eigen::VectorXd depths =
           OneSidedDepths(contact.rows,
                          FineFromCoarse(scene_.muscles[i].model, contact.rows),
-                         shapes.coarse[i]);
+                         coarse[i]);
       for (int k = 0; k < contact.rows.size(); ++k) {
         count += depths[k] > 0 && contact.carriers[k].IsBone() == of_bones;
       }
@@ -296,9 +294,8 @@ TEST_F(MomentArmsInContact, AreNearTheSlopesOfSteps) {
   const CertifiedMotion motion = Moved(Pressed(), before.state);
   constexpr double kBeside = 1e-3;
   const auto lengths = [&](double lean) {
-    return Lengths(
-        scene_,
-        ShapesOf(certified_, Moved(Pressed(lean), before.state).state).coarse);
+    const ContactState state = Moved(Pressed(lean), before.state).state;
+    return Lengths(scene_, ShapesOf(certified_, state).coarse);
   };
   const std::vector<double> low = lengths(-kBeside), high = lengths(kBeside);
   const std::vector<double> arms = Arms(ArmsOf(motion), "lean");
@@ -340,42 +337,36 @@ class MomentArmsOfHeldRows : public ::testing::Test {
   // Solves beside the pose with rows whose planes `moved` has moved.
   template <typename Moved>
   std::vector<Points> SolvedHeld(double beside, const Moved& moved) const {
-    std::vector<ContactRows> contact = contact_;
-    for (ContactRows& rows : contact) {
-      for (int k = 0; k < rows.rows.size(); ++k) {
-        HalfSpace plane = {rows.rows.normals.row(k), rows.rows.levels[k]};
-        plane = moved(beside, plane);
-        rows.rows.normals.row(k) = plane.normal;
-        rows.rows.levels[k] = plane.level;
+    std::vector<OneSidedRows> all;
+    for (const ContactRows& contact : contact_) {
+      OneSidedRows& rows = all.emplace_back(contact.rows);
+      for (int k = 0; k < rows.size(); ++k) {
+        const HalfSpace plane =
+            moved(beside, HalfSpace{rows.normals.row(k), rows.levels[k]});
+        rows.normals.row(k) = plane.normal;
+        rows.levels[k] = plane.level;
       }
     }
     const ScenePose pose = At(scene_, 0.2, -0.3 + beside);
-    std::vector<OneSidedRows> rows;
-    for (const ContactRows& moved_rows : contact) {
-      rows.push_back(moved_rows.rows);
-    }
     const MuscleModels models = ModelsOf(scene_);
-    const SolvedPose free = SolvePose(
-        models, pose, {}, TightReference(), RestState(scene_).muscles);
+    const MuscleSolver solver = TightReference();
+    const SolvedPose free =
+        SolvePose(models, pose, {}, solver, RestState(scene_).muscles);
     return CoarseOf(
-        SolveWithRows(
-            models, free, pose, {}, TightReference(), rows, free.states)
-            .states);
+        SolveWithRows(models, free, pose, {}, solver, all, free.states).states);
   }
 
   template <typename Moved>
   void ExpectSlopesOfSolves(const Moved& moved) {
     const ScenePose pose = At(scene_, 0.2, -0.3);
-    const std::vector<Points> coarse = SolvedHeld(0, moved);
-    const Frame frame = FrameWithArms(
-        scene_,
-        pose,
-        {coarse, contact_, SolvedFree(scene_, TightReference(), pose)});
+    const std::vector<Points> free = SolvedFree(scene_, TightReference(), pose);
+    const Frame frame =
+        FrameWithArms(scene_, pose, {SolvedHeld(0, moved), contact_, free});
+    const auto lengths = [&](double beside) {
+      return Lengths(scene_, SolvedHeld(beside, moved));
+    };
     constexpr double kBeside = 1e-3;
-    const std::vector<double> low =
-        Lengths(scene_, SolvedHeld(-kBeside, moved));
-    const std::vector<double> high =
-        Lengths(scene_, SolvedHeld(kBeside, moved));
+    const std::vector<double> low = lengths(-kBeside), high = lengths(kBeside);
     const std::vector<double> arms = Arms(frame, "knee");
     for (size_t k = 0; k < arms.size(); ++k) {
       EXPECT_NEAR(arms[k], -(high[k] - low[k]) / (2 * kBeside), kArmTolerance)
@@ -398,11 +389,10 @@ TEST_F(MomentArmsOfHeldRows, GoWithABone) {
       return At(scene_, 0.2, -0.3 + at).bodies.at("shank");
     };
     const Eigen::Matrix4d moved = place(beside) * place(0).inverse();
-    HalfSpace result;
-    result.normal = plane.normal * moved.topLeftCorner<3, 3>().transpose();
-    result.level =
-        plane.level + result.normal.dot(moved.topRightCorner<3, 1>());
-    return result;
+    const Eigen::RowVector3d normal =
+        plane.normal * moved.topLeftCorner<3, 3>().transpose();
+    return HalfSpace{normal,
+                     plane.level + normal.dot(moved.topRightCorner<3, 1>())};
   });
 }
 

@@ -42,10 +42,10 @@ TEST(ArchivedFields, FieldsThatSwapPlacesKeepTheirValues) {
 
 // A file states the names and types of what it holds, in their order.
 TEST(ArchivedFields, AreNamedWithTheirTypes) {
-  const std::string point =
-      std::string("SegmentPoint\n  line ") + typeid(int).name() +
-      "\n  segment " + typeid(int).name() + "\n  t " + typeid(double).name();
-  EXPECT_THAT(ArchivedFields(), HasSubstr(point));
+  const std::string space = std::string("HalfSpace\n  normal ") +
+                            typeid(Eigen::RowVector3d).name() + "\n  level " +
+                            typeid(double).name();
+  EXPECT_THAT(ArchivedFields(), HasSubstr(space));
 }
 
 // A state is that of a motion, which goes on as if it had not been written.
