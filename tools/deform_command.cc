@@ -31,6 +31,7 @@
 #include "tools/output_folder.h"
 #include "tools/program.h"
 #include "tools/report_command.h"
+#include "tools/step_recorder.h"
 
 namespace musclewarp {
 namespace {
@@ -160,6 +161,13 @@ class DeformRun {
       ThrowIfInterrupted();
       progress_.Say(progress);
     };
+    if (!options_.record_steps.empty()) {
+      recorder_.emplace(options_.record_steps, options_.step_flags);
+      options.frames.certified.on_step = [this](int number,
+                                                const RecordedStep& step) {
+        recorder_->Write(number, step);
+      };
+    }
     deformer_.emplace(scene, options);
     progress_.Clear();
     PrintPreparation(deformer_->scene(), deformer_->contact(), screen_);
@@ -213,6 +221,7 @@ class DeformRun {
     for (size_t i = run_.frames.size(); i < selected_.size(); ++i) {
       ThrowIfInterrupted();
       const ScenePose& pose = poses()[selected_[i]];
+      if (recorder_) recorder_->BeginFrame(selected_[i]);
       Frame frame =
           is_motion() ? deformer_->MoveTo(pose) : deformer_->SolveAlone(pose);
       frame.index = selected_[i];
@@ -299,6 +308,7 @@ class DeformRun {
   ScreenProgress progress_;
   std::vector<int> selected_;
   std::optional<ResumeLog> log_;
+  std::optional<StepRecorder> recorder_;
   std::optional<Deformer> deformer_;
   std::mutex mutex_;  // of what GiveUp() reads: run_ and is_saved_
   RunRecord run_;

@@ -26,6 +26,11 @@ struct DeformOptions {
   bool html = false;         // if true, report.html is written, too
   bool is_terminal = false;  // true if the screen is a terminal
 
+  // The folder to which every step of certified contact is written
+  // (StepRecorder), or empty, and the flags that are written with them.
+  std::string record_steps;
+  std::string step_flags;
+
   // For the record: the flags that make a difference to the result, the command
   // line that repeats the run, and all flags with their values.
   std::string result_flags;

@@ -61,12 +61,34 @@ DEFINE_bool(profile,
             false,
             "write how long the stages of each frame take to report.json and "
             "the page");
+DEFINE_string(record_steps,
+              "",
+              "folder to which the steps of certified contact are written, for "
+              "step_benchmark (benchmarks/README.md); the preparation is kept "
+              "there, too, unless --cache names another folder");
 DEFINE_bool(html,
             false,
             "also write report.html, the run as one page to look at");
 
 namespace musclewarp {
 namespace {
+
+void RecordSteps(DeformOptions* options) {
+  if (FLAGS_record_steps.empty()) return;
+  if (options->deformer.frames.contact != ContactKind::kCertified) {
+    throw InputError("--record_steps",
+                     "is given with --contact=" + FLAGS_contact,
+                     "only certified contact has steps to record");
+  }
+  CheckWritable(FLAGS_record_steps);
+  options->record_steps = FLAGS_record_steps;
+  options->step_flags = SceneFlagFile();
+  std::string* cache = &options->deformer.cache.folder;
+  if (cache->empty()) {
+    *cache =
+        (std::filesystem::path(FLAGS_record_steps) / "preparations").string();
+  }
+}
 
 DeformOptions OptionsFromFlags() {
   DeformOptions options = SceneOptionsFromFlags();
@@ -81,6 +103,7 @@ DeformOptions OptionsFromFlags() {
   options.html = FLAGS_html;
   options.deformer.cache.folder = CacheFolderOf(FLAGS_cache);
   options.deformer.record_stages = FLAGS_profile;
+  RecordSteps(&options);
   options.is_terminal = isatty(STDOUT_FILENO);
   return options;
 }

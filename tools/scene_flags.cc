@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstring>
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -165,6 +166,21 @@ std::string SetFlags(const std::set<std::string>& without) {
 
 }  // namespace
 
+std::string SceneFlagFile() {
+  std::string text;
+  for (const auto& flag : OwnFlags()) {
+    const bool is_of_scene =
+        flag.filename.find("tools/scene_flags.cc") != std::string::npos;
+    if (!is_of_scene || flag.is_default || flag.name == "frames") continue;
+    const bool is_path = flag.name == "scene" || flag.name == "data_root";
+    text += "--" + flag.name + "=" +
+            (is_path ? std::filesystem::absolute(flag.current_value).string()
+                     : flag.current_value) +
+            "\n";
+  }
+  return text;
+}
+
 ModelSources ModelSourcesFromFlags() {
   ModelSources sources;
   sources.motion = FLAGS_motion;
@@ -192,6 +208,7 @@ DeformOptions SceneOptionsFromFlags() {
                                        "html",
                                        "profile",
                                        "cache",
+                                       "record_steps",
                                        "out",
                                        "threads",
                                        "scene",

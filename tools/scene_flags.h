@@ -14,6 +14,11 @@ namespace musclewarp {
 // throws InputError naming the flag.
 DeformOptions SceneOptionsFromFlags();
 
+// Returns those of these flags that were set but --frames, one a line, for
+// --flagfile. Scene and data are named by whole paths, so that the file may be
+// used from anywhere.
+std::string SceneFlagFile();
+
 // Returns what the same flags say about the model of a scene. Throws InputError
 // that names the flag, also for a folder that is not there.
 ModelSources ModelSourcesFromFlags();

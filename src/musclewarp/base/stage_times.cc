@@ -3,11 +3,17 @@
 #include "musclewarp/base/stage_times.h"
 
 #include <algorithm>
+#include <ctime>
 
 namespace musclewarp {
 namespace {
 
 thread_local StageRecording* recording_of_thread = nullptr;
+
+// The time that all threads of the process have computed so far.
+double ProcessorMilliseconds() {
+  return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 }  // namespace
 
@@ -17,13 +23,15 @@ StageRecording::StageRecording() : outer_(recording_of_thread) {
 
 StageRecording::~StageRecording() { recording_of_thread = outer_; }
 
-void StageRecording::Add(const char* name, double ms, int visits) {
+StageTime& StageRecording::Of(const char* name) {
   auto stage = std::find_if(times_.begin(), times_.end(), [&](const auto& t) {
     return t.name == name;
   });
-  if (stage == times_.end()) stage = times_.insert(stage, {name, 0, 0});
-  stage->ms += ms;
-  stage->visits += visits;
+  if (stage == times_.end()) {
+    stage = times_.insert(stage, StageTime());
+    stage->name = name;
+  }
+  return *stage;
 }
 
 ScopedStage::ScopedStage(const char* name)
@@ -31,17 +39,33 @@ ScopedStage::ScopedStage(const char* name)
       outer_(recording_ ? recording_->innermost_ : nullptr),
       name_(name) {
   if (!recording_) return;
-  if (outer_) recording_->Add(outer_->name_, outer_->watch_.Milliseconds(), 0);
+  if (outer_) outer_->AddToRecording();
   recording_->innermost_ = this;
-  recording_->Add(name_, 0, 1);
-  watch_.Restart();
+  ++recording_->Of(name_).visits;
+  Restart();
 }
 
 ScopedStage::~ScopedStage() {
   if (!recording_) return;
-  recording_->Add(name_, watch_.Milliseconds(), 0);
+  AddToRecording();
   recording_->innermost_ = outer_;
-  if (outer_) outer_->watch_.Restart();
+  if (outer_) outer_->Restart();
+}
+
+void ScopedStage::AddToRecording() const {
+  StageTime& stage = recording_->Of(name_);
+  stage.ms += watch_.Milliseconds();
+  stage.processor_ms += ProcessorMilliseconds() - processor_ms_before_;
+  const WorkCounts work = WorkSoFar();
+  for (size_t i = 0; i < work.size(); ++i) {
+    stage.work[i] += work[i] - work_before_[i];
+  }
+}
+
+void ScopedStage::Restart() {
+  watch_.Restart();
+  processor_ms_before_ = ProcessorMilliseconds();
+  work_before_ = WorkSoFar();
 }
 
 }  // namespace musclewarp

@@ -6,14 +6,19 @@
 #include <vector>
 
 #include "musclewarp/base/stopwatch.h"
+#include "musclewarp/base/work_counts.h"
 
 namespace musclewarp {
 
-// The wall time that a stage of a computation took, all its visits together.
+// What a stage of a computation took, all its visits together.
 struct StageTime {
   std::string name;
-  double ms = 0;
+  double ms = 0;  // wall time
   int visits = 0;
+
+  // The time of all threads of the process, ms, and their work.
+  double processor_ms = 0;
+  WorkCounts work = {};
 };
 
 class ScopedStage;
@@ -37,7 +42,7 @@ class StageRecording {
 
  private:
   friend class ScopedStage;
-  void Add(const char* name, double ms, int visits);
+  StageTime& Of(const char* name);
 
   std::vector<StageTime> times_;
   ScopedStage* innermost_ = nullptr;
@@ -57,10 +62,16 @@ class ScopedStage {
   ScopedStage& operator=(const ScopedStage&) = delete;
 
  private:
+  // Adds to the stage what there was since Restart().
+  void AddToRecording() const;
+  void Restart();
+
   StageRecording* const recording_;
   ScopedStage* const outer_;
   const char* const name_;
   Stopwatch watch_;
+  double processor_ms_before_ = 0;
+  WorkCounts work_before_ = {};
 };
 
 }  // namespace musclewarp

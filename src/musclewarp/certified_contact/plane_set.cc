@@ -9,6 +9,7 @@
 
 #include "musclewarp/base/infinity.h"
 #include "musclewarp/base/stage_times.h"
+#include "musclewarp/base/work_counts.h"
 #include "musclewarp/geometry/half_space_projection.h"
 
 namespace musclewarp {
@@ -67,6 +68,10 @@ void PlaneSet::Add(const std::vector<SeparatingPlane>& planes) {
     }
     if (plane.IsOfBone()) continue;
     for (const int v : plane.below) added[b].push_back({v, ~above});
+  }
+  CountWork(WorkUnit::kPlanes, static_cast<std::int64_t>(planes.size()));
+  for (const std::vector<VertexSide>& sides : added) {
+    CountWork(WorkUnit::kHalfSpaces, static_cast<std::int64_t>(sides.size()));
   }
   SortSides(added);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "musclewarp/base/stage_times.h"
+#include "musclewarp/base/work_counts.h"
 
 namespace musclewarp {
 namespace {
@@ -144,6 +145,10 @@ RelaxedPoints Relax(const StepOptions& options,
                   &relaxed.points[i],
                   &relaxed.unprojected[i]);
     }
+  }
+  for (const MuscleSurface& muscle : step.scene.muscles) {
+    CountWork(WorkUnit::kVertexSweeps,
+              static_cast<std::int64_t>(sweeps) * muscle.num_vertices());
   }
   return relaxed;
 }

@@ -3,9 +3,11 @@
 #include "musclewarp/certified_contact/separating_planes.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "musclewarp/base/stage_times.h"
+#include "musclewarp/base/work_counts.h"
 #include "musclewarp/geometry/triangle_distance.h"
 #include "musclewarp/mesh/transformed.h"
 
@@ -24,6 +26,7 @@ struct Grouped {
   int count(Eigen::Index first) const {
     return starts[first + 1] - starts[first];
   }
+  std::int64_t size() const { return static_cast<std::int64_t>(items.size()); }
 };
 
 Grouped ByFirst(const std::vector<std::pair<int, int>>& pairs,
@@ -126,6 +129,7 @@ void AddPlanesBetweenMuscles(const StepOptions& options,
     }
   }
   Append(found, planes);
+  CountWork(WorkUnit::kPairsTested, met.size());
 }
 
 void AddPlanesBetweenAllMuscles(const StepOptions& options,
@@ -225,6 +229,7 @@ void AddPlanesOfBone(const StepOptions& options,
     }
   }
   Append(found, planes);
+  CountWork(WorkUnit::kPairsTested, met.size());
 }
 
 }  // namespace

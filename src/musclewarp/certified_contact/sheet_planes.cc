@@ -3,8 +3,10 @@
 #include "musclewarp/certified_contact/sheet_planes.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "musclewarp/base/stage_times.h"
+#include "musclewarp/base/work_counts.h"
 #include "musclewarp/certified_contact/triangle_separation.h"
 
 namespace musclewarp {
@@ -118,15 +120,18 @@ std::vector<SeparatingPlane> FindPlanesBetweenSheets(const StepOptions& options,
   const Points normals = UnitNormals(tree);
   const std::vector<Box3> normals_of_nodes = NormalsOfNodes(tree, normals);
   std::vector<std::vector<SeparatingPlane>> found(tree.num_triangles());
-#pragma omp parallel for schedule(dynamic, 64)
+  std::int64_t visited = 0, tested = 0;
+#pragma omp parallel for schedule(dynamic, 64) reduction(+ : visited, tested)
   for (int f = 0; f < tree.num_triangles(); ++f) {
     const Box3 box = BoxOf(tree.corners(f), distance);
     const auto add_plane = [&](int g) {
+      ++visited;
       if (g <= f || normals.row(f).dot(normals.row(g)) >= 0 ||
           !BoxOf(tree.corners(g)).Overlaps(box) ||
           ShareAnEdge(triangles.row(f), triangles.row(g))) {
         return;
       }
+      ++tested;
       const auto separation =
           SeparateSheets(before, triangles.row(f), triangles.row(g));
       if (separation && separation->distance <= distance &&
@@ -145,6 +150,8 @@ std::vector<SeparatingPlane> FindPlanesBetweenSheets(const StepOptions& options,
         },
         add_plane);
   }
+  CountWork(WorkUnit::kPairsVisited, visited);
+  CountWork(WorkUnit::kPairsTested, tested);
   std::vector<SeparatingPlane> planes;
   for (const auto& of_triangle : found) {
     planes.insert(planes.end(), of_triangle.begin(), of_triangle.end());

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "musclewarp/base/work_counts.h"
+
 namespace musclewarp {
 namespace {
 
@@ -139,6 +141,7 @@ std::vector<Points> Products(const RowMajorMatrix& matrix,
     };
   };
   ForRows(matrix.rows(), multiply(FourTimesThreeDots), multiply(ThreeDots));
+  CountWork(WorkUnit::kMatrixEntries, matrix.size());
   return products;
 }
 
@@ -160,6 +163,7 @@ std::vector<Points> TransposedProducts(const RowMajorMatrix& matrix,
     };
   };
   ForRows(matrix.rows(), add(AddFourTimesThree), add(AddThree));
+  CountWork(WorkUnit::kMatrixEntries, matrix.size());
   return {sums.begin(), sums.end()};
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/work_counts.h"
 #include "musclewarp/mesh/box.h"
 #include "musclewarp/mesh/triangle.h"
 #include "musclewarp/mesh/triangle_soup.h"
@@ -259,9 +260,12 @@ std::vector<std::pair<int, int>> TriangleBvh::Collect(
   std::vector<std::vector<std::pair<int, int>>> found(tasks.size());
 #pragma omp parallel for schedule(dynamic, 16)
   for (size_t i = 0; i < tasks.size(); ++i) {
+    int visited = 0;
     VisitPair(a, b, tasks[i], [&](int mine, int theirs) {
+      ++visited;
       if (keep(mine, theirs)) found[i].emplace_back(mine, theirs);
     });
+    CountWork(WorkUnit::kPairsVisited, visited);
   }
   std::vector<std::pair<int, int>> all;
   for (const auto& part : found) {

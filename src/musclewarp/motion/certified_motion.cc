@@ -199,6 +199,7 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
   walk.max_settling_steps = options.max_rest_steps;
   walk.settling_tolerance = options.rest_tolerance;
   walk.accepts_self_crossings = true;
+  walk.on_step = options.on_step;
   // The steps need a start in which nothing crosses.
   if (separation.crossing_pairs == 0) {
     const ScenePose pose = rest.pose;
@@ -243,6 +244,7 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
   walk.max_reach = options.max_reach;
   walk.max_settling_steps = options.max_settling_steps;
   walk.settling_tolerance = options.settling_tolerance;
+  walk.on_step = options.on_step;
   walk.timeout_s = TimeoutOf(options, scene.muscles.size());
   CertifiedMotion motion;
   motion.state = before;

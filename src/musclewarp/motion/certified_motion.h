@@ -15,6 +15,7 @@
 #include "musclewarp/motion/plane_rates.h"
 #include "musclewarp/motion/pose_steps.h"
 #include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/motion/recorded_step.h"
 #include "musclewarp/motion/scene_meshes.h"
 #include "musclewarp/motion/solved_pose.h"
 
@@ -83,6 +84,10 @@ struct CertifiedContactOptions {
   // centre of a joint is wrong, would take many minutes without a limit.
   static constexpr double kTimeoutByMuscles = -1;  // 60, and 20 for each muscle
   double frame_timeout_s = kTimeoutByMuscles;
+
+  // Called after every step, those that separate the rest pose included. May be
+  // empty.
+  StepCallback on_step;
 
   // Also checks the options within.
   bool IsValid(std::string* error) const;

@@ -184,6 +184,16 @@ class Walker {
   PoseStepResult Try(const PoseStep& step) {
     ++summary_.steps;
     PoseStepResult attempt = TakeStep(mover_, step, *state_, solves_);
+    if (options_.on_step) {
+      options_.on_step(summary_.steps,
+                       {step.pose,
+                        step.is_settling,
+                        step.max_push,
+                        step.options.reach,
+                        step.options.sweeps,
+                        *state_,
+                        attempt.state});
+    }
     VLOG(1) << "step from " << at_ << " of length " << length_.length()
             << ", reach " << step_.reach << " mm: push " << attempt.summary.push
             << " mm, " << attempt.summary.rounds << " rounds, "

@@ -8,6 +8,7 @@
 #include "musclewarp/base/progress.h"
 #include "musclewarp/certified_contact/step.h"
 #include "musclewarp/motion/mover.h"
+#include "musclewarp/motion/recorded_step.h"
 #include "musclewarp/motion/step_length.h"
 #include "musclewarp/solver/solver_summary.h"
 
@@ -43,6 +44,8 @@ struct WalkOptions {
 
   // No step begins later than this, s; 0: no limit.
   double timeout_s = 0;
+
+  StepCallback on_step;  // called after every step, may be empty
 };
 
 // How a walk ended.

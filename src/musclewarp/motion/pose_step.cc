@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "musclewarp/base/stage_times.h"
+#include "musclewarp/base/work_counts.h"
 #include "musclewarp/motion/solved_pose.h"
 
 namespace musclewarp {
@@ -44,6 +45,7 @@ CoarseSolution SolveWithContactRows(const Mover& mover,
         static_cast<int>(i), certified.samples[i], points[i], goal.targets[i]));
     rows.push_back(OneSidedRowsOf(solution.planes.back().spaces,
                                   certified.options.coarse_weight));
+    CountWork(WorkUnit::kRows, rows.back().size());
   }
   SolvedPose solved = SolveWithRows(ModelsOf(certified.muscles),
                                     free,
