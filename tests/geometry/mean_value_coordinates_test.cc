@@ -86,7 +86,8 @@ Eigen::RowVectorXd ByQuadrature(const TriangleSoup& cage,
       for (int j = 0; j < 2 * (steps - i) - 1; ++j) {
         const bool is_up = j % 2 == 0;
         const double u = (i + (is_up ? 1 / 3.0 : 2 / 3.0)) / steps;
-        const double v = (j / 2 + (is_up ? 1 / 3.0 : 2 / 3.0)) / steps;
+        const int row = j / 2;
+        const double v = (row + (is_up ? 1 / 3.0 : 2 / 3.0)) / steps;
         const Eigen::RowVector3d p = (1 - u - v) * a + u * b + v * c;
         const double weight =
             p.dot(normal) / (2.0 * steps * steps) / std::pow(p.norm(), 4);
@@ -180,7 +181,9 @@ TEST(MeanValueCoordinates, ReproducePointsInThePlaneOfAFace) {
   const TriangleSoup box = Box(2, 3, 4);
   Points corners(125, 3);
   for (int i = 0; i < 125; ++i) {
-    corners.row(i) << (i % 5 - 2), (i / 5 % 5 - 2) * 1.5, (i / 25 - 2) * 2.0;
+    const int row = i / 5 % 5;
+    const int layer = i / 25;
+    corners.row(i) << i % 5 - 2, (row - 2) * 1.5, (layer - 2) * 2.0;
   }
   ExpectReproduces(box, corners);
 }
