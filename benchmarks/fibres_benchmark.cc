@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "musclewarp/fibres/fibres.h"
-#include "musclewarp/motion/prepared_scene.h"
-#include "musclewarp/solver/carried_lines.h"
+#include "musclewarp/preparation/prepared_scene.h"
+#include "musclewarp/solver/embedded_lines.h"
 
 namespace musclewarp {
 namespace {
@@ -28,8 +28,8 @@ void Register(const PreparedScene& scene,
           ->UseRealTime();
     };
     const auto fibres = MakeFibres(fine, bodies, {}, FibreOptions());
-    const CarriedLines carried =
-        CarryLines(fibres, model.coarse_rest, model.coarse_triangles);
+    const EmbeddedLines carried =
+        EmbedLines(fibres, model.coarse_rest, model.coarse_triangles);
     add("find", [fine, &bodies](auto& state) {
       for (auto _ : state) {
         benchmark::DoNotOptimize(MakeFibres(fine, bodies, {}, FibreOptions()));
@@ -38,7 +38,7 @@ void Register(const PreparedScene& scene,
     add("coordinates", [fibres, &model](auto& state) {
       for (auto _ : state) {
         benchmark::DoNotOptimize(
-            CarryLines(fibres, model.coarse_rest, model.coarse_triangles));
+            EmbedLines(fibres, model.coarse_rest, model.coarse_triangles));
       }
     });
     add("move", [carried, &model](auto& state) {

@@ -14,7 +14,7 @@
 #include "arap.h"
 #include "musclewarp/geometry/dense_product.h"
 #include "musclewarp/mesh/measures.h"
-#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/preparation/prepared_scene.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/solver/gauss_newton.h"
 #include "problems/single_muscle/single_muscle_solver.h"

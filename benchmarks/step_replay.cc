@@ -10,7 +10,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/motion/pose_step.h"
-#include "musclewarp/motion/scene_meshes.h"
+#include "musclewarp/preparation/scene_meshes.h"
 
 namespace musclewarp {
 namespace {
@@ -92,10 +92,10 @@ StepTimes StepReplay::Take(const std::string& path,
                      "is of other meshes than the scene has now",
                      "record it again with musclewarp-deform --record_steps");
   }
-  const Mover mover = {deformer_.scene(),
-                       certified,
-                       options_.frames.pre_rotation,
-                       solvers_.single};
+  const MotionContext context = {deformer_.scene(),
+                                 certified,
+                                 options_.frames.pre_rotation,
+                                 solvers_.single};
   const PoseStep step = {recorded.OptionsIn(certified.options.step),
                          recorded.pose,
                          recorded.is_settling,
@@ -107,7 +107,7 @@ StepTimes StepReplay::Take(const std::string& path,
     {
       const ScopedStage rest("everything else");
       const PoseStepResult result = TakeStep(
-          mover, step, recorded.before, StepSolves(certified.muscles.size()));
+          context, step, recorded.before, StepSolves(certified.muscles.size()));
       *difference = Compare(recorded.after, result.state);
     }
     times.push_back({threads, recording.times()});

@@ -15,11 +15,11 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/geometry/mesh_intersection.h"
-#include "musclewarp/geometry/triangle_distance.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/proximity/mesh_intersection.h"
+#include "musclewarp/proximity/triangle_distance.h"
 #include "musclewarp/report/report_json.h"
 #include "tools/program.h"
 

@@ -75,7 +75,7 @@ std::vector<std::shared_ptr<FrameSolver>> FrameSolversOf(
   std::shared_ptr<FrameSolver> certified;
   if (Compares(options, ContactKind::kCertified)) {
     certified =
-        MakeCleanFrameSolver(options.deform.deformer.remaking,
+        MakeCleanFrameSolver(options.deform.deformer.reconstruction,
                              prepare,
                              FramesWith(options, ContactKind::kCertified),
                              solvers,

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/motion/frame.h"
-#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/frames/frame.h"
+#include "musclewarp/preparation/prepared_scene.h"
 
 namespace musclewarp {
 

@@ -17,7 +17,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/build_info/build_info.h"
-#include "musclewarp/motion/frame_files.h"
+#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/page/recorded_attachments.h"
 #include "musclewarp/report/earlier_run.h"
 #include "musclewarp/report/motion_tables.h"

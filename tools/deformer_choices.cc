@@ -48,7 +48,7 @@ DeformerOptions OptionsOf(const DeformerChoices& choices) {
   options.frames.paper.group.paper.seed = choices.seed;
   options.frames.paper.bone_hull.coarse_vertices = choices.bone_coarse_vertices;
   ChooseCertifiedContact(choices, &options.frames.certified);
-  options.remaking.kind = ParseRemake(choices.remake);
+  options.reconstruction.kind = ParseRemake(choices.remake);
   options.frames.requirements.max_volume_loss = choices.max_loss;
   options.solver = ParseSolver(choices.solver);
   SetIterationLimit(choices.max_iterations, &options.solver);

@@ -17,7 +17,7 @@
 #include "musclewarp/exchange/element_files.h"
 #include "musclewarp/exchange/mesher.h"
 #include "musclewarp/exchange/moved_mesh.h"
-#include "musclewarp/motion/frame_files.h"
+#include "musclewarp/frames/frame_files.h"
 #include "tools/output_folder.h"
 #include "tools/program.h"
 #include "tools/searchable_scene.h"

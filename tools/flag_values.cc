@@ -37,9 +37,9 @@ ContactLevel ParseContactLevel(const std::string& text) {
       "--contact_level=" + text, "is not a level", "allowed: coarse, fine");
 }
 
-RemakeKind ParseRemake(const std::string& text) {
-  if (text == "auto") return RemakeKind::kAuto;
-  if (text == "never") return RemakeKind::kNever;
+ReconstructionKind ParseRemake(const std::string& text) {
+  if (text == "auto") return ReconstructionKind::kAuto;
+  if (text == "never") return ReconstructionKind::kNever;
   throw InputError("--remake=" + text,
                    "is not a way to treat muscles that cannot be separated",
                    "allowed: auto, never");

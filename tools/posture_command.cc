@@ -11,10 +11,10 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/build_info/build_info.h"
-#include "musclewarp/geometry/surface_comparison.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_repair/repair.h"
 #include "musclewarp/page/run_files.h"
+#include "musclewarp/proximity/surface_comparison.h"
 #include "tools/option_flags.h"
 #include "tools/output_folder.h"
 #ifdef MUSCLEWARP_WITH_VTK

@@ -253,15 +253,16 @@ void PrintMeshes(const Separation& result, int width, std::ostream& screen) {
   for (size_t i = 0; i < result.frame.muscles.size(); ++i) {
     const PreparedMuscle& mesh = result.scene->muscles[i];
     const MuscleFrame& moved = result.frame.muscles[i];
-    const Remaking& remaking = mesh.mesh.remaking;
+    const SurfaceReconstruction& reconstruction = mesh.mesh.reconstruction;
     screen << std::left << std::setw(width) << mesh.model.name << std::right
            << std::setw(15) << mesh.mesh.delivered_volume / 1000 << std::setw(9)
            << moved.volume_ratio * mesh.mesh.delivered_volume / 1000
            << std::setw(17) << moved.max_displacement << std::setw(10)
            << result.mean_displacements[i];
-    if (remaking.is_done) {
-      screen << "  made anew, " << std::setprecision(1) << remaking.farthest
-             << " mm off the old surface at most" << std::setprecision(3);
+    if (reconstruction.is_done) {
+      screen << "  made anew, " << std::setprecision(1)
+             << reconstruction.farthest << " mm off the old surface at most"
+             << std::setprecision(3);
     }
     screen << "\n";
   }
@@ -368,7 +369,7 @@ DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
   deformer.frames.requirements.displacement_allowance =
       std::numeric_limits<double>::infinity();
   deformer.prepare.attachments = AttachmentKind::kNone;  // nothing moves
-  deformer.remaking.kind = options.remake;
+  deformer.reconstruction.kind = options.remake;
   deformer.frames.requirements.max_volume_loss = options.max_loss;
   return deformer;
 }

@@ -35,7 +35,7 @@ struct SeparateOptions {
   double gap = StepOptions().gap;  // mm, that meshes keep at least
 
   // What happens to meshes that cannot be separated by moving their vertices.
-  RemakeKind remake = RemakeKind::kAuto;
+  ReconstructionKind remake = ReconstructionKind::kAuto;
 
   // The share of the volume of a mesh or label, as it was delivered, that may
   // be lost; with more the result is not usable.

@@ -3,7 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/scene/scene_names.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
@@ -33,7 +33,7 @@ Attributes:
     a_depth, b_depth: of the deepest of these points, mm; 0 without any.)";
 
 constexpr char kCrossingsDoc[] =
-    R"(Finds where two meshes cross (src/musclewarp/geometry/mesh_intersection.h).
+    R"(Finds where two meshes cross (src/musclewarp/proximity/mesh_intersection.h).
 
 Args:
     a, b: Meshes, muscles of a frame, or anything with points (n, 3), mm, and

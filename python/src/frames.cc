@@ -17,7 +17,7 @@ namespace py = pybind11;
 
 // What help() says.
 constexpr char kMuscleFrameDoc[] =
-    R"(A muscle in one pose (src/musclewarp/motion/frame.h). Arrays are read-only.
+    R"(A muscle in one pose (src/musclewarp/frames/frame.h). Arrays are read-only.
 
 Attributes:
     name: of the muscle.

@@ -8,7 +8,7 @@
 #include "musclewarp/base/content_hash.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/motion/frame_files.h"
+#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/page/page.h"
 #include "musclewarp/page/recorded_attachments.h"
 #include "musclewarp/report/earlier_run.h"

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/motion/delivered_mesh.h"
+#include "musclewarp/preparation/delivered_mesh.h"
 #include "musclewarp/scene/scene_names.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"

@@ -21,6 +21,6 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/deformer/deformer.h"
-#include "musclewarp/motion/frame.h"
-#include "musclewarp/motion/frame_files.h"
+#include "musclewarp/frames/frame.h"
+#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/scene/scene.h"

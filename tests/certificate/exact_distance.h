@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include "musclewarp/geometry/triangle_intersection.h"
 #include "musclewarp/mesh/triangle.h"
+#include "musclewarp/proximity/triangle_intersection.h"
 
 namespace musclewarp {
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <utility>
 
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp {
 
@@ -32,7 +32,7 @@ ContactGroup::ContactGroup(std::vector<TriangleSoup> muscles,
 StepSummary ContactGroup::StepTo(const ContactState& next,
                                  const StepOptions& options) {
   StepResult result = Step(options, scene, state, {next});
-  if (!result.summary.faults.HasCrossings()) state = std::move(result.state);
+  if (!result.summary.defects.HasCrossings()) state = std::move(result.state);
   return result.summary;
 }
 

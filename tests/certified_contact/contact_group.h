@@ -9,12 +9,6 @@
 
 namespace musclewarp {
 
-inline TriangleSoup SphereAt(const Eigen::RowVector3d& centre,
-                             double radius,
-                             int levels) {
-  return MovedBy(Icosphere(radius, levels), centre);
-}
-
 // Muscles and bones for tests of contact, at rest at first.
 struct ContactGroup {
   std::vector<TriangleSoup> soups, bone_soups;

@@ -33,10 +33,10 @@ TEST(ContactStep, CarriesOffsetsAlong) {
   const ContactStep step = MakeContactStep(
       group.scene, group.state, targets, group.state.bones_from_rest);
   for (int i = 0; i < 2; ++i) {
-    EXPECT_LT((step.carried[i] - group.state.points[i] -
+    EXPECT_LT((step.predicted[i] - group.state.points[i] -
                (targets[i] - group.state.targets[i]))
                   .norm(),
-              kCoordinateRounding * step.carried[i].rows());
+              kCoordinateRounding * step.predicted[i].rows());
   }
 }
 
@@ -64,14 +64,14 @@ TEST(ContactStep, HasTreesBeforeAndWhereItCarries) {
   targets[1].col(1).array() += 4;
   const ContactStep step = MakeContactStep(
       group.scene, group.state, targets, group.state.bones_from_rest);
-  const std::vector<TriangleBvh> carried = CarriedTrees(step);
+  const std::vector<TriangleBvh> predicted = PredictedTrees(step);
   for (int i = 0; i < step.num_muscles(); ++i) {
     const Triangles& triangles = group.scene.muscles[i].triangles;
     for (int f = 0; f < triangles.rows(); ++f) {
       EXPECT_EQ(step.trees_before[i].corners(f),
                 CornersOf(group.state.points[i], triangles.row(f)));
-      EXPECT_EQ(carried[i].corners(f),
-                CornersOf(step.carried[i], triangles.row(f)));
+      EXPECT_EQ(predicted[i].corners(f),
+                CornersOf(step.predicted[i], triangles.row(f)));
     }
   }
 }

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "certified_contact/contact_group.h"
-#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp {
 namespace {
@@ -28,18 +28,18 @@ struct Moved {
                              group.state.bones_from_rest)),
         points(group.state.points) {}
 
-  StepDefects Find() const {
-    std::vector<TriangleBvh> trees = CarriedTrees(step);
+  Defects Find() const {
+    std::vector<TriangleBvh> trees = PredictedTrees(step);
     return FindDefects(options, step, group.state.targets, points, &trees);
   }
-  std::vector<SeparatingPlane> Planes(const StepDefects& defects) const {
+  std::vector<SeparatingPlane> Planes(const Defects& defects) const {
     return PlanesAgainst(defects, options, step, group.state.targets);
   }
 };
 
 TEST(FindDefects, FindsNothingWhereNothingIsWrong) {
   const Moved moved(SpheresOverABone());
-  const StepDefects defects = moved.Find();
+  const Defects defects = moved.Find();
   EXPECT_FALSE(defects.HasCrossings());
   EXPECT_EQ(defects.num_folded(), 0);
   EXPECT_TRUE(moved.Planes(defects).empty());
@@ -49,7 +49,7 @@ TEST(FindDefects, CountsEveryPairOfTwoMeshesThatCrosses) {
   Moved moved(SpheresOverABone());
   moved.points[0] += Points::Zero(moved.points[0].rows(), 3);
   moved.points[0].rowwise() += RowVector3d(1, 0, -1);
-  const StepDefects defects = moved.Find();
+  const Defects defects = moved.Find();
   const TriangleBvh first(moved.points[0], moved.group.soups[0].triangles);
   const TriangleBvh second(moved.points[1], moved.group.soups[1].triangles);
   EXPECT_EQ(defects.muscle_crossings.size(),
@@ -87,7 +87,7 @@ TEST(FindDefects, FindsATriangleThatFoldedAndUnfoldsIt) {
   const int neighbour = surface.neighbours[surface.first[0]];
   moved.points[0].row(0) +=
       2.2 * (moved.points[0].row(neighbour) - moved.points[0].row(0));
-  const StepDefects defects = moved.Find();
+  const Defects defects = moved.Find();
   ASSERT_GT(defects.num_folded(), 0);
   int planes_of_folds = 0;
   for (const SeparatingPlane& plane : moved.Planes(defects)) {
@@ -115,7 +115,7 @@ TEST(FindDefects, AllowsSomeFoldedTriangles) {
 TEST(FindDefects, SeparatesAMuscleThatCrossesItself) {
   Moved moved(ContactGroup({SphereAt({0, 0, 0}, 10, 2)}, {}));
   moved.points[0].row(0) *= -1.05;  // through the opposite side
-  const StepDefects defects = moved.Find();
+  const Defects defects = moved.Find();
   ASSERT_GT(defects.self_crossings.size(), 0u);
   EXPECT_EQ(defects.num_crossings(), 0);
   EXPECT_TRUE(defects.HasCrossings());
@@ -132,7 +132,7 @@ TEST(Stiffened, AllCornersOfBothTrianglesThatCross) {
       {SphereAt({0, 0, 0}, 10, 2), SphereAt({30, 0, 0}, 10, 2)}, {}));
   const Triangles& triangles = moved.group.soups[0].triangles;
   const int f = 0, g = static_cast<int>(triangles.rows()) - 1;
-  StepDefects defects;
+  Defects defects;
   defects.folded.resize(2);
   defects.self_crossings = {{0, f, 0, g}};
   const Stiffness stiffness = Stiffened(defects,
@@ -159,7 +159,7 @@ TEST(FindDefects, LeavesCrossingsThatNoPlaneCanSeparate) {
 
 TEST(Stiffened, GrowsToALimit) {
   Moved moved(ContactGroup({SphereAt({0, 0, 0}, 10, 1)}, {}));
-  StepDefects defects;
+  Defects defects;
   defects.folded = {{{0, Eigen::Matrix3d::Identity()}}};
   Stiffness stiffness = UniformStiffness(moved.group.scene);
   for (int i = 0; i < 10; ++i) {

@@ -35,10 +35,10 @@ struct TwoSpheres {
     plane.muscle_above = 0;
     plane.above = RowVector3i::Constant(v);
     plane.normal = normal;
-    plane.level = normal.dot(step.carried[0].row(v)) + above;
+    plane.level = normal.dot(step.predicted[0].row(v)) + above;
     return plane;
   }
-  RowVector3d Place(int v) const { return step.carried[0].row(v); }
+  RowVector3d Place(int v) const { return step.predicted[0].row(v); }
 };
 
 TEST(PlaneSet, LeavesAPointWithoutPlanesWhereItIs) {
@@ -47,7 +47,7 @@ TEST(PlaneSet, LeavesAPointWithoutPlanesWhereItIs) {
   const RowVector3d p = spheres.Place(3) + RowVector3d(0.1, 0.2, 0.3);
   planes.FindNear(0, 3, p);
   EXPECT_EQ(planes.Projected(0, 3, p), p);
-  EXPECT_EQ(planes.WorstViolation(spheres.step.carried), 0);
+  EXPECT_EQ(planes.WorstViolation(spheres.step.predicted), 0);
 }
 
 TEST(PlaneSet, ProjectsIntoAllHalfSpacesHoweverManyThereAre) {
@@ -92,7 +92,7 @@ TEST(PlaneSet, ABoneHasTheLastWordWhereThereIsNoRoom) {
   const SeparatingPlane bone =
       spheres.PlaneOverVertex(0, RowVector3d(0, 0, 1), 0.3);
   planes.Add({bone, muscle});
-  planes.UpdateLevels(spheres.step.carried, spheres.step.carried, true);
+  planes.UpdateLevels(spheres.step.predicted, spheres.step.predicted, true);
   const RowVector3d start = spheres.Place(0);
   planes.FindNear(0, 0, start);
   EXPECT_GE(planes.Projected(0, 0, start)[2], start[2] + 0.3 - 1e-3);
@@ -119,7 +119,7 @@ TEST(PlaneSet, PutsAPlaneHalfWayBetweenWhereTwoMusclesWantToGo) {
   plane.normal = RowVector3d(0, 0, 1);
   plane.half_gap = 0.05;
   planes.Add({plane});
-  std::vector<Points> wanted = spheres.step.carried;
+  std::vector<Points> wanted = spheres.step.predicted;
   // Triangle 0 of the lower muscle wants to go where that of the upper one is.
   wanted[1].col(2).array() += 30;
   planes.UpdateLevels(wanted, wanted, true);
@@ -157,7 +157,7 @@ TEST(PlaneSet, OfTwoMusclesTheAttachedOneStaysAndTheOtherGivesWay) {
     PlaneSet planes(spheres.options, spheres.step);
     planes.Add({plane});
     // Both want to go 0.4 beyond the other.
-    std::vector<Points> wanted = spheres.step.carried;
+    std::vector<Points> wanted = spheres.step.predicted;
     wanted[0].row(0) << 0, 0, 0;
     wanted[1].row(0) << 0, 0, 0.4;
     planes.UpdateLevels(wanted, wanted, true);
@@ -181,7 +181,7 @@ TEST(PlaneSet, ShiftsAPlaneToTheSideThatCannotMove) {
   plane.below = RowVector3i::Constant(0);
   plane.normal = RowVector3d(0, 0, 1);
   planes.Add({plane});
-  std::vector<Points> wanted = spheres.step.carried;
+  std::vector<Points> wanted = spheres.step.predicted;
   wanted[0].row(0) << 0, 0, 0;
   wanted[1].row(0) << 0, 0, 0.4;
   planes.UpdateLevels(wanted, wanted, true);
@@ -206,7 +206,7 @@ TEST(PlaneSet, AShiftThatNobodyNeedsAnyMoreFades) {
   plane.below = RowVector3i::Constant(0);
   plane.normal = RowVector3d(0, 0, 1);
   planes.Add({plane});
-  std::vector<Points> wanted = spheres.step.carried;
+  std::vector<Points> wanted = spheres.step.predicted;
   wanted[0].row(0) << 0, 0, 0;
   wanted[1].row(0) << 0, 0, 0.4;
   planes.UpdateLevels(wanted, wanted, true);
@@ -244,14 +244,14 @@ TEST(PlaneSet, NamesThePlaneThatATargetViolatesMost) {
   planes.Add({spheres.PlaneOverVertex(0, RowVector3d(0, 0, 1), 0.1),
               most_violated,
               spheres.PlaneOverVertex(1, RowVector3d(1, 0, 0), -3)});
-  const Points& points = spheres.step.carried[0];
+  const Points& points = spheres.step.predicted[0];
   const auto most = planes.MostViolated(0, {0, 1, 2}, points, points);
   // Vertex 1 is farther than contact_distance from its plane, 2 has none.
   ASSERT_EQ(most.spaces.size(), 1u);
   EXPECT_EQ(most.spaces[0].vertex, 0);
   EXPECT_EQ(most.spaces[0].space.normal, RowVector3d(0, 1, 0));
-  ASSERT_EQ(most.carriers.size(), 1u);
-  EXPECT_EQ(most.carriers[0].bone, 2);
+  ASSERT_EQ(most.owners.size(), 1u);
+  EXPECT_EQ(most.owners[0].bone, 2);
 }
 
 }  // namespace

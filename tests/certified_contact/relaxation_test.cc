@@ -43,7 +43,7 @@ struct Relaxed {
   RelaxedPoints Run(int sweeps) const {
     const ContactStep step = MakeContactStep(
         group.scene, group.state, targets, group.state.bones_from_rest);
-    std::vector<TriangleBvh> trees = CarriedTrees(step);
+    std::vector<TriangleBvh> trees = PredictedTrees(step);
     PlaneSet planes(options, step);
     planes.Add(FindSeparatingPlanes(options, step, &trees));
     return Relax(options,
@@ -161,7 +161,7 @@ TEST(Relax, TakesAttachedVerticesWhereTheirBoneHasThemUnlessABoneIsInTheWay) {
                                            group.state.targets,
                                            group.state.bones_from_rest,
                                            {attached});
-  std::vector<TriangleBvh> trees = CarriedTrees(step);
+  std::vector<TriangleBvh> trees = PredictedTrees(step);
   PlaneSet planes(options, step);
   planes.Add(FindSeparatingPlanes(options, step, &trees));
   const Points points = Relax(options,
@@ -189,12 +189,12 @@ TEST(Relax, StiffTrianglesMoveAsOnePiece) {
       MakeContactStep(group.scene, group.state, group.state.targets, {});
   // A plane pushes one vertex outwards by 0.5.
   const int pushed = 100;
-  const Eigen::RowVector3d out = step.carried[0].row(pushed).normalized();
+  const Eigen::RowVector3d out = step.predicted[0].row(pushed).normalized();
   SeparatingPlane plane;
   plane.muscle_above = 0;
   plane.above = Eigen::RowVector3i::Constant(pushed);
   plane.normal = out;
-  plane.level = out.dot(step.carried[0].row(pushed)) + 0.5;
+  plane.level = out.dot(step.predicted[0].row(pushed)) + 0.5;
   const MuscleSurface& surface = group.scene.muscles[0];
   const int neighbour = surface.neighbours[surface.first[pushed]];
   const auto share_of_neighbour = [&](double stiffness) {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "certified_contact/contact_group.h"
-#include "certified_contact/triangle_distances.h"
 #include "musclewarp/mesh/transformed.h"
+#include "proximity/triangle_distances.h"
 
 namespace musclewarp {
 namespace {
@@ -22,7 +22,7 @@ using Eigen::RowVector3i;
 constexpr double kPlaneRounding = 1e-9;
 
 std::vector<SeparatingPlane> PlanesOf(const ContactStep& step) {
-  std::vector<TriangleBvh> trees = CarriedTrees(step);
+  std::vector<TriangleBvh> trees = PredictedTrees(step);
   return FindSeparatingPlanes({}, step, &trees);
 }
 
@@ -50,13 +50,14 @@ TEST(FindSeparatingPlanes, FindsAllPairsOfMusclesThatAreNear) {
   const StepOptions options;
   const double radius =
       options.AimedGap() + options.planes.search_share * 2 * options.reach;
-  const std::vector<TriangleBvh> carried = CarriedTrees(step);
+  const std::vector<TriangleBvh> predicted = PredictedTrees(step);
   const std::vector<TriangleBvh>& before = step.trees_before;
   std::set<std::pair<int, int>> expected;
   for (int f = 0; f < before[0].num_triangles(); ++f) {
     for (int g = 0; g < before[1].num_triangles(); ++g) {
       if (DistanceOf(before[0].corners(f), before[1].corners(g)) <= radius ||
-          DistanceOf(carried[0].corners(f), carried[1].corners(g)) <= radius) {
+          DistanceOf(predicted[0].corners(f), predicted[1].corners(g)) <=
+              radius) {
         expected.emplace(f, g);
       }
     }

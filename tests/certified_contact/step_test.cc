@@ -69,7 +69,7 @@ TEST(Step, ShowsTheCoarseMeshesThePlanesToMakeWayFor) {
   const StepResult result =
       Step(options, group.scene, group.state, goal, make_way);
   EXPECT_GT(deepest, 0.3);
-  EXPECT_FALSE(result.summary.faults.HasCrossings());
+  EXPECT_FALSE(result.summary.defects.HasCrossings());
   group.state = result.state;
   EXPECT_EQ(group.CrossingPairs(), 0);
   EXPECT_EQ(group.state.targets[0], solved[0]);
@@ -121,7 +121,7 @@ TEST(Step, GoesToTheTargetsWhereNothingIsInTheWay) {
   ContactState next = group.state;
   next.targets[0].rowwise() += RowVector3d(-0.3, 0.2, 0.4);
   const StepSummary summary = group.StepTo(next);
-  EXPECT_FALSE(summary.faults.HasCrossings());
+  EXPECT_FALSE(summary.defects.HasCrossings());
   EXPECT_EQ(summary.rounds, 1);
   for (int i = 0; i < 2; ++i) {
     EXPECT_LT((group.state.points[i] - next.targets[i]).norm(), 1e-11);
@@ -134,7 +134,7 @@ TEST(Step, RigidMotionStaysRigid) {
   ContactState pressed = group.state;
   pressed.targets[0].col(2).array() -= 0.8;
   for (int i = 0; i < 40; ++i) {
-    ASSERT_FALSE(group.StepTo(pressed).faults.HasCrossings());
+    ASSERT_FALSE(group.StepTo(pressed).defects.HasCrossings());
   }
   const ContactState before = group.state;
   const Matrix4d turn = TurnAboutZ(0.02);
@@ -143,7 +143,7 @@ TEST(Step, RigidMotionStaysRigid) {
     next.targets[i] = Transformed(before.targets[i], turn);
   }
   next.bones_from_rest[0] = turn;
-  ASSERT_FALSE(group.StepTo(next).faults.HasCrossings());
+  ASSERT_FALSE(group.StepTo(next).defects.HasCrossings());
   for (int i = 0; i < 2; ++i) {
     // The offsets are some tenths of a mm and go on to settle.
     EXPECT_LT((group.state.points[i] - Transformed(before.points[i], turn))
@@ -164,8 +164,8 @@ TEST(Step, KeepsVolumeAndDistanceUnderPressure) {
     next.targets[1] = group.soups[1].points.rowwise() +
                       RowVector3d(-0.1 * step, 0, -0.1 * step);
     const StepSummary summary = group.StepTo(next);
-    ASSERT_FALSE(summary.faults.HasCrossings()) << step;
-    EXPECT_EQ(summary.faults.is_gap_violated,
+    ASSERT_FALSE(summary.defects.HasCrossings()) << step;
+    EXPECT_EQ(summary.defects.is_gap_violated,
               summary.violation > StepOptions().AllowedViolation());
     EXPECT_EQ(group.CrossingPairs(), 0);
     for (int i = 0; i < 2; ++i) {
@@ -186,11 +186,11 @@ TEST(Step, GoesBackWhenNothingPressesAnyMore) {
     ContactState next = group.state;
     next.targets[0] =
         group.soups[0].points.rowwise() + RowVector3d(0, 0, -down);
-    ASSERT_FALSE(group.StepTo(next).faults.HasCrossings());
+    ASSERT_FALSE(group.StepTo(next).defects.HasCrossings());
   }
   for (int i = 0; i < 60; ++i) {
     ContactState next = group.state;
-    ASSERT_FALSE(group.StepTo(next).faults.HasCrossings());
+    ASSERT_FALSE(group.StepTo(next).defects.HasCrossings());
   }
   EXPECT_LT((group.state.points[0] - group.soups[0].points)
                 .rowwise()
@@ -206,7 +206,7 @@ TEST(Step, ABoneDoesNotPassThroughAMuscle) {
   for (int step = 1; step <= 12; ++step) {
     ContactState next = group.state;
     next.bones_from_rest[0] = Shift({0.5 * step, 0, 0});
-    ASSERT_FALSE(group.StepTo(next).faults.HasCrossings()) << step;
+    ASSERT_FALSE(group.StepTo(next).defects.HasCrossings()) << step;
     EXPECT_EQ(group.CrossingPairs(), 0);
     EXPECT_GT(group.state.points[0].col(0).minCoeff(), -10.3 + 0.5 * step);
   }
@@ -220,8 +220,8 @@ TEST(Step, SaysSoWhereThereIsNoRoom) {
   ContactState next = group.state;
   next.bones_from_rest[0] = Shift({0, 0, -20.6});
   const StepSummary summary = group.StepTo(next);
-  EXPECT_TRUE(summary.faults.HasCrossings());
-  EXPECT_GT(summary.faults.crossing_pairs, 0);
+  EXPECT_TRUE(summary.defects.HasCrossings());
+  EXPECT_GT(summary.defects.crossing_pairs, 0);
   EXPECT_EQ(summary.rounds, StepOptions().max_rounds);
 }
 
@@ -240,8 +240,8 @@ TEST(Step, DoesNotDependOnTheOrderOfMuscles) {
       next_one.targets[i].rowwise() += move;
       next_two.targets[(i + 1) % 3].rowwise() += move;
     }
-    ASSERT_FALSE(one.StepTo(next_one).faults.HasCrossings());
-    ASSERT_FALSE(two.StepTo(next_two).faults.HasCrossings());
+    ASSERT_FALSE(one.StepTo(next_one).defects.HasCrossings());
+    ASSERT_FALSE(two.StepTo(next_two).defects.HasCrossings());
   }
   for (int i = 0; i < 3; ++i) {
     EXPECT_LT((one.state.points[i] - two.state.points[(i + 1) % 3])
@@ -252,15 +252,15 @@ TEST(Step, DoesNotDependOnTheOrderOfMuscles) {
   }
 }
 
-TEST(StepFaults, CrossingsAreWorseThanAGapAndThatIsWorseThanFolds) {
-  StepFaults folded, narrow, self_crossing, crossing;
+TEST(DefectCounts, CrossingsAreWorseThanAGapAndThatIsWorseThanFolds) {
+  DefectCounts folded, narrow, self_crossing, crossing;
   folded.folded_triangles = 100;
   narrow.is_gap_violated = true;
   self_crossing.self_crossing_pairs = 1;
   crossing.crossing_pairs = 1;
-  for (const StepFaults& faults : {folded, narrow, self_crossing, crossing}) {
+  for (const DefectCounts& faults : {folded, narrow, self_crossing, crossing}) {
     EXPECT_FALSE(faults.IsEmpty());
-    EXPECT_TRUE(IsBetter(StepFaults(), faults));
+    EXPECT_TRUE(IsBetter(DefectCounts(), faults));
     EXPECT_FALSE(IsBetter(faults, faults));
   }
   EXPECT_TRUE(IsBetter(folded, narrow));
@@ -269,7 +269,7 @@ TEST(StepFaults, CrossingsAreWorseThanAGapAndThatIsWorseThanFolds) {
   // Both kinds of crossings count alike.
   EXPECT_FALSE(IsBetter(self_crossing, crossing));
   EXPECT_FALSE(IsBetter(crossing, self_crossing));
-  StepFaults two = crossing;
+  DefectCounts two = crossing;
   two.self_crossing_pairs = 1;
   EXPECT_TRUE(IsBetter(crossing, two));
 }

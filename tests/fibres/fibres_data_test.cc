@@ -7,8 +7,8 @@
 #include <string>
 
 #include "musclewarp/fibres/fibres.h"
-#include "musclewarp/geometry/inside_test.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/proximity/inside_test.h"
 #include "musclewarp/skeleton/polyline.h"
 #include "support/data_root.h"
 

@@ -8,7 +8,7 @@
 #include "fibres/ball_bones.h"
 #include "fibres/tendon_muscle.h"
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/geometry/inside_test.h"
+#include "musclewarp/proximity/inside_test.h"
 #include "musclewarp/skeleton/polyline.h"
 #include "support/meshes.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "fibres/tendon_muscle.h"
-#include "musclewarp/geometry/triangle_bvh.h"
+#include "musclewarp/proximity/triangle_bvh.h"
 
 namespace musclewarp {
 namespace {

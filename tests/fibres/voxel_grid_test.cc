@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "fibres/tendon_muscle.h"
-#include "musclewarp/geometry/inside_test.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/proximity/inside_test.h"
 #include "support/meshes.h"
 
 namespace musclewarp {

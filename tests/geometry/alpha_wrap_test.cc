@@ -8,11 +8,11 @@
 #include <random>
 #include <vector>
 
-#include "geometry/random_meshes.h"
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/proximity/mesh_intersection.h"
+#include "proximity/random_meshes.h"
 #include "support/meshes.h"
 
 namespace musclewarp {

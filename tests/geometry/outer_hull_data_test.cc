@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "support/data_root.h"
 
 namespace musclewarp {

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "support/meshes.h"
 
 namespace musclewarp {

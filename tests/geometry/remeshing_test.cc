@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "musclewarp/geometry/triangle_bvh.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/proximity/triangle_bvh.h"
 #include "support/meshes.h"
 
 namespace musclewarp {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <string>
 
-#include "motion/prepared_small_scene.h"
-#include "musclewarp/motion/frame_measures.h"
+#include "musclewarp/frames/frame_measures.h"
+#include "support/prepared_small_scene.h"
 
 namespace musclewarp {
 namespace {

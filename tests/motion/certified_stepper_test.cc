@@ -6,8 +6,8 @@
 
 #include <algorithm>
 
-#include "motion/prepared_small_scene.h"
 #include "musclewarp/motion/certified_motion.h"
+#include "support/prepared_small_scene.h"
 
 namespace musclewarp {
 namespace {
@@ -45,36 +45,37 @@ class CertifiedStepperTest : public ::testing::Test {
   const PreRotationOptions pre_rotation_;
   const MuscleSolver solver_;
   const CertifiedScene certified_;
-  const Mover mover_;
+  const MotionContext mover_;
   const ScenePose pose_ = certified_.rest.pose;
 };
 
 TEST_F(CertifiedStepperTest, SettlingStepsReachFartherWhileThereIsFarToGo) {
-  WalkOptions walk;
-  walk.step = certified_.options.step;
-  walk.max_settling_steps = 6;
-  walk.settling_tolerance = 0.05;
+  AdvanceOptions advance;
+  advance.step = certified_.options.step;
+  advance.max_settling_steps = 6;
+  advance.settling_tolerance = 0.05;
   ContactState state = Aside();
-  Walk(mover_, walk, pose_, /*at=*/1, {}, &state);
+  AdvanceToPose(mover_, advance, pose_, /*at=*/1, {}, &state);
   // By the reach of 1 mm in each step.
   EXPECT_GT(LargestOffset(state), 5.9);
 
-  walk.reach_growth = 1.5;
-  walk.max_reach = 4;
+  advance.reach_growth = 1.5;
+  advance.max_reach = 4;
   state = Aside();
-  Walk(mover_, walk, pose_, /*at=*/1, {}, &state);
+  AdvanceToPose(mover_, advance, pose_, /*at=*/1, {}, &state);
   // 1 + 1.5 + 2.25 + 3.375 + 4 mm are more than 12; the rest is less than
   // one reach.
   EXPECT_LT(LargestOffset(state), 1);
 }
 
 TEST_F(CertifiedStepperTest, SettlingEndsWhereNothingMoves) {
-  WalkOptions walk;
-  walk.step = certified_.options.step;
-  walk.max_settling_steps = 6;
-  walk.settling_tolerance = 0.05;
+  AdvanceOptions advance;
+  advance.step = certified_.options.step;
+  advance.max_settling_steps = 6;
+  advance.settling_tolerance = 0.05;
   ContactState state = certified_.rest;
-  EXPECT_EQ(Walk(mover_, walk, pose_, /*at=*/1, {}, &state).steps, 1);
+  EXPECT_EQ(AdvanceToPose(mover_, advance, pose_, /*at=*/1, {}, &state).steps,
+            1);
 }
 
 }  // namespace

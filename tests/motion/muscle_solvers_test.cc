@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-#include "motion/prepared_small_scene.h"
+#include "support/prepared_small_scene.h"
 
 namespace musclewarp {
 namespace {

@@ -6,12 +6,12 @@
 
 #include <vector>
 
-#include "motion/prepared_small_scene.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/motion/certified_motion.h"
 #include "musclewarp/motion/pose_step.h"
 #include "support/input_errors.h"
+#include "support/prepared_small_scene.h"
 #include "support/temp_dir.h"
 
 namespace musclewarp {
@@ -38,8 +38,8 @@ class RecordedStepTest : public ::testing::Test {
     CertifiedScene certified = certified_;
     if (step.IsOfRestPose()) certified.rest.held.clear();
     const PreRotationOptions pre_rotation;
-    const Mover mover = {scene_, certified, pre_rotation, solver_};
-    return TakeStep(mover,
+    const MotionContext context = {scene_, certified, pre_rotation, solver_};
+    return TakeStep(context,
                     {step.OptionsIn(certified.options.step),
                      step.pose,
                      step.is_settling,

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/prepared_small_scene.h"
-#include "musclewarp/motion/scene_state.h"
+#include "musclewarp/frames/scene_state.h"
+#include "support/prepared_small_scene.h"
 
 namespace musclewarp {
 namespace {

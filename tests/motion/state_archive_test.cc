@@ -60,11 +60,11 @@ TEST(StateArchive, GivesAStateBackToTheLastBit) {
   contact.targets = {Points::Random(7, 3)};
   contact.points = {Points::Random(7, 3)};
   contact.held = {{{2, 5}, Points::Random(2, 3)}};
-  PlaneCarrier carrier;
-  carrier.muscle_above = carrier.muscle_below = 0;
-  carrier.above = {1, 2, 3};
-  carrier.below = {4, 5, 6};
-  contact.planes = {{{{3, {{0, 0.6, 0.8}, 1.5}}}, {carrier}}};
+  PlaneOwner owner;
+  owner.muscle_above = owner.muscle_below = 0;
+  owner.above = {1, 2, 3};
+  owner.below = {4, 5, 6};
+  contact.planes = {{{{3, {{0, 0.6, 0.8}, 1.5}}}, {owner}}};
   SceneState written;
   written.pose = contact.pose;
   written.contact = contact;
@@ -85,12 +85,12 @@ TEST(StateArchive, GivesAStateBackToTheLastBit) {
   EXPECT_EQ(read.contact->points, contact.points);
   EXPECT_EQ(read.contact->held[0].vertices, contact.held[0].vertices);
   EXPECT_EQ(read.contact->held[0].positions, contact.held[0].positions);
-  const CarriedHalfSpaces& planes = read.contact->planes[0];
+  const OwnedHalfSpaces& planes = read.contact->planes[0];
   EXPECT_EQ(planes.spaces[0].vertex, 3);
   EXPECT_EQ(planes.spaces[0].space.normal, Eigen::RowVector3d(0, 0.6, 0.8));
   EXPECT_EQ(planes.spaces[0].space.level, 1.5);
-  EXPECT_EQ(planes.carriers[0].above, carrier.above);
-  EXPECT_EQ(planes.carriers[0].share_above, carrier.share_above);
+  EXPECT_EQ(planes.owners[0].above, owner.above);
+  EXPECT_EQ(planes.owners[0].share_above, owner.share_above);
 }
 
 }  // namespace

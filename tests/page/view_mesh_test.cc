@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "musclewarp/geometry/triangle_bvh.h"
 #include "musclewarp/mesh/defects.h"
+#include "musclewarp/proximity/triangle_bvh.h"
 #include "support/meshes.h"
 
 namespace musclewarp {

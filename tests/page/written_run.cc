@@ -7,11 +7,11 @@
 #include <sstream>
 
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/frames/frame_files.h"
+#include "musclewarp/frames/lines_file.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh_files/mesh_io.h"
-#include "musclewarp/motion/frame_files.h"
-#include "musclewarp/motion/lines_file.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "report/records.h"
 #include "support/meshes.h"
 

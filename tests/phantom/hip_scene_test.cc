@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_repair/repair.h"
 #include "musclewarp/phantom/phantom_scene.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/phantom/scene_parts.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp::phantom {
 namespace {

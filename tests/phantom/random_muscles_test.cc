@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/phantom/scene_parts.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp::phantom {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/defects.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "support/input_errors.h"
 
 namespace musclewarp {

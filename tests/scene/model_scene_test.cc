@@ -147,7 +147,7 @@ TEST_F(ModelScene, LinesFollowBodiesOfTheModelWithoutABone) {
 TEST_F(ModelScene, MomentArmsAreThoseOfAllLines) {
   const Scene scene = Read();
   const auto arms = PathMomentArms(
-      scene, scene.poses[0], PosesBesideOf(*scene.model, scene.poses[0]));
+      scene, scene.poses[0], PerturbedPosesOf(*scene.model, scene.poses[0]));
   // Of a straight line from a to b about the knee at c: |(a - c) x (b - c)|
   // over the distance of a and b, positive where flexion to negative angles
   // lengthens it.

@@ -61,7 +61,7 @@ TEST(PathMomentArms, AreTheSameForAPathAndALineBetweenItsPoints) {
                 PathLengthIn(pose, scene.muscles[0].lines[1]),
                 kTransformRounding);
     const auto arms =
-        PathMomentArms(scene, pose, PosesBesideOf(*scene.model, pose));
+        PathMomentArms(scene, pose, PerturbedPosesOf(*scene.model, pose));
     EXPECT_NEAR(arms.at("m").at("knee"), arms.at("own").at("knee"), kDifference)
         << knee;
   }
@@ -77,7 +77,7 @@ TEST(PathMomentArms, AreMinusTheSlopeOfTheLength) {
   const double slope = (length(0.5 + kStep) - length(0.5 - kStep)) / 2 / kStep;
   // The second-order error of a step of 1e-3, of arms of some 30 mm.
   const ScenePose pose = PoseAt(*scene.model, {0.5});
-  EXPECT_NEAR(PathMomentArms(scene, pose, PosesBesideOf(*scene.model, pose))
+  EXPECT_NEAR(PathMomentArms(scene, pose, PerturbedPosesOf(*scene.model, pose))
                   .at("m")
                   .at("knee"),
               -slope,

@@ -38,6 +38,12 @@ inline TriangleSoup MovedBy(TriangleSoup soup, const Eigen::RowVector3d& by) {
   return soup;
 }
 
+inline TriangleSoup SphereAt(const Eigen::RowVector3d& centre,
+                             double radius,
+                             int levels) {
+  return MovedBy(Icosphere(radius, levels), centre);
+}
+
 // Both in one mesh, with the triangles of `a` first.
 TriangleSoup Together(const TriangleSoup& a, const TriangleSoup& b);
 

@@ -30,7 +30,7 @@ TEST(DeformerChoices, AreByDefaultTheOptions) {
   EXPECT_EQ(chosen.prepare.fibres.fibres, options.prepare.fibres.fibres);
   EXPECT_EQ(chosen.prepare.muscle.attachment_weight,
             options.prepare.muscle.attachment_weight);
-  EXPECT_EQ(chosen.remaking.kind, options.remaking.kind);
+  EXPECT_EQ(chosen.reconstruction.kind, options.reconstruction.kind);
 }
 
 TEST(DeformerChoices, TurnIntoTheUnitsOfTheLibrary) {

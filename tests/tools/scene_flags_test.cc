@@ -108,7 +108,7 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
   EXPECT_EQ(options.deformer.frames.paper.group.paper.seed, 7u);
   EXPECT_EQ(options.threads, 8);
   EXPECT_EQ(options.deformer.frames.paper.group.level, ContactLevel::kFine);
-  EXPECT_EQ(options.deformer.remaking.kind, RemakeKind::kNever);
+  EXPECT_EQ(options.deformer.reconstruction.kind, ReconstructionKind::kNever);
   EXPECT_FALSE(options.deformer.frames.pre_rotation.use_body_twist);
   const CertifiedContactOptions& certified = options.deformer.frames.certified;
   EXPECT_EQ(certified.step.gap, 0.2);

@@ -11,9 +11,9 @@
 #include <sstream>
 
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "support/input_errors.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
@@ -247,7 +247,7 @@ TEST(SeparateCommand, RefusesAMeshInsideABoneUnderTheNameOfTheMesh) {
   WriteTriangleSoup(dir + "/inside.ply", Icosphere(10, 2));
   SeparateOptions options = WithBox(dir, "out");
   ExpectSeparationRefused({dir + "/inside.ply"}, options, {"inside"});
-  options.remake = RemakeKind::kNever;
+  options.remake = ReconstructionKind::kNever;
   ExpectSeparationRefused(
       {dir + "/inside.ply"}, options, {"cannot be separated", "--remake=auto"});
 }

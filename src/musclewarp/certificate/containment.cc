@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "musclewarp/geometry/exact_predicates.h"
-#include "musclewarp/geometry/triangle_intersection.h"
+#include "musclewarp/proximity/exact_predicates.h"
+#include "musclewarp/proximity/triangle_intersection.h"
 
 namespace musclewarp {
 namespace {

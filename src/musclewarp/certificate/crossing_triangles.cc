@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "musclewarp/certificate/box_grid.h"
-#include "musclewarp/geometry/triangle_intersection.h"
+#include "musclewarp/proximity/triangle_intersection.h"
 
 namespace musclewarp {
 namespace {

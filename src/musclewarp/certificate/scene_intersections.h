@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/scene/exempt_area.h"
 
 namespace musclewarp {

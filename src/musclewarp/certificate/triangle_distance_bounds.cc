@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "musclewarp/geometry/triangle_intersection.h"
+#include "musclewarp/proximity/triangle_intersection.h"
 
 namespace musclewarp {
 namespace {

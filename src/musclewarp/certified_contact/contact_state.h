@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "musclewarp/certified_contact/plane_carrier.h"
+#include "musclewarp/certified_contact/plane_owner.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/scene/scene_pose.h"
 
@@ -45,7 +45,7 @@ struct ContactState {
   // By muscle: the planes that the coarse mesh makes way for, or empty if the
   // coarse meshes were solved without. A plane is active if the coarse mesh has
   // its vertex on the wrong side.
-  std::vector<CarriedHalfSpaces> planes;
+  std::vector<OwnedHalfSpaces> planes;
 };
 
 }  // namespace musclewarp

@@ -51,28 +51,28 @@ ContactStep MakeContactStep(const ContactScene& scene,
   for (const MuscleSurface& muscle : scene.muscles) {
     step.trees_before.push_back(*muscle.tree);
   }
-  step.carried.resize(scene.muscles.size());
+  step.predicted.resize(scene.muscles.size());
   step.rotations.resize(scene.muscles.size());
 #pragma omp parallel for schedule(dynamic, 1)
   for (int i = 0; i < step.num_muscles(); ++i) {
     const Triangles& triangles = scene.muscles[i].triangles;
-    step.carried[i] = before.points[i] + targets[i] - before.targets[i];
+    step.predicted[i] = before.points[i] + targets[i] - before.targets[i];
     step.trees_before[i].Refit(before.points[i]);
     step.rotations[i].resize(triangles.rows());
     for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
       step.rotations[i][f] =
           RotationBetween(step.trees_before[i].corners(static_cast<int>(f)),
-                          CornersOf(step.carried[i], triangles.row(f)));
+                          CornersOf(step.predicted[i], triangles.row(f)));
     }
   }
   return step;
 }
 
-std::vector<TriangleBvh> CarriedTrees(const ContactStep& step) {
+std::vector<TriangleBvh> PredictedTrees(const ContactStep& step) {
   std::vector<TriangleBvh> trees = step.trees_before;
 #pragma omp parallel for schedule(dynamic, 1)
   for (int i = 0; i < step.num_muscles(); ++i) {
-    trees[i].Refit(step.carried[i]);
+    trees[i].Refit(step.predicted[i]);
   }
   return trees;
 }

@@ -8,8 +8,8 @@
 
 #include "musclewarp/certified_contact/contact_state.h"
 #include "musclewarp/certified_contact/muscle_surface.h"
-#include "musclewarp/geometry/triangle_bvh.h"
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/proximity/triangle_bvh.h"
 
 namespace musclewarp {
 
@@ -36,7 +36,7 @@ struct ContactStep {
 
   // Where the vertices of each muscle are carried by their coarse mesh if they
   // keep their offsets, #V x 3, mm.
-  std::vector<Points> carried;
+  std::vector<Points> predicted;
 
   // By muscle: a tree over its triangles before the step.
   std::vector<TriangleBvh> trees_before;
@@ -63,6 +63,6 @@ ContactStep MakeContactStep(const ContactScene& scene,
 // Returns a tree over the triangles of each muscle where the step carries them.
 // The functions of a step fit these trees to the places that they search, so
 // that none of them has to build its own.
-std::vector<TriangleBvh> CarriedTrees(const ContactStep& step);
+std::vector<TriangleBvh> PredictedTrees(const ContactStep& step);
 
 }  // namespace musclewarp

@@ -9,8 +9,8 @@
 
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/certified_contact/sheet_planes.h"
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp {
 namespace {
@@ -90,7 +90,7 @@ void AddSelfCrossings(const StepOptions& options,
                       const Points& targets,
                       int muscle,
                       const TriangleBvh& tree,
-                      StepDefects* defects) {
+                      Defects* defects) {
   for (const auto& [f, g] : SelfIntersections(tree)) {
     if (PlaneBetweenSheets(options, step, targets, muscle, f, g)) {
       defects->self_crossings.push_back({muscle, f, muscle, g});
@@ -111,7 +111,7 @@ void FitTo(const std::vector<Points>& points,
 void AddBoneCrossings(const ContactStep& step,
                       const std::vector<Points>& points,
                       std::vector<TriangleBvh>* trees,
-                      StepDefects* defects) {
+                      Defects* defects) {
   for (int bone = 0; bone < step.num_bones(); ++bone) {
     const Eigen::Matrix4d& place = step.bones_from_rest[bone];
     // Bones of one body mostly follow each other.
@@ -145,23 +145,23 @@ void Stiffen(const DefectOptions& options,
 
 }  // namespace
 
-int StepDefects::num_crossings() const {
+int Defects::num_crossings() const {
   return static_cast<int>(muscle_crossings.size() + bone_crossings.size());
 }
 
-int StepDefects::num_folded() const {
+int Defects::num_folded() const {
   size_t count = 0;
   for (const auto& of_muscle : folded) count += of_muscle.size();
   return static_cast<int>(count);
 }
 
-StepDefects FindDefects(const StepOptions& options,
-                        const ContactStep& step,
-                        const std::vector<Points>& targets,
-                        const std::vector<Points>& points,
-                        std::vector<TriangleBvh>* trees) {
+Defects FindDefects(const StepOptions& options,
+                    const ContactStep& step,
+                    const std::vector<Points>& targets,
+                    const std::vector<Points>& points,
+                    std::vector<TriangleBvh>* trees) {
   const ScopedStage stage("defects");
-  StepDefects defects;
+  Defects defects;
   defects.folded.resize(step.num_muscles());
 #pragma omp parallel for schedule(dynamic, 1) if (step.num_muscles() > 1)
   for (int i = 0; i < step.num_muscles(); ++i) {
@@ -182,7 +182,7 @@ StepDefects FindDefects(const StepOptions& options,
   return defects;
 }
 
-std::vector<SeparatingPlane> PlanesAgainst(const StepDefects& defects,
+std::vector<SeparatingPlane> PlanesAgainst(const Defects& defects,
                                            const StepOptions& options,
                                            const ContactStep& step,
                                            const std::vector<Points>& targets) {
@@ -218,7 +218,7 @@ std::vector<SeparatingPlane> PlanesAgainst(const StepDefects& defects,
   return planes;
 }
 
-Stiffness Stiffened(const StepDefects& defects,
+Stiffness Stiffened(const Defects& defects,
                     const DefectOptions& options,
                     const ContactScene& scene,
                     Stiffness stiffness) {

@@ -20,7 +20,7 @@ struct CrossingTriangle {
 
 // What is wrong with the vertices that a relaxation has found: where, not only
 // how much.
-struct StepDefects {
+struct Defects {
   std::vector<CrossingTriangle> muscle_crossings;  // of muscles a < b
   std::vector<CrossingTriangle> bone_crossings;    // of muscle a and bone b
 
@@ -44,18 +44,18 @@ struct StepDefects {
 
 // Finds what is wrong with `points` (#V x 3 each, mm), by exact tests. `trees`
 // are over the triangles of the muscles and are fitted to other places here.
-StepDefects FindDefects(const StepOptions& options,
-                        const ContactStep& step,
-                        const std::vector<Points>& targets,
-                        const std::vector<Points>& points,
-                        std::vector<TriangleBvh>* trees);
+Defects FindDefects(const StepOptions& options,
+                    const ContactStep& step,
+                    const std::vector<Points>& targets,
+                    const std::vector<Points>& points,
+                    std::vector<TriangleBvh>* trees);
 
 // Returns planes that separate the triangles again: those of two meshes, and of
 // one muscle, as they were separated before the step or, of one muscle, as they
 // are where the coarse mesh has them. A folded triangle gets a plane through
 // its longest edge that its third corner has to stay above, in the direction
 // that it would have if it had turned with its surroundings.
-std::vector<SeparatingPlane> PlanesAgainst(const StepDefects& defects,
+std::vector<SeparatingPlane> PlanesAgainst(const Defects& defects,
                                            const StepOptions& options,
                                            const ContactStep& step,
                                            const std::vector<Points>& targets);
@@ -63,7 +63,7 @@ std::vector<SeparatingPlane> PlanesAgainst(const StepDefects& defects,
 // Returns the stiffness for the next round: triangles of one muscle that cross
 // each other or fold move more as one piece, as it is small moves of single
 // vertices that make small triangles do so.
-Stiffness Stiffened(const StepDefects& defects,
+Stiffness Stiffened(const Defects& defects,
                     const DefectOptions& options,
                     const ContactScene& scene,
                     Stiffness stiffness);

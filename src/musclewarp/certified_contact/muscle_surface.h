@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/geometry/triangle_bvh.h"
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/proximity/triangle_bvh.h"
 
 namespace musclewarp {
 

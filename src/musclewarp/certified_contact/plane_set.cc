@@ -10,7 +10,7 @@
 #include "musclewarp/base/infinity.h"
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/work_counts.h"
-#include "musclewarp/geometry/half_space_projection.h"
+#include "musclewarp/certified_contact/half_space_projection.h"
 
 namespace musclewarp {
 namespace {
@@ -62,7 +62,7 @@ void PlaneSet::Add(const std::vector<SeparatingPlane>& planes) {
     for (const int v : plane.above) {
       const bool is_beyond =
           plane.IsOfBone() &&
-          plane.normal.dot(step_.carried[a].row(v)) - plane.level >
+          plane.normal.dot(step_.predicted[a].row(v)) - plane.level >
               options_.relaxation.max_push;
       if (!is_beyond) added[a].push_back({v, above});
     }
@@ -88,14 +88,14 @@ void PlaneSet::AddPlane(const SeparatingPlane& plane) {
   MovingPlane moving;
   moving.plane = number;
   moving.shared_corner = plane.shared_corner;
-  PlaneCarrier& carrier = moving.carrier;
-  carrier.muscle_above = plane.muscle_above;
-  carrier.muscle_below = plane.muscle_below;
-  carrier.above = plane.above;
-  carrier.below = plane.below;
-  carrier.share_above = (1 + AttachedShare(plane.muscle_above, plane.above) -
-                         AttachedShare(plane.muscle_below, plane.below)) /
-                        2;
+  PlaneOwner& owner = moving.owner;
+  owner.muscle_above = plane.muscle_above;
+  owner.muscle_below = plane.muscle_below;
+  owner.above = plane.above;
+  owner.below = plane.below;
+  owner.share_above = (1 + AttachedShare(plane.muscle_above, plane.above) -
+                       AttachedShare(plane.muscle_below, plane.below)) /
+                      2;
   moving_.push_back(moving);
 }
 
@@ -184,8 +184,8 @@ void PlaneSet::UpdateLevel(const std::vector<Points>& unprojected,
                            bool is_first,
                            MovingPlane* moving) {
   Plane& plane = planes_[moving->plane];
-  const PlaneCarrier& carrier = moving->carrier;
-  const int a = carrier.muscle_above, b = carrier.muscle_below;
+  const PlaneOwner& owner = moving->owner;
+  const int a = owner.muscle_above, b = owner.muscle_below;
   if (moving->shared_corner >= 0) {
     plane.level = plane.normal.dot(points[a].row(moving->shared_corner));
     return;
@@ -194,20 +194,20 @@ void PlaneSet::UpdateLevel(const std::vector<Points>& unprojected,
     const double down =
         std::max(0.0,
                  plane.level + plane.half_gap -
-                     Lowest(plane.normal, points[a], carrier.above));
+                     Lowest(plane.normal, points[a], owner.above));
     const double up = std::max(0.0,
-                               Highest(plane.normal, points[b], carrier.below) -
+                               Highest(plane.normal, points[b], owner.below) -
                                    plane.level + plane.half_gap);
     if (down + up < options_.relaxation.room_tolerance) {
       moving->shift *= options_.relaxation.room_decay;
     }
     moving->shift += up - down;
   }
-  const double share = carrier.share_above;
+  const double share = owner.share_above;
   plane.level =
-      share * (Lowest(plane.normal, unprojected[a], carrier.above) -
-               plane.half_gap) +
-      (1 - share) * (Highest(plane.normal, unprojected[b], carrier.below) +
+      share *
+          (Lowest(plane.normal, unprojected[a], owner.above) - plane.half_gap) +
+      (1 - share) * (Highest(plane.normal, unprojected[b], owner.below) +
                      plane.half_gap) +
       moving->shift;
 }
@@ -255,32 +255,32 @@ RowVector3d PlaneSet::Projected(int muscle,
     }
     ApproachHalfSpaces(spaces.data(), bones, relaxation.bone_turns, &nearest);
   }
-  const RowVector3d carried = step_.carried[muscle].row(vertex);
-  const RowVector3d push = nearest - carried;
+  const RowVector3d predicted = step_.predicted[muscle].row(vertex);
+  const RowVector3d push = nearest - predicted;
   if (push.norm() <= relaxation.max_push) return nearest;
-  return carried + relaxation.max_push / push.norm() * push;
+  return predicted + relaxation.max_push / push.norm() * push;
 }
 
 bool PlaneSet::IsWithinOneMuscle(Side side) const {
   const int moving = origins_[NumberOf(side)].moving;
   if (moving < 0) return false;
-  const PlaneCarrier& carrier = moving_[moving].carrier;
-  return carrier.muscle_above == carrier.muscle_below;
+  const PlaneOwner& owner = moving_[moving].owner;
+  return owner.muscle_above == owner.muscle_below;
 }
 
-PlaneCarrier PlaneSet::CarrierOf(Side side) const {
+PlaneOwner PlaneSet::CarrierOf(Side side) const {
   const int moving = origins_[NumberOf(side)].moving;
-  if (moving >= 0) return moving_[moving].carrier;
-  PlaneCarrier carrier;
-  carrier.bone = -1 - moving;
-  return carrier;
+  if (moving >= 0) return moving_[moving].owner;
+  PlaneOwner owner;
+  owner.bone = -1 - moving;
+  return owner;
 }
 
-CarriedHalfSpaces PlaneSet::MostViolated(int muscle,
-                                         const std::vector<int>& vertices,
-                                         const Points& points,
-                                         const Points& targets) const {
-  CarriedHalfSpaces most_violated;
+OwnedHalfSpaces PlaneSet::MostViolated(int muscle,
+                                       const std::vector<int>& vertices,
+                                       const Points& points,
+                                       const Points& targets) const {
+  OwnedHalfSpaces most_violated;
   const std::vector<int>& first = first_sides_[muscle];
   for (const int v : vertices) {
     double depth = -kInfinity;
@@ -301,7 +301,7 @@ CarriedHalfSpaces PlaneSet::MostViolated(int muscle,
     }
     if (!deepest_side) continue;
     most_violated.spaces.push_back(deepest);
-    most_violated.carriers.push_back(CarrierOf(*deepest_side));
+    most_violated.owners.push_back(CarrierOf(*deepest_side));
   }
   return most_violated;
 }

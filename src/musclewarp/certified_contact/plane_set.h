@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "musclewarp/certified_contact/contact_step.h"
-#include "musclewarp/certified_contact/plane_carrier.h"
+#include "musclewarp/certified_contact/plane_owner.h"
 #include "musclewarp/certified_contact/separating_planes.h"
 #include "musclewarp/certified_contact/step_options.h"
-#include "musclewarp/geometry/half_space.h"
+#include "musclewarp/proximity/half_space.h"
 
 namespace musclewarp {
 
@@ -60,10 +60,10 @@ class PlaneSet {
   // mm), the half-space in which its target (`targets`) lies deepest on the
   // wrong side, or that it is nearest to. These are the rows of the coarse
   // solve.
-  CarriedHalfSpaces MostViolated(int muscle,
-                                 const std::vector<int>& vertices,
-                                 const Points& points,
-                                 const Points& targets) const;
+  OwnedHalfSpaces MostViolated(int muscle,
+                               const std::vector<int>& vertices,
+                               const Points& points,
+                               const Points& targets) const;
 
   // Returns by how much a vertex is on the wrong side of a plane against
   // another surface, at most, mm.
@@ -86,7 +86,7 @@ class PlaneSet {
   // make room.
   struct MovingPlane {
     int plane;
-    PlaneCarrier carrier;
+    PlaneOwner owner;
     int shared_corner;  // as in SeparatingPlane
     double shift = 0;   // mm
   };
@@ -109,7 +109,7 @@ class PlaneSet {
   static int NumberOf(Side side) { return side < 0 ? ~side : side; }
   HalfSpace SpaceOf(Side side) const;
   bool IsWithinOneMuscle(Side side) const;
-  PlaneCarrier CarrierOf(Side side) const;
+  PlaneOwner CarrierOf(Side side) const;
   void UpdateLevel(const std::vector<Points>& unprojected,
                    const std::vector<Points>& points,
                    bool is_first,

@@ -16,7 +16,7 @@ using Eigen::RowVector3d;
 struct MuscleSweep {
   const StepOptions& options;
   const MuscleSurface& surface;
-  const Points& carried;
+  const Points& predicted;
   const Points& targets;
   const AttachedPoints& attached;
   int muscle;
@@ -35,7 +35,7 @@ MuscleSweep SweepOf(const StepOptions& options,
   const MuscleSurface& surface = step.scene.muscles[muscle];
   MuscleSweep sweep = {options,
                        surface,
-                       step.carried[muscle],
+                       step.predicted[muscle],
                        targets,
                        step.attached[muscle],
                        muscle,
@@ -59,11 +59,11 @@ MuscleSweep SweepOf(const StepOptions& options,
 RowVector3d WithinReach(const MuscleSweep& sweep,
                         int v,
                         const RowVector3d& place) {
-  const RowVector3d beyond = place - sweep.carried.row(v);
+  const RowVector3d beyond = place - sweep.predicted.row(v);
   const double far = beyond.norm();
   const double reach = sweep.options.reach;
   if (far <= reach) return place;
-  return sweep.carried.row(v) + reach / far * beyond;
+  return sweep.predicted.row(v) + reach / far * beyond;
 }
 
 // Where the energy would put a vertex if its neighbours kept their offsets, #V
@@ -105,7 +105,7 @@ void SweepMuscle(const MuscleSweep& sweep,
 }  // namespace
 
 RelaxedPoints StartOf(const ContactStep& step) {
-  return {step.carried, step.carried};
+  return {step.predicted, step.predicted};
 }
 
 Stiffness UniformStiffness(const ContactScene& scene) {

@@ -8,8 +8,8 @@
 
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/work_counts.h"
-#include "musclewarp/geometry/triangle_distance.h"
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/proximity/triangle_distance.h"
 
 namespace musclewarp {
 namespace {
@@ -54,21 +54,21 @@ void Append(const std::vector<std::vector<SeparatingPlane>>& parts,
 
 // The boxes of the triangles of a muscle before the step and where the step
 // carries them, #F each.
-struct CarriedBoxes {
-  std::vector<Box3> before, carried;
+struct PredictedBoxes {
+  std::vector<Box3> before, predicted;
 };
 
-std::vector<CarriedBoxes> BoxesOf(const ContactStep& step,
-                                  const std::vector<TriangleBvh>& carried) {
-  std::vector<CarriedBoxes> boxes(carried.size());
-  for (size_t i = 0; i < carried.size(); ++i) {
-    const int count = carried[i].num_triangles();
+std::vector<PredictedBoxes> BoxesOf(const ContactStep& step,
+                                    const std::vector<TriangleBvh>& predicted) {
+  std::vector<PredictedBoxes> boxes(predicted.size());
+  for (size_t i = 0; i < predicted.size(); ++i) {
+    const int count = predicted[i].num_triangles();
     boxes[i].before.resize(count);
-    boxes[i].carried.resize(count);
+    boxes[i].predicted.resize(count);
 #pragma omp parallel for schedule(static)
     for (int f = 0; f < count; ++f) {
       boxes[i].before[f] = BoxOf(step.trees_before[i].corners(f));
-      boxes[i].carried[f] = BoxOf(carried[i].corners(f));
+      boxes[i].predicted[f] = BoxOf(predicted[i].corners(f));
     }
   }
   return boxes;
@@ -76,10 +76,10 @@ std::vector<CarriedBoxes> BoxesOf(const ContactStep& step,
 
 // Returns boxes around both boxes of each triangle, #F. Two of them overlap if
 // one of the two is within `radius` (mm) of the same box of the other triangle.
-std::vector<Box3> BoxesAround(const CarriedBoxes& boxes, double radius) {
+std::vector<Box3> BoxesAround(const PredictedBoxes& boxes, double radius) {
   std::vector<Box3> around(boxes.before.size());
   for (size_t f = 0; f < around.size(); ++f) {
-    around[f] = BoxOf(boxes.before[f], boxes.carried[f]);
+    around[f] = BoxOf(boxes.before[f], boxes.predicted[f]);
     for (int k = 0; k < 3; ++k) {
       around[f].lower[k] -= radius / 2;
       around[f].upper[k] += radius / 2;
@@ -90,9 +90,10 @@ std::vector<Box3> BoxesAround(const CarriedBoxes& boxes, double radius) {
 
 // What AddPlanesBetweenMuscles() looks for.
 struct NearMuscles {
-  double radius = 0;                        // mm
-  const std::vector<TriangleBvh>& carried;  // with the boxes around the motion
-  const std::vector<CarriedBoxes>& boxes;
+  double radius = 0;  // mm
+  const std::vector<TriangleBvh>&
+      predicted;  // with the boxes around the motion
+  const std::vector<PredictedBoxes>& boxes;
 };
 
 void AddPlanesBetweenMuscles(const StepOptions& options,
@@ -102,17 +103,19 @@ void AddPlanesBetweenMuscles(const StepOptions& options,
                              int b,
                              std::vector<SeparatingPlane>* planes) {
   const double square = near.radius * near.radius;
-  const CarriedBoxes &boxes_a = near.boxes[a], &boxes_b = near.boxes[b];
+  const PredictedBoxes &boxes_a = near.boxes[a], &boxes_b = near.boxes[b];
   const auto are_near = [&](int f, int g) {
     return boxes_a.before[f].SquaredDistance(boxes_b.before[g]) <= square ||
-           boxes_a.carried[f].SquaredDistance(boxes_b.carried[g]) <= square;
+           boxes_a.predicted[f].SquaredDistance(boxes_b.predicted[g]) <= square;
   };
-  const TriangleBvh &carried_a = near.carried[a], &carried_b = near.carried[b];
-  const Grouped met = ByFirst(carried_a.CollectOverlaps(carried_b, are_near),
-                              carried_a.num_triangles());
-  std::vector<std::vector<SeparatingPlane>> found(carried_a.num_triangles());
+  const TriangleBvh &predicted_a = near.predicted[a],
+                    &predicted_b = near.predicted[b];
+  const Grouped met =
+      ByFirst(predicted_a.CollectOverlaps(predicted_b, are_near),
+              predicted_a.num_triangles());
+  std::vector<std::vector<SeparatingPlane>> found(predicted_a.num_triangles());
 #pragma omp parallel for schedule(dynamic, 64)
-  for (int f = 0; f < carried_a.num_triangles(); ++f) {
+  for (int f = 0; f < predicted_a.num_triangles(); ++f) {
     std::vector<int> others(met.begin(f), met.begin(f) + met.count(f));
     std::sort(others.begin(), others.end());
     for (const int g : others) {
@@ -120,7 +123,8 @@ void AddPlanesBetweenMuscles(const StepOptions& options,
           step.trees_before[a].corners(f), step.trees_before[b].corners(g));
       if (!separation) continue;
       if (separation->distance > near.radius &&
-          ClosestPointsOfTriangles(carried_a.corners(f), carried_b.corners(g))
+          ClosestPointsOfTriangles(predicted_a.corners(f),
+                                   predicted_b.corners(g))
                   .squared_distance > square) {
         continue;
       }
@@ -134,20 +138,20 @@ void AddPlanesBetweenMuscles(const StepOptions& options,
 
 void AddPlanesBetweenAllMuscles(const StepOptions& options,
                                 const ContactStep& step,
-                                std::vector<TriangleBvh>* carried,
+                                std::vector<TriangleBvh>* predicted,
                                 std::vector<SeparatingPlane>* planes) {
   // Either muscle may move by the reach.
   const double radius =
       options.AimedGap() + options.planes.search_share * 2 * options.reach;
-  const std::vector<CarriedBoxes> boxes = BoxesOf(step, *carried);
+  const std::vector<PredictedBoxes> boxes = BoxesOf(step, *predicted);
 #pragma omp parallel for schedule(dynamic, 1)
   for (int i = 0; i < step.num_muscles(); ++i) {
-    (*carried)[i].RefitBoxes(BoxesAround(boxes[i], radius));
+    (*predicted)[i].RefitBoxes(BoxesAround(boxes[i], radius));
   }
   for (int a = 0; a < step.num_muscles(); ++a) {
     for (int b = a + 1; b < step.num_muscles(); ++b) {
       AddPlanesBetweenMuscles(
-          options, step, {radius, *carried, boxes}, a, b, planes);
+          options, step, {radius, *predicted, boxes}, a, b, planes);
     }
   }
 }
@@ -172,17 +176,17 @@ PathsPastBone PathsOf(const ContactStep& step,
   const Triangles& triangles = step.scene.muscles[muscle].triangles;
   PathsPastBone paths;
   paths.at_rest = Transformed(before, rest_from_before);
-  paths.moves = (Transformed(before, now_from_before) - step.carried[muscle])
+  paths.moves = (Transformed(before, now_from_before) - step.predicted[muscle])
                     .rowwise()
                     .norm();
-  const Points carried = Transformed(step.carried[muscle],
-                                     RigidInverse(step.bones_from_rest[bone]));
+  const Points predicted = Transformed(
+      step.predicted[muscle], RigidInverse(step.bones_from_rest[bone]));
   paths.boxes.resize(triangles.rows());
 #pragma omp parallel for schedule(static)
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
     paths.boxes[f] =
         BoxOf(BoxOf(CornersOf(paths.at_rest, triangles.row(f)), margin),
-              BoxOf(CornersOf(carried, triangles.row(f)), margin));
+              BoxOf(CornersOf(predicted, triangles.row(f)), margin));
   }
   return paths;
 }
@@ -273,16 +277,16 @@ SeparatingPlane PlaneOfBone(const ContactStep& step,
 std::vector<SeparatingPlane> FindSeparatingPlanes(
     const StepOptions& options,
     const ContactStep& step,
-    std::vector<TriangleBvh>* carried) {
+    std::vector<TriangleBvh>* predicted) {
   std::vector<SeparatingPlane> planes;
   {
     const ScopedStage stage("planes between muscles");
-    AddPlanesBetweenAllMuscles(options, step, carried, &planes);
+    AddPlanesBetweenAllMuscles(options, step, predicted, &planes);
   }
   const ScopedStage stage("planes of bones");
   for (int bone = 0; bone < step.num_bones(); ++bone) {
     for (int i = 0; i < step.num_muscles(); ++i) {
-      AddPlanesOfBone(options, step, i, bone, &(*carried)[i], &planes);
+      AddPlanesOfBone(options, step, i, bone, &(*predicted)[i], &planes);
     }
   }
   return planes;

@@ -8,7 +8,7 @@
 
 #include "musclewarp/certified_contact/contact_step.h"
 #include "musclewarp/certified_contact/step_options.h"
-#include "musclewarp/certified_contact/triangle_separation.h"
+#include "musclewarp/proximity/triangle_separation.h"
 
 namespace musclewarp {
 
@@ -74,11 +74,11 @@ SeparatingPlane PlaneOfBone(const ContactStep& step,
 // one muscle are found by sheet_planes.h, and against crossings that are left
 // by defects.h.
 //
-// `carried` are the trees of CarriedTrees(step). They hold other boxes
+// `predicted` are the trees of PredictedTrees(step). They hold other boxes
 // afterwards. The order of the planes depends on the meshes only.
 std::vector<SeparatingPlane> FindSeparatingPlanes(
     const StepOptions& options,
     const ContactStep& step,
-    std::vector<TriangleBvh>* carried);
+    std::vector<TriangleBvh>* predicted);
 
 }  // namespace musclewarp

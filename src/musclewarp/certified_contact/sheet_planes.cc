@@ -7,7 +7,7 @@
 
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/work_counts.h"
-#include "musclewarp/certified_contact/triangle_separation.h"
+#include "musclewarp/proximity/triangle_separation.h"
 
 namespace musclewarp {
 namespace {

@@ -11,23 +11,23 @@
 
 #include "musclewarp/certified_contact/defects.h"
 #include "musclewarp/certified_contact/moves.h"
-#include "musclewarp/certified_contact/passages.h"
 #include "musclewarp/certified_contact/relaxation.h"
 #include "musclewarp/certified_contact/sheet_planes.h"
+#include "musclewarp/certified_contact/tunnelling.h"
 #include "musclewarp/certified_contact/volume.h"
 
 namespace musclewarp {
 namespace {
 
-StepFaults FaultsOf(const StepOptions& options,
-                    const StepDefects& defects,
-                    double violation) {
-  StepFaults faults;
-  faults.crossing_pairs = defects.num_crossings();
-  faults.self_crossing_pairs = static_cast<int>(defects.self_crossings.size());
-  faults.is_gap_violated = violation > options.AllowedViolation();
-  faults.folded_triangles = defects.num_folded();
-  return faults;
+DefectCounts CountsOf(const StepOptions& options,
+                      const Defects& defects,
+                      double violation) {
+  DefectCounts counts;
+  counts.crossing_pairs = defects.num_crossings();
+  counts.self_crossing_pairs = static_cast<int>(defects.self_crossings.size());
+  counts.is_gap_violated = violation > options.AllowedViolation();
+  counts.folded_triangles = defects.num_folded();
+  return counts;
 }
 
 // What a round has come to.
@@ -50,11 +50,11 @@ StepResult ResultOf(const StepOptions& options,
                     Round best) {
   StepSummary& summary = best.summary;
   summary.rounds = rounds;
-  summary.push = MoveOfMostMoved(best.points, step.carried, kPushedFarthest) +
+  summary.push = MoveOfMostMoved(best.points, step.predicted, kPushedFarthest) +
                  summary.violation;
   summary.is_short_of_reach =
       summary.push < options.reach &&
-      MoveOfMostMoved(best.points, step.carried, kUnsettled) <
+      MoveOfMostMoved(best.points, step.predicted, kUnsettled) <
           0.99 * options.reach;
   state.points = std::move(best.points);
   return {std::move(state), summary};
@@ -72,7 +72,7 @@ OpenStep BeginStep(const StepOptions& options,
                    const ContactStep& step,
                    const std::vector<Points>& targets,
                    int sweeps) {
-  OpenStep open{PlaneSet(options, step), StartOf(step), CarriedTrees(step)};
+  OpenStep open{PlaneSet(options, step), StartOf(step), PredictedTrees(step)};
   std::vector<SeparatingPlane> planes =
       FindSeparatingPlanes(options, step, &open.trees);
   for (int i = 0; i < step.num_muscles(); ++i) {
@@ -114,18 +114,18 @@ StepResult FinishStep(const StepOptions& options,
     RestoredVolumes restored =
         RestoreVolumes(options, step, relaxed, &open.planes);
     relaxed.points = std::move(restored.points);
-    const StepDefects defects =
+    const Defects defects =
         FindDefects(options, step, targets, relaxed.points, &open.trees);
     const double violation = open.planes.WorstViolation(relaxed.points);
-    const StepFaults faults = FaultsOf(options, defects, violation);
-    VLOG(2) << "round " << round << ": " << faults.crossing_pairs
-            << " crossings, " << faults.self_crossing_pairs
-            << " of muscles with themselves, " << faults.folded_triangles
+    const DefectCounts counts = CountsOf(options, defects, violation);
+    VLOG(2) << "round " << round << ": " << counts.crossing_pairs
+            << " crossings, " << counts.self_crossing_pairs
+            << " of muscles with themselves, " << counts.folded_triangles
             << " folded, violation " << violation << " mm";
-    if (!best || IsBetter(faults, best->summary.faults)) {
-      best = {{faults, round, violation, restored.worst_error}, relaxed.points};
+    if (!best || IsBetter(counts, best->summary.defects)) {
+      best = {{counts, round, violation, restored.worst_error}, relaxed.points};
     }
-    const StepFaults& left = best->summary.faults;
+    const DefectCounts& left = best->summary.defects;
     if (left.IsEmpty() ||
         (!left.HasCrossings() &&
          polishing_rounds++ == options.max_polishing_rounds)) {
@@ -141,11 +141,11 @@ StepResult FinishStep(const StepOptions& options,
 
 }  // namespace
 
-bool IsBetter(const StepFaults& a, const StepFaults& b) {
-  const auto rank = [](const StepFaults& faults) {
-    return std::make_tuple(faults.crossing_pairs + faults.self_crossing_pairs,
-                           faults.is_gap_violated,
-                           faults.folded_triangles);
+bool IsBetter(const DefectCounts& a, const DefectCounts& b) {
+  const auto rank = [](const DefectCounts& counts) {
+    return std::make_tuple(counts.crossing_pairs + counts.self_crossing_pairs,
+                           counts.is_gap_violated,
+                           counts.folded_triangles);
   };
   return rank(a) < rank(b);
 }
@@ -161,14 +161,14 @@ StepResult Step(const StepOptions& options,
   const ContactStep step = MakeContactStep(
       scene, before, state.targets, state.bones_from_rest, state.held);
   if (goal.max_push < kInfinity) {
-    const double passage = LongestPassage(step);
+    const double passage = MaxTunnelling(step);
     if (passage > options.relaxation.max_push) return GivenUp(passage);
   }
   const int sweeps_before = solve_coarse ? options.sweeps / 2 : 0;
   OpenStep open = BeginStep(options, step, state.targets, sweeps_before);
   // The other sweeps change little in the push.
   const double push =
-      MoveOfMostMoved(open.relaxed.points, step.carried, kPushedFarthest);
+      MoveOfMostMoved(open.relaxed.points, step.predicted, kPushedFarthest);
   if (push > goal.max_push) return GivenUp(push);
   state.planes.clear();
   if (solve_coarse) {

@@ -14,7 +14,7 @@
 namespace musclewarp {
 
 // What is wrong at the end of a step.
-struct StepFaults {
+struct DefectCounts {
   int crossing_pairs = 0;       // of triangles of two meshes
   int self_crossing_pairs = 0;  // of triangles of one muscle
 
@@ -32,7 +32,7 @@ struct StepFaults {
 
 // Returns true if `a` is less bad than `b`: crossings are the worst, then the
 // gap.
-bool IsBetter(const StepFaults& a, const StepFaults& b);
+bool IsBetter(const DefectCounts& a, const DefectCounts& b);
 
 // How far contact moves vertices beside the way that their muscle is carried is
 // measured without the share of them that moves farthest: single vertices are
@@ -41,7 +41,7 @@ constexpr double kPushedFarthest = 1.0 / 100;  // for the length of steps
 constexpr double kUnsettled = 1.0 / 500;       // for what has settled
 
 struct StepSummary {
-  StepFaults faults;
+  DefectCounts defects;
   int rounds = 0;
   double violation = 0;     // of a plane by a vertex, at most, mm
   double volume_error = 0;  // relative, the worst of all muscles
@@ -82,7 +82,7 @@ struct StepGoal {
 struct CoarseSolution {
   std::vector<Points> coarse;
   std::vector<Points> targets;
-  std::vector<CarriedHalfSpaces> planes;
+  std::vector<OwnedHalfSpaces> planes;
 };
 
 // Solves the coarse meshes so that they make way for the planes, as far as

@@ -35,7 +35,7 @@ Scene Checked(Scene scene) {
 
 bool DeformerOptions::IsValid(std::string* error) const {
   return prepare.IsValid(error) && frames.IsValid(error) &&
-         remaking.IsValid(error) && solver.IsValid(error) &&
+         reconstruction.IsValid(error) && solver.IsValid(error) &&
          cache.IsValid(error);
 }
 
@@ -53,7 +53,7 @@ Deformer::Deformer(Scene scene, DeformerOptions options)
 void Deformer::PrepareAnew(const Scene& scene) {
   scene_ = std::make_unique<PreparedScene>(
       PrepareScene(scene, options_.prepare, options_.on_progress));
-  frame_solver_ = MakeCleanFrameSolver(options_.remaking,
+  frame_solver_ = MakeCleanFrameSolver(options_.reconstruction,
                                        options_.prepare,
                                        options_.frames,
                                        solvers_,

@@ -9,10 +9,10 @@
 #include "musclewarp/base/progress.h"
 #include "musclewarp/deformer/preparation_cache.h"
 #include "musclewarp/deformer/solver_configuration.h"
-#include "musclewarp/motion/frame.h"
-#include "musclewarp/motion/frame_solver.h"
-#include "musclewarp/motion/prepared_scene.h"
-#include "musclewarp/motion/rest_remaking.h"
+#include "musclewarp/frame_solvers/frame_solver.h"
+#include "musclewarp/frame_solvers/rest_separation.h"
+#include "musclewarp/frames/frame.h"
+#include "musclewarp/preparation/prepared_scene.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
@@ -26,7 +26,7 @@ struct DeformerOptions {
   FrameSolverOptions frames;
 
   // What happens to meshes that cannot be separated in the rest pose.
-  RestRemakingOptions remaking;
+  ReconstructionOptions reconstruction;
 
   SolverConfiguration solver;
 

@@ -10,9 +10,9 @@
 #include <cereal/types/vector.hpp>
 #include <cstdint>
 
-#include "musclewarp/motion/frame_solver.h"
-#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/frame_solvers/frame_solver.h"
 #include "musclewarp/motion/state_archive.h"
+#include "musclewarp/preparation/prepared_scene.h"
 
 namespace cereal {
 
@@ -116,8 +116,13 @@ MUSCLEWARP_ARCHIVE(SliverRemovals,
                    flipped_edges,
                    slivers_left,
                    largest_deviation)
-MUSCLEWARP_ARCHIVE(
-    Remaking, is_done, volume_before, volume_after, lost_area, place, farthest)
+MUSCLEWARP_ARCHIVE(SurfaceReconstruction,
+                   is_done,
+                   volume_before,
+                   volume_after,
+                   lost_area,
+                   place,
+                   farthest)
 MUSCLEWARP_ARCHIVE(MeshPreparation,
                    name,
                    path,
@@ -125,14 +130,14 @@ MUSCLEWARP_ARCHIVE(MeshPreparation,
                    repairs,
                    self_crossings,
                    slivers,
-                   remaking,
+                   reconstruction,
                    delivered_volume,
                    notes)
 
 // Prepared scenes.
 
 MUSCLEWARP_ARCHIVE(SegmentPoint, line, segment, t)
-MUSCLEWARP_ARCHIVE(CarriedLines, from_coarse, starts)
+MUSCLEWARP_ARCHIVE(EmbeddedLines, from_coarse, starts)
 MUSCLEWARP_ARCHIVE(AttachedVertices, vertices, attachment)
 // The normal matrix follows from the others.
 MUSCLEWARP_ARCHIVE_WITHOUT(MuscleModel,

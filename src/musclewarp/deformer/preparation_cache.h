@@ -6,8 +6,8 @@
 #include <string>
 
 #include "musclewarp/build_info/build_info.h"
-#include "musclewarp/motion/frame_solver.h"
-#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/frame_solvers/frame_solver.h"
+#include "musclewarp/preparation/prepared_scene.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {

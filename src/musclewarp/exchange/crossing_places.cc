@@ -9,9 +9,9 @@
 #include <tuple>
 #include <utility>
 
-#include "musclewarp/geometry/exact_predicates.h"
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/connectivity.h"
+#include "musclewarp/proximity/exact_predicates.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp {
 namespace {

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/geometry/view.h"
-#include "musclewarp/motion/frame_files.h"
 #include "musclewarp/page/run_files.h"
 #include "musclewarp/scene/json_fields.h"
 

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/motion/frame_files.h"
+#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/scene/json_fields.h"
 

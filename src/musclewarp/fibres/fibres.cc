@@ -12,8 +12,8 @@
 #include "musclewarp/base/invalid_option.h"
 #include "musclewarp/fibres/laplacian_flow.h"
 #include "musclewarp/fibres/voxel_grid.h"
-#include "musclewarp/geometry/inside_test.h"
-#include "musclewarp/geometry/triangle_bvh.h"
+#include "musclewarp/proximity/inside_test.h"
+#include "musclewarp/proximity/triangle_bvh.h"
 #include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp {

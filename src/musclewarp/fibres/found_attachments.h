@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "musclewarp/fibres/muscle_ends.h"
-#include "musclewarp/geometry/triangle_bvh.h"
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/proximity/triangle_bvh.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "musclewarp/fibres/voxel_grid.h"
-#include "musclewarp/geometry/triangle_bvh.h"
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/proximity/triangle_bvh.h"
 #include "musclewarp/scene/scene.h"
 #include "musclewarp/skeleton/action_line.h"
 

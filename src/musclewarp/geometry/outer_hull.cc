@@ -12,9 +12,9 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/geometry/alpha_wrap.h"
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp {
 namespace {

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "musclewarp/geometry/cgal_mesh.h"
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/defects.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp {
 namespace {

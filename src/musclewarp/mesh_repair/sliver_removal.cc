@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "musclewarp/base/invalid_option.h"
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/mesh.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp {
 namespace {

@@ -15,8 +15,8 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/spread_points.h"
 #include "musclewarp/motion/certified_stepper.h"
-#include "musclewarp/motion/memory_limits.h"
-#include "musclewarp/motion/mover.h"
+#include "musclewarp/motion/motion_context.h"
+#include "musclewarp/preparation/memory_limits.h"
 
 namespace musclewarp {
 namespace {
@@ -183,7 +183,7 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                             on_progress({"separating", round, 0});
                         });
 
-  const Mover mover = {scene, certified, pre_rotation, solver};
+  const MotionContext context = {scene, certified, pre_rotation, solver};
   std::vector<Points> coarse;
   for (const PreparedMuscle* muscle : certified.muscles) {
     coarse.push_back(muscle->model.coarse_rest);
@@ -191,19 +191,19 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
   ContactState rest = StateWithoutContact(
       scene, certified, RestPose(scene.scene), std::move(coarse));
   rest.points = std::move(separation.points);
-  WalkOptions walk;
-  walk.step = options.step;
-  walk.step.sweeps = options.rest_sweeps;
-  walk.reach_growth = options.reach_growth;
-  walk.max_reach = options.max_reach;
-  walk.max_settling_steps = options.max_rest_steps;
-  walk.settling_tolerance = options.rest_tolerance;
-  walk.accepts_self_crossings = true;
-  walk.on_step = options.on_step;
+  AdvanceOptions advance;
+  advance.step = options.step;
+  advance.step.sweeps = options.rest_sweeps;
+  advance.reach_growth = options.reach_growth;
+  advance.max_reach = options.max_reach;
+  advance.max_settling_steps = options.max_rest_steps;
+  advance.settling_tolerance = options.rest_tolerance;
+  advance.accepts_self_crossings = true;
+  advance.on_step = options.on_step;
   // The steps need a start in which nothing crosses.
   if (separation.crossing_pairs == 0) {
     const ScenePose pose = rest.pose;
-    Walk(mover, walk, pose, /*at=*/1, on_progress, &rest);
+    AdvanceToPose(context, advance, pose, /*at=*/1, on_progress, &rest);
   }
   AddRest(std::move(rest), &certified);
   certified.wall_ms = preparing.Milliseconds();
@@ -229,32 +229,32 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
                               const MuscleSolver& solver,
                               const ContactState& before,
                               const ProgressCallback& on_progress) {
-  const Mover mover = {scene, certified, pre_rotation, solver};
+  const MotionContext context = {scene, certified, pre_rotation, solver};
   const CertifiedContactOptions& options = certified.options;
-  WalkOptions walk;
-  walk.step = options.step;
+  AdvanceOptions advance;
+  advance.step = options.step;
   const double way = WayBetween(scene.scene, before.pose, pose, options.limits);
-  walk.length.longest = 1 / std::max(1.0, way);
-  walk.length.unchecked = 1 / std::max(1.0, way / options.unchecked_share);
-  walk.length.shortest =
-      walk.length.unchecked / std::exp2(options.max_halvings);
-  walk.length.max_push = options.max_push;
-  walk.max_returns = options.max_returns;
-  walk.reach_growth = options.reach_growth;
-  walk.max_reach = options.max_reach;
-  walk.max_settling_steps = options.max_settling_steps;
-  walk.settling_tolerance = options.settling_tolerance;
-  walk.on_step = options.on_step;
-  walk.timeout_s = TimeoutOf(options, scene.muscles.size());
+  advance.length.longest = 1 / std::max(1.0, way);
+  advance.length.unchecked = 1 / std::max(1.0, way / options.unchecked_share);
+  advance.length.shortest =
+      advance.length.unchecked / std::exp2(options.max_halvings);
+  advance.length.max_push = options.max_push;
+  advance.max_returns = options.max_returns;
+  advance.reach_growth = options.reach_growth;
+  advance.max_reach = options.max_reach;
+  advance.max_settling_steps = options.max_settling_steps;
+  advance.settling_tolerance = options.settling_tolerance;
+  advance.on_step = options.on_step;
+  advance.timeout_s = TimeoutOf(options, scene.muscles.size());
   CertifiedMotion motion;
   motion.state = before;
-  WalkSummary walked =
-      Walk(mover, walk, pose, /*at=*/0, on_progress, &motion.state);
-  motion.last_clean = std::move(walked.last_clean);
-  motion.summary.steps = walked.steps;
-  if (walked.is_timed_out) motion.summary.timed_out_at = walked.reached;
+  AdvanceSummary advanced = AdvanceToPose(
+      context, advance, pose, /*at=*/0, on_progress, &motion.state);
+  motion.last_clean = std::move(advanced.last_clean);
+  motion.summary.steps = advanced.steps;
+  if (advanced.is_timed_out) motion.summary.timed_out_at = advanced.reached;
   motion.summary.summaries =
-      InOrderOfScene(certified.order, std::move(walked.solves));
+      InOrderOfScene(certified.order, std::move(advanced.solves));
   return motion;
 }
 
@@ -272,14 +272,14 @@ std::vector<Points> FreeCoarseOf(const CertifiedScene& certified,
 std::vector<ContactRows> ContactRowsOf(const CertifiedScene& certified,
                                        const ContactState& state) {
   std::vector<ContactRows> contact;
-  for (const CarriedHalfSpaces& planes : state.planes) {
+  for (const OwnedHalfSpaces& planes : state.planes) {
     contact.push_back(
         {OneSidedRowsOf(planes.spaces, certified.options.coarse_weight),
-         planes.carriers});
-    for (PlaneCarrier& carrier : contact.back().carriers) {
-      if (carrier.IsBone()) continue;
-      carrier.muscle_above = certified.order[carrier.muscle_above];
-      carrier.muscle_below = certified.order[carrier.muscle_below];
+         planes.owners});
+    for (PlaneOwner& owner : contact.back().owners) {
+      if (owner.IsBone()) continue;
+      owner.muscle_above = certified.order[owner.muscle_above];
+      owner.muscle_below = certified.order[owner.muscle_below];
     }
   }
   return InOrderOfScene(certified.order, std::move(contact));

@@ -8,16 +8,16 @@
 #include <vector>
 
 #include "musclewarp/base/progress.h"
-#include "musclewarp/certified_contact/initial_separation.h"
 #include "musclewarp/certified_contact/offset_extension.h"
 #include "musclewarp/certified_contact/step.h"
-#include "musclewarp/motion/muscle_shapes.h"
-#include "musclewarp/motion/plane_rates.h"
+#include "musclewarp/frames/muscle_shapes.h"
+#include "musclewarp/frames/plane_rates.h"
+#include "musclewarp/initial_separation/initial_separation.h"
 #include "musclewarp/motion/pose_steps.h"
-#include "musclewarp/motion/prepared_scene.h"
 #include "musclewarp/motion/recorded_step.h"
-#include "musclewarp/motion/scene_meshes.h"
 #include "musclewarp/motion/solved_pose.h"
+#include "musclewarp/preparation/prepared_scene.h"
+#include "musclewarp/preparation/scene_meshes.h"
 
 namespace musclewarp {
 

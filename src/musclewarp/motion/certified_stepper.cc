@@ -19,17 +19,17 @@
 namespace musclewarp {
 namespace {
 
-// How many states a walk may go back.
+// The number of states that the stepper may backtrack.
 constexpr size_t kMaxWaypoints = 4;
 
-// A state on the way, in which nothing crosses.
+// A state of the motion in which nothing crosses.
 struct Waypoint {
   double at;
   ContactState state;
 };
 
-// The length of steps after a walk has gone back so many times: a quarter of
-// the unchecked length each time, whatever the push.
+// Returns the length of steps after so many backtracks: a quarter of the
+// unchecked length for each, whatever the push.
 StepLength ShorterSteps(StepLengthOptions options, int returns) {
   options.longest = options.unchecked * std::pow(0.25, returns);
   options.unchecked = options.longest;
@@ -37,15 +37,15 @@ StepLength ShorterSteps(StepLengthOptions options, int returns) {
   return StepLength(options);
 }
 
-// A walk that is under way.
-class Walker {
+// The state of AdvanceToPose between two steps.
+class PoseStepper {
  public:
-  Walker(const Mover& mover,
-         const WalkOptions& options,
-         const ScenePose& goal,
-         double at,
-         ContactState* state)
-      : mover_(mover),
+  PoseStepper(const MotionContext& context,
+              const AdvanceOptions& options,
+              const ScenePose& goal,
+              double at,
+              ContactState* state)
+      : context_(context),
         options_(options),
         from_(state->pose),
         goal_(goal),
@@ -62,16 +62,16 @@ class Walker {
            watch_.Milliseconds() > 1000 * options_.timeout_s;
   }
   double at() const { return at_; }
-  WalkSummary TakeSummary() {
+  AdvanceSummary TakeSummary() {
     summary_.solves = std::move(solves_.all);
     return std::move(summary_);
   }
 
-  // Tries a step on the way, and does what follows.
+  // Takes a step towards the pose and applies the remedies of its outcome.
   void Advance() {
     const double to = length_.NextFrom(at_);
     const ScenePose pose =
-        to == 1 ? goal_ : PoseBetween(mover_.scene.scene, from_, goal_, to);
+        to == 1 ? goal_ : PoseBetween(context_.scene.scene, from_, goal_, to);
     PoseStepResult attempt =
         Try({step_, pose, /*is_settling=*/false, length_.max_push()});
     StepOutcome outcome = StepOutcome::kClean;
@@ -84,7 +84,7 @@ class Walker {
     Respond(outcome, to, std::move(attempt));
   }
 
-  // The same at the pose.
+  // Takes a settling step at the pose.
   void Settle() {
     PoseStepResult attempt =
         Try({step_, goal_, /*is_settling=*/true, kInfinity});
@@ -94,12 +94,12 @@ class Walker {
             std::move(attempt));
   }
 
-  // Goes the rest of the way without contact.
+  // Computes the remainder of the motion without contact.
   void GiveUp() {
     summary_.is_timed_out = true;
     summary_.reached = at_;
     if (!summary_.last_clean) summary_.last_clean = *state_;
-    Accept(GoWithoutContact(mover_, goal_, *state_));
+    Accept(GoWithoutContact(context_, goal_, *state_));
   }
 
  private:
@@ -109,7 +109,7 @@ class Walker {
     }
   }
 
-  // Returns false if a remedy is not possible.
+  // Returns false if the remedy is not available.
   bool Apply(StepRemedy remedy, double to, PoseStepResult* attempt) {
     switch (remedy) {
       case StepRemedy::kAccept:
@@ -153,12 +153,12 @@ class Walker {
     VLOG(1) << "most vertices have moved by less than " << move << " mm";
     summary_.last_clean.reset();
     const bool stops_short =
-        attempt->summary.faults.IsEmpty() && move > step_.reach;
+        attempt->summary.defects.IsEmpty() && move > step_.reach;
     Accept(std::move(*attempt), stops_short);
     is_settled_ = move < options_.settling_tolerance;
   }
 
-  // Remembers the state before a step, unless it is close to the last one.
+  // Keeps the state before a step as a waypoint, unless the last is close.
   void LeaveWaypoint() {
     const double spacing = options_.length.unchecked;
     if (!trail_.empty() && at_ - trail_.back().at < 0.99 * spacing) return;
@@ -166,8 +166,8 @@ class Walker {
     trail_.push_back({at_, *state_});
   }
 
-  // Goes back to the first waypoint, if there is one, for shorter steps from
-  // there on. Returns false if that was done often enough.
+  // Backtracks to the first waypoint, if any, and continues with shorter
+  // steps. Returns false after `max_returns` backtracks.
   bool GoBack() {
     if (returns_ == options_.max_returns) return false;
     ++returns_;
@@ -183,7 +183,7 @@ class Walker {
 
   PoseStepResult Try(const PoseStep& step) {
     ++summary_.steps;
-    PoseStepResult attempt = TakeStep(mover_, step, *state_, solves_);
+    PoseStepResult attempt = TakeStep(context_, step, *state_, solves_);
     if (options_.on_step) {
       options_.on_step(summary_.steps,
                        {step.pose,
@@ -197,18 +197,18 @@ class Walker {
     VLOG(1) << "step from " << at_ << " of length " << length_.length()
             << ", reach " << step_.reach << " mm: push " << attempt.summary.push
             << " mm, " << attempt.summary.rounds << " rounds, "
-            << attempt.summary.faults.crossing_pairs << " crossing pairs, "
-            << attempt.summary.faults.self_crossing_pairs
+            << attempt.summary.defects.crossing_pairs << " crossing pairs, "
+            << attempt.summary.defects.self_crossing_pairs
             << " of muscles with themselves";
     return attempt;
   }
 
   bool Crosses(const StepSummary& step) const {
-    return options_.accepts_self_crossings ? step.faults.crossing_pairs > 0
-                                           : step.faults.HasCrossings();
+    return options_.accepts_self_crossings ? step.defects.crossing_pairs > 0
+                                           : step.defects.HasCrossings();
   }
 
-  // Lets the next step reach farther. Returns false if it may not.
+  // Enlarges the reach of the next step. Returns false at `max_reach`.
   bool ReachFarther() {
     if (step_.reach >= options_.max_reach) return false;
     step_.reach =
@@ -216,7 +216,7 @@ class Walker {
     return true;
   }
 
-  // If muscles have farther to go, the next step reaches farther.
+  // Replaces the state. The next step reaches farther if muscles stopped short.
   void Accept(PoseStepResult attempt, bool stops_short = false) {
     if (stops_short) {
       ReachFarther();
@@ -227,8 +227,8 @@ class Walker {
     solves_ = std::move(attempt.solves);
   }
 
-  const Mover& mover_;
-  const WalkOptions& options_;
+  const MotionContext& context_;
+  const AdvanceOptions& options_;
   const ScenePose from_;
   const ScenePose& goal_;
   const Stopwatch watch_;
@@ -240,35 +240,35 @@ class Walker {
   std::vector<Waypoint> trail_;  // the latest last
   ContactState* state_;
   StepSolves solves_;  // that the state comes from
-  WalkSummary summary_;
+  AdvanceSummary summary_;
 };
 
 }  // namespace
 
-WalkSummary Walk(const Mover& mover,
-                 const WalkOptions& options,
-                 const ScenePose& goal,
-                 double at,
-                 const ProgressCallback& on_progress,
-                 ContactState* state) {
+AdvanceSummary AdvanceToPose(const MotionContext& context,
+                             const AdvanceOptions& options,
+                             const ScenePose& goal,
+                             double at,
+                             const ProgressCallback& on_progress,
+                             ContactState* state) {
   const auto say = [&](const std::string& stage, int done, int total) {
     if (on_progress) on_progress({stage, done, total});
   };
-  Walker walker(mover, options, goal, at, state);
-  while (!walker.IsAtGoal()) {
-    say("moving", static_cast<int>(100 * walker.at()), 100);
-    if (walker.IsTimedOut()) {
-      walker.GiveUp();
-      return walker.TakeSummary();
+  PoseStepper stepper(context, options, goal, at, state);
+  while (!stepper.IsAtGoal()) {
+    say("moving", static_cast<int>(100 * stepper.at()), 100);
+    if (stepper.IsTimedOut()) {
+      stepper.GiveUp();
+      return stepper.TakeSummary();
     }
-    walker.Advance();
+    stepper.Advance();
   }
   for (int step = 0; step < options.max_settling_steps; ++step) {
-    if (walker.IsSettled() || walker.IsTimedOut()) break;
+    if (stepper.IsSettled() || stepper.IsTimedOut()) break;
     say("relaxing", step, options.max_settling_steps);
-    walker.Settle();
+    stepper.Settle();
   }
-  return walker.TakeSummary();
+  return stepper.TakeSummary();
 }
 
 }  // namespace musclewarp

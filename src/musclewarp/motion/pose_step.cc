@@ -11,33 +11,33 @@
 namespace musclewarp {
 namespace {
 
-SolvedPose SolveFree(const Mover& mover,
+SolvedPose SolveFree(const MotionContext& context,
                      const ContactState& from,
                      const ScenePose& pose) {
   const ScopedStage stage("solve without contact");
-  const MuscleModels models = ModelsOf(mover.certified.muscles);
+  const MuscleModels models = ModelsOf(context.certified.muscles);
   return SolvePose(models,
                    pose,
-                   mover.pre_rotation,
-                   mover.solver,
+                   context.pre_rotation,
+                   context.solver,
                    Predict(models,
                            StatesOf(from.free_coarse),
                            from.pose,
                            pose,
-                           mover.pre_rotation));
+                           context.pre_rotation));
 }
 
 // Solves the muscles with rows for the planes that their samples violate most.
 // `goal` is the state without them, `free` the solution without contact.
 // `summaries` become those of both solves.
-CoarseSolution SolveWithContactRows(const Mover& mover,
+CoarseSolution SolveWithContactRows(const MotionContext& context,
                                     const PlaneSet& planes,
                                     const std::vector<Points>& points,
                                     const ContactState& goal,
                                     const SolvedPose& free,
                                     std::vector<SolverSummary>* summaries) {
   const ScopedStage stage("solve with contact");
-  const CertifiedScene& certified = mover.certified;
+  const CertifiedScene& certified = context.certified;
   CoarseSolution solution;
   std::vector<OneSidedRows> rows;
   for (size_t i = 0; i < certified.muscles.size(); ++i) {
@@ -50,8 +50,8 @@ CoarseSolution SolveWithContactRows(const Mover& mover,
   SolvedPose solved = SolveWithRows(ModelsOf(certified.muscles),
                                     free,
                                     goal.pose,
-                                    mover.pre_rotation,
-                                    mover.solver,
+                                    context.pre_rotation,
+                                    context.solver,
                                     rows,
                                     StatesOf(goal.coarse));
   solution.coarse = CoarseOf(solved.states);
@@ -72,30 +72,30 @@ std::vector<Points> MovedAlong(const ContactState& from,
 }
 
 // Returns the state of these coarse meshes in a pose, but for its points.
-ContactState GoalOf(const Mover& mover,
+ContactState GoalOf(const MotionContext& context,
                     const ScenePose& pose,
                     std::vector<Points> free_coarse,
                     std::vector<Points> coarse) {
   ContactState state;
   state.pose = pose;
-  state.bones_from_rest = BonesFromRest(mover.scene, pose);
+  state.bones_from_rest = BonesFromRest(context.scene, pose);
   state.free_coarse = std::move(free_coarse);
   state.coarse = std::move(coarse);
-  state.targets = FineMeshes(mover.certified, state.coarse);
-  state.held = AttachedIn(mover.certified, pose);
+  state.targets = FineMeshes(context.certified, state.coarse);
+  state.held = AttachedIn(context.certified, pose);
   return state;
 }
 
 }  // namespace
 
-PoseStepResult TakeStep(const Mover& mover,
+PoseStepResult TakeStep(const MotionContext& context,
                         const PoseStep& step,
                         const ContactState& before,
                         const StepSolves& solves) {
   const SolvedPose free =
       step.is_settling
           ? SolvedPose{StatesOf(before.free_coarse), solves.free, 0}
-          : SolveFree(mover, before, step.pose);
+          : SolveFree(context, before, step.pose);
   PoseStepResult result;
   result.solves.free = free.summaries;
   result.solves.all = step.is_settling ? solves.all : free.summaries;
@@ -103,31 +103,32 @@ PoseStepResult TakeStep(const Mover& mover,
   std::vector<Points> coarse =
       step.is_settling ? before.coarse : MovedAlong(before, free_coarse);
   const StepGoal goal = {
-      GoalOf(mover, step.pose, std::move(free_coarse), std::move(coarse)),
+      GoalOf(context, step.pose, std::move(free_coarse), std::move(coarse)),
       step.max_push};
   SolveCoarse solve_coarse;
-  if (mover.certified.options.coarse_weight > 0) {
+  if (context.certified.options.coarse_weight > 0) {
     solve_coarse = [&](const PlaneSet& planes,
                        const std::vector<Points>& points) {
       return SolveWithContactRows(
-          mover, planes, points, goal.state, free, &result.solves.all);
+          context, planes, points, goal.state, free, &result.solves.all);
     };
   }
   StepResult taken =
-      Step(step.options, mover.certified.contact, before, goal, solve_coarse);
+      Step(step.options, context.certified.contact, before, goal, solve_coarse);
   result.state = std::move(taken.state);
   result.summary = taken.summary;
   return result;
 }
 
-PoseStepResult GoWithoutContact(const Mover& mover,
+PoseStepResult GoWithoutContact(const MotionContext& context,
                                 const ScenePose& pose,
                                 const ContactState& before) {
-  SolvedPose free = SolveFree(mover, before, pose);
+  SolvedPose free = SolveFree(context, before, pose);
   PoseStepResult result;
   std::vector<Points> free_coarse = CoarseOf(free.states);
   std::vector<Points> coarse = MovedAlong(before, free_coarse);
-  result.state = GoalOf(mover, pose, std::move(free_coarse), std::move(coarse));
+  result.state =
+      GoalOf(context, pose, std::move(free_coarse), std::move(coarse));
   result.state.points = before.points;
   for (size_t i = 0; i < before.points.size(); ++i) {
     result.state.points[i] += result.state.targets[i] - before.targets[i];

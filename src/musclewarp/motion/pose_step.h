@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "musclewarp/certified_contact/step.h"
-#include "musclewarp/motion/mover.h"
+#include "musclewarp/motion/motion_context.h"
 #include "musclewarp/solver/solver_summary.h"
 
 namespace musclewarp {
@@ -43,7 +43,7 @@ struct PoseStepResult {
 // Takes a step from `before`, which came from the solves `solves`: if muscles
 // settle, there is no other solve without contact. Precondition (CHECKed): the
 // options are valid.
-PoseStepResult TakeStep(const Mover& mover,
+PoseStepResult TakeStep(const MotionContext& context,
                         const PoseStep& step,
                         const ContactState& before,
                         const StepSolves& solves);
@@ -51,7 +51,7 @@ PoseStepResult TakeStep(const Mover& mover,
 // Returns the state of a scene that goes to a pose without contact: the coarse
 // meshes keep the displacement by contact that they have, and single vertices
 // their offsets.
-PoseStepResult GoWithoutContact(const Mover& mover,
+PoseStepResult GoWithoutContact(const MotionContext& context,
                                 const ScenePose& pose,
                                 const ContactState& before);
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "musclewarp/motion/muscle_solvers.h"
-#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/preparation/prepared_scene.h"
 #include "musclewarp/solver/muscle_state.h"
 #include "musclewarp/solver/muscle_target.h"
 #include "musclewarp/solver/one_sided_rows.h"

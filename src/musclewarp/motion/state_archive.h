@@ -13,7 +13,7 @@
 #include <cstdint>
 
 #include "musclewarp/base/archived_fields.h"
-#include "musclewarp/motion/scene_state.h"
+#include "musclewarp/frames/scene_state.h"
 
 namespace cereal {
 
@@ -48,8 +48,8 @@ MUSCLEWARP_ARCHIVE(ScenePose,
 MUSCLEWARP_ARCHIVE(HalfSpace, normal, level)
 MUSCLEWARP_ARCHIVE(VertexHalfSpace, vertex, space)
 MUSCLEWARP_ARCHIVE(
-    PlaneCarrier, bone, muscle_above, muscle_below, above, below, share_above)
-MUSCLEWARP_ARCHIVE(CarriedHalfSpaces, spaces, carriers)
+    PlaneOwner, bone, muscle_above, muscle_below, above, below, share_above)
+MUSCLEWARP_ARCHIVE(OwnedHalfSpaces, spaces, owners)
 MUSCLEWARP_ARCHIVE(AttachedPoints, vertices, positions)
 MUSCLEWARP_ARCHIVE(ContactState,
                    pose,

@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
+#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/geometry/view.h"
-#include "musclewarp/motion/frame_files.h"
 #include "musclewarp/page/packed_numbers.h"
 #include "musclewarp/page/view_mesh.h"
 #include "musclewarp/report/motion_tables.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/preparation/prepared_scene.h"
 
 namespace musclewarp {
 

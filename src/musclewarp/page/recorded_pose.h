@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/frames/lines_file.h"
 #include "musclewarp/mesh/triangle_soup.h"
-#include "musclewarp/motion/lines_file.h"
 
 namespace musclewarp {
 

@@ -9,11 +9,11 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
-#include "musclewarp/geometry/mesh_intersection.h"
+#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/geometry/view.h"
-#include "musclewarp/motion/frame_files.h"
 #include "musclewarp/page/recorded_pose.h"
 #include "musclewarp/page/run_files.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/scene/json_fields.h"
 
 namespace musclewarp {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "musclewarp/certificate/scene_intersections.h"
+#include "musclewarp/frames/frame.h"
+#include "musclewarp/frames/lines_file.h"
 #include "musclewarp/mesh/triangle_soup.h"
-#include "musclewarp/motion/frame.h"
-#include "musclewarp/motion/lines_file.h"
 #include "musclewarp/page/recorded_attachments.h"
 #include "musclewarp/report/frame_record.h"
 

@@ -6,9 +6,9 @@
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <algorithm>
 
-#include "musclewarp/geometry/triangle_bvh.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/mesh.h"
+#include "musclewarp/proximity/triangle_bvh.h"
 
 namespace musclewarp {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/geometry/bounding_capsule.h"
-#include "musclewarp/geometry/inside_test.h"
-#include "musclewarp/geometry/triangle_bvh.h"
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/paper_contact/bounding_capsule.h"
+#include "musclewarp/proximity/inside_test.h"
+#include "musclewarp/proximity/triangle_bvh.h"
 
 namespace musclewarp {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/phantom/muscle_path.h"
 #include "musclewarp/phantom/muscle_shape.h"
 #include "musclewarp/phantom/polygonize.h"
 #include "musclewarp/phantom/scene_parts.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp::phantom {

@@ -9,10 +9,10 @@
 #include <cmath>
 #include <vector>
 
-#include "musclewarp/geometry/mesh_intersection.h"
 #include "musclewarp/geometry/spread_points.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/phantom/polygonize.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp::phantom {
 

@@ -8,7 +8,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/motion/frame_files.h"
+#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/report/motion_tables.h"
 #include "musclewarp/report/resume_log.h"
 #include "musclewarp/scene/json_fields.h"

@@ -9,8 +9,8 @@
 
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/certificate/scene_intersections.h"
-#include "musclewarp/motion/frame.h"
-#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/frames/frame.h"
+#include "musclewarp/preparation/prepared_scene.h"
 
 namespace musclewarp {
 

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/scene/poses_beside.h"
+#include "musclewarp/scene/perturbed_poses.h"
 
 namespace musclewarp {
 namespace {

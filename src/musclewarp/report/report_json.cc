@@ -15,14 +15,14 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 // How a muscle was made anew; null if it was not.
-OrderedJson ToJson(const Remaking& remaking) {
-  if (!remaking.is_done) return nullptr;
-  const Eigen::RowVector3d& place = remaking.place;
-  return {{"volume_before_mm3", remaking.volume_before},
-          {"volume_after_mm3", remaking.volume_after},
-          {"lost_area_mm2", remaking.lost_area},
+OrderedJson ToJson(const SurfaceReconstruction& reconstruction) {
+  if (!reconstruction.is_done) return nullptr;
+  const Eigen::RowVector3d& place = reconstruction.place;
+  return {{"volume_before_mm3", reconstruction.volume_before},
+          {"volume_after_mm3", reconstruction.volume_after},
+          {"lost_area_mm2", reconstruction.lost_area},
           {"place_mm", {place.x(), place.y(), place.z()}},
-          {"farthest_mm", remaking.farthest}};
+          {"farthest_mm", reconstruction.farthest}};
 }
 
 // The attachment areas of a muscle. `is_found`: on the meshes, not in the
@@ -62,7 +62,7 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
                        {"attachments", AttachmentsJson(muscle, !has_named)},
                        {"defects", DefectsJson(muscle.mesh.defects)},
                        {"repairs", RepairsJson(muscle.mesh)},
-                       {"remade", ToJson(muscle.mesh.remaking)}});
+                       {"remade", ToJson(muscle.mesh.reconstruction)}});
   }
   OrderedJson bones = OrderedJson::array();
   for (const PreparedBone& bone : scene.bones) {

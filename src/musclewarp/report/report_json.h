@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/motion/frame_solver.h"
-#include "musclewarp/motion/prepared_scene.h"
+#include "musclewarp/frame_solvers/frame_solver.h"
+#include "musclewarp/preparation/prepared_scene.h"
 #include "musclewarp/report/frame_record.h"
 
 namespace musclewarp {

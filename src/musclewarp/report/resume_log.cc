@@ -14,7 +14,7 @@
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/build_info/build_info.h"
-#include "musclewarp/motion/frame_files.h"
+#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/motion/state_archive.h"
 
 namespace musclewarp {

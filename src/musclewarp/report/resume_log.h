@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/motion/scene_state.h"
+#include "musclewarp/frames/scene_state.h"
 #include "musclewarp/report/frame_record.h"
 
 namespace musclewarp {

@@ -67,7 +67,7 @@ std::string Treatment(const MeshPreparation& mesh) {
     text += ", " + std::to_string(crossings.pairs_after) +
             " self-crossings could not be removed";
   }
-  if (mesh.remaking.is_done) text += ", made anew";
+  if (mesh.reconstruction.is_done) text += ", made anew";
   return text;
 }
 

@@ -16,13 +16,13 @@ double PathLengthIn(const ScenePose& pose, const ActionLine& line) {
 std::map<std::string, std::map<std::string, double>> PathMomentArms(
     const Scene& scene,
     const ScenePose& pose,
-    const std::vector<PosesBeside>& beside) {
+    const std::vector<PerturbedPoses>& beside) {
   std::map<std::string, std::map<std::string, double>> arms;
   for (const SceneMuscle& muscle : scene.muscles) {
     for (const ActionLine& line : muscle.lines) {
       // Paths of muscles know where their conditional points switch.
       const bool is_path = pose.path_lengths.count(line.name) > 0;
-      for (const PosesBeside& poses : beside) {
+      for (const PerturbedPoses& poses : beside) {
         arms[line.name][poses.name] =
             is_path
                 ? PathMomentArm(
@@ -33,7 +33,7 @@ std::map<std::string, std::map<std::string, double>> PathMomentArms(
                       pose.model_values)
                 : -(PathLengthIn(poses.after, line) -
                     PathLengthIn(poses.before, line)) /
-                      (2 * PosesBeside::kStep);
+                      (2 * PerturbedPoses::kStep);
       }
     }
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/scene/poses_beside.h"
+#include "musclewarp/scene/perturbed_poses.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
@@ -19,10 +19,10 @@ double PathLengthIn(const ScenePose& pose, const ActionLine& line);
 // Returns the moment arms of all lines of a scene with a model in a pose, by
 // line and coordinate: -dl/dq of the straight length l, in mm/rad, or mm/m of a
 // coordinate that is a translation. They are central differences over `beside`,
-// the poses on both sides of the pose (PosesBesideOf).
+// the poses on both sides of the pose (PerturbedPosesOf).
 std::map<std::string, std::map<std::string, double>> PathMomentArms(
     const Scene& scene,
     const ScenePose& pose,
-    const std::vector<PosesBeside>& beside);
+    const std::vector<PerturbedPoses>& beside);
 
 }  // namespace musclewarp

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "musclewarp/geometry/half_space.h"
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/proximity/half_space.h"
 #include "musclewarp/solver/muscle_model.h"
 
 namespace musclewarp {

@@ -1,0 +1,57 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "musclewarp/geometry/outer_hull.h"
+#include "musclewarp/paper_contact/contact_body.h"
+#include "musclewarp/paper_contact/group_contact.h"
+#include "musclewarp/preparation/prepared_scene.h"
+#include "musclewarp/scene/scene.h"
+
+namespace musclewarp {
+
+// Options of the paper's contact for a whole scene.
+struct PaperSceneOptions {
+  GroupContactOptions group;
+
+  // The hulls of bones, which contact at the coarse level needs. They have more
+  // vertices than those of muscles: nothing is solved on them, and they decide
+  // how near a muscle may come.
+  OuterHullOptions bone_hull;
+
+  PaperSceneOptions() { bone_hull.coarse_vertices = 1000; }
+
+  // Also checks the options within.
+  bool IsValid(std::string* error) const;
+};
+
+// The meshes of a scene as the paper's contact sees them. Constant once it is
+// prepared.
+struct PaperScene {
+  using Shapes = std::vector<std::unique_ptr<const ContactShape>>;
+  PaperSceneOptions options;
+  Shapes muscle_hulls, bone_hulls;  // none at the fine level
+  Shapes muscles, bones;
+
+  // Warnings about meshes that lie inside others or occur twice: contact moves
+  // them somewhere, but hardly where it is wanted.
+  std::vector<std::string> warnings;
+  double wall_ms = 0;
+};
+
+// Prepares a scene for the paper's contact. Precondition (CHECKed): the options
+// are valid.
+PaperScene PreparePaperScene(const PreparedScene& scene,
+                             const PaperSceneOptions& options);
+
+// Returns the contact of one pose, with bones where the pose has them and
+// muscles at rest. Keeps pointers to both scenes.
+GroupContact ContactInPose(const PreparedScene& scene,
+                           const PaperScene& contact,
+                           const ScenePose& pose);
+
+}  // namespace musclewarp

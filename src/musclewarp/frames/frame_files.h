@@ -1,0 +1,57 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "musclewarp/frames/frame.h"
+#include "musclewarp/preparation/prepared_scene.h"
+
+namespace musclewarp {
+
+// Returns the name of the folder of a frame, such as "frame_0007".
+std::string FrameFolder(int index);
+
+// The folder of the meshes as they were delivered and repaired.
+constexpr char kRestFolder[] = "rest";
+
+// Writes all meshes of a frame to DIR/frame_0000/<name>.<format> (DIR/rest/...
+// of the rest frame) and lines and fibres to lines.json beside them; the folder
+// appears complete or not at all. Formats are extensions without dot; all of
+// them keep double precision (.stl does not and is not offered by the
+// programs). With "vtp" muscles carry point data: displacement from rest (mm),
+// area_stretch (area of the triangles around a vertex to that at rest), gap to
+// the nearest other mesh (mm, negative inside, at most kGapLimit) and contact
+// (1 where the gap is at most kContactGap), and each muscle has its lines in
+// lines/<name>.vtp and its fibres, if any, in fibres/<name>.vtp.
+void WriteFrame(const PreparedScene& scene,
+                const Frame& frame,
+                const std::vector<std::string>& formats,
+                const std::string& dir);
+
+// Reads the meshes of a written frame back. Returns the files, within `dir`,
+// that do not hold the frame's points and triangles to the last bit. If there
+// are none, the certificate of the frame is one of its files.
+std::vector<std::string> FilesThatDiffer(
+    const PreparedScene& scene,
+    const Frame& frame,
+    const std::vector<std::string>& formats,
+    const std::string& dir);
+
+// A vertex with a smaller gap than this counts as touching another mesh, mm.
+constexpr double kContactGap = 0.5;
+
+// Writes DIR/motion.pvd, the collection by which ParaView plays the .vtp files
+// of `frames`, at the times of the poses if they rise, else at the indices.
+void WritePvd(const PreparedScene& scene,
+              const std::vector<int>& frames,
+              const std::string& dir);
+
+// Returns for each vertex the ratio of the area of the triangles around it to
+// that at rest, #V; 1 where they have no area.
+Eigen::VectorXd AreaStretch(const Points& rest,
+                            const Points& points,
+                            const Triangles& triangles);
+
+}  // namespace musclewarp

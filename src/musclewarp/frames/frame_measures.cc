@@ -1,0 +1,157 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/frames/frame_measures.h"
+
+#include <utility>
+
+#include "musclewarp/base/stage_times.h"
+#include "musclewarp/frames/shape_measures.h"
+#include "musclewarp/geometry/folded_triangles.h"
+#include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh/transformed.h"
+#include "musclewarp/scene/line_targets.h"
+#include "musclewarp/scene/path_moment_arms.h"
+
+namespace musclewarp {
+namespace {
+
+MuscleFrame FrameOf(const PreparedMuscle& muscle,
+                    const ScenePose& pose,
+                    const Points& coarse,
+                    const Points& fine,
+                    const Points* before,
+                    SolverSummary summary) {
+  const MuscleModel& model = muscle.model;
+  MuscleFrame frame;
+  frame.name = model.name;
+  frame.solver = std::move(summary);
+  frame.points = fine;
+  const double volume = SignedVolume(frame.points, model.fine_triangles);
+  frame.volume_ratio = volume / muscle.mesh.delivered_volume;
+  frame.volume_error = volume / model.rest_volume - 1;
+  frame.max_displacement =
+      (frame.points - model.fine_rest).rowwise().norm().maxCoeff();
+  frame.folded_triangles = static_cast<int>(
+      FoldedTriangles(model.fine_rest, frame.points, model.fine_triangles)
+          .size());
+  frame.shape = MeasureShape(model, frame.points, before ? *before : Points());
+  frame.attachments = DriftOf(
+      model.attachments,
+      muscle.attached,
+      AttachedPositions(model.attachments,
+                        muscle.attached,
+                        model.fine_rest(muscle.attached.vertices, Eigen::all),
+                        pose),
+      frame.points);
+  frame.lines = LinesAt(muscle.lines, coarse);
+  frame.fibres = LinesAt(muscle.fibres, coarse);
+  for (const ActionLine& line : model.lines) {
+    frame.path_lengths.push_back(PathLengthIn(pose, line));
+  }
+  return frame;
+}
+
+std::vector<Points> BonesIn(const PreparedScene& scene, const ScenePose& pose) {
+  std::vector<Points> bones;
+  for (const PreparedBone& bone : scene.bones) {
+    bones.push_back(
+        Transformed(bone.rest.points, BodyTransform(pose, bone.body)));
+  }
+  return bones;
+}
+
+// Counts intersections and measures gaps.
+void AddIntersections(const PreparedScene& scene,
+                      SceneMeshes* meshes,
+                      Frame* frame) {
+  std::vector<Points> muscles;
+  for (const MuscleFrame& muscle : frame->muscles) {
+    muscles.push_back(muscle.points);
+  }
+  meshes->MoveTo(muscles, frame->bones);
+  const ScopedStage stage("certificate");
+  frame->intersections =
+      IntersectScene(meshes->muscles(), meshes->bones(), scene.exempt);
+  const ScopedStage gaps_stage("gaps of vertices");
+  for (size_t i = 0; i < frame->muscles.size(); ++i) {
+    frame->muscles[i].self_pairs =
+        frame->intersections.self_pairs_of_muscles[i];
+    frame->muscles[i].gaps =
+        VertexGaps(i,
+                   meshes->muscles(),
+                   meshes->bones(),
+                   frame->intersections.inside_of_muscles[i],
+                   kGapLimit);
+  }
+}
+
+}  // namespace
+
+Frame MeasureFrame(const PreparedScene& scene,
+                   const ScenePose& pose,
+                   const MuscleShapes& shapes,
+                   const std::vector<Points>& before,
+                   std::vector<SolverSummary> summaries,
+                   SceneMeshes* meshes) {
+  const ScopedStage stage("measures of shapes");
+  Frame frame;
+  frame.name = pose.name;
+  frame.time = pose.time;
+  frame.coordinates = pose.coordinates;
+  frame.muscles.resize(scene.muscles.size());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    frame.muscles[i] = FrameOf(scene.muscles[i],
+                               pose,
+                               shapes.coarse[i],
+                               shapes.fine[i],
+                               before.empty() ? nullptr : &before[i],
+                               std::move(summaries[i]));
+  }
+  frame.bones = BonesIn(scene, pose);
+  AddIntersections(scene, meshes, &frame);
+  return frame;
+}
+
+MuscleMeasures MuscleMeasuresOf(const PreparedMuscle& muscle,
+                                const MuscleFrame& frame) {
+  MuscleMeasures measures;
+  measures.name = frame.name;
+  measures.delivered_volume = muscle.mesh.delivered_volume;
+  measures.volume_ratio = frame.volume_ratio;
+  measures.volume_error = frame.volume_error;
+  measures.max_stretch = frame.shape.max_stretch;
+  return measures;
+}
+
+Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes) {
+  Frame frame;
+  for (const PreparedMuscle& muscle : scene.muscles) {
+    MuscleFrame at_rest;
+    at_rest.name = muscle.model.name;
+    at_rest.points = muscle.model.fine_rest;
+    at_rest.volume_ratio =
+        muscle.model.rest_volume / muscle.mesh.delivered_volume;
+    at_rest.lines = LinesAt(muscle.lines, muscle.model.coarse_rest);
+    at_rest.fibres = LinesAt(muscle.fibres, muscle.model.coarse_rest);
+    frame.muscles.push_back(std::move(at_rest));
+  }
+  for (const PreparedBone& bone : scene.bones) {
+    frame.bones.push_back(bone.rest.points);
+  }
+  AddIntersections(scene, meshes, &frame);
+  return frame;
+}
+
+SceneIntersections IntersectAtRest(const PreparedScene& scene,
+                                   const std::vector<Points>& muscles,
+                                   SceneMeshes* meshes) {
+  std::vector<Points> bones;
+  for (const PreparedBone& bone : scene.bones) {
+    bones.push_back(bone.rest.points);
+  }
+  meshes->MoveTo(muscles, bones);
+  return IntersectScene(meshes->muscles(), meshes->bones(), scene.exempt);
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,44 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "musclewarp/certificate/shortcomings.h"
+#include "musclewarp/frames/frame.h"
+#include "musclewarp/frames/muscle_shapes.h"
+#include "musclewarp/preparation/prepared_scene.h"
+#include "musclewarp/preparation/scene_meshes.h"
+#include "musclewarp/solver/solver_summary.h"
+
+namespace musclewarp {
+
+// Returns the frame of muscles that a solver has moved to a pose: their points,
+// volumes, folded triangles, lines and fibres, and everything that crosses. The
+// times, `pose_steps`, moment arms and what concerns contact are left to the
+// caller.
+// `before` are the fine meshes that the pose was reached from, by muscle, n x
+// 3, mm, or none if it was reached on its own. `meshes` are those of the scene
+// and are moved to the pose.
+Frame MeasureFrame(const PreparedScene& scene,
+                   const ScenePose& pose,
+                   const MuscleShapes& shapes,
+                   const std::vector<Points>& before,
+                   std::vector<SolverSummary> summaries,
+                   SceneMeshes* meshes);
+
+// Returns what certificate/shortcomings.h judges a muscle by where there is no
+// contact: its volume and its stretch.
+MuscleMeasures MuscleMeasuresOf(const PreparedMuscle& muscle,
+                                const MuscleFrame& frame);
+
+// Returns the frame of a scene with every mesh where it was delivered.
+Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes);
+
+// Counts what crosses with the fine vertices of muscles at `muscles` (n x 3
+// each, mm) and bones in the rest pose.
+SceneIntersections IntersectAtRest(const PreparedScene& scene,
+                                   const std::vector<Points>& muscles,
+                                   SceneMeshes* meshes);
+
+}  // namespace musclewarp

@@ -1,0 +1,265 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/frames/moment_arms.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "musclewarp/base/stage_times.h"
+#include "musclewarp/base/stopwatch.h"
+#include "musclewarp/frames/plane_rates.h"
+#include "musclewarp/geometry/dense_product.h"
+#include "musclewarp/mesh/transformed.h"
+#include "musclewarp/scene/line_targets.h"
+#include "musclewarp/scene/path_moment_arms.h"
+#include "musclewarp/scene/perturbed_poses.h"
+#include "musclewarp/solver/shape_derivative.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::Matrix4d;
+
+// Returns a pose moved by `here_from_there`: with it a body that is there is
+// here, and everything else is as that body sees it.
+ScenePose SeenFrom(ScenePose pose, const Matrix4d& here_from_there) {
+  for (auto& body : pose.bodies) {
+    body.second = here_from_there * body.second;
+  }
+  for (auto& line : pose.lines) {
+    line.second = Transformed(line.second, here_from_there);
+  }
+  return pose;
+}
+
+MuscleTarget Difference(const MuscleTarget& before, const MuscleTarget& after) {
+  MuscleTarget rate;
+  constexpr double kWay = 2 * PerturbedPoses::kStep;
+  rate.laplacian = (after.laplacian - before.laplacian) / kWay;
+  rate.skeleton = (after.skeleton - before.skeleton) / kWay;
+  rate.attachment = (after.attachment - before.attachment) / kWay;
+  return rate;
+}
+
+// Returns minus the derivatives of the lengths of carried lines, which move
+// linearly with the derivative `rate` of the shape that carries them.
+std::vector<double> MomentArmsOf(const EmbeddedLines& carried,
+                                 const std::vector<Points>& lines,
+                                 const Points& rate) {
+  std::vector<double> arms;
+  if (rate.isZero(0)) {
+    arms.resize(lines.size(), 0);
+    return arms;
+  }
+  const std::vector<Points> velocities = LinesAt(carried, rate);
+  for (size_t k = 0; k < lines.size(); ++k) {
+    double arm = 0;
+    for (Eigen::Index i = 1; i < lines[k].rows(); ++i) {
+      const Eigen::RowVector3d edge = lines[k].row(i) - lines[k].row(i - 1);
+      // An edge without length has no direction to lengthen in.
+      if (edge.squaredNorm() == 0) continue;
+      arm -= edge.normalized().dot(velocities[k].row(i) -
+                                   velocities[k].row(i - 1));
+    }
+    arms.push_back(arm);
+  }
+  return arms;
+}
+
+// The moment arms of a scene, step by step.
+//
+// Each muscle is seen from a body of its own, so that a coordinate that moves
+// all that it depends on as one has no part in it, to rounding.
+class MomentArms {
+ public:
+  MomentArms(const PreparedScene& scene,
+             const ScenePose& pose,
+             const PreRotationOptions& pre_rotation,
+             const ConvergedShapes& shapes,
+             const std::vector<PerturbedPoses>& beside,
+             Frame* frame)
+      : scene_(scene),
+        pose_(pose),
+        pre_rotation_(pre_rotation),
+        shapes_(shapes),
+        beside_(beside),
+        frame_(*frame),
+        muscles_(scene.muscles.size()) {}
+
+  void Add() {
+    FindCarriers();
+    const int count = static_cast<int>(muscles_.size());
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int i = 0; i < count; ++i) SolveFree(i);
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int i = 0; i < count; ++i) SolveHeld(i);
+    for (const Muscle& muscle : muscles_) {
+      for (const ShapeRate& rate : muscle.held) {
+        frame_.moment_arms_converged &= rate.is_converged;
+      }
+    }
+  }
+
+ private:
+  struct Muscle {
+    bool carries_planes = false;
+    MuscleTarget target;
+    std::vector<Matrix4d> reference;  // by coordinate: the rate of its body
+    std::vector<TargetRate> rates;    // by coordinate, as that body sees it
+    std::vector<ShapeRate> free, held;
+    // By coordinate, if planes go along with the muscle: the derivative of its
+    // fine vertices without contact, n x 3, mm, as that body sees it.
+    std::vector<Points> fine;
+  };
+
+  bool HasRows(int i) const {
+    return !shapes_.contact.empty() && shapes_.contact[i].rows.size() > 0;
+  }
+
+  // Marks the muscles with which planes of active rows go along.
+  void FindCarriers() {
+    for (const ContactRows& contact : shapes_.contact) {
+      for (const PlaneOwner& owner : contact.owners) {
+        if (owner.IsBone()) continue;
+        muscles_[owner.muscle_above].carries_planes = true;
+        muscles_[owner.muscle_below].carries_planes = true;
+      }
+    }
+  }
+
+  // The body from which a muscle is seen; none if it has a line that no body
+  // carries, as such a line does not tell how it turns.
+  std::string BodyOf(const MuscleModel& model) const {
+    for (const ActionLine& line : model.lines) {
+      if (line.bodies.empty()) return "";
+    }
+    return model.lines[0].bodies[0];
+  }
+
+  void FindRates(int i) {
+    const MuscleModel& model = scene_.muscles[i].model;
+    Muscle& muscle = muscles_[i];
+    muscle.target = TargetOf(model, pose_, pre_rotation_);
+    const std::string body = BodyOf(model);
+    const Matrix4d here = BodyTransform(pose_, body);
+    for (const PerturbedPoses& poses : beside_) {
+      const Matrix4d before = BodyTransform(poses.before, body);
+      const Matrix4d after = BodyTransform(poses.after, body);
+      muscle.reference.push_back(RateBetween(before, after));
+      TargetRate rate;
+      rate.linear = Difference(
+          TargetOf(model,
+                   SeenFrom(poses.before, here * RigidInverse(before)),
+                   pre_rotation_),
+          TargetOf(model,
+                   SeenFrom(poses.after, here * RigidInverse(after)),
+                   pre_rotation_));
+      muscle.rates.push_back(std::move(rate));
+    }
+  }
+
+  // Finds how a muscle moves without contact, if planes go along with it.
+  void SolveFree(int i) {
+    FindRates(i);
+    Muscle& muscle = muscles_[i];
+    if (!muscle.carries_planes) return;
+    const MuscleModel& model = scene_.muscles[i].model;
+    const Points& coarse = shapes_.free_coarse[i];
+    muscle.free =
+        DifferentiateShape(model, muscle.target, coarse, muscle.rates);
+    for (const ShapeRate& rate : muscle.free) {
+      muscle.fine.push_back(Product(model.fine_from_coarse, rate.coarse));
+    }
+  }
+
+  // How what carries planes moves with a coordinate, as the body of a muscle
+  // sees it.
+  CarrierRates CarriersSeenFrom(int i, size_t c) const {
+    const Matrix4d& reference = muscles_[i].reference[c];
+    CarrierRates owners;
+    for (const PreparedBone& bone : scene_.bones) {
+      owners.bones.push_back(
+          RateBetween(BodyTransform(beside_[c].before, bone.body),
+                      BodyTransform(beside_[c].after, bone.body)) -
+          reference);
+    }
+    for (size_t j = 0; j < muscles_.size(); ++j) {
+      MuscleCarrier& owner = owners.muscles.emplace_back();
+      if (!muscles_[j].carries_planes) continue;
+      owner.points = &frame_.muscles[j].points;
+      owner.rate = &muscles_[j].fine[c];
+      owner.body = muscles_[j].reference[c] - reference;
+    }
+    return owners;
+  }
+
+  void SolveHeld(int i) {
+    const PreparedMuscle& prepared = scene_.muscles[i];
+    const Points& coarse = shapes_.coarse[i];
+    Muscle& muscle = muscles_[i];
+    if (HasRows(i)) {
+      muscle.target.one_sided = shapes_.contact[i].rows;
+      for (size_t c = 0; c < beside_.size(); ++c) {
+        AddPlaneRates(prepared.model,
+                      shapes_.contact[i],
+                      coarse,
+                      CarriersSeenFrom(i, c),
+                      &muscle.rates[c]);
+      }
+    }
+    muscle.held = HasRows(i) || muscle.free.empty()
+                      ? DifferentiateShape(
+                            prepared.model, muscle.target, coarse, muscle.rates)
+                      : muscle.free;
+    const std::vector<Points> lines = LinesAt(prepared.lines, coarse);
+    const std::vector<Points> fibres = LinesAt(prepared.fibres, coarse);
+    MuscleFrame& frame = frame_.muscles[i];
+    for (size_t c = 0; c < beside_.size(); ++c) {
+      const Points& rate = muscle.held[c].coarse;
+      const std::string& name = beside_[c].name;
+      frame.line_moment_arms[name] = MomentArmsOf(prepared.lines, lines, rate);
+      frame.fibre_moment_arms[name] =
+          MomentArmsOf(prepared.fibres, fibres, rate);
+    }
+  }
+
+  const PreparedScene& scene_;
+  const ScenePose& pose_;
+  const PreRotationOptions& pre_rotation_;
+  const ConvergedShapes& shapes_;
+  const std::vector<PerturbedPoses>& beside_;
+  Frame& frame_;
+  std::vector<Muscle> muscles_;
+};
+
+}  // namespace
+
+void AddMomentArms(const PreparedScene& scene,
+                   const ScenePose& pose,
+                   const PreRotationOptions& pre_rotation,
+                   const ConvergedShapes& shapes,
+                   Frame* frame) {
+  if (!scene.scene.model) return;
+  const ScopedStage stage("moment arms");
+  const Stopwatch watch;
+  const std::vector<PerturbedPoses> beside =
+      PerturbedPosesOf(*scene.scene.model, pose);
+  frame->path_moment_arms = PathMomentArms(scene.scene, pose, beside);
+  MomentArms(scene, pose, pre_rotation, shapes, beside, frame).Add();
+  frame->moment_arms_ms = watch.Milliseconds();
+}
+
+void AddPathMomentArms(const PreparedScene& scene,
+                       const ScenePose& pose,
+                       Frame* frame) {
+  if (!scene.scene.model) return;
+  const Stopwatch watch;
+  frame->path_moment_arms = PathMomentArms(
+      scene.scene, pose, PerturbedPosesOf(*scene.scene.model, pose));
+  frame->moment_arms_ms = watch.Milliseconds();
+}
+
+}  // namespace musclewarp

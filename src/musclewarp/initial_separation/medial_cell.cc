@@ -1,0 +1,318 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/initial_separation/medial_cell.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+#include "musclewarp/base/infinity.h"
+#include "musclewarp/base/option_check.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+
+}  // namespace
+
+// Voxels by their centres; x runs fastest.
+struct MedialCell::VoxelGrid {
+  RowVector3d origin;
+  double voxel_size;
+  std::array<int, 3> size;
+
+  // By voxel: the signed distance of its centre to the cell, or above zero.
+  std::vector<double> distance;
+
+  // By voxel: the nearest voxel of the main part, or -1.
+  std::vector<int> nearest;
+
+  VoxelGrid(const Box3& box, double voxel) : voxel_size(voxel) {
+    for (int k = 0; k < 3; ++k) {
+      origin[k] = box.lower[k] - 2 * voxel;
+      size[k] =
+          static_cast<int>(std::ceil((box.upper[k] - box.lower[k]) / voxel)) +
+          5;
+    }
+  }
+
+  int count() const { return size[0] * size[1] * size[2]; }
+  std::array<int, 3> PlaceOf(int index) const {
+    return {index % size[0],
+            index / size[0] % size[1],
+            index / (size[0] * size[1])};
+  }
+  RowVector3d Centre(const std::array<int, 3>& at) const {
+    return origin + voxel_size * RowVector3d(at[0], at[1], at[2]);
+  }
+  RowVector3d Centre(int index) const { return Centre(PlaceOf(index)); }
+  int IndexOf(const RowVector3d& p) const {
+    std::array<int, 3> at;
+    for (int k = 0; k < 3; ++k) {
+      at[k] = std::clamp(
+          static_cast<int>(std::lround((p[k] - origin[k]) / voxel_size)),
+          0,
+          size[k] - 1);
+    }
+    return (at[2] * size[1] + at[1]) * size[0] + at[0];
+  }
+  // Calls visit(index, place) for the voxels beside one.
+  template <typename Visit>
+  void ForEachNeighbour(int index, const Visit& visit) const {
+    std::array<int, 3> at = PlaceOf(index);
+    const std::array<int, 3> strides = {1, size[0], size[0] * size[1]};
+    for (int k = 0; k < 3; ++k) {
+      if (at[k] > 0) {
+        --at[k];
+        visit(index - strides[k], at);
+        ++at[k];
+      }
+      if (at[k] + 1 < size[k]) {
+        ++at[k];
+        visit(index + strides[k], at);
+        --at[k];
+      }
+    }
+  }
+
+  // The voxels of the largest part of those that are free, in which two
+  // neighbours belong together if are_connected(i, j).
+  template <typename IsFree, typename AreConnected>
+  std::vector<int> LargestPart(const IsFree& is_free,
+                               const AreConnected& are_connected) const {
+    std::vector<char> is_visited(count(), false);
+    std::vector<int> largest;
+    for (int i = 0; i < count(); ++i) {
+      if (!is_free(i) || is_visited[i]) continue;
+      std::vector<int> part = {i};
+      is_visited[i] = true;
+      std::vector<int> front = {i};
+      while (!front.empty()) {
+        const int at = front.back();
+        front.pop_back();
+        ForEachNeighbour(at, [&](int next, const auto& /*place*/) {
+          if (!is_free(next) || is_visited[next]) return;
+          if (!are_connected(at, next)) return;
+          is_visited[next] = true;
+          part.push_back(next);
+          front.push_back(next);
+        });
+      }
+      if (part.size() > largest.size()) largest = std::move(part);
+    }
+    std::sort(largest.begin(), largest.end());
+    return largest;
+  }
+
+  // Fills in `nearest` from the voxels `part`, outwards.
+  void SpreadFrom(const std::vector<int>& part) {
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    std::vector<double> way(count(), kInfinity);
+    nearest.assign(count(), -1);
+    for (const int i : part) {
+      nearest[i] = i;
+      way[i] = 0;
+      queue.emplace(0, i);
+    }
+    while (!queue.empty()) {
+      const auto [d, at] = queue.top();
+      queue.pop();
+      if (d > way[at]) continue;
+      const int source = nearest[at];
+      const RowVector3d centre = Centre(source);
+      ForEachNeighbour(at, [&](int next, const auto& place) {
+        const double through = (Centre(place) - centre).norm();
+        if (through < way[next] - 1e-9) {
+          way[next] = through;
+          nearest[next] = source;
+          queue.emplace(through, next);
+        }
+      });
+    }
+  }
+};
+
+bool MedialCellOptions::IsValid(std::string* error) const {
+  return OptionCheck("MedialCellOptions", error)
+      .IsAtLeast("margin", margin, 0)
+      .IsAbove("voxel_size", voxel_size, 0)
+      .IsAbove("range", range, margin)
+      .IsAbove("thinnest_wall", thinnest_wall, 0)
+      .is_valid();
+}
+
+MedialCell::MedialCell(const MedialCellOptions& options,
+                       const SolidDistance& muscle,
+                       std::vector<const SolidDistance*> other_muscles,
+                       std::vector<const SolidDistance*> bones)
+    : options_(options),
+      muscle_(muscle),
+      other_muscles_(std::move(other_muscles)),
+      bones_(std::move(bones)) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+}
+
+double MedialCell::SignedDistance(const RowVector3d& p) const {
+  const double range = options_.range;
+  double distance = -range;
+  for (const SolidDistance* bone : bones_) {
+    distance = std::max(distance, options_.margin / 2 - bone->At(p, range));
+  }
+  double own = 0;
+  bool is_own_known = false;
+  for (const SolidDistance* other : other_muscles_) {
+    const double theirs = other->At(p, range);
+    if (theirs >= range) continue;
+    if (!is_own_known) {
+      own = muscle_.At(p, 4 * range);
+      is_own_known = true;
+    }
+    distance = std::max(distance, (own - theirs + options_.margin) / 2);
+  }
+  return distance;
+}
+
+double MedialCell::DistanceDownTo(double depth, const RowVector3d& p) const {
+  const double margin = options_.margin;
+  double distance = -depth;
+  for (const SolidDistance* bone : bones_) {
+    const double limit = std::min(options_.range, depth + margin / 2);
+    distance = std::max(distance, margin / 2 - bone->At(p, limit));
+  }
+  // Deep in the muscle, only what reaches as deep can bound the cell.
+  const double limit = std::clamp(
+      muscle_.UpperBound(p) + margin + 2 * depth, 0.0, options_.range);
+  double own = 0;
+  bool is_own_known = false;
+  for (const SolidDistance* other : other_muscles_) {
+    const double theirs = other->At(p, limit);
+    if (theirs >= limit) continue;
+    if (!is_own_known) {
+      own = muscle_.At(p, 4 * options_.range);
+      is_own_known = true;
+    }
+    distance = std::max(distance, (own - theirs + margin) / 2);
+  }
+  return distance;
+}
+
+double MedialCell::RegionDistance(const RowVector3d& p) const {
+  const double own = muscle_.At(p, kInfinity);
+  // Farther outside, the own distance is enough for the sum with others.
+  return own >= options_.range + options_.margin
+             ? own
+             : std::max(own, SignedDistance(p));
+}
+
+RowVector3d MedialCell::Inward(const RowVector3d& p) const {
+  constexpr double kStep = 0.1;  // mm, of the central differences
+  RowVector3d gradient;
+  for (int k = 0; k < 3; ++k) {
+    RowVector3d step = RowVector3d::Zero();
+    step[k] = kStep;
+    gradient[k] = SignedDistance(p + step) - SignedDistance(p - step);
+  }
+  const double norm = gradient.norm();
+  return norm > 1e-6 ? RowVector3d(-gradient / norm) : RowVector3d::Zero();
+}
+
+bool MedialCell::IsPathFree(const RowVector3d& a,
+                            double distance_a,
+                            const RowVector3d& b,
+                            double distance_b) const {
+  const double length = (b - a).norm();
+  // The signed distance grows by no more than the way.
+  if (distance_a + distance_b <= -length || length < options_.thinnest_wall) {
+    return true;
+  }
+  const RowVector3d middle = (a + b) / 2;
+  const double distance = SignedDistance(middle);
+  return distance <= 0 && IsPathFree(a, distance_a, middle, distance) &&
+         IsPathFree(middle, distance, b, distance_b);
+}
+
+MedialCell::VoxelGrid MedialCell::SampledVoxels() const {
+  VoxelGrid grid(muscle_.mesh().bvh().box(), options_.voxel_size);
+  // Parts of the muscle thinner than a voxel are connected by the voxels beside
+  // them.
+  grid.distance.assign(grid.count(), 1);
+  const double voxel = grid.voxel_size;
+  // The path between two neighbours is free if one is deeper than its length.
+  const double depth = 1.01 * voxel;
+#pragma omp parallel for schedule(dynamic, 256)
+  for (int i = 0; i < grid.count(); ++i) {
+    const RowVector3d p = grid.Centre(i);
+    if (muscle_.UpperBound(p) < voxel || muscle_.At(p, voxel) < voxel) {
+      grid.distance[i] = DistanceDownTo(depth, p);
+    }
+  }
+  return grid;
+}
+
+void MedialCell::FindMainPart(VoxelGrid* grid) const {
+  const std::vector<double>& distance = grid->distance;
+  grid->SpreadFrom(grid->LargestPart(
+      [&](int i) { return distance[i] <= 0; },
+      [&](int i, int j) {
+        return IsPathFree(
+            grid->Centre(i), distance[i], grid->Centre(j), distance[j]);
+      }));
+}
+
+RowVector3d MedialCell::Border(const RowVector3d& q,
+                               double distance_q,
+                               const RowVector3d& p) const {
+  // Sphere tracing: the signed distance tells how far the path is free.
+  constexpr double kTolerance = 1e-4;  // mm
+  const double way = (p - q).norm();
+  double at = 0;
+  for (double room = -distance_q; room > kTolerance && at < way;) {
+    at = std::min(way, at + room);
+    room = -SignedDistance(q + at / way * (p - q));
+  }
+  return q + at / way * (p - q);
+}
+
+Points MedialCell::Project(const Points& points) const {
+  return Project({this}, {&points})[0];
+}
+
+std::vector<Points> MedialCell::Project(
+    const std::vector<const MedialCell*>& cells,
+    const std::vector<const Points*>& points) {
+  CHECK_EQ(cells.size(), points.size());
+  std::vector<VoxelGrid> grids;
+  for (const MedialCell* cell : cells) grids.push_back(cell->SampledVoxels());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (size_t i = 0; i < cells.size(); ++i) cells[i]->FindMainPart(&grids[i]);
+  std::vector<Points> projected;
+  for (size_t i = 0; i < cells.size(); ++i) {
+    projected.push_back(cells[i]->Project(*points[i], grids[i]));
+  }
+  return projected;
+}
+
+Points MedialCell::Project(const Points& points, const VoxelGrid& grid) const {
+  Points projected = points;
+#pragma omp parallel for schedule(dynamic, 64)
+  for (Eigen::Index v = 0; v < points.rows(); ++v) {
+    const RowVector3d p = points.row(v);
+    const int nearest = grid.nearest[grid.IndexOf(p)];
+    if (nearest < 0) continue;
+    const RowVector3d q = grid.Centre(nearest);
+    const double distance_p = SignedDistance(p);
+    const double distance_q = SignedDistance(q);
+    if (distance_p <= 0 && IsPathFree(q, distance_q, p, distance_p)) continue;
+    projected.row(v) = Border(q, distance_q, p);
+  }
+  return projected;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,71 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/initial_separation/solid_distance.h"
+
+#include <algorithm>
+
+#include "musclewarp/base/infinity.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+
+// Of the samples, mm.
+constexpr double kSpacing = 3;
+
+double SearchedDistance(const SearchableMesh& mesh, const RowVector3d& p) {
+  const double distance = mesh.bvh().ClosestPoint(p, kInfinity).distance;
+  return mesh.bvh().box().Contains(p) && mesh.winding().IsInside(p) ? -distance
+                                                                    : distance;
+}
+
+// True if a sample is the distance itself. It is less than the distance in
+// magnitude elsewhere.
+bool IsExact(double sample) { return std::abs(sample) <= 2 * kSpacing; }
+
+}  // namespace
+
+SolidDistance::SolidDistance(const SearchableMesh& mesh)
+    : mesh_(mesh),
+      samples_(
+          [&mesh](const RowVector3d& p) { return SearchedDistance(mesh, p); },
+          mesh.bvh().box(),
+          kSpacing) {}
+
+double SolidDistance::At(const RowVector3d& p, double limit) const {
+  bool is_inside = false, is_known = false;
+  double farthest = kInfinity;
+  const std::int64_t nearest = samples_.NearestTo(p);
+  if (nearest >= 0) {
+    // A way shorter than the distance does not reach the surface.
+    const double sample = samples_.value(nearest);
+    const double way = (p - samples_.Position(nearest)).norm();
+    if (sample - way >= limit) return limit;
+    is_known = way < std::abs(sample);
+    is_inside = sample < 0;
+    // The surface is no farther than it is from the sample, if that is exact.
+    // More than rounding is added, so that the nearest triangle is found.
+    if (IsExact(sample)) {
+      farthest = (std::abs(sample) + way) * (1 + 1e-9) + 1e-9;
+    }
+  }
+  if (!is_known) {
+    is_inside = mesh_.bvh().box().Contains(p) && mesh_.winding().IsInside(p);
+  }
+  const double distance =
+      mesh_.bvh()
+          .ClosestPoint(p, is_inside ? farthest : std::min(farthest, limit))
+          .distance;
+  return is_inside ? -distance : std::min(distance, limit);
+}
+
+double SolidDistance::UpperBound(const RowVector3d& p) const {
+  const std::int64_t nearest = samples_.NearestTo(p);
+  if (nearest < 0) return kInfinity;
+  const double sample = samples_.value(nearest);
+  if (sample > 0 && !IsExact(sample)) return kInfinity;
+  return sample + (p - samples_.Position(nearest)).norm();
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,165 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/preparation/bones_at_rest.h"
+
+#include <algorithm>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+#include "musclewarp/mesh/transformed.h"
+#include "musclewarp/proximity/mesh_intersection.h"
+#include "musclewarp/scene/line_targets.h"
+
+namespace musclewarp {
+namespace {
+
+// Bones that are nearer to each other at rest than this may have a joint, mm.
+constexpr double kJointGap = 30;
+
+// In a joint, bones slide on each other by less than the first of these from
+// frame to frame, mm, unless the gap between them grows by less than the
+// second. Nothing slides by more than the last.
+constexpr double kLongSlide = 50;
+constexpr double kWideGap = 20;
+constexpr double kLongestSlide = 120;
+
+// That many vertices of a bone say where it is.
+constexpr Eigen::Index kVertices = 1000;
+
+struct SearchableBone {
+  const BoneAtRest& bone;
+  Points vertices;  // some of them
+  TriangleBvh tree;
+};
+
+Points SomeOf(const Points& points) {
+  const Eigen::Index step =
+      std::max<Eigen::Index>(1, points.rows() / kVertices);
+  Points some((points.rows() + step - 1) / step, 3);
+  for (Eigen::Index i = 0; i < some.rows(); ++i) {
+    some.row(i) = points.row(i * step);
+  }
+  return some;
+}
+
+struct NearestPair {
+  double distance = 0;  // mm
+  Eigen::RowVector3d middle;
+};
+
+// Returns where vertices are nearest to a bone, if they are nearer than
+// `limit`, which is the distance otherwise.
+NearestPair NearestTo(const TriangleBvh& tree,
+                      const Points& vertices,
+                      double limit) {
+  NearestPair nearest;
+  nearest.distance = limit;
+  for (const Eigen::RowVector3d p : vertices.rowwise()) {
+    const auto closest = tree.ClosestPoint(p, nearest.distance);
+    if (!(closest.distance < nearest.distance)) continue;
+    nearest.distance = closest.distance;
+    nearest.middle = (p + closest.point) / 2;
+  }
+  return nearest;
+}
+
+// The largest move of a bone against another.
+struct BoneMove {
+  double distance = 0;  // mm
+  int pose = -1;
+};
+
+// Returns the largest move of `b` against `a` that no joint makes, if any.
+std::optional<BoneMove> ImpossibleMove(const Scene& scene,
+                                       const SearchableBone& a,
+                                       const SearchableBone& b) {
+  const NearestPair rest = NearestTo(a.tree, b.vertices, kJointGap);
+  if (rest.distance >= kJointGap) return std::nullopt;
+  BoneMove largest;
+  Eigen::Matrix4d before = Eigen::Matrix4d::Identity();
+  for (size_t i = 0; i < scene.poses.size(); ++i) {
+    const ScenePose& pose = scene.poses[i];
+    const Eigen::Matrix4d now = BodyTransform(pose, a.bone.body).inverse() *
+                                BodyTransform(pose, b.bone.body);
+    const Points joint = rest.middle;
+    const double moved =
+        (Transformed(joint, now) - Transformed(joint, before)).norm();
+    if (scene.is_motion) before = now;
+    if (moved <= std::max(kLongSlide, largest.distance)) continue;
+    const double wide = rest.distance + kWideGap;
+    const double gap =
+        NearestTo(a.tree, Transformed(b.vertices, now), wide).distance;
+    if (moved < kLongestSlide && gap < wide) continue;
+    largest = {moved, static_cast<int>(i)};
+  }
+  if (largest.pose < 0) return std::nullopt;
+  return largest;
+}
+
+std::string MoveText(const Scene& scene,
+                     const SearchableBone& a,
+                     const SearchableBone& b,
+                     const BoneMove& move) {
+  std::ostringstream text;
+  text.precision(3);
+  text << b.bone.name << " moves by " << move.distance << " mm against "
+       << a.bone.name;
+  if (scene.is_motion && move.pose > 0) {
+    text << " between frames " << move.pose - 1 << " and " << move.pose;
+  } else {
+    text << " between the rest pose and frame " << move.pose;
+  }
+  text << " (" << scene.poses[move.pose].name
+       << "): is the centre of the joint right?";
+  return text.str();
+}
+
+}  // namespace
+
+std::vector<BoneCrossing> BoneCrossings(const std::vector<BoneAtRest>& bones) {
+  std::deque<TriangleBvh> trees;
+  for (const BoneAtRest& bone : bones) {
+    trees.emplace_back(bone.mesh.points, bone.mesh.triangles);
+  }
+  std::vector<BoneCrossing> crossings;
+  for (size_t a = 0; a < bones.size(); ++a) {
+    for (size_t b = a + 1; b < bones.size(); ++b) {
+      const auto pairs = IntersectingTriangles(trees[a], trees[b]);
+      if (pairs.empty()) continue;
+      BoneCrossing crossing;
+      crossing.a = bones[a].name;
+      crossing.b = bones[b].name;
+      crossing.triangle_pairs = static_cast<int>(pairs.size());
+      for (const auto& [f, g] : pairs) {
+        crossing.place += trees[a].corners(f).colwise().mean();
+      }
+      crossing.place /= static_cast<double>(pairs.size());
+      crossings.push_back(crossing);
+    }
+  }
+  return crossings;
+}
+
+std::vector<std::string> BoneMoveWarnings(
+    const Scene& scene, const std::vector<BoneAtRest>& bones) {
+  std::deque<SearchableBone> searchable;
+  for (const BoneAtRest& bone : bones) {
+    searchable.push_back({bone,
+                          SomeOf(bone.mesh.points),
+                          TriangleBvh(bone.mesh.points, bone.mesh.triangles)});
+  }
+  std::vector<std::string> warnings;
+  for (size_t a = 0; a < bones.size(); ++a) {
+    for (size_t b = a + 1; b < bones.size(); ++b) {
+      if (bones[a].body == bones[b].body) continue;
+      const auto move = ImpossibleMove(scene, searchable[a], searchable[b]);
+      if (!move) continue;
+      warnings.push_back(MoveText(scene, searchable[a], searchable[b], *move));
+    }
+  }
+  return warnings;
+}
+
+}  // namespace musclewarp

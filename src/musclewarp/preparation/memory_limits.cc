@@ -1,0 +1,60 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/preparation/memory_limits.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh/measures.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr double kMostPoints = 3e8;
+constexpr double kMostPairs = 1e9;
+
+}  // namespace
+
+void CheckLatticeFits(const std::string& name,
+                      const Box3& box,
+                      double spacing) {
+  double points = 1;
+  std::ostringstream size;
+  for (int k = 0; k < 3; ++k) {
+    const double length = box.upper[k] - box.lower[k];
+    points *= length / spacing + 5;
+    size << (k > 0 ? " x " : "") << std::round(length);
+  }
+  if (points <= kMostPoints) return;
+  std::ostringstream problem;
+  problem << "is " << size.str() << " mm large, which takes " << points
+          << " samples at " << spacing << " mm; allowed: " << kMostPoints;
+  throw InputError(name, problem.str(), "check its unit, or divide it");
+}
+
+void CheckContactFits(const std::vector<NamedMesh>& muscles,
+                      double voxel_size,
+                      double reach) {
+  for (const NamedMesh& muscle : muscles) {
+    const SearchableMesh& mesh = *muscle.mesh;
+    CheckLatticeFits(muscle.name, mesh.bvh().box(), voxel_size);
+    const auto triangles = static_cast<double>(mesh.triangles().rows());
+    const double area = SurfaceArea(mesh.points(), mesh.triangles());
+    // Those in a circle around each.
+    const double pairs = triangles * M_PI * reach * reach * triangles / area;
+    if (pairs <= kMostPairs) continue;
+    std::ostringstream problem;
+    problem.precision(3);
+    problem << "has " << mesh.triangles().rows()
+            << " triangles with edges of about "
+            << TypicalEdge(mesh.points(), mesh.triangles())
+            << " mm, of which contact would have to look at " << pairs
+            << " pairs; allowed: " << kMostPairs;
+    throw InputError(muscle.name,
+                     problem.str(),
+                     "check its unit, or make its triangles larger");
+  }
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,357 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/preparation/prepared_scene.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "musclewarp/base/invalid_option.h"
+#include "musclewarp/base/parallel_for.h"
+#include "musclewarp/base/stage_times.h"
+#include "musclewarp/base/stopwatch.h"
+#include "musclewarp/geometry/outer_hull.h"
+#include "musclewarp/mesh/measures.h"
+#include "musclewarp/preparation/delivered_mesh.h"
+#include "musclewarp/preparation/surroundings.h"
+#include "musclewarp/scene/attachment_area.h"
+#include "musclewarp/scene/coordinate_limits.h"
+#include "musclewarp/scene/far_lines.h"
+#include "musclewarp/scene/folded_lines.h"
+#include "musclewarp/scene/length_unit.h"
+#include "musclewarp/scene/line_targets.h"
+#include "musclewarp/skeleton/sampling.h"
+
+namespace musclewarp {
+namespace {
+
+// Repairs a mesh. In messages a mesh without a file goes by its name.
+TriangleSoup Repaired(const TriangleSoup& delivered,
+                      const std::string& name,
+                      const std::string& path,
+                      const PrepareOptions& options,
+                      MeshPreparation* preparation) {
+  CheckCoordinates(path.empty() ? name : path, delivered.points);
+  preparation->name = name;
+  preparation->path = path;
+  preparation->defects = CountDefects(delivered);
+  TriangleSoup repaired = RepairMesh(delivered,
+                                     path.empty() ? name : path,
+                                     options.repair,
+                                     &preparation->repairs);
+  preparation->delivered_volume =
+      SignedVolume(repaired.points, repaired.triangles);
+  if (options.remove_self_crossings) {
+    preparation->self_crossings = RemoveSelfCrossings(&repaired);
+  }
+  return repaired;
+}
+
+// The action lines at the places of the skeleton samples.
+EmbeddedLines CarryActionLines(const MuscleModel& model) {
+  std::vector<Points> lines(model.lines.size());
+  for (const SegmentPoint& sample : model.samples) {
+    Points& line = lines[sample.line];
+    line.conservativeResize(line.rows() + 1, 3);
+    line.bottomRows<1>() =
+        PointOnSegment(model.lines[sample.line].rest, sample);
+  }
+  return EmbedLines(lines, model.coarse_rest, model.coarse_triangles);
+}
+
+void AddBones(const std::vector<PreparedBone>& bones,
+              Surroundings* surroundings) {
+  for (const PreparedBone& bone : bones) {
+    surroundings->AddBone(bone.body, bone.rest);
+  }
+}
+
+// Prepares everything that follows from the mesh of muscle `m`.
+void PrepareModel(const Surroundings& surroundings,
+                  const PrepareOptions& options,
+                  const Scene& scene,
+                  int m,
+                  const TriangleSoup& fine,
+                  PreparedMuscle* prepared) {
+  SceneMuscle muscle = scene.muscles[m];
+  muscle.attachments = ChooseAttachments(options.attachments,
+                                         muscle,
+                                         scene.poses,
+                                         fine,
+                                         surroundings.bodies(),
+                                         surroundings.MusclesBeside(m),
+                                         &prepared->attachment_warnings);
+  const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
+  prepared->hull_encloses = Encloses(hull, fine);
+  MuscleModelOptions model_options = options.muscle;
+  if (options.attachments == AttachmentKind::kNone) {
+    model_options.attachment_weight = 0;
+  }
+  prepared->model = PrepareMuscle(muscle, fine, hull, model_options);
+  if (options.attachments != AttachmentKind::kNone) {
+    prepared->attached =
+        FindAttachedVertices(prepared->model.attachments, fine.points);
+  }
+  prepared->lines = CarryActionLines(prepared->model);
+  if (options.fibres.fibres > 0) {
+    const Stopwatch stopwatch;
+    prepared->fibres = EmbedLines(MakeFibres(fine,
+                                             surroundings.bodies(),
+                                             {muscle.attachments, muscle.lines},
+                                             options.fibres),
+                                  hull.points,
+                                  hull.triangles);
+    prepared->fibres_ms = stopwatch.Milliseconds();
+  }
+}
+
+// Reads and repairs the mesh of a bone.
+PreparedBone RepairBone(const PrepareOptions& options, const SceneBone& bone) {
+  PreparedBone prepared;
+  const TriangleSoup delivered = DeliveredMesh(bone, &prepared.mesh.notes);
+  prepared.rest =
+      Repaired(delivered, bone.name, bone.mesh_path, options, &prepared.mesh);
+  prepared.body = bone.body;
+  return prepared;
+}
+
+// Reads and repairs the mesh of a muscle; returns it.
+TriangleSoup RepairMuscle(const PrepareOptions& options,
+                          const SceneMuscle& muscle,
+                          PreparedMuscle* prepared) {
+  const std::string& where =
+      muscle.mesh_path.empty() ? muscle.name : muscle.mesh_path;
+  const TriangleSoup delivered = DeliveredMesh(muscle, &prepared->mesh.notes);
+  CheckCoordinates(where, delivered.points);
+  // Before the repair, whose tolerances are those of a muscle.
+  CheckMuscleSize(where,
+                  BoundingBoxDiagonal(delivered.points),
+                  std::nullopt,
+                  muscle.mm_per_unit);
+  TriangleSoup fine = Repaired(
+      delivered, muscle.name, muscle.mesh_path, options, &prepared->mesh);
+  CheckMuscleSize(where,
+                  BoundingBoxDiagonal(fine.points),
+                  prepared->mesh.delivered_volume,
+                  muscle.mm_per_unit);
+  if (muscle.delivered_volume > 0) {
+    prepared->mesh.delivered_volume = muscle.delivered_volume;
+  }
+  if (options.remove_slivers) {
+    prepared->mesh.slivers = RemoveSlivers(options.slivers, &fine);
+  }
+  return fine;
+}
+
+// Adds lines to the muscle if it has none, and prepares the rest.
+void PrepareOne(const Surroundings& surroundings,
+                const PrepareOptions& options,
+                int m,
+                const TriangleSoup& fine,
+                Scene* scene,
+                PreparedMuscle* prepared) {
+  SceneMuscle& muscle = scene->muscles[m];
+  if (muscle.lines.empty()) {
+    muscle.lines = MakeLines(muscle.name,
+                             fine,
+                             surroundings.bodies(),
+                             muscle.attachments,
+                             options.auto_lines);
+  }
+  PrepareModel(surroundings, options, *scene, m, fine, prepared);
+}
+
+struct MeshSize {
+  std::string name;
+  double diagonal;  // mm
+};
+
+// A mesh in metres among others in millimetres is a thousand times too small.
+std::vector<std::string> ScaleWarnings(const std::vector<MeshSize>& sizes,
+                                       double ratio) {
+  std::vector<std::string> warnings;
+  for (size_t a = 0; a < sizes.size(); ++a) {
+    for (size_t b = 0; b < sizes.size(); ++b) {
+      if (sizes[a].diagonal <= ratio * sizes[b].diagonal) continue;
+      std::ostringstream text;
+      text << sizes[a].name << " is " << sizes[a].diagonal << " mm across, "
+           << sizes[b].name << " " << sizes[b].diagonal
+           << " mm: are both files in millimetres?";
+      warnings.push_back(text.str());
+    }
+  }
+  return warnings;
+}
+
+// Muscles by bones that an attachment which may penetrate shares a body with.
+std::vector<ExemptArea> ExemptAreas(const PreparedScene& scene) {
+  std::vector<ExemptArea> areas;
+  for (size_t m = 0; m < scene.muscles.size(); ++m) {
+    const MuscleModel& model = scene.muscles[m].model;
+    for (size_t b = 0; b < scene.bones.size(); ++b) {
+      ExemptArea area;
+      area.muscle = static_cast<int>(m);
+      area.bone = static_cast<int>(b);
+      area.vertices.assign(model.fine_rest.rows(), false);
+      bool is_any = false;
+      for (const Attachment& attachment : model.attachments) {
+        if (!attachment.may_penetrate ||
+            attachment.body != scene.bones[b].body) {
+          continue;
+        }
+        for (const int v : VerticesInArea(attachment, model.fine_rest)) {
+          area.vertices[v] = is_any = true;
+        }
+      }
+      if (!is_any) continue;
+      for (Eigen::Index f = 0; f < model.fine_triangles.rows(); ++f) {
+        const auto t = model.fine_triangles.row(f);
+        area.triangles.push_back(area.vertices[t[0]] || area.vertices[t[1]] ||
+                                 area.vertices[t[2]]);
+      }
+      areas.push_back(std::move(area));
+    }
+  }
+  return areas;
+}
+
+// Says which bones cross each other, and which poses take joints apart.
+void CheckBones(PreparedScene* prepared) {
+  std::vector<BoneAtRest> bones;
+  for (const PreparedBone& bone : prepared->bones) {
+    bones.push_back({bone.mesh.name, bone.body, bone.rest});
+  }
+  prepared->bone_crossings = BoneCrossings(bones);
+  prepared->warnings = BoneMoveWarnings(prepared->scene, bones);
+}
+
+// Adds what was found while preparing to the warnings of the scene.
+void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
+  std::vector<std::string>& warnings = prepared->warnings;
+  const auto add = [&](const std::vector<std::string>& more) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  };
+  add(prepared->scene.warnings);
+  for (const PreparedBone& bone : prepared->bones) add(bone.mesh.notes);
+  for (const PreparedMuscle& muscle : prepared->muscles) {
+    add(muscle.mesh.notes);
+    add(muscle.attachment_warnings);
+    if (muscle.fibres.num_lines() >= options.fibres.fibres) continue;
+    warnings.push_back(muscle.model.name + " has room for " +
+                       std::to_string(muscle.fibres.num_lines()) +
+                       " fibres of " + std::to_string(options.fibres.fibres));
+  }
+  std::vector<MeshSize> sizes;
+  for (const PreparedBone& bone : prepared->bones) {
+    sizes.push_back({bone.mesh.name, BoundingBoxDiagonal(bone.rest.points)});
+  }
+  for (size_t i = 0; i < prepared->muscles.size(); ++i) {
+    const MuscleModel& model = prepared->muscles[i].model;
+    sizes.push_back({model.name, BoundingBoxDiagonal(model.fine_rest)});
+    add(FarLineWarnings(prepared->scene.muscles[i], model.fine_rest));
+  }
+  add(FoldedLineWarnings(prepared->scene));
+  add(ScaleWarnings(sizes, options.scale_warning_ratio));
+}
+
+}  // namespace
+
+bool PrepareOptions::IsValid(std::string* error) const {
+  if (auto_lines < 1) {
+    return InvalidOption(
+        "PrepareOptions::auto_lines", auto_lines, "1 or above", error);
+  }
+  if (!(scale_warning_ratio >= 1)) {
+    return InvalidOption("PrepareOptions::scale_warning_ratio",
+                         scale_warning_ratio,
+                         "1 or above",
+                         error);
+  }
+  return muscle.IsValid(error) && repair.IsValid(error) &&
+         slivers.IsValid(error) && fibres.IsValid(error);
+}
+
+void ReplaceMuscleMeshes(const PrepareOptions& options,
+                         const std::vector<int>& muscles,
+                         std::vector<TriangleSoup> meshes,
+                         PreparedScene* prepared) {
+  CHECK_EQ(muscles.size(), meshes.size());
+  Surroundings surroundings;
+  AddBones(prepared->bones, &surroundings);
+  for (const PreparedMuscle& muscle : prepared->muscles) {
+    surroundings.AddMuscle(
+        {muscle.model.fine_rest, muscle.model.fine_triangles});
+  }
+  ParallelFor(meshes.size(), [&](size_t k) {
+    PreparedMuscle& muscle = prepared->muscles[muscles[k]];
+    if (options.remove_slivers) {
+      muscle.mesh.slivers = RemoveSlivers(options.slivers, &meshes[k]);
+    }
+    PrepareModel(
+        surroundings, options, prepared->scene, muscles[k], meshes[k], &muscle);
+  });
+  prepared->exempt = ExemptAreas(*prepared);
+}
+
+PreparedScene PrepareScene(const Scene& scene,
+                           const PrepareOptions& options,
+                           const ProgressCallback& on_progress) {
+  const Stopwatch stopwatch;
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+  PreparedScene prepared;
+  prepared.scene = scene;
+  prepared.bones.resize(scene.bones.size());
+  prepared.muscles.resize(scene.muscles.size());
+  const size_t num_bones = scene.bones.size();
+  const size_t num_muscles = scene.muscles.size();
+  const size_t num_meshes = num_bones + num_muscles;
+  const auto say_progress = [&](size_t done) {
+    if (!on_progress) return;
+    on_progress({"preparing",
+                 static_cast<int>(done),
+                 static_cast<int>(num_meshes + num_muscles)});
+  };
+  // Bones first: they have the largest meshes.
+  std::vector<TriangleSoup> fine(num_muscles);
+  const auto repair = [&](size_t i) {
+    if (i < num_bones) {
+      prepared.bones[i] = RepairBone(options, scene.bones[i]);
+      return;
+    }
+    const size_t m = i - num_bones;
+    fine[m] = RepairMuscle(options, scene.muscles[m], &prepared.muscles[m]);
+  };
+  say_progress(0);
+  const ScopedStage repairing("reading and repair");
+  ParallelFor(num_meshes, repair, say_progress);
+  const ScopedStage modelling("models of muscles");
+  Surroundings surroundings;
+  AddBones(prepared.bones, &surroundings);
+  for (const TriangleSoup& muscle : fine) {
+    surroundings.AddMuscle(muscle);
+  }
+  const auto prepare = [&](size_t m) {
+    PrepareOne(surroundings,
+               options,
+               static_cast<int>(m),
+               fine[m],
+               &prepared.scene,
+               &prepared.muscles[m]);
+  };
+  ParallelFor(num_muscles, prepare, [&](size_t done) {
+    say_progress(num_meshes + done);
+  });
+  prepared.exempt = ExemptAreas(prepared);
+  CheckBones(&prepared);
+  AddWarnings(options, &prepared);
+  for (const std::string& warning : prepared.warnings) LOG(WARNING) << warning;
+  prepared.wall_ms = stopwatch.Milliseconds();
+  return prepared;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,35 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/preparation/surroundings.h"
+
+#include <algorithm>
+
+namespace musclewarp {
+
+void Surroundings::AddBone(const std::string& body, const TriangleSoup& bone) {
+  bones_.push_back(std::make_unique<TriangleBvh>(bone.points, bone.triangles));
+  auto surface = std::find_if(
+      bodies_.begin(), bodies_.end(), [&](const BodySurface& other) {
+        return other.body == body;
+      });
+  if (surface == bodies_.end()) {
+    bodies_.push_back({body, {}});
+    surface = bodies_.end() - 1;
+  }
+  surface->bones.push_back(bones_.back().get());
+}
+
+void Surroundings::AddMuscle(const TriangleSoup& muscle) {
+  muscles_.push_back(
+      std::make_unique<TriangleBvh>(muscle.points, muscle.triangles));
+}
+
+std::vector<const TriangleBvh*> Surroundings::MusclesBeside(int muscle) const {
+  std::vector<const TriangleBvh*> others;
+  for (size_t m = 0; m < muscles_.size(); ++m) {
+    if (static_cast<int>(m) != muscle) others.push_back(muscles_[m].get());
+  }
+  return others;
+}
+
+}  // namespace musclewarp

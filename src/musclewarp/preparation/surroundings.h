@@ -1,0 +1,35 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "musclewarp/fibres/muscle_ends.h"
+#include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/proximity/triangle_bvh.h"
+
+namespace musclewarp {
+
+// What the muscles of a scene may be attached to in the rest pose: the bones,
+// by body, and the other muscles. Meshes are copied; units are mm.
+class Surroundings {
+ public:
+  void AddBone(const std::string& body, const TriangleSoup& bone);
+
+  // Muscles are numbered in the order in which they are added.
+  void AddMuscle(const TriangleSoup& muscle);
+
+  // The bodies in the order in which their first bones were added.
+  const std::vector<BodySurface>& bodies() const { return bodies_; }
+
+  // Returns all muscles but the one with this number.
+  std::vector<const TriangleBvh*> MusclesBeside(int muscle) const;
+
+ private:
+  std::vector<std::unique_ptr<TriangleBvh>> bones_, muscles_;
+  std::vector<BodySurface> bodies_;
+};
+
+}  // namespace musclewarp

@@ -1,0 +1,173 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/proximity/triangle_bvh.h"
+
+#include <glog/logging.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "musclewarp/proximity/triangle_distance.h"
+
+namespace musclewarp {
+
+using Eigen::RowVector3d;
+
+TriangleBvh::TriangleBvh(const Points& points, const Triangles& triangles)
+    : triangles_(triangles), corners_(triangles.rows()) {
+  const int count = num_triangles();
+  Points centroids(count, 3);
+  for (int f = 0; f < count; ++f) {
+    centroids.row(f) =
+        (points.row(triangles(f, 0)) + points.row(triangles(f, 1)) +
+         points.row(triangles(f, 2))) /
+        3;
+  }
+  std::vector<int> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  nodes_.reserve(std::max(0, 2 * count - 1));
+  if (count > 0) Build(centroids, order.data(), order.data() + count);
+  Refit(points);
+}
+
+int TriangleBvh::Build(const Points& centroids, int* begin, int* end) {
+  const int index = static_cast<int>(nodes_.size());
+  nodes_.push_back(Node{{}, -1, -1});
+  if (end - begin == 1) {
+    nodes_[index].triangle = *begin;
+    return index;
+  }
+  RowVector3d lower = centroids.row(*begin);
+  RowVector3d upper = lower;
+  for (const int* f = begin; f != end; ++f) {
+    lower = lower.cwiseMin(centroids.row(*f));
+    upper = upper.cwiseMax(centroids.row(*f));
+  }
+  int axis;
+  (upper - lower).maxCoeff(&axis);
+  int* middle = begin + (end - begin) / 2;
+  // Ties are broken by index, or the tree would depend on the standard library.
+  std::nth_element(begin, middle, end, [&](int f, int g) {
+    return std::make_pair(centroids(f, axis), f) <
+           std::make_pair(centroids(g, axis), g);
+  });
+  Build(centroids, begin, middle);
+  const int second = Build(centroids, middle, end);
+  nodes_[index].second = second;
+  return index;
+}
+
+void TriangleBvh::Refit(const Points& points) {
+  for (int f = 0; f < num_triangles(); ++f) {
+    for (int corner = 0; corner < 3; ++corner) {
+      corners_[f].row(corner) = points.row(triangles_(f, corner));
+    }
+  }
+  RefitNodes([&](int triangle) { return BoxOf(corners_[triangle]); });
+}
+
+void TriangleBvh::RefitBoxes(const std::vector<Box3>& boxes) {
+  CHECK_EQ(boxes.size(), corners_.size());
+  RefitNodes([&](int triangle) { return boxes[triangle]; });
+}
+
+std::vector<Box3> TriangleBvh::BoxesOfNodes(
+    const std::vector<Box3>& of_triangles) const {
+  CHECK_EQ(of_triangles.size(), corners_.size());
+  std::vector<Box3> boxes(nodes_.size());
+  // Children come after their parents.
+  for (int i = static_cast<int>(nodes_.size()) - 1; i >= 0; --i) {
+    const Node& node = nodes_[i];
+    boxes[i] = node.IsLeaf() ? of_triangles[node.triangle]
+                             : BoxOf(boxes[i + 1], boxes[node.second]);
+  }
+  return boxes;
+}
+
+template <typename BoxOfTriangle>
+void TriangleBvh::RefitNodes(const BoxOfTriangle& box_of) {
+  // Children come after their parents.
+  for (int i = static_cast<int>(nodes_.size()) - 1; i >= 0; --i) {
+    Node& node = nodes_[i];
+    node.box = node.IsLeaf()
+                   ? box_of(node.triangle)
+                   : BoxOf(nodes_[i + 1].box, nodes_[node.second].box);
+  }
+}
+
+std::vector<TriangleBvh::NodePair> TriangleBvh::Expand(
+    const TriangleBvh& a, const TriangleBvh& b, std::vector<NodePair> roots) {
+  constexpr size_t kEnough = 256;
+  const auto is_leaf_pair = [&](const NodePair& pair) {
+    return a.nodes_[pair.first].IsLeaf() && b.nodes_[pair.second].IsLeaf();
+  };
+  bool has_changed = true;
+  while (has_changed && roots.size() < kEnough) {
+    has_changed = false;
+    std::vector<NodePair> finer;
+    for (const NodePair& pair : roots) {
+      if (!a.nodes_[pair.first].box.Overlaps(b.nodes_[pair.second].box)) {
+        continue;
+      }
+      if (is_leaf_pair(pair)) {
+        finer.push_back(pair);
+        continue;
+      }
+      for (const NodePair& half : Split(a, b, pair)) finer.push_back(half);
+      has_changed = true;
+    }
+    roots = std::move(finer);
+  }
+  return roots;
+}
+
+std::vector<TriangleBvh::NodePair> TriangleBvh::SelfPairs() const {
+  std::vector<NodePair> pairs;
+  for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
+    if (!nodes_[i].IsLeaf()) pairs.emplace_back(i + 1, nodes_[i].second);
+  }
+  return pairs;
+}
+
+TriangleBvh::Closest TriangleBvh::ClosestPoint(const RowVector3d& point,
+                                               double max_distance) const {
+  Closest closest;
+  double least = max_distance * max_distance;
+  TraverseNearestFirst(
+      [&](const Box3& box) { return box.SquaredDistance(point); },
+      [&](int triangle) {
+        const RowVector3d candidate =
+            ClosestPointOfTriangle(point, corners_[triangle]);
+        const double square = (point - candidate).squaredNorm();
+        if (square < least || (square == least && closest.triangle < 0)) {
+          least = square;
+          closest.triangle = triangle;
+          closest.point = candidate;
+        }
+      },
+      &least);
+  if (closest.triangle >= 0) closest.distance = std::sqrt(least);
+  return closest;
+}
+
+bool TriangleBvh::IsWithin(const RowVector3d& point, double distance) const {
+  if (distance < 0) return false;
+  const double square = distance * distance;
+  bool is_within = false;
+  double limit = square;
+  TraverseNearestFirst(
+      [&](const Box3& box) { return box.SquaredDistance(point); },
+      [&](int triangle) {
+        const RowVector3d candidate =
+            ClosestPointOfTriangle(point, corners_[triangle]);
+        if ((point - candidate).squaredNorm() > square) return;
+        is_within = true;
+        limit = -1;  // the end
+      },
+      &limit);
+  return is_within;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,400 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/frames/moment_arms.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "musclewarp/motion/certified_motion.h"
+#include "musclewarp/preparation/scene_meshes.h"
+#include "musclewarp/scene/model_poses.h"
+#include "musclewarp/skeleton/polyline.h"
+#include "musclewarp/solver/gauss_newton.h"
+#include "problems/single_muscle/single_muscle_solver.h"
+#include "support/meshes.h"
+#include "support/osim_models.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr double kArmTolerance = 1e-3;  // mm by rad: what is promised
+
+// Two spindles along y, side by side along z with 1 mm between them, beside a
+// knee at (0, -400, 0) mm. The left one goes from the thigh to the shank, along
+// a straight line of the model, the right one stays on the thigh; beside
+// it is a ball of bone of the thigh. The shank, a ball below, leans about x by
+// "lean", with negative angles towards the right muscle, and bends about z by
+// "knee". The ground carries the thigh on a hip that turns about z by "hip".
+Scene TwoOverAKnee() {
+  std::string text =
+      Model4(Joint4("GimbalJoint", "lean twist knee"),
+             "",
+             Muscle("left",
+                    Point4("p1", "thigh", "0.028 -0.345 -0.0125") +
+                        Point4("p2", "shank", "0.022 -0.055 -0.0125")) +
+                 Muscle("right",
+                        Point4("p1", "thigh", "0.025 -0.345 0.0125") +
+                            Point4("p2", "thigh", "0.025 -0.455 0.0125")));
+  const std::string weld = "<WeldJoint name=\"hip\">";
+  text.replace(text.find(weld), weld.size(), "<PinJoint name=\"hip\">");
+  text.replace(text.find("</WeldJoint>"),
+               12,
+               "<coordinates><Coordinate name=\"hip\"/></coordinates>"
+               "</PinJoint>");
+  const std::string file = Written("leg.osim", text);
+  ModelRest rest;
+  rest.coordinates = {{"knee", 0.0}};
+  std::vector<std::string> notes;
+  auto poses = std::make_shared<ModelPoses>(
+      BindModel(ReadModel(file), rest, {"thigh", "shank"}, file, &notes));
+  poses->muscles = {0, 1};
+  poses->moving_coordinates = {poses->model.FindCoordinate("knee")};
+  Scene scene;
+  for (const int side : {-1, 1}) {
+    SceneMuscle muscle;
+    muscle.name = side < 0 ? "left" : "right";
+    TriangleSoup soup = Spindle(12, 60, 3);
+    const Points along_z = soup.points;
+    soup.points.col(1) = -along_z.col(2);
+    soup.points.col(2) = along_z.col(1);
+    soup = MovedBy(soup, {25, -400, 12.5 * side});
+    muscle.points = soup.points;
+    muscle.triangles = soup.triangles;
+    muscle.lines = {LineOfMuscle(*poses, side < 0 ? 0 : 1)};
+    scene.muscles.push_back(muscle);
+  }
+  const TriangleSoup thigh = MovedBy(Icosphere(12, 2), {25, -420, 35.6});
+  const TriangleSoup shank = MovedBy(Icosphere(9, 2), {25, -475, 0});
+  scene.bones.push_back({"thigh", thigh.points, thigh.triangles});
+  scene.bones.push_back({"shank", shank.points, shank.triangles});
+  for (SceneBone& bone : scene.bones) bone.body = bone.name;
+  scene.model = poses;
+  return scene;
+}
+
+PreparedScene Prepared(double skeleton_weight = 1) {
+  PrepareOptions options;
+  options.muscle.hull.coarse_vertices = 60;
+  options.muscle.skeleton_weight = skeleton_weight;
+  options.fibres.fibres = 4;
+  return PrepareScene(TwoOverAKnee(), options);
+}
+
+// Solvers whose tolerances do not show in differences of lengths.
+MuscleSolver TightReference() {
+  return [](const MuscleModel& model,
+            const MuscleTarget& target,
+            Points* coarse,
+            SolverSummary* summary) {
+    GaussNewtonOptions options;
+    options.polish_threshold = 1e-9;
+    options.volume_tolerance = 1e-11;
+    SolveGaussNewton(model, target, options, coarse, summary);
+  };
+}
+
+MuscleSolver TightCeres() {
+  return [](const MuscleModel& model,
+            const MuscleTarget& target,
+            Points* coarse,
+            SolverSummary* summary) {
+    auto options = SingleMuscleOptions::For(MuscleFormulation::kWhitened);
+    options.hard_constraint.step_tolerance = 1e-8;
+    options.hard_constraint.violation_tolerance = 1e-10;
+    SolveSingleMuscle(model, target, options, coarse, summary);
+  };
+}
+
+ScenePose At(const PreparedScene& scene,
+             double hip,
+             double knee,
+             double lean = 0) {
+  const Model& model = scene.scene.model->model;
+  CoordinateValues values = DefaultValues(model);
+  values[model.FindCoordinate("hip")] = hip;
+  values[model.FindCoordinate("knee")] = knee;
+  values[model.FindCoordinate("lean")] = lean;
+  return PoseAt(*scene.scene.model, values);
+}
+
+// The lengths of all lines, then of all fibres, of all muscles.
+std::vector<double> Lengths(const PreparedScene& scene,
+                            const std::vector<Points>& coarse) {
+  std::vector<double> lengths;
+  for (size_t i = 0; i < coarse.size(); ++i) {
+    for (const EmbeddedLines* lines :
+         {&scene.muscles[i].lines, &scene.muscles[i].fibres}) {
+      for (const Points& line : LinesAt(*lines, coarse[i])) {
+        lengths.push_back(PolylineLength(line));
+      }
+    }
+  }
+  return lengths;
+}
+
+// The moment arms in the same order.
+std::vector<double> Arms(const Frame& frame, const std::string& coordinate) {
+  std::vector<double> all;
+  for (const MuscleFrame& muscle : frame.muscles) {
+    for (const auto* arms :
+         {&muscle.line_moment_arms, &muscle.fibre_moment_arms}) {
+      const std::vector<double>& part = arms->at(coordinate);
+      all.insert(all.end(), part.begin(), part.end());
+    }
+  }
+  return all;
+}
+
+std::vector<Points> SolvedFree(const PreparedScene& scene,
+                               const MuscleSolver& solver,
+                               const ScenePose& pose) {
+  const SolvedPose solved =
+      SolvePose(ModelsOf(scene), pose, {}, solver, RestState(scene).muscles);
+  for (const SolverSummary& summary : solved.summaries) {
+    EXPECT_TRUE(summary.IsSolutionUsable()) << summary.FullReport();
+  }
+  return CoarseOf(solved.states);
+}
+
+Frame FrameWithArms(const PreparedScene& scene,
+                    const ScenePose& pose,
+                    const ConvergedShapes& shapes) {
+  Frame frame;
+  frame.muscles.resize(scene.muscles.size());
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    frame.muscles[i].points =
+        scene.muscles[i].model.fine_from_coarse * shapes.coarse[i];
+  }
+  AddMomentArms(scene, pose, {}, shapes, &frame);
+  EXPECT_TRUE(frame.moment_arms_converged);
+  return frame;
+}
+
+TEST(AddMomentArms, AreTheSlopesOfTheLengthsWithBothSolvers) {
+  const PreparedScene scene = Prepared();
+  for (const MuscleSolver& solver : {TightReference(), TightCeres()}) {
+    const ScenePose pose = At(scene, 0.3, -0.6);
+    const Frame frame =
+        FrameWithArms(scene, pose, {SolvedFree(scene, solver, pose), {}, {}});
+    const std::vector<double> arms = Arms(frame, "knee");
+    ASSERT_EQ(arms.size(), 10u);
+    // The third derivative of lengths about 25 mm from the axis adds 1e-5 mm.
+    constexpr double kBeside = 2e-3;
+    const std::vector<double> before = Lengths(
+        scene, SolvedFree(scene, solver, At(scene, 0.3, -0.6 - kBeside)));
+    const std::vector<double> after = Lengths(
+        scene, SolvedFree(scene, solver, At(scene, 0.3, -0.6 + kBeside)));
+    for (size_t k = 0; k < arms.size(); ++k) {
+      EXPECT_NEAR(
+          arms[k], -(after[k] - before[k]) / (2 * kBeside), kArmTolerance)
+          << k;
+    }
+    // A line and four fibres of the left muscle, then those of the right one.
+    for (size_t k = 0; k < 5; ++k) EXPECT_GT(std::abs(arms[k]), 2) << k;
+    for (size_t k = 5; k < 10; ++k) EXPECT_EQ(arms[k], 0) << k;
+    // The hip moves everything as one.
+    for (const double arm : Arms(frame, "hip")) EXPECT_EQ(arm, 0);
+  }
+}
+
+// A straight line that the muscle follows to the letter has the moment arm of a
+// straight line: its distance from the axis.
+TEST(AddMomentArms, AreTheDistanceFromTheHingeForAStraightLine) {
+  const PreparedScene scene = Prepared(/*skeleton_weight=*/1e4);
+  for (const double knee : {-0.4, 0.0}) {
+    const ScenePose pose = At(scene, 0, knee);
+    const Frame frame = FrameWithArms(
+        scene, pose, {SolvedFree(scene, TightReference(), pose), {}, {}});
+    // From the thigh to the shank, as seen from the axis.
+    const Eigen::Vector2d from(28, 55);
+    const Eigen::Vector2d to =
+        Eigen::Rotation2Dd(knee) * Eigen::Vector2d(22, -55);
+    const double cross = from.x() * to.y() - from.y() * to.x();
+    const double distance = std::abs(cross) / (to - from).norm();
+    // To positive angles the shank comes nearer in front of the axis.
+    EXPECT_NEAR(frame.muscles[0].line_moment_arms.at("knee")[0],
+                distance,
+                kArmTolerance);
+    EXPECT_NEAR(
+        frame.path_moment_arms.at("left").at("knee"), distance, kArmTolerance);
+  }
+}
+
+// With contact: planes of bones go with them, planes between muscles with both.
+class MomentArmsInContact : public ::testing::Test {
+ protected:
+  MomentArmsInContact()
+      : scene_(Prepared()),
+        certified_(PrepareCertifiedScene(
+            scene_, SceneMeshes(scene_), {}, {}, TightReference(), {})) {}
+
+  // Where the left muscle presses the right one on the ball, and beside that.
+  ScenePose Pressed(double lean_beside = 0) const {
+    return At(scene_, 0.2, 0, lean_beside - 0.25);
+  }
+
+  CertifiedMotion Moved(const ScenePose& to, const ContactState& from) const {
+    return MoveCertified(
+        scene_, certified_, to, {}, TightReference(), from, {});
+  }
+
+  Frame ArmsOf(const CertifiedMotion& motion) const {
+    const ContactState& state = motion.state;
+    return FrameWithArms(scene_,
+                         state.pose,
+                         {ShapesOf(certified_, state).coarse,
+                          ContactRowsOf(certified_, state),
+                          FreeCoarseOf(certified_, state)});
+  }
+
+  // Active rows on planes of bones, or between muscles.
+  int ActiveRows(const CertifiedMotion& motion, bool of_bones) const {
+    int count = 0;
+    const auto all = ContactRowsOf(certified_, motion.state);
+    const auto coarse = ShapesOf(certified_, motion.state).coarse;
+    for (size_t i = 0; i < all.size(); ++i) {
+      const ContactRows& contact = all[i];
+      const Eigen::VectorXd depths =
+          OneSidedDepths(contact.rows,
+                         FineFromCoarse(scene_.muscles[i].model, contact.rows),
+                         coarse[i]);
+      for (int k = 0; k < contact.rows.size(); ++k) {
+        count += depths[k] > 0 && contact.owners[k].IsBone() == of_bones;
+      }
+    }
+    return count;
+  }
+
+  const PreparedScene scene_;
+  const CertifiedScene certified_;
+};
+
+TEST_F(MomentArmsInContact, AreZeroForWhatMovesEverythingAsOne) {
+  const CertifiedMotion motion = Moved(Pressed(), certified_.rest);
+  EXPECT_GT(ActiveRows(motion, true), 0);
+  EXPECT_GT(ActiveRows(motion, false), 3);
+  const Frame frame = ArmsOf(motion);
+  for (const double arm : Arms(frame, "hip")) {
+    EXPECT_NEAR(arm, 0, 1e-6);  // rounding of the rates of planes
+  }
+  // Only the left muscle moves the right one.
+  EXPECT_GT(std::abs(frame.muscles[1].line_moment_arms.at("lean")[0]), 0.1);
+}
+
+// Steps from a frame to both sides of it look for planes anew and make room
+// where a muscle is held back by a bone, so that their planes are not quite
+// those that are held. Without contact the right muscle would not move at all.
+TEST_F(MomentArmsInContact, AreNearTheSlopesOfSteps) {
+  const CertifiedMotion before = Moved(Pressed(), certified_.rest);
+  const CertifiedMotion motion = Moved(Pressed(), before.state);
+  constexpr double kBeside = 1e-3;
+  const auto lengths = [&](double lean) {
+    const ContactState state = Moved(Pressed(lean), before.state).state;
+    return Lengths(scene_, ShapesOf(certified_, state).coarse);
+  };
+  const std::vector<double> low = lengths(-kBeside), high = lengths(kBeside);
+  const std::vector<double> arms = Arms(ArmsOf(motion), "lean");
+  double slopes = 0, differences = 0;
+  for (size_t k = 5; k < arms.size(); ++k) {
+    const double slope = -(high[k] - low[k]) / (2 * kBeside);
+    slopes += slope * slope;
+    differences += (arms[k] - slope) * (arms[k] - slope);
+  }
+  EXPECT_GT(std::sqrt(slopes), 5);
+  EXPECT_LT(std::sqrt(differences), 0.2 * std::sqrt(slopes));
+}
+
+// Rows as contact has them, of which the derivative can be told from whole
+// solves.
+class MomentArmsOfHeldRows : public ::testing::Test {
+ protected:
+  // Half-spaces that vertices of both muscles violate by 2 mm, with the planes
+  // half on the right muscle and half on the left one, going with `owner`.
+  void AddRows(const PlaneOwner& owner) {
+    const std::vector<Points> free =
+        SolvedFree(scene_, TightReference(), At(scene_, 0.2, -0.3));
+    for (size_t i = 0; i < 2; ++i) {
+      const MuscleModel& model = scene_.muscles[i].model;
+      const Points fine = model.fine_from_coarse * free[i];
+      const double side = i == 0 ? -1 : 1;
+      std::vector<VertexHalfSpace> spaces;
+      for (int v = 0; v < fine.rows(); v += 10) {
+        if (side * (fine(v, 2) - 12.5 * side) > 0) continue;
+        const Eigen::RowVector3d normal =
+            Eigen::RowVector3d(0.2, 0.1, side).normalized();
+        spaces.push_back({v, {normal, normal.dot(fine.row(v)) + 2}});
+        contact_[i].owners.push_back(owner);
+      }
+      contact_[i].rows = OneSidedRowsOf(spaces, 0.3);
+    }
+  }
+
+  // Solves beside the pose with rows whose planes `moved` has moved.
+  template <typename Moved>
+  std::vector<Points> SolvedHeld(double beside, const Moved& moved) const {
+    std::vector<OneSidedRows> all;
+    for (const ContactRows& contact : contact_) {
+      OneSidedRows& rows = all.emplace_back(contact.rows);
+      for (int k = 0; k < rows.size(); ++k) {
+        const HalfSpace plane =
+            moved(beside, HalfSpace{rows.normals.row(k), rows.levels[k]});
+        rows.normals.row(k) = plane.normal;
+        rows.levels[k] = plane.level;
+      }
+    }
+    const ScenePose pose = At(scene_, 0.2, -0.3 + beside);
+    const MuscleModels models = ModelsOf(scene_);
+    const MuscleSolver solver = TightReference();
+    const SolvedPose free =
+        SolvePose(models, pose, {}, solver, RestState(scene_).muscles);
+    return CoarseOf(
+        SolveWithRows(models, free, pose, {}, solver, all, free.states).states);
+  }
+
+  template <typename Moved>
+  void ExpectSlopesOfSolves(const Moved& moved) {
+    const ScenePose pose = At(scene_, 0.2, -0.3);
+    const std::vector<Points> free = SolvedFree(scene_, TightReference(), pose);
+    const Frame frame =
+        FrameWithArms(scene_, pose, {SolvedHeld(0, moved), contact_, free});
+    const auto lengths = [&](double beside) {
+      return Lengths(scene_, SolvedHeld(beside, moved));
+    };
+    constexpr double kBeside = 1e-3;
+    const std::vector<double> low = lengths(-kBeside), high = lengths(kBeside);
+    const std::vector<double> arms = Arms(frame, "knee");
+    for (size_t k = 0; k < arms.size(); ++k) {
+      EXPECT_NEAR(arms[k], -(high[k] - low[k]) / (2 * kBeside), kArmTolerance)
+          << k;
+    }
+    // The right muscle would stand still without the rows.
+    EXPECT_GT(std::abs(arms[5]), 0.05);
+  }
+
+  const PreparedScene scene_ = Prepared();
+  std::vector<ContactRows> contact_ = std::vector<ContactRows>(2);
+};
+
+TEST_F(MomentArmsOfHeldRows, GoWithABone) {
+  PlaneOwner shank;
+  shank.bone = 1;
+  AddRows(shank);
+  ExpectSlopesOfSolves([&](double beside, const HalfSpace& plane) {
+    const auto place = [&](double at) {
+      return At(scene_, 0.2, -0.3 + at).bodies.at("shank");
+    };
+    const Eigen::Matrix4d moved = place(beside) * place(0).inverse();
+    const Eigen::RowVector3d normal =
+        plane.normal * moved.topLeftCorner<3, 3>().transpose();
+    return HalfSpace{normal,
+                     plane.level + normal.dot(moved.topRightCorner<3, 1>())};
+  });
+}
+
+}  // namespace
+}  // namespace musclewarp

@@ -1,0 +1,111 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/preparation/attachment_choice.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "musclewarp/preparation/surroundings.h"
+#include "support/small_scene.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class ChooseAttachmentsTest : public ::testing::Test {
+ protected:
+  ChooseAttachmentsTest() {
+    for (const SceneBone& bone : scene_.bones) {
+      surroundings_.AddBone(bone.name, {bone.points, bone.triangles});
+    }
+    for (const SceneMuscle& muscle : scene_.muscles) {
+      surroundings_.AddMuscle({muscle.points, muscle.triangles});
+    }
+  }
+
+  std::vector<Attachment> Choose(AttachmentKind kind) {
+    const SceneMuscle& muscle = scene_.muscles[0];
+    return ChooseAttachments(kind,
+                             muscle,
+                             poses_,
+                             {muscle.points, muscle.triangles},
+                             surroundings_.bodies(),
+                             surroundings_.MusclesBeside(0),
+                             &warnings_);
+  }
+
+  void NameAnAttachment() {
+    Attachment named;
+    named.body = "femur";
+    named.points = Eigen::RowVector3d(-12.5, 0, 55);
+    named.radius = 4;
+    scene_.muscles[0].attachments = {named};
+  }
+
+  // Poses in which the upper end of the line leaves the femur by 9 mm.
+  void LetTheLineLeave() {
+    ScenePose pose = FlexedPose(0);
+    const ActionLine& line = scene_.muscles[0].lines[0];
+    pose.lines[line.name] = line.rest;
+    pose.lines[line.name](2, 1) += 9;
+    poses_ = {pose};
+  }
+
+  Scene scene_ = SmallScene();
+  std::vector<ScenePose> poses_ = {FlexedPose(0.3)};
+  Surroundings surroundings_;
+  std::vector<std::string> warnings_;
+};
+
+TEST_F(ChooseAttachmentsTest, FindsThemOnlyWhereTheSceneNamesNone) {
+  const auto found = Choose(AttachmentKind::kAuto);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].body, "pelvis");
+  EXPECT_EQ(found[1].body, "femur");
+  EXPECT_THAT(Choose(AttachmentKind::kScene), IsEmpty());
+  EXPECT_THAT(Choose(AttachmentKind::kNone), IsEmpty());
+  NameAnAttachment();
+  const auto named = Choose(AttachmentKind::kAuto);
+  ASSERT_EQ(named.size(), 1u);
+  EXPECT_EQ(named[0].radius, 4);
+  EXPECT_THAT(warnings_, IsEmpty());
+}
+
+TEST_F(ChooseAttachmentsTest, DropsAFoundOneThatTheLineLeaves) {
+  LetTheLineLeave();
+  const auto found = Choose(AttachmentKind::kAuto);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].body, "pelvis");
+  EXPECT_THAT(warnings_,
+              ElementsAre(AllOf(HasSubstr("line left_line of muscle left"),
+                                HasSubstr("leaves femur"),
+                                HasSubstr("by 9 mm in pose flexed"),
+                                HasSubstr("follows the line"))));
+}
+
+TEST_F(ChooseAttachmentsTest, KeepsANamedOneThatTheLineLeavesAndWarns) {
+  LetTheLineLeave();
+  NameAnAttachment();
+  EXPECT_EQ(Choose(AttachmentKind::kAuto).size(), 1u);
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("leaves femur")));
+}
+
+TEST(Surroundings, JoinTheBonesOfABody) {
+  const Scene scene = SmallScene();
+  Surroundings surroundings;
+  for (const char* body : {"pelvis", "femur", "pelvis"}) {
+    surroundings.AddBone(body,
+                         {scene.bones[0].points, scene.bones[0].triangles});
+  }
+  ASSERT_EQ(surroundings.bodies().size(), 2u);
+  EXPECT_EQ(surroundings.bodies()[0].body, "pelvis");
+  EXPECT_EQ(surroundings.bodies()[0].bones.size(), 2u);
+  EXPECT_EQ(surroundings.bodies()[1].bones.size(), 1u);
+}
+
+}  // namespace
+}  // namespace musclewarp
