@@ -71,25 +71,23 @@ std::vector<std::shared_ptr<FrameSolver>> FrameSolversOf(
     const CompareOptions& options,
     const PrepareOptions& prepare,
     PreparedScene* scene) {
-  const MuscleSolvers solvers = SolversOf(SolverConfiguration());
-  std::shared_ptr<FrameSolver> certified;
+  const DeformerOptions& deformer = options.deform.deformer;
+  std::optional<RestResult> rest;
   if (Compares(options, ContactKind::kCertified)) {
-    certified =
-        MakeCleanFrameSolver(options.deform.deformer.reconstruction,
-                             prepare,
-                             FramesWith(options, ContactKind::kCertified),
-                             solvers,
-                             {},
-                             scene);
+    rest = SeparateRest({deformer.frames.certified,
+                         deformer.frames.pre_rotation,
+                         deformer.frames.requirements,
+                         prepare,
+                         deformer.reconstruction},
+                        SolversOf(SolverConfiguration()).single,
+                        {},
+                        scene);
   }
   const auto meshes = std::make_shared<SceneMeshes>(*scene);
   std::vector<std::shared_ptr<FrameSolver>> frame_solvers;
   for (const ContactKind contact : options.contacts) {
     frame_solvers.push_back(
-        contact == ContactKind::kCertified
-            ? certified
-            : MakeFrameSolver(
-                  *scene, FramesWith(options, contact), solvers, meshes));
+        MakeFrameSolver(*scene, FramesWith(options, contact), meshes, rest));
   }
   return frame_solvers;
 }
@@ -140,7 +138,6 @@ std::vector<ComparisonRow> CompareFrames(const CompareOptions& options,
   const auto free_solver =
       MakeFrameSolver(scene,
                       FramesWith(options, ContactKind::kNone),
-                      SolversOf(SolverConfiguration()),
                       std::make_shared<SceneMeshes>(scene));
   std::vector<ComparisonRow> rows;
   for (const int index : selected) {

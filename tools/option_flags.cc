@@ -66,6 +66,11 @@ void CheckValid(const DeformOptions& options) {
   ThrowIfInvalid(options.deformer.solver, FlagsOfSolver());
 }
 
+void CheckValid(const RestSeparationOptions& options) {
+  ThrowIfInvalid(options.prepare, FlagsOfPreparation());
+  ThrowIfInvalid(options, FlagsOfContact());
+}
+
 void SetGap(double gap, CertifiedContactOptions* options) {
   // Beyond, the steps in which surfaces move would have to be longer, too.
   constexpr double kLargestGap = 0.5;

@@ -24,6 +24,9 @@ InputError FlagError(const std::string& message, const FlagsOfFields& flags);
 // value and what is allowed. Nothing has to be read for that.
 void CheckValid(const DeformOptions& options);
 
+// The same for the options with which meshes are separated.
+void CheckValid(const RestSeparationOptions& options);
+
 // Sets the distance that certified contact keeps between surfaces, mm, and what
 // follows from it. Throws InputError, naming --gap, if it is too large; that it
 // is above 0 is left to CheckValid.

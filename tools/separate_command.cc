@@ -18,6 +18,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
+#include "musclewarp/deformer/mesh_separation.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/report/report_json.h"
 #include "musclewarp/report/screen_progress.h"
@@ -62,16 +63,12 @@ void CheckSeparateOptions(const std::vector<std::string>& files,
   }
   CheckThreads(options.threads);
   CheckWritable(options.out);
-  DeformOptions run;
-  run.deformer = DeformerOptionsOf(options);
-  CheckValid(run);
+  CheckValid(RestSeparationOptionsOf(options));
 }
 
 // The result, and what is said of it.
 struct Separation {
-  const PreparedScene* scene = nullptr;
-  SceneIntersections before;
-  Frame frame;
+  MeshSeparation meshes;
   std::vector<double> mean_displacements;  // by muscle, mm
   OrderedJson report;                      // the result as report.json has it
 };
@@ -90,30 +87,39 @@ void AddLossesOfBones(const SeparateInput& input,
   }
 }
 
+// Returns "contact" of the report.
+ContactReport ContactReportOf(const RestSeparationOptions& options,
+                              const RestResult& rest) {
+  ContactReport contact;
+  contact.kind = ContactKind::kCertified;
+  contact.name = ToString(contact.kind);
+  contact.options = {{"gap_mm", options.contact.step.gap}};
+  contact.prepare_ms = rest.wall_ms;
+  contact.rest = rest.intersections;
+  return contact;
+}
+
 Separation Separate(const SeparateInput& input,
                     const SeparateOptions& options,
-                    Deformer* deformer) {
-  Separation result;
-  result.frame = deformer->SolveAlone(RestPose(deformer->scene().scene));
-  result.frame.index = 0;
-  AddLossesOfBones(input, options.max_loss, &result.frame.shortcomings);
-  result.scene = &deformer->scene();
-  result.before = result.scene->as_delivered
-                      ? *result.scene->as_delivered
-                      : deformer->RestFrame().intersections;
-  for (size_t i = 0; i < result.frame.muscles.size(); ++i) {
+                    const ProgressCallback& on_progress) {
+  const RestSeparationOptions separation = RestSeparationOptionsOf(options);
+  Separation result = {
+      SeparateMeshes(input.scene, separation, on_progress), {}, {}};
+  MeshSeparation& meshes = result.meshes;
+  AddLossesOfBones(input, options.max_loss, &meshes.frame.shortcomings);
+  for (size_t i = 0; i < meshes.frame.muscles.size(); ++i) {
     result.mean_displacements.push_back(
-        (result.frame.muscles[i].points -
-         result.scene->muscles[i].model.fine_rest)
+        (meshes.frame.muscles[i].points -
+         meshes.scene.muscles[i].model.fine_rest)
             .rowwise()
             .norm()
             .mean());
   }
   RunRecord run;
-  run.scene = result.scene;
-  run.contact = deformer->contact();
-  run.rest = result.before;
-  run.frames.push_back(RecordOf(*result.scene, result.frame));
+  run.scene = &meshes.scene;
+  run.contact = ContactReportOf(separation, meshes.rest);
+  run.rest = meshes.before;
+  run.frames.push_back(RecordOf(meshes.scene, meshes.frame));
   result.report = ReportJson(run);
   return result;
 }
@@ -142,12 +148,13 @@ OrderedJson SeparationJson(const SeparateInput& input,
   const OrderedJson& report = result.report;
   const OrderedJson& frame = report.at("frames").at(0);
   OrderedJson muscles = OrderedJson::array();
-  for (size_t i = 0; i < result.frame.muscles.size(); ++i) {
+  for (size_t i = 0; i < result.meshes.frame.muscles.size(); ++i) {
     const OrderedJson& prepared = report.at("prepare").at("muscles").at(i);
     const OrderedJson& moved = frame.at("muscles").at(i);
     OrderedJson entry;
     for (const char* key : {"name", "mesh"}) entry[key] = prepared.at(key);
-    entry["volume_before_mm3"] = result.scene->muscles[i].mesh.delivered_volume;
+    entry["volume_before_mm3"] =
+        result.meshes.scene.muscles[i].mesh.delivered_volume;
     for (const char* key : {"volume_mm3",
                             "volume_ratio",
                             "volume_error",
@@ -185,12 +192,13 @@ void WriteMeshes(const Separation& result, const SeparateOptions& options) {
     const auto path = [&](const std::string& name) {
       return (fs::path(options.out) / (name + "." + format)).string();
     };
-    for (size_t i = 0; i < result.frame.muscles.size(); ++i) {
-      const MuscleModel& model = result.scene->muscles[i].model;
-      WriteTriangleSoup(path(model.name),
-                        {result.frame.muscles[i].points, model.fine_triangles});
+    for (size_t i = 0; i < result.meshes.frame.muscles.size(); ++i) {
+      const MuscleModel& model = result.meshes.scene.muscles[i].model;
+      WriteTriangleSoup(
+          path(model.name),
+          {result.meshes.frame.muscles[i].points, model.fine_triangles});
     }
-    for (const PreparedBone& bone : result.scene->bones) {
+    for (const PreparedBone& bone : result.meshes.scene.bones) {
       WriteTriangleSoup(path(bone.mesh.name), bone.rest);
     }
   }
@@ -216,7 +224,7 @@ void PrintLabels(const SeparateInput& input, std::ostream& screen) {
 
 void PrintPairs(const Separation& result, int width, std::ostream& screen) {
   std::map<std::pair<std::string, std::string>, const PairIntersection*> after;
-  for (const PairIntersection& pair : result.frame.intersections.pairs) {
+  for (const PairIntersection& pair : result.meshes.frame.intersections.pairs) {
     after[{pair.a, pair.b}] = &pair;
   }
   const auto print = [&](const PairIntersection& pair, int before, int now) {
@@ -225,7 +233,7 @@ void PrintPairs(const Separation& result, int width, std::ostream& screen) {
            << before << std::setw(10) << pair.max_depth_mm << std::setw(7)
            << now << "\n";
   };
-  if (result.before.pairs.empty() && after.empty()) {
+  if (result.meshes.before.pairs.empty() && after.empty()) {
     screen << "no meshes cross\n";
     return;
   }
@@ -233,16 +241,16 @@ void PrintPairs(const Separation& result, int width, std::ostream& screen) {
          << "a"
          << "  " << std::setw(width) << "b" << std::right
          << "  crossing pairs  depth mm  after\n";
-  for (const PairIntersection& pair : result.before.pairs) {
+  for (const PairIntersection& pair : result.meshes.before.pairs) {
     const auto now = after.find({pair.a, pair.b});
     const bool is_left = now != after.end();
     print(pair, pair.triangle_pairs, is_left ? now->second->triangle_pairs : 0);
     if (is_left) after.erase(now);
   }
   for (const auto& [names, pair] : after) print(*pair, 0, pair->triangle_pairs);
-  screen << "all: " << result.before.triangle_pairs
+  screen << "all: " << result.meshes.before.triangle_pairs
          << " crossing pairs of triangles before, "
-         << result.frame.intersections.triangle_pairs << " after\n";
+         << result.meshes.frame.intersections.triangle_pairs << " after\n";
 }
 
 void PrintMeshes(const Separation& result, int width, std::ostream& screen) {
@@ -250,9 +258,9 @@ void PrintMeshes(const Separation& result, int width, std::ostream& screen) {
          << std::left << std::setw(width) << "mesh" << std::right
          << "  delivered cm3    after  largest move mm   mean mm\n"
          << std::fixed << std::setprecision(3);
-  for (size_t i = 0; i < result.frame.muscles.size(); ++i) {
-    const PreparedMuscle& mesh = result.scene->muscles[i];
-    const MuscleFrame& moved = result.frame.muscles[i];
+  for (size_t i = 0; i < result.meshes.frame.muscles.size(); ++i) {
+    const PreparedMuscle& mesh = result.meshes.scene.muscles[i];
+    const MuscleFrame& moved = result.meshes.frame.muscles[i];
     const SurfaceReconstruction& reconstruction = mesh.mesh.reconstruction;
     screen << std::left << std::setw(width) << mesh.model.name << std::right
            << std::setw(15) << mesh.mesh.delivered_volume / 1000 << std::setw(9)
@@ -269,20 +277,21 @@ void PrintMeshes(const Separation& result, int width, std::ostream& screen) {
 }
 
 void PrintSeparation(const Separation& result, std::ostream& screen) {
-  const int width = NameWidth(*result.scene);
+  const int width = NameWidth(result.meshes.scene);
   PrintPairs(result, width, screen);
   PrintMeshes(result, width, screen);
-  const std::optional<double> gap = result.frame.intersections.SmallestGap();
+  const std::optional<double> gap =
+      result.meshes.frame.intersections.SmallestGap();
   screen << std::defaultfloat << std::setprecision(4) << "\n";
-  PrintBoneCrossings(*result.scene, screen);
-  if (!result.frame.intersections.IsClean()) {
+  PrintBoneCrossings(result.meshes.scene, screen);
+  if (!result.meshes.frame.intersections.IsClean()) {
     screen << "meshes cross: there is no gap to prove\n";
   } else if (gap) {
     screen << "smallest gap: " << *gap << " mm (proved)\n";
   } else {
     screen << "all gaps are above " << kMeshGapLimit << " mm (proved)\n";
   }
-  for (const std::string& shortcoming : result.frame.shortcomings) {
+  for (const std::string& shortcoming : result.meshes.frame.shortcomings) {
     screen << "not usable: " << shortcoming << "\n";
   }
 }
@@ -303,20 +312,18 @@ class SeparateRun {
         [this](const std::string& reason) { SayStopped(reason); });
     try {
       const Stopwatch stopwatch;
-      DeformerOptions options = DeformerOptionsOf(options_);
-      options.on_progress = [this](const Progress& progress) {
-        ThrowIfInterrupted();
-        progress_.Say(progress);
-      };
-      SeparateInput input = ReadSeparateInput(files_, options_);
+      const SeparateInput input = ReadSeparateInput(files_, options_);
       PrintLabels(input, screen_);
-      Deformer deformer(std::move(input.scene), options);
-      const Separation result = Separate(input, options_, &deformer);
+      const Separation result =
+          Separate(input, options_, [this](const Progress& progress) {
+            ThrowIfInterrupted();
+            progress_.Say(progress);
+          });
       ThrowIfInterrupted();
       progress_.Clear();
       Write(input, result, stopwatch.Milliseconds());
       PrintSeparation(result, screen_);
-      return result.frame.IsUsable() ? kExitUsable : kExitNotUsable;
+      return result.meshes.frame.IsUsable() ? kExitUsable : kExitNotUsable;
     } catch (const Interrupted& interrupted) {
       progress_.Clear();
       SayStopped(interrupted.what());
@@ -356,22 +363,17 @@ class SeparateRun {
 
 }  // namespace
 
-DeformerOptions DeformerOptionsOf(const SeparateOptions& options) {
-  DeformerOptions deformer;
-  deformer.frames.contact = ContactKind::kCertified;
-  deformer.prepare.repair.holes.max_perimeter = options.max_hole;
-  SetGap(options.gap, &deformer.frames.certified);
-  // No mesh has to follow a line. Without the coarse solve only what is around
-  // an overlap moves (docs/results.md has the figures).
-  deformer.frames.certified.coarse_weight = 0;
+RestSeparationOptions RestSeparationOptionsOf(const SeparateOptions& options) {
+  RestSeparationOptions separation = MeshSeparationOptions();
+  SetGap(options.gap, &separation.contact);
+  separation.prepare.repair.holes.max_perimeter = options.max_hole;
   // How far meshes move is reported. It does not count against the result: a
   // mesh moves farther than it is deep if a part has to leave a pocket.
-  deformer.frames.requirements.displacement_allowance =
+  separation.requirements.displacement_allowance =
       std::numeric_limits<double>::infinity();
-  deformer.prepare.attachments = AttachmentKind::kNone;  // nothing moves
-  deformer.reconstruction.kind = options.remake;
-  deformer.frames.requirements.max_volume_loss = options.max_loss;
-  return deformer;
+  separation.requirements.max_volume_loss = options.max_loss;
+  separation.reconstruction.kind = options.remake;
+  return separation;
 }
 
 int SeparateCommand(const std::vector<std::string>& files,

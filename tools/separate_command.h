@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/deformer/deformer.h"
+#include "musclewarp/frame_solvers/rest_separation.h"
 #include "musclewarp/label_images/label_meshes.h"
 
 namespace musclewarp {
@@ -46,15 +46,15 @@ struct SeparateOptions {
   bool is_terminal = false;  // true if the screen is a terminal
 };
 
-// Returns the options with which the rest pose of a Deformer is the meshes,
-// separated. The gap is checked as SetGap does, nothing else is.
-DeformerOptions DeformerOptionsOf(const SeparateOptions& options);
+// Returns the options of the library. The gap is checked as SetGap does,
+// nothing else is.
+RestSeparationOptions RestSeparationOptionsOf(const SeparateOptions& options);
 
 // Moves the vertices of meshes as little as it takes for no two of them to
-// cross and for each to keep its volume. There are neither lines of action nor
-// poses: the meshes are the muscles of a scene in its rest pose, which
-// certified contact separates. Bones stay where they are. They are tested
-// neither against each other nor with themselves.
+// cross and for each to keep its volume (SeparateRest): the meshes are the
+// muscles of a scene that has neither lines of action nor poses. Bones stay
+// where they are. They are tested neither against each other nor with
+// themselves.
 //
 // `files` are mesh files and at most one label image (label_image_file.h), of
 // which every label becomes a mesh in millimetres and in LPS (label_meshes.h).

@@ -10,7 +10,6 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/label_images/label_image_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
-#include "musclewarp/scene/coordinate_limits.h"
 #include "musclewarp/scene/scene_names.h"
 
 namespace musclewarp {
@@ -156,6 +155,7 @@ class InputReader {
   void AddBone(InputMesh mesh) {
     SceneBone bone;
     bone.name = mesh.name;
+    bone.body = mesh.name;
     bone.mesh_path = mesh.file;
     if (!mesh.file.empty()) {
       ReadTriangleSoup(mesh.file);
@@ -171,16 +171,10 @@ class InputReader {
     SceneMuscle muscle;
     muscle.name = mesh.name;
     muscle.mesh_path = mesh.file;
-    Points points = mesh.soup.points;
     if (!mesh.file.empty()) {
       muscle.mm_per_unit = options_.mm_per_unit;
-      points = muscle.mm_per_unit * ReadTriangleSoup(mesh.file).points;
+      ReadTriangleSoup(mesh.file);
     }
-    CheckCoordinates(mesh.where, points);
-    muscle.lines.push_back(
-        LineThrough(mesh.where,
-                    points,
-                    "line_" + std::to_string(input_.scene.muscles.size() + 1)));
     muscle.delivered_volume = mesh.delivered_volume;
     muscle.points = std::move(mesh.soup.points);
     muscle.triangles = std::move(mesh.soup.triangles);
@@ -223,24 +217,6 @@ PieceChoice ParsePieces(const std::string& text) {
   if (text == "all") return PieceChoice::kAll;
   throw InputError(
       "--pieces=" + text, "is not a choice of pieces", "allowed: largest, all");
-}
-
-ActionLine LineThrough(const std::string& where,
-                       const Points& points,
-                       const std::string& name) {
-  Eigen::Index axis, low, high;
-  (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff(&axis);
-  points.col(axis).minCoeff(&low);
-  points.col(axis).maxCoeff(&high);
-  if (points(low, axis) == points(high, axis)) {
-    throw InputError(
-        where, "has all its points in one place", "check the mesh");
-  }
-  ActionLine line;
-  line.name = name;
-  line.rest.resize(2, 3);
-  line.rest << points.row(low), points.row(high);
-  return line;
 }
 
 SeparateInput ReadSeparateInput(const std::vector<std::string>& files,

@@ -16,10 +16,9 @@ PieceChoice ParsePieces(const std::string& text);
 
 // What musclewarp-separate reads.
 struct SeparateInput {
-  // The meshes are its muscles and bones. Muscles have lines that nothing
-  // follows; a scene needs them. Meshes of files are named by their path and
-  // have been read once, so that bad ones are found early; those of labels are
-  // in memory.
+  // The meshes are its muscles, which have no lines, and its bones. Meshes of
+  // files are named by their path and have been read once, so that bad ones are
+  // found early; those of labels are in memory.
   Scene scene;
 
   // The label image among the files, empty if there is none, and what became of
@@ -37,12 +36,5 @@ struct SeparateInput {
 // images without one, and results that would replace a file that is read.
 SeparateInput ReadSeparateInput(const std::vector<std::string>& files,
                                 const SeparateOptions& options);
-
-// Returns a line for a mesh that has none to follow, from end to end along its
-// longest axis. A muscle of a scene needs one; in the rest pose it moves
-// nothing. Throws InputError, naming `where`, if the mesh has no extent.
-ActionLine LineThrough(const std::string& where,
-                       const Points& points,
-                       const std::string& name);
 
 }  // namespace musclewarp

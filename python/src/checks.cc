@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/deformer/mesh_separation.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/scene/scene_names.h"
 #include "python/src/arrays.h"
@@ -10,11 +11,9 @@
 #include "python/src/choices.h"
 #include "python/src/deformer.h"
 #include "python/src/meshes.h"
-#include "tools/deform_command.h"
 #include "tools/flag_values.h"
 #include "tools/option_flags.h"
 #include "tools/separate_command.h"
-#include "tools/separate_input.h"
 
 namespace musclewarp::python {
 namespace {
@@ -108,13 +107,12 @@ Scene SceneOf(const MeshesByName& meshes,
     const SharedMesh mesh = MeshFrom(object, where);
     SceneMuscle muscle = {name, mm_per_unit * mesh->points, mesh->triangles};
     muscle.mm_per_unit = mm_per_unit;
-    const auto number = std::to_string(scene.muscles.size() + 1);
-    muscle.lines.push_back(LineThrough(where, muscle.points, "line_" + number));
     scene.muscles.push_back(std::move(muscle));
   }
   for (const auto& [name, object] : bones) {
     const SharedMesh mesh = MeshFrom(object, "bone " + QuotedName(name));
-    scene.bones.push_back({name, mm_per_unit * mesh->points, mesh->triangles});
+    scene.bones.push_back(
+        {name, mm_per_unit * mesh->points, mesh->triangles, /*body=*/name});
   }
   return scene;
 }
@@ -129,20 +127,22 @@ std::shared_ptr<FrameOfScene> Separate(const MeshesByName& meshes,
   if (meshes.empty()) {
     throw InputError("meshes", "are none", "give at least one");
   }
-  Scene scene = SceneOf(meshes, bones, units);
-  DeformOptions run;
+  RestSeparationOptions separation;
   CallWithKeywords([&] {
     SeparateOptions options;
     options.gap = gap;
     options.remake = ParseRemake(remake);
     options.max_loss = max_loss;
-    run.deformer = DeformerOptionsOf(options);
-    CheckValid(run);
+    separation = RestSeparationOptionsOf(options);
+    CheckValid(separation);
   });
-  const ScenePose rest = RestPose(scene);
-  const auto deformer = MakeDeformer(std::move(scene), run.deformer, progress);
-  return SharedDeformer::ComputeFrame(
-      deformer, [rest](Deformer* d) { return d->SolveAlone(rest); });
+  return ComputeFree([scene = SceneOf(meshes, bones, units),
+                      separation,
+                      on_progress = CallbackOf(progress)] {
+    MeshSeparation result = SeparateMeshes(scene, separation, on_progress);
+    return std::make_shared<FrameOfScene>(
+        FrameOfScene{std::move(result.frame), PartsOf(result.scene)});
+  });
 }
 
 }  // namespace

@@ -51,24 +51,6 @@ struct StateOfDeformer {
 };
 using SharedState = std::shared_ptr<StateOfDeformer>;
 
-// Returns what calls a function of Python, and stops what was abandoned.
-ProgressCallback CallbackOf(const py::object& progress) {
-  if (progress.is_none()) {
-    return [](const Progress& /*progress*/) { ThrowIfAbandoned(); };
-  }
-  // The last owner may be a thread without the interpreter.
-  const std::shared_ptr<py::object> function(
-      new py::object(progress), [](py::object* object) {
-        const py::gil_scoped_acquire hold;
-        delete object;
-      });
-  return [function](const Progress& now) {
-    ThrowIfAbandoned();
-    const py::gil_scoped_acquire hold;
-    (*function)(now.stage, now.done, now.total);
-  };
-}
-
 Self MakeFromKeywords(const SharedScene& scene,
                       const py::dict& keywords,
                       const py::object& progress) {
@@ -124,6 +106,23 @@ void BindWhatIsKnown(py::class_<SharedDeformer, Self>* type) {
 }
 
 }  // namespace
+
+ProgressCallback CallbackOf(const py::object& progress) {
+  if (progress.is_none()) {
+    return [](const Progress& /*progress*/) { ThrowIfAbandoned(); };
+  }
+  // The last owner may be a thread without the interpreter.
+  const std::shared_ptr<py::object> function(
+      new py::object(progress), [](py::object* object) {
+        const py::gil_scoped_acquire hold;
+        delete object;
+      });
+  return [function](const Progress& now) {
+    ThrowIfAbandoned();
+    const py::gil_scoped_acquire hold;
+    (*function)(now.stage, now.done, now.total);
+  };
+}
 
 std::shared_ptr<SharedDeformer> MakeDeformer(Scene scene,
                                              DeformerOptions options,

@@ -46,8 +46,12 @@ struct SharedDeformer {
   }
 };
 
-// Makes a deformer. `progress` is None or a function of Python that is called
-// with the stage, how many of its parts are done, and how many there are.
+// Returns a callback for a computation that may be abandoned, which it then
+// stops. `progress` is None or a function of Python that is called with the
+// stage, how many of its parts are done, and how many there are.
+ProgressCallback CallbackOf(const pybind11::object& progress);
+
+// Makes a deformer. `progress` is as above.
 std::shared_ptr<SharedDeformer> MakeDeformer(Scene scene,
                                              DeformerOptions options,
                                              const pybind11::object& progress);

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "musclewarp/frame_solvers/rest_separation.h"
 #include "support/prepared_small_scene.h"
 
 namespace musclewarp {
@@ -19,8 +20,15 @@ using ::testing::HasSubstr;
 
 std::unique_ptr<FrameSolver> SolverFor(const PreparedScene& scene,
                                        const FrameSolverOptions& options) {
+  std::optional<RestResult> rest;
+  if (options.contact == ContactKind::kCertified) {
+    PreparedScene separated = scene;
+    RestSeparationOptions separation;
+    separation.contact = options.certified;
+    rest = SeparateRest(separation, ReferenceSolvers().single, {}, &separated);
+  }
   return MakeFrameSolver(
-      scene, options, ReferenceSolvers(), std::make_shared<SceneMeshes>(scene));
+      scene, options, std::make_shared<SceneMeshes>(scene), std::move(rest));
 }
 
 TEST(FrameSolver, WithoutContactDoesNotDependOnTheWay) {

@@ -50,33 +50,27 @@ Scene SceneWithAnEndCutOff() {
   return scene;
 }
 
-FrameSolverOptions Certified() {
-  FrameSolverOptions options;
-  options.contact = ContactKind::kCertified;
-  return options;
-}
-
 PrepareOptions SmallHulls() {
   PrepareOptions options;
   options.muscle.hull.coarse_vertices = 60;
   return options;
 }
 
-std::unique_ptr<FrameSolver> Make(ReconstructionKind kind,
-                                  PreparedScene* scene) {
-  ReconstructionOptions reconstruction;
-  reconstruction.kind = kind;
-  return MakeCleanFrameSolver(
-      reconstruction, SmallHulls(), Certified(), ReferenceSolvers(), {}, scene);
+RestResult Separate(ReconstructionKind kind, PreparedScene* scene) {
+  RestSeparationOptions options;
+  options.prepare = SmallHulls();
+  options.reconstruction.kind = kind;
+  return SeparateRest(options, ReferenceSolvers().single, {}, scene);
 }
 
 }  // namespace
 
-TEST(MakeCleanFrameSolver, DoesNotRemakeWhatSeparatesAsItIs) {
+TEST(SeparateRest, DoesNotRemakeWhatSeparatesAsItIs) {
   PreparedScene scene = PreparedSmallScene();
   const PreparedScene before = scene;
-  const auto solver = Make(ReconstructionKind::kAuto, &scene);
-  EXPECT_TRUE(solver->contact().rest->IsClean());
+  const RestResult rest = Separate(ReconstructionKind::kAuto, &scene);
+  EXPECT_TRUE(rest.intersections.IsClean());
+  EXPECT_TRUE(rest.reconstructed.empty());
   EXPECT_FALSE(scene.as_delivered);
   EXPECT_EQ(scene.warnings, before.warnings);
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
@@ -86,11 +80,11 @@ TEST(MakeCleanFrameSolver, DoesNotRemakeWhatSeparatesAsItIs) {
   }
 }
 
-TEST(MakeCleanFrameSolver, RemakesAMuscleWithAnEndDeepInABone) {
+TEST(SeparateRest, RemakesAMuscleWithAnEndDeepInABone) {
   PreparedScene scene = PreparedSmallScene(SceneWithAnEndInABone());
   const double volume = scene.muscles[0].model.rest_volume;
-  const auto solver = Make(ReconstructionKind::kAuto, &scene);
-  EXPECT_TRUE(solver->contact().rest->IsClean());
+  const RestResult rest = Separate(ReconstructionKind::kAuto, &scene);
+  EXPECT_TRUE(rest.intersections.IsClean());
   ASSERT_TRUE(scene.as_delivered);
   EXPECT_GT(scene.as_delivered->triangle_pairs, 0);
   const PreparedMuscle& muscle = scene.muscles[0];
@@ -100,6 +94,8 @@ TEST(MakeCleanFrameSolver, RemakesAMuscleWithAnEndDeepInABone) {
   EXPECT_TRUE(SelfIntersections(made).empty());
   const SurfaceReconstruction& reconstruction = muscle.mesh.reconstruction;
   EXPECT_TRUE(reconstruction.is_done);
+  EXPECT_EQ(rest.reconstructed, std::vector<int>{0});
+  EXPECT_EQ(reconstruction.reason, ReconstructionReason::kCrossesBone);
   EXPECT_NEAR(reconstruction.volume_before, volume, kRounding * volume);
   EXPECT_NEAR(reconstruction.volume_after,
               SignedVolume(made.points, made.triangles),
@@ -112,66 +108,81 @@ TEST(MakeCleanFrameSolver, RemakesAMuscleWithAnEndDeepInABone) {
   ASSERT_FALSE(scene.warnings.empty());
   EXPECT_THAT(scene.warnings.back(),
               AllOf(HasSubstr("psoas could not be separated"),
+                    HasSubstr("it still crossed a bone"),
                     HasSubstr("cm3 before"),
                     HasSubstr("mm at most")));
 }
 
-TEST(MakeCleanFrameSolver, RefusesSuchASceneIfNothingMayBeMadeAnew) {
+TEST(SeparateRest, RefusesSuchASceneIfNothingMayBeMadeAnew) {
   PreparedScene scene = PreparedSmallScene(SceneWithAnEndInABone());
   const Points before = scene.muscles[0].model.fine_rest;
-  ExpectInputError([&] { Make(ReconstructionKind::kNever, &scene); },
+  ExpectInputError([&] { Separate(ReconstructionKind::kNever, &scene); },
                    {"psoas crosses femur", "--remake=auto", "mm deep"});
   EXPECT_EQ(scene.muscles[0].model.fine_rest, before);
 }
 
-TEST(MakeCleanFrameSolver, RemakesAMuscleOfWhichABoneCutsOffAnEnd) {
+TEST(SeparateRest, RemakesAMuscleOfWhichABoneCutsOffAnEnd) {
   PreparedScene scene = PreparedSmallScene(SceneWithAnEndCutOff());
-  const auto as_it_is = Make(ReconstructionKind::kNever, &scene);
+  const RestResult as_it_is = Separate(ReconstructionKind::kNever, &scene);
   // Its end is pulled through to the side of its bulk, clean but far.
-  EXPECT_TRUE(as_it_is->contact().rest->IsClean());
-  EXPECT_EQ(as_it_is->contact().displaced_at_rest, std::vector<int>{0});
+  EXPECT_TRUE(as_it_is.intersections.IsClean());
+  EXPECT_EQ(as_it_is.displaced, std::vector<int>{0});
   EXPECT_FALSE(scene.muscles[0].mesh.reconstruction.is_done);
 
-  const auto remade = Make(ReconstructionKind::kAuto, &scene);
-  EXPECT_TRUE(remade->contact().rest->IsClean());
-  EXPECT_TRUE(remade->contact().displaced_at_rest.empty());
+  const RestResult remade = Separate(ReconstructionKind::kAuto, &scene);
+  EXPECT_TRUE(remade.intersections.IsClean());
+  EXPECT_TRUE(remade.displaced.empty());
   EXPECT_TRUE(scene.muscles[0].mesh.reconstruction.is_done);
+  EXPECT_EQ(scene.muscles[0].mesh.reconstruction.reason,
+            ReconstructionReason::kDisplaced);
   constexpr double kPlateBegins = 44;
   EXPECT_LT(scene.muscles[0].model.fine_rest.col(2).maxCoeff(), kPlateBegins);
 }
 
 // A label that lost a half before it became a mesh: that half was elsewhere,
 // and does not come back where a bone cuts off what is left.
-TEST(MakeCleanFrameSolver, GrowsToTheVolumeOfTheMeshNotOfItsLabel) {
+TEST(SeparateRest, GrowsToTheVolumeOfTheMeshNotOfItsLabel) {
   Scene raw = SceneWithAnEndInABone();
   const double volume =
       SignedVolume(raw.muscles[0].points, raw.muscles[0].triangles);
   raw.muscles[0].delivered_volume = 2 * volume;
   PreparedScene scene = PreparedSmallScene(raw);
-  Make(ReconstructionKind::kAuto, &scene);
+  Separate(ReconstructionKind::kAuto, &scene);
   EXPECT_TRUE(scene.muscles[0].mesh.reconstruction.is_done);
   EXPECT_NEAR(scene.muscles[0].model.rest_volume, volume, 0.02 * volume);
 }
 
-TEST(MakeCleanFrameSolver, RefusesAMuscleOfWhichLittleIsLeft) {
+TEST(SeparateRest, RefusesAMuscleOfWhichLittleIsLeft) {
   Scene raw = SceneWithAnEndInABone();
   // Only the lowest tenth of its length is outside.
   const TriangleSoup femur = MovedBy(Box(16, 16, 200), {-12.5, 0, 52});
   raw.bones[1].points = femur.points;
   raw.bones[1].triangles = femur.triangles;
   PreparedScene scene = PreparedSmallScene(raw);
-  ExpectInputError([&] { Make(ReconstructionKind::kAuto, &scene); },
+  ExpectInputError([&] { Separate(ReconstructionKind::kAuto, &scene); },
                    {"psoas", "% of the muscle", "in one frame"});
 }
 
-TEST(MakeCleanFrameSolver, LeavesOtherKindsOfContactAlone) {
-  PreparedScene scene = PreparedSmallScene(SceneWithAnEndInABone());
-  FrameSolverOptions options;
-  options.contact = ContactKind::kNone;
-  MakeCleanFrameSolver(
-      {}, SmallHulls(), options, ReferenceSolvers(), {}, &scene);
-  EXPECT_FALSE(scene.muscles[0].mesh.reconstruction.is_done);
-  EXPECT_FALSE(scene.as_delivered);
+// Muscles without lines have nothing to be solved for, and separate all the
+// same.
+TEST(SeparateRest, NeedsNoLines) {
+  Scene raw = SmallScene();
+  for (SceneMuscle& muscle : raw.muscles) muscle.lines.clear();
+  raw.muscles[1].points.col(0).array() -= 4;  // into the other one
+  PrepareOptions prepare = SmallHulls();
+  prepare.makes_lines = false;
+  prepare.attachments = AttachmentKind::kNone;
+  PreparedScene scene = PrepareScene(raw, prepare);
+  const RestResult rest = Separate(ReconstructionKind::kNever, &scene);
+  EXPECT_TRUE(rest.intersections.IsClean());
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    const MuscleModel& model = scene.muscles[i].model;
+    EXPECT_TRUE(scene.scene.muscles[i].lines.empty());
+    EXPECT_EQ(rest.state.free_coarse[i], model.coarse_rest);
+    EXPECT_NEAR(SignedVolume(rest.state.points[i], model.fine_triangles),
+                model.rest_volume,
+                FrameRequirements().max_volume_error * model.rest_volume);
+  }
 }
 
 TEST(ReconstructionOptions, NameWhatIsWrong) {

@@ -52,10 +52,27 @@ bool LiesInside(const SearchableMesh& mesh, const SearchableMesh& other) {
 struct MeshPair {
   const NamedMesh& a;
   const NamedMesh& b;
+  int muscle_a, muscle_b;  // their numbers, -1 for a bone
   std::vector<int> triangles_of_a, triangles_of_b;
   const ExemptArea* exempt = nullptr;
   int exempt_pairs = 0;
 };
+
+// Returns the pair of muscle `a` and mesh `b`, where bones come after muscles.
+MeshPair PairOf(const std::vector<NamedMesh>& muscles,
+                const std::vector<NamedMesh>& bones,
+                const std::vector<ExemptArea>& exempt,
+                size_t a,
+                size_t b) {
+  const int muscle = static_cast<int>(a);
+  if (b < muscles.size()) {
+    return {muscles[a], muscles[b], muscle, static_cast<int>(b), {}, {}};
+  }
+  const size_t bone = b - muscles.size();
+  MeshPair pair = {muscles[a], bones[bone], muscle, -1, {}, {}};
+  pair.exempt = FindExempt(exempt, muscle, static_cast<int>(bone));
+  return pair;
+}
 
 void DropExempt(const ExemptArea& exempt, std::vector<int>* vertices) {
   vertices->erase(std::remove_if(vertices->begin(),
@@ -89,6 +106,8 @@ bool AddPair(MeshPair meshes,
   if (inside_of_b) AddTo(found.b_inside_a, inside_of_b);
   pair.a = meshes.a.name;
   pair.b = meshes.b.name;
+  pair.muscle_a = meshes.muscle_a;
+  pair.muscle_b = meshes.muscle_b;
   pair.vertices_inside =
       static_cast<int>(found.a_inside_b.size() + found.b_inside_a.size());
   pair.max_depth_mm = found.max_depth_mm;
@@ -109,7 +128,7 @@ bool AddPair(MeshPair meshes,
   sum->vertices_inside += pair.vertices_inside;
   sum->max_depth_mm = std::max(sum->max_depth_mm, pair.max_depth_mm);
   sum->pairs.push_back(pair);
-  return pair.triangle_pairs + pair.vertices_inside > 0;
+  return pair.Counts();
 }
 
 // Adds the gap between two meshes that do not intersect.
@@ -124,7 +143,9 @@ void AddGap(const DistanceSearch& search,
                        meshes.b.name,
                        distance->at_least,
                        distance->at_most,
-                       distance->place});
+                       distance->place,
+                       meshes.muscle_a,
+                       meshes.muscle_b});
 }
 
 }  // namespace
@@ -158,15 +179,7 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
   // They ascend by a, then b, as the loops below do.
   auto next = pairs.begin();
   const auto crossing = [&](size_t a, size_t b) {
-    MeshPair meshes = {
-        muscles[a],
-        b < muscles.size() ? muscles[b] : bones[b - muscles.size()],
-        {},
-        {}};
-    if (b >= muscles.size()) {
-      meshes.exempt = FindExempt(
-          exempt, static_cast<int>(a), static_cast<int>(b - muscles.size()));
-    }
+    MeshPair meshes = PairOf(muscles, bones, exempt, a, b);
     for (; next != pairs.end() && next->a == static_cast<int>(a) &&
            next->b == static_cast<int>(b);
          ++next) {
@@ -197,7 +210,9 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                             meshes.b.name,
                             /*at_least_mm=*/0,
                             /*at_most_mm=*/0,
-                            sum.pairs.back().place});
+                            sum.pairs.back().place,
+                            meshes.muscle_a,
+                            meshes.muscle_b});
       } else {
         AddGap(search, boxed[b], meshes, &sum);
       }

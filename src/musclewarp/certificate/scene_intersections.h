@@ -29,6 +29,14 @@ struct PairIntersection {
   // The triangles that cross, ascending, each once, without exempt ones.
   std::vector<int> triangles_of_a;
   std::vector<int> triangles_of_b;
+
+  // The numbers of a and b among the muscles; that of a bone is -1.
+  int muscle_a = -1;
+  int muscle_b = -1;
+
+  // True if more than exempt triangles cross, or one mesh has a vertex inside
+  // the other.
+  bool Counts() const { return triangle_pairs + vertices_inside > 0; }
 };
 
 // Gaps between two meshes are looked for up to this width, mm.
@@ -46,6 +54,10 @@ struct MeshGap {
 
   // The mid-point of the closest points, or where the meshes intersect, mm.
   Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
+
+  // As in PairIntersection.
+  int muscle_a = -1;
+  int muscle_b = -1;
 };
 
 // What intersects in a scene: sums over all pairs of two muscles and of a

@@ -44,40 +44,47 @@ Deformer::Deformer(Scene scene, DeformerOptions options)
       solvers_(SolversOf(options_.solver)) {
   std::optional<StageRecording> recording;
   if (options_.record_stages) recording.emplace();
-  Prepare(Checked(std::move(scene)));
+  Preparation preparation = Prepare(Checked(std::move(scene)));
+  scene_ = std::make_unique<PreparedScene>(std::move(preparation.scene));
+  frame_solver_ = MakeFrameSolver(*scene_,
+                                  options_.frames,
+                                  std::make_shared<SceneMeshes>(*scene_),
+                                  std::move(preparation.rest));
   if (recording) scene_->stages = recording->times();
   // Where a motion starts is found when one does: with the paper's contact that
   // takes a solve.
 }
 
-void Deformer::PrepareAnew(const Scene& scene) {
-  scene_ = std::make_unique<PreparedScene>(
-      PrepareScene(scene, options_.prepare, options_.on_progress));
-  frame_solver_ = MakeCleanFrameSolver(options_.reconstruction,
-                                       options_.prepare,
-                                       options_.frames,
-                                       solvers_,
-                                       options_.on_progress,
-                                       scene_.get());
+Preparation Deformer::PrepareAnew(const Scene& scene) const {
+  Preparation preparation;
+  preparation.scene =
+      PrepareScene(scene, options_.prepare, options_.on_progress);
+  if (options_.frames.contact == ContactKind::kCertified) {
+    preparation.rest = SeparateRest({options_.frames.certified,
+                                     options_.frames.pre_rotation,
+                                     options_.frames.requirements,
+                                     options_.prepare,
+                                     options_.reconstruction},
+                                    solvers_.single,
+                                    options_.on_progress,
+                                    &preparation.scene);
+  }
+  return preparation;
 }
 
-void Deformer::Prepare(const Scene& scene) {
+Preparation Deformer::Prepare(const Scene& scene) const {
   if (options_.cache.folder.empty()) return PrepareAnew(scene);
   const PreparationCache cache(options_.cache, scene);
   std::optional<Preparation> cached = cache.Read(scene);
-  if (!cached) {
-    PrepareAnew(scene);
-    cache.Write(*scene_, frame_solver_->separated_rest());
-    return;
+  if (cached) {
+    for (const std::string& warning : cached->scene.warnings) {
+      LOG(WARNING) << warning;
+    }
+    return *std::move(cached);
   }
-  scene_ = std::make_unique<PreparedScene>(std::move(cached->scene));
-  for (const std::string& warning : scene_->warnings) LOG(WARNING) << warning;
-  frame_solver_ = MakeFrameSolver(*scene_,
-                                  options_.frames,
-                                  solvers_,
-                                  std::make_shared<SceneMeshes>(*scene_),
-                                  options_.on_progress,
-                                  std::move(cached->rest));
+  Preparation preparation = PrepareAnew(scene);
+  cache.Write(preparation);
+  return preparation;
 }
 
 Frame Deformer::MoveTo(const ScenePose& pose) {

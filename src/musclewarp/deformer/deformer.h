@@ -99,9 +99,9 @@ class Deformer {
   void set_state(SceneState state) { state_ = std::move(state); }
 
  private:
-  // Prepares the scene, or has the cache provide the preparation.
-  void Prepare(const Scene& scene);
-  void PrepareAnew(const Scene& scene);
+  // Returns the scene prepared and separated, from the cache if it is there.
+  Preparation Prepare(const Scene& scene) const;
+  Preparation PrepareAnew(const Scene& scene) const;
 
   SolvedFrame Solve(const ScenePose& pose, const SceneState* before);
 

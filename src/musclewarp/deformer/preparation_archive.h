@@ -10,7 +10,7 @@
 #include <cereal/types/vector.hpp>
 #include <cstdint>
 
-#include "musclewarp/frame_solvers/frame_solver.h"
+#include "musclewarp/frame_solvers/rest_result.h"
 #include "musclewarp/motion/state_archive.h"
 #include "musclewarp/preparation/prepared_scene.h"
 
@@ -118,6 +118,7 @@ MUSCLEWARP_ARCHIVE(SliverRemovals,
                    largest_deviation)
 MUSCLEWARP_ARCHIVE(SurfaceReconstruction,
                    is_done,
+                   reason,
                    volume_before,
                    volume_after,
                    lost_area,
@@ -182,8 +183,11 @@ MUSCLEWARP_ARCHIVE(PairIntersection,
                    exempt_pairs,
                    place,
                    triangles_of_a,
-                   triangles_of_b)
-MUSCLEWARP_ARCHIVE(MeshGap, a, b, at_least_mm, at_most_mm, place)
+                   triangles_of_b,
+                   muscle_a,
+                   muscle_b)
+MUSCLEWARP_ARCHIVE(
+    MeshGap, a, b, at_least_mm, at_most_mm, place, muscle_a, muscle_b)
 MUSCLEWARP_ARCHIVE(SceneIntersections,
                    triangle_pairs,
                    vertices_inside,
@@ -207,6 +211,7 @@ MUSCLEWARP_ARCHIVE_WITHOUT(PreparedScene,
 
 // The separated rest pose.
 
-MUSCLEWARP_ARCHIVE(SeparatedRest, state, intersections, displaced)
+MUSCLEWARP_ARCHIVE_WITHOUT(
+    RestResult, (wall_ms), state, intersections, displaced, reconstructed)
 
 }  // namespace musclewarp

@@ -173,10 +173,10 @@ std::optional<Preparation> PreparationCache::Read(const Scene& scene) const {
   return std::nullopt;
 }
 
-void PreparationCache::Write(const PreparedScene& scene,
-                             const std::optional<SeparatedRest>& rest) const {
+void PreparationCache::Write(const Preparation& preparation) const {
   try {
-    const std::string archived = Archived(scene, rest, LinesOf(scene.scene));
+    const std::string archived = Archived(
+        preparation.scene, preparation.rest, LinesOf(preparation.scene.scene));
     WriteTextAtomically(path_, kMagic + key_ + ChecksumOf(archived) + archived);
   } catch (const InputError& error) {
     LOG(WARNING) << error.what();

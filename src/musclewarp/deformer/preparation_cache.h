@@ -6,7 +6,7 @@
 #include <string>
 
 #include "musclewarp/build_info/build_info.h"
-#include "musclewarp/frame_solvers/frame_solver.h"
+#include "musclewarp/frame_solvers/rest_result.h"
 #include "musclewarp/preparation/prepared_scene.h"
 #include "musclewarp/scene/scene.h"
 
@@ -31,7 +31,7 @@ struct PreparationCacheOptions {
 // What preparing a scene comes to: all that takes long.
 struct Preparation {
   PreparedScene scene;
-  std::optional<SeparatedRest> rest;  // with certified contact
+  std::optional<RestResult> rest;  // with certified contact
 };
 
 // Keeps the preparation of a scene on disk, in a file of its own, so that a
@@ -44,7 +44,7 @@ struct Preparation {
 //   std::optional<Preparation> preparation = cache.Read(scene);
 //   if (!preparation) {
 //     preparation = Prepare(scene);
-//     cache.Write(preparation->scene, preparation->rest);
+//     cache.Write(*preparation);
 //   }
 //
 // Files appear complete or not at all, so that several programs may share a
@@ -66,8 +66,7 @@ class PreparationCache {
 
   // Writes a preparation. That it cannot be written, because the disk is full,
   // is logged and changes nothing else.
-  void Write(const PreparedScene& scene,
-             const std::optional<SeparatedRest>& rest) const;
+  void Write(const Preparation& preparation) const;
 
   // Returns the path of the file.
   const std::string& path() const { return path_; }

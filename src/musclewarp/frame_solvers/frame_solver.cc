@@ -48,10 +48,8 @@ const Frame& FrameSolver::RestFrame() {
 std::unique_ptr<FrameSolver> MakeFrameSolver(
     const PreparedScene& scene,
     const FrameSolverOptions& options,
-    const MuscleSolvers& solvers,
     std::shared_ptr<SceneMeshes> meshes,
-    const ProgressCallback& on_progress,
-    std::optional<SeparatedRest> rest) {
+    std::optional<RestResult> rest) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   switch (options.contact) {
@@ -62,12 +60,9 @@ std::unique_ptr<FrameSolver> MakeFrameSolver(
       return std::make_unique<PaperFrameSolver>(
           scene, options, std::move(meshes));
     case ContactKind::kCertified:
-      return std::make_unique<CertifiedFrameSolver>(scene,
-                                                    options,
-                                                    solvers,
-                                                    std::move(meshes),
-                                                    on_progress,
-                                                    std::move(rest));
+      CHECK(rest) << "certified contact starts from a separated rest pose";
+      return std::make_unique<CertifiedFrameSolver>(
+          scene, options, std::move(meshes), std::move(*rest));
   }
   LOG(FATAL) << "no such kind of contact";
 }

@@ -11,6 +11,7 @@
 #include "musclewarp/base/progress.h"
 #include "musclewarp/certificate/shortcomings.h"
 #include "musclewarp/frame_solvers/paper_scene.h"
+#include "musclewarp/frame_solvers/rest_result.h"
 #include "musclewarp/frames/frame.h"
 #include "musclewarp/frames/scene_state.h"
 #include "musclewarp/motion/certified_motion.h"
@@ -70,17 +71,6 @@ struct ContactReport {
   std::vector<int> displaced_at_rest;
 };
 
-// The rest pose of a scene once certified contact has separated it: what takes
-// long to find, and all that a frame solver for the same scene and options
-// needs to be made without.
-struct SeparatedRest {
-  ContactState state;
-
-  // As ContactReport has them.
-  SceneIntersections intersections;
-  std::vector<int> displaced;
-};
-
 // A frame, and the state that the next frame starts from.
 struct SolvedFrame {
   Frame frame;
@@ -90,7 +80,8 @@ struct SolvedFrame {
 // Moves a prepared scene to poses, with whatever kind of contact. There is one
 // implementation for each kind; callers need not know which one they have.
 //
-//   auto solver = MakeFrameSolver(scene, options, solvers, meshes);
+//   RestResult rest = SeparateRest({options.certified, ...}, ..., &scene);
+//   auto solver = MakeFrameSolver(scene, options, meshes, rest);
 //   SceneState state = solver->StartOfMotion(solvers);
 //   for (const ScenePose& pose : scene.scene.poses) {
 //     SolvedFrame solved = solver->Solve(solvers, pose, &state, {});
@@ -104,9 +95,6 @@ class FrameSolver {
 
   // Returns the frame of the scene as it was delivered.
   const Frame& RestFrame();
-
-  // Returns the separated rest pose, or nothing without certified contact.
-  virtual std::optional<SeparatedRest> separated_rest() const { return {}; }
 
   // Returns the state that the first frame of a motion starts from.
   virtual SceneState StartOfMotion(const MuscleSolvers& solvers) = 0;
@@ -140,18 +128,16 @@ class FrameSolver {
   std::optional<Frame> rest_frame_;
 };
 
-// Prepares a scene for the kind of contact in the options. `meshes` are those
-// of the scene; several frame solvers may share them. Keeps a reference to the
-// scene. Certified contact takes its rest pose from `rest`, if there is one:
-// that of a solver which was made for an equal scene with equal options; the
-// meshes are in the rest pose then.
-// Precondition (CHECKed): the options are valid.
+// Makes the frame solver of a scene for the kind of contact in the options.
+// `meshes` are those of the scene, in the rest pose; several frame solvers may
+// share them. Keeps a reference to the scene. Certified contact starts from
+// `rest`, what SeparateRest() made of an equal scene with equal options; the
+// others have no use for it. Preconditions (CHECKed): the options are valid,
+// and there is a rest with certified contact.
 std::unique_ptr<FrameSolver> MakeFrameSolver(
     const PreparedScene& scene,
     const FrameSolverOptions& options,
-    const MuscleSolvers& solvers,
     std::shared_ptr<SceneMeshes> meshes,
-    const ProgressCallback& on_progress = {},
-    std::optional<SeparatedRest> rest = {});
+    std::optional<RestResult> rest = {});
 
 }  // namespace musclewarp

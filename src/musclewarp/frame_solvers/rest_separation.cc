@@ -6,54 +6,67 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <iterator>
 #include <map>
-#include <set>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/option_check.h"
 #include "musclewarp/base/parallel_for.h"
+#include "musclewarp/base/stopwatch.h"
+#include "musclewarp/frame_solvers/certified_frame.h"
 #include "musclewarp/frame_solvers/reconstructed_surfaces.h"
+#include "musclewarp/frames/frame_measures.h"
 #include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {
 namespace {
 
-// The muscles, by number, whose meshes have to be made anew. What crosses a
-// bone holds up the muscles around it, and a muscle may cross itself or be far
-// from where it was as long as it crosses others: so these come only if there
-// is nothing worse, or in the last attempt, which takes all.
-std::vector<int> UncleanMuscles(const PreparedScene& scene,
-                                const ContactReport& contact,
-                                bool is_last_attempt) {
-  const SceneIntersections& rest = *contact.rest;
-  std::map<std::string, int> numbers;
-  std::set<int> beside_bones, beside_muscles, by_themselves;
-  for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    const int number = static_cast<int>(i);
-    numbers[scene.muscles[i].model.name] = number;
-    if (rest.self_pairs_of_muscles[i] > 0) by_themselves.insert(number);
-  }
-  for (const PairIntersection& pair : rest.pairs) {
-    if (pair.triangle_pairs + pair.vertices_inside == 0) continue;
-    const auto a = numbers.find(pair.a), b = numbers.find(pair.b);
-    const bool are_muscles = a != numbers.end() && b != numbers.end();
-    for (const auto& muscle : {a, b}) {
-      if (muscle == numbers.end()) continue;
-      (are_muscles ? beside_muscles : beside_bones).insert(muscle->second);
+using Reasons = std::map<int, ReconstructionReason>;  // by muscle
+
+// Returns the muscles that do not hold something, each with the worst of the
+// reasons.
+Reasons UncleanMuscles(const RestResult& rest) {
+  Reasons reasons;
+  for (const PairIntersection& pair : rest.intersections.pairs) {
+    if (!pair.Counts()) continue;
+    for (const int muscle : {pair.muscle_a, pair.muscle_b}) {
+      if (muscle < 0) continue;
+      const ReconstructionReason reason =
+          pair.muscle_b < 0 ? ReconstructionReason::kCrossesBone
+                            : ReconstructionReason::kCrossesMuscle;
+      const auto known = reasons.emplace(muscle, reason).first;
+      known->second = std::min(known->second, reason);
     }
   }
-  const std::set<int> displaced(contact.displaced_at_rest.begin(),
-                                contact.displaced_at_rest.end());
-  std::set<int> unclean;
-  for (const std::set<int>& worst :
-       {beside_bones, beside_muscles, by_themselves, displaced}) {
-    if (unclean.empty() || is_last_attempt) {
-      unclean.insert(worst.begin(), worst.end());
-    }
+  const std::vector<int>& self_pairs = rest.intersections.self_pairs_of_muscles;
+  for (size_t i = 0; i < self_pairs.size(); ++i) {
+    if (self_pairs[i] == 0) continue;
+    reasons.emplace(static_cast<int>(i), ReconstructionReason::kCrossesItself);
   }
-  return {unclean.begin(), unclean.end()};
+  for (const int muscle : rest.displaced) {
+    reasons.emplace(muscle, ReconstructionReason::kDisplaced);
+  }
+  return reasons;
+}
+
+// Leaves only the muscles with the worst reason. What crosses a bone holds up
+// the muscles around it, and a muscle may cross itself or be far from where it
+// was as long as it crosses others.
+void KeepWorst(Reasons* reasons) {
+  const auto is_better = [](const auto& a, const auto& b) {
+    return a.second < b.second;
+  };
+  const auto worst =
+      std::min_element(reasons->begin(), reasons->end(), is_better);
+  if (worst == reasons->end()) return;
+  const ReconstructionReason reason = worst->second;
+  for (auto muscle = reasons->begin(); muscle != reasons->end();) {
+    muscle =
+        muscle->second == reason ? std::next(muscle) : reasons->erase(muscle);
+  }
 }
 
 // The places, a clause each.
@@ -63,7 +76,7 @@ std::string Describe(const PreparedScene& scene,
   text << std::fixed << std::setprecision(1);
   const char* separator = "";
   for (const PairIntersection& pair : rest.pairs) {
-    if (pair.triangle_pairs + pair.vertices_inside == 0) continue;
+    if (!pair.Counts()) continue;
     text << separator << pair.a << " crosses " << pair.b << " around ("
          << pair.place.x() << ", " << pair.place.y() << ", " << pair.place.z()
          << "), " << pair.max_depth_mm << " mm deep";
@@ -105,16 +118,30 @@ SurfaceReconstruction Compare(const SearchableMesh& before,
   return reconstruction;
 }
 
+// Why moving the vertices of a muscle was not enough.
+std::string Text(ReconstructionReason reason) {
+  switch (reason) {
+    case ReconstructionReason::kCrossesBone:
+      return "it still crossed a bone";
+    case ReconstructionReason::kCrossesMuscle:
+      return "it still crossed a muscle";
+    case ReconstructionReason::kCrossesItself:
+      return "it crossed itself";
+    case ReconstructionReason::kDisplaced:
+      return "parts of it moved too far";
+  }
+  LOG(FATAL) << "no such reason";
+}
+
 std::string Warning(const std::string& name,
                     const SurfaceReconstruction& reconstruction) {
   std::ostringstream text;
-  text
-      << std::fixed << std::setprecision(1) << name
-      << " could not be separated by moving its vertices, so its mesh was made "
-         "anew: "
-      << reconstruction.volume_before / 1000 << " cm3 before, "
-      << reconstruction.volume_after / 1000 << " cm3 after; "
-      << reconstruction.lost_area / 100 << " cm2 of the old surface were left";
+  text << std::fixed << std::setprecision(1) << name
+       << " could not be separated by moving its vertices ("
+       << Text(reconstruction.reason) << "), so its mesh was made anew: "
+       << reconstruction.volume_before / 1000 << " cm3 before, "
+       << reconstruction.volume_after / 1000 << " cm3 after; "
+       << reconstruction.lost_area / 100 << " cm2 of the old surface were left";
   if (reconstruction.lost_area > 0) {
     text << ", around (" << reconstruction.place.x() << ", "
          << reconstruction.place.y() << ", " << reconstruction.place.z()
@@ -140,28 +167,76 @@ void CheckEnoughIsLeft(const ReconstructionOptions& options,
       "check that the meshes are in one frame, or correct them");
 }
 
-void Remake(const ReconstructionOptions& options,
-            const PrepareOptions& prepare,
-            const std::vector<int>& unclean,
-            std::vector<TriangleSoup> surfaces,
-            PreparedScene* scene) {
+// Makes the meshes of muscles anew, as often as that is asked for.
+void Reconstruct(const RestSeparationOptions& options,
+                 const Reasons& reasons,
+                 int attempt,
+                 PreparedScene* scene) {
+  std::vector<int> muscles;
+  for (const auto& [muscle, reason] : reasons) muscles.push_back(muscle);
+  std::vector<TriangleSoup> surfaces =
+      ReconstructedSurfaces(options.reconstruction,
+                            options.contact.separation.cell,
+                            muscles,
+                            attempt,
+                            *scene);
   const SceneMeshes meshes(*scene);
-  std::vector<SurfaceReconstruction> remakings(unclean.size());
-  ParallelFor(unclean.size(), [&](size_t k) {
-    const int i = unclean[k];
-    remakings[k] = Compare(*meshes.muscles()[i].mesh, surfaces[k]);
-    CheckEnoughIsLeft(options, scene->muscles[i].model.name, remakings[k]);
+  std::vector<SurfaceReconstruction> reconstructions(muscles.size());
+  ParallelFor(muscles.size(), [&](size_t k) {
+    const int i = muscles[k];
+    reconstructions[k] = Compare(*meshes.muscles()[i].mesh, surfaces[k]);
+    CheckEnoughIsLeft(options.reconstruction,
+                      scene->muscles[i].model.name,
+                      reconstructions[k]);
   });
-  ReplaceMuscleMeshes(prepare, unclean, std::move(surfaces), scene);
-  for (size_t k = 0; k < unclean.size(); ++k) {
-    PreparedMuscle& muscle = scene->muscles[unclean[k]];
+  ReplaceMuscleMeshes(options.prepare, muscles, std::move(surfaces), scene);
+  for (size_t k = 0; k < muscles.size(); ++k) {
+    PreparedMuscle& muscle = scene->muscles[muscles[k]];
+    SurfaceReconstruction& known = muscle.mesh.reconstruction;
     // Without slivers, which take a little volume with them.
-    remakings[k].volume_after = muscle.model.rest_volume;
-    if (muscle.mesh.reconstruction.is_done) {
-      remakings[k].volume_before = muscle.mesh.reconstruction.volume_before;
+    reconstructions[k].volume_after = muscle.model.rest_volume;
+    reconstructions[k].reason = reasons.at(muscles[k]);
+    if (known.is_done) {
+      reconstructions[k].volume_before = known.volume_before;
+      reconstructions[k].reason = known.reason;
     }
-    muscle.mesh.reconstruction = remakings[k];
+    known = reconstructions[k];
   }
+}
+
+// Separates the meshes as they are.
+RestResult SeparateOnce(const RestSeparationOptions& options,
+                        const MuscleSolver& solver,
+                        const ProgressCallback& on_progress,
+                        const PreparedScene& scene) {
+  SceneMeshes meshes(scene);
+  CertifiedScene certified = PrepareCertifiedScene(scene,
+                                                   meshes,
+                                                   options.contact,
+                                                   options.pre_rotation,
+                                                   solver,
+                                                   on_progress);
+  RestResult result;
+  result.intersections =
+      IntersectAtRest(scene, ShapesOf(certified, certified.rest).fine, &meshes);
+  result.displaced = MusclesDisplacedAtRest(
+      scene, certified, options.requirements, result.intersections, &meshes);
+  result.state = std::move(certified.rest);
+  return result;
+}
+
+// Returns the muscles that were made anew, and says so in the warnings.
+std::vector<int> ReportReconstructions(PreparedScene* scene) {
+  std::vector<int> reconstructed;
+  for (size_t i = 0; i < scene->muscles.size(); ++i) {
+    const PreparedMuscle& muscle = scene->muscles[i];
+    if (!muscle.mesh.reconstruction.is_done) continue;
+    reconstructed.push_back(static_cast<int>(i));
+    scene->warnings.push_back(
+        Warning(muscle.model.name, muscle.mesh.reconstruction));
+    LOG(WARNING) << scene->warnings.back();
+  }
+  return reconstructed;
 }
 
 }  // namespace
@@ -180,60 +255,49 @@ bool ReconstructionOptions::IsValid(std::string* error) const {
       .is_valid();
 }
 
-std::unique_ptr<FrameSolver> MakeCleanFrameSolver(
-    const ReconstructionOptions& reconstruction,
-    const PrepareOptions& prepare,
-    const FrameSolverOptions& options,
-    const MuscleSolvers& solvers,
-    const ProgressCallback& on_progress,
-    PreparedScene* scene) {
+bool RestSeparationOptions::IsValid(std::string* error) const {
+  return contact.IsValid(error) && requirements.IsValid(error) &&
+         prepare.IsValid(error) && reconstruction.IsValid(error);
+}
+
+RestResult SeparateRest(const RestSeparationOptions& options,
+                        const MuscleSolver& solver,
+                        const ProgressCallback& on_progress,
+                        PreparedScene* scene) {
+  const Stopwatch separating;
   std::string error;
-  CHECK(reconstruction.IsValid(&error)) << error;
+  CHECK(options.IsValid(&error)) << error;
+  const bool is_never =
+      options.reconstruction.kind == ReconstructionKind::kNever;
+  const int max_attempts = options.reconstruction.max_attempts;
   for (int attempt = 0;; ++attempt) {
-    auto solver = MakeFrameSolver(*scene,
-                                  options,
-                                  solvers,
-                                  std::make_shared<SceneMeshes>(*scene),
-                                  on_progress);
-    if (options.contact != ContactKind::kCertified) return solver;
-    const SceneIntersections& rest = *solver->contact().rest;
-    const std::vector<int> unclean = UncleanMuscles(
-        *scene, solver->contact(), attempt + 1 == reconstruction.max_attempts);
-    const bool is_over = reconstruction.kind == ReconstructionKind::kNever ||
-                         attempt == reconstruction.max_attempts;
-    if (unclean.empty() ||
-        (is_over && rest.IsClean() && rest.self_pairs == 0)) {
-      for (const PreparedMuscle& muscle : scene->muscles) {
-        if (!muscle.mesh.reconstruction.is_done) continue;
-        scene->warnings.push_back(
-            Warning(muscle.model.name, muscle.mesh.reconstruction));
-        LOG(WARNING) << scene->warnings.back();
-      }
-      return solver;
+    RestResult result = SeparateOnce(options, solver, on_progress, *scene);
+    Reasons reasons = UncleanMuscles(result);
+    const bool is_over = is_never || attempt == max_attempts;
+    const bool is_clean =
+        result.intersections.IsClean() && result.intersections.self_pairs == 0;
+    if (reasons.empty() || (is_over && is_clean)) {
+      result.reconstructed = ReportReconstructions(scene);
+      result.wall_ms = separating.Milliseconds();
+      return result;
     }
     if (is_over) {
       throw InputError(
           scene->scene.name,
           "the meshes cannot be separated in the rest pose: " +
-              Describe(*scene, rest),
-          reconstruction.kind == ReconstructionKind::kNever
-              ? "let their surfaces be made anew (--remake=auto), or correct "
-                "the meshes there"
-              : "correct the meshes there");
+              Describe(*scene, result.intersections),
+          is_never ? "let their surfaces be made anew (--remake=auto), or "
+                     "correct the meshes there"
+                   : "correct the meshes there");
     }
     if (!scene->as_delivered) {
-      scene->as_delivered = solver->RestFrame().intersections;
+      SceneMeshes meshes(*scene);
+      scene->as_delivered = IntersectAsPrepared(*scene, &meshes);
     }
     if (on_progress) on_progress({"remaking", attempt, 0});
-    Remake(reconstruction,
-           prepare,
-           unclean,
-           ReconstructedSurfaces(reconstruction,
-                                 options.certified.separation.cell,
-                                 unclean,
-                                 attempt,
-                                 *scene),
-           scene);
+    // The last attempt takes all.
+    if (attempt + 1 < max_attempts) KeepWorst(&reasons);
+    Reconstruct(options, reasons, attempt, scene);
   }
 }
 

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "musclewarp/base/progress.h"
-#include "musclewarp/frame_solvers/frame_solver.h"
+#include "musclewarp/certificate/shortcomings.h"
+#include "musclewarp/frame_solvers/rest_result.h"
+#include "musclewarp/motion/certified_motion.h"
+#include "musclewarp/motion/muscle_solvers.h"
 #include "musclewarp/preparation/prepared_scene.h"
 
 namespace musclewarp {
@@ -54,19 +55,39 @@ struct ReconstructionOptions {
   bool IsValid(std::string* error) const;
 };
 
-// Makes the frame solver of a scene, and sees to it that its rest pose is
-// clean: if with certified contact triangles still cross in it, or a muscle
-// crosses itself, the meshes of those muscles are made anew from what belongs
-// to them (their medial cells), and the solver is made again. Adds warnings to
-// the scene that say what was made anew. Throws InputError, with the places, if
-// the rest pose does not become clean, or if a mesh would have to be made anew
-// but must not be. Precondition (CHECKed): all options are valid.
-std::unique_ptr<FrameSolver> MakeCleanFrameSolver(
-    const ReconstructionOptions& reconstruction,
-    const PrepareOptions& prepare,
-    const FrameSolverOptions& options,
-    const MuscleSolvers& solvers,
-    const ProgressCallback& on_progress,
-    PreparedScene* scene);
+struct RestSeparationOptions {
+  CertifiedContactOptions contact;
+  PreRotationOptions pre_rotation;
+
+  // What a muscle must hold to not count as displaced.
+  FrameRequirements requirements;
+
+  // How meshes that are made anew are prepared.
+  PrepareOptions prepare;
+  ReconstructionOptions reconstruction;
+
+  // Also checks the options within.
+  bool IsValid(std::string* error) const;
+};
+
+// Separates the meshes of a scene in its rest pose: vertices of muscles move as
+// little as it takes for no triangles to cross. If some do all the same, or if
+// a muscle crosses itself, the meshes of those muscles are made anew from what
+// belongs to them (their medial cells), and all is separated again. The scene
+// then has the new meshes, what crossed before (as_delivered), and warnings
+// that say what was made anew. `solver` solves for coarse meshes;
+// `on_progress` may be empty.
+//
+//   PreparedScene scene = PrepareScene(ReadScene("hip.json", data_root), {});
+//   const RestResult rest = SeparateRest({}, solver, {}, &scene);
+//   Show(rest.state.points);  // in the order of contact
+//
+// Throws InputError, with the places, if the rest pose does not become clean,
+// or if a mesh would have to be made anew but must not be. Precondition
+// (CHECKed): the options are valid.
+RestResult SeparateRest(const RestSeparationOptions& options,
+                        const MuscleSolver& solver,
+                        const ProgressCallback& on_progress,
+                        PreparedScene* scene);
 
 }  // namespace musclewarp

@@ -143,6 +143,15 @@ Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes) {
   return frame;
 }
 
+SceneIntersections IntersectAsPrepared(const PreparedScene& scene,
+                                       SceneMeshes* meshes) {
+  std::vector<Points> muscles;
+  for (const PreparedMuscle& muscle : scene.muscles) {
+    muscles.push_back(muscle.model.fine_rest);
+  }
+  return IntersectAtRest(scene, muscles, meshes);
+}
+
 SceneIntersections IntersectAtRest(const PreparedScene& scene,
                                    const std::vector<Points>& muscles,
                                    SceneMeshes* meshes) {

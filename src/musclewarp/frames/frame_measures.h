@@ -35,6 +35,10 @@ MuscleMeasures MuscleMeasuresOf(const PreparedMuscle& muscle,
 // Returns the frame of a scene with every mesh where it was delivered.
 Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes);
 
+// Counts what crosses with every mesh where it was delivered.
+SceneIntersections IntersectAsPrepared(const PreparedScene& scene,
+                                       SceneMeshes* meshes);
+
 // Counts what crosses with the fine vertices of muscles at `muscles` (n x 3
 // each, mm) and bones in the rest pose.
 SceneIntersections IntersectAtRest(const PreparedScene& scene,

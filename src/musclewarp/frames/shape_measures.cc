@@ -10,9 +10,18 @@
 namespace musclewarp {
 namespace {
 
-// Returns the direction of the nearest line at every fine vertex at rest.
+// Returns the direction of the nearest line at every fine vertex at rest, or of
+// the axis along which the muscle is longest if it has no lines.
 Points CourseOf(const MuscleModel& model) {
-  Points course(model.fine_rest.rows(), 3);
+  Points course = Points::Zero(model.fine_rest.rows(), 3);
+  if (!model.HasLines()) {
+    Eigen::Index axis;
+    (model.fine_rest.colwise().maxCoeff() -
+     model.fine_rest.colwise().minCoeff())
+        .maxCoeff(&axis);
+    course.col(axis).setOnes();
+    return course;
+  }
   for (Eigen::Index i = 0; i < course.rows(); ++i) {
     const SegmentPoint place =
         NearestSegment(model.fine_rest.row(i), model.lines);

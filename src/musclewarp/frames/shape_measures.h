@@ -14,7 +14,7 @@ namespace musclewarp {
 // these figures show it.
 struct ShapeMeasures {
   // Ratios of lengths on the surface to those at rest: in any direction, along
-  // the muscle's lines and across them (geometry/surface_deformation.h).
+  // the muscle's lines and across them (frames/surface_deformation.h).
   double max_stretch = 1;
   double max_stretch_along = 1;
   double max_stretch_across = 1;

@@ -13,6 +13,10 @@ void SolveEachOnItsOwn(const MuscleSolver& solver,
   const int count = static_cast<int>(models.size());
 #pragma omp parallel for schedule(dynamic)
   for (int i = 0; i < count; ++i) {
+    if (!models[i]->HasLines()) {
+      (*summaries)[i] = NothingToSolve();
+      continue;
+    }
     solver(*models[i], targets[i], &(*states)[i].coarse, &(*summaries)[i]);
   }
 }

@@ -38,7 +38,8 @@ struct MuscleSolvers {
 };
 
 // Solves every muscle on its own, spread over the threads of OpenMP. The result
-// does not depend on their number.
+// does not depend on their number. A muscle without lines stays as it is, which
+// counts as converged.
 void SolveEachOnItsOwn(const MuscleSolver& solver,
                        const std::vector<const MuscleModel*>& models,
                        const std::vector<MuscleTarget>& targets,

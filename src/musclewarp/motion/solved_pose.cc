@@ -43,6 +43,7 @@ std::vector<MuscleState> Predict(const MuscleModels& models,
                                  const PreRotationOptions& pre_rotation) {
   for (size_t i = 0; i < models.size(); ++i) {
     const MuscleModel& model = *models[i];
+    if (!model.HasLines()) continue;
     before[i].coarse +=
         UnconstrainedMinimizer(model, TargetOf(model, pose, pre_rotation)) -
         UnconstrainedMinimizer(model, TargetOf(model, from, pre_rotation));

@@ -155,7 +155,7 @@ void PrepareOne(const Surroundings& surroundings,
                 Scene* scene,
                 PreparedMuscle* prepared) {
   SceneMuscle& muscle = scene->muscles[m];
-  if (muscle.lines.empty()) {
+  if (muscle.lines.empty() && options.makes_lines) {
     muscle.lines = MakeLines(muscle.name,
                              fine,
                              surroundings.bodies(),
@@ -259,6 +259,20 @@ void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
 }
 
 }  // namespace
+
+std::string ToString(ReconstructionReason reason) {
+  switch (reason) {
+    case ReconstructionReason::kCrossesBone:
+      return "crosses_bone";
+    case ReconstructionReason::kCrossesMuscle:
+      return "crosses_muscle";
+    case ReconstructionReason::kCrossesItself:
+      return "crosses_itself";
+    case ReconstructionReason::kDisplaced:
+      return "displaced";
+  }
+  LOG(FATAL) << "no such reason";
+}
 
 bool PrepareOptions::IsValid(std::string* error) const {
   if (auto_lines < 1) {

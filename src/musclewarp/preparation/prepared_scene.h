@@ -45,6 +45,10 @@ struct PrepareOptions {
   // The number of action lines that are made for a muscle which has none.
   int auto_lines = 3;
 
+  // If false, such a muscle stays without lines, and nothing but contact moves
+  // it.
+  bool makes_lines = true;
+
   // The fibres that every muscle carries; none by default.
   FibreOptions fibres;
 
@@ -65,10 +69,26 @@ struct PrepareOptions {
   bool IsValid(std::string* error) const;
 };
 
+// Why the mesh of a muscle was made anew: what was still the case once its
+// vertices had been moved. The worst comes first.
+enum class ReconstructionReason {
+  kCrossesBone,
+  kCrossesMuscle,
+  kCrossesItself,
+  kDisplaced,  // farther than the requirements on frames allow
+};
+
+// "crosses_bone", "crosses_muscle", "crosses_itself" or "displaced": the text
+// of reports.
+std::string ToString(ReconstructionReason reason);
+
 // How the mesh of a muscle was made anew, because it could not be separated
-// from others as it was (rest_remaking.h).
+// from others as it was (frame_solvers/rest_separation.h).
 struct SurfaceReconstruction {
   bool is_done = false;
+
+  // Of the first time, if that was done more than once.
+  ReconstructionReason reason = ReconstructionReason::kCrossesBone;
   double volume_before = 0, volume_after = 0;  // mm^3
 
   // What of the old surface the new one leaves by more than a triangle's edge:
@@ -121,7 +141,8 @@ struct PreparedBone {
 };
 
 // A scene whose meshes have been read, repaired and analysed, with action lines
-// for every muscle. Constant once it is prepared.
+// for every muscle if PrepareOptions::makes_lines says so. Constant once it is
+// prepared.
 struct PreparedScene {
   Scene scene;
   std::vector<PreparedMuscle> muscles;

@@ -18,7 +18,8 @@ using OrderedJson = nlohmann::ordered_json;
 OrderedJson ToJson(const SurfaceReconstruction& reconstruction) {
   if (!reconstruction.is_done) return nullptr;
   const Eigen::RowVector3d& place = reconstruction.place;
-  return {{"volume_before_mm3", reconstruction.volume_before},
+  return {{"reason", ToString(reconstruction.reason)},
+          {"volume_before_mm3", reconstruction.volume_before},
           {"volume_after_mm3", reconstruction.volume_after},
           {"lost_area_mm2", reconstruction.lost_area},
           {"place_mm", {place.x(), place.y(), place.z()}},

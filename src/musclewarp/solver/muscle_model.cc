@@ -86,6 +86,7 @@ bool MuscleModelOptions::IsValid(std::string* error) const {
 }
 
 void FactorNormalMatrix(MuscleModel* model) {
+  if (!model->HasLines()) return;
   Eigen::MatrixXd normal(SparseMatrix(model->laplacian.transpose()) *
                          model->laplacian);
   normal += model->skeleton.transpose() * model->skeleton;
@@ -105,7 +106,6 @@ MuscleModel PrepareMuscle(const SceneMuscle& muscle,
                           const MuscleModelOptions& options) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
-  CHECK(!muscle.lines.empty());
   MuscleModel model;
   model.name = muscle.name;
   model.lines = muscle.lines;
@@ -123,7 +123,7 @@ MuscleModel PrepareMuscle(const SceneMuscle& muscle,
   model.laplacian =
       CotangentLaplacian(hull.points, hull.triangles, options.laplacian);
   model.laplacian_rest = model.laplacian * hull.points;
-  for (Eigen::Index i = 0; i < hull.points.rows(); ++i) {
+  for (Eigen::Index i = 0; model.HasLines() && i < hull.points.rows(); ++i) {
     model.nearest_segments.push_back(
         NearestSegment(hull.points.row(i), model.lines));
   }

@@ -73,7 +73,8 @@ struct MuscleModel {
   // Laplacian rows, paper eq. (2.1) to (2.3).
   SparseMatrix laplacian;                      // N x N: L
   Points laplacian_rest;                       // N x 3, mm: L X_0
-  std::vector<SegmentPoint> nearest_segments;  // N: s(i), for the pre-rotation
+  std::vector<SegmentPoint> nearest_segments;  // N: s(i), for the pre-rotation;
+                                               // none without lines
 
   // Skeleton rows, paper eq. (2.4) and (2.5).
   RowMajorMatrix skeleton;            // m x N: S
@@ -90,14 +91,18 @@ struct MuscleModel {
   double coarse_rest_volume = 0;  // of the coarse mesh, mm^3
   double rest_area = 0;           // of the fine mesh, mm^2
 
-  // The Cholesky factorisation A = U^T U.
+  // The Cholesky factorisation A = U^T U. Empty without lines.
   Eigen::LLT<Eigen::MatrixXd> normal_matrix;
+
+  // False of a muscle without lines: its place is not determined, so that it
+  // cannot be solved for, and stays as it is.
+  bool HasLines() const { return !lines.empty(); }
 };
 
 // Prepares a muscle: `fine` is its mesh in the rest pose and `hull` the closed
 // coarse mesh around it, both in mm. Factorising A costs O(N^3).
-// Preconditions (CHECKed where cheap): the options are valid, the muscle has a
-// line, both meshes are closed 2-manifolds oriented outward.
+// Preconditions (CHECKed where cheap): the options are valid, both meshes are
+// closed 2-manifolds oriented outward.
 // Throws InputError naming the muscle if its lines do not determine the shape,
 // that is, if A is singular.
 MuscleModel PrepareMuscle(const SceneMuscle& muscle,
@@ -106,7 +111,8 @@ MuscleModel PrepareMuscle(const SceneMuscle& muscle,
                           const MuscleModelOptions& options);
 
 // Factorises the normal matrix of a muscle of which everything else is there,
-// as PrepareMuscle() does in the end. Throws InputError if it is singular.
+// as PrepareMuscle() does in the end, if the muscle has lines. Throws
+// InputError if it is singular.
 void FactorNormalMatrix(MuscleModel* model);
 
 }  // namespace musclewarp

@@ -14,8 +14,8 @@ MuscleTarget TargetOf(const MuscleModel& model,
   const std::vector<LineTarget> lines = LineTargets(model.lines, pose);
   MuscleTarget target;
 
-  target.laplacian.resize(model.laplacian_rest.rows(), 3);
-  for (Eigen::Index i = 0; i < target.laplacian.rows(); ++i) {
+  target.laplacian = model.laplacian_rest;
+  for (size_t i = 0; i < model.nearest_segments.size(); ++i) {
     const SegmentPoint& place = model.nearest_segments[i];
     const Eigen::Matrix3d rotation = SegmentRotation(model.lines[place.line],
                                                      lines[place.line],

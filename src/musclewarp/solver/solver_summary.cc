@@ -49,6 +49,18 @@ std::string SolverSummary::FullReport() const {
   return report.str();
 }
 
+SolverSummary NothingToSolve() {
+  SolverSummary summary;
+  summary.stop_reason = StopReason::kConverged;
+  summary.message.clear();
+  summary.iterations = 0;
+  summary.initial_energy = summary.final_energy = 0;
+  summary.volume_ratio = 1;
+  summary.max_step = 0;
+  summary.wall_ms = 0;
+  return summary;
+}
+
 SolverSummary MergedSummary(const SolverSummary& first, SolverSummary second) {
   second.iterations += first.iterations;
   second.wall_ms += first.wall_ms;

@@ -55,6 +55,9 @@ struct SolverSummary {
   std::string FullReport() const;
 };
 
+// Returns the summary of a muscle that is at its target without a solve.
+SolverSummary NothingToSolve();
+
 // Merges the summaries of two solves of which `second` started where `first`
 // ended. Iterations and times are added and the histories joined; the initial
 // energy is that of the first, everything else that of the second.

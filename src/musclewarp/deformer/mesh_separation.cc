@@ -1,0 +1,54 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/deformer/mesh_separation.h"
+
+#include <utility>
+#include <vector>
+
+#include "musclewarp/deformer/solver_configuration.h"
+#include "musclewarp/frame_solvers/certified_frame.h"
+#include "musclewarp/frames/frame_measures.h"
+#include "musclewarp/scene/scene_checks.h"
+
+namespace musclewarp {
+
+RestSeparationOptions MeshSeparationOptions() {
+  RestSeparationOptions options;
+  // docs/results.md has the figures with the coarse solve and without.
+  options.contact.coarse_weight = 0;
+  options.prepare.makes_lines = false;
+  options.prepare.attachments = AttachmentKind::kNone;
+  options.prepare.remove_self_crossings = true;
+  options.prepare.remove_slivers = true;
+  return options;
+}
+
+MeshSeparation SeparateMeshes(const Scene& scene,
+                              const RestSeparationOptions& options,
+                              const ProgressCallback& on_progress) {
+  CheckScene(scene);
+  MeshSeparation result;
+  result.scene = PrepareScene(scene, options.prepare, on_progress);
+  result.rest = SeparateRest(options,
+                             SolversOf(SolverConfiguration()).single,
+                             on_progress,
+                             &result.scene);
+  SceneMeshes meshes(result.scene);
+  result.before = result.scene.as_delivered
+                      ? *result.scene.as_delivered
+                      : IntersectAsPrepared(result.scene, &meshes);
+  const CertifiedScene certified = RestoreCertifiedScene(
+      result.scene, meshes, options.contact, result.rest.state);
+  result.frame = CertifiedFrame(
+      result.scene,
+      certified,
+      options.requirements,
+      result.rest.state,
+      /*before=*/{},
+      std::vector<SolverSummary>(scene.muscles.size(), NothingToSolve()),
+      &meshes);
+  result.frame.index = 0;
+  return result;
+}
+
+}  // namespace musclewarp

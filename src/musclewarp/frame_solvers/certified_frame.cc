@@ -1,0 +1,198 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/frame_solvers/certified_frame.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "musclewarp/base/stage_times.h"
+#include "musclewarp/certificate/push_chains.h"
+#include "musclewarp/frames/frame_measures.h"
+
+namespace musclewarp {
+namespace {
+
+// The pairs of muscles that lie on each other.
+std::vector<std::pair<int, int>> TouchingMuscles(
+    const SceneIntersections& intersections, double touching_distance) {
+  std::vector<std::pair<int, int>> touching;
+  for (const MeshGap& gap : intersections.gaps) {
+    if (gap.at_least_mm > touching_distance || gap.muscle_b < 0) continue;
+    touching.emplace_back(gap.muscle_a, gap.muscle_b);
+  }
+  return touching;
+}
+
+// Returns the fine meshes of a state as they would be without contact, in the
+// order of the scene: each free shape, with its attachments in place.
+std::vector<Points> MeshesWithoutContact(const CertifiedScene& certified,
+                                         const ContactState& state) {
+  std::vector<Points> meshes(certified.order.size());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (size_t k = 0; k < certified.order.size(); ++k) {
+    const AttachedPoints& held = state.held[k];
+    Points& points = meshes[certified.order[k]];
+    points =
+        FinePoints(certified.muscles[k]->model, {state.free_coarse[k], {}});
+    points += certified.extensions[k]->Extended(
+        held.positions - Points(points(held.vertices, Eigen::all)));
+  }
+  return meshes;
+}
+
+// Measures how far attachments have left their bodies.
+void MeasureDrift(const CertifiedScene& certified,
+                  const ContactState& state,
+                  Frame* frame) {
+  for (size_t k = 0; k < certified.order.size(); ++k) {
+    const PreparedMuscle& muscle = *certified.muscles[k];
+    MuscleFrame& measured = frame->muscles[certified.order[k]];
+    measured.attachments = DriftOf(muscle.model.attachments,
+                                   muscle.attached,
+                                   state.held[k].positions,
+                                   measured.points);
+  }
+}
+
+// Measures what contact has done to the muscles of a frame, against their
+// shapes without contact.
+void MeasureContact(const CertifiedScene& certified,
+                    const ContactState& state,
+                    double touching_distance,
+                    SceneMeshes* meshes,
+                    Frame* frame) {
+  const ScopedStage stage("displacement by contact");
+  const std::vector<Points> without_contact =
+      MeshesWithoutContact(certified, state);
+  meshes->MoveTo(without_contact, frame->bones);
+  const std::vector<PairDepth> overlaps =
+      PenetrationDepths(meshes->muscles(), meshes->bones());
+  const std::vector<PushChain> pushes =
+      FarthestPushes(static_cast<int>(frame->muscles.size()),
+                     overlaps,
+                     TouchingMuscles(frame->intersections, touching_distance));
+  for (size_t i = 0; i < frame->muscles.size(); ++i) {
+    MuscleFrame& muscle = frame->muscles[i];
+    const Eigen::VectorXd moves =
+        (muscle.points - without_contact[i]).rowwise().norm();
+    muscle.max_contact_displacement = moves.maxCoeff();
+    muscle.mean_contact_displacement = moves.mean();
+    for (const PairDepth& overlap : overlaps) {
+      const int muscle_number = static_cast<int>(i);
+      if (overlap.a == muscle_number ||
+          (!overlap.is_bone && overlap.b == muscle_number)) {
+        muscle.depth_without_contact =
+            std::max(muscle.depth_without_contact, overlap.depth);
+      }
+    }
+    muscle.push_depth = pushes[i].depth;
+    for (const int other : pushes[i].muscles) {
+      muscle.pushed_by.push_back(frame->muscles[other].name);
+    }
+  }
+}
+
+// Returns what the certificate judges of a muscle.
+MuscleMeasures MeasuresOf(const PreparedMuscle& prepared,
+                          const MuscleFrame& muscle) {
+  MuscleMeasures measures = MuscleMeasuresOf(prepared, muscle);
+  measures.num_triangles =
+      static_cast<int>(prepared.model.fine_triangles.rows());
+  measures.folded_triangles = muscle.folded_triangles;
+  measures.self_pairs = muscle.self_pairs;
+  measures.max_contact_displacement = muscle.max_contact_displacement;
+  measures.depth_without_contact = muscle.depth_without_contact;
+  measures.push_depth = muscle.push_depth;
+  measures.pushed_by = muscle.pushed_by;
+  return measures;
+}
+
+// Lists what the frame does not hold of the requirements.
+void Judge(const PreparedScene& scene,
+           const FrameRequirements& requirements,
+           Frame* frame) {
+  std::vector<MuscleMeasures> measures;
+  for (size_t i = 0; i < frame->muscles.size(); ++i) {
+    measures.push_back(MeasuresOf(scene.muscles[i], frame->muscles[i]));
+  }
+  frame->shortcomings =
+      Shortcomings(requirements, frame->intersections, measures);
+}
+
+// Looks for bones that lie in each other where the frame falls short: they may
+// be why. Precondition: the meshes of the bones are at the frame.
+void AddBoneOverlaps(const PreparedScene& scene,
+                     const SceneMeshes& meshes,
+                     Frame* frame) {
+  const auto leaves_a_bone = [](const MuscleFrame& muscle) {
+    return std::any_of(
+        muscle.attachments.begin(),
+        muscle.attachments.end(),
+        [](const AttachmentDrift& drift) { return drift.max > kLargestDrift; });
+  };
+  if (frame->shortcomings.empty() &&
+      std::none_of(
+          frame->muscles.begin(), frame->muscles.end(), leaves_a_bone)) {
+    return;
+  }
+  std::vector<std::string> bodies;
+  for (const PreparedBone& bone : scene.bones) bodies.push_back(bone.body);
+  frame->bone_overlaps = BoneOverlaps(meshes.bones(), bodies);
+}
+
+}  // namespace
+
+Frame CertifiedFrame(const PreparedScene& scene,
+                     const CertifiedScene& certified,
+                     const FrameRequirements& requirements,
+                     const ContactState& state,
+                     const std::vector<Points>& before,
+                     std::vector<SolverSummary> summaries,
+                     SceneMeshes* meshes) {
+  Frame frame = MeasureFrame(scene,
+                             state.pose,
+                             ShapesOf(certified, state),
+                             before,
+                             std::move(summaries),
+                             meshes);
+  MeasureDrift(certified, state, &frame);
+  MeasureContact(
+      certified, state, requirements.touching_distance, meshes, &frame);
+  FrameRequirements with_gap = requirements;
+  with_gap.gap = std::max(requirements.gap, certified.options.step.gap);
+  Judge(scene, with_gap, &frame);
+  AddBoneOverlaps(scene, *meshes, &frame);
+  return frame;
+}
+
+std::vector<int> MusclesDisplacedAtRest(const PreparedScene& scene,
+                                        const CertifiedScene& certified,
+                                        const FrameRequirements& requirements,
+                                        const SceneIntersections& intersections,
+                                        SceneMeshes* meshes) {
+  Frame rest;
+  MuscleShapes shapes = ShapesOf(certified, certified.rest);
+  rest.intersections = intersections;
+  for (const PreparedBone& bone : scene.bones) {
+    rest.bones.push_back(bone.rest.points);
+  }
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    MuscleFrame& muscle = rest.muscles.emplace_back();
+    muscle.name = scene.muscles[i].model.name;
+    muscle.points = std::move(shapes.fine[i]);
+  }
+  MeasureContact(
+      certified, certified.rest, requirements.touching_distance, meshes, &rest);
+  std::vector<int> displaced;
+  for (size_t i = 0; i < rest.muscles.size(); ++i) {
+    if (rest.muscles[i].max_contact_displacement >
+        LargestDisplacement(requirements,
+                            MeasuresOf(scene.muscles[i], rest.muscles[i]))) {
+      displaced.push_back(static_cast<int>(i));
+    }
+  }
+  return displaced;
+}
+
+}  // namespace musclewarp
