@@ -27,12 +27,11 @@ import dataclasses
 import pathlib
 import random
 import re
-import subprocess
 import sys
-import time
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-COPY = ROOT / "build" / "mutants"
+from commit_copy import (COPY, builds, changed, check_out, configure_and_build,
+                         run)
+
 SOURCES = pathlib.Path("src/musclewarp")
 
 # Tests that take this many times as long as without a change do not end.
@@ -146,30 +145,10 @@ def draw(mutants, generator):
     return [generator.choice(by_place[place]) for place in places]
 
 
-def run(command, timeout=None):
-    """Returns whether a command succeeds within the time, and how long it
-    takes."""
-    began = time.monotonic()
-    try:
-        done = subprocess.run(command, cwd=COPY, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.DEVNULL, timeout=timeout,
-                              check=False)
-        return done.returncode == 0, time.monotonic() - began
-    except subprocess.TimeoutExpired:
-        return False, time.monotonic() - began
-
-
 def prepare(rooms):
     """Makes the copy and builds the tests; returns how long those take."""
-    commit = subprocess.run(["git", "rev-parse", "HEAD"], cwd=ROOT, check=True,
-                            capture_output=True, text=True).stdout.strip()
-    if not (COPY / ".git").exists():
-        subprocess.run(["git", "worktree", "add", "--detach", COPY, commit],
-                       cwd=ROOT, check=True)
-    subprocess.run(["git", "checkout", "--quiet", "--force", commit], cwd=COPY,
-                   check=True)
-    subprocess.run([COPY / "scripts/build.sh", "release",
-                    *(f"{room}_test" for room in rooms)], check=True)
+    check_out()
+    configure_and_build("release", [f"{room}_test" for room in rooms])
     times = {}
     for room in rooms:
         passes, times[room] = run([test_of(room), "--gtest_brief=1"])
@@ -184,21 +163,17 @@ def test_of(room):
 
 def is_noticed(mutant, patience):
     """Returns whether the tests notice a change; None if it does not compile."""
-    path = COPY / SOURCES / mutant.file
-    text = path.read_text(encoding="utf-8")
-    lines = text.split("\n")
-    lines[mutant.line - 1] = mutant.after
-    path.write_text("\n".join(lines), encoding="utf-8")
-    try:
-        builds, _ = run(["cmake", "--build", "build/release", "--target",
-                         f"{mutant.room}_test"])
-        if not builds:
+    def change(text):
+        lines = text.split("\n")
+        lines[mutant.line - 1] = mutant.after
+        return "\n".join(lines)
+
+    with changed(SOURCES / mutant.file, change):
+        if not builds([f"{mutant.room}_test"]):
             return None
         passes, _ = run([test_of(mutant.room), "--gtest_brief=1",
                          "--gtest_fail_fast"], patience)
         return not passes
-    finally:
-        path.write_text(text, encoding="utf-8")
 
 
 def parse_arguments():
