@@ -12,7 +12,7 @@ here, or the other way round, leads nowhere. --only takes the rows with these
 words.
 
 Everything happens in the copy of the last commit that scripts/mutants.py has,
-too (build/mutants). It takes ten minutes on two cores, and the first run has to
+too (build/mutants). It takes twelve minutes on two cores, and the first run has to
 build the copy. Export to finite elements needs tetgen.
 
 Exit code: 0 if all rows lead somewhere, else 1.
@@ -166,7 +166,7 @@ def check_row(what, files, unchanged, scratch):
     noticed_by = dict.fromkeys(probe.name for change in changes
                                for probe in change.noticed_by)
     print(f"NOWHERE  {what}: {'; '.join(wrong)}" if wrong else
-          f"found    {what}: {', '.join(noticed_by)}", flush=True)
+          f"found    {what}: {'; '.join(noticed_by)}", flush=True)
     return not wrong
 
 
