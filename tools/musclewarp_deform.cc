@@ -9,7 +9,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "tools/deform_command.h"
-#include "tools/deformer_choices.h"
+#include "tools/deformer_settings.h"
 #include "tools/demo_scene.h"
 #include "tools/flag_values.h"
 #include "tools/model_listing.h"

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/deformer_choices.h"
+#include "tools/deformer_settings.h"
 #include "tools/flag_values.h"
 
 DEFINE_string(scene, "", "scene file (JSON)");
@@ -44,7 +44,7 @@ DEFINE_int32(max_iterations, 500, "of a solver, before it gives up");
 DEFINE_uint32(seed, 1, "of the rays that tell inside from outside");
 DEFINE_int32(threads, 0, "threads; 0: one a core");
 DEFINE_double(max_hole,
-              musclewarp::DeformerChoices().max_hole,
+              musclewarp::DeformerSettings().max_hole,
               "holes whose border is at most this long are filled when a mesh "
               "is repaired, mm; a longer one is filled only if it is a slit: "
               "if the area of its filling is at most 0.006 times the square of "
@@ -69,7 +69,7 @@ DEFINE_int32(auto_lines,
              3,
              "lines made for a muscle that has none; 1: a centre line");
 DEFINE_double(gap,
-              musclewarp::DeformerChoices().gap,
+              musclewarp::DeformerSettings().gap,
               "distance that certified contact keeps between surfaces, mm; at "
               "most 0.5");
 DEFINE_int32(max_rounds,
@@ -87,7 +87,7 @@ DEFINE_string(remake,
               "auto (their meshes are made anew) or never (the scene is "
               "refused)");
 DEFINE_double(max_loss,
-              musclewarp::DeformerChoices().max_loss,
+              musclewarp::DeformerSettings().max_loss,
               "share of the volume of a muscle, as it was delivered, that may "
               "be lost where its mesh is made anew; with more, frames are not "
               "usable");
@@ -120,8 +120,8 @@ std::string ShellQuoted(const std::string& text) {
   return quoted + "'";
 }
 
-DeformerChoices ChoicesFromFlags() {
-  DeformerChoices choices;
+DeformerSettings ChoicesFromFlags() {
+  DeformerSettings choices;
   choices.contact_level = FLAGS_contact_level;
   choices.attachments = FLAGS_attachments;
   choices.remake = FLAGS_remake;

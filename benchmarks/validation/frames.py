@@ -52,7 +52,7 @@ def areas_of(run):
     return sorted(areas.values(), key=lambda a: (-a.largest, -a.mean))
 
 
-def folded_share(run):
+def folded_fraction(run):
     """The largest number of folded triangles of a muscle in a frame, and their
     largest share."""
     triangles = {name: len(run.mesh("rest", name)[1]) for name in run.muscles}
@@ -70,7 +70,7 @@ def frame_rows(runs):
     usable = sum(frame["usable"] for frame in frames)
     planned = sum(run.report["summary"]["frames_planned"] for run in runs)
     error = max(abs(m["volume_ratio"] - 1) for f in frames for m in f["muscles"])
-    counts = [folded_share(run) for run in runs]
+    counts = [folded_fraction(run) for run in runs]
     folded, share = (max(values) for values in zip(*counts))
     crossing = sum(frame["intersections"]["triangle_pairs"] for frame in frames)
     gaps = [f["smallest_gap_mm"] for f in frames if f["smallest_gap_mm"] is not None]

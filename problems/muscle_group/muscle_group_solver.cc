@@ -73,7 +73,7 @@ class MuscleGroupSolver {
           group_.volumes[i]->Error(group_.unknowns[i]->Coarse());
       volume_errors_[i] = error / models_[i]->rest_volume;
       // The full step aims beyond zero, so that the shortened step corrects
-      // max(alpha, min_volume_share) of the error.
+      // max(alpha, min_volume_fraction) of the error.
       group_.constraints[i]->target =
           (1 - 1 / progress_.volume_alpha()) * error / models_[i]->rest_area;
     }

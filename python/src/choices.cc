@@ -9,7 +9,7 @@
 
 #include "python/src/bindings.h"
 #include "tools/deform_command.h"
-#include "tools/deformer_choices.h"
+#include "tools/deformer_settings.h"
 #include "tools/option_flags.h"
 
 namespace musclewarp::python {
@@ -55,7 +55,7 @@ const char* WhatIsAllowed(bool /*field*/) { return "True or False"; }
 
 // A text that differs between any two sets of choices by which a scene is
 // prepared differently.
-std::string KeyOf(const DeformerChoices& choices) {
+std::string KeyOf(const DeformerSettings& choices) {
   std::ostringstream text;
   text << std::setprecision(std::numeric_limits<double>::max_digits10);
   VisitChoices(&choices, [&](const std::string& name, const auto& field) {
@@ -77,7 +77,7 @@ void CallWithKeywords(const std::function<void()>& function) {
 }
 
 DeformerOptions OptionsFrom(const py::dict& keywords) {
-  DeformerChoices choices;
+  DeformerSettings choices;
   VisitChoices(&choices, [&](const char* name, auto& field) {
     if (!keywords.contains(name)) return;
     const py::object value = keywords[name];
@@ -99,7 +99,7 @@ DeformerOptions OptionsFrom(const py::dict& keywords) {
 }
 
 py::dict DefaultChoices() {
-  const DeformerChoices choices;
+  const DeformerSettings choices;
   py::dict keywords;
   VisitChoices(&choices, [&](const char* name, const auto& field) {
     keywords[name] = field;

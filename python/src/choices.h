@@ -12,7 +12,7 @@
 namespace musclewarp::python {
 
 // Returns the options that keywords mean, which are the flags of
-// musclewarp-deform by name (tools/deformer_choices.h). Throws InputError that
+// musclewarp-deform by name (tools/deformer_settings.h). Throws InputError that
 // names the keyword.
 DeformerOptions OptionsFrom(const pybind11::dict& keywords);
 

@@ -133,7 +133,7 @@ TEST(Shortcomings, NameTrianglesThatCrossTheMuscleItself) {
   deformed.points.row(0) *= -1.05;
   FrameRequirements requirements;
   requirements.max_volume_error = 1;
-  requirements.max_folded_share = 1;
+  requirements.max_folded_fraction = 1;
   EXPECT_THAT(deformed.Shortcomings(requirements),
               ElementsAre(HasSubstr("self-intersecting triangle pairs")));
   // That the mesh came like that is no excuse.
@@ -153,7 +153,7 @@ TEST(Shortcomings, NameTrianglesThatFolded) {
   const auto shortcomings = deformed.Shortcomings(requirements);
   EXPECT_THAT(shortcomings,
               testing::Contains(HasSubstr(" folded triangles, allowed 1")));
-  requirements.max_folded_share = 1;
+  requirements.max_folded_fraction = 1;
   for (const std::string& shortcoming : deformed.Shortcomings(requirements)) {
     EXPECT_EQ(shortcoming.find("folded"), std::string::npos);
   }

@@ -81,7 +81,7 @@ TEST(FindDefects, PassesOverExemptTriangles) {
 
 TEST(FindDefects, FindsATriangleThatFoldedAndUnfoldsIt) {
   Moved moved(ContactGroup({SphereAt({0, 0, 0}, 10, 2)}, {}));
-  moved.options.defects.max_folded_share = 0;
+  moved.options.defects.max_folded_fraction = 0;
   // Vertex 0 goes beyond the ring around it.
   const MuscleSurface& surface = moved.group.scene.muscles[0];
   const int neighbour = surface.neighbours[surface.first[0]];
@@ -108,7 +108,7 @@ TEST(FindDefects, AllowsSomeFoldedTriangles) {
   const int neighbour = surface.neighbours[surface.first[0]];
   moved.points[0].row(0) +=
       2.2 * (moved.points[0].row(neighbour) - moved.points[0].row(0));
-  moved.options.defects.max_folded_share = 1;
+  moved.options.defects.max_folded_fraction = 1;
   EXPECT_EQ(moved.Find().num_folded(), 0);
 }
 

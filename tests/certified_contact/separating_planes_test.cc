@@ -49,7 +49,7 @@ TEST(FindSeparatingPlanes, FindsAllPairsOfMusclesThatAreNear) {
       MakeContactStep(group.scene, group.state, targets, {});
   const StepOptions options;
   const double radius =
-      options.AimedGap() + options.planes.search_share * 2 * options.reach;
+      options.AimedGap() + options.planes.search_fraction * 2 * options.reach;
   const std::vector<TriangleBvh> predicted = PredictedTrees(step);
   const std::vector<TriangleBvh>& before = step.trees_before;
   std::set<std::pair<int, int>> expected;

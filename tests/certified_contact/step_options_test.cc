@@ -38,10 +38,10 @@ TEST(StepOptions, NameTheFieldThatIsWrong) {
        [](StepOptions* o) { o->planes.sheet_distance = -1; }},
       {"PlaneSearchOptions::min_facing is 2, allowed: 0 to 1",
        [](StepOptions* o) { o->planes.min_facing = 2; }},
-      {"PlaneSearchOptions::search_share is -1, allowed: 0 to 1",
-       [](StepOptions* o) { o->planes.search_share = -1; }},
-      {"PlaneSearchOptions::overlooked_share is 1.5, allowed: 0 to 0.9",
-       [](StepOptions* o) { o->planes.overlooked_share = 1.5; }},
+      {"PlaneSearchOptions::search_fraction is -1, allowed: 0 to 1",
+       [](StepOptions* o) { o->planes.search_fraction = -1; }},
+      {"PlaneSearchOptions::overlooked_fraction is 1.5, allowed: 0 to 0.9",
+       [](StepOptions* o) { o->planes.overlooked_fraction = 1.5; }},
       {"PlaneSearchOptions::max_planes_per_triangle is 0, allowed: 1 or above",
        [](StepOptions* o) { o->planes.max_planes_per_triangle = 0; }},
       {"RelaxationOptions::smoothing_length is 0, allowed: above 0",
@@ -62,12 +62,12 @@ TEST(StepOptions, NameTheFieldThatIsWrong) {
        [](StepOptions* o) { o->volume.max_steps = 0; }},
       {"VolumeOptions::smoothing_passes is -1, allowed: 0 or above",
        [](StepOptions* o) { o->volume.smoothing_passes = -1; }},
-      {"DefectOptions::sheet_share is 3, allowed: 0 to 1",
-       [](StepOptions* o) { o->defects.sheet_share = 3; }},
+      {"DefectOptions::sheet_fraction is 3, allowed: 0 to 1",
+       [](StepOptions* o) { o->defects.sheet_fraction = 3; }},
       {"DefectOptions::stiffening is 0.5, allowed: 1 or above",
        [](StepOptions* o) { o->defects.stiffening = 0.5; }},
-      {"DefectOptions::max_folded_share is -1, allowed: 0 to 1",
-       [](StepOptions* o) { o->defects.max_folded_share = -1; }}};
+      {"DefectOptions::max_folded_fraction is -1, allowed: 0 to 1",
+       [](StepOptions* o) { o->defects.max_folded_fraction = -1; }}};
   for (const WrongOption& option : wrong) {
     StepOptions options;
     std::string error;

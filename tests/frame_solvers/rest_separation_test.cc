@@ -191,8 +191,8 @@ TEST(ReconstructionOptions, NameWhatIsWrong) {
       [](auto* options) { options->margin_growth = 0.5; },
       "ReconstructionOptions::margin_growth is 0.5, allowed: 1 or above");
   ExpectRefused<ReconstructionOptions>(
-      [](auto* options) { options->least_volume_share = 1.5; },
-      "ReconstructionOptions::least_volume_share is 1.5, allowed: 0 to 1");
+      [](auto* options) { options->least_volume_fraction = 1.5; },
+      "ReconstructionOptions::least_volume_fraction is 1.5, allowed: 0 to 1");
   ExpectRefused<ReconstructionOptions>(
       [](auto* options) { options->max_spacing = 0.1; },
       "ReconstructionOptions::max_spacing is 0.1, allowed: 0.4 or above");

@@ -124,7 +124,7 @@ TEST(MoveCertified, GoesBackForShorterStepsWhereItIsStuck) {
   CertifiedContactOptions options;
   // One step for the whole way, with nothing done against crossings.
   options.limits = {M_PI, 1000};
-  options.unchecked_share = 1;
+  options.unchecked_fraction = 1;
   options.step.max_rounds = 1;
   options.max_reach = options.step.reach;
   options.max_halvings = 0;

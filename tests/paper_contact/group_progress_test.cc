@@ -41,7 +41,7 @@ class GroupProgressTest : public ::testing::Test {
 TEST_F(GroupProgressTest, StepLengthsFollowTheSchedule) {
   GroupIterationOptions options;
   options.step_length = {0.5, 0.1, 0.5};
-  options.min_volume_share = 0.2;
+  options.min_volume_fraction = 0.2;
   GroupProgress progress = Progress(options);
   for (const double alpha : {0.5, 0.25, 0.125, 0.1, 0.1}) {
     EXPECT_EQ(progress.alpha(), alpha);
@@ -142,8 +142,8 @@ TEST(GroupIterationOptions, RefuseValuesOutOfRange) {
       "StepLengthSchedule::final_alpha is 0, allowed: above 0 and at most "
       "initial_alpha");
   ExpectRefused<GroupIterationOptions>(
-      [](auto* options) { options->min_volume_share = 1.5; },
-      "GroupIterationOptions::min_volume_share is 1.5, allowed: 0 to 1");
+      [](auto* options) { options->min_volume_fraction = 1.5; },
+      "GroupIterationOptions::min_volume_fraction is 1.5, allowed: 0 to 1");
   ExpectRefused<GroupIterationOptions>(
       [](auto* options) { options->window = 0; },
       "GroupIterationOptions::window is 0, allowed: above 0");

@@ -16,7 +16,7 @@ PaperContactOptions FixOptions() {
   PaperContactOptions options;
   options.clearance = 0.001;
   // The boxes are small, and their regions further apart than a tenth.
-  options.pairing_share = 0.3;
+  options.pairing_fraction = 0.3;
   return options;
 }
 
@@ -157,7 +157,7 @@ TEST(InitialFix, WhichRegionsArePairedGoesByTheSmallerBody) {
   // has a larger radius makes no difference.
   for (const double share : {0.2, 0.3}) {
     PaperContactOptions options = FixOptions();
-    options.pairing_share = share;
+    options.pairing_fraction = share;
     for (const bool is_muscle : {true, false}) {
       LoneBody a(LowerBox(), true), b(LowerBox(), true);
       LoneBody box(BoxInside(), is_muscle);
@@ -174,7 +174,7 @@ TEST(InitialFix, WhichRegionsArePairedGoesByTheSmallerBody) {
 
 TEST(InitialFix, RegionsTooFarApartAreNotPaired) {
   PaperContactOptions options = FixOptions();
-  options.pairing_share = 0;
+  options.pairing_fraction = 0;
   LoneBody muscle(LowerBox(), true);
   LoneBody bone(BoxInside(), false);
   EXPECT_TRUE(FixInitialIntersections(options, &muscle.body, &bone.body));

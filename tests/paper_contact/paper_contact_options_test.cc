@@ -13,25 +13,25 @@ namespace musclewarp {
 TEST(PaperContactOptions, DefaultsAndLimitsAreValid) {
   PaperContactOptions options;
   ExpectValid(options);
-  options.deformable_share = 0.5;
-  options.pairing_share = 0;
+  options.deformable_fraction = 0.5;
+  options.pairing_fraction = 0;
   options.clearance = 0;
   ExpectValid(options);
-  options.deformable_share = 1;
+  options.deformable_fraction = 1;
   ExpectValid(options);
 }
 
 TEST(PaperContactOptions, RefuseValuesOutOfRange) {
   // Two muscles that go less than half of the way each stay inside each other.
   ExpectRefused<PaperContactOptions>(
-      [](auto* options) { options->deformable_share = 0.4; },
-      "PaperContactOptions::deformable_share is 0.4, allowed: 0.5 to 1");
+      [](auto* options) { options->deformable_fraction = 0.4; },
+      "PaperContactOptions::deformable_fraction is 0.4, allowed: 0.5 to 1");
   ExpectRefused<PaperContactOptions>(
-      [](auto* options) { options->deformable_share = 1.5; },
-      "PaperContactOptions::deformable_share is 1.5, allowed: 0.5 to 1");
+      [](auto* options) { options->deformable_fraction = 1.5; },
+      "PaperContactOptions::deformable_fraction is 1.5, allowed: 0.5 to 1");
   ExpectRefused<PaperContactOptions>(
-      [](auto* options) { options->pairing_share = -0.1; },
-      "PaperContactOptions::pairing_share is -0.1, allowed: 0 or above");
+      [](auto* options) { options->pairing_fraction = -0.1; },
+      "PaperContactOptions::pairing_fraction is -0.1, allowed: 0 or above");
   ExpectRefused<PaperContactOptions>(
       [](auto* options) { options->clearance = NAN; },
       "PaperContactOptions::clearance is nan, allowed: 0 or above");

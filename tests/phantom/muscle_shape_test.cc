@@ -14,7 +14,7 @@ TEST(MuscleShape, ATendonHasItsLengthAndThenBecomesBelly) {
   MuscleShape shape;
   shape.belly = 12;
   shape.tendon = 3;
-  shape.tendon_share = 0.2;
+  shape.tendon_fraction = 0.2;
   EXPECT_EQ(shape.HalfThickness(0), 3);
   EXPECT_EQ(shape.HalfThickness(0.19), 3);
   EXPECT_GT(shape.HalfThickness(0.35), 3);
@@ -42,7 +42,7 @@ TEST(MuscleShape, DrawnShapesHaveTheSizesOfRealMuscles) {
     EXPECT_GE(2 * shape.tendon, 4);
     EXPECT_LE(shape.tendon, shape.belly);
     EXPECT_LE(2 * shape.belly, 40);
-    EXPECT_LE(shape.tendon_share, 0.2);
+    EXPECT_LE(shape.tendon_fraction, 0.2);
     for (const double depth : {shape.depth_in_bones, shape.depth_in_muscles}) {
       EXPECT_GE(depth, 0.5);
       EXPECT_LE(depth, 6);

@@ -109,7 +109,7 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
                                      " self-intersecting triangle pairs"));
   }
   const auto most_folded =
-      static_cast<int>(requirements.max_folded_share *
+      static_cast<int>(requirements.max_folded_fraction *
                        static_cast<double>(muscle.num_triangles));
   if (muscle.folded_triangles > most_folded) {
     shortcomings->push_back(Sentence(muscle.name,
@@ -148,7 +148,7 @@ bool FrameRequirements::IsValid(std::string* error) const {
       .IsAtLeast("max_volume_error", max_volume_error, 0)
       .IsWithin("max_volume_loss", max_volume_loss, 0, 1)
       .IsAtLeast("max_stretch", max_stretch, 1)
-      .IsWithin("max_folded_share", max_folded_share, 0, 1)
+      .IsWithin("max_folded_fraction", max_folded_fraction, 0, 1)
       .IsAtLeast("displacement_per_depth", displacement_per_depth, 0)
       .IsAtLeast("displacement_allowance", displacement_allowance, 0)
       .IsWithin("touching_distance", touching_distance, 0, kMeshGapLimit)

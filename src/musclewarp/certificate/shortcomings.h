@@ -26,7 +26,7 @@ struct FrameRequirements {
   double max_stretch = 20;
 
   // Folded triangles of a muscle, as a share of its triangles.
-  double max_folded_share = 1e-3;
+  double max_folded_fraction = 1e-3;
 
   // Contact may move a vertex by this factor of the depth to which its muscle
   // is in another mesh without contact, by what the chain of muscles that push

@@ -25,7 +25,8 @@ std::vector<FoldedTriangle> TooManyFolded(const DefectOptions& options,
   std::vector<FoldedTriangle> folded =
       FoldedTriangles(muscle.rest, points, muscle.triangles);
   const auto count = static_cast<double>(muscle.triangles.rows());
-  if (static_cast<double>(folded.size()) <= options.max_folded_share * count) {
+  if (static_cast<double>(folded.size()) <=
+      options.max_folded_fraction * count) {
     folded.clear();
   }
   return folded;

@@ -29,7 +29,7 @@ struct Defects {
   std::vector<CrossingTriangle> self_crossings;
 
   // By muscle: triangles that folded since the rest pose, if the muscle has
-  // more of them than DefectOptions::max_folded_share.
+  // more of them than DefectOptions::max_folded_fraction.
   std::vector<std::vector<FoldedTriangle>> folded;
 
   // Pairs of triangles of two meshes that cross.

@@ -142,7 +142,7 @@ void AddPlanesBetweenAllMuscles(const StepOptions& options,
                                 std::vector<SeparatingPlane>* planes) {
   // Either muscle may move by the reach.
   const double radius =
-      options.AimedGap() + options.planes.search_share * 2 * options.reach;
+      options.AimedGap() + options.planes.search_fraction * 2 * options.reach;
   const std::vector<PredictedBoxes> boxes = BoxesOf(step, *predicted);
 #pragma omp parallel for schedule(dynamic, 1)
   for (int i = 0; i < step.num_muscles(); ++i) {
@@ -198,7 +198,7 @@ void AddPlanesOfBone(const StepOptions& options,
                      TriangleBvh* tree,
                      std::vector<SeparatingPlane>* planes) {
   const double margin =
-      options.AimedGap() + options.planes.search_share * options.reach;
+      options.AimedGap() + options.planes.search_fraction * options.reach;
   const PathsPastBone paths = PathsOf(step, muscle, bone, margin);
   const MuscleSurface& surface = step.scene.muscles[muscle];
   const Triangles& triangles = surface.triangles;
@@ -220,7 +220,7 @@ void AddPlanesOfBone(const StepOptions& options,
     nearby.radius =
         margin + std::min(1.5 * move, 2 * options.relaxation.max_push);
     nearby.gap = options.AimedGap();
-    nearby.overlooked_share = options.planes.overlooked_share;
+    nearby.overlooked_fraction = options.planes.overlooked_fraction;
     nearby.max_planes = options.planes.max_planes_per_triangle;
     for (const HalfSpace& space :
          SeparateFromObstacles(CornersOf(paths.at_rest, triangles.row(f)),

@@ -69,7 +69,8 @@ SeparatingPlane PlaneAt(const StepOptions& options,
                         int g,
                         const TriangleSeparation& separation) {
   const double half_gap =
-      std::min(options.gap, options.defects.sheet_share * separation.distance) /
+      std::min(options.gap,
+               options.defects.sheet_fraction * separation.distance) /
       2;
   SeparatingPlane plane =
       PlaneBetween(step, muscle, f, muscle, g, separation, half_gap);

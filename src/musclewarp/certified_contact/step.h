@@ -21,7 +21,8 @@ struct DefectCounts {
   // A vertex is beyond a plane by more than the gap has to spare.
   bool is_gap_violated = false;
 
-  // Of the muscles that have more of them than DefectOptions::max_folded_share.
+  // Of the muscles that have more of them than
+  // DefectOptions::max_folded_fraction.
   int folded_triangles = 0;
 
   bool HasCrossings() const { return crossing_pairs + self_crossing_pairs > 0; }

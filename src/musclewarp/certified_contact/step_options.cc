@@ -8,8 +8,8 @@ namespace musclewarp {
 
 bool PlaneSearchOptions::IsValid(std::string* error) const {
   return OptionCheck("PlaneSearchOptions", error)
-      .IsWithin("search_share", search_share, 0, 1)
-      .IsWithin("overlooked_share", overlooked_share, 0, 0.9)
+      .IsWithin("search_fraction", search_fraction, 0, 1)
+      .IsWithin("overlooked_fraction", overlooked_fraction, 0, 0.9)
       .IsAtLeast("max_planes_per_triangle", max_planes_per_triangle, 1)
       .IsAtLeast("sheet_distance", sheet_distance, 0)
       .IsWithin("min_facing", min_facing, 0, 1)
@@ -39,11 +39,11 @@ bool VolumeOptions::IsValid(std::string* error) const {
 
 bool DefectOptions::IsValid(std::string* error) const {
   return OptionCheck("DefectOptions", error)
-      .IsWithin("sheet_share", sheet_share, 0, 1)
+      .IsWithin("sheet_fraction", sheet_fraction, 0, 1)
       .IsAtLeast("stiffening", stiffening, 1)
       .IsAtLeast("max_stiffness", max_stiffness, 1)
       .IsWithin("unfolded_height", unfolded_height, 0, 1)
-      .IsWithin("max_folded_share", max_folded_share, 0, 1)
+      .IsWithin("max_folded_fraction", max_folded_fraction, 0, 1)
       .is_valid();
 }
 

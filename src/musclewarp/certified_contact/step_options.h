@@ -18,12 +18,12 @@ struct PlaneSearchOptions {
   // each). Few vertices go that far, and crossings beyond are found by the
   // exact test of a step. With 1 a step takes a fifth more time, with 0.4 a
   // tenth less, to the same result.
-  double search_share = 0.7;
+  double search_fraction = 0.7;
 
   // A part of a bone that pokes above the plane of a nearer part by no more
   // than this share of the gap gets no plane of its own. With 0 a step takes a
   // tenth more time.
-  double overlooked_share = 0.25;
+  double overlooked_fraction = 0.25;
 
   // The most planes between a triangle and one bone, nearest first. A triangle
   // over a flat part of a bone has one, in a rugged pit it has several; 12 give
@@ -106,7 +106,7 @@ struct VolumeOptions {
 struct DefectOptions {
   // Two sheets of a muscle that crossed are kept apart by this share of their
   // distance before the step, at most by the gap.
-  double sheet_share = 0.5;
+  double sheet_fraction = 0.5;
 
   // The edge weights of triangles of one muscle that cross or fold grow by this
   // factor, up to the limit, so that they move as one piece in the next round.
@@ -119,7 +119,7 @@ struct DefectOptions {
 
   // A muscle may have this share of its triangles folded before they are
   // unfolded. The certificate allows twice as many.
-  double max_folded_share = 5e-4;
+  double max_folded_fraction = 5e-4;
 
   bool IsValid(std::string* error) const;
 };
@@ -158,7 +158,7 @@ struct StepOptions {
   // The gap that planes aim at, mm: larger, so that parts of a bone that are
   // overlooked still keep the gap, and that small violations of planes do not
   // count.
-  double AimedGap() const { return gap / (1 - planes.overlooked_share); }
+  double AimedGap() const { return gap / (1 - planes.overlooked_fraction); }
 
   // By how much a vertex may be beyond its plane at the end of a step, mm. As
   // two muscles share the gap between them, it is half of what is to spare.

@@ -141,7 +141,7 @@ PathFit FitPath(const std::string& name,
             std::to_string(kMaxPolynomialDimension));
   }
   const Problem problem = ProblemOf(samples, coordinates);
-  double best_share = 0;
+  double best_fraction = 0;
   for (int order = 1; order <= kMaxOrder; ++order) {
     if (order > 1 && Monomials(dimension, order).rows() > kMaxMonomials) break;
     PathFit fit;
@@ -149,13 +149,13 @@ PathFit FitPath(const std::string& name,
     fit.length = Solve(problem, order, options);
     fit.errors = ErrorsOf(fit.length, problem.samples);
     const double share = Share(fit.errors, options);
-    if (order == 1 || share < best_share) {
+    if (order == 1 || share < best_fraction) {
       best = fit;
-      best_share = share;
+      best_fraction = share;
     }
     if (share <= 1) break;
   }
-  best.within_bounds = best_share <= 1;
+  best.within_bounds = best_fraction <= 1;
   return best;
 }
 

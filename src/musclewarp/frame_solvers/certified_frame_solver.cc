@@ -17,9 +17,9 @@ namespace {
 // `wall_ms` is the time of the whole frame so far.
 std::string TimeoutShortcoming(double reached, double wall_ms) {
   std::ostringstream text;
-  text << "the time ran out after " << static_cast<int>(wall_ms / 1000)
-       << " s, at " << static_cast<int>(100 * reached)
-       << " % of the way; the rest was gone without contact";
+  text << "timed out after " << static_cast<int>(wall_ms / 1000) << " s, at "
+       << static_cast<int>(100 * reached)
+       << " % of the motion; the remainder was computed without contact";
   return text.str();
 }
 
@@ -49,8 +49,8 @@ int CertifiedFrameSolver::ExpectedSteps(const ScenePose* from,
   return StepsBetween(scene_.scene,
                       from ? *from : certified_.rest.pose,
                       pose,
-                      {options.unchecked_share * options.limits.max_turn,
-                       options.unchecked_share * options.limits.max_move});
+                      {options.unchecked_fraction * options.limits.max_turn,
+                       options.unchecked_fraction * options.limits.max_move});
 }
 
 SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,

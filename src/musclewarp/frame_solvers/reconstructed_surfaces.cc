@@ -32,7 +32,7 @@ CellSurfaceOptions SurfaceOptions(const ReconstructionOptions& options,
     surface.spacing = std::min(
         surface.spacing,
         std::max(options.min_spacing,
-                 options.spacing_share *
+                 options.spacing_fraction *
                      TypicalEdge(scene.muscles[i].model.fine_rest,
                                  scene.muscles[i].model.fine_triangles)));
   }
@@ -179,7 +179,7 @@ TriangleSoup SurfaceOf(const ReconstructionOptions& options,
       reconstruction.is_done ? reconstruction.volume_before : model.rest_volume;
   const double left = SignedVolume(body.points, body.triangles);
   // Of next to nothing no muscle grows; the caller refuses it.
-  if (left < options.least_volume_share * before) return body;
+  if (left < options.least_volume_fraction * before) return body;
   return EvenAndGrown(surface_options, body, before, edge, number, solids);
 }
 

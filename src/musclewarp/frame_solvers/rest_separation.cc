@@ -155,7 +155,7 @@ void CheckEnoughIsLeft(const ReconstructionOptions& options,
                        const std::string& name,
                        const SurfaceReconstruction& reconstruction) {
   if (reconstruction.volume_after >=
-      options.least_volume_share * reconstruction.volume_before) {
+      options.least_volume_fraction * reconstruction.volume_before) {
     return;
   }
   throw InputError(
@@ -163,7 +163,7 @@ void CheckEnoughIsLeft(const ReconstructionOptions& options,
       "only " +
           std::to_string(static_cast<int>(100 * reconstruction.volume_after /
                                           reconstruction.volume_before)) +
-          " % of the muscle are outside bones and other muscles",
+          " % of the muscle lies outside bones and other muscles",
       "check that the meshes are in one frame, or correct them");
 }
 
@@ -247,11 +247,11 @@ bool ReconstructionOptions::IsValid(std::string* error) const {
       .IsAtLeast("max_growths", max_growths, 0)
       .IsAtLeast("max_attempts", max_attempts, 1)
       .IsWithin("max_loss_by_margin", max_loss_by_margin, 0, 1)
-      .IsAbove("spacing_share", spacing_share, 0)
+      .IsAbove("spacing_fraction", spacing_fraction, 0)
       .IsAbove("min_spacing", min_spacing, 0)
       .IsAtLeast("max_spacing", max_spacing, min_spacing)
       .IsAtLeast("samples_across", samples_across, 1)
-      .IsWithin("least_volume_share", least_volume_share, 0, 1)
+      .IsWithin("least_volume_fraction", least_volume_fraction, 0, 1)
       .is_valid();
 }
 

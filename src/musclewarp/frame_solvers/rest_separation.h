@@ -39,7 +39,7 @@ struct ReconstructionOptions {
 
   // The distance of the samples of a surface, as a share of the typical edge of
   // the old mesh, and its limits, mm.
-  double spacing_share = 0.5;
+  double spacing_fraction = 0.5;
   double min_spacing = 0.4;
   double max_spacing = 1.5;
 
@@ -50,7 +50,7 @@ struct ReconstructionOptions {
   // Less than this share of a muscle's volume must not be left before it grows
   // on its free sides. Two muscles that overlap by most of their thickness keep
   // half of it each.
-  double least_volume_share = 0.25;
+  double least_volume_fraction = 0.25;
 
   bool IsValid(std::string* error) const;
 };

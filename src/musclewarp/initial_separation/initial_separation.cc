@@ -176,7 +176,7 @@ class Separator {
     const size_t window = options_.idle_rounds;
     return fewest.size() > window &&
            fewest.back() >=
-               options_.idle_share * fewest[fewest.size() - 1 - window];
+               options_.idle_fraction * fewest[fewest.size() - 1 - window];
   }
 
   std::vector<Crossing> CrossingsOfMuscles(size_t i, size_t j) const {
@@ -270,7 +270,7 @@ bool InitialSeparationOptions::IsValid(std::string* error) const {
              .IsWithin("min_agreement", min_agreement, -1, 1)
              .IsAtLeast("max_rounds", max_rounds, 0)
              .IsAtLeast("idle_rounds", idle_rounds, 1)
-             .IsWithin("idle_share", idle_share, 0, 1)
+             .IsWithin("idle_fraction", idle_fraction, 0, 1)
              .is_valid() &&
          cell.IsValid(error);
 }

@@ -37,7 +37,7 @@ struct InitialSeparationOptions {
   // rest is left, too. Psoas and femur of BodyParts3D (bodyparts3d_thigh) lose
   // a tenth of their crossings in 75 rounds.
   int idle_rounds = 40;
-  double idle_share = 0.75;
+  double idle_fraction = 0.75;
 
   bool IsValid(std::string* error) const;
 };

@@ -146,7 +146,7 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
              .IsAtLeast("max_settling_steps", max_settling_steps, 0)
              .IsAbove("settling_tolerance", settling_tolerance, 0)
              .IsAbove("max_push", max_push, 0)
-             .IsWithin("unchecked_share", unchecked_share, 1e-3, 1)
+             .IsWithin("unchecked_fraction", unchecked_fraction, 1e-3, 1)
              .IsWithin("max_halvings", max_halvings, 0, 20)
              .IsAtLeast("max_returns", max_returns, 0)
              .is_valid() &&
@@ -235,7 +235,8 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
   advance.step = options.step;
   const double way = WayBetween(scene.scene, before.pose, pose, options.limits);
   advance.length.longest = 1 / std::max(1.0, way);
-  advance.length.unchecked = 1 / std::max(1.0, way / options.unchecked_share);
+  advance.length.unchecked =
+      1 / std::max(1.0, way / options.unchecked_fraction);
   advance.length.shortest =
       advance.length.unchecked / std::exp2(options.max_halvings);
   advance.length.max_push = options.max_push;

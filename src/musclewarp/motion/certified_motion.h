@@ -60,7 +60,7 @@ struct CertifiedContactOptions {
   // 16 mm in steps of 3 mm (stress_sweep).
   StepLimits limits = {20 * M_PI / 180, 80};
   double max_push = 2;
-  double unchecked_share = 1.0 / 8;
+  double unchecked_fraction = 1.0 / 8;
 
   // A step after which triangles cross is halved, down to that share halved so
   // many times.

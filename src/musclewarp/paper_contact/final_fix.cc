@@ -15,7 +15,7 @@ Points PushedOut(const PaperContactOptions& options,
                  const std::vector<int>& inside,
                  const ContactBody& body,
                  const ContactBody& other) {
-  const double share = other.is_deformable() ? options.deformable_share : 1;
+  const double share = other.is_deformable() ? options.deformable_fraction : 1;
   Points points = body.points();
   for (const int v : inside) {
     const TriangleBvh::Closest closest = other.Closest(points.row(v));
@@ -41,7 +41,7 @@ TriangleMove MoveOff(const PaperContactOptions& options,
                      const Eigen::RowVector3d& normal,
                      const ContactBody& body) {
   const double way = body.DistanceAlong(vertex, -normal);
-  if (way > options.pairing_share * body.shape().bounding_radius) return {};
+  if (way > options.pairing_fraction * body.shape().bounding_radius) return {};
   return {body.Closest(vertex - way * normal).triangle,
           (way + options.clearance) * normal};
 }

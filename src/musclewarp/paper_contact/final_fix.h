@@ -12,11 +12,11 @@ namespace musclewarp {
 // is the right one. Beyond the paper, which leaves that overlap.
 //
 // - A vertex of either body inside the other is put on the closest point of the
-//   other's surface, or deformable_share of that way if both are muscles, and
-//   the clearance beyond.
+//   other's surface, or deformable_fraction of that way if both are muscles,
+//   and the clearance beyond.
 // - A vertex of an obstacle inside a muscle cannot move. The triangle of the
 //   muscle that it came through is pushed off it instead, unless that is
-//   farther than pairing_share of the muscle's bounding radius.
+//   farther than pairing_fraction of the muscle's bounding radius.
 //
 // Both bodies are tested before either moves. One call reduces the overlap but
 // need not remove it; GroupContact::Finish calls it in rounds.

@@ -20,8 +20,8 @@ bool GroupIterationOptions::IsValid(std::string* error) const {
     return InvalidOption(
         "GroupIterationOptions::" + field, value, allowed, error);
   };
-  if (!(0 <= min_volume_share && min_volume_share <= 1)) {
-    return fail("min_volume_share", min_volume_share, "0 to 1");
+  if (!(0 <= min_volume_fraction && min_volume_fraction <= 1)) {
+    return fail("min_volume_fraction", min_volume_fraction, "0 to 1");
   }
   if (window < 1) return fail("window", window, "above 0");
   if (!(drift_threshold > 0)) {
@@ -85,7 +85,7 @@ void GroupProgress::Record(const GroupContact& contact,
 }
 
 double GroupProgress::volume_alpha() const {
-  return alpha_ / std::max(alpha_, options_.min_volume_share);
+  return alpha_ / std::max(alpha_, options_.min_volume_fraction);
 }
 
 void GroupProgress::Fail(int muscle, const std::string& message) {

@@ -27,7 +27,7 @@ struct GroupIterationOptions {
   // contact undoes a part of the correction, that asks for more and more of the
   // other vertices. The share alpha alone would leave an error at which the
   // correction and what contact undoes are in balance.
-  double min_volume_share = 0.2;
+  double min_volume_fraction = 0.2;
 
   // The group is at rest when, for every muscle, the mean shape of the last
   // `window` iterations differs by less than drift_threshold, mm (root mean
@@ -79,7 +79,7 @@ class GroupProgress {
 
   // The divisor of the volume error for the next iteration: the full step is to
   // correct the error over this, so that the shortened step corrects
-  // max(alpha, min_volume_share) of it.
+  // max(alpha, min_volume_fraction) of it.
   double volume_alpha() const;
 
   // Whether the next iteration is to use the volume of the fine meshes.

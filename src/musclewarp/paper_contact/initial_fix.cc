@@ -48,15 +48,15 @@ Points MovedOut(const std::vector<Region>& regions,
                 const PaperContactOptions& options,
                 const ContactBody& body,
                 const ContactBody& other) {
-  const double paired_share =
-      other.is_deformable() ? options.deformable_share : 1;
+  const double paired_fraction =
+      other.is_deformable() ? options.deformable_fraction : 1;
   const Points outward = VolumeGradient(body.points(), body.shape().triangles);
   Points points = body.points();
   for (size_t i = 0; i < regions.size(); ++i) {
     const bool is_paired = !direction_of[i].isZero(0);
     MoveRegion(regions[i],
                is_paired ? direction_of[i] : -MeanNormal(regions[i], outward),
-               is_paired ? paired_share : 1,
+               is_paired ? paired_fraction : 1,
                options.clearance,
                other,
                &points);
@@ -81,7 +81,7 @@ bool FixInitialIntersections(const PaperContactOptions& options,
   Directions direction_a(regions_a.size(), Eigen::RowVector3d::Zero());
   Directions direction_b(regions_b.size(), Eigen::RowVector3d::Zero());
   for (const auto& [i, j] :
-       PairRegions(regions_a, regions_b, options.pairing_share * radius)) {
+       PairRegions(regions_a, regions_b, options.pairing_fraction * radius)) {
     direction_a[i] = regions_b[j].centre - regions_a[i].centre;
     direction_b[j] = -direction_a[i];
   }

@@ -14,7 +14,7 @@ namespace musclewarp {
 //
 // - Paired regions move along the line of their centres, all vertices in
 //   parallel so that triangles do not fold: all the way to the surface of an
-//   obstacle, deformable_share of it if both bodies are muscles.
+//   obstacle, deformable_fraction of it if both bodies are muscles.
 // - An unpaired region of a muscle moves against the mean of its normals, all
 //   the way.
 // - Obstacles stay; unpaired regions of theirs are left.

@@ -12,11 +12,11 @@ bool PaperContactOptions::IsValid(std::string* error) const {
     return InvalidOption(
         "PaperContactOptions::" + field, value, allowed, error);
   };
-  if (!(0.5 <= deformable_share && deformable_share <= 1)) {
-    return fail("deformable_share", deformable_share, "0.5 to 1");
+  if (!(0.5 <= deformable_fraction && deformable_fraction <= 1)) {
+    return fail("deformable_fraction", deformable_fraction, "0.5 to 1");
   }
-  if (!(pairing_share >= 0)) {
-    return fail("pairing_share", pairing_share, "0 or above");
+  if (!(pairing_fraction >= 0)) {
+    return fail("pairing_fraction", pairing_fraction, "0 or above");
   }
   if (!(clearance >= 0)) return fail("clearance", clearance, "0 or above");
   return true;

@@ -12,12 +12,12 @@ struct PaperContactOptions {
   // the other body is a muscle, which goes its own share. It is more than half,
   // because half is too little for some shapes (paper fig. 3.4). The way to the
   // surface of an obstacle is gone in full.
-  double deformable_share = 0.6;
+  double deformable_fraction = 0.6;
 
   // Regions are paired if their centres are at most this far apart, as a share
   // of the smaller of the two bounding spheres' radii (paper section 3.2). The
   // final fix pushes no triangle farther than this share.
-  double pairing_share = 0.1;
+  double pairing_fraction = 0.1;
 
   // Beyond the paper: the distance beyond the surface at which a vertex is put,
   // mm, so that it is outside by more than rounding.

@@ -27,7 +27,7 @@ Points RolledBack(const PaperContactOptions& options,
                   const std::vector<int>& inside,
                   const ContactBody& body,
                   const ContactBody& other) {
-  const double share = other.is_deformable() ? options.deformable_share : 1;
+  const double share = other.is_deformable() ? options.deformable_fraction : 1;
   Points points = body.points();
   for (const int v : inside) {
     const Eigen::RowVector3d back = before.row(v) - points.row(v);

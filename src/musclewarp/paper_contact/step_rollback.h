@@ -11,7 +11,7 @@ namespace musclewarp {
 
 // Takes back the last step of those vertices of two bodies that it carried into
 // the other body (paper section 3.3). Such a vertex goes back along its step to
-// the surface of the other body, or deformable_share of that way if both are
+// the surface of the other body, or deformable_fraction of that way if both are
 // muscles, and the clearance beyond.
 //
 // The surface is looked for no farther than the longest steps of the two bodies

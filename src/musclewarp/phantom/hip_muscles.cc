@@ -17,7 +17,7 @@ struct Fan {
   Eigen::Vector2d insertion;  // (y, z)
   double insertion_x;         // of the tendon's outer face
   double length;              // from the insertion to the middle of the origin
-  double tendon_share;        // of the length: stays on the trochanter
+  double tendon_fraction;     // of the length: stays on the trochanter
   double origin_thickness;    // above the wing
   double bulge;               // of the belly, outward
   double tendon_thickness;
@@ -37,7 +37,8 @@ Faces FacesAt(const Fan& fan, double y, double z) {
   const double wing = WingLateralX(y, z);
   // The outer face leaves the trochanter and lies down on the wing.
   const double off = std::min(
-      SmoothMax(0, (t - fan.tendon_share) / (1 - fan.tendon_share), 0.1), 1.0);
+      SmoothMax(0, (t - fan.tendon_fraction) / (1 - fan.tendon_fraction), 0.1),
+      1.0);
   const double to_wing = 1 - (1 - off) * std::sqrt(1 - off);
   Faces faces;
   faces.outer = (1 - to_wing) * fan.insertion_x +
@@ -91,7 +92,7 @@ Field GluteusMinimusField(const Field& bones) {
   fan.insertion = {2, -22};
   fan.insertion_x = 72;
   fan.length = 112;
-  fan.tendon_share = 0.06;
+  fan.tendon_fraction = 0.06;
   fan.origin_thickness = 8;
   fan.bulge = 6;
   fan.tendon_thickness = 12;
@@ -120,7 +121,7 @@ Field GluteusMediusField(const Field& bones, const Field& gluteus_minimus) {
   fan.insertion = {-13, -30};
   fan.insertion_x = 80;
   fan.length = 148;
-  fan.tendon_share = 0.13;
+  fan.tendon_fraction = 0.13;
   fan.origin_thickness = 9;
   fan.bulge = 8;
   fan.tendon_thickness = 12;

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 // of the half thickness that the strap has there (see StrapNode).
 struct Sample {
   double place;
-  double thickness_share;
+  double thickness_fraction;
 };
 constexpr Sample kSamples[] = {{0, 1}, {-0.8, 0.744}, {0.8, 0.744}};
 
@@ -35,7 +35,7 @@ void PushOut(const PathObstacle& obstacle, StrapNode* node) {
     const Vector3d p =
         node->centre + sample.place * node->half_width * node->across;
     const double excess =
-        ExcessAt(p, sample.thickness_share * node->half_thickness, obstacle);
+        ExcessAt(p, sample.thickness_fraction * node->half_thickness, obstacle);
     if (excess <= 0) continue;
     node->centre +=
         std::min(excess, kLargestPush) * NormalOf(obstacle.field, p);
@@ -88,7 +88,7 @@ double Excess(const StrapNode& node, const PathObstacle& obstacle) {
     largest = std::max(
         largest,
         ExcessAt(node.centre + sample.place * node.half_width * node.across,
-                 sample.thickness_share * node.half_thickness,
+                 sample.thickness_fraction * node.half_thickness,
                  obstacle));
   }
   return largest;

@@ -11,8 +11,8 @@ namespace musclewarp::phantom {
 
 double MuscleShape::HalfThickness(double t) const {
   constexpr double kRise = 0.3;  // the share in which a tendon becomes belly
-  return tendon + (belly - tendon) * SmoothStep(tendon_share,
-                                                tendon_share + kRise,
+  return tendon + (belly - tendon) * SmoothStep(tendon_fraction,
+                                                tendon_fraction + kRise,
                                                 std::min(t, 1 - t));
 }
 
@@ -33,7 +33,7 @@ MuscleShape DrawMuscleShape(double size, RandomDraws* draws) {
     shape.tendon = draws->Uniform(2.2, std::min(6.0, shape.belly));
     for (double& width : shape.width) width = draws->Uniform(0, shape.tendon);
     shape.width[1] = draws->Uniform(0, 0.5) * shape.belly;
-    if (draws->Chance(0.4)) shape.tendon_share = draws->Uniform(0.1, 0.2);
+    if (draws->Chance(0.4)) shape.tendon_fraction = draws->Uniform(0.1, 0.2);
   }
   shape.depth_in_bones = draws->Uniform(0.5, 6);
   shape.depth_in_muscles = draws->Uniform(0.5, 6);

@@ -16,7 +16,7 @@ struct MuscleShape {
   double belly = 0;
   double tendon = 0;
   // The share of the length, at each end, in which the muscle is a tendon.
-  double tendon_share = 0;
+  double tendon_fraction = 0;
   // Half widths of a strap at the origin, in the middle, at the insertion.
   std::array<double, 3> width{};
   // How deep the muscle may be in bones and in other muscles.

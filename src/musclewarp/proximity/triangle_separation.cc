@@ -118,7 +118,7 @@ std::vector<HalfSpace> SeparateFromObstacles(const Corners& triangle,
                                              int num_near,
                                              const ObstacleOptions& options) {
   const double most = options.radius * options.radius;
-  const double overlooked = options.overlooked_share * options.gap;
+  const double overlooked = options.overlooked_fraction * options.gap;
   std::vector<Candidate> left =
       CandidatesNear(triangle, obstacles, near, num_near, options.radius);
   std::vector<HalfSpace> spaces;
@@ -144,7 +144,7 @@ std::vector<HalfSpace> SeparateFromObstacles(const Corners& triangle,
     if (least > most) break;
     spaces.push_back(
         {plane.normal,
-         plane.level + (1 - options.overlooked_share) * options.gap});
+         plane.level + (1 - options.overlooked_fraction) * options.gap});
     left.erase(
         std::remove_if(left.begin(),
                        left.end(),

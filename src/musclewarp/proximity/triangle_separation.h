@@ -35,9 +35,9 @@ std::optional<TriangleSeparation> SeparateSheets(const Points& points,
                                                  const Eigen::RowVector3i& b);
 
 struct ObstacleOptions {
-  double radius = 1;               // obstacles farther away are ignored, mm
-  double gap = 0.1;                // to be kept, mm
-  double overlooked_share = 0.25;  // see PlaneSearchOptions
+  double radius = 1;                  // obstacles farther away are ignored, mm
+  double gap = 0.1;                   // to be kept, mm
+  double overlooked_fraction = 0.25;  // see PlaneSearchOptions
   int max_planes = 24;
 };
 

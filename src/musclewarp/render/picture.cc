@@ -108,7 +108,7 @@ vtkSmartPointer<vtkRenderer> WhiteRenderer() {
 void AddPanels(const std::vector<PicturePanel>& panels,
                const View& view,
                const CameraFit& fit,
-               double text_share,
+               double text_fraction,
                double feature_angle,
                vtkRenderWindow* window) {
   const double width = 1.0 / panels.size();
@@ -117,7 +117,7 @@ void AddPanels(const std::vector<PicturePanel>& panels,
   window->AddRenderer(WhiteRenderer());
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const vtkSmartPointer<vtkRenderer> renderer = WhiteRenderer();
-    renderer->SetViewport(i * width, text_share, (i + 1) * width, 1);
+    renderer->SetViewport(i * width, text_fraction, (i + 1) * width, 1);
     renderer->SetActiveCamera(camera);
     AddLights(renderer);
     for (const PictureMesh& mesh : panels[i].meshes) {
@@ -187,7 +187,7 @@ Image DrawPicture(const std::vector<PicturePanel>& panels,
   const double panel_width = static_cast<double>(options.width) / panels.size();
   CHECK_GE(panel_height, kLeastPanelSize);
   CHECK_GE(panel_width, kLeastPanelSize);
-  const double text_share =
+  const double text_fraction =
       1 - static_cast<double>(panel_height) / options.height;
   const CameraFit fit = FitCamera(panels, view, panel_width / panel_height);
   OffscreenWindow offscreen;
@@ -196,7 +196,7 @@ Image DrawPicture(const std::vector<PicturePanel>& panels,
                   options.height * options.oversampling);
   // Smooth edges come from oversampling, which the depth cues share.
   window->SetMultiSamples(0);
-  AddPanels(panels, view, fit, text_share, options.feature_angle, window);
+  AddPanels(panels, view, fit, text_fraction, options.feature_angle, window);
   Image image = RenderPixels(window);
   const DepthMap depth = ReadDepth(window, fit);
   if (options.folds) DarkenFolds(depth, &image);

@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/deformer_choices.h"
+#include "tools/deformer_settings.h"
 
 #include <cmath>
 
@@ -11,7 +11,7 @@
 namespace musclewarp {
 namespace {
 
-void ChoosePreparation(const DeformerChoices& choices,
+void ChoosePreparation(const DeformerSettings& choices,
                        PrepareOptions* options) {
   options->muscle.hull.coarse_vertices = choices.coarse_vertices;
   options->muscle.sample_spacing = choices.sample_spacing;
@@ -23,7 +23,7 @@ void ChoosePreparation(const DeformerChoices& choices,
   options->fibres.fibres = choices.fibres;
 }
 
-void ChooseCertifiedContact(const DeformerChoices& choices,
+void ChooseCertifiedContact(const DeformerSettings& choices,
                             CertifiedContactOptions* options) {
   SetGap(choices.gap, options);
   if (!(choices.max_step_turn > 0)) {
@@ -39,7 +39,7 @@ void ChooseCertifiedContact(const DeformerChoices& choices,
 
 }  // namespace
 
-DeformerOptions OptionsOf(const DeformerChoices& choices) {
+DeformerOptions OptionsOf(const DeformerSettings& choices) {
   DeformerOptions options;
   ChoosePreparation(choices, &options.prepare);
   options.frames.contact = ParseContact(choices.contact);

@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/deformer_choices.h"
+#include "tools/deformer_settings.h"
 
 #include <gtest/gtest.h>
 
@@ -13,14 +13,14 @@ namespace musclewarp {
 namespace {
 
 // Expects that the choices are refused, once changed, with the words.
-void ExpectChoicesRefused(const std::function<void(DeformerChoices*)>& change,
+void ExpectChoicesRefused(const std::function<void(DeformerSettings*)>& change,
                           const std::vector<std::string>& words) {
-  DeformerChoices choices;
+  DeformerSettings choices;
   change(&choices);
   ExpectInputError([&] { OptionsOf(choices); }, words);
 }
 
-TEST(DeformerChoices, AreByDefaultTheOptions) {
+TEST(DeformerSettings, AreByDefaultTheOptions) {
   const DeformerOptions chosen = OptionsOf({}), options;
   EXPECT_EQ(chosen.frames.contact, options.frames.contact);
   EXPECT_EQ(chosen.frames.certified.step.gap,
@@ -33,8 +33,8 @@ TEST(DeformerChoices, AreByDefaultTheOptions) {
   EXPECT_EQ(chosen.reconstruction.kind, options.reconstruction.kind);
 }
 
-TEST(DeformerChoices, TurnIntoTheUnitsOfTheLibrary) {
-  DeformerChoices choices;
+TEST(DeformerSettings, TurnIntoTheUnitsOfTheLibrary) {
+  DeformerSettings choices;
   choices.max_step_turn = 90;
   choices.contact = "paper";
   choices.gap = 0.25;
@@ -44,13 +44,13 @@ TEST(DeformerChoices, TurnIntoTheUnitsOfTheLibrary) {
   EXPECT_EQ(options.frames.certified.separation.cell.margin, 0.5);
 }
 
-TEST(DeformerChoices, NameTheFlagOfWhatIsNotAllowed) {
-  ExpectChoicesRefused([](DeformerChoices* c) { c->contact = "rubber"; },
+TEST(DeformerSettings, NameTheFlagOfWhatIsNotAllowed) {
+  ExpectChoicesRefused([](DeformerSettings* c) { c->contact = "rubber"; },
                        {"--contact=rubber", "certified, paper, none"});
-  ExpectChoicesRefused([](DeformerChoices* c) { c->gap = 1; }, {"--gap"});
-  ExpectChoicesRefused([](DeformerChoices* c) { c->max_step_turn = 0; },
+  ExpectChoicesRefused([](DeformerSettings* c) { c->gap = 1; }, {"--gap"});
+  ExpectChoicesRefused([](DeformerSettings* c) { c->max_step_turn = 0; },
                        {"--max_step_turn", "above 0"});
-  ExpectChoicesRefused([](DeformerChoices* c) { c->max_iterations = 0; },
+  ExpectChoicesRefused([](DeformerSettings* c) { c->max_iterations = 0; },
                        {"--max_iterations", "1 or above"});
 }
 

@@ -11,7 +11,7 @@ namespace musclewarp {
 // What users choose about a Deformer: the flags of musclewarp-deform by their
 // names, with texts and units as flags have them (scene_flags.cc explains
 // each). The Python package has the same choices as keywords.
-struct DeformerChoices {
+struct DeformerSettings {
   std::string solver = "ceres";
   std::string contact = "certified";
   std::string contact_level = "coarse";
@@ -42,7 +42,7 @@ struct DeformerChoices {
 // names the flag for a text that is none of the allowed ones, and for a limit
 // that no IsValid would find. Other values are left to CheckValid
 // (option_flags.h).
-DeformerOptions OptionsOf(const DeformerChoices& choices);
+DeformerOptions OptionsOf(const DeformerSettings& choices);
 
 // Returns the folder that "none" or a folder means: none is empty.
 std::string CacheFolderOf(const std::string& cache);
