@@ -30,7 +30,8 @@ std::vector<int> OrderOfNames(const PreparedScene& scene) {
   return order;
 }
 
-// Returns what there is of each muscle, or nothing, in the order of the scene.
+// Reorders values by muscle from the order of contact to that of the scene.
+// `of_muscles` may be empty.
 template <typename T>
 std::vector<T> InOrderOfScene(const std::vector<int>& order,
                               std::vector<T> of_muscles) {
@@ -41,7 +42,7 @@ std::vector<T> InOrderOfScene(const std::vector<int>& order,
   return sorted;
 }
 
-// The exempt areas with muscles numbered in the order of contact.
+// Returns the exempt areas with muscles numbered in the order of contact.
 std::vector<ExemptArea> ExemptInOrder(const PreparedScene& scene,
                                       const std::vector<int>& order) {
   std::vector<ExemptArea> exempt = scene.exempt;
@@ -79,8 +80,9 @@ void AddSurfaces(const PreparedScene& scene,
   }
 }
 
-// Adds the rest pose. From here on, attached vertices follow their bodies from
-// where they are in it. They could not before, as they may have been in a bone.
+// Adds the rest pose. From here on, attached vertices move with their bodies
+// from their positions in it. Before the separation they may have been inside a
+// bone.
 void AddRest(ContactState rest, CertifiedScene* certified) {
   const size_t num_muscles = certified->muscles.size();
   rest.held.clear();
@@ -98,7 +100,7 @@ void AddRest(ContactState rest, CertifiedScene* certified) {
   });
 }
 
-// Returns the scene with all but its rest pose.
+// Returns the scene without its rest pose.
 CertifiedScene BeginScene(const PreparedScene& scene,
                           const SceneMeshes& meshes,
                           const std::vector<ExemptArea>& exempt,
@@ -200,7 +202,7 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
   advance.settling_tolerance = options.rest_tolerance;
   advance.accepts_self_crossings = true;
   advance.on_step = options.on_step;
-  // The steps need a start in which nothing crosses.
+  // Steps need an intersection-free start.
   if (separation.crossing_pairs == 0) {
     const ScenePose pose = rest.pose;
     AdvanceToPose(context, advance, pose, /*at=*/1, on_progress, &rest);

@@ -21,104 +21,111 @@
 
 namespace musclewarp {
 
+// Options of certified contact: of the separation of the rest pose and of the
+// motion from pose to pose.
 struct CertifiedContactOptions {
   MuscleSurfaceOptions surface;
   InitialSeparationOptions separation;
   StepOptions step;
 
-  // The coarse solve with contact rows: how many fine vertices of a muscle have
-  // a row for each of its coarse vertices, and the weight of a row against a
-  // Laplacian row. What the rows do not achieve, as the shape resists, is left
-  // to single vertices. Weight 0 leaves out the coarse solve: muscles of the
-  // LHDL hip then move half as far on average (0.40 mm instead of 0.83), but
-  // more triangles fold. At weight 1 they move twice as far (1.48 mm). With one
-  // sample for each coarse vertex they move by 0.56 mm (docs/method.md).
+  // The coarse solve with contact rows: the number of sampled fine vertices per
+  // coarse vertex, of which those near a plane get a row, and the weight of a
+  // row relative to a Laplacian row. The offsets of fine vertices resolve any
+  // contact that the coarse solve leaves. Weight 0 disables the coarse solve:
+  // muscles of the LHDL hip then move half as far on average (0.40 mm instead
+  // of 0.83), but more triangles fold. At weight 1 they move twice as far (1.48
+  // mm). With one sample per coarse vertex they move by 0.56 mm
+  // (docs/method.md).
   double samples_per_coarse_vertex = 3;
   double coarse_weight = 0.3;
 
-  // The separated rest pose is relaxed in at most so many steps, until no more
-  // than one vertex in five hundred moves by more than the tolerance (mm) in
-  // one. It has far to go, so that its steps have more sweeps. Squeezed
-  // vertices go on moving by 0.1 mm in every step, but a tolerance of 0.15 mm
-  // leaves muscles displaced by more than need be (12.8 instead of 11.1 mm in
-  // the originals of the hamstrings).
+  // The separated rest pose is relaxed in at most `max_rest_steps` steps, until
+  // at most one vertex in five hundred moves by more than the tolerance (mm) in
+  // a step. Vertices start far from equilibrium, so these steps take more
+  // sweeps. Squeezed vertices keep moving by 0.1 mm per step, but a tolerance
+  // of 0.15 mm leaves muscles displaced more than necessary (12.8 instead of
+  // 11.1 mm in the originals of the hamstrings).
   int max_rest_steps = 20;
   int rest_sweeps = 30;
   double rest_tolerance = 0.05;
 
-  // A step that cannot be shorter and after which triangles cross is tried
-  // again with this many times the reach, up to the limit (mm). One at the pose
-  // after which none do, but in which muscles moved by all of the reach, is
-  // followed by one with so much more of it.
+  // A step of the shortest length that leaves crossing triangles is retried
+  // with the reach multiplied by `reach_growth`, up to `max_reach` (mm). The
+  // same applies to the step after a settling step without defects that moved
+  // muscles by more than the reach.
   double reach_growth = 1.5;
   double max_reach = 4;
 
-  // A pose is reached in steps within these limits. Steps are shorter where
-  // contact would push muscles by more than `max_push` in one, mm, but not for
-  // that reason shorter than a share of the limits. A muscle that a bone
-  // sweeps along is moved by 11 mm in steps of 2 mm as in shorter ones, and by
-  // 16 mm in steps of 3 mm (stress_sweep).
+  // A motion is divided into steps within these limits. Steps are shortened
+  // where contact would push muscles by more than `max_push` (mm) in one step,
+  // but not below the fraction `unchecked_fraction` of the limits. A muscle
+  // swept along by a bone is displaced by 11 mm with steps of 2 mm as with
+  // shorter ones, and by 16 mm with steps of 3 mm (stress_sweep).
   StepLimits limits = {20 * M_PI / 180, 80};
   double max_push = 2;
   double unchecked_fraction = 1.0 / 8;
 
-  // A step after which triangles cross is halved, down to that share halved so
-  // many times.
+  // A step that leaves crossing triangles is halved, at most `max_halvings`
+  // times below `unchecked_fraction`.
   int max_halvings = 2;
 
-  // Where they cross even then, the scene goes back a few steps, and on by
-  // steps of a quarter of the share, and the next time of a sixteenth, so many
-  // times: creases form by way of the steps before.
+  // If triangles cross even after the shortest step, the solver backtracks a
+  // few steps and continues with steps of a quarter of `unchecked_fraction`,
+  // the next time of a sixteenth, at most `max_returns` times: creases form
+  // over several steps.
   int max_returns = 2;
 
-  // If muscles are pushed by more than the reach up to the end, they settle in
-  // so many steps, until no more than one vertex in five hundred moves by more
-  // than the tolerance, mm. Two steps undo most of what long steps displace
-  // muscles by too much (thigh, flexion by 45 degrees: 0.12 of 0.16 mm on
-  // average).
+  // If contact still pushes muscles by the reach in the last step, settling
+  // steps follow at the pose, at most `max_settling_steps`, until at most one
+  // vertex in five hundred moves by more than the tolerance (mm) in a step. Two
+  // steps undo most of the excess displacement of long steps (thigh, flexion by
+  // 45 degrees: 0.12 of 0.16 mm on average).
   int max_settling_steps = 8;
   double settling_tolerance = 0.9;
 
-  // A pose that is not reached in this time is given up, s; 0: no limit. The
-  // last step may take longer. A pose that bones cannot take, because the
-  // centre of a joint is wrong, would take many minutes without a limit.
+  // After this time (s) the remainder of the motion is computed without
+  // contact; 0: no limit. The step in progress is completed first. An
+  // anatomically impossible pose, as with a wrong joint centre, would take many
+  // minutes without a limit.
   static constexpr double kTimeoutByMuscles = -1;  // 60, and 20 for each muscle
   double frame_timeout_s = kTimeoutByMuscles;
 
-  // Called after every step, those that separate the rest pose included. May be
+  // Called after every step, including those that relax the rest pose. May be
   // empty.
   StepCallback on_step;
 
-  // Also checks the options within.
+  // Also checks the nested options.
   bool IsValid(std::string* error) const;
 };
 
-// A scene prepared for certified contact, and the state without crossings that
-// every motion starts from. Constant once it is prepared.
+// A scene prepared for certified contact: its surfaces, their search trees and
+// the intersection-free rest pose, in which every motion starts. Constant after
+// preparation.
 struct CertifiedScene {
   CertifiedContactOptions options;
 
-  // The muscles in the order of contact, which that of all below is too, and
-  // the number of each in the scene. Points into the scene.
+  // The muscles in the order of contact, which all members below share, and the
+  // index of each in the scene. Points into the scene.
   std::vector<const PreparedMuscle*> muscles;
   std::vector<int> order;
 
   ContactScene contact;
 
-  // The fine vertices of each muscle that may have rows in the coarse solve.
+  // The fine vertices of each muscle that may get rows in the coarse solve.
   std::vector<std::vector<int>> samples;
 
-  // The separated rest pose. Attached vertices are where they are in it; their
-  // bodies carry them along from there.
+  // The separated rest pose. Attached vertices move rigidly with their bodies
+  // from their positions in it.
   ContactState rest;
 
-  // What attachments make of the shape without contact.
+  // Extend the offsets of attached vertices to each muscle, as without contact.
   std::vector<std::shared_ptr<const OffsetExtension>> extensions;
   double wall_ms = 0;
 };
 
-// Separates the meshes of a scene and relaxes its rest pose. `meshes` are those
-// of the scene, in the rest pose. `on_progress` may be empty. Precondition
+// Separates the meshes of a scene and relaxes its rest pose. `meshes`: the
+// meshes of the scene, in the rest pose. `on_progress` may be empty. Throws
+// InputError if a mesh needs too much memory (CheckContactFits). Precondition
 // (CHECKed): the options are valid.
 CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                                      const SceneMeshes& meshes,
@@ -127,38 +134,38 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                                      const MuscleSolver& solver,
                                      const ProgressCallback& on_progress);
 
-// Puts a scene together whose rest pose has been separated before: `rest` is
-// that of an equal CertifiedScene. `meshes` are those of the scene, in the rest
-// pose. Precondition (CHECKed): the options are valid.
+// Rebuilds a CertifiedScene from its rest pose: `rest` is that of an equal
+// CertifiedScene. `meshes`: the meshes of the scene, in the rest pose.
+// Precondition (CHECKed): the options are valid.
 CertifiedScene RestoreCertifiedScene(const PreparedScene& scene,
                                      const SceneMeshes& meshes,
                                      const CertifiedContactOptions& options,
                                      ContactState rest);
 
-// How a pose was reached.
+// The outcome of a motion to one pose.
 struct MotionSummary {
-  // Of the last step, by muscle, in the order of the scene.
+  // The solves of the last step, by muscle, in the order of the scene.
   std::vector<SolverSummary> summaries;
-  int steps = 0;  // including those that were given up
+  int steps = 0;  // including rejected ones
 
-  // If the time ran out, the share of the way that was gone by then.
+  // If the motion timed out, the fraction of it completed with contact.
   std::optional<double> timed_out_at;
 };
 
+// The state after a motion, and the start of the next one.
 struct CertifiedMotion {
   ContactState state;
 
-  // What the next pose should be reached from: the last state in which nothing
-  // crossed, if something does in `state`; else there is none, and it is
-  // `state`.
+  // The start of the next motion, if not `state`: the last state without
+  // crossing triangles, if `state` has some or the motion timed out.
   std::optional<ContactState> last_clean;
   MotionSummary summary;
 };
 
-// Moves a scene from `before` to a pose, step by step. If no triangles cross in
-// `before`, none do in the result, provided that there is a way. If the
-// shortest step still leads to crossings, it is taken all the same: what
-// follows may resolve them, and the certificate tells.
+// Moves a scene from `before` to a pose in steps. An intersection-free start
+// yields an intersection-free result unless the shortest step still leaves
+// crossing triangles. Such a step is accepted all the same, as later steps may
+// separate the triangles; the certificate reports any that remain.
 CertifiedMotion MoveCertified(const PreparedScene& scene,
                               const CertifiedScene& certified,
                               const ScenePose& pose,
@@ -167,17 +174,17 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
                               const ContactState& before,
                               const ProgressCallback& on_progress);
 
-// What a frame shows of a state, in the order of the scene.
+// Returns the coarse and fine vertices of a state, in the order of the scene.
 MuscleShapes ShapesOf(const CertifiedScene& certified,
                       const ContactState& state);
 
-// Returns the coarse vertices as they would be without contact, in the order of
-// the scene, N x 3 each, mm.
+// Returns the coarse vertices of the solve without contact, in the order of the
+// scene, N x 3 each, mm.
 std::vector<Points> FreeCoarseOf(const CertifiedScene& certified,
                                  const ContactState& state);
 
-// Returns the rows with which contact had each muscle solved, and what their
-// planes go along with, in the order of the scene.
+// Returns the contact rows of the coarse solve of each muscle and the owners of
+// their planes, in the order of the scene.
 std::vector<ContactRows> ContactRowsOf(const CertifiedScene& certified,
                                        const ContactState& state);
 

@@ -22,14 +22,14 @@ namespace {
 // The number of states that the stepper may backtrack.
 constexpr size_t kMaxWaypoints = 4;
 
-// A state of the motion in which nothing crosses.
+// A state of the motion without crossing triangles.
 struct Waypoint {
   double at;
   ContactState state;
 };
 
-// Returns the length of steps after so many backtracks: a quarter of the
-// unchecked length for each, whatever the push.
+// Returns the length of steps after `returns` backtracks: the unchecked length
+// times 1/4 for each, whatever the push.
 StepLength ShorterSteps(StepLengthOptions options, int returns) {
   options.longest = options.unchecked * std::pow(0.25, returns);
   options.unchecked = options.longest;
@@ -141,7 +141,7 @@ class PoseStepper {
 
   void GoOn(double to, PoseStepResult* attempt) {
     length_.Grow(attempt->summary.push);
-    // Muscles that are pushed by less than the reach get there in one step.
+    // Muscles that are pushed by less than the reach need no settling.
     is_settled_ = attempt->summary.is_short_of_reach;
     Accept(std::move(*attempt));
     at_ = to;
@@ -239,7 +239,7 @@ class PoseStepper {
   int returns_ = 0;
   std::vector<Waypoint> trail_;  // the latest last
   ContactState* state_;
-  StepSolves solves_;  // that the state comes from
+  StepSolves solves_;  // of the current state
   AdvanceSummary summary_;
 };
 

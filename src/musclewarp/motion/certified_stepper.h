@@ -27,23 +27,24 @@ struct AdvanceOptions {
   StepLengthOptions length;  // of steps to the pose
 
   // If triangles cross even after the shortest step, the solver backtracks a
-  // few steps and continues with shorter ones, at most so many times.
+  // few steps and continues with shorter ones, at most `max_returns` times.
   int max_returns = 0;
 
-  // A step that cannot be shorter is tried again with more reach. A settling
-  // step gets more of it if muscles moved by all that the one before had.
+  // A step of the shortest length is retried with the reach multiplied by
+  // `reach_growth`, up to `max_reach`. The same applies to the step after a
+  // settling step without defects that moved muscles by more than the reach.
   double reach_growth = 1;
   double max_reach = 0;  // mm
 
-  // At the pose, settling steps are taken until at most one vertex in five
-  // hundred moves by more than the tolerance, mm.
+  // At the pose, at most `max_settling_steps` settling steps follow, until at
+  // most one vertex in five hundred moves by more than the tolerance, mm.
   int max_settling_steps = 0;
   double settling_tolerance = 0;
 
-  // If true, a step may leave more crossings of a muscle with itself.
+  // If true, self-crossings of muscles do not count as crossings.
   bool accepts_self_crossings = false;
 
-  // No step begins later than this, s; 0: no limit.
+  // No step starts after this time, s; 0: no limit.
   double timeout_s = 0;
 
   StepCallback on_step;  // called after every step, may be empty
@@ -52,13 +53,14 @@ struct AdvanceOptions {
 // The outcome of AdvanceToPose.
 struct AdvanceSummary {
   int steps = 0;              // including rejected ones
-  double reached = 1;         // the fraction of the motion, in contact
+  double reached = 1;         // the fraction of the motion, with contact
   bool is_timed_out = false;  // the remainder was computed without contact
 
-  // The last state in which nothing crossed, if something does at the end.
+  // The last state without crossing triangles, if the final state has some or
+  // the motion timed out.
   std::optional<ContactState> last_clean;
 
-  // Of the last step, by muscle, in the order of contact.
+  // The solves of the last step, by muscle, in the order of contact.
   std::vector<SolverSummary> solves;
 };
 
@@ -73,8 +75,8 @@ struct AdvanceSummary {
 // ends; before the pose the step is accepted all the same, as later steps may
 // separate the triangles, and no other remedy is tried until they have.
 //
-// `on_progress` may be empty, and may throw: the state is then as the last step
-// has left it.
+// `on_progress` may be empty, and may throw: `state` is then the result of the
+// last accepted step.
 AdvanceSummary AdvanceToPose(const MotionContext& context,
                              const AdvanceOptions& options,
                              const ScenePose& goal,

@@ -12,7 +12,8 @@
 
 namespace musclewarp {
 
-// What does not change while a scene in contact moves. Keeps references.
+// The constant inputs of a motion with contact, shared by all its steps. Keeps
+// references.
 struct MotionContext {
   const PreparedScene& scene;
   const CertifiedScene& certified;
@@ -20,22 +21,23 @@ struct MotionContext {
   const MuscleSolver& solver;
 };
 
-// Returns the fine vertices of muscles, #V x 3 each, mm, where their coarse
-// meshes have them. `coarse`: N x 3 each, mm. Both in the order of contact.
+// Returns the fine vertices of muscles, #V x 3 each, mm, interpolated from the
+// coarse vertices `coarse`, N x 3 each, mm. Both in the order of contact.
 std::vector<Points> FineMeshes(const CertifiedScene& certified,
                                const std::vector<Points>& coarse);
 
-// Returns the place of each bone in a pose.
+// Returns the transform of each bone from the rest pose to a pose.
 std::vector<Eigen::Matrix4d> BonesFromRest(const PreparedScene& scene,
                                            const ScenePose& pose);
 
-// Returns where bones have the attached vertices of muscles in a pose, in the
-// order of contact; nothing before the rest pose is known.
+// Returns the positions in a pose of the vertices attached to bones, in the
+// order of contact. Empty before the rest pose is known.
 std::vector<AttachedPoints> AttachedIn(const CertifiedScene& certified,
                                        const ScenePose& pose);
 
-// Returns the state of muscles with the coarse vertices `coarse` (N x 3 each,
-// mm, in the order of contact) that contact neither moves nor holds.
+// Returns the state without contact of muscles with the coarse vertices
+// `coarse`, N x 3 each, mm, in the order of contact: no offsets, no attached
+// vertices and no planes.
 ContactState StateWithoutContact(const PreparedScene& scene,
                                  const CertifiedScene& certified,
                                  const ScenePose& pose,

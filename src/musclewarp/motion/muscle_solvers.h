@@ -21,8 +21,8 @@ using MuscleSolver = std::function<void(const MuscleModel& model,
                                         SolverSummary* summary)>;
 
 // Moves all muscles of a scene to their targets together, with the paper's
-// contact between them. The states are the start and the result; there is a
-// summary for each muscle.
+// contact between them. `states` are the start and the result; `summaries` gets
+// one entry per muscle.
 using GroupSolver =
     std::function<void(const std::vector<const MuscleModel*>& models,
                        const std::vector<MuscleTarget>& targets,
@@ -30,15 +30,15 @@ using GroupSolver =
                        std::vector<MuscleState>* states,
                        std::vector<SolverSummary>* summaries)>;
 
-// The solvers that move the muscles of a scene. The code of motion/ does not
-// know whether they are those of Ceres or the reference.
+// The solvers that move the muscles of a scene. They make motion/ independent
+// of the implementation: Ceres or the reference.
 struct MuscleSolvers {
   MuscleSolver single;
   GroupSolver group;
 };
 
-// Solves every muscle on its own, spread over the threads of OpenMP. The result
-// does not depend on their number. A muscle without lines stays as it is, which
+// Solves every muscle on its own, in parallel by OpenMP. The result does not
+// depend on the number of threads. A muscle without lines keeps its state and
 // counts as converged.
 void SolveEachOnItsOwn(const MuscleSolver& solver,
                        const std::vector<const MuscleModel*>& models,

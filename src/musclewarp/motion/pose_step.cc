@@ -27,9 +27,9 @@ SolvedPose SolveFree(const MotionContext& context,
                            context.pre_rotation));
 }
 
-// Solves the muscles with rows for the planes that their samples violate most.
-// `goal` is the state without them, `free` the solution without contact.
-// `summaries` become those of both solves.
+// Solves the muscles with contact rows for the planes that their samples
+// violate most. `goal`: the predicted state; `free`: the solution without
+// contact. `summaries` receives those of both solves, merged.
 CoarseSolution SolveWithContactRows(const MotionContext& context,
                                     const PlaneSet& planes,
                                     const std::vector<Points>& points,
@@ -60,8 +60,8 @@ CoarseSolution SolveWithContactRows(const MotionContext& context,
   return solution;
 }
 
-// Returns the coarse meshes of the next step as they are predicted: they keep
-// the displacement by contact that they have.
+// Predicts the coarse meshes of the next step: those without contact plus the
+// current displacement by contact.
 std::vector<Points> MovedAlong(const ContactState& from,
                                const std::vector<Points>& free_coarse) {
   std::vector<Points> coarse = free_coarse;
@@ -71,7 +71,7 @@ std::vector<Points> MovedAlong(const ContactState& from,
   return coarse;
 }
 
-// Returns the state of these coarse meshes in a pose, but for its points.
+// Returns the state of the coarse meshes in a pose, without its points.
 ContactState GoalOf(const MotionContext& context,
                     const ScenePose& pose,
                     std::vector<Points> free_coarse,

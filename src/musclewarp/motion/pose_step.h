@@ -10,22 +10,22 @@
 
 namespace musclewarp {
 
-// A step of a scene in contact to a pose: a solve without contact, from which
-// the coarse meshes are predicted, and a step of certified contact (Step), in
-// which they are solved once more to make way for its planes.
+// A step of certified contact to a pose: a solve without contact predicts the
+// coarse meshes, and Step() moves the muscles there between separating planes,
+// with a second coarse solve that includes contact rows.
 struct PoseStep {
   StepOptions options;
   ScenePose pose;
 
-  // True if the muscles settle where they are: `pose` is that of the state
-  // before, and there is no solve without contact.
+  // True for a settling step: `pose` is that of the state before, and the solve
+  // without contact is skipped.
   bool is_settling = false;
 
   double max_push = kInfinity;  // mm, see StepGoal
 };
 
-// The summaries of the solves that a state comes from, by muscle, in the order
-// of contact.
+// The summaries of the solves that produced a state, by muscle, in the order of
+// contact.
 struct StepSolves {
   std::vector<SolverSummary> free;  // without contact
   std::vector<SolverSummary> all;   // both together (MergedSummary)
@@ -34,23 +34,23 @@ struct StepSolves {
       : free(num_muscles), all(num_muscles) {}
 };
 
+// The state after a step, and the summaries of the step and its solves.
 struct PoseStepResult {
   ContactState state;
   StepSummary summary;
   StepSolves solves;
 };
 
-// Takes a step from `before`, which came from the solves `solves`: if muscles
-// settle, there is no other solve without contact. Precondition (CHECKed): the
+// Takes a step from `before`. `solves`: the solves that produced `before`; a
+// settling step reuses that without contact. Precondition (CHECKed): the
 // options are valid.
 PoseStepResult TakeStep(const MotionContext& context,
                         const PoseStep& step,
                         const ContactState& before,
                         const StepSolves& solves);
 
-// Returns the state of a scene that goes to a pose without contact: the coarse
-// meshes keep the displacement by contact that they have, and single vertices
-// their offsets.
+// Moves a scene to a pose without contact: coarse meshes keep their current
+// displacement by contact, and fine vertices their offsets.
 PoseStepResult GoWithoutContact(const MotionContext& context,
                                 const ScenePose& pose,
                                 const ContactState& before);

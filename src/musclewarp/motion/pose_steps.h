@@ -9,8 +9,8 @@
 
 namespace musclewarp {
 
-// How far bodies and lines may move in one step from a pose to the next, so
-// that no bone passes through a muscle between two steps.
+// Limits on the motion of bodies and lines in one step, which keep bones from
+// passing through muscles between two steps.
 struct StepLimits {
   double max_turn = 5 * M_PI / 180;  // of a body, rad
   double max_move = 10;              // of a point of a line, mm
@@ -18,13 +18,14 @@ struct StepLimits {
   bool IsValid(std::string* error) const;
 };
 
-// Returns the way from one pose to another in units of the limits.
+// Returns the largest motion between two poses, of any body or line, in units
+// of the limits.
 double WayBetween(const Scene& scene,
                   const ScenePose& from,
                   const ScenePose& to,
                   const StepLimits& limits);
 
-// Returns the number of steps from one pose to another within the limits; at
+// Returns the number of steps from one pose to another within the limits, at
 // least 1.
 int StepsBetween(const Scene& scene,
                  const ScenePose& from,

@@ -15,8 +15,8 @@
 namespace musclewarp {
 namespace {
 
-// The first bytes of a file. A checksum of the rest follows. The number grows
-// whenever the layout changes.
+// The first bytes of a file, followed by a checksum of the rest. The number is
+// incremented with every change of the layout.
 constexpr char kMagic[] = "musclewarp step 1\n";
 
 constexpr char kAdvice[] =
@@ -30,8 +30,7 @@ std::string StepChecksum(const std::string& bytes) {
 
 }  // namespace
 
-// Not by MUSCLEWARP_ARCHIVE, whose list of fields is a part of the key of
-// prepared scenes.
+// MUSCLEWARP_ARCHIVE would add the fields to the key of prepared scenes.
 template <class Archive>
 void serialize(Archive& archive, RecordedStep& step) {
   archive(step.pose,

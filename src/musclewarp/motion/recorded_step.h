@@ -10,12 +10,12 @@
 
 namespace musclewarp {
 
-// A step of a scene in contact to a pose as it was taken, so that it can be
-// taken again elsewhere: to time its stages, or to see what a change of the
-// code makes of it.
+// The inputs and the result of a step of certified contact. A recorded step can
+// be repeated outside its run, to time its stages or to compare versions of the
+// code.
 struct RecordedStep {
-  // As in PoseStep. Of its StepOptions only what differs from step to step; all
-  // others are those of the run.
+  // As in PoseStep. Of its StepOptions, only the fields that vary from step to
+  // step; the others are those of the run.
   ScenePose pose;
   bool is_settling = false;
   double max_push = 0;  // mm
@@ -23,21 +23,21 @@ struct RecordedStep {
   int sweeps = 0;
 
   ContactState before;
-  ContactState after;  // without points if the step was given up
+  ContactState after;  // without points if its push was too large
 
-  // Before the rest pose is known, nothing is attached.
+  // No vertices are attached before the rest pose is known.
   bool IsOfRestPose() const { return before.held.empty(); }
 
-  // Returns the options of the step, in a run with the options `of_run`.
+  // Returns the options of the step in a run with the options `of_run`.
   StepOptions OptionsIn(const StepOptions& of_run) const;
 };
 
-// Called after every step that is tried. `number` counts from 1 in the steps of
-// a frame, or in those that separate the rest pose.
+// Called after every attempted step. `number` counts from 1 within a frame, or
+// within the relaxation of the rest pose.
 using StepCallback = std::function<void(int number, const RecordedStep& step)>;
 
-// Writes a step to a file and reads it back, to the last bit. Both throw
-// InputError: if the file cannot be written, or is no recorded step of this
+// Write a step to a file and read it back, bit for bit. Both throw InputError:
+// if the file cannot be written, or is not an intact recorded step of this
 // version.
 void WriteRecordedStep(const std::string& path, const RecordedStep& step);
 RecordedStep ReadRecordedStep(const std::string& path);

@@ -13,13 +13,13 @@
 
 namespace musclewarp {
 
-// The models of the muscles of a scene, in whatever order.
+// The models of the muscles of a scene, in any order.
 using MuscleModels = std::vector<const MuscleModel*>;
 
 MuscleModels ModelsOf(const PreparedScene& scene);
 MuscleModels ModelsOf(const std::vector<const PreparedMuscle*>& muscles);
 
-// The muscles of a scene, solved for one pose.
+// The solution of all muscles of a scene for one pose.
 struct SolvedPose {
   std::vector<MuscleState> states;
   std::vector<SolverSummary> summaries;
@@ -29,12 +29,11 @@ struct SolvedPose {
 // Returns the coarse vertices of muscles, N x 3 each, mm.
 std::vector<Points> CoarseOf(const std::vector<MuscleState>& states);
 
-// Returns the states of muscles with these coarse vertices, without
-// corrections.
+// Returns the states with the coarse vertices `coarse`, without corrections.
 std::vector<MuscleState> StatesOf(const std::vector<Points>& coarse);
 
-// Returns where the muscles are expected in a pose if they were in `before` in
-// the pose `from`: they are moved on as their unconstrained shapes move
+// Predicts the states of the muscles in a pose from their states `before` in
+// the pose `from`: each muscle moves as its unconstrained minimizer does
 // (docs/method.md, "Motions").
 std::vector<MuscleState> Predict(const MuscleModels& models,
                                  std::vector<MuscleState> before,
@@ -42,18 +41,18 @@ std::vector<MuscleState> Predict(const MuscleModels& models,
                                  const ScenePose& pose,
                                  const PreRotationOptions& pre_rotation);
 
-// Solves every muscle on its own for one pose, from `start`.
+// Solves every muscle on its own for one pose, starting from `start`.
 SolvedPose SolvePose(const MuscleModels& models,
                      const ScenePose& pose,
                      const PreRotationOptions& pre_rotation,
                      const MuscleSolver& solver,
                      std::vector<MuscleState> start);
 
-// Solves the muscles that have one-sided rows (a set for each muscle) with
-// them, from `start`; the others are as in `without_rows`. Of the two summaries
-// of a muscle iterations and times are added up. A muscle that could not be
-// solved without rows counts as failed, as its displacement by contact is
-// measured against that solution.
+// Solves the muscles with one-sided rows, starting from `start`; the others
+// keep their solution in `without_rows`. `rows`: one set per muscle. Summaries
+// add up the iterations and times of both solves. A muscle whose solve without
+// rows failed counts as failed, as its displacement by contact is measured
+// relative to that solution.
 SolvedPose SolveWithRows(const MuscleModels& models,
                          const SolvedPose& without_rows,
                          const ScenePose& pose,

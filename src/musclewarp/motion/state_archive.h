@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// How cereal writes and reads the states of a scene, to the last bit: in the
-// log of a run that may be resumed, in the cache of preparations and in
-// recorded steps.
+// Serialization of the states of a scene by cereal, bit for bit: for the log of
+// a resumable run, the cache of preparations and recorded steps.
 
 #include <cereal/types/map.hpp>
 #include <cereal/types/optional.hpp>

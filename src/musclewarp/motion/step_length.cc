@@ -10,10 +10,10 @@
 namespace musclewarp {
 namespace {
 
-// Lengths that differ by less than this share are equal but for rounding.
+// Lengths that differ by less than this fraction are equal up to rounding.
 constexpr double kRounding = 0.01;
 
-// The push that is aimed at, as a share of the largest that is allowed.
+// The targeted push as a fraction of the largest admissible push.
 constexpr double kAim = 0.8;
 
 }  // namespace

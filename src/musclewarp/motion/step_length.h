@@ -4,23 +4,23 @@
 
 namespace musclewarp {
 
-// How long the steps may be in which a pose is reached. Lengths are shares of
-// the way.
+// Bounds on the lengths of the steps to a pose. Lengths are fractions of the
+// motion.
 struct StepLengthOptions {
   double longest = 1;
 
-  // A step in which contact pushes muscles by more than this beside the way
-  // that they are carried, mm, is tried again with a shorter length, but none
-  // that is as short as `unchecked`.
+  // A step in which contact pushes muscles by more than `max_push` (mm) from
+  // their predicted positions is retried with a shorter length, but not with
+  // less than `unchecked`.
   double max_push = 2;
   double unchecked = 1;
 
-  // No step is halved to less than this.
+  // The lower bound of halved steps.
   double shortest = 1;
 };
 
-// Chooses the length of each step by what came of the one before, as solvers of
-// differential equations do, with the push of contact as the error.
+// Adapts the step length to the outcome of the step before, like the step size
+// control of ODE solvers, with the push of contact as the error estimate.
 //
 //   StepLength length(options);
 //   double at = 0;
@@ -34,29 +34,30 @@ struct StepLengthOptions {
 //   }
 class StepLength {
  public:
-  // Begins with the longest step.
+  // Starts with the longest step.
   explicit StepLength(const StepLengthOptions& options);
 
   double length() const { return length_; }
 
-  // Returns where the next step, from `at`, ends. It is as much shorter than it
-  // might be as makes the rest of the way a whole number of steps.
+  // Returns the end of the next step, which starts at `at`, and shortens the
+  // step so that the remaining motion is a whole number of steps.
   double NextFrom(double at);
 
-  // The push that is allowed in the next step, mm: any if it is short.
+  // The largest admissible push in the next step, mm: infinite if its length is
+  // at most `unchecked`.
   double max_push() const;
 
-  // If the last step pushed by more than that, makes the next one shorter, by
-  // as much as it takes if the push is proportional to the length. Returns
-  // false if it did not.
+  // If `push` (mm) of the last step exceeds max_push(), shortens the next step
+  // as if the push were proportional to the length. Returns false otherwise.
   bool ShortenFor(double push);
 
-  // Halves the next step, down to the shortest. Returns false if it is as short
-  // as that.
+  // Halves the next step, down to the shortest length. Returns false at that
+  // length.
   bool Halve();
 
-  // Lets the next step be longer, up to twice, as the push (mm) allows. Not if
-  // the last one had to be shortened: it would be again.
+  // Lengthens the next step as far as the push (mm) allows, at most by a factor
+  // of two. Has no effect after a shortened step, as the next one would be
+  // shortened again.
   void Grow(double push);
 
  private:

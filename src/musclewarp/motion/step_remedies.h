@@ -6,35 +6,35 @@
 
 namespace musclewarp {
 
-// What came of a step of certified contact that was tried.
+// The outcome of an attempted step of certified contact.
 enum class StepOutcome {
-  kClean,      // nothing crosses
-  kPushedFar,  // it was given up, as contact pushes muscles too far
+  kClean,      // no triangles cross
+  kPushedFar,  // rejected, as contact pushes muscles too far
 
-  // Triangles cross that did not before. A stuck scene is one in which they
-  // still do: nothing more is tried until they have parted.
+  // Triangles start to cross, or still cross since an earlier accepted step. In
+  // the latter case no remedy is tried until they are separated.
   kCrossing,
   kStillStuck,
 
-  // The same of a step at the pose itself.
+  // The outcomes of a settling step.
   kSettledClean,
   kSettledCrossing,
 };
 
-// What can follow.
+// The responses of the stepper to an outcome.
 enum class StepRemedy {
-  kAccept,        // go on from where the step ended
-  kAcceptStuck,   // the same, and remember the last place without crossings
-  kShorten,       // try a shorter step, as much as the push asks for
-  kHalve,         // try a step of half the length
-  kGoBack,        // go a few steps back, for shorter ones all the way
-  kReachFarther,  // try the step with more reach
-  kSettle,        // accept a step at the pose, and see what has settled
-  kEndSettling,   // leave the scene as it was before the step
+  kAccept,        // accept the step
+  kAcceptStuck,   // accept it, and keep the last state without crossings
+  kShorten,       // retry with a length reduced according to the push
+  kHalve,         // retry with half the length
+  kGoBack,        // backtrack a few steps and continue with shorter ones
+  kReachFarther,  // retry with a larger reach
+  kSettle,        // accept a settling step and test for convergence
+  kEndSettling,   // reject the settling step and stop
 };
 
-// Returns what follows an outcome: the first of these that is possible. The
-// last one always is.
+// Returns the remedies of an outcome in order of preference. The stepper
+// applies the first available one; the last one always is.
 const std::vector<StepRemedy>& RemediesOf(StepOutcome outcome);
 
 }  // namespace musclewarp
