@@ -11,40 +11,40 @@
 
 namespace musclewarp {
 
-// The vertices of a muscle that follow a bone, because it is attached there.
+// The vertices of a muscle that are attached to bones, and their prescribed
+// positions.
 struct AttachedPoints {
   std::vector<int> vertices;  // in rising order
-  Points positions;           // #vertices x 3, mm: where the bone has them
+  Points positions;           // #vertices x 3, mm
 };
 
-// A scene in contact at one moment: what a step starts from and ends in, what a
-// motion goes back to where it is stuck, and what is kept of a frame for the
-// next one. Whatever a later step is to know of an earlier one belongs here, so
-// that it goes back with the state.
+// The complete state of a scene in contact: the start and the result of a step,
+// the target of a backtrack, and the start of the next frame. Anything that a
+// step passes on to later steps belongs here, so that backtracking restores it.
 //
 // Muscles are in the order of ContactScene.
 struct ContactState {
   ScenePose pose;
-  std::vector<Eigen::Matrix4d> bones_from_rest;  // the place of each bone
+  std::vector<Eigen::Matrix4d> bones_from_rest;  // one transform per bone
 
-  // The coarse vertices of each muscle, N x 3, mm: as they would be without
-  // contact, and as they make way for the planes. The next step keeps the
-  // difference.
+  // The coarse vertices of each muscle, N x 3, mm: the solution without
+  // contact, and the one with contact rows. The next step is predicted with the
+  // same difference.
   std::vector<Points> free_coarse;
   std::vector<Points> coarse;
 
-  // The fine vertices of each muscle where its coarse mesh has them, and where
-  // they are, #V x 3, mm. The difference is the offset by which contact moves
-  // single vertices.
+  // The fine vertices of each muscle, #V x 3, mm: as interpolated from its
+  // coarse mesh, and their actual positions. The difference is the offset of
+  // each vertex by contact.
   std::vector<Points> targets;
   std::vector<Points> points;
 
-  // By muscle, or empty if nothing is attached.
+  // By muscle; empty without attachments, as before the rest pose is known.
   std::vector<AttachedPoints> held;
 
-  // By muscle: the planes that the coarse mesh makes way for, or empty if the
-  // coarse meshes were solved without. A plane is active if the coarse mesh has
-  // its vertex on the wrong side.
+  // By muscle: the planes of the contact rows in the coarse solve; empty if the
+  // coarse meshes were solved without any. A plane is active if the target of
+  // its vertex lies on the wrong side.
   std::vector<OwnedHalfSpaces> planes;
 };
 

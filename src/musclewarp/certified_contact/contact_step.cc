@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// The rotation of a triangle from `a` to `b`, as a matrix for row vectors.
+// Returns the rotation of a triangle from `a` to `b`, a matrix for row vectors.
 Eigen::Matrix3d RotationBetween(const Corners& a, const Corners& b) {
   const auto frame = [](const Corners& t) {
     Eigen::Matrix3d axes;

@@ -18,7 +18,7 @@ namespace {
 using Eigen::RowVector3d;
 using Eigen::RowVector3i;
 
-// Returns none if the muscle may have as many as it has.
+// Returns the folded triangles, or none if their number is admissible.
 std::vector<FoldedTriangle> TooManyFolded(const DefectOptions& options,
                                           const MuscleSurface& muscle,
                                           const Points& points) {
@@ -32,8 +32,9 @@ std::vector<FoldedTriangle> TooManyFolded(const DefectOptions& options,
   return folded;
 }
 
-// The plane that keeps the corner opposite to the longest edge of a triangle
-// above that edge: over its longest edge a triangle is lowest, and folds.
+// Returns the plane that keeps the corner opposite to the longest edge of a
+// triangle above that edge. The height over the longest edge is the smallest,
+// so triangles fold there.
 std::optional<SeparatingPlane> PlaneAgainstFold(const DefectOptions& options,
                                                 const ContactScene& scene,
                                                 int muscle,
@@ -99,7 +100,7 @@ void AddSelfCrossings(const StepOptions& options,
   }
 }
 
-// Fits the trees to muscles as the bones of a body see them.
+// Refits the trees to the muscles in the frame of a body.
 void FitTo(const std::vector<Points>& points,
            const Eigen::Matrix4d& from_body,
            std::vector<TriangleBvh>* trees) {
@@ -115,7 +116,7 @@ void AddBoneCrossings(const ContactStep& step,
                       Defects* defects) {
   for (int bone = 0; bone < step.num_bones(); ++bone) {
     const Eigen::Matrix4d& place = step.bones_from_rest[bone];
-    // Bones of one body mostly follow each other.
+    // Bones of one body are usually consecutive.
     if (bone == 0 || place != step.bones_from_rest[bone - 1]) {
       FitTo(points, RigidInverse(place), trees);
     }

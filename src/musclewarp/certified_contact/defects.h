@@ -12,57 +12,57 @@
 
 namespace musclewarp {
 
-// Triangle f of mesh a and triangle g of mesh b, which cross.
+// Two crossing triangles: triangle f of mesh a and triangle g of mesh b.
 struct CrossingTriangle {
   int a, f;
   int b, g;
 };
 
-// What is wrong with the vertices that a relaxation has found: where, not only
-// how much.
+// The defects of a relaxed state, triangle by triangle, so that the next round
+// can repair them. DefectCounts has their numbers.
 struct Defects {
   std::vector<CrossingTriangle> muscle_crossings;  // of muscles a < b
   std::vector<CrossingTriangle> bone_crossings;    // of muscle a and bone b
 
-  // Of muscle a with itself (b == a). Those that a plane can separate: the two
-  // were apart before the step or are apart where the coarse mesh has them.
+  // Of muscle a with itself (b == a). Includes only pairs that a plane can
+  // separate: those apart before the step or at the targets.
   std::vector<CrossingTriangle> self_crossings;
 
-  // By muscle: triangles that folded since the rest pose, if the muscle has
-  // more of them than DefectOptions::max_folded_fraction.
+  // By muscle: triangles folded relative to the rest pose, if they exceed
+  // DefectOptions::max_folded_fraction.
   std::vector<std::vector<FoldedTriangle>> folded;
 
-  // Pairs of triangles of two meshes that cross.
+  // The number of crossing pairs of triangles of two meshes.
   int num_crossings() const;
   int num_folded() const;
 
-  // True if triangles cross each other.
+  // True if any triangles cross, self-crossings included.
   bool HasCrossings() const {
     return num_crossings() + self_crossings.size() > 0;
   }
 };
 
-// Finds what is wrong with `points` (#V x 3 each, mm), by exact tests. `trees`
-// are over the triangles of the muscles and are fitted to other places here.
+// Finds the defects of `points` (#V x 3 each, mm), crossings by exact tests.
+// `targets`: #V x 3 each, mm. `trees`: over the triangles of the muscles;
+// refitted by this function.
 Defects FindDefects(const StepOptions& options,
                     const ContactStep& step,
                     const std::vector<Points>& targets,
                     const std::vector<Points>& points,
                     std::vector<TriangleBvh>* trees);
 
-// Returns planes that separate the triangles again: those of two meshes, and of
-// one muscle, as they were separated before the step or, of one muscle, as they
-// are where the coarse mesh has them. A folded triangle gets a plane through
-// its longest edge that its third corner has to stay above, in the direction
-// that it would have if it had turned with its surroundings.
+// Returns planes against the defects. Crossing triangles are separated as
+// before the step or, within one muscle, as at `targets`. A folded triangle
+// gets a plane through its longest edge that keeps its third corner on the
+// unfolded side, given by the rotation of the surrounding surface.
 std::vector<SeparatingPlane> PlanesAgainst(const Defects& defects,
                                            const StepOptions& options,
                                            const ContactStep& step,
                                            const std::vector<Points>& targets);
 
-// Returns the stiffness for the next round: triangles of one muscle that cross
-// each other or fold move more as one piece, as it is small moves of single
-// vertices that make small triangles do so.
+// Returns the stiffness for the next round, larger at folded and self-crossing
+// triangles: independent small moves of single vertices cause these defects in
+// small triangles, and a stiffer neighbourhood moves as one piece.
 Stiffness Stiffened(const Defects& defects,
                     const DefectOptions& options,
                     const ContactScene& scene,

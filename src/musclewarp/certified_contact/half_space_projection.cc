@@ -18,8 +18,8 @@ using Eigen::RowVector3d;
 // A point that violates a half-space by less than this is inside it, mm.
 constexpr double kInsideTolerance = 1e-9;
 
-// If the part of a unit normal that is orthogonal to others is shorter than
-// this, it is rounding error.
+// A component of a unit normal orthogonal to others that is shorter than this
+// is rounding error.
 constexpr double kParallel = 1e-4;
 
 template <int kDimension>
@@ -28,7 +28,7 @@ using Vector = Eigen::Matrix<double, 1, kDimension>;
 // The planes that push the point, and their multipliers.
 template <int kDimension>
 struct ActiveSet {
-  // One number for each plane.
+  // One coefficient per plane.
   using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kDimension, 1>;
 
   std::array<Vector<kDimension>, kDimension> normals;
@@ -55,7 +55,7 @@ struct ActiveSet {
     for (int i = 0; i < size; ++i) all.row(i) = normals[i];
     shares->resize(size);
     if (size == 0) return normal;
-    // Accurate even where the normals are nearly parallel.
+    // QR is accurate even for nearly parallel normals.
     const Eigen::HouseholderQR<Eigen::Matrix<double,
                                              kDimension,
                                              Eigen::Dynamic,
@@ -69,8 +69,8 @@ struct ActiveSet {
   }
 };
 
-// The method of ProjectIntoHalfSpaces, in any dimension. `violation(i, point)`
-// and `normal(i)` belong to the half-space i.
+// The method of ProjectIntoHalfSpaces in any dimension, for half-spaces i with
+// `violation(i, point)` and `normal(i)`.
 template <int kDimension, class Violation, class Normal>
 bool Project(int count,
              const Violation& violation,
@@ -81,7 +81,7 @@ bool Project(int count,
   ActiveSet<kDimension> active;
   Vector<kDimension> moved = *point;
   int worst = -1;
-  double push = 0;  // the multiplier of the worst one
+  double push = 0;  // the multiplier of the worst plane
   for (int change = 0; change < kMostChanges; ++change) {
     if (worst < 0) {
       double most = kInsideTolerance;
@@ -101,8 +101,8 @@ bool Project(int count,
     typename ActiveSet<kDimension>::Numbers shares;
     const Vector<kDimension> across = active.Split(normal(worst), &shares);
     const double slope = across.squaredNorm();
-    // The step until the plane is reached, and the step until one of the active
-    // planes would have to pull.
+    // The step length to the plane, and the one at which the multiplier of an
+    // active plane becomes zero.
     const double to_border = slope > kParallel * kParallel
                                  ? violation(worst, moved) / slope
                                  : kInfinity;
@@ -152,8 +152,8 @@ void CompromiseBetweenHalfSpaces(const HalfSpace* spaces,
                                  int count,
                                  double violation_weight,
                                  RowVector3d* point) {
-  // The fourth unknown is the violation times its weight, so that the sum that
-  // is least is a squared distance.
+  // The fourth unknown is the violation times its weight, so that the objective
+  // is a squared distance.
   const double share = 1 / violation_weight;
   const double length = std::sqrt(1 + share * share);
   Vector<4> lifted;

@@ -13,7 +13,7 @@ void AppendMoves(const Points& a, const Points& b, std::vector<double>* moves) {
   }
 }
 
-// The largest but for a share of all.
+// Returns the largest move without the fraction `share` of the largest ones.
 double LargestOfMost(double share, std::vector<double>* moves) {
   if (moves->empty()) return 0;
   const auto most =

@@ -8,14 +8,15 @@
 
 namespace musclewarp {
 
-// Returns the distance (mm) by which all points but a share of them move at
-// most from `a` to `b`, over all muscles. Where muscles are squeezed, single
-// vertices never settle. `a`, `b`: #V x 3 each, mm, of the same muscles.
+// Returns the largest distance (mm) between corresponding points of `a` and
+// `b`, over all muscles, without the fraction `share` of points that move
+// farthest: in squeezed muscles, single vertices never converge. `a`, `b`: #V x
+// 3 each, mm.
 double MoveOfMost(const std::vector<Points>& a,
                   const std::vector<Points>& b,
                   double share);
 
-// Returns the largest of these distances among the muscles, taken one by one.
+// Returns the maximum over the muscles of that distance, measured per muscle.
 double MoveOfMostMoved(const std::vector<Points>& a,
                        const std::vector<Points>& b,
                        double share);

@@ -12,27 +12,29 @@
 
 namespace musclewarp {
 
+// Bounds on the edge weights of a MuscleSurface, so that degenerate triangles
+// do not dominate them.
 struct MuscleSurfaceOptions {
-  // Bounds of the weight of an edge. Needles have weights of any size; without
-  // bounds one of them would hold all vertices around it together.
+  // Bounds of the weight of an edge. The weights of needle triangles are
+  // unbounded, and a single one would lock all vertices around it.
   double min_edge_weight = 1e-2;
   double max_edge_weight = 1e2;
 
   bool IsValid(std::string* error) const;
 };
 
-// What certified contact needs to know of a muscle and what stays the same from
-// pose to pose. The graph of its edges, with weights, carries the offsets by
-// which contact moves single vertices (relaxation.h).
+// The constant data of a muscle in certified contact, computed once for all
+// poses. The weighted graph of its edges smooths the offsets of vertices by
+// contact (relaxation.h).
 struct MuscleSurface {
   Points rest;          // #V x 3, mm
-  Triangles triangles;  // closed, outward
-  double volume = 0;    // to be kept, mm^3
+  Triangles triangles;  // closed, oriented outward
+  double volume = 0;    // to be preserved, mm^3
 
   std::shared_ptr<const TriangleBvh> tree;  // of the rest pose
 
-  // By bone: the triangles (#F) that may cross it (see exempt_area.h). Empty
-  // where none may.
+  // By bone: for each triangle (#F), true if it may cross the bone
+  // (exempt_area.h). Empty if none may.
   std::vector<std::vector<char>> exempt;
 
   // The neighbours of vertex v are neighbours[first[v]] to
@@ -40,9 +42,9 @@ struct MuscleSurface {
   std::vector<int> first;
   std::vector<int> neighbours;
 
-  // The weights of the edges to them: the area beside an edge over its length
-  // squared. That is the cotangent weight where triangles are equilateral, and
-  // it is positive where they are not.
+  // The weights of the edges to these neighbours: two thirds of the area of the
+  // triangles at an edge over its squared length. For equilateral triangles
+  // that is the cotangent weight; it is positive for all others.
   std::vector<double> weights;
 
   // #V: a third of the area of the triangles around a vertex at rest, mm^2.
@@ -56,8 +58,8 @@ struct MuscleSurface {
   }
 };
 
-// Prepares a muscle for certified contact. `rest`: #V x 3, mm; `volume`: mm^3.
-// Precondition (CHECKed): the options are valid.
+// Computes the edge weights, areas and search tree of a muscle. `rest`: #V x 3,
+// mm; `volume`: mm^3. Precondition (CHECKed): the options are valid.
 MuscleSurface MakeMuscleSurface(const Points& rest,
                                 const Triangles& triangles,
                                 double volume,

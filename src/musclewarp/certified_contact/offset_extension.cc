@@ -12,7 +12,8 @@ OffsetExtension::OffsetExtension(const MuscleSurface& surface,
     : given_(given) {
   CHECK_GT(length, 0);
   const int count = surface.num_vertices();
-  // The place of each vertex among the free ones, or beyond them.
+  // The index of each vertex among the free ones; given vertices are numbered
+  // from `count` on.
   std::vector<int> place(count, 0);
   for (size_t i = 0; i < given.size(); ++i) {
     place[given[i]] = count + static_cast<int>(i);

@@ -10,9 +10,9 @@
 
 namespace musclewarp {
 
-// Extends the offsets of some vertices of a muscle to all others: the minimum
-// of the energy in relaxation.h where nothing is in contact. It tells what
-// attachments alone make of the shape, without contact.
+// Extends the offsets of some vertices of a muscle to all others by minimizing
+// the energy of relaxation.h without contact. This gives the shape under
+// attachments alone, relative to which displacement by contact is measured.
 //
 //   const OffsetExtension extension(surface, attached_vertices, 8);
 //   points += extension.Extended(offsets_of_attached_vertices);
@@ -25,8 +25,8 @@ class OffsetExtension {
                   const std::vector<int>& given,
                   double length);
 
-  // Returns the offset of every vertex, #V x 3, mm, from those of the given
-  // ones, #given x 3.
+  // Returns the offset of every vertex, #V x 3, mm. `given`: those of the given
+  // vertices, #given x 3, mm.
   Points Extended(const Points& given) const;
 
  private:

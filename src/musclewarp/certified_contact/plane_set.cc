@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// The lowest and the highest corner of a triangle over a plane through the
-// origin.
+// The lowest and the highest level of the corners of a triangle above a plane
+// through the origin.
 double Lowest(const RowVector3d& normal,
               const Points& points,
               const Eigen::RowVector3i& corners) {
@@ -110,8 +110,8 @@ double PlaneSet::AttachedShare(int muscle,
 }
 
 bool PlaneSet::ComesBefore(Side a, Side b) const {
-  // An order that is not that of the muscles. Planes between muscles go by
-  // their gap, as their levels are not settled.
+  // The order must not depend on that of the muscles. Planes between muscles
+  // are compared by their gaps, as their levels still change.
   const auto key = [&](Side side) {
     const int number = NumberOf(side);
     const Plane& plane = planes_[number];
@@ -150,7 +150,7 @@ void PlaneSet::SortSides(const std::vector<std::vector<VertexSide>>& added) {
     for (int v = 0; v < num_vertices; ++v) {
       const auto begin = sorted.begin() + first[v];
       const auto end = sorted.begin() + first[v + 1];
-      // Most have been sorted when planes were added before.
+      // Most are already sorted from earlier calls of Add().
       if (std::is_sorted(begin, end, comes_before)) continue;
       std::stable_sort(begin, end, comes_before);
     }
@@ -232,7 +232,7 @@ RowVector3d PlaneSet::Projected(int muscle,
                                 const RowVector3d& point) const {
   const Side* near = near_[muscle].data() + first_sides_[muscle][vertex];
   const int count = num_near_[muscle][vertex];
-  // Kept from call to call: most vertices have a few planes, some hundreds.
+  // Reused between calls: most vertices have a few planes, some hundreds.
   thread_local std::vector<HalfSpace> spaces;
   if (static_cast<int>(spaces.size()) < count) spaces.resize(count);
   bool is_inside = true;

@@ -13,10 +13,9 @@
 
 namespace musclewarp {
 
-// The separating planes of one step, seen from the vertices: which half-spaces
-// each of them has to stay in, where the planes between muscles lie at the
-// moment, and where a point goes if it has to be in the half-spaces of a
-// vertex.
+// The separating planes of one step, indexed by vertex: stores the half-spaces
+// of each vertex, updates the levels of planes between muscles, and projects
+// points into the half-spaces of a vertex.
 //
 //   PlaneSet planes(options, step);
 //   planes.Add(FindSeparatingPlanes(options, step, &trees));
@@ -24,66 +23,68 @@ namespace musclewarp {
 //   planes.FindNear(muscle, v, p);
 //   points[muscle].row(v) = planes.Projected(muscle, v, p);
 //
-// FindNear() and Projected() may be called for different muscles at the same
-// time. Nothing depends on the order of the muscles but rounding.
+// FindNear() and Projected() may be called concurrently for different muscles.
+// The order of the muscles affects rounding only.
 class PlaneSet {
  public:
   // Keeps references.
   PlaneSet(const StepOptions& options, const ContactStep& step);
 
-  // Adds planes. A vertex that is carried more than RelaxationOptions::max_push
-  // beyond the plane of a bone cannot come back to it and is left out.
+  // Adds planes. A bone's plane gets no half-space for a vertex predicted more
+  // than RelaxationOptions::max_push above it, as the vertex cannot reach the
+  // plane.
   void Add(const std::vector<SeparatingPlane>& planes);
 
-  // Places the planes between muscles (and sheets of one) half way between
-  // where the two sides want to go, `unprojected`, or where an attached side
-  // wants to go: the other one gives way. Unless this is the first
-  // time in a run of sweeps, a side that did not get there in `points`, as
-  // something else holds it, shifts the plane by what it lacks: the other side
-  // has to go farther. #V x 3 each, mm.
+  // Sets the levels of planes between muscles, or sheets of one muscle, halfway
+  // between the `unprojected` positions of both sides; the level follows an
+  // attached side, and the other side yields. Unless `is_first` (in a run of
+  // sweeps), a side whose `points` violate the plane, as other planes block it,
+  // shifts the plane by the violation, so that the other side yields more. #V x
+  // 3 each, mm.
   void UpdateLevels(const std::vector<Points>& unprojected,
                     const std::vector<Points>& points,
                     bool is_first);
 
-  // Chooses the planes of a vertex that Projected() looks at: those from which
-  // `point` is not farther than the reach.
+  // Selects the half-spaces of a vertex that Projected() uses: those that
+  // `point` violates or lies in by less than the reach.
   void FindNear(int muscle, int vertex, const Eigen::RowVector3d& point);
 
-  // Returns the point nearest to `point` in the half-spaces of a vertex. If
-  // there is none within the reach, a place between them: another muscle gives
-  // way by UpdateLevels(), but a bone does not, and has the last word.
+  // Projects `point` into the half-spaces of a vertex. If their intersection is
+  // not within RelaxationOptions::max_push, returns a compromise that favours
+  // bones: other muscles yield by UpdateLevels(), bones do not. The result is
+  // within max_push of the predicted vertex.
   Eigen::RowVector3d Projected(int muscle,
                                int vertex,
                                const Eigen::RowVector3d& point) const;
 
-  // Returns, for each of `vertices` that is near a plane at `points` (#V x 3,
-  // mm), the half-space in which its target (`targets`) lies deepest on the
-  // wrong side, or that it is nearest to. These are the rows of the coarse
+  // Returns, for each of `vertices` near a plane at `points` (#V x 3, mm), the
+  // half-space that its target (`targets`, #V x 3, mm) violates most or, if
+  // none, that it is nearest to violating. These are the rows of the coarse
   // solve.
   OwnedHalfSpaces MostViolated(int muscle,
                                const std::vector<int>& vertices,
                                const Points& points,
                                const Points& targets) const;
 
-  // Returns by how much a vertex is on the wrong side of a plane against
-  // another surface, at most, mm.
+  // Returns the worst violation of a plane by a vertex, mm, without planes
+  // between sheets of one muscle.
   double WorstViolation(const std::vector<Points>& points) const;
 
  private:
-  // A plane. That of a bone has no half gap, as its level includes the gap.
+  // The half gap of a bone's plane is zero, as its level includes the gap.
   struct Plane {
     Eigen::RowVector3d normal;
-    double level;  // mm; of a plane between muscles as it is at the moment
+    double level;  // mm; current value for a plane between muscles
     double half_gap;
   };
-  // What else there is to know of a plane, in an array of its own: the sweeps
-  // read planes more often than anything else.
+  // Further data of a plane, in an array of their own to keep Plane compact:
+  // sweeps read planes more often than anything else.
   struct PlaneOrigin {
-    int moving;       // index in moving_; -1 - b: of bone b, which stays
-    double distance;  // of what it separates, before the step, mm
+    int moving;       // index in moving_; -1 - b for bone b
+    double distance;  // of the two sides before the step, mm
   };
-  // A plane between muscles, which muscles move, and how far it was shifted to
-  // make room.
+  // A plane between muscles, whose level follows both sides, and its shift
+  // towards the side that yields.
   struct MovingPlane {
     int plane;
     PlaneOwner owner;
@@ -99,10 +100,10 @@ class PlaneSet {
 
   void AddPlane(const SeparatingPlane& plane);
 
-  // Returns how many corners of a triangle are attached, as a share.
+  // Returns the fraction of the corners of a triangle that are attached.
   double AttachedShare(int muscle, const Eigen::RowVector3i& corners) const;
 
-  // Sorts the sides of each vertex, those in `added` (by muscle) included.
+  // Sorts the sides of each vertex, including `added` (by muscle).
   void SortSides(const std::vector<std::vector<VertexSide>>& added);
   bool ComesBefore(Side a, Side b) const;
 
@@ -121,12 +122,12 @@ class PlaneSet {
   std::vector<PlaneOrigin> origins_;  // of planes_
   std::vector<MovingPlane> moving_;
 
-  // By muscle, by vertex: those of vertex v begin at first_sides_[v].
+  // By muscle, by vertex: the sides of vertex v start at first_sides_[v].
   std::vector<std::vector<Side>> sides_;
   std::vector<std::vector<int>> first_sides_;
 
-  // By muscle: of the sides of a vertex those that are near; the first
-  // num_near_[v] from first_sides_[v] on.
+  // By muscle: the near sides of vertex v are the num_near_[v] entries from
+  // first_sides_[v] on.
   std::vector<std::vector<Side>> near_;
   std::vector<std::vector<int>> num_near_;
 };

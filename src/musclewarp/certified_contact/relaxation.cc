@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// What stays the same in the sweeps over one muscle.
+// The constant data of the sweeps over one muscle.
 struct MuscleSweep {
   const StepOptions& options;
   const MuscleSurface& surface;
@@ -21,8 +21,8 @@ struct MuscleSweep {
   const AttachedPoints& attached;
   int muscle;
 
-  // Of the edges to the neighbours of each vertex (MuscleSurface), with the
-  // stiffness, and #V: their sum and the weight of the vertex itself.
+  // The edge weights of MuscleSurface times the stiffness and, #V, their sum
+  // plus the weight of the vertex itself.
   std::vector<double> weights;
   Eigen::VectorXd sums_of_weights;
 };
@@ -54,8 +54,8 @@ MuscleSweep SweepOf(const StepOptions& options,
   return sweep;
 }
 
-// Returns the place, or the nearest one within the reach of where the vertex is
-// carried.
+// Returns the place, or the nearest one within the reach of the predicted
+// vertex.
 RowVector3d WithinReach(const MuscleSweep& sweep,
                         int v,
                         const RowVector3d& place) {
@@ -66,8 +66,8 @@ RowVector3d WithinReach(const MuscleSweep& sweep,
   return sweep.predicted.row(v) + reach / far * beyond;
 }
 
-// Where the energy would put a vertex if its neighbours kept their offsets, #V
-// x 3.
+// Returns the minimizer of the energy over the position of one vertex.
+// `offsets`: those of all vertices, #V x 3, mm.
 RowVector3d LowestPlace(const MuscleSweep& sweep,
                         int v,
                         const Points& offsets) {
@@ -86,7 +86,7 @@ void SweepMuscle(const MuscleSweep& sweep,
                  Points* points,
                  Points* unprojected) {
   const std::vector<int>& attached = sweep.attached.vertices;
-  size_t next = 0;  // of the attached vertices
+  size_t next = 0;  // index of the next attached vertex
   for (int v = 0; v < sweep.surface.num_vertices(); ++v) {
     const bool is_attached = next < attached.size() && attached[next] == v;
     const RowVector3d place = WithinReach(

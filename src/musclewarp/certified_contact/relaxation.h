@@ -12,13 +12,14 @@
 
 namespace musclewarp {
 
-// The vertices of all muscles while a step is relaxed.
+// The iterate of Relax(): the vertices of all muscles, before and after
+// projection into their half-spaces.
 struct RelaxedPoints {
   std::vector<Points> points;       // #V x 3, mm, in their half-spaces
-  std::vector<Points> unprojected;  // where they would go without planes
+  std::vector<Points> unprojected;  // before the projection
 };
 
-// Returns the vertices where the step carries them.
+// Returns the predicted vertices, the start of the relaxation.
 RelaxedPoints StartOf(const ContactStep& step);
 
 // The stiffness of each vertex, #V: a factor on the weights of its edges.
@@ -31,15 +32,15 @@ Stiffness UniformStiffness(const ContactScene& scene);
 //
 //   1/2 sum_edges w |o_i - o_j|^2 + 1/2 sum_vertices area / l^2 |o_i|^2
 //
-// in the half-spaces of the vertices, by `sweeps` projected Gauss-Seidel sweeps
-// over all vertices: an obstacle problem, whose solution is as small and smooth
-// as contact lets it be, and zero where there is no contact. l is the smoothing
+// subject to the half-spaces of the vertices, by `sweeps` projected
+// Gauss-Seidel sweeps: an obstacle problem, whose offsets are as small and
+// smooth as contact permits, and zero without contact. l is the smoothing
 // length, w the weight of an edge times the larger stiffness of its ends.
-// Attached vertices go to where their bone has them instead, as far as the
-// half-spaces let them.
+// Attached vertices move to their attached positions instead, as far as the
+// half-spaces permit.
 //
-// `targets`: #V x 3 each, mm. The planes between muscles follow the sweeps.
-// Muscles are treated alike: nothing depends on their order but rounding.
+// `targets`: #V x 3 each, mm. The levels of planes between muscles are updated
+// before every sweep. The order of the muscles affects rounding only.
 RelaxedPoints Relax(const StepOptions& options,
                     const ContactStep& step,
                     const std::vector<Points>& targets,

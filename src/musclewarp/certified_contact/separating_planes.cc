@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// The second numbers of pairs by their first.
+// Pairs grouped by their first index.
 struct Grouped {
   std::vector<int> starts, items;
 
@@ -52,8 +52,8 @@ void Append(const std::vector<std::vector<SeparatingPlane>>& parts,
   }
 }
 
-// The boxes of the triangles of a muscle before the step and where the step
-// carries them, #F each.
+// The boxes of the triangles of a muscle before the step and at the prediction,
+// #F each.
 struct PredictedBoxes {
   std::vector<Box3> before, predicted;
 };
@@ -74,8 +74,9 @@ std::vector<PredictedBoxes> BoxesOf(const ContactStep& step,
   return boxes;
 }
 
-// Returns boxes around both boxes of each triangle, #F. Two of them overlap if
-// one of the two is within `radius` (mm) of the same box of the other triangle.
+// Returns boxes around both boxes of each triangle, #F. They overlap if two
+// triangles are within `radius` (mm) of each other before the step or at the
+// prediction.
 std::vector<Box3> BoxesAround(const PredictedBoxes& boxes, double radius) {
   std::vector<Box3> around(boxes.before.size());
   for (size_t f = 0; f < around.size(); ++f) {
@@ -88,7 +89,7 @@ std::vector<Box3> BoxesAround(const PredictedBoxes& boxes, double radius) {
   return around;
 }
 
-// What AddPlanesBetweenMuscles() looks for.
+// The search radius and boxes for AddPlanesBetweenMuscles().
 struct NearMuscles {
   double radius = 0;  // mm
   const std::vector<TriangleBvh>&
@@ -140,7 +141,7 @@ void AddPlanesBetweenAllMuscles(const StepOptions& options,
                                 const ContactStep& step,
                                 std::vector<TriangleBvh>* predicted,
                                 std::vector<SeparatingPlane>* planes) {
-  // Either muscle may move by the reach.
+  // Both muscles may move by the reach.
   const double radius =
       options.AimedGap() + options.planes.search_fraction * 2 * options.reach;
   const std::vector<PredictedBoxes> boxes = BoxesOf(step, *predicted);
@@ -156,10 +157,11 @@ void AddPlanesBetweenAllMuscles(const StepOptions& options,
   }
 }
 
-// The farthest that a vertex of each triangle moves in a step as the bone sees
-// it, and the box around everything that the triangle may meet on its way.
+// The motion of a muscle in a step relative to a bone: the distance that each
+// vertex moves, and a box around the path of each triangle.
 struct PathsPastBone {
-  Points at_rest;         // the vertices before, in the rest pose of the bone
+  Points at_rest;  // the vertices before the step, in the frame of the bone at
+                   // rest
   Eigen::VectorXd moves;  // of the vertices, mm
   std::vector<Box3> boxes;
 };
@@ -252,7 +254,7 @@ SeparatingPlane PlaneBetween(const ContactStep& step,
   plane.below = step.scene.muscles[b].triangles.row(g);
   const RowVector3d turned =
       before.normal * (step.rotations[a][f] + step.rotations[b][g]);
-  // Triangles without area have no rotation.
+  // The rotation of a degenerate triangle is undefined.
   plane.normal = turned.norm() > 0.5 ? turned.normalized() : before.normal;
   plane.half_gap = half_gap;
   plane.distance = before.distance;

@@ -15,8 +15,8 @@ namespace {
 using Eigen::RowVector3d;
 using Eigen::RowVector3i;
 
-// True if the triangles turn their front sides, or their back sides, to each
-// other across the plane with this normal.
+// Returns true if the triangles face each other with their front sides, or with
+// their back sides, across the plane with this normal.
 bool FaceEachOther(const RowVector3d& unit_f,
                    const RowVector3d& unit_g,
                    const RowVector3d& normal,
@@ -40,7 +40,7 @@ Points UnitNormals(const TriangleBvh& tree) {
   return normals;
 }
 
-// Returns by node of the tree a box around the normals of its triangles.
+// Returns a box around the normals of the triangles of each node of the tree.
 std::vector<Box3> NormalsOfNodes(const TriangleBvh& tree,
                                  const Points& normals) {
   std::vector<Box3> boxes(normals.rows());
@@ -52,7 +52,7 @@ std::vector<Box3> NormalsOfNodes(const TriangleBvh& tree,
   return tree.BoxesOfNodes(boxes);
 }
 
-// Returns the least product of a normal and any in the box.
+// Returns the smallest dot product of a normal with any vector in the box.
 double LeastProduct(const RowVector3d& normal, const Box3& box) {
   double sum = 0;
   for (int k = 0; k < 3; ++k) {
@@ -61,7 +61,7 @@ double LeastProduct(const RowVector3d& normal, const Box3& box) {
   return sum;
 }
 
-// The plane between two triangles of a muscle that are separated so.
+// Returns the plane between two triangles of a muscle for their separation.
 SeparatingPlane PlaneAt(const StepOptions& options,
                         const ContactStep& step,
                         int muscle,
@@ -79,7 +79,8 @@ SeparatingPlane PlaneAt(const StepOptions& options,
     if ((b.array() == corner).any()) plane.shared_corner = corner;
   }
   if (plane.shared_corner < 0) return plane;
-  // The shared corner is on the plane; another one stands in for it.
+  // The shared corner lies on the plane; a second copy of another corner
+  // replaces it.
   for (RowVector3i* corners : {&plane.above, &plane.below}) {
     const int other = (*corners)[0] == plane.shared_corner ? 1 : 0;
     for (int k = 0; k < 3; ++k) {
@@ -143,7 +144,7 @@ std::vector<SeparatingPlane> FindPlanesBetweenSheets(const StepOptions& options,
         found[f].push_back(PlaneAt(options, step, muscle, f, g, *separation));
       }
     };
-    // The surface around a triangle mostly faces the same way.
+    // Prunes nodes whose triangles face the same way, as around the triangle.
     tree.TraverseNodes(
         [&](int node) {
           return tree.node_box(node).Overlaps(box) &&

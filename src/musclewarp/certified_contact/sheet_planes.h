@@ -11,9 +11,9 @@
 
 namespace musclewarp {
 
-// Returns the plane that keeps two triangles of one muscle apart as they were
-// before the step or, if they were not, as they are at `targets` (#V x 3, mm),
-// where the coarse mesh has them. Nothing if they are apart in neither place.
+// Returns the plane that separates two triangles of one muscle as before the
+// step or, if they were inseparable then, as at `targets` (#V x 3, mm). Empty
+// if they are separable in neither state.
 std::optional<SeparatingPlane> PlaneBetweenSheets(const StepOptions& options,
                                                   const ContactStep& step,
                                                   const Points& targets,
@@ -21,9 +21,9 @@ std::optional<SeparatingPlane> PlaneBetweenSheets(const StepOptions& options,
                                                   int f,
                                                   int g);
 
-// Finds planes between the sheets of one muscle that face each other at a small
-// distance before the step: the two sides of a crease, or of a part that is
-// thin.
+// Finds planes between sheets of one muscle that face each other at a small
+// distance before the step (PlaneSearchOptions::sheet_distance): the two sides
+// of a crease or of a thin part.
 std::vector<SeparatingPlane> FindPlanesBetweenSheets(const StepOptions& options,
                                                      const ContactStep& step,
                                                      int muscle);

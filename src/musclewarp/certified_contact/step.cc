@@ -30,17 +30,17 @@ DefectCounts CountsOf(const StepOptions& options,
   return counts;
 }
 
-// What a round has come to.
+// The result of a round.
 struct Round {
   StepSummary summary;
   std::vector<Points> points;
 };
 
-// A step that is under way: its planes, and how far the vertices have come.
+// The intermediate state of a step: its planes and the current vertices.
 struct OpenStep {
   PlaneSet planes;
   RelaxedPoints relaxed;
-  std::vector<TriangleBvh> trees;  // fitted to whatever is searched
+  std::vector<TriangleBvh> trees;  // refitted for each search
 };
 
 StepResult ResultOf(const StepOptions& options,
@@ -91,8 +91,8 @@ OpenStep BeginStep(const StepOptions& options,
   return open;
 }
 
-// Relaxes, restores volumes and finds defects until there are none. `state`:
-// all of the result but the points.
+// Relaxes, restores volumes and finds defects until none are left. `state`: the
+// result without its points.
 StepResult FinishStep(const StepOptions& options,
                       const ContactStep& step,
                       ContactState state,
@@ -166,7 +166,7 @@ StepResult Step(const StepOptions& options,
   }
   const int sweeps_before = solve_coarse ? options.sweeps / 2 : 0;
   OpenStep open = BeginStep(options, step, state.targets, sweeps_before);
-  // The other sweeps change little in the push.
+  // The remaining sweeps hardly change the push.
   const double push =
       MoveOfMostMoved(open.relaxed.points, step.predicted, kPushedFarthest);
   if (push > goal.max_push) return GivenUp(push);

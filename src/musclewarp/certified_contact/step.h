@@ -13,16 +13,16 @@
 
 namespace musclewarp {
 
-// What is wrong at the end of a step.
+// The numbers of defects at the end of a step, by which rounds are compared.
 struct DefectCounts {
   int crossing_pairs = 0;       // of triangles of two meshes
   int self_crossing_pairs = 0;  // of triangles of one muscle
 
-  // A vertex is beyond a plane by more than the gap has to spare.
+  // True if a vertex violates a plane by more than
+  // StepOptions::AllowedViolation().
   bool is_gap_violated = false;
 
-  // Of the muscles that have more of them than
-  // DefectOptions::max_folded_fraction.
+  // Of muscles with more than DefectOptions::max_folded_fraction of them.
   int folded_triangles = 0;
 
   bool HasCrossings() const { return crossing_pairs + self_crossing_pairs > 0; }
@@ -31,54 +31,56 @@ struct DefectCounts {
   }
 };
 
-// Returns true if `a` is less bad than `b`: crossings are the worst, then the
-// gap.
+// Returns true if `a` has fewer defects than `b`, in lexicographic order:
+// crossings, the gap, folded triangles.
 bool IsBetter(const DefectCounts& a, const DefectCounts& b);
 
-// How far contact moves vertices beside the way that their muscle is carried is
-// measured without the share of them that moves farthest: single vertices are
-// pushed far where muscles are squeezed.
+// The fractions of vertices, those pushed farthest, that measures of the push
+// ignore: single vertices are pushed far where muscles are squeezed.
 constexpr double kPushedFarthest = 1.0 / 100;  // for the length of steps
-constexpr double kUnsettled = 1.0 / 500;       // for what has settled
+constexpr double kUnsettled = 1.0 / 500;       // for convergence
 
+// The outcome of a step: its defects, and the push by which the caller adapts
+// the length of steps.
 struct StepSummary {
   DefectCounts defects;
   int rounds = 0;
-  double violation = 0;     // of a plane by a vertex, at most, mm
-  double volume_error = 0;  // relative, the worst of all muscles
+  double violation = 0;     // the worst of a plane by a vertex, mm
+  double volume_error = 0;  // relative, worst over the muscles
 
-  // How far contact has pushed the muscle that it pushed farthest, mm, but for
-  // the share kPushedFarthest of its vertices.
+  // The largest distance of vertices from their prediction, mm, over the
+  // muscles, without the fraction kPushedFarthest of the vertices of each, plus
+  // `violation`.
   double push = 0;
 
-  // True if muscles, but for the share kUnsettled of their vertices, are pushed
-  // by less than the reach, so that no second step would push them farther.
+  // True if contact pushes muscles by less than the reach (without the fraction
+  // kUnsettled of vertices), so that a second step would not push them farther.
   bool is_short_of_reach = false;
 
-  // True if the step was given up because it pushes muscles too far. There is
-  // no state then.
+  // True if the step was given up because it pushes muscles too far. The state
+  // is empty then.
   bool is_given_up = false;
 };
 
 struct StepResult {
-  ContactState state;  // of the best round, whatever the summary says
+  ContactState state;  // of the best round, even if it has defects
   StepSummary summary;
 };
 
-// Where a step goes.
+// The target of a step, and the limit on its push.
 struct StepGoal {
-  // The state as it is predicted: its pose, its bones, what they hold, and the
-  // coarse meshes, which carry the vertices to its targets. Its points and
-  // planes are not read.
+  // The predicted state: pose, bones, attached vertices, coarse meshes and the
+  // targets interpolated from them. Its points and planes are not read.
   ContactState state;
 
-  // A step that pushes muscles farther is given up, mm; and so is one that
-  // carries them so far through a bone that planes cannot hold them, unless
-  // this is infinite.
+  // A step that pushes muscles farther than this, mm, is given up. Unless
+  // infinite, a step in which muscles tunnel through a bone by more than
+  // RelaxationOptions::max_push is given up as well, as planes cannot hold them
+  // (MaxTunnelling).
   double max_push = kInfinity;
 };
 
-// What the coarse meshes become as they make way for planes, by muscle; see
+// The result of the coarse solve with contact rows, by muscle; see
 // ContactState.
 struct CoarseSolution {
   std::vector<Points> coarse;
@@ -86,22 +88,21 @@ struct CoarseSolution {
   std::vector<OwnedHalfSpaces> planes;
 };
 
-// Solves the coarse meshes so that they make way for the planes, as far as
-// PlaneSet::MostViolated says. `points`: the vertices between the planes, #V x
-// 3 each, mm.
+// Solves the coarse meshes with the contact rows of PlaneSet::MostViolated.
+// `points`: the relaxed vertices, #V x 3 each, mm.
 using SolveCoarse = std::function<CoarseSolution(
     const PlaneSet& planes, const std::vector<Points>& points)>;
 
-// Moves muscles and bones from `before`, in which no triangles cross, to the
-// goal, so that none cross there. Separating planes are found, vertices are
-// relaxed between them, by half of the sweeps, the coarse meshes are solved to
-// make way for the planes, and the other half follows. Then volumes are
-// restored and defects are found, and rounds go on with planes against these
-// until there are none, at most so many rounds. The best round counts. If
-// triangles cross at the end, the step was too long, or there is no room.
+// Moves muscles and bones from the intersection-free state `before` to the goal
+// so that no triangles cross there. Step() finds separating planes, relaxes the
+// vertices between them with half of the sweeps, solves the coarse meshes with
+// contact rows, and continues with the other half. Then it restores volumes,
+// finds defects, and repeats rounds with planes against them until none are
+// left, at most `max_rounds` times. It returns the best round. Triangles that
+// cross at the end indicate a step that is too long, or a lack of room.
 //
-// Without `solve_coarse` the coarse meshes stay where the goal has them.
-// Precondition (CHECKed): the options are valid.
+// Without `solve_coarse` the coarse meshes stay as in the goal. Precondition
+// (CHECKed): the options are valid.
 StepResult Step(const StepOptions& options,
                 const ContactScene& scene,
                 const ContactState& before,

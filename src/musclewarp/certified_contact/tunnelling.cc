@@ -19,9 +19,9 @@ Box3 BoxOfSegment(const RowVector3d& a, const RowVector3d& b) {
   return BoxOf(corners);
 }
 
-// The share of the way from `start` to `end` after which it meets a triangle, 1
-// if it does not (Moeller and Trumbore 1997). Rounding at the edges does not
-// matter: ways of other vertices meet the mesh, too.
+// Returns the fraction of the path from `start` to `end` before it hits a
+// triangle, 1 if it does not (Moeller and Trumbore 1997). Rounding at edges
+// does not matter, as the paths of neighbouring vertices hit the mesh, too.
 double ShareBefore(const RowVector3d& start,
                    const RowVector3d& end,
                    const Corners& triangle) {
@@ -40,7 +40,7 @@ double ShareBefore(const RowVector3d& start,
   return meets ? std::min(share, 1.0) : 1;
 }
 
-// By vertex: true if one of its triangles may cross the bone.
+// Returns for each vertex true if one of its triangles may cross the bone.
 std::vector<char> ExemptVertices(const MuscleSurface& muscle, int bone) {
   std::vector<char> exempt(muscle.num_vertices(), 0);
   for (Eigen::Index f = 0; f < muscle.triangles.rows(); ++f) {

@@ -6,12 +6,13 @@
 
 namespace musclewarp {
 
-// Returns the longest way, mm, on which a step would carry a vertex after it
-// has run into a bone; zero if none does. Ways are straight in the frame of the
-// bone, and those of triangles that may cross it do not count.
+// Returns the longest distance, mm, that a step would carry a vertex beyond the
+// first hit of its path with a bone; zero if there is none. Paths are straight
+// in the frame of the bone. Vertices of triangles that may cross the bone are
+// ignored.
 //
-// Planes hold the vertices that are near a bone. In a long step a muscle that
-// is not may pass through a bone and leave no crossing behind: this tells.
+// Planes hold only vertices near a bone. In a long step a distant muscle may
+// pass through a bone without leaving a crossing; this function detects it.
 double MaxTunnelling(const ContactStep& step);
 
 }  // namespace musclewarp

@@ -15,8 +15,8 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// How much each vertex takes part, #V: one where neither a plane nor a bone
-// holds it, zero where one does, and in between beside such a vertex.
+// Returns the weight of each vertex in the restoration, #V: one for free
+// vertices, zero for those held by a plane or a bone, smoothed in between.
 Eigen::VectorXd SharesOf(const MuscleSurface& surface,
                          const AttachedPoints& attached,
                          const Points& points,
@@ -55,7 +55,7 @@ Points NormalsOf(const Points& points, const Triangles& triangles) {
   return normals;
 }
 
-// Returns the relative error that is left.
+// Returns the remaining relative error.
 double RestoreVolume(const StepOptions& options,
                      const MuscleSurface& surface,
                      const AttachedPoints& attached,

@@ -11,16 +11,17 @@
 
 namespace musclewarp {
 
+// The result of RestoreVolumes.
 struct RestoredVolumes {
   std::vector<Points> points;  // of the muscles, #V x 3, mm
   double worst_error = 0;      // relative, over the muscles
 };
 
-// Makes the volume of every muscle exact again after a relaxation: vertices
-// that neither a plane nor a bone holds move along their normals, those beside
-// held ones less, and all of them stay in their half-spaces. As in the paper,
-// vertices in contact take no part (section 3.3). An error remains if planes
-// hold too much of a muscle, or the steps run out.
+// Restores the volume of every muscle after a relaxation: vertices held by
+// neither a plane nor a bone move along their normals, less so next to held
+// ones, and all stay in their half-spaces. As in the paper, vertices in contact
+// do not take part (section 3.3). An error remains if planes hold too much of a
+// muscle, or after VolumeOptions::max_steps steps.
 RestoredVolumes RestoreVolumes(const StepOptions& options,
                                const ContactStep& step,
                                const RelaxedPoints& relaxed,
