@@ -13,7 +13,7 @@
 namespace musclewarp {
 namespace {
 
-// A copy of the options with what follows from the kind of contact.
+// Returns the options, with the repairs that the kind of contact requires.
 DeformerOptions Completed(DeformerOptions options) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
@@ -51,8 +51,8 @@ Deformer::Deformer(Scene scene, DeformerOptions options)
                                   std::make_shared<SceneMeshes>(*scene_),
                                   std::move(preparation.rest));
   if (recording) scene_->stages = recording->times();
-  // Where a motion starts is found when one does: with the paper's contact that
-  // takes a solve.
+  // The first MoveTo() computes the start of the motion: with the paper's
+  // contact this takes a solve.
 }
 
 Preparation Deformer::PrepareAnew(const Scene& scene) const {

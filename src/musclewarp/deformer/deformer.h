@@ -17,30 +17,31 @@
 
 namespace musclewarp {
 
+// All options of a Deformer: preparation, contact, solver and cache.
 struct DeformerOptions {
-  // How meshes are repaired, wrapped and analysed. Slivers are removed from
-  // muscles for certified contact, whatever these options say.
+  // Repair, hulls and analysis of the meshes. Certified contact always removes
+  // self-crossings, and slivers of muscles, whatever these options say.
   PrepareOptions prepare;
 
-  // The kind of contact, and how poses are reached.
+  // The kind of contact, and the steps to a pose.
   FrameSolverOptions frames;
 
-  // What happens to meshes that cannot be separated in the rest pose.
+  // Reconstruction of meshes that cannot be separated in the rest pose.
   ReconstructionOptions reconstruction;
 
   SolverConfiguration solver;
 
-  // Where preparations are kept from run to run; by default nowhere.
+  // The cache of preparations on disk; disabled by default.
   PreparationCacheOptions cache;
 
-  // Measure how long the stages of each frame take (Frame::stages), and those
+  // If true, measures the times of the stages of each frame (Frame::stages) and
   // of the preparation (PreparedScene::stages).
   bool record_stages = false;
 
-  // Called while the scene is prepared and moved. It may throw to stop.
+  // Called during preparation and motion. May be empty, and may throw to abort.
   ProgressCallback on_progress;
 
-  // Also checks the options within.
+  // Also checks the nested options.
   bool IsValid(std::string* error) const;
 };
 
@@ -56,50 +57,51 @@ struct DeformerOptions {
 //
 // The constructor repairs the meshes, wraps them in coarse hulls, factors the
 // constant matrices and, with certified contact, separates meshes that overlap
-// as they are delivered. That takes seconds; a frame takes a fraction of one.
+// as delivered. Construction takes seconds, a frame a fraction of a second.
 class Deformer {
  public:
   // Throws InputError if the scene contradicts itself, a mesh cannot be read or
-  // repaired, the rest pose cannot be made free of crossings, or the folder of
-  // the cache cannot be made. Precondition (CHECKed): the options are valid.
+  // repaired, the rest pose cannot be made intersection-free, or the folder of
+  // the cache cannot be created. Precondition (CHECKed): the options are valid.
   explicit Deformer(Scene scene, DeformerOptions options = {});
 
-  // Moves the muscles from where they are to a pose. Frames of a motion follow
-  // each other like this, in small steps and without jumps. Throws InputError
-  // for a pose that contradicts the scene (CheckPose), as SolveAlone() does.
+  // Moves the muscles from their current state to a pose. Consecutive calls
+  // compute a motion, in small steps and without jumps. Throws InputError for a
+  // pose that contradicts the scene (CheckPose), as SolveAlone() does.
   Frame MoveTo(const ScenePose& pose);
 
-  // Returns the frame of a pose that is on its own: it does not depend on where
-  // the muscles are now, and they stay there.
+  // Returns the frame of an isolated pose: it is independent of the current
+  // state, which does not change.
   Frame SolveAlone(const ScenePose& pose);
 
-  // Moves the muscles back to where a motion starts.
+  // Moves the muscles back to the start of a motion.
   void Reset();
 
-  // Returns the scene as it was delivered and repaired, before any contact.
+  // Returns the frame of the scene as delivered and repaired, before any
+  // contact.
   const Frame& RestFrame() { return frame_solver_->RestFrame(); }
 
-  // Returns the meshes after repair, the hulls, and everything else that does
-  // not change with the pose.
+  // Returns the repaired meshes, the hulls and all other data that is
+  // independent of the pose.
   const PreparedScene& scene() const { return *scene_; }
 
-  // Returns a description of the contact as it was prepared.
+  // Returns a description of the prepared contact.
   const ContactReport& contact() const { return frame_solver_->contact(); }
 
-  // Returns in how many steps a pose can be reached from the pose `from` or, if
-  // that is null, by SolveAlone(), if they are short. Fewer may do, but the
-  // time of a frame can be foretold by their number.
+  // Returns the number of short steps to a pose from the pose `from` or, if
+  // that is null, of SolveAlone(). The actual number may be smaller; the
+  // estimate serves to predict the time of a frame.
   int ExpectedSteps(const ScenePose* from, const ScenePose& pose) const {
     return frame_solver_->ExpectedSteps(from, pose);
   }
 
-  // Where the muscles are, to be put back later. A state that was put in must
-  // be one of the same scene and options.
+  // The current state of the muscles, to be restored later. set_state()
+  // requires a state of the same scene and options.
   const SceneState& state() const { return state_; }
   void set_state(SceneState state) { state_ = std::move(state); }
 
  private:
-  // Returns the scene prepared and separated, from the cache if it is there.
+  // Returns the prepared and separated scene, from the cache if available.
   Preparation Prepare(const Scene& scene) const;
   Preparation PrepareAnew(const Scene& scene) const;
 

@@ -14,7 +14,7 @@ namespace musclewarp {
 
 RestSeparationOptions MeshSeparationOptions() {
   RestSeparationOptions options;
-  // docs/results.md has the figures with the coarse solve and without.
+  // docs/results.md compares separation with and without the coarse solve.
   options.contact.coarse_weight = 0;
   options.prepare.makes_lines = false;
   options.prepare.attachments = AttachmentKind::kNone;

@@ -10,26 +10,27 @@
 
 namespace musclewarp {
 
-// Meshes that have been separated, and their certificate.
+// The result of SeparateMeshes: the separated meshes and their certificate.
 struct MeshSeparation {
   PreparedScene scene;
   RestResult rest;
 
-  // What crossed before anything was separated or made anew.
+  // The intersections before separation and reconstruction.
   SceneIntersections before;
 
   // The separated meshes, measured and judged.
   Frame frame;
 };
 
-// Options with which meshes are separated that no motion follows: neither lines
-// nor attachments are made, and only what is around an overlap moves.
+// Returns options for a separation without a subsequent motion: without lines
+// and attachments, and with displacements limited to the surroundings of
+// overlaps.
 RestSeparationOptions MeshSeparationOptions();
 
-// Separates the meshes of a scene as they are (SeparateRest). Poses and lines
-// are of no use to it. `on_progress` may be empty. Throws InputError if the
-// scene contradicts itself, a mesh cannot be read or repaired, or the meshes
-// cannot be separated. Precondition (CHECKed): the options are valid.
+// Separates the meshes of a scene in their rest pose (SeparateRest). Poses and
+// lines are ignored. `on_progress` may be empty. Throws InputError if the scene
+// contradicts itself, a mesh cannot be read or repaired, or the meshes cannot
+// be separated. Precondition (CHECKed): the options are valid.
 MeshSeparation SeparateMeshes(const Scene& scene,
                               const RestSeparationOptions& options,
                               const ProgressCallback& on_progress);

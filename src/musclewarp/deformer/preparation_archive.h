@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// How cereal writes and reads everything that a preparation consists of, for
-// preparation_cache.cc.
+// Serialization of a Preparation by cereal, for preparation_cache.cc.
 
 #include <cereal/types/optional.hpp>
 #include <cereal/types/string.hpp>
@@ -69,7 +68,7 @@ MUSCLEWARP_ARCHIVE(
     SceneBone, name, points, triangles, body, mesh_path, rest_from_file)
 MUSCLEWARP_ARCHIVE(ExemptArea, muscle, bone, vertices, triangles)
 
-// What was done to a mesh.
+// Repairs of a mesh.
 
 MUSCLEWARP_ARCHIVE(MeshDefects,
                    duplicate_points,
@@ -140,7 +139,7 @@ MUSCLEWARP_ARCHIVE(MeshPreparation,
 MUSCLEWARP_ARCHIVE(SegmentPoint, line, segment, t)
 MUSCLEWARP_ARCHIVE(EmbeddedLines, from_coarse, starts)
 MUSCLEWARP_ARCHIVE(AttachedVertices, vertices, attachment)
-// The normal matrix follows from the others.
+// The normal matrix is computed from the other fields.
 MUSCLEWARP_ARCHIVE_WITHOUT(MuscleModel,
                            (normal_matrix),
                            name,
@@ -199,7 +198,7 @@ MUSCLEWARP_ARCHIVE(SceneIntersections,
                    gaps,
                    inside_of_muscles)
 MUSCLEWARP_ARCHIVE(BoneCrossing, a, b, triangle_pairs, place)
-// The caller has the scene itself, and times are those of the reading run.
+// The caller provides the scene itself, and times are those of the reading run.
 MUSCLEWARP_ARCHIVE_WITHOUT(PreparedScene,
                            (scene, is_cached, wall_ms, stages),
                            muscles,

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The first bytes of a file. The key and the checksum of the rest follow.
+// The first bytes of a file, followed by the key and a checksum of the rest.
 constexpr char kMagic[] = "musclewarp preparation 3\n";
 
 constexpr char kExtension[] = ".preparation";
@@ -38,7 +38,7 @@ std::string ChecksumOf(std::string_view bytes) {
   return hash.Hex();
 }
 
-// Returns the checksum of the code, and of the fields that it archives.
+// Returns the checksum of the code and of the archived fields.
 std::string KeyOfCode(const std::string& code_key) {
   ContentHash hash;
   hash.Add(code_key);
@@ -54,7 +54,7 @@ std::string Archived(const Parts&... parts) {
   return stream.str();
 }
 
-// Returns the checksum of all that a preparation depends on but the code.
+// Returns the checksum of the options, the scene and its mesh files.
 std::string KeyOf(const PreparationCacheOptions& options, const Scene& scene) {
   ContentHash hash;
   hash.Add(options.options_key);
@@ -72,15 +72,16 @@ std::string KeyOf(const PreparationCacheOptions& options, const Scene& scene) {
   return hash.Hex();
 }
 
-// The lines of the muscles, which preparing adds where there are none.
+// Returns the lines of the muscles. Preparation makes lines for muscles without
+// any.
 std::vector<std::vector<ActionLine>> LinesOf(const Scene& scene) {
   std::vector<std::vector<ActionLine>> lines;
   for (const SceneMuscle& muscle : scene.muscles) lines.push_back(muscle.lines);
   return lines;
 }
 
-// Returns true if a file begins as that of `key` does and its checksum is
-// right. Leaves the file at what is archived.
+// Returns true if a file starts with the header of `key` and its checksum
+// matches. Leaves the file positioned at the archived data.
 bool IsIntact(const std::string& key, std::istream* file) {
   const std::string begin = kMagic + key;
   std::string header(begin.size() + ChecksumOf("").size(), '\0');
@@ -92,8 +93,8 @@ bool IsIntact(const std::string& key, std::istream* file) {
   return true;
 }
 
-// Logs the first preparation of the scene that other code has kept. There is no
-// file of this code.
+// Logs a preparation of the scene by another version of the code, if any.
+// Called if this version has not stored one.
 void SayIfOtherCodeHasOne(const std::string& folder,
                           const std::string& scene_key) {
   std::error_code error;
@@ -166,7 +167,7 @@ std::optional<Preparation> PreparationCache::Read(const Scene& scene) const {
     preparation.scene.is_cached = true;
     preparation.scene.wall_ms = reading.Milliseconds();
     return preparation;
-  } catch (const std::exception& error) {  // whatever a bad file leads to
+  } catch (const std::exception& error) {  // any error of a damaged file
     LOG(WARNING) << path_ << ": cannot be read (" << error.what()
                  << "); the scene is prepared again";
   }

@@ -12,15 +12,16 @@
 
 namespace musclewarp {
 
+// The folder of a PreparationCache, and the part of its key that stands for the
+// options.
 struct PreparationCacheOptions {
-  // The folder in which preparations are kept from run to run; it is made if
-  // need be. Empty: none are kept. Whatever is in it may be deleted at any
-  // time.
+  // The folder of the cache, created if necessary. Empty: no cache. Its
+  // contents may be deleted at any time.
   std::string folder;
 
-  // A text that differs between any two sets of options with which a scene is
-  // prepared differently; it must not be empty if there is a folder. Programs
-  // give their flags.
+  // A text that identifies the options of the preparation: options that lead to
+  // different preparations need different texts. Must not be empty if `folder`
+  // is set. Programs pass their flags.
   std::string options_key;
 
   // Returns false and names the field, its value and the rule if a field is out
@@ -28,17 +29,17 @@ struct PreparationCacheOptions {
   bool IsValid(std::string* error) const;
 };
 
-// What preparing a scene comes to: all that takes long.
+// The result of preparing a scene, which takes long to compute.
 struct Preparation {
   PreparedScene scene;
   std::optional<RestResult> rest;  // with certified contact
 };
 
-// Keeps the preparation of a scene on disk, in a file of its own, so that a
-// later run with the same meshes, lines, poses and options, by the same code,
-// has it in a fraction of the time. What it reads is bit for bit what was
-// written, and so are the frames. What other code has kept is neither read nor
-// replaced.
+// Caches the preparation of a scene on disk, one file per scene, so that later
+// runs with the same meshes, lines, poses, options and code read it in a
+// fraction of the time. Preparations are restored bit for bit, and so are the
+// frames computed from them. Files of other versions of the code are neither
+// read nor replaced.
 //
 //   const PreparationCache cache({folder, flags}, scene);
 //   std::optional<Preparation> preparation = cache.Read(scene);
@@ -47,25 +48,24 @@ struct Preparation {
 //     cache.Write(*preparation);
 //   }
 //
-// Files appear complete or not at all, so that several programs may share a
-// folder.
+// Files are written atomically, so several programs may share a folder.
 class PreparationCache {
  public:
-  // Finds the file that belongs to the scene, by its contents and those of its
-  // mesh files, and to the code. Throws InputError if the folder cannot be
-  // made, or a file of the scene cannot be read. Precondition (CHECKed): the
+  // Computes the path of the file from the contents of the scene and its mesh
+  // files, the options and the code. Throws InputError if the folder cannot be
+  // created, or a file of the scene cannot be read. Precondition (CHECKed): the
   // options are valid and name a folder.
   PreparationCache(const PreparationCacheOptions& options,
                    const Scene& scene,
                    const std::string& code_key = CodeKey());
 
-  // Returns the preparation of `scene`, the one of the constructor, or nothing
-  // if it is not there. If only other code has kept one, or if the file is
-  // damaged or that of another scene, that is logged.
+  // Returns the preparation of `scene`, the scene of the constructor, or
+  // nothing if none is stored. Logs a warning if the file is damaged or of
+  // another scene, or if only another version of the code has stored one.
   std::optional<Preparation> Read(const Scene& scene) const;
 
-  // Writes a preparation. That it cannot be written, because the disk is full,
-  // is logged and changes nothing else.
+  // Writes a preparation. A failure, as on a full disk, is logged and has no
+  // other effect.
   void Write(const Preparation& preparation) const;
 
   // Returns the path of the file.
@@ -73,8 +73,8 @@ class PreparationCache {
 
  private:
   std::string folder_;
-  std::string scene_key_;  // begins the name of every file of the scene
-  std::string key_;        // in the file: of scene and code
+  std::string scene_key_;  // prefix of the name of every file of the scene
+  std::string key_;        // of scene and code, also stored in the file
   std::string path_;
 };
 

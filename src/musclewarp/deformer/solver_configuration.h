@@ -11,15 +11,16 @@
 
 namespace musclewarp {
 
-// Which solver moves the muscles, with all its options, by name. The default is
-// the one to use; the others are there to be compared with it.
+// The solver that moves the muscles, selected by name, with its options. The
+// default is recommended; the others serve for comparison.
 struct SolverConfiguration {
   std::string name = "ceres";
   bool is_reference = false;
   GaussNewtonOptions gauss_newton;  // of the reference, without contact
-  MuscleGroupOptions ceres;  // the reference takes its iteration limits, too
+  // With contact, the reference uses the iteration limits of these, too.
+  MuscleGroupOptions ceres;
 
-  // Also checks the options within.
+  // Also checks the nested options.
   bool IsValid(std::string* error) const;
 };
 
@@ -33,10 +34,11 @@ struct SolverConfiguration {
 //   ceres_dogleg            plain blocks, dense Cholesky, dogleg steps
 const std::vector<std::string>& SolverConfigurationNames();
 
-// Precondition (CHECKed): it is one of the names.
+// Returns the configuration with a name. Precondition (CHECKed): `name` is one
+// of SolverConfigurationNames().
 SolverConfiguration SolverConfigurationNamed(const std::string& name);
 
-// Returns the solvers of a configuration, which is copied.
+// Returns the solvers of a configuration. The configuration is copied.
 MuscleSolvers SolversOf(const SolverConfiguration& configuration);
 
 }  // namespace musclewarp
