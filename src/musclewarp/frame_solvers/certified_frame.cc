@@ -13,7 +13,7 @@
 namespace musclewarp {
 namespace {
 
-// The pairs of muscles that lie on each other.
+// Returns the pairs of muscles at most `touching_distance` (mm) apart.
 std::vector<std::pair<int, int>> TouchingMuscles(
     const SceneIntersections& intersections, double touching_distance) {
   std::vector<std::pair<int, int>> touching;
@@ -24,8 +24,8 @@ std::vector<std::pair<int, int>> TouchingMuscles(
   return touching;
 }
 
-// Returns the fine meshes of a state as they would be without contact, in the
-// order of the scene: each free shape, with its attachments in place.
+// Returns the fine meshes of a state without contact, in the order of the
+// scene: the solutions without contact, with offsets at their attachments.
 std::vector<Points> MeshesWithoutContact(const CertifiedScene& certified,
                                          const ContactState& state) {
   std::vector<Points> meshes(certified.order.size());
@@ -41,7 +41,7 @@ std::vector<Points> MeshesWithoutContact(const CertifiedScene& certified,
   return meshes;
 }
 
-// Measures how far attachments have left their bodies.
+// Measures the distances of attached vertices from their bodies.
 void MeasureDrift(const CertifiedScene& certified,
                   const ContactState& state,
                   Frame* frame) {
@@ -55,8 +55,8 @@ void MeasureDrift(const CertifiedScene& certified,
   }
 }
 
-// Measures what contact has done to the muscles of a frame, against their
-// shapes without contact.
+// Measures the displacement of the muscles of a frame by contact, relative to
+// their shapes without contact.
 void MeasureContact(const CertifiedScene& certified,
                     const ContactState& state,
                     double touching_distance,
@@ -93,7 +93,7 @@ void MeasureContact(const CertifiedScene& certified,
   }
 }
 
-// Returns what the certificate judges of a muscle.
+// Returns the measures of a muscle that the certificate judges.
 MuscleMeasures MeasuresOf(const PreparedMuscle& prepared,
                           const MuscleFrame& muscle) {
   MuscleMeasures measures = MuscleMeasuresOf(prepared, muscle);
@@ -108,7 +108,7 @@ MuscleMeasures MeasuresOf(const PreparedMuscle& prepared,
   return measures;
 }
 
-// Lists what the frame does not hold of the requirements.
+// Lists the violated requirements as shortcomings of the frame.
 void Judge(const PreparedScene& scene,
            const FrameRequirements& requirements,
            Frame* frame) {
@@ -120,8 +120,9 @@ void Judge(const PreparedScene& scene,
       Shortcomings(requirements, frame->intersections, measures);
 }
 
-// Looks for bones that lie in each other where the frame falls short: they may
-// be why. Precondition: the meshes of the bones are at the frame.
+// Finds overlapping bones if the frame has shortcomings or drifting
+// attachments, as they are a possible cause. Precondition: the meshes of the
+// bones are in the pose of the frame.
 void AddBoneOverlaps(const PreparedScene& scene,
                      const SceneMeshes& meshes,
                      Frame* frame) {

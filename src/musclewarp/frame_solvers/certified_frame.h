@@ -14,11 +14,10 @@
 namespace musclewarp {
 
 // Returns the frame of a state in contact, measured and judged by the
-// certificate: what the frame does not hold of the requirements is among its
-// shortcomings. Its times and moment arms are left to the caller. `before` are
-// the fine meshes that the pose was reached from, as MeasureFrame() has them,
-// and `summaries` those of the solves, both in the order of the scene. `meshes`
-// are those of the scene and are moved.
+// certificate: violated requirements are listed as its shortcomings. The caller
+// adds times and moment arms. `before`: the fine meshes before the motion, as
+// for MeasureFrame(); `summaries`: those of the solves; both in the order of
+// the scene. `meshes`: the meshes of the scene, which are moved.
 Frame CertifiedFrame(const PreparedScene& scene,
                      const CertifiedScene& certified,
                      const FrameRequirements& requirements,
@@ -27,9 +26,9 @@ Frame CertifiedFrame(const PreparedScene& scene,
                      std::vector<SolverSummary> summaries,
                      SceneMeshes* meshes);
 
-// Returns the muscles, by number, that contact has moved farther in the
-// separated rest pose than the requirements allow. `intersections` are those of
-// the rest pose. `meshes` are those of the scene and are moved.
+// Returns the indices of the muscles whose displacement by contact in the
+// separated rest pose exceeds the requirements. `intersections`: those of the
+// rest pose. `meshes`: the meshes of the scene, which are moved.
 std::vector<int> MusclesDisplacedAtRest(const PreparedScene& scene,
                                         const CertifiedScene& certified,
                                         const FrameRequirements& requirements,

@@ -9,12 +9,13 @@
 
 namespace musclewarp {
 
-// With certified contact: muscles cross neither bones nor each other in any
-// frame, and what a frame does not hold of that is among its shortcomings. A
-// frame on its own starts from the separated rest pose.
+// The frame solver with certified contact: muscles cross neither bones nor each
+// other in any frame, and the certificate lists violations as shortcomings of
+// the frame. An isolated frame starts from the separated rest pose.
 class CertifiedFrameSolver : public FrameSolver {
  public:
-  // `meshes` are in the rest pose, and `rest` is that of the scene.
+  // `meshes`: the meshes of the scene, in the rest pose. `rest`: the separated
+  // rest pose of the scene.
   CertifiedFrameSolver(const PreparedScene& scene,
                        const FrameSolverOptions& options,
                        std::shared_ptr<SceneMeshes> meshes,

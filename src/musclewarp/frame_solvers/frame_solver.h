@@ -22,9 +22,9 @@
 
 namespace musclewarp {
 
-// What keeps muscles out of bones and of each other.
+// The method that prevents muscles from penetrating bones and each other.
 enum class ContactKind {
-  kNone,       // nothing: every muscle deforms on its own
+  kNone,       // no contact: every muscle deforms on its own
   kPaper,      // Kellnhofer and Kohout, section 3
   kCertified,  // no triangles cross, and a certificate proves it
 };
@@ -32,11 +32,12 @@ enum class ContactKind {
 // "none", "paper" or "certified": the text of flags and reports.
 std::string ToString(ContactKind kind);
 
+// The kind of contact and the options of all frame solvers.
 struct FrameSolverOptions {
   ContactKind contact = ContactKind::kCertified;
   PreRotationOptions pre_rotation;
 
-  // The options of the paper's contact, and the steps in which it follows a
+  // The options of the paper's contact, and the limits of its steps in a
   // motion.
   PaperSceneOptions paper;
   StepLimits paper_limits;
@@ -45,7 +46,7 @@ struct FrameSolverOptions {
   CertifiedContactOptions certified;
   FrameRequirements requirements;
 
-  // Also checks the options within.
+  // Also checks the nested options.
   bool IsValid(std::string* error) const;
 };
 
@@ -54,31 +55,31 @@ struct ContactReport {
   ContactKind kind = ContactKind::kNone;
   std::string name = "none";  // the kind, and its variant: "paper/coarse"
 
-  // True if all muscles are solved together, so that each counts the iterations
-  // of all of them.
+  // True if all muscles are solved together. The iterations of each are then
+  // those of the joint solve.
   bool is_solved_together = false;
   nlohmann::ordered_json options;  // "contact_options" of report.json
   std::vector<std::string> warnings;
   double prepare_ms = 0;
 
-  // The intersections in the rest pose once contact has separated the meshes as
-  // they were delivered. Nothing without contact.
+  // The intersections in the rest pose after contact has separated the
+  // delivered meshes. Empty without contact.
   std::optional<SceneIntersections> rest;
 
-  // The muscles, by number, that contact has moved farther in the rest pose
-  // than the requirements allow, most likely because a bone or another muscle
-  // cuts off a part of them.
+  // The indices of the muscles whose displacement by contact in the rest pose
+  // exceeds the requirements, most likely because a bone or another muscle cuts
+  // off a part of them.
   std::vector<int> displaced_at_rest;
 };
 
-// A frame, and the state that the next frame starts from.
+// A frame, and the start of the next one.
 struct SolvedFrame {
   Frame frame;
   SceneState state;
 };
 
-// Moves a prepared scene to poses, with whatever kind of contact. There is one
-// implementation for each kind; callers need not know which one they have.
+// Moves a prepared scene to poses, independently of the kind of contact: the
+// interface of one implementation per kind.
 //
 //   RestResult rest = SeparateRest({options.certified, ...}, ..., &scene);
 //   auto solver = MakeFrameSolver(scene, options, meshes, rest);
@@ -93,22 +94,22 @@ class FrameSolver {
 
   const ContactReport& contact() const { return contact_; }
 
-  // Returns the frame of the scene as it was delivered.
+  // Returns the frame of the scene as delivered.
   const Frame& RestFrame();
 
-  // Returns the state that the first frame of a motion starts from.
+  // Returns the start of the first frame of a motion.
   virtual SceneState StartOfMotion(const MuscleSolvers& solvers) = 0;
 
-  // Returns in how many steps a pose can be reached from the pose `from` (null:
-  // on its own, see Solve) if they are short. Fewer may do, but the time of a
-  // frame can be foretold by their number.
+  // Returns the number of short steps to a pose from the pose `from` (null: an
+  // isolated pose, see Solve). The actual number may be smaller; the estimate
+  // serves to predict the time of a frame.
   virtual int ExpectedSteps(const ScenePose* from,
                             const ScenePose& pose) const = 0;
 
-  // Moves the muscles to a pose, from their state in the frame before or, if
-  // `before` is null, on their own: the frame then does not depend on any other
-  // frame. `on_progress` may be empty. The frame is measured and, with
-  // certified contact, judged.
+  // Moves the muscles to a pose, from their state in the frame before. If
+  // `before` is null, the pose is isolated: its frame is independent of all
+  // others. `on_progress` may be empty. The frame is measured and lists its
+  // shortcomings, if the kind of contact judges any.
   virtual SolvedFrame Solve(const MuscleSolvers& solvers,
                             const ScenePose& pose,
                             const SceneState* before,
@@ -129,11 +130,11 @@ class FrameSolver {
 };
 
 // Makes the frame solver of a scene for the kind of contact in the options.
-// `meshes` are those of the scene, in the rest pose; several frame solvers may
-// share them. Keeps a reference to the scene. Certified contact starts from
-// `rest`, what SeparateRest() made of an equal scene with equal options; the
-// others have no use for it. Preconditions (CHECKed): the options are valid,
-// and there is a rest with certified contact.
+// `meshes`: the meshes of the scene, in the rest pose; several frame solvers
+// may share them. Keeps a reference to the scene. Certified contact starts from
+// `rest`, the result of SeparateRest() for an equal scene and equal options;
+// other kinds ignore it. Preconditions (CHECKed): the options are valid, and
+// `rest` is given for certified contact.
 std::unique_ptr<FrameSolver> MakeFrameSolver(
     const PreparedScene& scene,
     const FrameSolverOptions& options,

@@ -65,7 +65,7 @@ SolvedFrame FreeFrameSolver::Solve(const MuscleSolvers& solvers,
   return result;
 }
 
-// Without contact nothing but the shapes is judged.
+// Without contact, only the shapes are judged.
 std::vector<std::string> FreeFrameSolver::ShortcomingsOf(
     const Frame& frame) const {
   constexpr double kMaxVolumeError = 1e-6;

@@ -10,8 +10,8 @@
 
 namespace musclewarp {
 
-// Without contact: every muscle deforms on its own, in one step, so that a
-// frame does not depend on the way to it.
+// The frame solver without contact: every muscle deforms on its own, in one
+// step, whatever the motion.
 class FreeFrameSolver : public FrameSolver {
  public:
   FreeFrameSolver(const PreparedScene& scene,

@@ -9,10 +9,10 @@
 
 namespace musclewarp {
 
-// With the contact of the paper (section 3). A frame on its own starts from the
-// unconstrained shapes, with an initial fix: bones do not pass through their
-// rest pose on the way. A frame of a motion follows on the one before, in steps
-// in which no bone passes through a muscle.
+// The frame solver with the contact of the paper (section 3). An isolated frame
+// starts from the unconstrained shapes in its pose, with an initial fix,
+// instead of a motion from the rest pose. A frame of a motion starts from the
+// one before, in steps so small that no bone passes through a muscle.
 class PaperFrameSolver : public FrameSolver {
  public:
   PaperFrameSolver(const PreparedScene& scene,
@@ -31,8 +31,9 @@ class PaperFrameSolver : public FrameSolver {
   SolvedPose SolveGroup(const GroupSolver& solver,
                         const ScenePose& pose,
                         const SceneState* before) const;
-  // What the next pose starts from: offsets of fine vertices are part of it
-  // where contact acts on them. Else they are a last correction, made anew.
+  // Returns the start of the next pose. With contact at the fine level it
+  // includes the offsets of fine vertices; at the coarse level these are a
+  // final correction, recomputed for every pose.
   SceneState StateOf(const ScenePose& pose, const SolvedPose& solved) const;
 
   PaperScene paper_;

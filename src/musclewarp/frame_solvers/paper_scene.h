@@ -18,27 +18,27 @@ namespace musclewarp {
 struct PaperSceneOptions {
   GroupContactOptions group;
 
-  // The hulls of bones, which contact at the coarse level needs. They have more
-  // vertices than those of muscles: nothing is solved on them, and they decide
-  // how near a muscle may come.
+  // The hulls of bones for contact at the coarse level. They have more vertices
+  // than those of muscles: they add no unknowns, and their accuracy limits how
+  // closely a muscle may approach a bone.
   OuterHullOptions bone_hull;
 
   PaperSceneOptions() { bone_hull.coarse_vertices = 1000; }
 
-  // Also checks the options within.
+  // Also checks the nested options.
   bool IsValid(std::string* error) const;
 };
 
-// The meshes of a scene as the paper's contact sees them. Constant once it is
-// prepared.
+// The contact shapes of a scene for the paper's contact, shared by all poses.
+// Constant after preparation.
 struct PaperScene {
   using Shapes = std::vector<std::unique_ptr<const ContactShape>>;
   PaperSceneOptions options;
-  Shapes muscle_hulls, bone_hulls;  // none at the fine level
+  Shapes muscle_hulls, bone_hulls;  // empty at the fine level
   Shapes muscles, bones;
 
-  // Warnings about meshes that lie inside others or occur twice: contact moves
-  // them somewhere, but hardly where it is wanted.
+  // Warnings about meshes that lie inside others or are duplicates: contact
+  // cannot separate them in a meaningful way.
   std::vector<std::string> warnings;
   double wall_ms = 0;
 };
@@ -48,8 +48,8 @@ struct PaperScene {
 PaperScene PreparePaperScene(const PreparedScene& scene,
                              const PaperSceneOptions& options);
 
-// Returns the contact of one pose, with bones where the pose has them and
-// muscles at rest. Keeps pointers to both scenes.
+// Returns the contact of one pose, with bones in that pose and muscles at rest.
+// Keeps pointers to both scenes.
 GroupContact ContactInPose(const PreparedScene& scene,
                            const PaperScene& contact,
                            const ScenePose& pose);

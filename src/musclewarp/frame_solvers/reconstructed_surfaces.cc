@@ -39,8 +39,8 @@ CellSurfaceOptions SurfaceOptions(const ReconstructionOptions& options,
   return surface;
 }
 
-// Halves the spacing of the samples until there are several across a thin
-// muscle: twice its volume by its area is what a plate of its thickness has.
+// Halves the spacing until several samples lie across a thin muscle. The mean
+// thickness is twice the volume over the area, as for a plate.
 double SpacingWithin(const ReconstructionOptions& options,
                      const MuscleModel& muscle,
                      double spacing) {
@@ -52,11 +52,11 @@ double SpacingWithin(const ReconstructionOptions& options,
   return spacing;
 }
 
-// Makes a surface that crosses no bone, with as large a margin as that takes,
-// which is left in *surface_options: a
-// bone may have details between the samples of a surface. Where a thin muscle
-// would lose too much by the margin, such details are left to the separation of
-// the new surfaces.
+// Reconstructs a surface that crosses no bone, if possible, by enlarging the
+// margin: bones may have details between the samples of the surface. The last
+// margin tried is returned in *surface_options. A thin muscle that would lose
+// too much volume keeps the smaller margin; the separation of the new surfaces
+// then resolves such details.
 TriangleSoup SurfaceBesideBones(const ReconstructionOptions& options,
                                 int attempt,
                                 const SolidDistance& muscle,
@@ -87,7 +87,7 @@ TriangleSoup SurfaceBesideBones(const ReconstructionOptions& options,
     if (!crosses) return surface;
     before = std::move(surface);
     cell.margin *= options.margin_growth;
-    // A cell is bounded by what is in range of its margin.
+    // The range must exceed the margin: meshes beyond it do not bound a cell.
     cell.range = std::max(cell.range, 2 * cell.margin);
   }
 }
@@ -116,9 +116,9 @@ class Solids {
   std::vector<const SolidDistance*> muscles_, bones_;
 };
 
-// Gives a body even triangles and, as far as there is room, the volume of the
-// mesh before it was made anew. Even triangles cut corners: what they cost is
-// asked for once more.
+// Remeshes a body with even triangles and grows it, as far as there is room, to
+// the volume `before`. Even triangles cut corners, so a second pass compensates
+// for their loss of volume.
 TriangleSoup EvenAndGrown(const CellSurfaceOptions& options,
                           const TriangleSoup& body,
                           double before,
@@ -150,7 +150,7 @@ TriangleSoup EvenAndGrown(const CellSurfaceOptions& options,
   return best;
 }
 
-// Makes the surface of a muscle anew from its cell among the solids.
+// Reconstructs the surface of a muscle from its cell among the solids.
 TriangleSoup SurfaceOf(const ReconstructionOptions& options,
                        CellSurfaceOptions surface_options,
                        int attempt,
@@ -172,13 +172,13 @@ TriangleSoup SurfaceOf(const ReconstructionOptions& options,
                                          solids.MusclesBut(number),
                                          solids.bones(),
                                          &surface_options);
-  // Of the mesh before it was made anew for the first time. What a label lost
-  // before it became a mesh does not come back: it was elsewhere.
+  // The volume before the first reconstruction. Volume that a label lost before
+  // it became a mesh is not restored: it lay elsewhere.
   const SurfaceReconstruction& reconstruction = muscle.mesh.reconstruction;
   const double before =
       reconstruction.is_done ? reconstruction.volume_before : model.rest_volume;
   const double left = SignedVolume(body.points, body.triangles);
-  // Of next to nothing no muscle grows; the caller refuses it.
+  // Such a small remainder is not grown; the caller rejects it.
   if (left < options.least_volume_fraction * before) return body;
   return EvenAndGrown(surface_options, body, before, edge, number, solids);
 }

@@ -11,10 +11,10 @@
 
 namespace musclewarp {
 
-// Makes the surfaces of muscles anew from their medial cells (cell_surface.h),
-// one for each number in `muscles`, from the meshes of the scene. `attempt`
-// counts from 0: later surfaces keep larger margins. A surface has no triangles
-// if nothing is left. Precondition (CHECKed): the options are valid.
+// Reconstructs the surfaces of muscles from their medial cells (cell_surface.h)
+// among the meshes of the scene, one per index in `muscles`. `attempt` counts
+// from 0; the margin grows with it. The surface of an empty cell has no
+// triangles. Precondition: the options are valid.
 std::vector<TriangleSoup> ReconstructedSurfaces(
     const ReconstructionOptions& options,
     const MedialCellOptions& cell,

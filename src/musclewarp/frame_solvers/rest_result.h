@@ -9,22 +9,22 @@
 
 namespace musclewarp {
 
-// The rest pose of a scene once SeparateRest() has separated it: what takes
-// long to find, and all that certified contact needs to start. Muscles are
-// numbered as in the scene.
+// The separated rest pose of a scene, the result of SeparateRest() and the
+// start of certified contact. Worth caching, as it takes long to compute.
+// Muscles are numbered as in the scene.
 struct RestResult {
   ContactState state;
 
-  // What is left in it, by the exact tests of the certificate.
+  // The remaining intersections, by the exact tests of the certificate.
   SceneIntersections intersections;
 
-  // The muscles that contact has moved farther than the requirements on frames
-  // allow, most likely because a bone or another muscle cuts off a part of
+  // The muscles whose displacement by contact exceeds the requirements on
+  // frames, most likely because a bone or another muscle cuts off a part of
   // them.
   std::vector<int> displaced;
 
-  // The muscles whose meshes were made anew. MeshPreparation::reconstruction
-  // says why and where.
+  // The muscles with reconstructed meshes. MeshPreparation::reconstruction has
+  // the reason and the place.
   std::vector<int> reconstructed;
 
   double wall_ms = 0;

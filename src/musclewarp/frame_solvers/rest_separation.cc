@@ -26,8 +26,7 @@ namespace {
 
 using Reasons = std::map<int, ReconstructionReason>;  // by muscle
 
-// Returns the muscles that do not hold something, each with the worst of the
-// reasons.
+// Returns the muscles that need reconstruction, each with its worst reason.
 Reasons UncleanMuscles(const RestResult& rest) {
   Reasons reasons;
   for (const PairIntersection& pair : rest.intersections.pairs) {
@@ -52,9 +51,9 @@ Reasons UncleanMuscles(const RestResult& rest) {
   return reasons;
 }
 
-// Leaves only the muscles with the worst reason. What crosses a bone holds up
-// the muscles around it, and a muscle may cross itself or be far from where it
-// was as long as it crosses others.
+// Keeps only the muscles with the worst reason, as its repair may remove the
+// others: a muscle that crosses a bone blocks those around it, and a muscle
+// that crosses others may cross itself or be displaced as a consequence.
 void KeepWorst(Reasons* reasons) {
   const auto is_better = [](const auto& a, const auto& b) {
     return a.second < b.second;
@@ -69,7 +68,7 @@ void KeepWorst(Reasons* reasons) {
   }
 }
 
-// The places, a clause each.
+// Returns the places of all crossings, one clause each.
 std::string Describe(const PreparedScene& scene,
                      const SceneIntersections& rest) {
   std::ostringstream text;
@@ -118,7 +117,7 @@ SurfaceReconstruction Compare(const SearchableMesh& before,
   return reconstruction;
 }
 
-// Why moving the vertices of a muscle was not enough.
+// Returns the reason for which moving the vertices of a muscle was not enough.
 std::string Text(ReconstructionReason reason) {
   switch (reason) {
     case ReconstructionReason::kCrossesBone:
@@ -167,7 +166,8 @@ void CheckEnoughIsLeft(const ReconstructionOptions& options,
       "check that the meshes are in one frame, or correct them");
 }
 
-// Makes the meshes of muscles anew, as often as that is asked for.
+// Reconstructs the meshes of muscles. Repeated reconstructions keep the volume
+// before and the reason of the first one.
 void Reconstruct(const RestSeparationOptions& options,
                  const Reasons& reasons,
                  int attempt,
@@ -193,7 +193,7 @@ void Reconstruct(const RestSeparationOptions& options,
   for (size_t k = 0; k < muscles.size(); ++k) {
     PreparedMuscle& muscle = scene->muscles[muscles[k]];
     SurfaceReconstruction& known = muscle.mesh.reconstruction;
-    // Without slivers, which take a little volume with them.
+    // The removal of slivers has changed the volume slightly.
     reconstructions[k].volume_after = muscle.model.rest_volume;
     reconstructions[k].reason = reasons.at(muscles[k]);
     if (known.is_done) {
@@ -204,7 +204,7 @@ void Reconstruct(const RestSeparationOptions& options,
   }
 }
 
-// Separates the meshes as they are.
+// Separates the meshes without reconstruction.
 RestResult SeparateOnce(const RestSeparationOptions& options,
                         const MuscleSolver& solver,
                         const ProgressCallback& on_progress,
@@ -225,7 +225,7 @@ RestResult SeparateOnce(const RestSeparationOptions& options,
   return result;
 }
 
-// Returns the muscles that were made anew, and says so in the warnings.
+// Returns the reconstructed muscles, and adds a warning for each.
 std::vector<int> ReportReconstructions(PreparedScene* scene) {
   std::vector<int> reconstructed;
   for (size_t i = 0; i < scene->muscles.size(); ++i) {
@@ -295,7 +295,7 @@ RestResult SeparateRest(const RestSeparationOptions& options,
       scene->as_delivered = IntersectAsPrepared(*scene, &meshes);
     }
     if (on_progress) on_progress({"remaking", attempt, 0});
-    // The last attempt takes all.
+    // The last attempt reconstructs all of them.
     if (attempt + 1 < max_attempts) KeepWorst(&reasons);
     Reconstruct(options, reasons, attempt, scene);
   }
