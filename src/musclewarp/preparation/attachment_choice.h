@@ -12,19 +12,19 @@
 
 namespace musclewarp {
 
-// Which areas of muscles follow their bodies.
+// The source of the attachment areas of muscles.
 enum class AttachmentKind {
-  kAuto,   // those of the scene; found on the meshes for muscles without any
-  kScene,  // those of the scene
+  kAuto,   // the scene, or detection on the meshes for muscles without any
+  kScene,  // the scene
   kNone,
 };
 
 // Returns the attachments of a muscle with the fine mesh `fine`: those of the
-// scene or, if there are none and `kind` asks for it, those that are found on
-// the meshes (FindAttachments). Lines that leave an attachment in some pose
-// contradict it (FindLeavingLine): a found one is dropped then, as the meshes
-// may mislead and the lines were meant; one of the scene stays. `warnings` gets
-// a sentence for each.
+// scene or, if it has none and `kind` is kAuto, those detected on the meshes
+// (FindAttachments). A line that leaves an attachment in some pose contradicts
+// it (FindLeavingLine): a detected attachment is then dropped, as the lines are
+// more reliable than the meshes; one of the scene is kept. `warnings` gets a
+// sentence per contradiction.
 std::vector<Attachment> ChooseAttachments(
     AttachmentKind kind,
     const SceneMuscle& muscle,

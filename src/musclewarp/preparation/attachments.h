@@ -10,33 +10,33 @@
 
 namespace musclewarp {
 
-// The fine vertices of a muscle that follow bodies, because they lie in its
-// attachment areas. Where areas overlap, the first one counts.
+// The fine vertices of a muscle within its attachment areas, which move with
+// bodies. In overlapping areas, the first one applies.
 struct AttachedVertices {
   std::vector<int> vertices;    // in rising order
-  std::vector<int> attachment;  // of each: its number
+  std::vector<int> attachment;  // index of the attachment of each
 };
 
-// Returns the vertices among `rest` (#V x 3, rest pose, mm) that the
-// attachments cover.
+// Returns the vertices of `rest` (#V x 3, rest pose, mm) within the
+// attachments.
 AttachedVertices FindAttachedVertices(
     const std::vector<Attachment>& attachments, const Points& rest);
 
-// Returns the area of each attachment on the surface, mm^2: a third of every
-// triangle for each of its corners that is attached. `points`: #V x 3, mm.
+// Returns the surface area of each attachment, mm^2: a third of the area of a
+// triangle per attached corner. `points`: #V x 3, mm.
 std::vector<double> AttachedAreas(const std::vector<Attachment>& attachments,
                                   const AttachedVertices& attached,
                                   const Points& points,
                                   const Triangles& triangles);
 
-// Returns where the bodies have the attached vertices in a pose, #attached x 3,
-// mm. `rest`: where they have them in the rest pose.
+// Returns the positions of the attached vertices in a pose, moved rigidly with
+// their bodies, #attached x 3, mm. `rest`: their positions in the rest pose.
 Points AttachedPositions(const std::vector<Attachment>& attachments,
                          const AttachedVertices& attached,
                          const Points& rest,
                          const ScenePose& pose);
 
-// How far an attachment area has left the place at which its body has it.
+// The deviation of an attachment area from its position on its body.
 struct AttachmentDrift {
   std::string body;
   int vertices = 0;
@@ -44,11 +44,12 @@ struct AttachmentDrift {
   Eigen::RowVector3d place = Eigen::RowVector3d::Zero();  // of the farthest one
 };
 
-// An attachment that leaves its body by more than this, mm, is beyond anatomy.
+// A drift above this, mm, is anatomically implausible.
 constexpr double kLargestDrift = 2;
 
 // Returns the drift of each attachment. `points`: the fine mesh, #V x 3, mm;
-// `positions`: where the bodies have the attached vertices, #attached x 3, mm.
+// `positions`: the positions of the attached vertices on their bodies,
+// #attached x 3, mm.
 std::vector<AttachmentDrift> DriftOf(const std::vector<Attachment>& attachments,
                                      const AttachedVertices& attached,
                                      const Points& positions,

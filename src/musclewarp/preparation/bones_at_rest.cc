@@ -15,22 +15,22 @@
 namespace musclewarp {
 namespace {
 
-// Bones that are nearer to each other at rest than this may have a joint, mm.
+// Bones closer to each other at rest than this, mm, may form a joint.
 constexpr double kJointGap = 30;
 
-// In a joint, bones slide on each other by less than the first of these from
-// frame to frame, mm, unless the gap between them grows by less than the
-// second. Nothing slides by more than the last.
+// Bones of a joint slide on each other by at most kLongSlide between frames,
+// mm, or by up to kLongestSlide if the gap between them grows by less than
+// kWideGap.
 constexpr double kLongSlide = 50;
 constexpr double kWideGap = 20;
 constexpr double kLongestSlide = 120;
 
-// That many vertices of a bone say where it is.
+// The approximate number of vertices that are sampled per bone.
 constexpr Eigen::Index kVertices = 1000;
 
 struct SearchableBone {
   const BoneAtRest& bone;
-  Points vertices;  // some of them
+  Points vertices;  // a sample
   TriangleBvh tree;
 };
 
@@ -49,8 +49,8 @@ struct NearestPair {
   Eigen::RowVector3d middle;
 };
 
-// Returns where vertices are nearest to a bone, if they are nearer than
-// `limit`, which is the distance otherwise.
+// Returns the closest pair of a vertex and a bone, or only the distance `limit`
+// if no vertex is closer.
 NearestPair NearestTo(const TriangleBvh& tree,
                       const Points& vertices,
                       double limit) {
@@ -65,13 +65,13 @@ NearestPair NearestTo(const TriangleBvh& tree,
   return nearest;
 }
 
-// The largest move of a bone against another.
+// The largest motion of a bone relative to another.
 struct BoneMove {
   double distance = 0;  // mm
   int pose = -1;
 };
 
-// Returns the largest move of `b` against `a` that no joint makes, if any.
+// Returns the largest motion of `b` relative to `a` that exceeds any joint's.
 std::optional<BoneMove> ImpossibleMove(const Scene& scene,
                                        const SearchableBone& a,
                                        const SearchableBone& b) {

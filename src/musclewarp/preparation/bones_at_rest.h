@@ -18,23 +18,23 @@ struct BoneAtRest {
   const TriangleSoup& mesh;
 };
 
-// Two bones that cross each other as they were delivered. They stay as they
-// are: bones are not moved, and the certificate does not count them.
+// Two bones that cross each other as delivered. Bones are rigid, so the
+// crossing remains, and the certificate does not count it.
 struct BoneCrossing {
   std::string a, b;
   int triangle_pairs = 0;
-  Eigen::RowVector3d place = Eigen::RowVector3d::Zero();  // middle of these, mm
+  Eigen::RowVector3d place = Eigen::RowVector3d::Zero();  // their centre, mm
 };
 
 // Returns the crossings of all bones, found by an exact test.
 std::vector<BoneCrossing> BoneCrossings(const std::vector<BoneAtRest>& bones);
 
-// Returns a sentence for every two bones that are near each other at rest, as
-// in a joint, and that a pose takes apart by more than any joint moves: most
-// often the centre of the joint is wrong, as where a bone is turned about the
-// origin of an image. Computing such a pose takes long and comes to nothing. In
-// a motion each pose is compared with the one before. Of each pair the largest
-// move is named.
+// Returns a warning for each pair of bones that are close at rest, as in a
+// joint, and that a pose moves apart by more than any joint allows. The usual
+// cause is a wrong joint centre, as with a rotation about the origin of an
+// image. Computing such a pose takes long and fails. In a motion, each pose is
+// compared with the one before. The warning states the largest move of the
+// pair.
 std::vector<std::string> BoneMoveWarnings(const Scene& scene,
                                           const std::vector<BoneAtRest>& bones);
 

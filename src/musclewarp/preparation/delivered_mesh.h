@@ -10,9 +10,9 @@
 
 namespace musclewarp {
 
-// Return the mesh of a muscle or bone as it was delivered, in memory or in a
-// file, in the rest pose and in mm. What the user has to know of how the file
-// was read is appended to `notes`. Throw InputError if the file cannot be read.
+// Return the mesh of a muscle or bone as delivered, in memory or in a file, in
+// the rest pose and in mm. Remarks of the reader for the user are appended to
+// `notes`. Throw InputError if the file cannot be read.
 TriangleSoup DeliveredMesh(const SceneMuscle& muscle,
                            std::vector<std::string>* notes);
 TriangleSoup DeliveredMesh(const SceneBone& bone,

@@ -11,12 +11,13 @@
 namespace musclewarp {
 
 // Throws InputError, naming the mesh, if a lattice of `spacing` mm over a box
-// would take more memory than machines have: 3e8 points, which are 2.4 GB.
+// has more than 3e8 points, which take 2.4 GB of memory.
 void CheckLatticeFits(const std::string& name, const Box3& box, double spacing);
 
-// Throws InputError, naming the mesh, if the triangles of a muscle are so small
-// that contact would have to look at more than 1e9 pairs of them: each at all
-// that are within `reach` mm. `voxel_size` (mm) is that of medial cells.
+// Throws InputError, naming the mesh, if the lattice of medial cells, with
+// `voxel_size` mm, does not fit (CheckLatticeFits), or if the triangles of a
+// muscle are so small that more than 1e9 pairs lie within `reach` mm of each
+// other.
 void CheckContactFits(const std::vector<NamedMesh>& muscles,
                       double voxel_size,
                       double reach);

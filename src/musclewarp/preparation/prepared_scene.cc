@@ -29,7 +29,7 @@
 namespace musclewarp {
 namespace {
 
-// Repairs a mesh. In messages a mesh without a file goes by its name.
+// Repairs a mesh. Messages name a mesh without a file by `name`.
 TriangleSoup Repaired(const TriangleSoup& delivered,
                       const std::string& name,
                       const std::string& path,
@@ -51,7 +51,7 @@ TriangleSoup Repaired(const TriangleSoup& delivered,
   return repaired;
 }
 
-// The action lines at the places of the skeleton samples.
+// Returns the action lines, sampled at the skeleton samples.
 EmbeddedLines CarryActionLines(const MuscleModel& model) {
   std::vector<Points> lines(model.lines.size());
   for (const SegmentPoint& sample : model.samples) {
@@ -70,7 +70,7 @@ void AddBones(const std::vector<PreparedBone>& bones,
   }
 }
 
-// Prepares everything that follows from the mesh of muscle `m`.
+// Prepares all data that depends on the mesh of muscle `m`.
 void PrepareModel(const Surroundings& surroundings,
                   const PrepareOptions& options,
                   const Scene& scene,
@@ -119,7 +119,7 @@ PreparedBone RepairBone(const PrepareOptions& options, const SceneBone& bone) {
   return prepared;
 }
 
-// Reads and repairs the mesh of a muscle; returns it.
+// Reads and repairs the mesh of a muscle, and returns it.
 TriangleSoup RepairMuscle(const PrepareOptions& options,
                           const SceneMuscle& muscle,
                           PreparedMuscle* prepared) {
@@ -127,7 +127,7 @@ TriangleSoup RepairMuscle(const PrepareOptions& options,
       muscle.mesh_path.empty() ? muscle.name : muscle.mesh_path;
   const TriangleSoup delivered = DeliveredMesh(muscle, &prepared->mesh.notes);
   CheckCoordinates(where, delivered.points);
-  // Before the repair, whose tolerances are those of a muscle.
+  // Checked before the repair, whose tolerances assume the size of a muscle.
   CheckMuscleSize(where,
                   BoundingBoxDiagonal(delivered.points),
                   std::nullopt,
@@ -147,7 +147,7 @@ TriangleSoup RepairMuscle(const PrepareOptions& options,
   return fine;
 }
 
-// Adds lines to the muscle if it has none, and prepares the rest.
+// Adds lines to a muscle without any, and prepares all other data.
 void PrepareOne(const Surroundings& surroundings,
                 const PrepareOptions& options,
                 int m,
@@ -170,7 +170,8 @@ struct MeshSize {
   double diagonal;  // mm
 };
 
-// A mesh in metres among others in millimetres is a thousand times too small.
+// Detects mixed units: a mesh in metres among others in millimetres is a
+// thousand times too small.
 std::vector<std::string> ScaleWarnings(const std::vector<MeshSize>& sizes,
                                        double ratio) {
   std::vector<std::string> warnings;
@@ -187,7 +188,8 @@ std::vector<std::string> ScaleWarnings(const std::vector<MeshSize>& sizes,
   return warnings;
 }
 
-// Muscles by bones that an attachment which may penetrate shares a body with.
+// Returns the exempt areas of all pairs of a muscle and a bone on whose body
+// the muscle has an attachment that may penetrate.
 std::vector<ExemptArea> ExemptAreas(const PreparedScene& scene) {
   std::vector<ExemptArea> areas;
   for (size_t m = 0; m < scene.muscles.size(); ++m) {
@@ -219,7 +221,7 @@ std::vector<ExemptArea> ExemptAreas(const PreparedScene& scene) {
   return areas;
 }
 
-// Says which bones cross each other, and which poses take joints apart.
+// Finds crossing bones, and poses that dislocate joints.
 void CheckBones(PreparedScene* prepared) {
   std::vector<BoneAtRest> bones;
   for (const PreparedBone& bone : prepared->bones) {
@@ -229,7 +231,7 @@ void CheckBones(PreparedScene* prepared) {
   prepared->warnings = BoneMoveWarnings(prepared->scene, bones);
 }
 
-// Adds what was found while preparing to the warnings of the scene.
+// Adds the findings of the preparation to the warnings of the scene.
 void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
   std::vector<std::string>& warnings = prepared->warnings;
   const auto add = [&](const std::vector<std::string>& more) {
@@ -330,7 +332,7 @@ PreparedScene PrepareScene(const Scene& scene,
                  static_cast<int>(done),
                  static_cast<int>(num_meshes + num_muscles)});
   };
-  // Bones first: they have the largest meshes.
+  // Bones come first, as their meshes are the largest.
   std::vector<TriangleSoup> fine(num_muscles);
   const auto repair = [&](size_t i) {
     if (i < num_bones) {

@@ -26,14 +26,14 @@
 
 namespace musclewarp {
 
-// How the meshes of a scene are repaired and analysed.
+// Options of PrepareScene: repair, hulls, attachments, lines and fibres.
 struct PrepareOptions {
   MuscleModelOptions muscle;
   RepairOptions repair;
 
-  // If true, the places where a mesh crosses itself are remade. Certified
-  // contact needs that, and Deformer sees to it. If false, meshes keep their
-  // triangles.
+  // If true, RemoveSelfCrossings() remeshes the parts of a mesh around its
+  // self-crossings. Certified contact requires this, and Deformer enables it.
+  // If false, meshes keep their triangles.
   bool remove_self_crossings = false;
 
   // The same for sliver triangles of muscle meshes.
@@ -42,95 +42,94 @@ struct PrepareOptions {
 
   AttachmentKind attachments = AttachmentKind::kAuto;
 
-  // The number of action lines that are made for a muscle which has none.
+  // The number of action lines that are made for a muscle without any.
   int auto_lines = 3;
 
-  // If false, such a muscle stays without lines, and nothing but contact moves
-  // it.
+  // If false, a muscle without lines gets none, and only contact moves it.
   bool makes_lines = true;
 
-  // The fibres that every muscle carries; none by default.
+  // The fibres of every muscle; none by default.
   FibreOptions fibres;
 
-  // A warning is given if the diagonals of two meshes differ by more than this
-  // factor, as one of them is likely in other units.
+  // Two meshes whose diagonals differ by more than this factor cause a warning,
+  // as their units probably differ.
   double scale_warning_ratio = 100;
 
-  // A muscle without fibres that follows its attachments. With an attachment
-  // weight of 1 the coarse meshes leave them to the offsets of the fine ones,
-  // by up to 11 mm (thigh, flexion by 45 degrees); with 8 by 4 mm at most,
-  // where no tendon is in the way.
+  // No fibres, and an attachment weight of 8. With weight 1, coarse meshes
+  // deviate from attachments by up to 11 mm (thigh, flexion by 45 degrees),
+  // which the offsets of fine vertices have to make up; with 8 by at most 4 mm,
+  // unless a tendon blocks the attachment.
   PrepareOptions() {
     fibres.fibres = 0;
     muscle.attachment_weight = 8;
   }
 
-  // Also checks the options within.
+  // Also checks the nested options.
   bool IsValid(std::string* error) const;
 };
 
-// Why the mesh of a muscle was made anew: what was still the case once its
-// vertices had been moved. The worst comes first.
+// The reason for the reconstruction of a muscle's mesh: the defect that moving
+// its vertices has not resolved. Worst first.
 enum class ReconstructionReason {
   kCrossesBone,
   kCrossesMuscle,
   kCrossesItself,
-  kDisplaced,  // farther than the requirements on frames allow
+  kDisplaced,  // beyond the requirements on frames
 };
 
 // "crosses_bone", "crosses_muscle", "crosses_itself" or "displaced": the text
 // of reports.
 std::string ToString(ReconstructionReason reason);
 
-// How the mesh of a muscle was made anew, because it could not be separated
-// from others as it was (frame_solvers/rest_separation.h).
+// The reconstruction of a muscle's mesh that could not be separated from others
+// by moving its vertices (frame_solvers/rest_separation.h).
 struct SurfaceReconstruction {
   bool is_done = false;
 
-  // Of the first time, if that was done more than once.
+  // `reason` and `volume_before` are those of the first reconstruction.
   ReconstructionReason reason = ReconstructionReason::kCrossesBone;
   double volume_before = 0, volume_after = 0;  // mm^3
 
-  // What of the old surface the new one leaves by more than a triangle's edge:
-  // how much (mm^2), its middle, and by how much at most (mm).
+  // The part of the old surface whose distance to the new one exceeds the edge
+  // of its triangle: its area (mm^2) and centre (mm); and the largest distance
+  // of the old surface to the new one (mm).
   double lost_area = 0;
   Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
   double farthest = 0;
 };
 
-// A mesh as it was delivered, and what was done to it.
+// The defects of a delivered mesh, and all changes to it.
 struct MeshPreparation {
   std::string name;
-  std::string path;  // of its file; empty if it was given in memory
+  std::string path;  // of its file; empty if given in memory
   MeshDefects defects;
   RepairReport repairs;
   SelfCrossingRemoval self_crossings;
   SliverRemovals slivers;
   SurfaceReconstruction reconstruction;
 
-  // mm^3: of the mesh after repair, before anything else was done to it, or
-  // what the scene says (SceneMuscle::delivered_volume).
+  // The volume after repair, before any further change, mm^3; or
+  // SceneMuscle::delivered_volume if given.
   double delivered_volume = 0;
 
-  // What the user has to know of how the file was read; among the warnings of
-  // the scene.
+  // Remarks of the reader for the user; also among the warnings of the scene.
   std::vector<std::string> notes;
 };
 
-// A muscle with everything that does not change with the pose.
+// A muscle with all data that is independent of the pose.
 struct PreparedMuscle {
   MeshPreparation mesh;
   MuscleModel model;
   AttachedVertices attached;
 
-  // Lines that contradict the attachments, a sentence each.
+  // One sentence per line that contradicts an attachment.
   std::vector<std::string> attachment_warnings;
 
   // True if the coarse hull encloses the fine mesh, by an exact test.
   bool hull_encloses = false;
   EmbeddedLines lines;   // the action lines, at the skeleton samples
-  EmbeddedLines fibres;  // none unless asked for
-  double fibres_ms = 0;  // for making them
+  EmbeddedLines fibres;  // empty by default
+  double fibres_ms = 0;  // to make them
 };
 
 // A bone in the rest pose.
@@ -140,9 +139,9 @@ struct PreparedBone {
   TriangleSoup rest;
 };
 
-// A scene whose meshes have been read, repaired and analysed, with action lines
-// for every muscle if PrepareOptions::makes_lines says so. Constant once it is
-// prepared.
+// A scene ready for solvers: its meshes are repaired and analysed, and every
+// muscle has action lines if PrepareOptions::makes_lines is true. Constant
+// after preparation.
 struct PreparedScene {
   Scene scene;
   std::vector<PreparedMuscle> muscles;
@@ -151,28 +150,28 @@ struct PreparedScene {
   std::vector<BoneCrossing> bone_crossings;
   std::vector<std::string> warnings;
 
-  // What crossed before meshes were made anew, if any was.
+  // The intersections before the first reconstruction of a mesh, if any.
   std::optional<SceneIntersections> as_delivered;
 
-  // True if all of this was read from disk (preparation_cache.h).
+  // True if the scene was read from disk (preparation_cache.h).
   bool is_cached = false;
   double wall_ms = 0;
 
-  // Where the time of all preparation went, contact included, if
-  // DeformerOptions::record_stages asked for it.
+  // The times of all stages of the preparation, including contact, if
+  // DeformerOptions::record_stages is true.
   std::vector<StageTime> stages;
 };
 
-// Gives muscles of a prepared scene, by number, other meshes, with which
-// everything about them is prepared again. Their lines stay. Precondition
-// (CHECKed): there is a mesh for every muscle, and it is a closed manifold.
+// Replaces the meshes of muscles of a prepared scene, given by index, and
+// prepares these muscles again. Their lines are kept. Preconditions: there is a
+// mesh for every muscle (CHECKed), and every mesh is a closed manifold.
 void ReplaceMuscleMeshes(const PrepareOptions& options,
                          const std::vector<int>& muscles,
                          std::vector<TriangleSoup> meshes,
                          PreparedScene* prepared);
 
 // Prepares a scene, several meshes at a time. Throws InputError if a mesh
-// cannot be read or repaired. `on_progress` may be empty, and is called by the
+// cannot be read or repaired. `on_progress` may be empty; it is called on the
 // calling thread. Precondition (CHECKed): the options are valid.
 PreparedScene PrepareScene(const Scene& scene,
                            const PrepareOptions& options,

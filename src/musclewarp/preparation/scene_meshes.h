@@ -10,16 +10,16 @@
 
 namespace musclewarp {
 
-// The meshes of a scene with the search trees that counting intersections
-// needs. The trees are built once, in the rest pose, and then follow the points
-// from frame to frame, which takes a fraction of the time.
+// The meshes of a scene with search trees for counting intersections. The trees
+// are built once, in the rest pose, and refitted to the points of each frame in
+// a fraction of the time.
 class SceneMeshes {
  public:
   // Copies the meshes in their rest pose.
   explicit SceneMeshes(const PreparedScene& scene);
 
-  // Moves all meshes to new points, in scene order, #V x 3 each, mm. A mesh
-  // that has not moved costs nothing.
+  // Moves all meshes to new points, in scene order, #V x 3 each, mm. Unmoved
+  // meshes are not refitted.
   void MoveTo(const std::vector<Points>& muscles,
               const std::vector<Points>& bones);
 

@@ -12,8 +12,8 @@
 
 namespace musclewarp {
 
-// What the muscles of a scene may be attached to in the rest pose: the bones,
-// by body, and the other muscles. Meshes are copied; units are mm.
+// The meshes to which the muscles of a scene may be attached in the rest pose:
+// the bones, by body, and the other muscles. Meshes are copied; units are mm.
 class Surroundings {
  public:
   void AddBone(const std::string& body, const TriangleSoup& bone);
@@ -21,10 +21,10 @@ class Surroundings {
   // Muscles are numbered in the order in which they are added.
   void AddMuscle(const TriangleSoup& muscle);
 
-  // The bodies in the order in which their first bones were added.
+  // The bodies, ordered by their first bones.
   const std::vector<BodySurface>& bodies() const { return bodies_; }
 
-  // Returns all muscles but the one with this number.
+  // Returns all muscles except that with the index `muscle`.
   std::vector<const TriangleBvh*> MusclesBeside(int muscle) const;
 
  private:
