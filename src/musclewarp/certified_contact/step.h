@@ -62,6 +62,7 @@ struct StepSummary {
   bool is_given_up = false;
 };
 
+// The state after a step, and the summary of the step.
 struct StepResult {
   ContactState state;  // of the best round, even if it has defects
   StepSummary summary;
