@@ -14,6 +14,8 @@ namespace {
 void ChoosePreparation(const DeformerSettings& choices,
                        PrepareOptions* options) {
   options->muscle.hull.coarse_vertices = choices.coarse_vertices;
+  options->muscle.laplacian.weights = ParseLaplacian(choices.laplacian);
+  options->muscle.laplacian.length_scale = choices.laplacian_length;
   options->muscle.sample_spacing = choices.sample_spacing;
   options->muscle.skeleton_weight = choices.skeleton_weight;
   options->muscle.attachment_weight = choices.attachment_weight;

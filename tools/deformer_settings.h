@@ -23,7 +23,9 @@ struct DeformerSettings {
   double max_hole = HoleLimits().max_perimeter;  // mm
   int coarse_vertices = 200;
   int bone_coarse_vertices = 1000;
-  double sample_spacing = 10;  // mm
+  std::string laplacian = "paper";
+  double laplacian_length = 0;  // mm; 0: by the area of the muscle
+  double sample_spacing = 10;   // mm
   double skeleton_weight = 1;
   double attachment_weight = 8;
   int auto_lines = 3;

@@ -45,6 +45,16 @@ ReconstructionKind ParseRemake(const std::string& text) {
                    "allowed: auto, never");
 }
 
+LaplacianWeights ParseLaplacian(const std::string& text) {
+  for (const LaplacianWeights weights :
+       {LaplacianWeights::kArea, LaplacianWeights::kPaper}) {
+    if (text == ToString(weights)) return weights;
+  }
+  throw InputError("--laplacian=" + text,
+                   "is not a way to weigh the rows of a shape",
+                   "allowed: area, paper");
+}
+
 AttachmentKind ParseAttachments(const std::string& text) {
   if (text == "auto") return AttachmentKind::kAuto;
   if (text == "scene") return AttachmentKind::kScene;

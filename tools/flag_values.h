@@ -15,6 +15,7 @@ SolverConfiguration ParseSolver(const std::string& text);
 ContactKind ParseContact(const std::string& text);
 ContactLevel ParseContactLevel(const std::string& text);
 ReconstructionKind ParseRemake(const std::string& text);
+LaplacianWeights ParseLaplacian(const std::string& text);
 AttachmentKind ParseAttachments(const std::string& text);
 std::vector<std::string> ParseFormats(const std::string& text);
 

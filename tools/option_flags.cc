@@ -7,6 +7,7 @@ namespace {
 
 const FlagsOfFields& FlagsOfPreparation() {
   static const FlagsOfFields kFlags = {
+      {"CotangentLaplacianOptions::length_scale", "laplacian_length"},
       {"FibreOptions::fibres", "fibres"},
       {"HoleLimits::max_perimeter", "max_hole"},
       {"MuscleModelOptions::attachment_weight", "attachment_weight"},

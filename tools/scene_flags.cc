@@ -53,6 +53,16 @@ DEFINE_int32(coarse_vertices, 200, "vertices of the hull of a muscle, about");
 DEFINE_int32(bone_coarse_vertices,
              1000,
              "vertices of the hull of a bone, about (--contact_level=coarse)");
+DEFINE_string(laplacian,
+              "paper",
+              "how the rows that keep a shape weigh: paper (divided by the "
+              "sums of their weights, as Kellnhofer and Kohout have them) or "
+              "area (the shape does not depend on the size of the hull)");
+DEFINE_double(laplacian_length,
+              0,
+              "with --laplacian=area, the length scale of the stiffness of a "
+              "shape, mm: the larger, the stiffer; 0: by the area of the "
+              "muscle");
 DEFINE_double(sample_spacing, 10, "distance of samples along a line, mm");
 DEFINE_double(skeleton_weight,
               1,
@@ -131,6 +141,8 @@ DeformerSettings ChoicesFromFlags() {
   choices.max_hole = FLAGS_max_hole;
   choices.coarse_vertices = FLAGS_coarse_vertices;
   choices.bone_coarse_vertices = FLAGS_bone_coarse_vertices;
+  choices.laplacian = FLAGS_laplacian;
+  choices.laplacian_length = FLAGS_laplacian_length;
   choices.sample_spacing = FLAGS_sample_spacing;
   choices.skeleton_weight = FLAGS_skeleton_weight;
   choices.attachment_weight = FLAGS_attachment_weight;

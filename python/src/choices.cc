@@ -31,6 +31,8 @@ void VisitChoices(Choices* choices, const Visitor& visit) {
   visit("max_hole", choices->max_hole);
   visit("coarse_vertices", choices->coarse_vertices);
   visit("bone_coarse_vertices", choices->bone_coarse_vertices);
+  visit("laplacian", choices->laplacian);
+  visit("laplacian_length", choices->laplacian_length);
   visit("sample_spacing", choices->sample_spacing);
   visit("skeleton_weight", choices->skeleton_weight);
   visit("attachment_weight", choices->attachment_weight);

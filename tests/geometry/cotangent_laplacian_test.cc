@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
+#include "musclewarp/mesh/measures.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -22,13 +24,21 @@ TEST(CotangentLaplacian, HasTheWeightsOfTheAnglesAcross) {
   TriangleSoup soup = UnitTetrahedron();
   soup.points << 1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1;
   CotangentLaplacianOptions options;
-  options.normalize_rows = false;
-  const Eigen::MatrixXd l =
+  options.weights = LaplacianWeights::kArea;
+  options.length_scale = 3;
+  const Eigen::MatrixXd by_area =
       CotangentLaplacian(soup.points, soup.triangles, options);
+  options.weights = LaplacianWeights::kPaper;
+  const Eigen::MatrixXd paper =
+      CotangentLaplacian(soup.points, soup.triangles, options);
+  // Edges of sqrt(8), so that faces measure 2 sqrt(3) and vertices share them.
+  const double row = 3 / (2 * std::sqrt(2 * std::sqrt(3.0)));
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < 4; ++j) {
+      const double weight = i == j ? -3 : 1;
       EXPECT_NEAR(
-          l(i, j), (i == j ? -3 : 1) * 2 / std::sqrt(3.0), kWeightRounding);
+          by_area(i, j), row * weight * 2 / std::sqrt(3.0), kWeightRounding);
+      EXPECT_NEAR(paper(i, j), weight / 3, kWeightRounding);
     }
   }
 }
@@ -60,18 +70,74 @@ TEST(CotangentLaplacian, BoundsTheWeightsOfSlivers) {
        sphere.points.row(sphere.triangles(0, 1))) /
       2;
   CotangentLaplacianOptions options;
-  options.normalize_rows = false;
+  options.weights = LaplacianWeights::kArea;
+  options.length_scale = 2;
   const SparseMatrix l =
       CotangentLaplacian(sphere.points, sphere.triangles, options);
-  const double bound = 2 / std::tan(options.min_angle);
+  const double largest_weight = 2 / std::tan(options.min_angle);
+  const double mean_area = SurfaceArea(sphere.points, sphere.triangles) /
+                           static_cast<double>(sphere.points.rows());
+  const double largest_scale = 1 / std::sqrt(options.min_area * mean_area);
   for (int i = 0; i < l.outerSize(); ++i) {
     for (SparseMatrix::InnerIterator entry(l, i); entry; ++entry) {
       ASSERT_TRUE(std::isfinite(entry.value()));
       if (entry.row() == entry.col()) continue;
-      EXPECT_GE(entry.value(), options.min_weight);
-      EXPECT_LE(entry.value(), bound);
+      EXPECT_GT(entry.value(), 0);
+      EXPECT_LE(entry.value(), largest_scale * largest_weight);
     }
   }
+}
+
+// On a sphere laplace x is -2 n / r, so that the integral of its square is
+// 16 pi whatever the radius.
+TEST(CotangentLaplacian, ItsEnergyApproachesAnIntegral) {
+  CotangentLaplacianOptions options;
+  options.weights = LaplacianWeights::kArea;
+  options.length_scale = 5;
+  const double integral = 25 * 16 * std::acos(-1.0);
+  std::vector<double> errors;
+  for (const int levels : {1, 2, 3, 4}) {
+    const TriangleSoup sphere = Icosphere(10, levels);
+    const double energy =
+        (CotangentLaplacian(sphere.points, sphere.triangles, options) *
+         sphere.points)
+            .squaredNorm();
+    errors.push_back(std::abs(energy / integral - 1));
+  }
+  // Of second order: edges of half the length leave a quarter of the error.
+  for (size_t i = 1; i < errors.size(); ++i) {
+    EXPECT_LT(errors[i], errors[i - 1] / 3);
+  }
+  EXPECT_LT(errors.back(), 2e-3);
+}
+
+// The paper's energy falls with the area of a vertex instead.
+TEST(CotangentLaplacian, ThePapersEnergyHasNoLimit) {
+  CotangentLaplacianOptions options;
+  options.weights = LaplacianWeights::kPaper;
+  const auto energy = [&](int levels) {
+    const TriangleSoup sphere = Icosphere(10, levels);
+    return (CotangentLaplacian(sphere.points, sphere.triangles, options) *
+            sphere.points)
+        .squaredNorm();
+  };
+  EXPECT_NEAR(energy(3) / energy(4), 4, 0.1);
+}
+
+TEST(CotangentLaplacian, BothWeightsAgreeAtTwoHundredEvenVertices) {
+  // 162 vertices, and so an energy of 162 / 200 times as much.
+  const TriangleSoup sphere = Icosphere(10, 2);
+  const auto energy = [&](LaplacianWeights weights) {
+    CotangentLaplacianOptions options;
+    options.weights = weights;
+    return (CotangentLaplacian(sphere.points, sphere.triangles, options) *
+            sphere.points)
+        .squaredNorm();
+  };
+  EXPECT_NEAR(
+      energy(LaplacianWeights::kArea) / energy(LaplacianWeights::kPaper),
+      static_cast<double>(sphere.points.rows()) / 200,
+      0.02);  // an icosphere is not quite even
 }
 
 TEST(CotangentLaplacian, DoesNotDependOnTheOrderOfTriangles) {

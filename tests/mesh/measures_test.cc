@@ -20,6 +20,24 @@ TEST(Measures, VolumeAndAreaOfABox) {
   EXPECT_DOUBLE_EQ(BoundingBoxDiagonal(box.points), std::sqrt(29.0));
 }
 
+// Whatever the mesh, the areas of the vertices are that of the surface, and a
+// vertex without triangles has none.
+TEST(Measures, VerticesShareTheAreaOfTheirTriangles) {
+  TriangleSoup sphere = Icosphere(10, 2);
+  sphere.points.conservativeResize(sphere.points.rows() + 1, 3);
+  sphere.points.bottomRows<1>().setZero();
+  const Eigen::VectorXd areas = VertexAreas(sphere.points, sphere.triangles);
+  const double area = SurfaceArea(sphere.points, sphere.triangles);
+  EXPECT_NEAR(areas.sum(), area, 1e-12 * area);  // rounding of a sum
+  EXPECT_EQ(areas.tail<1>()[0], 0);
+  const TriangleSoup tetrahedron = UnitTetrahedron();
+  const Eigen::VectorXd even =
+      VertexAreas(tetrahedron.points, tetrahedron.triangles);
+  // Three right angled triangles of area 1/2 meet at the origin.
+  EXPECT_DOUBLE_EQ(even.maxCoeff(), (1 + std::sqrt(3.0) / 2) / 3);
+  EXPECT_DOUBLE_EQ(even.minCoeff(), 0.5);
+}
+
 TEST(Measures, NeighboursOfOneOrientationPassTheirEdgeInBothDirections) {
   const Triangles box = Box(2, 3, 4).triangles;
   EXPECT_TRUE(IsConsistentlyOriented(box));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/skeleton/polyline.h"
 #include "musclewarp/skeleton/sampling.h"
 #include "support/input_errors.h"
 #include "support/invalid_options.h"
@@ -62,6 +63,23 @@ TEST(MuscleModel, SkeletonRowsGiveTheWeightedSamples) {
   EXPECT_GT(SpindleModel(finer).samples.size(), model.samples.size());
 }
 
+// The rows of a line together weigh as much however many there are.
+TEST(MuscleModel, ByAreaSkeletonRowsWeighByLength) {
+  MuscleModelOptions options;
+  options.laplacian.weights = LaplacianWeights::kArea;
+  const auto sum = [&](double spacing) {
+    options.sample_spacing = spacing;
+    return SpindleModel(options).skeleton_weights.squaredNorm();
+  };
+  double length = 0;
+  for (const ActionLine& line : SpindleMuscle().lines) {
+    length += PolylineLength(line.rest);
+  }
+  for (const double spacing : {2.5, 10.0, 40.0}) {
+    EXPECT_NEAR(sum(spacing), length / 10, 1e-12 * length);
+  }
+}
+
 TEST(MuscleModel, AttachmentRowsShareTheirWeightAndAreLeftOutWithoutOne) {
   EXPECT_EQ(SpindleModel().attachment.rows(), 0);
   const MuscleModel model = SpindleModel(WithFiveAttachmentRows());
@@ -94,15 +112,15 @@ TEST(MuscleModel, TheNormalMatrixIsThatOfAllRows) {
 
 TEST(MuscleModel, EveryCoarseVertexHasANearestSegment) {
   const MuscleModel model = SpindleModel();
-  ASSERT_EQ(model.nearest_segments.size(),
-            static_cast<size_t>(model.coarse_rest.rows()));
+  const std::vector<SegmentPoint>& nearest = model.rotations.places;
+  ASSERT_EQ(nearest.size(), static_cast<size_t>(model.coarse_rest.rows()));
   // The vertex farthest along +x is nearer to the line along the side.
   Eigen::Index side;
   model.coarse_rest.col(0).maxCoeff(&side);
-  EXPECT_EQ(model.lines[model.nearest_segments[side].line].name, "side");
+  EXPECT_EQ(model.lines[nearest[side].line].name, "side");
   Eigen::Index other;
   model.coarse_rest.col(0).minCoeff(&other);
-  EXPECT_EQ(model.lines[model.nearest_segments[other].line].name, "middle");
+  EXPECT_EQ(model.lines[nearest[other].line].name, "middle");
 }
 
 // A vertex of the hull that belongs to no triangle has no entry in the

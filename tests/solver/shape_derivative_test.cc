@@ -186,7 +186,7 @@ TEST(DifferentiateShape, IsRigidWhereTheTargetIs) {
   rate.linear.laplacian = turned(bent.laplacian);
   rate.linear.skeleton = turned(bent.skeleton);
   rate.linear.skeleton.rowwise() +=
-      model.skeleton_weight * velocity.transpose();
+      MuscleModelOptions().skeleton_weight * velocity.transpose();
   rate.linear.attachment = bent.attachment;  // there are none
   rate.plane_turns.resize(0, 3);
   Points expected = turned(coarse);

@@ -47,6 +47,8 @@ TEST(SceneFlags, DefaultsAreThoseOfTheOptions) {
   const DeformOptions defaults;
   EXPECT_EQ(options.deformer.prepare.muscle.hull.coarse_vertices,
             defaults.deformer.prepare.muscle.hull.coarse_vertices);
+  EXPECT_EQ(options.deformer.prepare.muscle.laplacian.weights,
+            defaults.deformer.prepare.muscle.laplacian.weights);
   EXPECT_EQ(options.deformer.prepare.muscle.sample_spacing,
             defaults.deformer.prepare.muscle.sample_spacing);
   EXPECT_EQ(options.deformer.prepare.muscle.skeleton_weight,
@@ -73,6 +75,8 @@ TEST(SceneFlags, DefaultsAreThoseOfTheOptions) {
 TEST(SceneFlags, EveryFlagReachesItsOption) {
   const DeformOptions options = WithFlags({{"coarse_vertices", "300"},
                                            {"bone_coarse_vertices", "400"},
+                                           {"laplacian", "area"},
+                                           {"laplacian_length", "3.5"},
                                            {"sample_spacing", "5"},
                                            {"skeleton_weight", "2"},
                                            {"attachment_weight", "3"},
@@ -95,6 +99,9 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
                                            {"body_twist", "false"}});
   EXPECT_EQ(options.deformer.prepare.muscle.hull.coarse_vertices, 300);
   EXPECT_EQ(options.deformer.frames.paper.bone_hull.coarse_vertices, 400);
+  EXPECT_EQ(options.deformer.prepare.muscle.laplacian.weights,
+            LaplacianWeights::kArea);
+  EXPECT_EQ(options.deformer.prepare.muscle.laplacian.length_scale, 3.5);
   EXPECT_EQ(options.deformer.prepare.muscle.sample_spacing, 5);
   EXPECT_EQ(options.deformer.prepare.muscle.skeleton_weight, 2);
   EXPECT_EQ(options.deformer.prepare.muscle.attachment_weight, 3);
@@ -122,6 +129,7 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
 TEST(SceneFlags, RefusesValuesThatAreNotAllowedByTheNameOfTheFlag) {
   for (const char* value : {"-1", "nan"}) {
     ExpectFlagRefused("max_hole", value, "0 or above");
+    ExpectFlagRefused("laplacian_length", value, "0 or above");
     ExpectFlagRefused("attachment_weight", value, "0 to 1e6");
     ExpectFlagRefused("skeleton_weight", value, "above 0, at most 1e6");
     ExpectFlagRefused("sample_spacing", value, "0.01 mm or above");
@@ -141,6 +149,7 @@ TEST(SceneFlags, RefusesValuesThatAreNotAllowedByTheNameOfTheFlag) {
   ExpectFlagRefused("contact_level", "middle", "coarse, fine");
   ExpectFlagRefused("remake", "always", "auto, never");
   ExpectFlagRefused("attachments", "all", "auto, scene, none");
+  ExpectFlagRefused("laplacian", "none", "area, paper");
   for (const char* value : {"0", "-1", "nan", "0.6"}) {
     ExpectFlagRefused("gap", value, "above 0");
   }

@@ -137,6 +137,7 @@ MUSCLEWARP_ARCHIVE(MeshPreparation,
 // Prepared scenes.
 
 MUSCLEWARP_ARCHIVE(SegmentPoint, line, segment, t)
+MUSCLEWARP_ARCHIVE(RotationField, places, weights)
 MUSCLEWARP_ARCHIVE(EmbeddedLines, from_coarse, starts)
 MUSCLEWARP_ARCHIVE(AttachedVertices, vertices, attachment)
 // The normal matrix is computed from the other fields.
@@ -150,12 +151,13 @@ MUSCLEWARP_ARCHIVE_WITHOUT(MuscleModel,
                            coarse_rest,
                            coarse_triangles,
                            fine_from_coarse,
+                           weights,
                            laplacian,
                            laplacian_rest,
-                           nearest_segments,
+                           rotations,
                            skeleton,
                            samples,
-                           skeleton_weight,
+                           skeleton_weights,
                            attachment,
                            attachment_of,
                            attachment_rest,

@@ -7,10 +7,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
+
+#include "musclewarp/base/option_check.h"
+#include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {
 namespace {
@@ -28,20 +30,68 @@ double BoundedCotangent(const Eigen::RowVector3d& apex,
   return cosine / sine;
 }
 
+// Returns the weights w_ij of the edges, i < j.
+std::map<std::pair<int, int>, double> EdgeWeights(
+    const Points& points,
+    const Triangles& triangles,
+    const CotangentLaplacianOptions& options) {
+  const double bound = 1 / std::tan(options.min_angle);
+  // Each triangle of an edge adds the cotangent of the angle opposite to it.
+  std::map<std::pair<int, int>, double> weights;
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const int apex = triangles(f, corner);
+      const int a = triangles(f, (corner + 1) % 3);
+      const int b = triangles(f, (corner + 2) % 3);
+      weights[std::minmax(a, b)] += BoundedCotangent(
+          points.row(apex), points.row(a), points.row(b), bound);
+    }
+  }
+  for (auto& [edge, weight] : weights) {
+    weight = std::max(weight, options.min_weight);
+  }
+  return weights;
+}
+
+// Returns l / (2 sqrt(a_i)) for each vertex.
+Eigen::VectorXd RowScalesByArea(const Points& points,
+                                const Triangles& triangles,
+                                const CotangentLaplacianOptions& options) {
+  // Six equilateral triangles at each of N vertices: normalised rows are
+  // h^2 / 4 laplace x with h^2 = 2 A / (sqrt(3) N), so that the sum of their
+  // squares is A / (12 N) times the integral of |laplace x|^2.
+  constexpr double kVerticesOfDefault = 200;
+  constexpr double kEvenRows = 12;
+  const Eigen::VectorXd areas = VertexAreas(points, triangles);
+  const double area = areas.sum();
+  const double length =
+      options.length_scale > 0
+          ? options.length_scale
+          : std::sqrt(area / (kVerticesOfDefault * kEvenRows));
+  const double least =
+      options.min_area * area / std::max<Eigen::Index>(1, areas.size());
+  return length / 2 * areas.cwiseMax(least).cwiseSqrt().cwiseInverse();
+}
+
 }  // namespace
 
+std::string ToString(LaplacianWeights weights) {
+  switch (weights) {
+    case LaplacianWeights::kArea:
+      return "area";
+    case LaplacianWeights::kPaper:
+      return "paper";
+  }
+  LOG(FATAL) << "no such weights";
+}
+
 bool CotangentLaplacianOptions::IsValid(std::string* error) const {
-  if (!(min_angle > 0 && min_angle < 1)) {
-    *error = "CotangentLaplacianOptions::min_angle is " +
-             std::to_string(min_angle) + ", allowed: between 0 and 1 rad";
-    return false;
-  }
-  if (!(min_weight > 0)) {
-    *error = "CotangentLaplacianOptions::min_weight is " +
-             std::to_string(min_weight) + ", allowed: above 0";
-    return false;
-  }
-  return true;
+  return OptionCheck("CotangentLaplacianOptions", error)
+      .IsAtLeast("length_scale", length_scale, 0)
+      .IsWithin("min_area", min_area, 1e-6, 1)
+      .IsWithin("min_angle", min_angle, 1e-6, 1)
+      .IsAbove("min_weight", min_weight, 0)
+      .is_valid();
 }
 
 SparseMatrix CotangentLaplacian(const Points& points,
@@ -49,40 +99,27 @@ SparseMatrix CotangentLaplacian(const Points& points,
                                 const CotangentLaplacianOptions& options) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
-  const double bound = 1 / std::tan(options.min_angle);
-
-  // Each triangle of an edge adds the cotangent of the angle opposite to it.
-  std::map<std::pair<int, int>, double> edge_weights;
-  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
-    for (int corner = 0; corner < 3; ++corner) {
-      const int apex = triangles(f, corner);
-      const int a = triangles(f, (corner + 1) % 3);
-      const int b = triangles(f, (corner + 2) % 3);
-      edge_weights[std::minmax(a, b)] += BoundedCotangent(
-          points.row(apex), points.row(a), points.row(b), bound);
-    }
-  }
-
+  const auto edge_weights = EdgeWeights(points, triangles, options);
   Eigen::VectorXd row_sums = Eigen::VectorXd::Zero(points.rows());
-  for (auto& [edge, weight] : edge_weights) {
-    weight = std::max(weight, options.min_weight);
+  for (const auto& [edge, weight] : edge_weights) {
     row_sums[edge.first] += weight;
     row_sums[edge.second] += weight;
   }
+  const Eigen::VectorXd row_scales =
+      options.weights == LaplacianWeights::kArea
+          ? RowScalesByArea(points, triangles, options)
+          : Eigen::VectorXd(row_sums.cwiseInverse());
 
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(2 * edge_weights.size() + points.rows());
-  const auto row_scale = [&](int row) {
-    return options.normalize_rows ? 1 / row_sums[row] : 1.0;
-  };
   for (const auto& [edge, weight] : edge_weights) {
     const auto [a, b] = edge;
-    entries.emplace_back(a, b, weight * row_scale(a));
-    entries.emplace_back(b, a, weight * row_scale(b));
+    entries.emplace_back(a, b, weight * row_scales[a]);
+    entries.emplace_back(b, a, weight * row_scales[b]);
   }
   for (int i = 0; i < points.rows(); ++i) {
     if (row_sums[i] > 0)
-      entries.emplace_back(i, i, -row_sums[i] * row_scale(i));
+      entries.emplace_back(i, i, -row_sums[i] * row_scales[i]);
   }
   SparseMatrix laplacian(points.rows(), points.rows());
   laplacian.setFromTriplets(entries.begin(), entries.end());

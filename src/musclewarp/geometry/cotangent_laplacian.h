@@ -13,12 +13,35 @@ namespace musclewarp {
 // reads the matrix in the order in which it is stored.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
+// How much each row of a Laplacian weighs.
+enum class LaplacianWeights {
+  // By the area around its vertex. The energy 1/2 |L X|^2 then approaches
+  // 1/2 l^2 times the integral of |laplace x|^2 over the surface as the mesh
+  // becomes finer, with the length scale l.
+  kArea,
+
+  // Rows are divided by the sums of their weights (paper, eq. 2.2). The energy
+  // then falls with the square of the length of the edges, and a finer mesh is
+  // a softer one.
+  kPaper,
+};
+
+// "area" or "paper": the text of flags.
+std::string ToString(LaplacianWeights weights);
+
 // The options of CotangentLaplacian. The defaults suit muscle hulls of some
 // hundred vertices.
 struct CotangentLaplacianOptions {
-  // If true, every row is divided by the sum of its weights. Then (L X)_i is a
-  // length in the unit of X, and large and small triangles count alike.
-  bool normalize_rows = true;
+  LaplacianWeights weights = LaplacianWeights::kPaper;
+
+  // With kArea, the length scale l of the surface's stiffness, mm: the larger,
+  // the stiffer. 0: sqrt(A / 2400), where A is the area of the surface, with
+  // which a mesh of 200 even vertices has the energy that kPaper gives it.
+  double length_scale = 0;
+
+  // With kArea, no vertex counts with less than this fraction of the mean area.
+  // Slivers would make it stiff beyond measure.
+  double min_area = 0.05;
 
   // No cotangent is larger in size than that of this angle, rad. An angle
   // nearer to 0 or pi belongs to a sliver, whose cotangent would outweigh the
@@ -30,8 +53,8 @@ struct CotangentLaplacianOptions {
   // row.
   double min_weight = 0.05;
 
-  // Returns true if the options can be used; otherwise sets *error to a
-  // sentence that names the field and the rule.
+  // Returns false and names the field, its value and the rule if a field is out
+  // of range.
   bool IsValid(std::string* error) const;
 };
 
@@ -43,9 +66,14 @@ struct CotangentLaplacianOptions {
 //
 // where a_ij and b_ij are the angles opposite to the edge ij. The diagonal is
 // minus the sum of the other entries of the row, so that constants are in the
-// null space and L is negative semi-definite before rows are normalised.
-// Normalised rows make L unsymmetric. A vertex without triangles has an empty
-// row.
+// null space. Rows are then weighted:
+//
+//   kArea    by l / (2 sqrt(a_i)), where a_i is a third of the area of the
+//            triangles at vertex i, as laplace x is 1 / (2 a_i) times the sum;
+//   kPaper   by 1 / sum_j w_ij.
+//
+// Either way (L X)_i has the unit of X, and L is not symmetric. A vertex
+// without triangles has an empty row.
 //
 // `points` is #V x 3 and `triangles` #F x 3. Precondition (CHECKed): the
 // options are valid.

@@ -19,6 +19,16 @@ Eigen::RowVector3d Origin(const Points& points) {
                            : Eigen::RowVector3d(0, 0, 0);
 }
 
+// Returns the area of triangle f.
+double AreaOf(const Points& points,
+              const Triangles& triangles,
+              Eigen::Index f) {
+  const Eigen::RowVector3d a = points.row(triangles(f, 0));
+  const Eigen::RowVector3d b = points.row(triangles(f, 1));
+  const Eigen::RowVector3d c = points.row(triangles(f, 2));
+  return (b - a).cross(c - a).norm() / 2;
+}
+
 }  // namespace
 
 double SignedVolume(const Points& points, const Triangles& triangles) {
@@ -71,12 +81,18 @@ Points VolumeGradient(const Points& points, const Triangles& triangles) {
 double SurfaceArea(const Points& points, const Triangles& triangles) {
   double area = 0;
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
-    const Eigen::RowVector3d a = points.row(triangles(f, 0));
-    const Eigen::RowVector3d b = points.row(triangles(f, 1));
-    const Eigen::RowVector3d c = points.row(triangles(f, 2));
-    area += (b - a).cross(c - a).norm() / 2;
+    area += AreaOf(points, triangles, f);
   }
   return area;
+}
+
+Eigen::VectorXd VertexAreas(const Points& points, const Triangles& triangles) {
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(points.rows());
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    const double third = AreaOf(points, triangles, f) / 3;
+    for (const int v : triangles.row(f)) areas[v] += third;
+  }
+  return areas;
 }
 
 double TypicalEdge(const Points& points, const Triangles& triangles) {

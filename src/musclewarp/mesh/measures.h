@@ -30,6 +30,9 @@ Points VolumeGradient(const Points& points, const Triangles& triangles);
 // Returns the sum of the areas of all triangles, mm^2.
 double SurfaceArea(const Points& points, const Triangles& triangles);
 
+// Returns a third of the area of the triangles at each vertex, #V, mm^2.
+Eigen::VectorXd VertexAreas(const Points& points, const Triangles& triangles);
+
 // Returns the edge of equilateral triangles that are as many as those of a mesh
 // and have the same area, mm: what its edges would measure if they were even.
 double TypicalEdge(const Points& points, const Triangles& triangles);

@@ -53,6 +53,19 @@ std::vector<ExemptArea> ExemptInOrder(const PreparedScene& scene,
   return exempt;
 }
 
+// Returns the weight of a contact row of a muscle. By area, a muscle of
+// `num_samples` even samples has rows that together weigh as much as those of a
+// hull of 200 vertices.
+double RowWeight(const CertifiedContactOptions& options,
+                 const MuscleModel& model,
+                 size_t num_samples) {
+  constexpr double kVerticesOfFullWeight = 200;
+  if (model.weights == LaplacianWeights::kPaper) return options.coarse_weight;
+  return options.coarse_weight *
+         std::sqrt(options.samples_per_coarse_vertex * kVerticesOfFullWeight /
+                   static_cast<double>(num_samples));
+}
+
 void AddSurfaces(const PreparedScene& scene,
                  const SceneMeshes& meshes,
                  const std::vector<ExemptArea>& exempt,
@@ -68,6 +81,8 @@ void AddSurfaces(const PreparedScene& scene,
         model.fine_rest,
         static_cast<int>(options.samples_per_coarse_vertex *
                          static_cast<double>(model.coarse_rest.rows()))));
+    certified->row_weights.push_back(
+        RowWeight(options, model, certified->samples.back().size()));
   }
   for (const NamedMesh& bone : meshes.bones()) {
     certified->contact.bones.push_back(
@@ -275,10 +290,10 @@ std::vector<Points> FreeCoarseOf(const CertifiedScene& certified,
 std::vector<ContactRows> ContactRowsOf(const CertifiedScene& certified,
                                        const ContactState& state) {
   std::vector<ContactRows> contact;
-  for (const OwnedHalfSpaces& planes : state.planes) {
-    contact.push_back(
-        {OneSidedRowsOf(planes.spaces, certified.options.coarse_weight),
-         planes.owners});
+  for (size_t i = 0; i < state.planes.size(); ++i) {
+    const OwnedHalfSpaces& planes = state.planes[i];
+    contact.push_back({OneSidedRowsOf(planes.spaces, certified.row_weights[i]),
+                       planes.owners});
     for (PlaneOwner& owner : contact.back().owners) {
       if (owner.IsBone()) continue;
       owner.muscle_above = certified.order[owner.muscle_above];

@@ -111,8 +111,10 @@ struct CertifiedScene {
 
   ContactScene contact;
 
-  // The fine vertices of each muscle that may get rows in the coarse solve.
+  // The fine vertices of each muscle that may get rows in the coarse solve, and
+  // the weight of its rows.
   std::vector<std::vector<int>> samples;
+  std::vector<double> row_weights;
 
   // The separated rest pose. Attached vertices move rigidly with their bodies
   // from their positions in it.

@@ -44,7 +44,7 @@ CoarseSolution SolveWithContactRows(const MotionContext& context,
     solution.planes.push_back(planes.MostViolated(
         static_cast<int>(i), certified.samples[i], points[i], goal.targets[i]));
     rows.push_back(OneSidedRowsOf(solution.planes.back().spaces,
-                                  certified.options.coarse_weight));
+                                  certified.row_weights[i]));
     CountWork(WorkUnit::kRows, rows.back().size());
   }
   SolvedPose solved = SolveWithRows(ModelsOf(certified.muscles),

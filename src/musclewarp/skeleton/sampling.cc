@@ -16,13 +16,13 @@ namespace {
 constexpr double kLongestSegment = 1e4;
 constexpr int kPiecesOfLongest = 1000;
 
+}  // namespace
+
 int NumPieces(double length, double spacing) {
   const double pieces = std::max(1.0, std::ceil(length / spacing));
   if (length <= kLongestSegment) return static_cast<int>(pieces);
   return static_cast<int>(std::min<double>(pieces, kPiecesOfLongest));
 }
-
-}  // namespace
 
 std::vector<SegmentPoint> SampleLines(const std::vector<ActionLine>& lines,
                                       double spacing) {
@@ -41,6 +41,21 @@ std::vector<SegmentPoint> SampleLines(const std::vector<ActionLine>& lines,
     }
   }
   return samples;
+}
+
+Eigen::VectorXd SampleLengths(const std::vector<ActionLine>& lines,
+                              const std::vector<SegmentPoint>& samples) {
+  const auto point = [&](const SegmentPoint& place) {
+    return PointOnSegment(lines[place.line].rest, place);
+  };
+  Eigen::VectorXd lengths = Eigen::VectorXd::Zero(samples.size());
+  for (size_t i = 0; i + 1 < samples.size(); ++i) {
+    if (samples[i].line != samples[i + 1].line) continue;
+    const double half = (point(samples[i + 1]) - point(samples[i])).norm() / 2;
+    lengths[i] += half;
+    lengths[i + 1] += half;
+  }
+  return lengths;
 }
 
 Eigen::RowVector3d PointOnSegment(const Points& polyline,

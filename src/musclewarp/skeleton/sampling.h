@@ -17,6 +17,14 @@ namespace musclewarp {
 std::vector<SegmentPoint> SampleLines(const std::vector<ActionLine>& lines,
                                       double spacing);
 
+// Returns the length of line that each sample stands for, mm: half of the way
+// to its neighbours on the line. `samples` are those of SampleLines().
+Eigen::VectorXd SampleLengths(const std::vector<ActionLine>& lines,
+                              const std::vector<SegmentPoint>& samples);
+
+// Returns into how many pieces of at most `spacing` a segment is cut, both mm.
+int NumPieces(double length, double spacing);
+
 // Returns the coordinates (mm) of a place on a polyline (#P x 3), which is the
 // line place.line in some pose. The same place gives the rest sample on the
 // rest line and its target on the target line.

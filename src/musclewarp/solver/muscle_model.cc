@@ -15,6 +15,9 @@
 namespace musclewarp {
 namespace {
 
+// The length of line for which a skeleton row has its full weight, mm.
+constexpr double kLengthOfRow = 10;
+
 void AddSkeletonRows(const MuscleModelOptions& options, MuscleModel* model) {
   model->samples = SampleLines(model->lines, options.sample_spacing);
   Points rest(model->samples.size(), 3);
@@ -22,10 +25,43 @@ void AddSkeletonRows(const MuscleModelOptions& options, MuscleModel* model) {
     rest.row(i) = PointOnSegment(model->lines[model->samples[i].line].rest,
                                  model->samples[i]);
   }
-  model->skeleton_weight = options.skeleton_weight;
+  model->skeleton_weights =
+      Eigen::VectorXd::Constant(model->samples.size(), options.skeleton_weight);
+  if (options.laplacian.weights == LaplacianWeights::kArea) {
+    model->skeleton_weights.array() *=
+        (SampleLengths(model->lines, model->samples) / kLengthOfRow)
+            .array()
+            .sqrt();
+  }
   model->skeleton =
-      options.skeleton_weight *
+      model->skeleton_weights.asDiagonal() *
       MeanValueCoordinates(rest, model->coarse_rest, model->coarse_triangles);
+}
+
+// Adds the pre-rotations of the coarse vertices.
+void AddRotations(const MuscleModelOptions& options, MuscleModel* model) {
+  if (!model->HasLines()) return;
+  if (options.laplacian.weights == LaplacianWeights::kPaper) {
+    model->rotations = NearestRotations(model->coarse_rest, model->lines);
+    return;
+  }
+  // Of a cylinder this is its radius.
+  const double mean_radius = 2 * model->rest_volume / model->rest_area;
+  model->rotations =
+      SmoothRotations(model->coarse_rest, model->lines, mean_radius);
+}
+
+AttachmentRows RowsOf(const MuscleModelOptions& options,
+                      const Attachment& attachment,
+                      const MuscleModel& model) {
+  const int max_rows = options.attachment_rows;
+  if (options.laplacian.weights == LaplacianWeights::kPaper) {
+    return EqualRows(attachment, model.fine_rest, max_rows);
+  }
+  return RowsByArea(attachment,
+                    model.fine_rest,
+                    VertexAreas(model.fine_rest, model.fine_triangles),
+                    max_rows);
 }
 
 void AddAttachmentRows(const MuscleModelOptions& options, MuscleModel* model) {
@@ -33,12 +69,11 @@ void AddAttachmentRows(const MuscleModelOptions& options, MuscleModel* model) {
   std::vector<double> weights;
   if (options.attachment_weight > 0) {
     for (size_t a = 0; a < model->attachments.size(); ++a) {
-      const auto attached = VerticesWithRows(
-          model->attachments[a], model->fine_rest, options.attachment_rows);
-      for (const int v : attached) {
-        vertices.push_back(v);
-        weights.push_back(options.attachment_weight /
-                          std::sqrt(static_cast<double>(attached.size())));
+      const AttachmentRows rows =
+          RowsOf(options, model->attachments[a], *model);
+      for (size_t i = 0; i < rows.vertices.size(); ++i) {
+        vertices.push_back(rows.vertices[i]);
+        weights.push_back(options.attachment_weight * rows.weights[i]);
         model->attachment_of.push_back(a);
       }
     }
@@ -120,13 +155,11 @@ MuscleModel PrepareMuscle(const SceneMuscle& muscle,
 
   model.fine_from_coarse =
       MeanValueCoordinates(fine.points, hull.points, hull.triangles);
+  model.weights = options.laplacian.weights;
   model.laplacian =
       CotangentLaplacian(hull.points, hull.triangles, options.laplacian);
   model.laplacian_rest = model.laplacian * hull.points;
-  for (Eigen::Index i = 0; model.HasLines() && i < hull.points.rows(); ++i) {
-    model.nearest_segments.push_back(
-        NearestSegment(hull.points.row(i), model.lines));
-  }
+  AddRotations(options, &model);
   AddSkeletonRows(options, &model);
   AddAttachmentRows(options, &model);
   FactorNormalMatrix(&model);

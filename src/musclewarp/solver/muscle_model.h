@@ -12,12 +12,17 @@
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/scene/scene.h"
-#include "musclewarp/skeleton/nearest_segment.h"
+#include "musclewarp/skeleton/rotation_field.h"
 
 namespace musclewarp {
 
 struct MuscleModelOptions {
-  // How the coarse hull is made, and how its Laplacian is bounded.
+  // How the coarse hull is made, and how its Laplacian is weighted and bounded.
+  // With LaplacianWeights::kArea all other rows are weighted likewise, so that
+  // neither the size of the hull nor the spacing of samples changes the shape:
+  // skeleton rows by length, attachment rows by area, and pre-rotations are
+  // smooth. With kPaper each row counts as much as any other, and pre-rotations
+  // are those of the nearest segments.
   OuterHullOptions hull;
   CotangentLaplacianOptions laplacian;
 
@@ -26,7 +31,8 @@ struct MuscleModelOptions {
   // shape.
   double sample_spacing = 10;
 
-  // Weight of a skeleton row against a Laplacian row (both are in mm).
+  // Weight of a skeleton row against a Laplacian row (both are in mm). With
+  // kArea it is that of 10 mm of a line.
   double skeleton_weight = 1;
 
   // Weight of all rows of one attachment together. Attachment rows go beyond
@@ -70,16 +76,18 @@ struct MuscleModel {
   // fine vertices of a coarse mesh X. n x N.
   RowMajorMatrix fine_from_coarse;
 
+  // How rows weigh (MuscleModelOptions::laplacian).
+  LaplacianWeights weights = LaplacianWeights::kPaper;
+
   // Laplacian rows, paper eq. (2.1) to (2.3).
-  SparseMatrix laplacian;                      // N x N: L
-  Points laplacian_rest;                       // N x 3, mm: L X_0
-  std::vector<SegmentPoint> nearest_segments;  // N: s(i), for the pre-rotation;
-                                               // none without lines
+  SparseMatrix laplacian;   // N x N: L
+  Points laplacian_rest;    // N x 3, mm: L X_0
+  RotationField rotations;  // of N points; none without lines
 
   // Skeleton rows, paper eq. (2.4) and (2.5).
   RowMajorMatrix skeleton;            // m x N: S
   std::vector<SegmentPoint> samples;  // m places on the lines
-  double skeleton_weight = 1;
+  Eigen::VectorXd skeleton_weights;   // m
 
   // Attachment rows.
   RowMajorMatrix attachment;           // k x N: B

@@ -15,20 +15,17 @@ MuscleTarget TargetOf(const MuscleModel& model,
   MuscleTarget target;
 
   target.laplacian = model.laplacian_rest;
-  for (size_t i = 0; i < model.nearest_segments.size(); ++i) {
-    const SegmentPoint& place = model.nearest_segments[i];
-    const Eigen::Matrix3d rotation = SegmentRotation(model.lines[place.line],
-                                                     lines[place.line],
-                                                     place,
-                                                     options.use_body_twist);
+  const std::vector<Eigen::Matrix3d> rotations =
+      RotationsOf(model.rotations, model.lines, lines, options.use_body_twist);
+  for (size_t i = 0; i < rotations.size(); ++i) {
     target.laplacian.row(i) =
-        model.laplacian_rest.row(i) * rotation.transpose();
+        model.laplacian_rest.row(i) * rotations[i].transpose();
   }
 
   target.skeleton.resize(model.samples.size(), 3);
   for (size_t i = 0; i < model.samples.size(); ++i) {
     target.skeleton.row(i) =
-        model.skeleton_weight *
+        model.skeleton_weights[i] *
         PointOnSegment(lines[model.samples[i].line].points, model.samples[i]);
   }
 
