@@ -137,7 +137,7 @@ TEST(CotangentLaplacian, BothWeightsAgreeAtTwoHundredEvenVertices) {
   EXPECT_NEAR(
       energy(LaplacianWeights::kArea) / energy(LaplacianWeights::kPaper),
       static_cast<double>(sphere.points.rows()) / 200,
-      0.02);  // an icosphere is not quite even
+      0.03);  // the triangles of an icosphere are not quite even
 }
 
 TEST(CotangentLaplacian, DoesNotDependOnTheOrderOfTriangles) {
