@@ -92,7 +92,7 @@ for name in "${only[@]}"; do
   if [[ ! -e $folder/baseline.json ]]; then
     read -r scene frames <<<"$(scene_of "$name")"
     data_root=("--data_root=$data")
-    [[ $scene != "$out"/* && $scene != "$data"/* ]] || data_root=()
+    [[ $scene != "$out"/* ]] || data_root=()
     # Exit code 1 says that a frame is not usable: its steps are steps all the same.
     "$build/tools/musclewarp-deform" --scene="$scene" "${data_root[@]}" --frames="$frames" \
       --record_steps="$folder" --out="$out/runs/$name" >"$out/$name.log" 2>&1 ||
