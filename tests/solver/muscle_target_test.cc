@@ -11,8 +11,9 @@
 namespace musclewarp {
 namespace {
 
-MuscleModelOptions WithAttachments() {
+MuscleModelOptions WithAttachments(LaplacianWeights weights) {
   MuscleModelOptions options;
+  options.laplacian.weights = weights;
   options.attachment_weight = 2;
   options.skeleton_weight = 1.5;
   return options;
@@ -25,8 +26,11 @@ Eigen::Matrix3d Turn() {
 
 }  // namespace
 
-TEST(MuscleTarget, RestHasNoEnergy) {
-  const MuscleModel model = SpindleModel(WithAttachments());
+// With rows by area, and with the paper's.
+class MuscleTargetTest : public ::testing::TestWithParam<LaplacianWeights> {};
+
+TEST_P(MuscleTargetTest, RestHasNoEnergy) {
+  const MuscleModel model = SpindleModel(WithAttachments(GetParam()));
   ASSERT_GT(model.attachment.rows(), 0);
   const MuscleTarget target = TargetOf(model, ScenePose(), {});
   EXPECT_LT(LinearEnergy(model, target, model.coarse_rest), 1e-20);
@@ -36,8 +40,8 @@ TEST(MuscleTarget, RestHasNoEnergy) {
             1e-9);
 }
 
-TEST(MuscleTarget, ARigidMotionHasNoEnergy) {
-  const MuscleModel model = SpindleModel(WithAttachments());
+TEST_P(MuscleTargetTest, ARigidMotionHasNoEnergy) {
+  const MuscleModel model = SpindleModel(WithAttachments(GetParam()));
   const Eigen::Vector3d shift(100, -50, 20);
   const MuscleTarget target = TargetOf(model, RigidPose(Turn(), shift), {});
   Points moved = model.coarse_rest * Turn().transpose();
@@ -48,8 +52,8 @@ TEST(MuscleTarget, ARigidMotionHasNoEnergy) {
       1e-6);
 }
 
-TEST(MuscleTarget, DescentIsMinusTheGradient) {
-  const MuscleModel model = SpindleModel(WithAttachments());
+TEST_P(MuscleTargetTest, DescentIsMinusTheGradient) {
+  const MuscleModel model = SpindleModel(WithAttachments(GetParam()));
   const MuscleTarget target = TargetOf(model, BentPose(0.8), {});
   Points coarse = model.coarse_rest;
   const Points descent = LinearDescent(model, target, coarse);
@@ -66,12 +70,18 @@ TEST(MuscleTarget, DescentIsMinusTheGradient) {
   }
 }
 
-TEST(MuscleTarget, TheMinimizerHasNoDescent) {
-  const MuscleModel model = SpindleModel(WithAttachments());
+TEST_P(MuscleTargetTest, TheMinimizerHasNoDescent) {
+  const MuscleModel model = SpindleModel(WithAttachments(GetParam()));
   const MuscleTarget target = TargetOf(model, BentPose(0.8), {});
   const Points minimizer = UnconstrainedMinimizer(model, target);
   EXPECT_LT(LinearDescent(model, target, minimizer).cwiseAbs().maxCoeff(),
             1e-9);
 }
+
+INSTANTIATE_TEST_SUITE_P(Rows,
+                         MuscleTargetTest,
+                         ::testing::Values(LaplacianWeights::kArea,
+                                           LaplacianWeights::kPaper),
+                         [](const auto& of) { return ToString(of.param); });
 
 }  // namespace musclewarp

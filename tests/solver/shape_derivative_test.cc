@@ -106,9 +106,16 @@ void ExpectDerivativeOfSolves(const MuscleModel& model,
 }
 
 TEST(DifferentiateShape, IsTheDerivativeOfTheSolve) {
-  for (const double attachment_weight : {0.0, 8.0}) {
+  struct Case {
+    LaplacianWeights weights;
+    double attachment_weight;
+  };
+  for (const Case& c : {Case{LaplacianWeights::kPaper, 0},
+                        Case{LaplacianWeights::kPaper, 8},
+                        Case{LaplacianWeights::kArea, 8}}) {
     MuscleModelOptions options;
-    options.attachment_weight = attachment_weight;
+    options.laplacian.weights = c.weights;
+    options.attachment_weight = c.attachment_weight;
     const MuscleModel model = SpindleModel(options);
     for (const double angle : {-0.6, 0.1, 0.8}) {
       ExpectDerivativeOfSolves(

@@ -103,6 +103,23 @@ TEST(SingleMuscleSolver, AllFindOneMinimumWithOneSidedRows) {
   }
 }
 
+TEST(SingleMuscleSolver, AllFindOneMinimumWithRowsByArea) {
+  MuscleModelOptions options;
+  options.laplacian.weights = LaplacianWeights::kArea;
+  options.attachment_weight = 8;
+  const MuscleModel model = SpindleModel(options);
+  MuscleTarget target = TargetOf(model, BentPose(1), {});
+  const Points free = SolveWithReference(model, target);
+  target.one_sided = RowsFromBothSides(model, free, 4);
+  const Points reference = SolveWithReference(model, target);
+  EXPECT_GT(Distance(reference, free), 1);
+  for (const auto formulation :
+       {MuscleFormulation::kWhitened, MuscleFormulation::kBlocks}) {
+    EXPECT_LT(Distance(reference, SolveWithCeres(model, target, formulation)),
+              kSameMinimum);
+  }
+}
+
 TEST(SingleMuscleSolver, PlanesThatAreFarAwayChangeNothing) {
   const MuscleModel model = SpindleModel();
   MuscleTarget target = TargetOf(model, BentPose(0.5), {});
