@@ -15,6 +15,12 @@ void ChoosePreparation(const DeformerSettings& choices,
                        PrepareOptions* options) {
   options->muscle.hull.coarse_vertices = choices.coarse_vertices;
   options->muscle.laplacian.weights = ParseLaplacian(choices.laplacian);
+  if (choices.laplacian_length > 0 &&
+      options->muscle.laplacian.weights == LaplacianWeights::kPaper) {
+    throw InputError("--laplacian_length",
+                     "is for --laplacian=area, and the rows are the paper's",
+                     "add --laplacian=area, or leave --laplacian_length out");
+  }
   options->muscle.laplacian.length_scale = choices.laplacian_length;
   options->muscle.sample_spacing = choices.sample_spacing;
   options->muscle.skeleton_weight = choices.skeleton_weight;

@@ -150,6 +150,11 @@ TEST(SceneFlags, RefusesValuesThatAreNotAllowedByTheNameOfTheFlag) {
   ExpectFlagRefused("remake", "always", "auto, never");
   ExpectFlagRefused("attachments", "all", "auto, scene, none");
   ExpectFlagRefused("laplacian", "none", "area, paper");
+  ExpectInputError(
+      [] {
+        WithFlags({{"laplacian_length", "3"}});
+      },
+      {"--laplacian_length", "add --laplacian=area"});
   for (const char* value : {"0", "-1", "nan", "0.6"}) {
     ExpectFlagRefused("gap", value, "above 0");
   }

@@ -4,6 +4,7 @@
 
 #include <glog/logging.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "musclewarp/base/input_error.h"
@@ -45,10 +46,12 @@ void AddRotations(const MuscleModelOptions& options, MuscleModel* model) {
     model->rotations = NearestRotations(model->coarse_rest, model->lines);
     return;
   }
-  // Of a cylinder this is its radius.
+  // Of a cylinder this is its radius. Lines are cut into pieces of half of it,
+  // which a thin sheet would make countless.
+  constexpr double kLeastRadius = 2;  // mm
   const double mean_radius = 2 * model->rest_volume / model->rest_area;
-  model->rotations =
-      SmoothRotations(model->coarse_rest, model->lines, mean_radius);
+  model->rotations = SmoothRotations(
+      model->coarse_rest, model->lines, std::max(mean_radius, kLeastRadius));
 }
 
 AttachmentRows RowsOf(const MuscleModelOptions& options,
