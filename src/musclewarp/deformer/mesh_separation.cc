@@ -16,6 +16,8 @@ RestSeparationOptions MeshSeparationOptions() {
   RestSeparationOptions options;
   // docs/results.md compares separation with and without the coarse solve.
   options.contact.coarse_weight = 0;
+  // No motion follows in which the meshes would settle.
+  options.contact.max_rest_steps += options.contact.max_settling_steps;
   options.prepare.makes_lines = false;
   options.prepare.attachments = AttachmentKind::kNone;
   options.prepare.remove_self_crossings = true;
