@@ -27,10 +27,10 @@ struct MeshSeparation {
 // overlaps.
 RestSeparationOptions MeshSeparationOptions();
 
-// Separates the meshes of a scene in their rest pose (SeparateRest). Poses and
-// lines are ignored. `on_progress` may be empty. Throws InputError if the scene
-// contradicts itself, a mesh cannot be read or repaired, or the meshes cannot
-// be separated. Precondition (CHECKed): the options are valid.
+// Separates the meshes of a scene in their rest pose (SeparateRest), in which
+// lines move nothing. `on_progress` may be empty. Throws InputError if the
+// scene contradicts itself, a mesh cannot be read or repaired, or the meshes
+// cannot be separated. Precondition (CHECKed): the options are valid.
 MeshSeparation SeparateMeshes(const Scene& scene,
                               const RestSeparationOptions& options,
                               const ProgressCallback& on_progress);

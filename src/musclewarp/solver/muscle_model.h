@@ -26,9 +26,9 @@ struct MuscleModelOptions {
   OuterHullOptions hull;
   CotangentLaplacianOptions laplacian;
 
-  // Largest distance between neighbouring skeleton samples along a line, mm. A
-  // smaller distance gives more rows, which weigh the skeleton more against the
-  // shape.
+  // Largest distance between neighbouring skeleton samples along a line, mm.
+  // With kPaper a smaller distance gives more rows, which weigh the skeleton
+  // more against the shape.
   double sample_spacing = 10;
 
   // Weight of a skeleton row against a Laplacian row (both are in mm). With
