@@ -29,8 +29,8 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-// Returns the numbers of a flag. `is_allowed` says which are, `allowed` the same
-// in words.
+// Returns the numbers of a flag. `is_allowed` says which are, `allowed` the
+// same in words.
 template <typename Number>
 std::vector<Number> ParseNumbers(const std::string& flag,
                                  const std::string& text,
@@ -57,11 +57,10 @@ void CheckOptions(const ConvergenceOptions& options) {
   const StudyValues& values = options.values;
   if (values.vertices.empty() && values.spacings.empty() &&
       values.densities.empty()) {
-    throw InputError(
-        "--convergence",
-        "has nothing to vary",
-        "give --convergence_vertices, --convergence_spacing or "
-        "--convergence_density a list of values");
+    throw InputError("--convergence",
+                     "has nothing to vary",
+                     "give --convergence_vertices, --convergence_spacing or "
+                     "--convergence_density a list of values");
   }
 }
 

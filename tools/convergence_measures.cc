@@ -5,12 +5,15 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "musclewarp/frames/surface_deformation.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/triangle.h"
 #include "musclewarp/proximity/triangle_bvh.h"
+#include "musclewarp/proximity/triangle_distance.h"
 
 namespace musclewarp {
 namespace {
@@ -27,15 +30,58 @@ Eigen::RowVector3d BarycentricOf(const Eigen::RowVector3d& point,
   return {1 - part[0] - part[1], part[0], part[1]};
 }
 
+// Returns the sum of the normals of the triangles at each vertex, weighted by
+// their areas, #V x 3.
+Points VertexNormalsOf(const TriangleSoup& surface) {
+  Points normals = Points::Zero(surface.points.rows(), 3);
+  for (Eigen::Index f = 0; f < surface.triangles.rows(); ++f) {
+    const Eigen::RowVector3d normal =
+        AreaVector(CornersOf(surface.points, surface.triangles.row(f)));
+    for (int corner = 0; corner < 3; ++corner) {
+      normals.row(surface.triangles(f, corner)) += normal;
+    }
+  }
+  return normals;
+}
+
+// Returns the nearest point among triangles that face a direction, or among all
+// if none does.
+TriangleBvh::Closest ClosestFacing(const TriangleBvh& bvh,
+                                   const Eigen::RowVector3d& point,
+                                   const Eigen::RowVector3d& direction) {
+  TriangleBvh::Closest closest;
+  double least = std::numeric_limits<double>::infinity();
+  bvh.TraverseNearestFirst(
+      [&](const Box3& box) { return box.SquaredDistance(point); },
+      [&](int triangle) {
+        const Corners& corners = bvh.corners(triangle);
+        if (!(AreaVector(corners).dot(direction) > 0)) return;
+        const Eigen::RowVector3d candidate =
+            ClosestPointOfTriangle(point, corners);
+        const double square = (point - candidate).squaredNorm();
+        if (square >= least) return;
+        least = square;
+        closest.triangle = triangle;
+        closest.point = candidate;
+        closest.distance = std::sqrt(square);
+      },
+      &least);
+  return closest.triangle >= 0 ? closest : bvh.ClosestPoint(point);
+}
+
 }  // namespace
 
-SurfacePlaces NearestPlaces(const TriangleSoup& surface, const Points& points) {
+SurfacePlaces NearestPlaces(const TriangleSoup& surface,
+                            const TriangleSoup& from) {
   const TriangleBvh bvh(surface.points, surface.triangles);
+  const Points normals = VertexNormalsOf(from);
+  const Eigen::Index num_places = from.points.rows();
   SurfacePlaces places;
-  places.triangles.resize(points.rows());
-  places.barycentric.resize(points.rows(), 3);
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const TriangleBvh::Closest closest = bvh.ClosestPoint(points.row(i));
+  places.triangles.resize(num_places);
+  places.barycentric.resize(num_places, 3);
+  for (Eigen::Index i = 0; i < num_places; ++i) {
+    const TriangleBvh::Closest closest =
+        ClosestFacing(bvh, from.points.row(i), normals.row(i));
     places.triangles[i] = closest.triangle;
     places.barycentric.row(i) =
         BarycentricOf(closest.point, bvh.corners(closest.triangle));
@@ -61,7 +107,8 @@ Points FieldAt(const SurfacePlaces& places,
 StretchSummary SummariseStretch(const TriangleSoup& rest,
                                 const Points& deformed) {
   const Eigen::VectorXd stretch =
-      MeasureSurfaceDeformation(rest.points, deformed, rest.triangles, Points(0, 3))
+      MeasureSurfaceDeformation(
+          rest.points, deformed, rest.triangles, Points(0, 3))
           .largest_stretch;
   const Eigen::VectorXd areas = VertexAreas(rest.points, rest.triangles);
   return {stretch.dot(areas) / areas.sum(),

@@ -9,17 +9,19 @@
 
 namespace musclewarp {
 
-// Places on a surface, each in a triangle, and how far the points that they were
-// looked up for are away.
+// Places on a surface, each in a triangle, and how far the points that they
+// were looked up for are away.
 struct SurfacePlaces {
-  std::vector<int> triangles;    // #places
-  Points barycentric;            // #places x 3, weights of the corners
-  double largest_distance = 0;   // of a point from its place, mm
+  std::vector<int> triangles;   // #places
+  Points barycentric;           // #places x 3, weights of the corners
+  double largest_distance = 0;  // of a point from its place, mm
 };
 
-// Finds the place of a surface that is nearest to each point (#P x 3, mm).
-// Precondition: the surface has triangles.
-SurfacePlaces NearestPlaces(const TriangleSoup& surface, const Points& points);
+// Finds the place of a surface that is nearest to each vertex of another, among
+// triangles that face the way the vertex does: in a thin muscle those of the
+// other side are near, too. Precondition: both surfaces have triangles.
+SurfacePlaces NearestPlaces(const TriangleSoup& surface,
+                            const TriangleSoup& from);
 
 // Returns a field that is given at the vertices of a surface (#V x 3) at places
 // on it, interpolated linearly: #places x 3.
@@ -27,8 +29,9 @@ Points FieldAt(const SurfacePlaces& places,
                const Triangles& triangles,
                const Points& field);
 
-// How a surface is stretched (SurfaceDeformation::largest_stretch), as ratios of
-// lengths; each vertex counts by a third of the area of its triangles at rest.
+// How a surface is stretched (SurfaceDeformation::largest_stretch), as ratios
+// of lengths; each vertex counts by a third of the area of its triangles at
+// rest.
 struct StretchSummary {
   double mean = 1;
   double percentile_99 = 1;
@@ -41,8 +44,9 @@ struct StretchSummary {
 StretchSummary SummariseStretch(const TriangleSoup& rest,
                                 const Points& deformed);
 
-// Returns the smallest of the values that at least `fraction` of the weight does
-// not exceed. Preconditions (CHECKed): there are values, and as many weights.
+// Returns the smallest of the values that at least `fraction` of the weight
+// does not exceed. Preconditions (CHECKed): there are values, and as many
+// weights.
 double WeightedQuantile(const Eigen::VectorXd& values,
                         const Eigen::VectorXd& weights,
                         double fraction);

@@ -41,10 +41,11 @@ std::vector<Frame> SolveFrames(const DeformerOptions& options,
                                std::optional<RestResult> rest,
                                const std::vector<int>& frames) {
   const MuscleSolvers solvers = SolversOf(options.solver);
-  const auto frame_solver = MakeFrameSolver(scene,
-                                            options.frames,
-                                            std::make_shared<SceneMeshes>(scene),
-                                            std::move(rest));
+  const auto frame_solver =
+      MakeFrameSolver(scene,
+                      options.frames,
+                      std::make_shared<SceneMeshes>(scene),
+                      std::move(rest));
   // Without contact the result does not depend on the way to the pose.
   const bool is_motion = options.frames.contact == ContactKind::kCertified &&
                          scene.scene.is_motion;
@@ -90,8 +91,8 @@ std::vector<DiscretisedFrame> MeasureFrames(const PreparedScene& base,
     measured[i].is_usable = frames[i].IsUsable();
   }
   for (size_t m = 0; m < scene.muscles.size(); ++m) {
-    const SurfacePlaces places = NearestPlaces(
-        RestMesh(scene.muscles[m].model), base.muscles[m].model.fine_rest);
+    const SurfacePlaces places = NearestPlaces(RestMesh(scene.muscles[m].model),
+                                               RestMesh(base.muscles[m].model));
     for (size_t i = 0; i < frames.size(); ++i) {
       measured[i].muscles.push_back(
           Measured(scene.muscles[m], frames[i].muscles[m], places));

@@ -11,7 +11,9 @@ namespace musclewarp {
 namespace {
 
 // True if `a` is coarser than `b`.
-bool IsCoarser(StudyKind kind, const Discretisation& a, const Discretisation& b) {
+bool IsCoarser(StudyKind kind,
+               const Discretisation& a,
+               const Discretisation& b) {
   const double difference = ValueOf(kind, a) - ValueOf(kind, b);
   return kind == StudyKind::kSpacing ? difference > 0 : difference < 0;
 }
@@ -98,9 +100,9 @@ std::string ToString(StudyKind kind) {
     case StudyKind::kSpacing:
       return "spacing";
     case StudyKind::kDensity:
-      return "density";
+      break;
   }
-  LOG(FATAL) << "no such study";
+  return "density";
 }
 
 double ValueOf(StudyKind kind, const Discretisation& discretisation) {
@@ -110,9 +112,9 @@ double ValueOf(StudyKind kind, const Discretisation& discretisation) {
     case StudyKind::kSpacing:
       return discretisation.sample_spacing;
     case StudyKind::kDensity:
-      return discretisation.density;
+      break;
   }
-  LOG(FATAL) << "no such study";
+  return discretisation.density;
 }
 
 std::vector<ConvergenceStudy> StudiesOf(const StudyValues& values,

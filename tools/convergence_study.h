@@ -119,14 +119,14 @@ struct ConvergenceRow {
 
 // The compared frames and the muscles of a scene.
 struct StudiedFrames {
-  std::vector<int> frames;             // their indices
-  std::vector<std::string> poses;      // their names
+  std::vector<int> frames;         // their indices
+  std::vector<std::string> poses;  // their names
   std::vector<std::string> muscles;
 };
 
 // Compares the results of a study with those of its finest discretisation that
-// was solved. Precondition (CHECKed): there is a result for every discretisation
-// of the study.
+// was solved. Precondition (CHECKed): there is a result for every
+// discretisation of the study.
 std::vector<ConvergenceRow> RowsOf(
     const ConvergenceStudy& study,
     const std::vector<DiscretisationResult>& results,

@@ -62,9 +62,7 @@ void PrintHeader(StudyKind study, TextWidths widths, std::ostream& out) {
          "  stretch:mean    99 %  99.9 % largest  arm mm        ms  usable\n";
 }
 
-void PrintRow(const ConvergenceRow& row,
-              TextWidths widths,
-              std::ostream& out) {
+void PrintRow(const ConvergenceRow& row, TextWidths widths, std::ostream& out) {
   const auto figure = [&](double value, int width, int decimals) {
     out << std::setw(width) << Fixed(value, decimals);
   };

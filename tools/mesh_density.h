@@ -15,10 +15,11 @@ TriangleSoup MidpointRefined(const TriangleSoup& mesh);
 // True for the densities that WithDensity() can make: 0.25, 1, 4 and 16.
 bool IsDensity(double density);
 
-// Returns a mesh with `density` times as many triangles, 0.25, 1, 4 or 16. Above
-// 1 it is refined by midpoints, and the surface is the same. With 0.25 edges are
-// collapsed (ViewMeshOf), and the surface is nearly the same; a mesh that is not
-// a closed manifold stays as it is. Precondition (CHECKed): IsDensity(density).
+// Returns a mesh with `density` times as many triangles, 0.25, 1, 4 or 16.
+// Above 1 it is refined by midpoints, and the surface is the same. With 0.25
+// edges are collapsed (ViewMeshOf), and the surface is nearly the same; a mesh
+// that is not a closed manifold stays as it is. Precondition (CHECKed):
+// IsDensity(density).
 TriangleSoup WithDensity(const TriangleSoup& mesh, double density);
 
 }  // namespace musclewarp

@@ -21,13 +21,12 @@ DEFINE_string(configurations,
 DEFINE_string(contact,
               "none",
               "none, paper, certified, or several with commas");
-DEFINE_string(
-    out,
-    "",
-    "folder for comparison.csv, comparison.json and history.csv, for "
-    "convergence.csv and convergence.json, or for posture.json and "
-    "posture.vtp; "
-    "without it the table is only printed");
+DEFINE_string(out,
+              "",
+              "folder for comparison.csv, comparison.json and history.csv, for "
+              "convergence.csv and convergence.json, or for posture.json and "
+              "posture.vtp; "
+              "without it the table is only printed");
 DEFINE_int32(repeat, 1, "runs of each, of which the median time is given");
 DEFINE_string(posture,
               "",
@@ -173,7 +172,8 @@ int main(int argc, char** argv) {
       "[--out=DIR]\n\n"
       "Solves the poses of a scene with several solvers and puts iterations, "
       "times, cost,\nvolume, distance to the reference and intersections side "
-      "by side.\nWith --convergence, solves them with hulls, samples and meshes of several "
+      "by side.\nWith --convergence, solves them with hulls, samples and "
+      "meshes of several "
       "sizes, and says\nhow far each shape is from that with the finest."
       "\nWith --posture, compares a muscle of a frame with a mesh that "
       "was segmented in that\nposture: distances of the surfaces, volumes and "
