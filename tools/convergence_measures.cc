@@ -30,6 +30,17 @@ Eigen::RowVector3d BarycentricOf(const Eigen::RowVector3d& point,
   return {1 - part[0] - part[1], part[0], part[1]};
 }
 
+// Returns the axes of a triangle in rows: along its first edge, across it, and
+// its normal. They are zero where it has no area.
+Eigen::Matrix3d FrameOf(const Corners& corners) {
+  const Eigen::RowVector3d edge =
+      (corners.row(1) - corners.row(0)).normalized();
+  const Eigen::RowVector3d normal = AreaVector(corners).normalized();
+  Eigen::Matrix3d frame;
+  frame << edge, normal.cross(edge), normal;
+  return frame;
+}
+
 // Returns the sum of the normals of the triangles at each vertex, weighted by
 // their areas, #V x 3.
 Points VertexNormalsOf(const TriangleSoup& surface) {
@@ -79,29 +90,32 @@ SurfacePlaces NearestPlaces(const TriangleSoup& surface,
   SurfacePlaces places;
   places.triangles.resize(num_places);
   places.barycentric.resize(num_places, 3);
+  places.offsets.resize(num_places, 3);
   for (Eigen::Index i = 0; i < num_places; ++i) {
     const TriangleBvh::Closest closest =
         ClosestFacing(bvh, from.points.row(i), normals.row(i));
+    const Corners& corners = bvh.corners(closest.triangle);
     places.triangles[i] = closest.triangle;
-    places.barycentric.row(i) =
-        BarycentricOf(closest.point, bvh.corners(closest.triangle));
+    places.barycentric.row(i) = BarycentricOf(closest.point, corners);
+    places.offsets.row(i) =
+        (from.points.row(i) - closest.point) * FrameOf(corners).transpose();
     places.largest_distance =
         std::max(places.largest_distance, closest.distance);
   }
   return places;
 }
 
-Points FieldAt(const SurfacePlaces& places,
-               const Triangles& triangles,
-               const Points& field) {
-  Points values = Points::Zero(places.barycentric.rows(), 3);
-  for (Eigen::Index i = 0; i < values.rows(); ++i) {
-    for (int corner = 0; corner < 3; ++corner) {
-      values.row(i) += places.barycentric(i, corner) *
-                       field.row(triangles(places.triangles[i], corner));
-    }
+Points CarriedPoints(const SurfacePlaces& places,
+                     const Triangles& triangles,
+                     const Points& deformed) {
+  Points carried(places.barycentric.rows(), 3);
+  for (Eigen::Index i = 0; i < carried.rows(); ++i) {
+    const Corners corners =
+        CornersOf(deformed, triangles.row(places.triangles[i]));
+    carried.row(i) = places.barycentric.row(i) * corners +
+                     places.offsets.row(i) * FrameOf(corners);
   }
-  return values;
+  return carried;
 }
 
 StretchSummary SummariseStretch(const TriangleSoup& rest,

@@ -9,11 +9,12 @@
 
 namespace musclewarp {
 
-// Places on a surface, each in a triangle, and how far the points that they
-// were looked up for are away.
+// Places on a surface, each in a triangle, and the points that they were looked
+// up for, relative to them.
 struct SurfacePlaces {
   std::vector<int> triangles;   // #places
   Points barycentric;           // #places x 3, weights of the corners
+  Points offsets;               // #places x 3, mm, in the frame of the triangle
   double largest_distance = 0;  // of a point from its place, mm
 };
 
@@ -23,11 +24,12 @@ struct SurfacePlaces {
 SurfacePlaces NearestPlaces(const TriangleSoup& surface,
                             const TriangleSoup& from);
 
-// Returns a field that is given at the vertices of a surface (#V x 3) at places
-// on it, interpolated linearly: #places x 3.
-Points FieldAt(const SurfacePlaces& places,
-               const Triangles& triangles,
-               const Points& field);
+// Returns where points are, #places x 3, mm, that go with the places of a
+// surface whose vertices are at `deformed` (#V x 3): interpolated linearly in
+// the triangle, and as far from it as they were, so that rigid moves are exact.
+Points CarriedPoints(const SurfacePlaces& places,
+                     const Triangles& triangles,
+                     const Points& deformed);
 
 // How a surface is stretched (SurfaceDeformation::largest_stretch), as ratios
 // of lengths; each vertex counts by a third of the area of its triangles at

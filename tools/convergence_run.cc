@@ -66,16 +66,17 @@ std::vector<Frame> SolveFrames(const DeformerOptions& options,
 
 DiscretisedMuscle Measured(const PreparedMuscle& prepared,
                            const MuscleFrame& frame,
-                           const SurfacePlaces& base_vertices) {
+                           const Points& base_rest,
+                           const SurfacePlaces& places) {
   const MuscleModel& model = prepared.model;
   DiscretisedMuscle muscle;
   muscle.coarse_vertices = static_cast<int>(model.coarse_rest.rows());
   muscle.samples = static_cast<int>(model.samples.size());
   muscle.fine_vertices = static_cast<int>(model.fine_rest.rows());
   muscle.is_reconstructed = prepared.mesh.reconstruction.is_done;
-  muscle.displacements = FieldAt(
-      base_vertices, model.fine_triangles, frame.points - model.fine_rest);
-  muscle.rest_distance = base_vertices.largest_distance;
+  muscle.displacements =
+      CarriedPoints(places, model.fine_triangles, frame.points) - base_rest;
+  muscle.rest_distance = places.largest_distance;
   muscle.volume_ratio = 1 + frame.volume_error;
   muscle.stretch = SummariseStretch(RestMesh(model), frame.points);
   muscle.moment_arms = frame.line_moment_arms;
@@ -91,11 +92,12 @@ std::vector<DiscretisedFrame> MeasureFrames(const PreparedScene& base,
     measured[i].is_usable = frames[i].IsUsable();
   }
   for (size_t m = 0; m < scene.muscles.size(); ++m) {
-    const SurfacePlaces places = NearestPlaces(RestMesh(scene.muscles[m].model),
-                                               RestMesh(base.muscles[m].model));
+    const TriangleSoup base_mesh = RestMesh(base.muscles[m].model);
+    const SurfacePlaces places =
+        NearestPlaces(RestMesh(scene.muscles[m].model), base_mesh);
     for (size_t i = 0; i < frames.size(); ++i) {
-      measured[i].muscles.push_back(
-          Measured(scene.muscles[m], frames[i].muscles[m], places));
+      measured[i].muscles.push_back(Measured(
+          scene.muscles[m], frames[i].muscles[m], base_mesh.points, places));
     }
   }
   return measured;

@@ -60,10 +60,11 @@ struct DiscretisedMuscle {
   int coarse_vertices = 0, samples = 0, fine_vertices = 0;  // that it has
   bool is_reconstructed = false;  // by certified contact, as a new mesh
 
-  // The displacements from rest at the vertices of the base mesh, #V x 3, mm:
-  // at the nearest places of the surface at rest, which are at most
-  // `rest_distance` away, mm. Base meshes are those of the scene as prepared,
-  // so that all discretisations are compared at the same points.
+  // The displacements from rest of the vertices of the base mesh, #V x 3, mm.
+  // They go with the nearest places of the surface (CarriedPoints), which at
+  // rest are at most `rest_distance` away, mm. Base meshes are those of the
+  // scene as prepared, so that all discretisations are compared at the same
+  // points.
   Points displacements;
   double rest_distance = 0;
 

@@ -4,35 +4,49 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <Eigen/Geometry>
 
+#include "musclewarp/mesh/triangle.h"
 #include "support/meshes.h"
 #include "tools/mesh_density.h"
 
 namespace musclewarp {
 
-TEST(ConvergenceMeasures, AFieldIsFoundAtTheSameVertices) {
+TEST(ConvergenceMeasures, VerticesThatAreTheSameAreFound) {
   const TriangleSoup base = Spindle(12, 60, 2);
   for (const TriangleSoup& surface : {base, MidpointRefined(base)}) {
     const SurfacePlaces places = NearestPlaces(surface, base);
     EXPECT_LT(places.largest_distance, 1e-12);
-    const Points field =
+    const Points moved =
         RandomPoints(static_cast<int>(surface.points.rows()), 7);
-    const Points found = FieldAt(places, surface.triangles, field);
-    EXPECT_LT((found - field.topRows(base.points.rows())).cwiseAbs().maxCoeff(),
+    const Points found = CarriedPoints(places, surface.triangles, moved);
+    EXPECT_LT((found - moved.topRows(base.points.rows())).cwiseAbs().maxCoeff(),
               1e-9);
   }
 }
 
-TEST(ConvergenceMeasures, ALinearFieldIsFoundExactlyWhereSurfacesAreFlat) {
+TEST(ConvergenceMeasures, FlatTrianglesCarryPointsLinearly) {
   const TriangleSoup box = LatticeBox(4, 3, 2);
-  const auto field = [](const Points& points) -> Points {
+  const auto moved = [](const Points& points) -> Points {
     return (2 * points).rowwise() + Eigen::RowVector3d(1, 2, 3);
   };
   const TriangleSoup finer = MidpointRefined(box);
+  const Points found = CarriedPoints(
+      NearestPlaces(box, finer), box.triangles, moved(box.points));
+  EXPECT_LT((found - moved(finer.points)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(ConvergenceMeasures, RigidMovesAreExactOffTheSurface) {
+  const TriangleSoup base = Spindle(12, 60, 3);
+  const TriangleSoup coarse = WithDensity(base, 0.25);
+  const SurfacePlaces places = NearestPlaces(coarse, base);
+  EXPECT_GT(places.largest_distance, 0.1);
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 2, 3).normalized())
+          .toRotationMatrix();
   const Points found =
-      FieldAt(NearestPlaces(box, finer), box.triangles, field(box.points));
-  EXPECT_LT((found - field(finer.points)).cwiseAbs().maxCoeff(), 1e-12);
+      CarriedPoints(places, coarse.triangles, coarse.points * turn);
+  EXPECT_LT((found - base.points * turn).cwiseAbs().maxCoeff(), 1e-9);
 }
 
 TEST(ConvergenceMeasures, PlacesAreOnTheSideThatFacesTheSameWay) {
@@ -40,12 +54,14 @@ TEST(ConvergenceMeasures, PlacesAreOnTheSideThatFacesTheSameWay) {
   const TriangleSoup sheet = LatticeBox(8, 8, 1);
   const TriangleSoup lower = MovedBy(sheet, {0, 0, -0.9});
   const SurfacePlaces places = NearestPlaces(sheet, lower);
-  const Points found = FieldAt(places, sheet.triangles, sheet.points);
+  ASSERT_EQ(places.barycentric.rows(), lower.points.rows());
   for (Eigen::Index v = 0; v < lower.points.rows(); ++v) {
     const Eigen::RowVector3d p = sheet.points.row(v);
     const bool is_inner = p[0] > 0 && p[0] < 8 && p[1] > 0 && p[1] < 8;
     if (!is_inner) continue;
-    EXPECT_NEAR(found(v, 2), p[2], 1e-12) << p;
+    const Corners corners =
+        CornersOf(sheet.points, sheet.triangles.row(places.triangles[v]));
+    EXPECT_NEAR((places.barycentric.row(v) * corners)[2], p[2], 1e-12) << p;
   }
 }
 
