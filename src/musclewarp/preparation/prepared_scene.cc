@@ -17,8 +17,8 @@
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/preparation/delivered_mesh.h"
+#include "musclewarp/preparation/exempt_areas.h"
 #include "musclewarp/preparation/surroundings.h"
-#include "musclewarp/scene/attachment_area.h"
 #include "musclewarp/scene/coordinate_limits.h"
 #include "musclewarp/scene/far_lines.h"
 #include "musclewarp/scene/folded_lines.h"
@@ -70,22 +70,14 @@ void AddBones(const std::vector<PreparedBone>& bones,
   }
 }
 
-// Prepares all data that depends on the mesh of muscle `m`.
+// Prepares all data that depends on the mesh of muscle `m` and is not kept:
+// `muscle` has the attachments, and `hull` is the coarse mesh.
 void PrepareModel(const Surroundings& surroundings,
                   const PrepareOptions& options,
-                  const Scene& scene,
-                  int m,
+                  const SceneMuscle& muscle,
                   const TriangleSoup& fine,
+                  const TriangleSoup& hull,
                   PreparedMuscle* prepared) {
-  SceneMuscle muscle = scene.muscles[m];
-  muscle.attachments = ChooseAttachments(options.attachments,
-                                         muscle,
-                                         scene.poses,
-                                         fine,
-                                         surroundings.bodies(),
-                                         surroundings.MusclesBeside(m),
-                                         &prepared->attachment_warnings);
-  const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
   prepared->hull_encloses = Encloses(hull, fine);
   MuscleModelOptions model_options = options.muscle;
   if (options.attachments == AttachmentKind::kNone) {
@@ -107,6 +99,25 @@ void PrepareModel(const Surroundings& surroundings,
                                   hull.triangles);
     prepared->fibres_ms = stopwatch.Milliseconds();
   }
+}
+
+// Prepares all data that depends on the mesh of muscle `m`.
+void PrepareFromMesh(const Surroundings& surroundings,
+                     const PrepareOptions& options,
+                     const Scene& scene,
+                     int m,
+                     const TriangleSoup& fine,
+                     PreparedMuscle* prepared) {
+  SceneMuscle muscle = scene.muscles[m];
+  muscle.attachments = ChooseAttachments(options.attachments,
+                                         muscle,
+                                         scene.poses,
+                                         fine,
+                                         surroundings.bodies(),
+                                         surroundings.MusclesBeside(m),
+                                         &prepared->attachment_warnings);
+  const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
+  PrepareModel(surroundings, options, muscle, fine, hull, prepared);
 }
 
 // Reads and repairs the mesh of a bone.
@@ -162,7 +173,7 @@ void PrepareOne(const Surroundings& surroundings,
                              muscle.attachments,
                              options.auto_lines);
   }
-  PrepareModel(surroundings, options, *scene, m, fine, prepared);
+  PrepareFromMesh(surroundings, options, *scene, m, fine, prepared);
 }
 
 struct MeshSize {
@@ -186,39 +197,6 @@ std::vector<std::string> ScaleWarnings(const std::vector<MeshSize>& sizes,
     }
   }
   return warnings;
-}
-
-// Returns the exempt areas of all pairs of a muscle and a bone on whose body
-// the muscle has an attachment that may penetrate.
-std::vector<ExemptArea> ExemptAreas(const PreparedScene& scene) {
-  std::vector<ExemptArea> areas;
-  for (size_t m = 0; m < scene.muscles.size(); ++m) {
-    const MuscleModel& model = scene.muscles[m].model;
-    for (size_t b = 0; b < scene.bones.size(); ++b) {
-      ExemptArea area;
-      area.muscle = static_cast<int>(m);
-      area.bone = static_cast<int>(b);
-      area.vertices.assign(model.fine_rest.rows(), false);
-      bool is_any = false;
-      for (const Attachment& attachment : model.attachments) {
-        if (!attachment.may_penetrate ||
-            attachment.body != scene.bones[b].body) {
-          continue;
-        }
-        for (const int v : VerticesInArea(attachment, model.fine_rest)) {
-          area.vertices[v] = is_any = true;
-        }
-      }
-      if (!is_any) continue;
-      for (Eigen::Index f = 0; f < model.fine_triangles.rows(); ++f) {
-        const auto t = model.fine_triangles.row(f);
-        area.triangles.push_back(area.vertices[t[0]] || area.vertices[t[1]] ||
-                                 area.vertices[t[2]]);
-      }
-      areas.push_back(std::move(area));
-    }
-  }
-  return areas;
 }
 
 // Finds crossing bones, and poses that dislocate joints.
@@ -307,8 +285,29 @@ void ReplaceMuscleMeshes(const PrepareOptions& options,
     if (options.remove_slivers) {
       muscle.mesh.slivers = RemoveSlivers(options.slivers, &meshes[k]);
     }
-    PrepareModel(
+    PrepareFromMesh(
         surroundings, options, prepared->scene, muscles[k], meshes[k], &muscle);
+  });
+  prepared->exempt = ExemptAreas(*prepared);
+}
+
+void RetriangulateMuscles(const PrepareOptions& options,
+                          const std::vector<TriangleSoup>& meshes,
+                          PreparedScene* prepared) {
+  CHECK_EQ(meshes.size(), prepared->muscles.size());
+  Surroundings surroundings;
+  AddBones(prepared->bones, &surroundings);
+  ParallelFor(meshes.size(), [&](size_t m) {
+    PreparedMuscle& prepared_muscle = prepared->muscles[m];
+    const MuscleModel model = std::move(prepared_muscle.model);
+    SceneMuscle muscle = prepared->scene.muscles[m];
+    muscle.attachments = model.attachments;
+    PrepareModel(surroundings,
+                 options,
+                 muscle,
+                 meshes[m],
+                 {model.coarse_rest, model.coarse_triangles},
+                 &prepared_muscle);
   });
   prepared->exempt = ExemptAreas(*prepared);
 }

@@ -170,6 +170,17 @@ void ReplaceMuscleMeshes(const PrepareOptions& options,
                          std::vector<TriangleSoup> meshes,
                          PreparedScene* prepared);
 
+// Replaces the mesh of every muscle of a prepared scene by another
+// triangulation of the same surface, or of nearly the same, and prepares what
+// follows from it. Hulls, lines and attachments are kept, so that nothing but
+// the density of the meshes, and `options.muscle` apart from the hull, changes.
+// Hulls need not enclose meshes that lie farther out than those before
+// (PreparedMuscle::hull_encloses). Preconditions: there is a mesh for every
+// muscle (CHECKed), and every mesh is a closed manifold.
+void RetriangulateMuscles(const PrepareOptions& options,
+                          const std::vector<TriangleSoup>& meshes,
+                          PreparedScene* prepared);
+
 // Prepares a scene, several meshes at a time. Throws InputError if a mesh
 // cannot be read or repaired. `on_progress` may be empty; it is called on the
 // calling thread. Precondition (CHECKed): the options are valid.

@@ -1,0 +1,137 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "musclewarp/mesh/triangle_soup.h"
+#include "tools/convergence_measures.h"
+
+namespace musclewarp {
+
+// How a scene is discretised.
+struct Discretisation {
+  int coarse_vertices = 200;   // of the hull of a muscle, about
+  double sample_spacing = 10;  // of samples along action lines, mm
+  double density = 1;          // of triangles, against the meshes as prepared
+
+  bool operator==(const Discretisation& other) const {
+    return coarse_vertices == other.coarse_vertices &&
+           sample_spacing == other.sample_spacing && density == other.density;
+  }
+};
+
+// What a study of convergence varies.
+enum class StudyKind { kVertices, kSpacing, kDensity };
+
+// "vertices", "spacing" or "density": the text of reports.
+std::string ToString(StudyKind kind);
+
+// Returns the value that a study varies.
+double ValueOf(StudyKind kind, const Discretisation& discretisation);
+
+// The values of each study; a study without values is left out.
+struct StudyValues {
+  std::vector<int> vertices = {100, 200, 300, 600, 1200, 2400};
+  std::vector<double> spacings = {2.5, 5, 10, 20, 40};  // mm
+  std::vector<double> densities = {0.25, 1, 4};
+};
+
+// Discretisations that differ in one value, from the coarsest to the finest.
+struct ConvergenceStudy {
+  StudyKind kind = StudyKind::kVertices;
+  std::vector<Discretisation> discretisations;
+};
+
+// Returns the studies that have values. Each includes `as_set`, the
+// discretisation that the flags set, and no value twice.
+std::vector<ConvergenceStudy> StudiesOf(const StudyValues& values,
+                                        const Discretisation& as_set);
+
+// Returns every discretisation of the studies once, `as_set` first.
+std::vector<Discretisation> AllDiscretisations(
+    const std::vector<ConvergenceStudy>& studies, const Discretisation& as_set);
+
+// A muscle in one frame, with one discretisation.
+struct DiscretisedMuscle {
+  int coarse_vertices = 0, samples = 0, fine_vertices = 0;  // that it has
+  bool is_reconstructed = false;  // by certified contact, as a new mesh
+
+  // The displacements from rest of the vertices of the base mesh, #V x 3, mm.
+  // They go with the nearest places of the surface (CarriedPoints), which at
+  // rest are at most `rest_distance` away, mm. Base meshes are those of the
+  // scene as prepared, so that all discretisations are compared at the same
+  // points.
+  Points displacements;
+  double rest_distance = 0;
+
+  double volume_ratio = 1;  // to the volume at rest
+  StretchSummary stretch;
+
+  // Of each line, by coordinate; none without a model (MuscleFrame).
+  std::map<std::string, std::vector<double>> moment_arms;
+};
+
+// One frame, with one discretisation.
+struct DiscretisedFrame {
+  double ms = 0;  // for moving the muscles to the pose
+  bool is_usable = false;
+  std::vector<DiscretisedMuscle> muscles;  // in the order of the scene
+};
+
+// What came of one discretisation.
+struct DiscretisationResult {
+  Discretisation discretisation;
+  std::string failure;  // empty if the scene was solved
+  double prepare_ms = 0;
+  std::vector<DiscretisedFrame> frames;  // in the order of the compared frames
+};
+
+// A line of the tables: one muscle in one frame, with one value of a study. A
+// discretisation that could not be solved is one row, without a muscle.
+struct ConvergenceRow {
+  StudyKind study = StudyKind::kVertices;
+  double value = 0;
+  bool is_as_set = false;  // as the flags set it
+  bool is_finest = false;  // what the others of the study are compared with
+  std::string failure;     // if not empty, what follows has no meaning
+  int frame = 0;
+  std::string pose;
+  std::string muscle;
+  int coarse_vertices = 0, samples = 0, fine_vertices = 0;
+  bool is_reconstructed = false;
+  double rest_distance = 0;
+
+  // The distance of a vertex of the base mesh to where the finest
+  // discretisation has it, mm.
+  double largest_distance = 0, mean_distance = 0;
+  double volume_ratio = 1;
+  StretchSummary stretch;
+
+  // The largest difference of the moment arm of a line to that of the finest,
+  // mm (mm/m for a coordinate that is a length). None without a model.
+  std::optional<double> moment_arm_difference;
+  double ms = 0;
+  bool is_usable = false;
+};
+
+// The compared frames and the muscles of a scene.
+struct StudiedFrames {
+  std::vector<int> frames;         // their indices
+  std::vector<std::string> poses;  // their names
+  std::vector<std::string> muscles;
+};
+
+// Compares the results of a study with those of its finest discretisation that
+// was solved. Precondition (CHECKed): there is a result for every
+// discretisation of the study.
+std::vector<ConvergenceRow> RowsOf(
+    const ConvergenceStudy& study,
+    const std::vector<DiscretisationResult>& results,
+    const Discretisation& as_set,
+    const StudiedFrames& studied);
+
+}  // namespace musclewarp
