@@ -23,7 +23,7 @@ struct DeformerSettings {
   double max_hole = HoleLimits().max_perimeter;  // mm
   int coarse_vertices = 200;
   int bone_coarse_vertices = 1000;
-  std::string laplacian = "paper";
+  std::string laplacian = "area";
   double laplacian_length = 0;  // mm; 0: by the area of the muscle
   double sample_spacing = 10;   // mm
   double skeleton_weight = 1;

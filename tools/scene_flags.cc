@@ -54,10 +54,10 @@ DEFINE_int32(bone_coarse_vertices,
              1000,
              "vertices of the hull of a bone, about (--contact_level=coarse)");
 DEFINE_string(laplacian,
-              "paper",
-              "how the rows that keep a shape weigh: paper (divided by the "
-              "sums of their weights, as Kellnhofer and Kohout have them) or "
-              "area (the shape does not depend on the size of the hull)");
+              "area",
+              "how the rows that keep a shape weigh: area (the shape does not "
+              "depend on the size of the hull) or paper (divided by the sums "
+              "of their weights, as Kellnhofer and Kohout have them)");
 DEFINE_double(laplacian_length,
               0,
               "with --laplacian=area, the length scale of the stiffness of a "

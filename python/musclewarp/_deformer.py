@@ -56,7 +56,7 @@ class Deformer(_core.Deformer):
                  max_loss: float = 0.06,
                  max_hole: float = 30.0,
                  coarse_vertices: int = 200,
-                 laplacian: str = "paper",
+                 laplacian: str = "area",
                  laplacian_length: float = 0.0,
                  sample_spacing: float = 10.0,
                  skeleton_weight: float = 1.0,

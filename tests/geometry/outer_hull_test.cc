@@ -44,6 +44,23 @@ TEST(OuterHull, IsACleanMeshAroundTheMuscle) {
   }
 }
 
+// All vertices of a wrap are at its distance from a convex surface.
+TEST(OuterHull, KeepsItsDistanceWhateverTheNumberOfItsVertices) {
+  constexpr double kRadius = 50;
+  const TriangleSoup ball = Icosphere(kRadius, 4);
+  OuterHullOptions options;
+  const double distance = options.relative_distance *
+                          std::sqrt(SurfaceArea(ball.points, ball.triangles));
+  for (const int wanted : {150, 500}) {
+    options.coarse_vertices = wanted;
+    const Eigen::VectorXd radii =
+        OuterHull(ball, options).points.rowwise().norm();
+    // The ball is a polyhedron, whose faces are up to 0.1 mm inside.
+    EXPECT_NEAR(radii.minCoeff(), kRadius + distance, 0.15);
+    EXPECT_NEAR(radii.maxCoeff(), kRadius + distance, 0.15);
+  }
+}
+
 TEST(OuterHull, TakesDirtyMeshes) {
   TriangleSoup muscle = Muscle();
   // A hole, a doubled triangle, a triangle without area, an unused point.

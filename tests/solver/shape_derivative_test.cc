@@ -192,8 +192,7 @@ TEST(DifferentiateShape, IsRigidWhereTheTargetIs) {
   TargetRate rate;
   rate.linear.laplacian = turned(bent.laplacian);
   rate.linear.skeleton = turned(bent.skeleton);
-  rate.linear.skeleton.rowwise() +=
-      MuscleModelOptions().skeleton_weight * velocity.transpose();
+  rate.linear.skeleton += model.skeleton_weights * velocity.transpose();
   rate.linear.attachment = bent.attachment;  // there are none
   rate.plane_turns.resize(0, 3);
   Points expected = turned(coarse);

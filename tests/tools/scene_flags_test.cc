@@ -152,7 +152,7 @@ TEST(SceneFlags, RefusesValuesThatAreNotAllowedByTheNameOfTheFlag) {
   ExpectFlagRefused("laplacian", "none", "area, paper");
   ExpectInputError(
       [] {
-        WithFlags({{"laplacian_length", "3"}});
+        WithFlags({{"laplacian", "paper"}, {"laplacian_length", "3"}});
       },
       {"--laplacian_length", "add --laplacian=area"});
   for (const char* value : {"0", "-1", "nan", "0.6"}) {

@@ -23,7 +23,11 @@ struct PaperSceneOptions {
   // closely a muscle may approach a bone.
   OuterHullOptions bone_hull;
 
-  PaperSceneOptions() { bone_hull.coarse_vertices = 1000; }
+  // Hulls of bones are as near to them as may be.
+  PaperSceneOptions() {
+    bone_hull.coarse_vertices = 1000;
+    bone_hull.relative_distance = 0;
+  }
 
   // Also checks the nested options.
   bool IsValid(std::string* error) const;

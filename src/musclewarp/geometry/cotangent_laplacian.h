@@ -32,7 +32,7 @@ std::string ToString(LaplacianWeights weights);
 // The options of CotangentLaplacian. The defaults suit muscle hulls of some
 // hundred vertices.
 struct CotangentLaplacianOptions {
-  LaplacianWeights weights = LaplacianWeights::kPaper;
+  LaplacianWeights weights = LaplacianWeights::kArea;
 
   // With kArea, the length scale l of the surface's stiffness, mm: the larger,
   // the stiffer. 0: sqrt(A / 2400), where A is the area of the surface, with

@@ -4,6 +4,7 @@
 
 #include <glog/logging.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <set>
@@ -19,15 +20,15 @@
 namespace musclewarp {
 namespace {
 
-// A wrap stays this share of alpha away from the surface.
-constexpr double kOffsetPerAlpha = 2.0 / 15;
+// The least distance of a wrap from the surface, as a fraction of alpha.
+constexpr double kLeastDistance = 2.0 / 15;
 
 #ifdef MUSCLEWARP_WITH_ALPHA_WRAP
-TriangleSoup Wrap(const TriangleSoup& fine, double alpha) {
-  return AlphaWrap(fine, alpha, kOffsetPerAlpha * alpha);
+TriangleSoup Wrap(const TriangleSoup& fine, double alpha, double distance) {
+  return AlphaWrap(fine, alpha, distance);
 }
 #else
-TriangleSoup Wrap(const TriangleSoup&, double) {
+TriangleSoup Wrap(const TriangleSoup&, double, double) {
   throw InputError("outer hull",
                    "this build has no alpha wrap",
                    "build with MUSCLEWARP_WITH_ALPHA_WRAP=ON");
@@ -65,6 +66,11 @@ bool OuterHullOptions::IsValid(std::string* error) const {
              std::to_string(coarse_vertices) + ", allowed: 20 to 5000";
     return false;
   }
+  if (!(relative_distance >= 0 && relative_distance <= 1)) {
+    *error = "OuterHullOptions::relative_distance is " +
+             std::to_string(relative_distance) + ", allowed: 0 to 1";
+    return false;
+  }
   if (!(count_tolerance > 0)) {
     *error = "OuterHullOptions::count_tolerance is " +
              std::to_string(count_tolerance) + ", must be above 0";
@@ -85,17 +91,19 @@ TriangleSoup OuterHull(const TriangleSoup& fine,
   // The edges of a wrap are about alpha long. So the number of triangles is
   // proportional to the area over alpha squared, and there are half as many
   // vertices.
-  double alpha = std::sqrt(2 * SurfaceArea(fine.points, fine.triangles) /
-                           options.coarse_vertices);
+  const double area = SurfaceArea(fine.points, fine.triangles);
+  double alpha = std::sqrt(2 * area / options.coarse_vertices);
+  const double distance = options.relative_distance * std::sqrt(area);
   TriangleSoup best;
   for (int wrap = 0; wrap < options.max_wraps; ++wrap) {
-    TriangleSoup hull = LargestComponent(Wrap(fine, alpha));
+    TriangleSoup hull = LargestComponent(
+        Wrap(fine, alpha, std::max(distance, kLeastDistance * alpha)));
     const double ratio =
         static_cast<double>(hull.points.rows()) / options.coarse_vertices;
-    const auto distance = [&](const TriangleSoup& candidate) {
+    const auto miss = [&](const TriangleSoup& candidate) {
       return std::abs(candidate.points.rows() - options.coarse_vertices);
     };
-    if (wrap == 0 || distance(hull) < distance(best)) best = std::move(hull);
+    if (wrap == 0 || miss(hull) < miss(best)) best = std::move(hull);
     if (std::abs(ratio - 1) <= options.count_tolerance) break;
     alpha *= std::sqrt(ratio);
   }

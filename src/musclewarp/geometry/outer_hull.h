@@ -14,6 +14,13 @@ struct OuterHullOptions {
   // vertices follows the shape more closely and makes solving slower.
   int coarse_vertices = 200;
 
+  // The distance of the hull from the mesh, as a fraction of the square root of
+  // the area of the mesh, but at least 2/15 of the length of the hull's edges:
+  // nearer hulls have slivers. Hulls at one distance approach one limit as
+  // their vertices become more; hulls that come nearer and nearer do not, as
+  // they turn differently around the lines of a muscle.
+  double relative_distance = 0.025;
+
   // A hull whose number of vertices differs from coarse_vertices by at most
   // this share of it is taken at once.
   double count_tolerance = 0.15;

@@ -77,7 +77,7 @@ struct MuscleModel {
   RowMajorMatrix fine_from_coarse;
 
   // How rows weigh (MuscleModelOptions::laplacian).
-  LaplacianWeights weights = LaplacianWeights::kPaper;
+  LaplacianWeights weights = LaplacianWeights::kArea;
 
   // Laplacian rows, paper eq. (2.1) to (2.3).
   SparseMatrix laplacian;   // N x N: L
