@@ -34,7 +34,7 @@ study() {
   fi
   echo "== $folder"
   "$bin/musclewarp-compare" --convergence --scene="data/scenes/$scene.json" \
-    --data_root="$data" --contact="$contact" --laplacian=area \
+    --data_root="$data" --contact="$contact" \
     --out="$folder" "$@"
 }
 
