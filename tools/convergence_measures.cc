@@ -41,20 +41,6 @@ Eigen::Matrix3d FrameOf(const Corners& corners) {
   return frame;
 }
 
-// Returns the sum of the normals of the triangles at each vertex, weighted by
-// their areas, #V x 3.
-Points VertexNormalsOf(const TriangleSoup& surface) {
-  Points normals = Points::Zero(surface.points.rows(), 3);
-  for (Eigen::Index f = 0; f < surface.triangles.rows(); ++f) {
-    const Eigen::RowVector3d normal =
-        AreaVector(CornersOf(surface.points, surface.triangles.row(f)));
-    for (int corner = 0; corner < 3; ++corner) {
-      normals.row(surface.triangles(f, corner)) += normal;
-    }
-  }
-  return normals;
-}
-
 // Returns the nearest point among triangles that face a direction, or among all
 // if none does.
 TriangleBvh::Closest ClosestFacing(const TriangleBvh& bvh,
@@ -85,7 +71,8 @@ TriangleBvh::Closest ClosestFacing(const TriangleBvh& bvh,
 SurfacePlaces NearestPlaces(const TriangleSoup& surface,
                             const TriangleSoup& from) {
   const TriangleBvh bvh(surface.points, surface.triangles);
-  const Points normals = VertexNormalsOf(from);
+  // Along the mean normals of the triangles at a vertex, by area.
+  const Points normals = VolumeGradient(from.points, from.triangles);
   const Eigen::Index num_places = from.points.rows();
   SurfacePlaces places;
   places.triangles.resize(num_places);

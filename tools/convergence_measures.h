@@ -20,7 +20,8 @@ struct SurfacePlaces {
 
 // Finds the place of a surface that is nearest to each vertex of another, among
 // triangles that face the way the vertex does: in a thin muscle those of the
-// other side are near, too. Precondition: both surfaces have triangles.
+// other side are near, too. Preconditions: `surface` has triangles, and `from`
+// is closed.
 SurfacePlaces NearestPlaces(const TriangleSoup& surface,
                             const TriangleSoup& from);
 

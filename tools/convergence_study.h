@@ -14,9 +14,9 @@ namespace musclewarp {
 
 // How a scene is discretised.
 struct Discretisation {
-  int coarse_vertices = 200;   // of the hull of a muscle, about
-  double sample_spacing = 10;  // of samples along action lines, mm
-  double density = 1;          // of triangles, against the meshes as prepared
+  int coarse_vertices = 0;    // of the hull of a muscle, about
+  double sample_spacing = 0;  // of samples along action lines, mm
+  double density = 1;         // of triangles, against the meshes as prepared
 
   bool operator==(const Discretisation& other) const {
     return coarse_vertices == other.coarse_vertices &&
@@ -35,9 +35,9 @@ double ValueOf(StudyKind kind, const Discretisation& discretisation);
 
 // The values of each study; a study without values is left out.
 struct StudyValues {
-  std::vector<int> vertices = {100, 200, 300, 600, 1200, 2400};
-  std::vector<double> spacings = {2.5, 5, 10, 20, 40};  // mm
-  std::vector<double> densities = {0.25, 1, 4};
+  std::vector<int> vertices;
+  std::vector<double> spacings;  // mm
+  std::vector<double> densities;
 };
 
 // Discretisations that differ in one value, from the coarsest to the finest.

@@ -16,9 +16,9 @@ struct OuterHullOptions {
 
   // The distance of the hull from the mesh, as a fraction of the square root of
   // the area of the mesh, but at least 2/15 of the length of the hull's edges:
-  // nearer hulls have slivers. Hulls at one distance approach one limit as
-  // their vertices become more; hulls that come nearer and nearer do not, as
-  // they turn differently around the lines of a muscle.
+  // nearer hulls have slivers. As the number of vertices grows, hulls at a
+  // fixed distance approach one surface, and so does the deformed shape, which
+  // depends on how far the hull is from the lines of the muscle.
   double relative_distance = 0.025;
 
   // A hull whose number of vertices differs from coarse_vertices by at most
