@@ -13,8 +13,8 @@
 #include "musclewarp/base/option_check.h"
 #include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stopwatch.h"
-#include "musclewarp/geometry/spread_points.h"
 #include "musclewarp/motion/certified_stepper.h"
+#include "musclewarp/motion/contact_samples.h"
 #include "musclewarp/motion/motion_context.h"
 #include "musclewarp/preparation/memory_limits.h"
 
@@ -77,8 +77,9 @@ void AddSurfaces(const PreparedScene& scene,
                                                            model.fine_triangles,
                                                            model.rest_volume,
                                                            options.surface));
-    certified->samples.push_back(SpreadPoints(
+    certified->samples.push_back(ContactSamples(
         model.fine_rest,
+        {model.coarse_rest, model.coarse_triangles},
         static_cast<int>(options.samples_per_coarse_vertex *
                          static_cast<double>(model.coarse_rest.rows()))));
     certified->row_weights.push_back(
