@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/convergence_measures.h"
 
-#include <glog/logging.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
-#include "musclewarp/frames/surface_deformation.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/triangle.h"
 #include "musclewarp/proximity/triangle_bvh.h"
@@ -103,38 +99,6 @@ Points CarriedPoints(const SurfacePlaces& places,
                      places.offsets.row(i) * FrameOf(corners);
   }
   return carried;
-}
-
-StretchSummary SummariseStretch(const TriangleSoup& rest,
-                                const Points& deformed) {
-  const Eigen::VectorXd stretch =
-      MeasureSurfaceDeformation(
-          rest.points, deformed, rest.triangles, Points(0, 3))
-          .largest_stretch;
-  const Eigen::VectorXd areas = VertexAreas(rest.points, rest.triangles);
-  return {stretch.dot(areas) / areas.sum(),
-          WeightedQuantile(stretch, areas, 0.99),
-          WeightedQuantile(stretch, areas, 0.999),
-          stretch.maxCoeff()};
-}
-
-double WeightedQuantile(const Eigen::VectorXd& values,
-                        const Eigen::VectorXd& weights,
-                        double fraction) {
-  CHECK_GT(values.size(), 0);
-  CHECK_EQ(values.size(), weights.size());
-  std::vector<Eigen::Index> order(values.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
-    return values[a] < values[b];
-  });
-  const double wanted = fraction * weights.sum();
-  double sum = 0;
-  for (const Eigen::Index i : order) {
-    sum += weights[i];
-    if (sum >= wanted) return values[i];
-  }
-  return values[order.back()];
 }
 
 }  // namespace musclewarp

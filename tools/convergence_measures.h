@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
@@ -31,27 +30,5 @@ SurfacePlaces NearestPlaces(const TriangleSoup& surface,
 Points CarriedPoints(const SurfacePlaces& places,
                      const Triangles& triangles,
                      const Points& deformed);
-
-// How a surface is stretched (SurfaceDeformation::largest_stretch), as ratios
-// of lengths; each vertex counts by a third of the area of its triangles at
-// rest.
-struct StretchSummary {
-  double mean = 1;
-  double percentile_99 = 1;
-  double percentile_999 = 1;  // 99.9 %
-  double largest = 1;
-};
-
-// Summarises the stretch of a surface whose vertices have moved to `deformed`
-// (#V x 3, mm).
-StretchSummary SummariseStretch(const TriangleSoup& rest,
-                                const Points& deformed);
-
-// Returns the smallest of the values that at least `fraction` of the weight
-// does not exceed. Preconditions (CHECKed): there are values, and as many
-// weights.
-double WeightedQuantile(const Eigen::VectorXd& values,
-                        const Eigen::VectorXd& weights,
-                        double fraction);
 
 }  // namespace musclewarp

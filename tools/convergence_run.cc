@@ -12,6 +12,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/stopwatch.h"
+#include "tools/convergence_measures.h"
 #include "tools/mesh_density.h"
 
 namespace musclewarp {
@@ -78,7 +79,7 @@ DiscretisedMuscle Measured(const PreparedMuscle& prepared,
       CarriedPoints(places, model.fine_triangles, frame.points) - base_rest;
   muscle.rest_distance = places.largest_distance;
   muscle.volume_ratio = 1 + frame.volume_error;
-  muscle.stretch = SummariseStretch(RestMesh(model), frame.points);
+  muscle.stretch = frame.shape.triangles;
   muscle.moment_arms = frame.line_moment_arms;
   return muscle;
 }

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/frames/triangle_stretch.h"
 #include "musclewarp/mesh/triangle_soup.h"
-#include "tools/convergence_measures.h"
 
 namespace musclewarp {
 
@@ -69,7 +69,7 @@ struct DiscretisedMuscle {
   double rest_distance = 0;
 
   double volume_ratio = 1;  // to the volume at rest
-  StretchSummary stretch;
+  StretchMeasures stretch;
 
   // Of each line, by coordinate; none without a model (MuscleFrame).
   std::map<std::string, std::vector<double>> moment_arms;
@@ -109,7 +109,7 @@ struct ConvergenceRow {
   // discretisation has it, mm.
   double largest_distance = 0, mean_distance = 0;
   double volume_ratio = 1;
-  StretchSummary stretch;
+  StretchMeasures stretch;
 
   // The largest difference of the moment arm of a line to that of the finest,
   // mm (mm/m for a coordinate that is a length). None without a model.

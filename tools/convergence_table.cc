@@ -79,8 +79,8 @@ void PrintRow(const ConvergenceRow& row, TextWidths widths, std::ostream& out) {
   figure(row.mean_distance, 9, 3);
   figure(row.volume_ratio, 12, 8);
   figure(row.stretch.mean, 14, 3);
-  figure(row.stretch.percentile_99, 8, 3);
-  figure(row.stretch.percentile_999, 8, 3);
+  figure(row.stretch.quantile_99, 8, 3);
+  figure(row.stretch.quantile_999, 8, 3);
   figure(row.stretch.largest, 8, 3);
   out << std::setw(8)
       << (row.moment_arm_difference ? Fixed(*row.moment_arm_difference, 3)
@@ -134,8 +134,8 @@ Json ToJson(const ConvergenceRow& row) {
                {"mean_distance_mm", row.mean_distance},
                {"volume_ratio", row.volume_ratio},
                {"stretch_mean", row.stretch.mean},
-               {"stretch_99", row.stretch.percentile_99},
-               {"stretch_999", row.stretch.percentile_999},
+               {"stretch_99", row.stretch.quantile_99},
+               {"stretch_999", row.stretch.quantile_999},
                {"stretch_largest", row.stretch.largest},
                {"moment_arm_difference_mm", nullptr},
                {"ms", row.ms},

@@ -41,7 +41,8 @@ Attributes:
     pushed_by, push_depth: the muscles that push it, which comes last, and the
         depth of their overlaps without contact, mm.
     iterations, stop_reason: of the solver; "converged" if it did.
-    shape: stretch, area ratios, bend (degrees) and change (mm), by name.
+    shape: stretch, area ratios, bend (degrees), change (mm), and the quantiles
+        and the largest patch (mm2) of the stretch of triangles, by name.
     attachments: how far each attachment area has left its body, mm.)";
 
 constexpr char kBoneFrameDoc[] = R"(A bone in one pose. Arrays are read-only.
@@ -168,6 +169,10 @@ py::dict ShapeOf(const ShapeMeasures& shape) {
   dict["max_area_ratio"] = shape.max_area_ratio;
   dict["max_bend_deg"] = shape.max_bend;
   dict["max_change_mm"] = shape.max_change;
+  dict["stretch_quantile_99"] = shape.triangles.quantile_99;
+  dict["stretch_quantile_999"] = shape.triangles.quantile_999;
+  dict["largest_triangle_stretch"] = shape.triangles.largest;
+  dict["stretch_patch_mm2"] = shape.triangles.largest_patch;
   return dict;
 }
 

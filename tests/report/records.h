@@ -27,6 +27,15 @@ inline MuscleRecord SomeMuscleRecord(int index) {
   muscle.shape.bend_place << 4, 5, 6;
   muscle.shape.max_change = 0.7;
   muscle.shape.change_place << 7, 8, 9;
+  muscle.shape.triangles.mean = 1.01;
+  muscle.shape.triangles.quantile_99 = 1.1 / 7;
+  muscle.shape.triangles.quantile_999 = 1.15;
+  muscle.shape.triangles.largest = 2.3;
+  muscle.shape.triangles.largest_place << 1, 2, 3.0 / 7;
+  muscle.shape.triangles.area_beyond_anatomy = 12.5;
+  muscle.shape.triangles.area_of_patches = 4.5;
+  muscle.shape.triangles.largest_patch = 3.5;
+  muscle.shape.triangles.patch_place << 3, 2, 1;
   muscle.iterations = 17;
   muscle.solve_ms = 0.6;
   muscle.initial_energy_mm2 = 5;

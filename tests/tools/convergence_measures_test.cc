@@ -65,21 +65,4 @@ TEST(ConvergenceMeasures, PlacesAreOnTheSideThatFacesTheSameWay) {
   }
 }
 
-TEST(ConvergenceMeasures, QuantilesCountWeights) {
-  const Eigen::Vector3d values(3, 1, 2), weights(1, 98, 1);
-  EXPECT_EQ(WeightedQuantile(values, weights, 0.5), 1);
-  EXPECT_EQ(WeightedQuantile(values, weights, 0.985), 2);
-  EXPECT_EQ(WeightedQuantile(values, weights, 1), 3);
-}
-
-TEST(ConvergenceMeasures, EvenStretchIsTheSameEverywhere) {
-  const TriangleSoup sphere = Icosphere(10, 3);
-  const StretchSummary stretch =
-      SummariseStretch(sphere, (1.5 * sphere.points).eval());
-  EXPECT_NEAR(stretch.mean, 1.5, 1e-9);
-  EXPECT_NEAR(stretch.percentile_99, 1.5, 1e-9);
-  EXPECT_NEAR(stretch.percentile_999, 1.5, 1e-9);
-  EXPECT_NEAR(stretch.largest, 1.5, 1e-9);
-}
-
 }  // namespace musclewarp

@@ -53,6 +53,8 @@ ShapeMeasures MeasureShape(const MuscleModel& model,
       Largest(deformation.largest_stretch, points, &shape.stretch_place);
   shape.max_stretch_along = deformation.stretch_along.maxCoeff();
   shape.max_stretch_across = deformation.stretch_across.maxCoeff();
+  shape.triangles =
+      MeasureStretch(model.fine_rest, points, model.fine_triangles);
   shape.min_area_ratio = deformation.area_ratio.minCoeff();
   shape.max_area_ratio = deformation.area_ratio.maxCoeff();
   shape.max_bend =

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "musclewarp/frames/triangle_stretch.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/solver/muscle_model.h"
 
@@ -19,6 +20,10 @@ struct ShapeMeasures {
   double max_stretch_along = 1;
   double max_stretch_across = 1;
   Eigen::RowVector3d stretch_place = Eigen::RowVector3d::Zero();  // mm
+
+  // The same by triangles instead of vertices, with the areas that are
+  // stretched too far (frames/triangle_stretch.h).
+  StretchMeasures triangles;
 
   // Ratios of areas to those at rest.
   double min_area_ratio = 1;

@@ -69,6 +69,32 @@ std::vector<BoneOverlap> OverlapsFromJson(const OrderedJson& json) {
   return overlaps;
 }
 
+OrderedJson ToJson(const StretchMeasures& stretch) {
+  return {{"mean", stretch.mean},
+          {"quantile_99", stretch.quantile_99},
+          {"quantile_999", stretch.quantile_999},
+          {"largest", stretch.largest},
+          {"largest_place_mm", ToJson(stretch.largest_place)},
+          {"area_beyond_1_6_mm2", stretch.area_beyond_anatomy},
+          {"area_beyond_2_mm2", stretch.area_of_patches},
+          {"largest_patch_mm2", stretch.largest_patch},
+          {"patch_place_mm", ToJson(stretch.patch_place)}};
+}
+
+StretchMeasures StretchFromJson(const OrderedJson& json) {
+  StretchMeasures stretch;
+  json.at("mean").get_to(stretch.mean);
+  json.at("quantile_99").get_to(stretch.quantile_99);
+  json.at("quantile_999").get_to(stretch.quantile_999);
+  json.at("largest").get_to(stretch.largest);
+  stretch.largest_place = PlaceFromJson(json.at("largest_place_mm"));
+  json.at("area_beyond_1_6_mm2").get_to(stretch.area_beyond_anatomy);
+  json.at("area_beyond_2_mm2").get_to(stretch.area_of_patches);
+  json.at("largest_patch_mm2").get_to(stretch.largest_patch);
+  stretch.patch_place = PlaceFromJson(json.at("patch_place_mm"));
+  return stretch;
+}
+
 OrderedJson ToJson(const ShapeMeasures& shape) {
   return {{"max_stretch", shape.max_stretch},
           {"max_stretch_along", shape.max_stretch_along},
@@ -79,7 +105,8 @@ OrderedJson ToJson(const ShapeMeasures& shape) {
           {"max_bend_deg", shape.max_bend},
           {"bend_place_mm", ToJson(shape.bend_place)},
           {"max_change_mm", shape.max_change},
-          {"change_place_mm", ToJson(shape.change_place)}};
+          {"change_place_mm", ToJson(shape.change_place)},
+          {"triangle_stretch", ToJson(shape.triangles)}};
 }
 
 ShapeMeasures ShapeFromJson(const OrderedJson& json) {
@@ -94,6 +121,10 @@ ShapeMeasures ShapeFromJson(const OrderedJson& json) {
   shape.bend_place = PlaceFromJson(json.at("bend_place_mm"));
   json.at("max_change_mm").get_to(shape.max_change);
   shape.change_place = PlaceFromJson(json.at("change_place_mm"));
+  // Earlier reports have no stretches of triangles.
+  if (json.contains("triangle_stretch")) {
+    shape.triangles = StretchFromJson(json.at("triangle_stretch"));
+  }
   return shape;
 }
 

@@ -1,0 +1,53 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include "musclewarp/mesh/triangle_soup.h"
+
+namespace musclewarp {
+
+// Stretches beyond which areas of a surface are measured: the first is more
+// than muscles and tendons bear, at the second the surface is torn.
+constexpr double kStretchBeyondAnatomy = 1.6;
+constexpr double kStretchOfPatches = 2;
+
+// How far a surface is stretched, triangle by triangle, as ratios of lengths to
+// those at rest. Triangles count by their areas at rest. A patch is a set of
+// triangles beyond kStretchOfPatches that are connected by edges: where there
+// is none, the largest stretch is that of single triangles only.
+struct StretchMeasures {
+  double mean = 1;
+  double quantile_99 = 1;   // 99 % of the area is stretched less
+  double quantile_999 = 1;  // 99.9 %
+  double largest = 1;
+  Eigen::RowVector3d largest_place = Eigen::RowVector3d::Zero();  // mm
+  double area_beyond_anatomy = 0;                                 // mm^2
+  double area_of_patches = 0;                                     // mm^2
+  double largest_patch = 0;                                       // mm^2
+  Eigen::RowVector3d patch_place = Eigen::RowVector3d::Zero();    // mm
+};
+
+// Returns the largest stretch of each triangle in any direction, #F: the larger
+// singular value of its deformation gradient. Triangles whose smallest height
+// at rest is below 0.05 of their longest edge (slivers) have none: they are 1.
+// `rest` and `deformed`: #V x 3, mm.
+Eigen::VectorXd TriangleStretches(const Points& rest,
+                                  const Points& deformed,
+                                  const Triangles& triangles);
+
+// Measures a surface whose vertices have moved from `rest` to `deformed`.
+// Places are those of the deformed surface. Precondition: there are triangles.
+StretchMeasures MeasureStretch(const Points& rest,
+                               const Points& deformed,
+                               const Triangles& triangles);
+
+// Returns the smallest of the values that at least `fraction` of the weight
+// does not exceed. Preconditions (CHECKed): there are values, and as many
+// weights.
+double WeightedQuantile(const Eigen::VectorXd& values,
+                        const Eigen::VectorXd& weights,
+                        double fraction);
+
+}  // namespace musclewarp
