@@ -45,6 +45,12 @@ const std::map<std::string, Setter>& Setters() {
        }},
       {"relaxation.smoothing_length",
        [](double x, Options* o) { o->step.relaxation.smoothing_length = x; }},
+      {"relaxation.strain_hardening",
+       [](double x, Options* o) { o->step.relaxation.strain_hardening = x; }},
+      {"relaxation.stretch_limit",
+       [](double x, Options* o) { o->step.relaxation.stretch_limit = x; }},
+      {"relaxation.rope_factor",
+       [](double x, Options* o) { o->step.relaxation.rope_factor = x; }},
       {"relaxation.full_sweep_interval",
        [](double x, Options* o) {
          o->step.relaxation.full_sweep_interval = int(x);
@@ -91,7 +97,9 @@ void PrintRow(const std::string& name,
   std::vector<double> ms_per_step;
   int frames = 0, usable = 0, steps = 0, self_pairs = 0, folded = 0;
   double moved = 0, most_moved = 0, worst_volume = 0;
-  for (size_t i = 0; i < scene.poses.size(); i += 3) {
+  StretchMeasures worst;  // each figure of its worst muscle and frame
+  const size_t interval = scene.poses.size() > 12 ? 3 : 1;
+  for (size_t i = 0; i < scene.poses.size(); i += interval) {
     const Frame frame = deformer.MoveTo(scene.poses[i]);
     ++frames;
     usable += frame.IsUsable();
@@ -104,10 +112,16 @@ void PrintRow(const std::string& name,
       moved += muscle.mean_contact_displacement /
                static_cast<double>(frame.muscles.size());
       most_moved = std::max(most_moved, muscle.max_contact_displacement);
+      const StretchMeasures& stretch = muscle.shape.triangles;
+      worst.quantile_999 = std::max(worst.quantile_999, stretch.quantile_999);
+      worst.largest = std::max(worst.largest, stretch.largest);
+      worst.largest_patch =
+          std::max(worst.largest_patch, stretch.largest_patch);
     }
   }
   std::printf(
-      "| %s | %d of %d | %d | %.0f | %.0f | %.2f | %.1f | %d | %d | %.0e |\n",
+      "| %s | %d of %d | %d | %.0f | %.0f | %.2f | %.1f | %.2f | %.2f | %.2f | "
+      "%d | %d | %.0e |\n",
       name.c_str(),
       usable,
       frames,
@@ -116,6 +130,9 @@ void PrintRow(const std::string& name,
       deformer.contact().prepare_ms,
       moved / frames,
       most_moved,
+      worst.quantile_999,
+      worst.largest,
+      worst.largest_patch / 100,
       self_pairs,
       folded,
       worst_volume);
@@ -132,8 +149,10 @@ int Run(const std::vector<std::string>& arguments) {
   const Scene scene = ReadScene(arguments[0], arguments[1]);
   std::printf(
       "| | usable | steps | ms a step | preparation ms | moved by contact, "
-      "mean mm | largest mm | self pairs | folded | volume error |\n"
-      "|---|---|---|---|---|---|---|---|---|---|\n");
+      "mean mm | largest mm | stretch 99.9 %% | largest | patch beyond 2, cm2 "
+      "| "
+      "self pairs | folded | volume error |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   PrintRow("defaults", scene, {});
   for (size_t i = 2; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];

@@ -8,9 +8,9 @@
 # that are there already are not made again. scripts/convergence_page.py makes
 # tables and plots of them.
 #
-# Without contact this takes minutes. With certified contact it takes hours, as
+# Without contact this takes minutes, with certified contact an hour or more, as
 # motions are solved from their start with every discretisation; hulls have at
-# most 1200 vertices there, and meshes as many triangles as they have.
+# most 1200 vertices there.
 #
 # usage: scripts/convergence.sh DATA OUT [none|certified|all] [PROGRAMS]
 set -euo pipefail
@@ -30,7 +30,7 @@ study() {
   if [[ -e $folder/convergence.json ]]; then return; fi
   if [[ $contact == certified ]]; then
     set -- "$@" --convergence_vertices=100,200,300,600,1200 \
-      --convergence_spacing=5,10,20 --convergence_density=0.25,1
+      --convergence_spacing=5,10,20
   fi
   echo "== $folder"
   "$bin/musclewarp-compare" --convergence --scene="data/scenes/$scene.json" \

@@ -65,6 +65,7 @@ TEST(Step, ShowsTheCoarseMeshesThePlanesToMakeWayFor) {
   StepGoal goal = {group.state};
   goal.state.targets = free;
   StepOptions options;
+  options.relaxation.smoothing_length = 4;
   options.sweeps = 1000;  // until nothing changes
   const StepResult result =
       Step(options, group.scene, group.state, goal, make_way);
@@ -106,7 +107,8 @@ TEST(Step, IsGivenUpIfItPushesMusclesTooFar) {
 TEST(Step, TellsWhetherMusclesArePushedByAllTheyMayBe) {
   const ContactGroup group = SpheresOverABone();
   StepGoal goal = {group.state};
-  const StepOptions options;
+  StepOptions options;
+  options.sweeps = 100;
   EXPECT_TRUE(
       Step(options, group.scene, group.state, goal).summary.is_short_of_reach);
   // Both spheres are to go by more than the reach beside their targets.

@@ -50,9 +50,10 @@ MuscleSurface MakeMuscleSurface(const Points& rest,
     }
   }
   surface.first.push_back(0);
-  for (const auto& edges : around) {
-    for (const auto& [neighbour, weight] : edges) {
+  for (size_t v = 0; v < around.size(); ++v) {
+    for (const auto& [neighbour, weight] : around[v]) {
       surface.neighbours.push_back(neighbour);
+      surface.lengths.push_back((rest.row(neighbour) - rest.row(v)).norm());
       surface.weights.push_back(
           std::clamp(weight, options.min_edge_weight, options.max_edge_weight));
     }

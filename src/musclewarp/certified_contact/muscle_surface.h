@@ -47,6 +47,9 @@ struct MuscleSurface {
   // that is the cotangent weight; it is positive for all others.
   std::vector<double> weights;
 
+  // The lengths of these edges at rest, mm.
+  std::vector<double> lengths;
+
   // #V: a third of the area of the triangles around a vertex at rest, mm^2.
   Eigen::VectorXd areas;
 

@@ -3,6 +3,7 @@
 #include "musclewarp/certified_contact/relaxation.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/work_counts.h"
@@ -12,6 +13,14 @@ namespace {
 
 using Eigen::RowVector3d;
 
+// An edge of the energy, seen from one of its ends.
+struct SweepEdge {
+  int neighbour;
+  double weight;     // w
+  double hardening;  // h / e^2, mm^-2
+  double rope;       // s, mm
+};
+
 // The constant data of the sweeps over one muscle.
 struct MuscleSweep {
   const StepOptions& options;
@@ -20,11 +29,7 @@ struct MuscleSweep {
   const Points& targets;
   const AttachedPoints& attached;
   int muscle;
-
-  // The edge weights of MuscleSurface times the stiffness and, #V, their sum
-  // plus the weight of the vertex itself.
-  std::vector<double> weights;
-  Eigen::VectorXd sums_of_weights;
+  std::vector<SweepEdge> edges;  // as MuscleSurface::neighbours
 };
 
 MuscleSweep SweepOf(const StepOptions& options,
@@ -33,23 +38,26 @@ MuscleSweep SweepOf(const StepOptions& options,
                     const Eigen::VectorXd& stiffness,
                     int muscle) {
   const MuscleSurface& surface = step.scene.muscles[muscle];
+  const RelaxationOptions& relaxation = options.relaxation;
   MuscleSweep sweep = {options,
                        surface,
                        step.predicted[muscle],
                        targets,
                        step.attached[muscle],
                        muscle,
-                       surface.weights,
-                       Eigen::VectorXd(surface.num_vertices())};
-  const double length = options.relaxation.smoothing_length;
+                       {}};
+  sweep.edges.reserve(surface.neighbours.size());
   for (int v = 0; v < surface.num_vertices(); ++v) {
-    double sum = 1 / (length * length) * surface.areas[v];
     for (int e = surface.first[v]; e < surface.first[v + 1]; ++e) {
       const int u = surface.neighbours[e];
-      sweep.weights[e] *= std::max(stiffness[u], stiffness[v]);
-      sum += sweep.weights[e];
+      const double length = surface.lengths[e];
+      const double of_target = (targets.row(u) - targets.row(v)).norm();
+      sweep.edges.push_back(
+          {u,
+           surface.weights[e] * std::max(stiffness[u], stiffness[v]),
+           length > 0 ? relaxation.strain_hardening / (length * length) : 0,
+           std::max(relaxation.stretch_limit * length, of_target)});
     }
-    sweep.sums_of_weights[v] = sum;
   }
   return sweep;
 }
@@ -66,17 +74,35 @@ RowVector3d WithinReach(const MuscleSweep& sweep,
   return sweep.predicted.row(v) + reach / far * beyond;
 }
 
-// Returns the minimizer of the energy over the position of one vertex.
-// `offsets`: those of all vertices, #V x 3, mm.
+// Returns the minimizer over the position of one vertex of a quadratic function
+// that has the slope of the energy where the vertex is, and its curvature.
+// Along a strain that hardens it has two thirds of the curvature: the step is
+// up to 1.5 times too long there, below the 2 at which sweeps would not
+// converge. `offsets` and `points`: those of all vertices, #V x 3, mm.
 RowVector3d LowestPlace(const MuscleSweep& sweep,
                         int v,
-                        const Points& offsets) {
+                        const Points& offsets,
+                        const Points& points) {
   const MuscleSurface& surface = sweep.surface;
-  RowVector3d sum = RowVector3d::Zero();
+  const RelaxationOptions& options = sweep.options.relaxation;
+  const RowVector3d offset = offsets.row(v), point = points.row(v);
+  double curvature =
+      surface.areas[v] / (options.smoothing_length * options.smoothing_length);
+  RowVector3d descent = -curvature * offset;
   for (int e = surface.first[v]; e < surface.first[v + 1]; ++e) {
-    sum += sweep.weights[e] * offsets.row(surface.neighbours[e]);
+    const SweepEdge& edge = sweep.edges[e];
+    const RowVector3d strain = offsets.row(edge.neighbour) - offset;
+    const double hardening = edge.hardening * strain.squaredNorm();
+    descent += edge.weight * (1 + hardening) * strain;
+    curvature += edge.weight * (1 + 2 * hardening);
+    const RowVector3d along = points.row(edge.neighbour) - point;
+    const double square = along.squaredNorm();
+    if (square <= edge.rope * edge.rope) continue;
+    const double pull = options.rope_factor * edge.weight;
+    descent += pull * (1 - edge.rope / std::sqrt(square)) * along;
+    curvature += pull;
   }
-  return sweep.targets.row(v) + sum / sweep.sums_of_weights[v];
+  return sweep.targets.row(v) + offset + descent / curvature;
 }
 
 void SweepMuscle(const MuscleSweep& sweep,
@@ -93,7 +119,7 @@ void SweepMuscle(const MuscleSweep& sweep,
         sweep,
         v,
         is_attached ? RowVector3d(sweep.attached.positions.row(next))
-                    : LowestPlace(sweep, v, *offsets));
+                    : LowestPlace(sweep, v, *offsets, *points));
     next += is_attached;
     unprojected->row(v) = place;
     if (looks_at_all_planes) planes->FindNear(sweep.muscle, v, place);

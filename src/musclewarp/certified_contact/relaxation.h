@@ -30,14 +30,18 @@ Stiffness UniformStiffness(const ContactScene& scene);
 
 // Moves the vertices towards the positions p = target + offset that minimise
 //
-//   1/2 sum_edges w |o_i - o_j|^2 + 1/2 sum_vertices area / l^2 |o_i|^2
+//     1/2 sum_edges w |o_i - o_j|^2 (1 + h/2 |o_i - o_j|^2 / e^2)
+//   + 1/2 sum_edges r w max(0, |p_i - p_j| - s)^2
+//   + 1/2 sum_vertices area / l^2 |o_i|^2
 //
 // subject to the half-spaces of the vertices, by `sweeps` projected
 // Gauss-Seidel sweeps: an obstacle problem, whose offsets are as small and
 // smooth as contact permits, and zero without contact. l is the smoothing
-// length, w the weight of an edge times the larger stiffness of its ends.
-// Attached vertices move to their attached positions instead, as far as the
-// half-spaces permit.
+// length, w the weight of an edge times the larger stiffness of its ends, e its
+// length at rest, h the strain hardening. The second sum holds edges that are
+// too long as ropes do: r is the rope factor, s the stretch limit times e or,
+// if longer, the edge of the target. All three are convex. Attached vertices
+// move to their attached positions instead, as far as the half-spaces permit.
 //
 // `targets`: #V x 3 each, mm. The levels of planes between muscles are updated
 // before every sweep. The order of the muscles affects rounding only.

@@ -19,6 +19,9 @@ bool PlaneSearchOptions::IsValid(std::string* error) const {
 bool RelaxationOptions::IsValid(std::string* error) const {
   return OptionCheck("RelaxationOptions", error)
       .IsAbove("smoothing_length", smoothing_length, 0)
+      .IsAtLeast("strain_hardening", strain_hardening, 0)
+      .IsAtLeast("stretch_limit", stretch_limit, 1)
+      .IsAtLeast("rope_factor", rope_factor, 0)
       .IsAtLeast("full_sweep_interval", full_sweep_interval, 1)
       .IsAbove("max_push", max_push, 0)
       .IsWithin("room_decay", room_decay, 0, 1)

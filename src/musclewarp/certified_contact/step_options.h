@@ -47,7 +47,18 @@ struct RelaxationOptions {
   // The decay length of an offset around a contact, mm: the length l of the
   // energy in docs/method.md. A shorter one makes single vertices move farther
   // and more triangles fold; a longer one moves the whole muscle more.
-  double smoothing_length = 8;
+  double smoothing_length = 12;
+
+  // How much stiffer an edge becomes with the strain of the offset along it, so
+  // that a push at one point is shared by more of the surface: the weight of an
+  // edge grows by this times the square of the strain. 0: no edge does.
+  double strain_hardening = 16;
+
+  // An edge that is longer than this times its length at rest, and longer than
+  // without contact, resists as a rope with this factor on its weight. 0: no
+  // edge does.
+  double stretch_limit = 1.4;
+  double rope_factor = 10;
 
   // Every `full_sweep_interval` sweeps, and in the last one, a vertex tests all
   // its planes; in the other sweeps only those that were near in the last full
