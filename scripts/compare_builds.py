@@ -26,7 +26,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-# Scene files of data/scenes with the flags to run them with.
+# Scene files, of data/scenes or of the data, with the flags to run them with.
 DATA_SCENES = {
     "lhdl_flexion": ("lhdl_hip_motion.json", []),
     "lhdl_adduction": ("lhdl_hip_motion.json", ["hip_adduction.mot"]),
@@ -38,6 +38,10 @@ DATA_SCENES = {
         "bodyparts3d_hamstrings_leg_original.json",
         [],
     ),
+    "bodyparts3d_gluteals": ("bodyparts3d_gluteals.json", []),
+    "bodyparts3d_thigh": ("bodyparts3d_thigh.json", []),
+    "bodyparts3d_shank": ("bodyparts3d_shank/scene_uniform.json", []),
+    "bodyparts3d_shoulder": ("bodyparts3d_shoulder/scene_uniform.json", []),
     "lhdl_paper": ("lhdl_hip.json", ["--contact=paper"]),
     "lhdl_none": ("lhdl_hip.json", ["--contact=none"]),
     "lhdl_reference": ("lhdl_hip.json", ["--solver=reference"]),
@@ -59,7 +63,8 @@ def scenes(data_root, work):
     found = []
     if data_root:
         for name, (scene, more) in DATA_SCENES.items():
-            flags = [f"--scene={ROOT / 'data/scenes' / scene}"]
+            folder = data_root if "/" in scene else ROOT / "data/scenes"
+            flags = [f"--scene={folder / scene}"]
             flags.append(f"--data_root={data_root}")
             for flag in more:
                 if flag.endswith(".mot"):

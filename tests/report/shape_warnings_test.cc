@@ -43,6 +43,9 @@ TEST(ShapeWarnings, OfDriftAreGivenBeyondTwoMillimetresOnly) {
 
 TEST(ShapeWarnings, NameTheFrameOfTheLargestStretch) {
   std::vector<FrameRecord> frames = Frames(0, 0, 0);
+  for (FrameRecord& frame : frames) {
+    frame.muscles[0].shape.triangles = StretchMeasures();
+  }
   frames[0].muscles[0].shape.max_stretch = kLargestStretch;
   EXPECT_THAT(ShapeWarnings(frames), IsEmpty());
   frames[1].muscles[0].shape.max_stretch = 1.8;
@@ -51,6 +54,26 @@ TEST(ShapeWarnings, NameTheFrameOfTheLargestStretch) {
   EXPECT_THAT(ShapeWarnings(frames),
               ElementsAre("psoas is stretched to 1.80 times its length at rest "
                           "in pose 2 at (3.0, 2.0, 1.0)"));
+}
+
+TEST(ShapeWarnings, SayHowMuchOfASurfaceIsStretched) {
+  std::vector<FrameRecord> frames = Frames(0, 0, 0);
+  ShapeMeasures& shape = frames[1].muscles[0].shape;
+  shape.max_stretch = 2.3;
+  shape.stretch_place << 3, 2, 1;
+  shape.triangles = StretchMeasures();
+  shape.triangles.largest = 2.4;
+  shape.triangles.quantile_99 = 1.2;
+  shape.triangles.quantile_999 = 1.55;
+  const std::string single =
+      "psoas is stretched to 2.30 times its length at rest in pose 2 at (3.0, "
+      "2.0, 1.0), 99 % of its surface to at most 1.20, 99.9 % to 1.55";
+  EXPECT_THAT(ShapeWarnings(frames), ElementsAre(single));
+  shape.triangles.largest_patch = 35;
+  shape.triangles.patch_place << 4, 5, 6;
+  EXPECT_THAT(ShapeWarnings(frames),
+              ElementsAre(single + "; the largest patch beyond 2 has 0.35 cm2, "
+                                   "at (4.0, 5.0, 6.0)"));
 }
 
 TEST(ShapeWarnings, NameTheFrameWhereBonesAreDeepest) {

@@ -63,6 +63,20 @@ void WarnOfDrift(const std::vector<FrameRecord>& frames,
   }
 }
 
+// What is stretched beside the largest stretch, where frames say so; earlier
+// records have no triangles.
+std::string AreasOf(const StretchMeasures& stretch) {
+  if (stretch.largest == 1) return "";
+  std::string text = ", 99 % of its surface to at most " +
+                     WithDigits(stretch.quantile_99, 2) + ", 99.9 % to " +
+                     WithDigits(stretch.quantile_999, 2);
+  if (stretch.largest_patch == 0) return text;
+  return text + "; the largest patch beyond " +
+         WithDigits(kStretchOfPatches, 0) + " has " +
+         WithDigits(stretch.largest_patch / 100, 2) + " cm2, " +
+         At(stretch.patch_place);
+}
+
 void WarnOfStretch(const std::vector<FrameRecord>& frames,
                    size_t muscle,
                    std::vector<std::string>* warnings) {
@@ -74,7 +88,8 @@ void WarnOfStretch(const std::vector<FrameRecord>& frames,
   warnings->push_back(record.name + " is stretched to " +
                       WithDigits(record.shape.max_stretch, 2) +
                       " times its length at rest in " + frames[worst].name +
-                      " " + At(record.shape.stretch_place));
+                      " " + At(record.shape.stretch_place) +
+                      AreasOf(record.shape.triangles));
 }
 
 // The first frame has no frame before it.

@@ -179,7 +179,8 @@ describe("the page", () => {
       "figure-carried-moment-arms-hip_flexion_r",
       "figure-drift",
       "figure-stretch",
-      "figure-bend",
+      "figure-stretch-999",
+      "figure-stretch-patch",
       "figure-change",
       "figure-time",
     ]);

@@ -30,6 +30,16 @@ export interface ShapeRecord {
   max_area_ratio: number;
   max_bend_deg: number;
   max_change_mm: number;
+  triangle_stretch?: StretchRecord; // earlier reports lack it
+}
+
+// How far the triangles of a muscle are stretched; quantiles are by area.
+export interface StretchRecord {
+  quantile_99: number;
+  quantile_999: number;
+  largest: number;
+  area_beyond_1_6_mm2: number;
+  largest_patch_mm2: number;
 }
 
 export interface AttachmentRecord {

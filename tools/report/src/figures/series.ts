@@ -177,11 +177,20 @@ function shapeFigures(runs: Run[]): Figure[] {
       series: shape((muscle) => muscle.shape?.max_stretch),
     },
     {
-      id: "bend",
-      title: "Largest bend",
-      label: "degrees",
-      note: "change of the angle between neighbouring normals against rest",
-      series: shape((muscle) => muscle.shape?.max_bend_deg),
+      id: "stretch-999",
+      title: "Stretch of all but a thousandth",
+      label: "ratio of lengths",
+      note: "99.9 % of the surface is stretched less; the largest stretch may be that of single triangles",
+      series: shape((muscle) => muscle.shape?.triangle_stretch?.quantile_999),
+    },
+    {
+      id: "stretch-patch",
+      title: "Largest patch stretched beyond 2",
+      label: "mm²",
+      note: "area at rest of connected triangles that are drawn out to more than twice a length at rest",
+      series: shape(
+        (muscle) => muscle.shape?.triangle_stretch?.largest_patch_mm2,
+      ),
     },
     {
       id: "change",
