@@ -30,8 +30,8 @@ struct PreRotationOptions {
   bool use_body_twist = true;
 };
 
-// Computes the target of a muscle for a pose. Each Laplacian row is rotated
-// like the segment that is nearest to its vertex at rest, skeleton samples move
+// Computes the target of a muscle for a pose. Each Laplacian row is turned by
+// the model's field of rotations (rotation_field.h), skeleton samples move
 // with their lines (paper eq. 2.4 and 2.5) and attachment points with their
 // bodies. At the rest pose the target equals J_f X_0, and a rigid motion of all
 // bodies yields the target of the rigidly moved muscle. Bodies
