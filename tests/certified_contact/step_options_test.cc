@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "support/invalid_options.h"
+
 namespace musclewarp {
 namespace {
 
@@ -17,20 +19,15 @@ struct WrongOption {
   std::function<void(StepOptions*)> set;
 };
 
-void ExpectRefused(const std::vector<WrongOption>& wrong) {
+void ExpectAllRefused(const std::vector<WrongOption>& wrong) {
   for (const WrongOption& option : wrong) {
-    StepOptions options;
-    std::string error;
-    ASSERT_TRUE(options.IsValid(&error));
-    option.set(&options);
-    EXPECT_FALSE(options.IsValid(&error)) << option.message;
-    EXPECT_EQ(error, option.message);
+    ExpectRefused<StepOptions>(option.set, option.message);
   }
 }
 
 TEST(StepOptions, NameTheFieldThatIsWrong) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  ExpectRefused(
+  ExpectAllRefused(
       {{"StepOptions::gap is 0, allowed: above 0",
         [](StepOptions* o) { o->gap = 0; }},
        {"StepOptions::gap is nan, allowed: above 0",
@@ -70,7 +67,7 @@ TEST(StepOptions, NameTheFieldThatIsWrong) {
 }
 
 TEST(StepOptions, NameTheFieldOfTheRelaxationThatIsWrong) {
-  ExpectRefused(
+  ExpectAllRefused(
       {{"RelaxationOptions::smoothing_length is 0, allowed: above 0",
         [](StepOptions* o) { o->relaxation.smoothing_length = 0; }},
        {"RelaxationOptions::strain_hardening is -1, allowed: 0 or above",

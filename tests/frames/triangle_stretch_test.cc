@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
+#include <vector>
 
 #include "support/meshes.h"
 
@@ -84,9 +84,8 @@ TEST(TriangleStretch, SliversHaveNone) {
 
 TEST(TriangleStretch, QuantilesCountWeights) {
   const Eigen::Vector3d values(3, 1, 2), weights(1, 98, 1);
-  EXPECT_EQ(WeightedQuantile(values, weights, 0.5), 1);
-  EXPECT_EQ(WeightedQuantile(values, weights, 0.985), 2);
-  EXPECT_EQ(WeightedQuantile(values, weights, 1), 3);
+  EXPECT_EQ(WeightedQuantiles(values, weights, {0.5, 0.985, 1}),
+            (std::vector<double>{1, 2, 3}));
 }
 
 }  // namespace musclewarp

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "musclewarp/frames/triangle_stretch.h"
 #include "report/records.h"
 
 namespace musclewarp {
@@ -46,7 +47,7 @@ TEST(ShapeWarnings, NameTheFrameOfTheLargestStretch) {
   for (FrameRecord& frame : frames) {
     frame.muscles[0].shape.triangles = StretchMeasures();
   }
-  frames[0].muscles[0].shape.max_stretch = kLargestStretch;
+  frames[0].muscles[0].shape.max_stretch = kStretchBeyondAnatomy;
   EXPECT_THAT(ShapeWarnings(frames), IsEmpty());
   frames[1].muscles[0].shape.max_stretch = 1.8;
   frames[1].muscles[0].shape.stretch_place << 3, 2, 1;

@@ -75,10 +75,10 @@ RowVector3d WithinReach(const MuscleSweep& sweep,
 }
 
 // Returns the minimizer over the position of one vertex of a quadratic function
-// that has the slope of the energy where the vertex is, and its curvature.
-// Along a strain that hardens it has two thirds of the curvature: the step is
-// up to 1.5 times too long there, below the 2 at which sweeps would not
-// converge. `offsets` and `points`: those of all vertices, #V x 3, mm.
+// that has the slope of the energy where the vertex is, and at least two thirds
+// of its curvature: along a strain that hardens, a step is up to 1.5 times too
+// long, below the 2 at which sweeps would not converge. `offsets` and `points`:
+// those of all vertices, #V x 3, mm.
 RowVector3d LowestPlace(const MuscleSweep& sweep,
                         int v,
                         const Points& offsets,

@@ -38,10 +38,11 @@ Stiffness UniformStiffness(const ContactScene& scene);
 // Gauss-Seidel sweeps: an obstacle problem, whose offsets are as small and
 // smooth as contact permits, and zero without contact. l is the smoothing
 // length, w the weight of an edge times the larger stiffness of its ends, e its
-// length at rest, h the strain hardening. The second sum holds edges that are
-// too long as ropes do: r is the rope factor, s the stretch limit times e or,
-// if longer, the edge of the target. All three are convex. Attached vertices
-// move to their attached positions instead, as far as the half-spaces permit.
+// length at rest, h the strain hardening. In the second sum edges pull as taut
+// ropes do: r is the rope factor, s the stretch limit times e or, if longer,
+// the length of the edge between the targets. All three sums are convex.
+// Attached vertices move to their attached positions instead, as far as the
+// half-spaces permit.
 //
 // `targets`: #V x 3 each, mm. The levels of planes between muscles are updated
 // before every sweep. The order of the muscles affects rounding only.

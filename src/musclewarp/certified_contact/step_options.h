@@ -54,9 +54,10 @@ struct RelaxationOptions {
   // edge grows by this times the square of the strain. 0: no edge does.
   double strain_hardening = 16;
 
-  // An edge that is longer than this times its length at rest, and longer than
-  // without contact, resists as a rope with this factor on its weight. 0: no
-  // edge does.
+  // An edge that is longer than `stretch_limit` times its length at rest, and
+  // longer than in the shape of the coarse mesh, pulls its ends together as a
+  // taut rope does, with `rope_factor` times its weight. A factor of 0: no edge
+  // does.
   double stretch_limit = 1.4;
   double rope_factor = 10;
 

@@ -100,8 +100,10 @@ StretchMeasures MeasureStretch(const Points& rest,
   const Eigen::VectorXd areas = TriangleAreas(rest, triangles);
   StretchMeasures measures;
   measures.mean = stretches.dot(areas) / areas.sum();
-  measures.quantile_99 = WeightedQuantile(stretches, areas, 0.99);
-  measures.quantile_999 = WeightedQuantile(stretches, areas, 0.999);
+  const std::vector<double> quantiles =
+      WeightedQuantiles(stretches, areas, {0.99, 0.999});
+  measures.quantile_99 = quantiles[0];
+  measures.quantile_999 = quantiles[1];
   Eigen::Index where;
   measures.largest = stretches.maxCoeff(&where);
   measures.largest_place =
@@ -112,9 +114,9 @@ StretchMeasures MeasureStretch(const Points& rest,
   return measures;
 }
 
-double WeightedQuantile(const Eigen::VectorXd& values,
-                        const Eigen::VectorXd& weights,
-                        double fraction) {
+std::vector<double> WeightedQuantiles(const Eigen::VectorXd& values,
+                                      const Eigen::VectorXd& weights,
+                                      const std::vector<double>& fractions) {
   CHECK_GT(values.size(), 0);
   CHECK_EQ(values.size(), weights.size());
   std::vector<Eigen::Index> order(values.size());
@@ -122,13 +124,17 @@ double WeightedQuantile(const Eigen::VectorXd& values,
   std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
     return values[a] < values[b];
   });
-  const double wanted = fraction * weights.sum();
-  double sum = 0;
-  for (const Eigen::Index i : order) {
-    sum += weights[i];
-    if (sum >= wanted) return values[i];
+  const double whole = weights.sum();
+  std::vector<double> quantiles;
+  size_t i = 0;
+  double sum = weights[order[0]];
+  for (const double fraction : fractions) {
+    while (sum < fraction * whole && i + 1 < order.size()) {
+      sum += weights[order[++i]];
+    }
+    quantiles.push_back(values[order[i]]);
   }
-  return values[order.back()];
+  return quantiles;
 }
 
 }  // namespace musclewarp

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
 
@@ -14,9 +15,10 @@ constexpr double kStretchBeyondAnatomy = 1.6;
 constexpr double kStretchOfPatches = 2;
 
 // How far a surface is stretched, triangle by triangle, as ratios of lengths to
-// those at rest. Triangles count by their areas at rest. A patch is a set of
-// triangles beyond kStretchOfPatches that are connected by edges: where there
-// is none, the largest stretch is that of single triangles only.
+// those at rest. Triangles count by their areas at rest. A patch is a connected
+// set of triangles beyond kStretchOfPatches, which may be a single triangle:
+// where the largest stretch is large and the largest patch small, single
+// triangles are drawn out and not the muscle.
 struct StretchMeasures {
   double mean = 1;
   double quantile_99 = 1;   // 99 % of the area is stretched less
@@ -43,11 +45,11 @@ StretchMeasures MeasureStretch(const Points& rest,
                                const Points& deformed,
                                const Triangles& triangles);
 
-// Returns the smallest of the values that at least `fraction` of the weight
-// does not exceed. Preconditions (CHECKed): there are values, and as many
-// weights.
-double WeightedQuantile(const Eigen::VectorXd& values,
-                        const Eigen::VectorXd& weights,
-                        double fraction);
+// Returns for each of `fractions`, which rise, the smallest of the values that
+// at least this fraction of the weight does not exceed. Preconditions
+// (CHECKed): there are values, and as many weights.
+std::vector<double> WeightedQuantiles(const Eigen::VectorXd& values,
+                                      const Eigen::VectorXd& weights,
+                                      const std::vector<double>& fractions);
 
 }  // namespace musclewarp

@@ -8,12 +8,12 @@
 
 namespace musclewarp {
 
-// Returns the vertices of a fine mesh at which the coarse solve of a muscle
-// meets contact: those nearest to `count` places spread evenly over its hull,
-// each once, in rising order. Fine meshes of one surface in one hull have them
-// at the same places to within an edge, however fine they are: places chosen
-// among the vertices themselves would be others on every mesh.
-// `fine`: #V x 3, mm.
+// Returns the vertices of a fine mesh that may get contact rows in the coarse
+// solve of a muscle (PlaneSet::MostViolated): those nearest to `count` places
+// spread evenly over its hull, each once, in rising order. Fine meshes of one
+// surface in one hull have them at the same places to within an edge, however
+// fine they are: places chosen among the vertices themselves would be others on
+// every mesh. `fine`: #V x 3, mm.
 std::vector<int> ContactSamples(const Points& fine,
                                 const TriangleSoup& hull,
                                 int count);

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <utility>
 
+#include "musclewarp/frames/triangle_stretch.h"
+
 namespace musclewarp {
 namespace {
 
@@ -63,9 +65,9 @@ void WarnOfDrift(const std::vector<FrameRecord>& frames,
   }
 }
 
-// What is stretched beside the largest stretch, where frames say so; earlier
-// records have no triangles.
-std::string AreasOf(const StretchMeasures& stretch) {
+// Returns how much of the surface is stretched, to follow the largest stretch;
+// nothing for records of earlier versions, which do not have it.
+std::string StretchedAreas(const StretchMeasures& stretch) {
   if (stretch.largest == 1) return "";
   std::string text = ", 99 % of its surface to at most " +
                      WithDigits(stretch.quantile_99, 2) + ", 99.9 % to " +
@@ -80,16 +82,17 @@ std::string AreasOf(const StretchMeasures& stretch) {
 void WarnOfStretch(const std::vector<FrameRecord>& frames,
                    size_t muscle,
                    std::vector<std::string>* warnings) {
-  const int worst = Worst(frames, kLargestStretch, [&](const FrameRecord& f) {
-    return f.muscles[muscle].shape.max_stretch;
-  });
+  const int worst =
+      Worst(frames, kStretchBeyondAnatomy, [&](const FrameRecord& f) {
+        return f.muscles[muscle].shape.max_stretch;
+      });
   if (worst < 0) return;
   const MuscleRecord& record = frames[worst].muscles[muscle];
   warnings->push_back(record.name + " is stretched to " +
                       WithDigits(record.shape.max_stretch, 2) +
                       " times its length at rest in " + frames[worst].name +
                       " " + At(record.shape.stretch_place) +
-                      AreasOf(record.shape.triangles));
+                      StretchedAreas(record.shape.triangles));
 }
 
 // The first frame has no frame before it.

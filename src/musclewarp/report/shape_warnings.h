@@ -9,10 +9,6 @@
 
 namespace musclewarp {
 
-// A muscle that is stretched by more than this, as a ratio of lengths, is
-// beyond what muscles and tendons bear.
-constexpr double kLargestStretch = 1.6;
-
 // A muscle jumps if its largest change from frame to frame is more than so many
 // times the median of the motion, and more than so many mm.
 constexpr double kJumpRatio = 3;
