@@ -26,14 +26,9 @@ std::optional<RestResult> SeparatedRest(const DeformerOptions& options,
                                         const PrepareOptions& prepare,
                                         PreparedScene* scene) {
   if (options.frames.contact != ContactKind::kCertified) return std::nullopt;
-  return SeparateRest({options.frames.certified,
-                       options.frames.pre_rotation,
-                       options.frames.requirements,
-                       prepare,
-                       options.reconstruction},
-                      SolversOf(options.solver).single,
-                      {},
-                      scene);
+  RestSeparationOptions separation = RestSeparationOptionsOf(options);
+  separation.prepare = prepare;
+  return SeparateRest(separation, SolversOf(options.solver).single, {}, scene);
 }
 
 // Returns the frames of the poses in `frames`.
@@ -131,9 +126,9 @@ PreparedScene Rediscretised(const PreparedScene& base,
   for (const PreparedMuscle& muscle : base.muscles) {
     meshes.push_back(RestMesh(muscle.model));
   }
+  std::vector<int> all(meshes.size());
+  std::iota(all.begin(), all.end(), 0);
   if (discretisation.coarse_vertices != before.coarse_vertices) {
-    std::vector<int> all(meshes.size());
-    std::iota(all.begin(), all.end(), 0);
     ReplaceMuscleMeshes(changed, all, meshes, &scene);
   }
   if (discretisation.sample_spacing != before.sample_spacing ||
@@ -141,7 +136,7 @@ PreparedScene Rediscretised(const PreparedScene& base,
     for (TriangleSoup& mesh : meshes) {
       mesh = WithDensity(mesh, discretisation.density);
     }
-    RetriangulateMuscles(changed, meshes, &scene);
+    RetriangulateMuscles(changed, all, meshes, &scene);
   }
   return scene;
 }

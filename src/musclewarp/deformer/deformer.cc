@@ -33,6 +33,16 @@ Scene Checked(Scene scene) {
 
 }  // namespace
 
+RestSeparationOptions RestSeparationOptionsOf(const DeformerOptions& options) {
+  RestSeparationOptions separation;
+  separation.contact = options.frames.certified;
+  separation.pre_rotation = options.frames.pre_rotation;
+  separation.requirements = options.frames.requirements;
+  separation.prepare = options.prepare;
+  separation.reconstruction = options.reconstruction;
+  return separation;
+}
+
 bool DeformerOptions::IsValid(std::string* error) const {
   return prepare.IsValid(error) && frames.IsValid(error) &&
          reconstruction.IsValid(error) && solver.IsValid(error) &&
@@ -60,11 +70,7 @@ Preparation Deformer::PrepareAnew(const Scene& scene) const {
   preparation.scene =
       PrepareScene(scene, options_.prepare, options_.on_progress);
   if (options_.frames.contact == ContactKind::kCertified) {
-    preparation.rest = SeparateRest({options_.frames.certified,
-                                     options_.frames.pre_rotation,
-                                     options_.frames.requirements,
-                                     options_.prepare,
-                                     options_.reconstruction},
+    preparation.rest = SeparateRest(RestSeparationOptionsOf(options_),
                                     solvers_.single,
                                     options_.on_progress,
                                     &preparation.scene);

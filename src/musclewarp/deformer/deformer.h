@@ -45,6 +45,9 @@ struct DeformerOptions {
   bool IsValid(std::string* error) const;
 };
 
+// Returns the options of the separation of the rest pose among them.
+RestSeparationOptions RestSeparationOptionsOf(const DeformerOptions& options);
+
 // Deforms the muscles of a scene: the whole of musclewarp behind one class.
 //
 //   Scene scene = ReadScene("hip.json", data_root);

@@ -131,6 +131,7 @@ MUSCLEWARP_ARCHIVE(MeshPreparation,
                    self_crossings,
                    slivers,
                    reconstruction,
+                   drawn_out_triangles,
                    delivered_volume,
                    notes)
 

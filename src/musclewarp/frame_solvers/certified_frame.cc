@@ -142,31 +142,9 @@ void AddBoneOverlaps(const PreparedScene& scene,
   frame->bone_overlaps = BoneOverlaps(meshes.bones(), bodies);
 }
 
-}  // namespace
-
-Frame CertifiedFrame(const PreparedScene& scene,
-                     const CertifiedScene& certified,
-                     const FrameRequirements& requirements,
-                     const ContactState& state,
-                     const std::vector<Points>& before,
-                     std::vector<SolverSummary> summaries,
-                     SceneMeshes* meshes) {
-  Frame frame = MeasureFrame(scene,
-                             state.pose,
-                             ShapesOf(certified, state),
-                             before,
-                             std::move(summaries),
-                             meshes);
-  MeasureDrift(certified, state, &frame);
-  MeasureContact(
-      certified, state, requirements.touching_distance, meshes, &frame);
-  FrameRequirements with_gap = requirements;
-  with_gap.gap = std::max(requirements.gap, certified.options.step.gap);
-  Judge(scene, with_gap, &frame);
-  AddBoneOverlaps(scene, *meshes, &frame);
-  return frame;
-}
-
+// Returns the indices of the muscles whose displacement by contact in the
+// separated rest pose exceeds the requirements. `intersections`: those of the
+// rest pose.
 std::vector<int> MusclesDisplacedAtRest(const PreparedScene& scene,
                                         const CertifiedScene& certified,
                                         const FrameRequirements& requirements,
@@ -194,6 +172,44 @@ std::vector<int> MusclesDisplacedAtRest(const PreparedScene& scene,
     }
   }
   return displaced;
+}
+
+}  // namespace
+
+Frame CertifiedFrame(const PreparedScene& scene,
+                     const CertifiedScene& certified,
+                     const FrameRequirements& requirements,
+                     const ContactState& state,
+                     const std::vector<Points>& before,
+                     std::vector<SolverSummary> summaries,
+                     SceneMeshes* meshes) {
+  Frame frame = MeasureFrame(scene,
+                             state.pose,
+                             ShapesOf(certified, state),
+                             before,
+                             std::move(summaries),
+                             meshes);
+  MeasureDrift(certified, state, &frame);
+  MeasureContact(
+      certified, state, requirements.touching_distance, meshes, &frame);
+  FrameRequirements with_gap = requirements;
+  with_gap.gap = std::max(requirements.gap, certified.options.step.gap);
+  Judge(scene, with_gap, &frame);
+  AddBoneOverlaps(scene, *meshes, &frame);
+  return frame;
+}
+
+RestResult RestResultOf(const PreparedScene& scene,
+                        CertifiedScene certified,
+                        const FrameRequirements& requirements,
+                        SceneMeshes* meshes) {
+  RestResult result;
+  result.intersections =
+      IntersectAtRest(scene, ShapesOf(certified, certified.rest).fine, meshes);
+  result.displaced = MusclesDisplacedAtRest(
+      scene, certified, requirements, result.intersections, meshes);
+  result.state = std::move(certified.rest);
+  return result;
 }
 
 }  // namespace musclewarp

@@ -6,6 +6,7 @@
 
 #include "musclewarp/certificate/shortcomings.h"
 #include "musclewarp/certified_contact/contact_state.h"
+#include "musclewarp/frame_solvers/rest_result.h"
 #include "musclewarp/frames/frame.h"
 #include "musclewarp/motion/certified_motion.h"
 #include "musclewarp/preparation/prepared_scene.h"
@@ -26,13 +27,11 @@ Frame CertifiedFrame(const PreparedScene& scene,
                      std::vector<SolverSummary> summaries,
                      SceneMeshes* meshes);
 
-// Returns the indices of the muscles whose displacement by contact in the
-// separated rest pose exceeds the requirements. `intersections`: those of the
-// rest pose. `meshes`: the meshes of the scene, which are moved.
-std::vector<int> MusclesDisplacedAtRest(const PreparedScene& scene,
-                                        const CertifiedScene& certified,
-                                        const FrameRequirements& requirements,
-                                        const SceneIntersections& intersections,
-                                        SceneMeshes* meshes);
+// Returns the separated rest pose of a scene, tested and judged by the same
+// requirements. `meshes`: the meshes of the scene, which are moved.
+RestResult RestResultOf(const PreparedScene& scene,
+                        CertifiedScene certified,
+                        const FrameRequirements& requirements,
+                        SceneMeshes* meshes);
 
 }  // namespace musclewarp

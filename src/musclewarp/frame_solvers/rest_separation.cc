@@ -18,6 +18,7 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/frame_solvers/certified_frame.h"
 #include "musclewarp/frame_solvers/reconstructed_surfaces.h"
+#include "musclewarp/frame_solvers/rest_retriangulation.h"
 #include "musclewarp/frames/frame_measures.h"
 #include "musclewarp/mesh/measures.h"
 
@@ -216,13 +217,8 @@ RestResult SeparateOnce(const RestSeparationOptions& options,
                                                    options.pre_rotation,
                                                    solver,
                                                    on_progress);
-  RestResult result;
-  result.intersections =
-      IntersectAtRest(scene, ShapesOf(certified, certified.rest).fine, &meshes);
-  result.displaced = MusclesDisplacedAtRest(
-      scene, certified, options.requirements, result.intersections, &meshes);
-  result.state = std::move(certified.rest);
-  return result;
+  return RestResultOf(
+      scene, std::move(certified), options.requirements, &meshes);
 }
 
 // Returns the reconstructed muscles, and adds a warning for each.
@@ -256,8 +252,13 @@ bool ReconstructionOptions::IsValid(std::string* error) const {
 }
 
 bool RestSeparationOptions::IsValid(std::string* error) const {
-  return contact.IsValid(error) && requirements.IsValid(error) &&
-         prepare.IsValid(error) && reconstruction.IsValid(error);
+  return OptionCheck("RestSeparationOptions", error)
+             .IsAtLeast("max_retriangulations", max_retriangulations, 0)
+             .IsAtLeast("relaxing_steps", relaxing_steps, 0)
+             .is_valid() &&
+         contact.IsValid(error) && requirements.IsValid(error) &&
+         prepare.IsValid(error) && reconstruction.IsValid(error) &&
+         drawn_out.IsValid(error);
 }
 
 RestResult SeparateRest(const RestSeparationOptions& options,
@@ -277,6 +278,7 @@ RestResult SeparateRest(const RestSeparationOptions& options,
     const bool is_clean =
         result.intersections.IsClean() && result.intersections.self_pairs == 0;
     if (reasons.empty() || (is_over && is_clean)) {
+      RetriangulateDrawnOut(options, solver, on_progress, scene, &result);
       result.reconstructed = ReportReconstructions(scene);
       result.wall_ms = separating.Milliseconds();
       return result;

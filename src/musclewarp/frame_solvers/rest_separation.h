@@ -6,6 +6,7 @@
 
 #include "musclewarp/base/progress.h"
 #include "musclewarp/certificate/shortcomings.h"
+#include "musclewarp/frame_solvers/drawn_out_triangles.h"
 #include "musclewarp/frame_solvers/rest_result.h"
 #include "musclewarp/motion/certified_motion.h"
 #include "musclewarp/motion/muscle_solvers.h"
@@ -70,6 +71,13 @@ struct RestSeparationOptions {
   // The preparation of reconstructed meshes.
   PrepareOptions prepare;
   ReconstructionOptions reconstruction;
+
+  // The removal of triangles that the separation draws out, at most
+  // `max_retriangulations` times, each followed by at most `relaxing_steps`
+  // steps.
+  DrawnOutOptions drawn_out;
+  int max_retriangulations = 3;
+  int relaxing_steps = 4;
 
   // Also checks the nested options.
   bool IsValid(std::string* error) const;

@@ -15,8 +15,6 @@
 namespace musclewarp {
 namespace {
 
-constexpr double kSliverAspect = 0.05;
-
 // The metric of a triangle in the coordinates of its first two edges.
 Eigen::Matrix2d MetricOf(const Corners& t) {
   Eigen::Matrix<double, 2, 3> edges;
@@ -30,17 +28,6 @@ bool IsSliver(const Corners& t) {
     longest = std::max(longest, (t.row((k + 1) % 3) - t.row(k)).squaredNorm());
   }
   return !(AreaVector(t).norm() >= kSliverAspect * longest) || longest == 0;
-}
-
-// Stretches are the roots of the eigenvalues of the metric after the
-// deformation relative to that at rest.
-double StretchOf(const Corners& rest, const Corners& deformed) {
-  if (IsSliver(rest)) return 1;
-  const Eigen::Matrix2d ratio = MetricOf(rest).inverse() * MetricOf(deformed);
-  const double half_trace = ratio.trace() / 2;
-  const double root =
-      std::sqrt(std::max(0.0, half_trace * half_trace - ratio.determinant()));
-  return std::sqrt(std::max(0.0, half_trace + root));
 }
 
 Eigen::VectorXd TriangleAreas(const Points& points,
@@ -80,6 +67,17 @@ void MeasurePatches(const Eigen::VectorXd& stretches,
 }
 
 }  // namespace
+
+double StretchOf(const Corners& rest, const Corners& deformed) {
+  if (IsSliver(rest)) return 1;
+  // The stretches are the roots of the eigenvalues of the metric after the
+  // deformation relative to that at rest.
+  const Eigen::Matrix2d ratio = MetricOf(rest).inverse() * MetricOf(deformed);
+  const double half_trace = ratio.trace() / 2;
+  const double root =
+      std::sqrt(std::max(0.0, half_trace * half_trace - ratio.determinant()));
+  return std::sqrt(std::max(0.0, half_trace + root));
+}
 
 Eigen::VectorXd TriangleStretches(const Points& rest,
                                   const Points& deformed,

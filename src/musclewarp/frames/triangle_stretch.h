@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "musclewarp/mesh/triangle.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
@@ -13,6 +14,10 @@ namespace musclewarp {
 // than muscles and tendons bear, at the second the surface is torn.
 constexpr double kStretchBeyondAnatomy = 1.6;
 constexpr double kStretchOfPatches = 2;
+
+// Triangles whose smallest height is below this share of their longest edge
+// (slivers) say nothing of the stretch of a surface.
+constexpr double kSliverAspect = 0.05;
 
 // How far a surface is stretched, triangle by triangle, as ratios of lengths to
 // those at rest. Triangles count by their areas at rest. A patch is a connected
@@ -31,10 +36,11 @@ struct StretchMeasures {
   Eigen::RowVector3d patch_place = Eigen::RowVector3d::Zero();    // mm
 };
 
-// Returns the largest stretch of each triangle in any direction, #F: the larger
-// singular value of its deformation gradient. Triangles whose smallest height
-// at rest is below 0.05 of their longest edge (slivers) have none: they are 1.
-// `rest` and `deformed`: #V x 3, mm.
+// Returns the largest stretch of a triangle in any direction: the larger
+// singular value of its deformation gradient; 1 if it is a sliver at rest.
+double StretchOf(const Corners& rest, const Corners& deformed);
+
+// Returns the stretch of each triangle, #F. `rest` and `deformed`: #V x 3, mm.
 Eigen::VectorXd TriangleStretches(const Points& rest,
                                   const Points& deformed,
                                   const Triangles& triangles);

@@ -42,6 +42,15 @@ std::vector<T> InOrderOfScene(const std::vector<int>& order,
   return sorted;
 }
 
+// Reorders values by muscle from the order of the scene to that of contact.
+template <typename T>
+std::vector<T> InOrderOfContact(const std::vector<int>& order,
+                                const std::vector<T>& of_muscles) {
+  std::vector<T> sorted;
+  for (const int i : order) sorted.push_back(of_muscles[i]);
+  return sorted;
+}
+
 // Returns the exempt areas with muscles numbered in the order of contact.
 std::vector<ExemptArea> ExemptInOrder(const PreparedScene& scene,
                                       const std::vector<int>& order) {
@@ -133,6 +142,36 @@ CertifiedScene BeginScene(const PreparedScene& scene,
   return certified;
 }
 
+// Returns the rest pose as it was prepared, without contact.
+ContactState StateAtRest(const MotionContext& context) {
+  std::vector<Points> coarse;
+  for (const PreparedMuscle* muscle : context.certified.muscles) {
+    coarse.push_back(muscle->model.coarse_rest);
+  }
+  return StateWithoutContact(context.scene,
+                             context.certified,
+                             RestPose(context.scene.scene),
+                             std::move(coarse));
+}
+
+// Relaxes the rest pose from a state in which nothing crosses.
+void RelaxRest(const MotionContext& context,
+               const ProgressCallback& on_progress,
+               ContactState* rest) {
+  const CertifiedContactOptions& options = context.certified.options;
+  AdvanceOptions advance;
+  advance.step = options.step;
+  advance.step.sweeps = options.rest_sweeps;
+  advance.reach_growth = options.reach_growth;
+  advance.max_reach = options.max_reach;
+  advance.max_settling_steps = options.max_rest_steps;
+  advance.settling_tolerance = options.rest_tolerance;
+  advance.accepts_self_crossings = true;
+  advance.on_step = options.on_step;
+  const ScenePose pose = rest->pose;
+  AdvanceToPose(context, advance, pose, /*at=*/1, on_progress, rest);
+}
+
 bool IsTimeoutValid(double timeout_s, std::string* error) {
   if (timeout_s >= 0 ||
       timeout_s == CertifiedContactOptions::kTimeoutByMuscles) {
@@ -202,27 +241,31 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                         });
 
   const MotionContext context = {scene, certified, pre_rotation, solver};
-  std::vector<Points> coarse;
-  for (const PreparedMuscle* muscle : certified.muscles) {
-    coarse.push_back(muscle->model.coarse_rest);
-  }
-  ContactState rest = StateWithoutContact(
-      scene, certified, RestPose(scene.scene), std::move(coarse));
+  ContactState rest = StateAtRest(context);
   rest.points = std::move(separation.points);
-  AdvanceOptions advance;
-  advance.step = options.step;
-  advance.step.sweeps = options.rest_sweeps;
-  advance.reach_growth = options.reach_growth;
-  advance.max_reach = options.max_reach;
-  advance.max_settling_steps = options.max_rest_steps;
-  advance.settling_tolerance = options.rest_tolerance;
-  advance.accepts_self_crossings = true;
-  advance.on_step = options.on_step;
   // Steps need an intersection-free start.
-  if (separation.crossing_pairs == 0) {
-    const ScenePose pose = rest.pose;
-    AdvanceToPose(context, advance, pose, /*at=*/1, on_progress, &rest);
-  }
+  if (separation.crossing_pairs == 0) RelaxRest(context, on_progress, &rest);
+  AddRest(std::move(rest), &certified);
+  certified.wall_ms = preparing.Milliseconds();
+  return certified;
+}
+
+CertifiedScene RelaxCertifiedScene(const PreparedScene& scene,
+                                   const SceneMeshes& meshes,
+                                   const CertifiedContactOptions& options,
+                                   const PreRotationOptions& pre_rotation,
+                                   const MuscleSolver& solver,
+                                   const MuscleShapes& start,
+                                   const ProgressCallback& on_progress) {
+  const Stopwatch preparing;
+  CertifiedScene certified = BeginScene(
+      scene, meshes, ExemptInOrder(scene, OrderOfNames(scene)), options);
+  const MotionContext context = {scene, certified, pre_rotation, solver};
+  ContactState rest = StateAtRest(context);
+  rest.coarse = InOrderOfContact(certified.order, start.coarse);
+  rest.targets = FineMeshes(certified, rest.coarse);
+  rest.points = InOrderOfContact(certified.order, start.fine);
+  RelaxRest(context, on_progress, &rest);
   AddRest(std::move(rest), &certified);
   certified.wall_ms = preparing.Milliseconds();
   return certified;
@@ -281,6 +324,12 @@ MuscleShapes ShapesOf(const CertifiedScene& certified,
                       const ContactState& state) {
   return {InOrderOfScene(certified.order, state.coarse),
           InOrderOfScene(certified.order, state.points)};
+}
+
+MuscleShapes ShapesOf(const PreparedScene& scene, const ContactState& state) {
+  const std::vector<int> order = OrderOfNames(scene);
+  return {InOrderOfScene(order, state.coarse),
+          InOrderOfScene(order, state.points)};
 }
 
 std::vector<Points> FreeCoarseOf(const CertifiedScene& certified,

@@ -136,6 +136,18 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                                      const MuscleSolver& solver,
                                      const ProgressCallback& on_progress);
 
+// Relaxes a rest pose that is separated, with another triangulation of its
+// meshes: `start` has the muscles in it, in the order of the scene.
+// Preconditions: the options are valid (CHECKed), and nothing crosses in
+// `start`.
+CertifiedScene RelaxCertifiedScene(const PreparedScene& scene,
+                                   const SceneMeshes& meshes,
+                                   const CertifiedContactOptions& options,
+                                   const PreRotationOptions& pre_rotation,
+                                   const MuscleSolver& solver,
+                                   const MuscleShapes& start,
+                                   const ProgressCallback& on_progress);
+
 // Rebuilds a CertifiedScene from its rest pose: `rest` is that of an equal
 // CertifiedScene. `meshes`: the meshes of the scene, in the rest pose.
 // Precondition (CHECKed): the options are valid.
@@ -179,6 +191,9 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
 // Returns the coarse and fine vertices of a state, in the order of the scene.
 MuscleShapes ShapesOf(const CertifiedScene& certified,
                       const ContactState& state);
+
+// The same, of a scene that is not prepared for certified contact any more.
+MuscleShapes ShapesOf(const PreparedScene& scene, const ContactState& state);
 
 // Returns the coarse vertices of the solve without contact, in the order of the
 // scene, N x 3 each, mm.

@@ -292,20 +292,21 @@ void ReplaceMuscleMeshes(const PrepareOptions& options,
 }
 
 void RetriangulateMuscles(const PrepareOptions& options,
+                          const std::vector<int>& muscles,
                           const std::vector<TriangleSoup>& meshes,
                           PreparedScene* prepared) {
-  CHECK_EQ(meshes.size(), prepared->muscles.size());
+  CHECK_EQ(muscles.size(), meshes.size());
   Surroundings surroundings;
   AddBones(prepared->bones, &surroundings);
-  ParallelFor(meshes.size(), [&](size_t m) {
-    PreparedMuscle& prepared_muscle = prepared->muscles[m];
+  ParallelFor(meshes.size(), [&](size_t k) {
+    PreparedMuscle& prepared_muscle = prepared->muscles[muscles[k]];
     const MuscleModel model = std::move(prepared_muscle.model);
-    SceneMuscle muscle = prepared->scene.muscles[m];
+    SceneMuscle muscle = prepared->scene.muscles[muscles[k]];
     muscle.attachments = model.attachments;
     PrepareModel(surroundings,
                  options,
                  muscle,
-                 meshes[m],
+                 meshes[k],
                  {model.coarse_rest, model.coarse_triangles},
                  &prepared_muscle);
   });

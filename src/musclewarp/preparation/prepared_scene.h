@@ -108,6 +108,10 @@ struct MeshPreparation {
   SliverRemovals slivers;
   SurfaceReconstruction reconstruction;
 
+  // The triangles removed because the separation of the rest pose had drawn
+  // them out (frame_solvers/rest_retriangulation.h).
+  int drawn_out_triangles = 0;
+
   // The volume after repair, before any further change, mm^3; or
   // SceneMuscle::delivered_volume if given.
   double delivered_volume = 0;
@@ -170,14 +174,15 @@ void ReplaceMuscleMeshes(const PrepareOptions& options,
                          std::vector<TriangleSoup> meshes,
                          PreparedScene* prepared);
 
-// Replaces the mesh of every muscle of a prepared scene by another
-// triangulation of the same surface, or of nearly the same, and prepares what
-// follows from it. Hulls, lines and attachments are kept, so that nothing but
+// Replaces the meshes of muscles of a prepared scene, given by index, by other
+// triangulations of the same surfaces, or of nearly the same, and prepares what
+// follows from them. Hulls, lines and attachments are kept, so that nothing but
 // the density of the meshes, and `options.muscle` apart from the hull, changes.
 // Hulls need not enclose meshes that lie farther out than those before
 // (PreparedMuscle::hull_encloses). Preconditions: there is a mesh for every
-// muscle (CHECKed), and every mesh is a closed manifold.
+// index (CHECKed), and every mesh is a closed manifold.
 void RetriangulateMuscles(const PrepareOptions& options,
+                          const std::vector<int>& muscles,
                           const std::vector<TriangleSoup>& meshes,
                           PreparedScene* prepared);
 

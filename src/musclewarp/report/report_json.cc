@@ -144,7 +144,8 @@ nlohmann::ordered_json RepairsJson(const MeshPreparation& mesh) {
           {"sliver_edges_collapsed", mesh.slivers.collapsed_edges},
           {"sliver_edges_flipped", mesh.slivers.flipped_edges},
           {"slivers_left", mesh.slivers.slivers_left},
-          {"sliver_deviation_mm", mesh.slivers.largest_deviation}};
+          {"sliver_deviation_mm", mesh.slivers.largest_deviation},
+          {"drawn_out_triangles_removed", mesh.drawn_out_triangles}};
 }
 
 nlohmann::ordered_json DefectsJson(const MeshDefects& defects) {
