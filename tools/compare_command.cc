@@ -74,14 +74,10 @@ std::vector<std::shared_ptr<FrameSolver>> FrameSolversOf(
   const DeformerOptions& deformer = options.deform.deformer;
   std::optional<RestResult> rest;
   if (Compares(options, ContactKind::kCertified)) {
-    rest = SeparateRest({deformer.frames.certified,
-                         deformer.frames.pre_rotation,
-                         deformer.frames.requirements,
-                         prepare,
-                         deformer.reconstruction},
-                        SolversOf(SolverConfiguration()).single,
-                        {},
-                        scene);
+    RestSeparationOptions separation = RestSeparationOptionsOf(deformer);
+    separation.prepare = prepare;
+    rest = SeparateRest(
+        separation, SolversOf(SolverConfiguration()).single, {}, scene);
   }
   const auto meshes = std::make_shared<SceneMeshes>(*scene);
   std::vector<std::shared_ptr<FrameSolver>> frame_solvers;
