@@ -58,6 +58,7 @@ DeformerOptions OptionsOf(const DeformerSettings& choices) {
   ChooseCertifiedContact(choices, &options.frames.certified);
   options.reconstruction.kind = ParseRemake(choices.remake);
   options.frames.requirements.max_volume_loss = choices.max_loss;
+  options.frames.requirements.max_torn_patch = choices.max_torn_patch;
   options.solver = ParseSolver(choices.solver);
   SetIterationLimit(choices.max_iterations, &options.solver);
   options.cache.folder = CacheFolderOf(choices.cache);

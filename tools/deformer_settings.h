@@ -18,6 +18,7 @@ struct DeformerSettings {
   std::string attachments = "auto";
   std::string remake = "auto";
   double max_loss = FrameRequirements().max_volume_loss;
+  double max_torn_patch = FrameRequirements().max_torn_patch;  // mm^2
   int max_iterations = 500;
   unsigned seed = 1;
   double max_hole = HoleLimits().max_perimeter;  // mm

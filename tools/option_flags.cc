@@ -22,6 +22,7 @@ const FlagsOfFields& FlagsOfPreparation() {
 const FlagsOfFields& FlagsOfContact() {
   static const FlagsOfFields kFlags = {
       {"OuterHullOptions::coarse_vertices", "bone_coarse_vertices"},
+      {"FrameRequirements::max_torn_patch", "max_torn_patch"},
       {"FrameRequirements::max_volume_loss", "max_loss"},
       {"StepOptions::gap", "gap"},
       {"StepOptions::max_rounds", "max_rounds"},

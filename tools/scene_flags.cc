@@ -96,6 +96,11 @@ DEFINE_string(remake,
               "separated from bones and each other by moving their vertices: "
               "auto (their meshes are made anew) or never (the scene is "
               "refused)");
+DEFINE_double(max_torn_patch,
+              musclewarp::DeformerSettings().max_torn_patch,
+              "with --contact=certified: a frame is not usable if contact "
+              "stretches a patch of a muscle larger than this, mm2, beyond "
+              "twice its length at rest; 0: none is forbidden");
 DEFINE_double(max_loss,
               musclewarp::DeformerSettings().max_loss,
               "share of the volume of a muscle, as it was delivered, that may "
@@ -136,6 +141,7 @@ DeformerSettings ChoicesFromFlags() {
   choices.attachments = FLAGS_attachments;
   choices.remake = FLAGS_remake;
   choices.max_loss = FLAGS_max_loss;
+  choices.max_torn_patch = FLAGS_max_torn_patch;
   choices.max_iterations = FLAGS_max_iterations;
   choices.seed = FLAGS_seed;
   choices.max_hole = FLAGS_max_hole;

@@ -26,6 +26,7 @@ void VisitChoices(Choices* choices, const Visitor& visit) {
   visit("attachments", choices->attachments);
   visit("remake", choices->remake);
   visit("max_loss", choices->max_loss);
+  visit("max_torn_patch", choices->max_torn_patch);
   visit("max_iterations", choices->max_iterations);
   visit("seed", choices->seed);
   visit("max_hole", choices->max_hole);

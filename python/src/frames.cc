@@ -38,6 +38,8 @@ Attributes:
     max_contact_displacement, mean_contact_displacement: how far contact moved
         points, mm.
     depth_without_contact: how deep the muscle would be in others, mm.
+    torn_patch: the largest patch that contact stretches beyond twice its
+        length at rest, mm2.
     pushed_by, push_depth: the muscles that push it, which comes last, and the
         depth of their overlaps without contact, mm.
     iterations, stop_reason: of the solver; "converged" if it did.
@@ -252,6 +254,9 @@ void BindMuscle(py::module_* module) {
         "mean_contact_displacement",
         &MuscleFrame::mean_contact_displacement);
   Field(&type, "depth_without_contact", &MuscleFrame::depth_without_contact);
+  type.def_property_readonly("torn_patch", [](const MuscleFrame& muscle) {
+    return muscle.torn_patch.area;
+  });
   Field(&type, "pushed_by", &MuscleFrame::pushed_by);
   Field(&type, "push_depth", &MuscleFrame::push_depth);
   Field(&type, "path_lengths", &MuscleFrame::path_lengths);

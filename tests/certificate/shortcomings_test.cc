@@ -235,6 +235,23 @@ TEST(Shortcomings, NameACrossingOnceIfAGapIsRequired) {
               ElementsAre(HasSubstr("psoas x femur: ")));
 }
 
+// A limit of zero forbids nothing: data may ask for more than a muscle bears.
+TEST(Shortcomings, TornPatchesCountIfALimitIsGiven) {
+  MuscleMeasures measures;
+  measures.name = "popliteus";
+  measures.volume_ratio = 1;
+  measures.torn_patch = 250;
+  measures.torn_place = {1, 2, 3};
+  FrameRequirements requirements;
+  EXPECT_THAT(Shortcomings(requirements, {}, {measures}), IsEmpty());
+  requirements.max_torn_patch = 250;
+  EXPECT_THAT(Shortcomings(requirements, {}, {measures}), IsEmpty());
+  requirements.max_torn_patch = 100;
+  EXPECT_THAT(Shortcomings(requirements, {}, {measures}),
+              ElementsAre("popliteus: 2.5 cm2 torn by contact near "
+                          "(1.0, 2.0, 3.0), allowed 1 cm2"));
+}
+
 TEST(FrameRequirements, NameWhatIsWrong) {
   FrameRequirements requirements;
   std::string error;

@@ -69,6 +69,25 @@ TEST(TriangleStretch, SpikesAreNoLargePatches) {
   EXPECT_NEAR(drawn.mean, 2, 1e-9);
 }
 
+TEST(LargestTornPatch, WhatThePoseAsksForIsNotTorn) {
+  const TriangleSoup box = LatticeBox(10, 10, 10);
+  Points free = box.points;
+  free.col(0) *= 2.5;
+  EXPECT_EQ(LargestTornPatch(box.points, free, free, box.triangles).area, 0);
+  // Four of the sides lie along the first axis.
+  const auto torn_at = [&](double stretch) {
+    Points deformed = box.points;
+    deformed.col(0) *= stretch;
+    return LargestTornPatch(box.points, deformed, free, box.triangles).area;
+  };
+  EXPECT_EQ(torn_at(2.69), 0);
+  EXPECT_NEAR(torn_at(2.71), 400, 1e-9);
+  // Without contact the box is at rest.
+  free = box.points;
+  EXPECT_EQ(torn_at(1.99), 0);
+  EXPECT_NEAR(torn_at(2.01), 400, 1e-9);
+}
+
 TEST(TriangleStretch, SliversHaveNone) {
   Points rest(3, 3), deformed(3, 3);
   rest << 0, 0, 0, 10, 0, 0, 5, 0.1, 0;

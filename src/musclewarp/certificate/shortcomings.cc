@@ -108,6 +108,17 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
                                      muscle.self_pairs,
                                      " self-intersecting triangle pairs"));
   }
+  if (requirements.max_torn_patch > 0 &&
+      muscle.torn_patch > requirements.max_torn_patch) {
+    shortcomings->push_back(Sentence(muscle.name,
+                                     ": ",
+                                     muscle.torn_patch / 100,
+                                     " cm2 torn by contact near ",
+                                     PlaceText(muscle.torn_place),
+                                     ", allowed ",
+                                     requirements.max_torn_patch / 100,
+                                     " cm2"));
+  }
   const auto most_folded =
       static_cast<int>(requirements.max_folded_fraction *
                        static_cast<double>(muscle.num_triangles));
@@ -148,6 +159,7 @@ bool FrameRequirements::IsValid(std::string* error) const {
       .IsAtLeast("max_volume_error", max_volume_error, 0)
       .IsWithin("max_volume_loss", max_volume_loss, 0, 1)
       .IsAtLeast("max_stretch", max_stretch, 1)
+      .IsAtLeast("max_torn_patch", max_torn_patch, 0)
       .IsWithin("max_folded_fraction", max_folded_fraction, 0, 1)
       .IsAtLeast("displacement_per_depth", displacement_per_depth, 0)
       .IsAtLeast("displacement_allowance", displacement_allowance, 0)

@@ -25,6 +25,11 @@ struct FrameRequirements {
   // (report/shape_warnings.h).
   double max_stretch = 20;
 
+  // The largest patch of a muscle's surface that contact may tear, mm^2: beyond
+  // twice its length at rest, and beyond what the pose asks for
+  // (frames/triangle_stretch.h); 0 if none is forbidden.
+  double max_torn_patch = 0;
+
   // Folded triangles of a muscle, as a share of its triangles.
   double max_folded_fraction = 1e-3;
 
@@ -53,6 +58,8 @@ struct MuscleMeasures {
   double volume_ratio = 0;      // of the volume to the delivered one
   double volume_error = 0;      // of the solver, as a share of the volume
   double max_stretch = 1;
+  double torn_patch = 0;                                       // mm^2
+  Eigen::RowVector3d torn_place = Eigen::RowVector3d::Zero();  // mm
   int num_triangles = 0;
   int folded_triangles = 0;
 

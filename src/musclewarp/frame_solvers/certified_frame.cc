@@ -55,9 +55,10 @@ void MeasureDrift(const CertifiedScene& certified,
   }
 }
 
-// Measures the displacement of the muscles of a frame by contact, relative to
-// their shapes without contact.
-void MeasureContact(const CertifiedScene& certified,
+// Measures what contact does to the muscles of a frame, relative to their
+// shapes without contact.
+void MeasureContact(const PreparedScene& scene,
+                    const CertifiedScene& certified,
                     const ContactState& state,
                     double touching_distance,
                     SceneMeshes* meshes,
@@ -78,6 +79,13 @@ void MeasureContact(const CertifiedScene& certified,
         (muscle.points - without_contact[i]).rowwise().norm();
     muscle.max_contact_displacement = moves.maxCoeff();
     muscle.mean_contact_displacement = moves.mean();
+    if (muscle.shape.triangles.largest_patch > 0) {
+      const MuscleModel& model = scene.muscles[i].model;
+      muscle.torn_patch = LargestTornPatch(model.fine_rest,
+                                           muscle.points,
+                                           without_contact[i],
+                                           model.fine_triangles);
+    }
     for (const PairDepth& overlap : overlaps) {
       const int muscle_number = static_cast<int>(i);
       if (overlap.a == muscle_number ||
@@ -105,6 +113,8 @@ MuscleMeasures MeasuresOf(const PreparedMuscle& prepared,
   measures.depth_without_contact = muscle.depth_without_contact;
   measures.push_depth = muscle.push_depth;
   measures.pushed_by = muscle.pushed_by;
+  measures.torn_patch = muscle.torn_patch.area;
+  measures.torn_place = muscle.torn_patch.place;
   return measures;
 }
 
@@ -161,8 +171,12 @@ std::vector<int> MusclesDisplacedAtRest(const PreparedScene& scene,
     muscle.name = scene.muscles[i].model.name;
     muscle.points = std::move(shapes.fine[i]);
   }
-  MeasureContact(
-      certified, certified.rest, requirements.touching_distance, meshes, &rest);
+  MeasureContact(scene,
+                 certified,
+                 certified.rest,
+                 requirements.touching_distance,
+                 meshes,
+                 &rest);
   std::vector<int> displaced;
   for (size_t i = 0; i < rest.muscles.size(); ++i) {
     if (rest.muscles[i].max_contact_displacement >
@@ -191,7 +205,7 @@ Frame CertifiedFrame(const PreparedScene& scene,
                              meshes);
   MeasureDrift(certified, state, &frame);
   MeasureContact(
-      certified, state, requirements.touching_distance, meshes, &frame);
+      scene, certified, state, requirements.touching_distance, meshes, &frame);
   FrameRequirements with_gap = requirements;
   with_gap.gap = std::max(requirements.gap, certified.options.step.gap);
   Judge(scene, with_gap, &frame);

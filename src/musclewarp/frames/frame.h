@@ -45,6 +45,9 @@ struct MuscleFrame {
   double mean_contact_displacement = 0;
   double depth_without_contact = 0;
 
+  // The largest patch of its surface that contact has torn.
+  SurfacePatch torn_patch;
+
   // The muscles that push this one, which comes last, and the depths of all
   // overlaps along that chain without contact, mm: what its displacement is
   // judged by.

@@ -39,6 +39,43 @@ Eigen::VectorXd TriangleAreas(const Points& points,
   return areas;
 }
 
+// The patches of a surface, in the order of their labels.
+struct Patches {
+  Eigen::VectorXd areas;  // mm^2
+  Points centres;         // #patches x 3, mm
+};
+
+// Returns the connected parts that the triangles of a surface in `chosen` make
+// up. `areas`: #F, of all triangles.
+Patches PatchesOf(const std::vector<Eigen::Index>& chosen,
+                  const Eigen::VectorXd& areas,
+                  const Points& deformed,
+                  const Triangles& triangles) {
+  const Triangles parts = triangles(chosen, Eigen::all);
+  const Components components =
+      ConnectedComponents(parts, EdgeUses(parts), chosen.size());
+  Patches patches = {Eigen::VectorXd::Zero(components.count),
+                     Points::Zero(components.count, 3)};
+  for (size_t i = 0; i < chosen.size(); ++i) {
+    const double area = areas[chosen[i]];
+    patches.areas[components.label[i]] += area;
+    patches.centres.row(components.label[i]) +=
+        area * CornersOf(deformed, parts.row(i)).colwise().mean();
+  }
+  for (Eigen::Index i = 0; i < patches.areas.size(); ++i) {
+    patches.centres.row(i) /= patches.areas[i];
+  }
+  return patches;
+}
+
+// Returns the largest of them; no area if there is none.
+SurfacePatch LargestOf(const Patches& patches) {
+  if (patches.areas.size() == 0) return {};
+  Eigen::Index largest;
+  const double area = patches.areas.maxCoeff(&largest);
+  return {area, patches.centres.row(largest)};
+}
+
 void MeasurePatches(const Eigen::VectorXd& stretches,
                     const Eigen::VectorXd& areas,
                     const Points& deformed,
@@ -48,22 +85,11 @@ void MeasurePatches(const Eigen::VectorXd& stretches,
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
     if (stretches[f] > kStretchOfPatches) beyond.push_back(f);
   }
-  if (beyond.empty()) return;
-  const Triangles torn = triangles(beyond, Eigen::all);
-  const Components patches =
-      ConnectedComponents(torn, EdgeUses(torn), beyond.size());
-  Eigen::VectorXd area_of = Eigen::VectorXd::Zero(patches.count);
-  Points centre_of = Points::Zero(patches.count, 3);  // times the area
-  for (size_t i = 0; i < beyond.size(); ++i) {
-    const double area = areas[beyond[i]];
-    area_of[patches.label[i]] += area;
-    centre_of.row(patches.label[i]) +=
-        area * CornersOf(deformed, torn.row(i)).colwise().mean();
-  }
-  Eigen::Index largest;
-  measures->area_of_patches = area_of.sum();
-  measures->largest_patch = area_of.maxCoeff(&largest);
-  measures->patch_place = centre_of.row(largest) / area_of[largest];
+  const Patches patches = PatchesOf(beyond, areas, deformed, triangles);
+  const SurfacePatch largest = LargestOf(patches);
+  measures->area_of_patches = patches.areas.sum();
+  measures->largest_patch = largest.area;
+  measures->patch_place = largest.place;
 }
 
 }  // namespace
@@ -110,6 +136,25 @@ StretchMeasures MeasureStretch(const Points& rest,
       (stretches.array() > kStretchBeyondAnatomy).select(areas, 0).sum();
   MeasurePatches(stretches, areas, deformed, triangles, &measures);
   return measures;
+}
+
+SurfacePatch LargestTornPatch(const Points& rest,
+                              const Points& deformed,
+                              const Points& without_contact,
+                              const Triangles& triangles) {
+  const Eigen::VectorXd stretches =
+      TriangleStretches(rest, deformed, triangles);
+  const Eigen::VectorXd free =
+      TriangleStretches(rest, without_contact, triangles);
+  std::vector<Eigen::Index> torn;
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    if (stretches[f] >
+        std::max(kStretchOfPatches, free[f] + kStretchByContact)) {
+      torn.push_back(f);
+    }
+  }
+  return LargestOf(
+      PatchesOf(torn, TriangleAreas(rest, triangles), deformed, triangles));
 }
 
 std::vector<double> WeightedQuantiles(const Eigen::VectorXd& values,

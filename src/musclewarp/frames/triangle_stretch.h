@@ -36,6 +36,16 @@ struct StretchMeasures {
   Eigen::RowVector3d patch_place = Eigen::RowVector3d::Zero();    // mm
 };
 
+// How much more than without contact a triangle has to be stretched before that
+// counts as torn by contact.
+constexpr double kStretchByContact = 0.2;
+
+// A connected part of a surface.
+struct SurfacePatch {
+  double area = 0;                                        // mm^2
+  Eigen::RowVector3d place = Eigen::RowVector3d::Zero();  // its centre, mm
+};
+
 // Returns the largest stretch of a triangle in any direction: the larger
 // singular value of its deformation gradient; 1 if it is a sliver at rest.
 double StretchOf(const Corners& rest, const Corners& deformed);
@@ -50,6 +60,16 @@ Eigen::VectorXd TriangleStretches(const Points& rest,
 StretchMeasures MeasureStretch(const Points& rest,
                                const Points& deformed,
                                const Triangles& triangles);
+
+// Returns the largest patch that contact has torn: triangles stretched beyond
+// kStretchOfPatches, and by kStretchByContact more than without
+// contact. `rest`, `deformed` and `without_contact`: #V x 3, mm. The area is
+// that at rest, the place that of the deformed surface. Precondition: there are
+// triangles.
+SurfacePatch LargestTornPatch(const Points& rest,
+                              const Points& deformed,
+                              const Points& without_contact,
+                              const Triangles& triangles);
 
 // Returns for each of `fractions`, which rise, the smallest of the values that
 // at least this fraction of the weight does not exceed. Preconditions

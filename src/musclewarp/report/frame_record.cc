@@ -26,6 +26,7 @@ MuscleRecord RecordOf(const PreparedMuscle& muscle, const MuscleFrame& frame) {
   record.max_contact_displacement_mm = frame.max_contact_displacement;
   record.mean_contact_displacement_mm = frame.mean_contact_displacement;
   record.depth_without_contact_mm = frame.depth_without_contact;
+  record.torn_patch = frame.torn_patch;
   record.push_depth_mm = frame.push_depth;
   record.pushed_by = frame.pushed_by;
   record.attachments = frame.attachments;

@@ -31,6 +31,7 @@ struct MuscleRecord {
   double max_contact_displacement_mm = 0;
   double mean_contact_displacement_mm = 0;
   double depth_without_contact_mm = 0;
+  SurfacePatch torn_patch;
   double push_depth_mm = 0;
   std::vector<std::string> pushed_by;
   std::vector<AttachmentDrift> attachments;

@@ -141,6 +141,8 @@ OrderedJson ToJson(const MuscleRecord& record) {
           {"max_contact_displacement_mm", record.max_contact_displacement_mm},
           {"mean_contact_displacement_mm", record.mean_contact_displacement_mm},
           {"depth_without_contact_mm", record.depth_without_contact_mm},
+          {"torn_patch_mm2", record.torn_patch.area},
+          {"torn_patch_place_mm", ToJson(record.torn_patch.place)},
           {"push_depth_mm", record.push_depth_mm},
           {"pushed_by", record.pushed_by},
           {"attachments", ToJson(record.attachments)},
@@ -175,6 +177,10 @@ MuscleRecord MuscleRecordFromJson(const OrderedJson& json) {
       .get_to(record.mean_contact_displacement_mm);
   json.at("depth_without_contact_mm").get_to(record.depth_without_contact_mm);
   // Reports of older versions lack them.
+  if (json.contains("torn_patch_mm2")) {
+    record.torn_patch = {json.at("torn_patch_mm2").get<double>(),
+                         PlaceFromJson(json.at("torn_patch_place_mm"))};
+  }
   record.push_depth_mm = json.value("push_depth_mm", 0.0);
   record.pushed_by = json.value("pushed_by", std::vector<std::string>());
   record.attachments =

@@ -67,16 +67,19 @@ void WarnOfDrift(const std::vector<FrameRecord>& frames,
 
 // Returns how much of the surface is stretched, to follow the largest stretch;
 // nothing for records of earlier versions, which do not have it.
-std::string StretchedAreas(const StretchMeasures& stretch) {
+std::string StretchedAreas(const MuscleRecord& record) {
+  const StretchMeasures& stretch = record.shape.triangles;
   if (stretch.largest == 1) return "";
   std::string text = ", 99 % of its surface to at most " +
                      WithDigits(stretch.quantile_99, 2) + ", 99.9 % to " +
                      WithDigits(stretch.quantile_999, 2);
   if (stretch.largest_patch == 0) return text;
-  return text + "; the largest patch beyond " +
-         WithDigits(kStretchOfPatches, 0) + " has " +
-         WithDigits(stretch.largest_patch / 100, 2) + " cm2, " +
-         At(stretch.patch_place);
+  text += "; the largest patch beyond " + WithDigits(kStretchOfPatches, 0) +
+          " has " + WithDigits(stretch.largest_patch / 100, 2) + " cm2, " +
+          At(stretch.patch_place);
+  if (record.torn_patch.area == 0) return text;
+  return text + ", and the largest that contact has torn " +
+         WithDigits(record.torn_patch.area / 100, 2) + " cm2";
 }
 
 void WarnOfStretch(const std::vector<FrameRecord>& frames,
@@ -92,7 +95,7 @@ void WarnOfStretch(const std::vector<FrameRecord>& frames,
                       WithDigits(record.shape.max_stretch, 2) +
                       " times its length at rest in " + frames[worst].name +
                       " " + At(record.shape.stretch_place) +
-                      StretchedAreas(record.shape.triangles));
+                      StretchedAreas(record));
 }
 
 // The first frame has no frame before it.
