@@ -45,7 +45,14 @@ DEFINE_string(fit,
               "",
               "names of meshes the picture is made to hold, with commas; "
               "without it all");
-DEFINE_bool(legend, true, "name the muscles below the picture");
+DEFINE_string(color,
+              "muscle",
+              "what the colours of muscles tell: muscle (which it is) or "
+              "stretch (how far each triangle is stretched against rest, for a "
+              "run of musclewarp-deform)");
+DEFINE_bool(legend,
+            true,
+            "name the muscles below the picture, or what the colours tell");
 DEFINE_bool(outlines, true, "draw dark outlines");
 
 namespace musclewarp {
@@ -66,6 +73,7 @@ RenderRequest RequestFromFlags(const std::vector<std::string>& files) {
   request.hide = FLAGS_hide;
   request.fade = FLAGS_fade;
   request.fit = FLAGS_fit;
+  request.color = FLAGS_color;
   request.legend = FLAGS_legend;
   request.outlines = FLAGS_outlines;
   return request;

@@ -16,6 +16,7 @@
 #include "musclewarp/render/picture.h"
 #include "musclewarp/render/picture_texts.h"
 #include "tools/split.h"
+#include "tools/stretch_colors.h"
 
 namespace musclewarp {
 namespace {
@@ -144,9 +145,13 @@ std::map<std::string, PictureMesh> Looks(const RenderRequest& request,
   for (std::size_t i = 0; i < muscles.size(); ++i) {
     const Color color = MuscleColor(static_cast<int>(i));
     looks[muscles[i]].color = color;
-    if (request.legend && hide.count(muscles[i]) == 0) {
+    if (request.legend && request.color == "muscle" &&
+        hide.count(muscles[i]) == 0) {
       options->legend.push_back({WithSpaces(muscles[i]), color});
     }
+  }
+  if (request.legend && request.color == "stretch") {
+    options->legend = StretchLegend();
   }
   for (const auto& [name, opacity] : ParseFade(request.fade, names)) {
     looks[name].opacity = opacity;
@@ -176,13 +181,40 @@ std::vector<std::string> Captions(const RenderRequest& request,
   return captions;
 }
 
+// Colours a muscle of a run by its stretch.
+void ColorByStretch(const MeshFiles& rest_files,
+                    const std::string& name,
+                    PictureMesh* mesh) {
+  const auto file = rest_files.find(name);
+  if (file == rest_files.end()) {
+    throw InputError("--color",
+                     "the run has no mesh of " + name + " at rest",
+                     "use a folder that musclewarp-deform has written");
+  }
+  const TriangleSoup rest = ReadTriangleSoup(file->second);
+  if (rest.points.rows() != mesh->surface.points.rows() ||
+      rest.triangles.rows() != mesh->surface.triangles.rows()) {
+    throw InputError(file->second,
+                     "has other triangles than the mesh of the frame",
+                     "use the files of one run");
+  }
+  mesh->triangle_colors =
+      StretchColors(rest.points, mesh->surface.points, mesh->surface.triangles);
+}
+
 // Precondition: the flags are fine; here the meshes are read.
 std::vector<PicturePanel> ReadPanels(
+    const RenderRequest& request,
     const RunFiles& run,
     const std::vector<std::string>& captions,
     const std::map<std::string, PictureMesh>& looks) {
   std::vector<PicturePanel> panels(run.frames.size());
   bool has_fit = false;
+  const std::set<std::string> muscles(run.muscles.begin(), run.muscles.end());
+  MeshFiles rest;
+  if (request.color == "stretch") {
+    rest = MeshFilesIn((fs::path(request.in) / "rest").string());
+  }
   for (std::size_t i = 0; i < panels.size(); ++i) {
     panels[i].caption = captions[i];
     for (const auto& [name, file] : run.frames[i].meshes) {
@@ -190,6 +222,9 @@ std::vector<PicturePanel> ReadPanels(
       if (look == looks.end()) continue;
       panels[i].meshes.push_back(look->second);
       panels[i].meshes.back().surface = ReadTriangleSoup(file);
+      if (request.color == "stretch" && muscles.count(name) > 0) {
+        ColorByStretch(rest, name, &panels[i].meshes.back());
+      }
       has_fit = has_fit || look->second.fit;
     }
   }
@@ -199,6 +234,19 @@ std::vector<PicturePanel> ReadPanels(
                      "hide fewer meshes, or name a shown one in --fit");
   }
   return panels;
+}
+
+void CheckColor(const RenderRequest& request) {
+  if (request.color != "muscle" && request.color != "stretch") {
+    throw InputError("--color",
+                     "there is no colour by '" + request.color + "'",
+                     "use muscle or stretch");
+  }
+  if (request.color == "stretch" && request.in.empty()) {
+    throw InputError("--color",
+                     "mesh files alone do not tell how far they are stretched",
+                     "use --in=RUN_DIR");
+  }
 }
 
 void CheckRoom(const std::vector<PicturePanel>& panels,
@@ -230,6 +278,7 @@ void Render(const RenderRequest& request, std::ostream& log) {
                      "is to be given, or mesh files, and not both",
                      "use --in=RUN_DIR or FILE...");
   }
+  CheckColor(request);
   PictureOptions options;
   options.outlines = request.outlines;
   ParseSize(request.size, &options);
@@ -242,7 +291,7 @@ void Render(const RenderRequest& request, std::ostream& log) {
   const std::map<std::string, PictureMesh> looks =
       Looks(request, run, &options);
   const std::vector<PicturePanel> panels =
-      ReadPanels(run, Captions(request, run), looks);
+      ReadPanels(request, run, Captions(request, run), looks);
   CheckRoom(panels, request, options);
   WritePng(request.out, DrawPicture(panels, view, options));
   log << "wrote " << request.out << "\n";

@@ -34,7 +34,10 @@ struct RenderRequest {
   std::string fit;
   // name:opacity with commas.
   std::string fade;
-  // Names the muscles below the picture.
+  // What the colours of muscles tell: "muscle", which it is, or "stretch", how
+  // far each triangle is stretched; that needs a run, which has them at rest.
+  std::string color = "muscle";
+  // Names the muscles below the picture, or what the colours tell.
   bool legend = true;
   bool outlines = true;
 };

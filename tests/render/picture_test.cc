@@ -70,6 +70,18 @@ TEST_F(PictureTest, ASphereIsADiscOnWhite) {
   EXPECT_LT(area, 3.15 * 40 * 40);
 }
 
+TEST_F(PictureTest, TrianglesHaveTheirOwnColoursIfTheyAreGiven) {
+  PictureMesh sphere = Sphere(1, 0, kRed);
+  const TriangleSoup& surface = sphere.surface;
+  for (Eigen::Index f = 0; f < surface.triangles.rows(); ++f) {
+    const bool is_left = surface.points(surface.triangles(f, 0), 0) < 0;
+    sphere.triangle_colors.push_back(is_left ? Color{0, 0, 255} : kRed);
+  }
+  const Image image = Draw({{"", {sphere}}}, SmallPicture());
+  EXPECT_GT(image.At(45, 40).b, 2 * image.At(45, 40).r);
+  EXPECT_GT(image.At(75, 40).r, 2 * image.At(75, 40).b);
+}
+
 TEST_F(PictureTest, TheNearerMeshHidesTheOther) {
   const Image image =
       Draw({{"", {Sphere(1, 2, kBlue), Sphere(1, -2, kRed)}}}, SmallPicture());

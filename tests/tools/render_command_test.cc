@@ -17,6 +17,7 @@
 #include "musclewarp/render/picture.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
+#include "tools/stretch_colors.h"
 
 namespace musclewarp {
 namespace {
@@ -57,7 +58,7 @@ std::string RenderError(const RenderRequest& request) {
 
 bool CanDraw() {
   PicturePanel panel;
-  panel.meshes.push_back({Box(1, 1, 1), {}, 1, true});
+  panel.meshes.push_back({Box(1, 1, 1), {}, 1, true, {}});
   PictureOptions options;
   options.width = options.height = 16;
   try {
@@ -124,6 +125,31 @@ TEST(RenderCommand, DrawsFramesSideBySide) {
   EXPECT_EQ(both.substr(16, 8), std::string("\0\0\1\x2c\0\0\0\xc8", 8));
   Render(request, log);
   EXPECT_EQ(Bytes(request.out), both);
+}
+
+TEST(RenderCommand, ColoursByStretchNeedTheMeshesAtRest) {
+  RenderRequest request;
+  request.in = WriteRun();
+  request.out = request.in + "/picture.png";
+  request.color = "stretch";
+  EXPECT_THAT(RenderError(request), HasSubstr("rest"));
+  fs::create_directories(request.in + "/rest");
+  TriangleSoup muscle = Spindle(10, 50, 1);
+  WriteTriangleSoup(request.in + "/rest/psoas_major.ply", muscle);
+  EXPECT_THAT(RenderError(request), HasSubstr("other triangles"));
+  request.color = "volume";
+  EXPECT_THAT(RenderError(request), HasSubstr("muscle or stretch"));
+}
+
+TEST(StretchColors, DarkenWithStretch) {
+  const TriangleSoup box = Box(1, 1, 1);
+  int before = 256;
+  for (const double stretch : {1.0, 1.3, 1.5, 1.8, 2.1}) {
+    const Color color =
+        StretchColors(box.points, stretch * box.points, box.triangles).front();
+    EXPECT_LT(color.g, before) << stretch;
+    before = color.g;
+  }
 }
 
 TEST(RenderCommand, DrawsFiles) {

@@ -6,6 +6,7 @@
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkFloatArray.h>
 #include <vtkLightKit.h>
 #include <vtkNew.h>
@@ -51,16 +52,33 @@ vtkSmartPointer<vtkPolyData> PolyData(const TriangleSoup& soup) {
   return data;
 }
 
+vtkSmartPointer<vtkUnsignedCharArray> ColorArray(
+    const std::vector<Color>& colors) {
+  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetNumberOfComponents(3);
+  for (const Color& color : colors) {
+    array->InsertNextTuple3(color.r, color.g, color.b);
+  }
+  return array;
+}
+
 vtkSmartPointer<vtkActor> MeshActor(const PictureMesh& mesh,
                                     double feature_angle) {
   CHECK(mesh.opacity >= 0 && mesh.opacity <= 1) << mesh.opacity;
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(PolyData(mesh.surface));
+  const vtkSmartPointer<vtkPolyData> surface = PolyData(mesh.surface);
+  if (!mesh.triangle_colors.empty()) {
+    CHECK_EQ(mesh.triangle_colors.size(),
+             static_cast<std::size_t>(mesh.surface.triangles.rows()));
+    surface->GetCellData()->SetScalars(ColorArray(mesh.triangle_colors));
+  }
+  normals->SetInputData(surface);
   normals->SetFeatureAngle(feature_angle);
   // The order of the corners is left as it is.
   normals->ConsistencyOff();
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(normals->GetOutputPort());
+  mapper->SetScalarModeToUseCellData();  // where there are colours
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();

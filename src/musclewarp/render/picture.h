@@ -20,6 +20,8 @@ struct PictureMesh {
   // If true, the camera is placed so that the whole mesh is in the picture. If
   // false, parts of the mesh may be outside, like the shaft of a long bone.
   bool fit = true;
+  // #F: the colour of each triangle, in place of `color`; may be empty.
+  std::vector<Color> triangle_colors;
 };
 
 // One of the scenes that stand side by side in a picture, such as two frames of
@@ -61,7 +63,8 @@ constexpr int kLeastPanelSize = 16;
 
 // Draws the panels from left to right on white, in parallel projection and all
 // at the same scale, which the largest determines.
-// Preconditions: there is a mesh with `fit`, opacities are in [0, 1], and the
+// Preconditions: there is a mesh with `fit`, there are as many colours of
+// triangles as triangles or none, opacities are in [0, 1], and the
 // texts leave every panel kLeastPanelSize pixels in both directions. Throws
 // InputError if the machine has no OpenGL.
 Image DrawPicture(const std::vector<PicturePanel>& panels,
