@@ -41,6 +41,7 @@ TEST(OffsetExtension, IsWhatARelaxationWithoutContactConvergesTo) {
   GivenOffsets sphere;
   sphere.options.relaxation.strain_hardening = 0;
   sphere.options.relaxation.rope_factor = 0;
+  sphere.options.relaxation.pressure_gain = 0;
   const ContactStep step = MakeContactStep(
       sphere.group.scene,
       sphere.group.state,

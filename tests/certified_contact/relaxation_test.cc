@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "certified_contact/contact_group.h"
+#include "musclewarp/mesh/measures.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -68,6 +69,26 @@ struct Relaxed {
   }
 };
 
+// Two muscles side by side, one of which lacks a tenth of its volume.
+TEST(Relax, PressureRestoresVolumeAndPushesOthersBack) {
+  const TriangleSoup left = SphereAt({-10.1, 0, 0}, 10, 3);
+  const TriangleSoup right = SphereAt({10.1, 0, 0}, 10, 3);
+  Relaxed relaxed(ContactGroup({left, right}, {}));
+  const double volume = relaxed.group.scene.muscles[0].volume;
+  relaxed.group.scene.muscles[0].volume *= 1.1;
+  const RelaxedPoints result = relaxed.Run(24);
+  EXPECT_GT(SignedVolume(result.points[0], left.triangles), 1.05 * volume);
+  EXPECT_LT(SignedVolume(result.points[0], left.triangles), 1.1 * volume);
+  // The other one has to make room.
+  EXPECT_GT(result.points[1].col(0).minCoeff(),
+            right.points.col(0).minCoeff() + 0.05);
+  EXPECT_GT(SignedVolume(result.points[1], right.triangles), 0.99 * volume);
+  relaxed.options.relaxation.pressure_gain = 0;
+  EXPECT_NEAR(SignedVolume(relaxed.Run(24).points[0], left.triangles),
+              volume,
+              1e-6 * volume);
+}
+
 TEST(Relax, BringsOffsetsToZeroWhereNothingIsInTheWay) {
   Relaxed relaxed(ContactGroup({SphereAt({0, 0, 0}, 10, 2)}, {}));
   // An offset from before, within the reach.
@@ -100,6 +121,7 @@ TEST(Relax, FindsTheMinimumOfTheEnergy) {
   const Points& targets = group.state.targets[0];
   StepOptions options;
   options.reach = 20;
+  options.relaxation.pressure_gain = 0;
   Eigen::Index top;
   targets.col(2).maxCoeff(&top);
   std::vector<int> held;
@@ -149,6 +171,7 @@ TEST(Relax, AnEdgeHasTheLargerStiffnessOfItsEnds) {
   StepOptions options;
   options.relaxation.strain_hardening = 0;
   options.relaxation.rope_factor = 0;
+  options.relaxation.pressure_gain = 0;
   const Points& targets = group.state.targets[0];
   constexpr int kHeld = 0;
   const int stiff = surface.neighbours[surface.first[kHeld]];

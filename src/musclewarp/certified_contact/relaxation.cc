@@ -7,6 +7,7 @@
 
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/work_counts.h"
+#include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {
 namespace {
@@ -30,7 +31,24 @@ struct MuscleSweep {
   const AttachedPoints& attached;
   int muscle;
   std::vector<SweepEdge> edges;  // as MuscleSurface::neighbours
+  Eigen::VectorXd curvatures;    // of the energy without strain, #V
+  Points pushes;                 // by the pressure, #V x 3, mm
 };
+
+// Sets the pressure that restores a fraction `gain` of the volume that is
+// missing at `points`, #V x 3, mm, if nothing is in the way.
+void SetPressure(double gain, const Points& points, MuscleSweep* sweep) {
+  const MuscleSurface& surface = sweep->surface;
+  Points& pushes = sweep->pushes;
+  pushes = VolumeGradient(points, surface.triangles);
+  // The volume is a cubic form in the vertices.
+  const double volume = pushes.cwiseProduct(points).sum() / 3;
+  for (const int v : sweep->attached.vertices) pushes.row(v).setZero();
+  // The volume that a unit of pressure restores in a sweep.
+  const double yield =
+      pushes.rowwise().squaredNorm().cwiseQuotient(sweep->curvatures).sum();
+  pushes *= yield > 0 ? gain * (surface.volume - volume) / yield : 0;
+}
 
 MuscleSweep SweepOf(const StepOptions& options,
                     const ContactStep& step,
@@ -45,7 +63,10 @@ MuscleSweep SweepOf(const StepOptions& options,
                        targets,
                        step.attached[muscle],
                        muscle,
-                       {}};
+                       {},
+                       surface.areas / (relaxation.smoothing_length *
+                                        relaxation.smoothing_length),
+                       Points::Zero(surface.num_vertices(), 3)};
   sweep.edges.reserve(surface.neighbours.size());
   for (int v = 0; v < surface.num_vertices(); ++v) {
     for (int e = surface.first[v]; e < surface.first[v + 1]; ++e) {
@@ -57,6 +78,7 @@ MuscleSweep SweepOf(const StepOptions& options,
            surface.weights[e] * std::max(stiffness[u], stiffness[v]),
            length > 0 ? relaxation.strain_hardening / (length * length) : 0,
            std::max(relaxation.stretch_limit * length, of_target)});
+      sweep.curvatures[v] += sweep.edges.back().weight;
     }
   }
   return sweep;
@@ -75,10 +97,10 @@ RowVector3d WithinReach(const MuscleSweep& sweep,
 }
 
 // Returns the minimizer over the position of one vertex of a quadratic function
-// that has the slope of the energy where the vertex is, and at least two thirds
-// of its curvature: along a strain that hardens, a step is up to 1.5 times too
-// long, below the 2 at which sweeps would not converge. `offsets` and `points`:
-// those of all vertices, #V x 3, mm.
+// that has the slope of the energy and the pressure where the vertex is, and at
+// least two thirds of its curvature: along a strain that hardens, a step is up
+// to 1.5 times too long, below the 2 at which sweeps would not converge.
+// `offsets` and `points`: those of all vertices, #V x 3, mm.
 RowVector3d LowestPlace(const MuscleSweep& sweep,
                         int v,
                         const Points& offsets,
@@ -88,7 +110,7 @@ RowVector3d LowestPlace(const MuscleSweep& sweep,
   const RowVector3d offset = offsets.row(v), point = points.row(v);
   double curvature =
       surface.areas[v] / (options.smoothing_length * options.smoothing_length);
-  RowVector3d descent = -curvature * offset;
+  RowVector3d descent = sweep.pushes.row(v) - curvature * offset;
   for (int e = surface.first[v]; e < surface.first[v + 1]; ++e) {
     const SweepEdge& edge = sweep.edges[e];
     const RowVector3d strain = offsets.row(edge.neighbour) - offset;
@@ -162,8 +184,16 @@ RelaxedPoints Relax(const StepOptions& options,
     const bool looks_at_all_planes =
         sweep % options.relaxation.full_sweep_interval == 0 ||
         sweep + 1 == sweeps;
+    // The last sweep settles in the planes.
+    const double pressure_gain =
+        sweep + 1 == sweeps ? 0 : options.relaxation.pressure_gain;
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < step.num_muscles(); ++i) {
+      if (pressure_gain > 0) {
+        SetPressure(pressure_gain, relaxed.points[i], &muscles[i]);
+      } else {
+        muscles[i].pushes.setZero();
+      }
       SweepMuscle(muscles[i],
                   looks_at_all_planes,
                   planes,

@@ -41,6 +41,11 @@ Stiffness UniformStiffness(const ContactScene& scene);
 // length at rest, h the strain hardening. In the second sum edges pull as taut
 // ropes do: r is the rope factor, s the stretch limit times e or, if longer,
 // the length of the edge between the targets. All three sums are convex.
+// A pressure makes up for volume that contact takes
+// (RelaxationOptions::pressure_gain), also where the muscle is in contact, so
+// that it pushes those muscles back that press it. Without a lack of volume
+// there is none.
+//
 // Attached vertices move to their attached positions instead, as far as the
 // half-spaces permit.
 //

@@ -100,11 +100,14 @@ StepResult FinishStep(const StepOptions& options,
                       OpenStep open) {
   const std::vector<Points>& targets = state.targets;
   Stiffness stiffness = UniformStiffness(step.scene);
+  // Repairs settle in the planes, against which pressure would push.
+  StepOptions repair = options;
+  repair.relaxation.pressure_gain = 0;
   RelaxedPoints relaxed = std::move(open.relaxed);
   std::optional<Round> best;
   int polishing_rounds = 0;
   for (int round = 1; round <= options.max_rounds; ++round) {
-    relaxed = Relax(options,
+    relaxed = Relax(round == 1 ? options : repair,
                     step,
                     targets,
                     stiffness,

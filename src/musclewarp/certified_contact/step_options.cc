@@ -22,6 +22,7 @@ bool RelaxationOptions::IsValid(std::string* error) const {
       .IsAtLeast("strain_hardening", strain_hardening, 0)
       .IsAtLeast("stretch_limit", stretch_limit, 1)
       .IsAtLeast("rope_factor", rope_factor, 0)
+      .IsWithin("pressure_gain", pressure_gain, 0, 1)
       .IsAtLeast("full_sweep_interval", full_sweep_interval, 1)
       .IsAbove("max_push", max_push, 0)
       .IsWithin("room_decay", room_decay, 0, 1)

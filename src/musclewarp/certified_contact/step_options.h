@@ -61,6 +61,13 @@ struct RelaxationOptions {
   double stretch_limit = 1.4;
   double rope_factor = 10;
 
+  // Contact takes volume from a muscle. In every sweep a pressure pushes all
+  // vertices outward that would restore this fraction of what is missing if
+  // nothing were in the way. Without it (0) the volume comes back where nothing
+  // touches the muscle, at the tips of popliteus for example, which are blown
+  // up to four times their length. Above 1 the pressure overshoots.
+  double pressure_gain = 0.4;
+
   // Every `full_sweep_interval` sweeps, and in the last one, a vertex tests all
   // its planes; in the other sweeps only those that were near in the last full
   // sweep. Testing all of them in every sweep takes longer without a visible

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/certified_contact/volume.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/mesh/measures.h"
-#include "musclewarp/mesh/triangle.h"
 
 namespace musclewarp {
 namespace {
@@ -44,17 +42,6 @@ Eigen::VectorXd SharesOf(const MuscleSurface& surface,
   return shares;
 }
 
-// The gradient of the volume, #V x 3, mm^2.
-Points NormalsOf(const Points& points, const Triangles& triangles) {
-  Points normals = Points::Zero(points.rows(), 3);
-  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
-    const Corners t = CornersOf(points, triangles.row(f));
-    const RowVector3d sixth = AreaVector(t) / 6;
-    for (int k = 0; k < 3; ++k) normals.row(triangles(f, k)) += sixth;
-  }
-  return normals;
-}
-
 // Returns the remaining relative error.
 double RestoreVolume(const StepOptions& options,
                      const MuscleSurface& surface,
@@ -73,7 +60,7 @@ double RestoreVolume(const StepOptions& options,
         std::abs(error) <= limits.tolerance * surface.volume) {
       break;
     }
-    const Points normals = NormalsOf(*points, surface.triangles);
+    const Points normals = VolumeGradient(*points, surface.triangles);
     const Eigen::VectorXd lengths = normals.rowwise().norm();
     const double slope = shares.dot(lengths);
     if (!(slope > 0)) break;
