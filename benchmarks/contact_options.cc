@@ -51,6 +51,8 @@ const std::map<std::string, Setter>& Setters() {
        [](double x, Options* o) { o->step.relaxation.stretch_limit = x; }},
       {"relaxation.rope_factor",
        [](double x, Options* o) { o->step.relaxation.rope_factor = x; }},
+      {"relaxation.pressure_gain",
+       [](double x, Options* o) { o->step.relaxation.pressure_gain = x; }},
       {"relaxation.full_sweep_interval",
        [](double x, Options* o) {
          o->step.relaxation.full_sweep_interval = int(x);
