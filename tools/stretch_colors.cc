@@ -18,7 +18,7 @@ struct Band {
 };
 
 constexpr std::array<Band, 5> kBands = {{
-    {1.2, "stretch up to 1.2", {247, 240, 214}},
+    {1.2, "stretch up to 1.2", {200, 216, 232}},
     {1.4, "1.2 to 1.4", {247, 205, 120}},
     {kStretchBeyondAnatomy, "1.4 to 1.6", {232, 135, 52}},
     {kStretchOfPatches, "1.6 to 2", {190, 48, 38}},

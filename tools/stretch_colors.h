@@ -10,8 +10,9 @@
 
 namespace musclewarp {
 
-// Colours for the stretch of surfaces: light where they are as at rest, dark
-// where no muscle could bear it. They are told apart by lightness alone.
+// Colours for the stretch of surfaces, none of them that of bones: light where
+// they are as at rest, dark where no muscle could bear it. They are told apart
+// by lightness alone.
 
 // Returns the colour of each triangle, #F, by its largest stretch in any
 // direction. `rest` and `deformed`: #V x 3, mm.
