@@ -198,6 +198,27 @@ void Field(Class* type, const char* name, Value MuscleFrame::*field) {
       name, [field](const MuscleOfFrame& m) { return m.muscle().*field; });
 }
 
+// The figures of a muscle.
+void BindMeasures(py::class_<MuscleOfFrame>* type) {
+  Field(type, "volume_ratio", &MuscleFrame::volume_ratio);
+  Field(type, "volume_error", &MuscleFrame::volume_error);
+  Field(type, "folded_triangles", &MuscleFrame::folded_triangles);
+  Field(type, "self_pairs", &MuscleFrame::self_pairs);
+  Field(type, "max_displacement", &MuscleFrame::max_displacement);
+  Field(
+      type, "max_contact_displacement", &MuscleFrame::max_contact_displacement);
+  Field(type,
+        "mean_contact_displacement",
+        &MuscleFrame::mean_contact_displacement);
+  Field(type, "depth_without_contact", &MuscleFrame::depth_without_contact);
+  Field(type, "pushed_by", &MuscleFrame::pushed_by);
+  Field(type, "push_depth", &MuscleFrame::push_depth);
+  Field(type, "path_lengths", &MuscleFrame::path_lengths);
+  type->def_property_readonly("torn_patch", [](const MuscleOfFrame& m) {
+    return m.muscle().torn_patch.area;
+  });
+}
+
 void BindMuscle(py::module_* module) {
   py::class_<MuscleOfFrame> type(*module, "MuscleFrame", kMuscleFrameDoc);
   type.def_property_readonly(
@@ -242,24 +263,7 @@ void BindMuscle(py::module_* module) {
       .def("__repr__", [](const MuscleOfFrame& m) {
         return "<musclewarp.MuscleFrame " + m.part().name + ">";
       });
-  Field(&type, "volume_ratio", &MuscleFrame::volume_ratio);
-  Field(&type, "volume_error", &MuscleFrame::volume_error);
-  Field(&type, "folded_triangles", &MuscleFrame::folded_triangles);
-  Field(&type, "self_pairs", &MuscleFrame::self_pairs);
-  Field(&type, "max_displacement", &MuscleFrame::max_displacement);
-  Field(&type,
-        "max_contact_displacement",
-        &MuscleFrame::max_contact_displacement);
-  Field(&type,
-        "mean_contact_displacement",
-        &MuscleFrame::mean_contact_displacement);
-  Field(&type, "depth_without_contact", &MuscleFrame::depth_without_contact);
-  type.def_property_readonly("torn_patch", [](const MuscleFrame& muscle) {
-    return muscle.torn_patch.area;
-  });
-  Field(&type, "pushed_by", &MuscleFrame::pushed_by);
-  Field(&type, "push_depth", &MuscleFrame::push_depth);
-  Field(&type, "path_lengths", &MuscleFrame::path_lengths);
+  BindMeasures(&type);
 }
 
 void BindBone(py::module_* module) {
