@@ -282,8 +282,8 @@ TEST_F(MomentArmsInContact, AreZeroForWhatMovesEverythingAsOne) {
   for (const double arm : Arms(frame, "hip")) {
     EXPECT_NEAR(arm, 0, 1e-6);  // rounding of the rates of planes
   }
-  // Only the left muscle moves the right one.
-  EXPECT_GT(std::abs(frame.muscles[1].line_moment_arms.at("lean")[0]), 0.1);
+  // Only the left muscle moves the right one: far more than rounding does.
+  EXPECT_GT(std::abs(frame.muscles[1].line_moment_arms.at("lean")[0]), 0.01);
 }
 
 // Steps from a frame to both sides of it look for planes anew and make room
