@@ -133,8 +133,7 @@ PreparedScene WithTriangles(const PrepareOptions& options,
   for (const int m : retriangulation.changed) {
     meshes.push_back(retriangulation.meshes[m]);
   }
-  RetriangulateMuscles(
-      options, retriangulation.changed, std::move(meshes), &result);
+  RetriangulateMuscles(options, retriangulation.changed, meshes, &result);
   for (const int m : retriangulation.changed) {
     result.muscles[m].mesh.drawn_out_triangles +=
         static_cast<int>(scene.muscles[m].model.fine_triangles.rows() -
