@@ -29,15 +29,6 @@ struct TrianglePair {
   double Stretch() const { return StretchOf(rest, moved); }
 };
 
-// Returns the smallest height of a triangle over its longest edge.
-double AspectOf(const Corners& t) {
-  double longest = 0;  // squared
-  for (int k = 0; k < 3; ++k) {
-    longest = std::max(longest, (t.row((k + 1) % 3) - t.row(k)).squaredNorm());
-  }
-  return longest > 0 ? AreaVector(t).norm() / longest : 0;
-}
-
 // The collapse of an edge onto the end of a half-edge.
 struct Collapse {
   HalfEdge half_edge;

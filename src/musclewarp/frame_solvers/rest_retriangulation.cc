@@ -142,7 +142,8 @@ PreparedScene WithTriangles(const PrepareOptions& options,
   return result;
 }
 
-// Removes triangles once. Returns false if that was of no use.
+// Removes triangles once. Returns false, and changes nothing, if there are none
+// to remove or the rest pose without them would be worse.
 bool RetriangulateOnce(const RestSeparationOptions& options,
                        const MuscleSolver& solver,
                        const ProgressCallback& on_progress,

@@ -87,9 +87,10 @@ struct RestSeparationOptions {
 // little as necessary until no triangles cross. Muscles that still cross a
 // bone, another muscle or themselves, or that are displaced beyond the
 // requirements, are reconstructed from their medial cells, and all meshes are
-// separated again. The scene then holds the new meshes, the earlier
-// intersections (as_delivered) and a warning per reconstructed mesh. `solver`
-// solves for coarse meshes; `on_progress` may be empty.
+// separated again. Finally the triangles that the separation has drawn out are
+// removed (rest_retriangulation.h). The scene then holds the new meshes, the
+// earlier intersections (as_delivered) and a warning per reconstructed mesh.
+// `solver` solves for coarse meshes; `on_progress` may be empty.
 //
 //   PreparedScene scene = PrepareScene(ReadScene("hip.json", data_root), {});
 //   const RestResult rest = SeparateRest({}, solver, {}, &scene);

@@ -22,14 +22,6 @@ Eigen::Matrix2d MetricOf(const Corners& t) {
   return edges * edges.transpose();
 }
 
-bool IsSliver(const Corners& t) {
-  double longest = 0;  // squared
-  for (int k = 0; k < 3; ++k) {
-    longest = std::max(longest, (t.row((k + 1) % 3) - t.row(k)).squaredNorm());
-  }
-  return !(AreaVector(t).norm() >= kSliverAspect * longest) || longest == 0;
-}
-
 Eigen::VectorXd TriangleAreas(const Points& points,
                               const Triangles& triangles) {
   Eigen::VectorXd areas(triangles.rows());
@@ -94,8 +86,16 @@ void MeasurePatches(const Eigen::VectorXd& stretches,
 
 }  // namespace
 
+double AspectOf(const Corners& t) {
+  double longest = 0;  // squared
+  for (int k = 0; k < 3; ++k) {
+    longest = std::max(longest, (t.row((k + 1) % 3) - t.row(k)).squaredNorm());
+  }
+  return longest > 0 ? AreaVector(t).norm() / longest : 0;
+}
+
 double StretchOf(const Corners& rest, const Corners& deformed) {
-  if (IsSliver(rest)) return 1;
+  if (!(AspectOf(rest) >= kSliverAspect)) return 1;
   // The stretches are the roots of the eigenvalues of the metric after the
   // deformation relative to that at rest.
   const Eigen::Matrix2d ratio = MetricOf(rest).inverse() * MetricOf(deformed);

@@ -46,6 +46,10 @@ struct SurfacePatch {
   Eigen::RowVector3d place = Eigen::RowVector3d::Zero();  // its centre, mm
 };
 
+// Returns the smallest height of a triangle as a share of its longest edge; 0
+// if its corners coincide.
+double AspectOf(const Corners& triangle);
+
 // Returns the largest stretch of a triangle in any direction: the larger
 // singular value of its deformation gradient; 1 if it is a sliver at rest.
 double StretchOf(const Corners& rest, const Corners& deformed);
