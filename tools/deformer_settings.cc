@@ -22,9 +22,11 @@ void ChoosePreparation(const DeformerSettings& choices,
                      "add --laplacian=area, or leave --laplacian_length out");
   }
   options->muscle.laplacian.length_scale = choices.laplacian_length;
+  options->muscle.line_rule = ParseLines(choices.lines);
   options->muscle.sample_spacing = choices.sample_spacing;
   options->muscle.skeleton_weight = choices.skeleton_weight;
   options->muscle.attachment_weight = choices.attachment_weight;
+  options->muscle.bending_weight = choices.bending_weight;
   options->attachments = ParseAttachments(choices.attachments);
   options->repair.holes.max_perimeter = choices.max_hole;
   options->auto_lines = choices.auto_lines;

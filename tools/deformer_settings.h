@@ -26,9 +26,11 @@ struct DeformerSettings {
   int bone_coarse_vertices = 1000;
   std::string laplacian = "area";
   double laplacian_length = 0;  // mm; 0: by the area of the muscle
-  double sample_spacing = 10;   // mm
+  std::string lines = "slide";
+  double sample_spacing = 10;  // mm
   double skeleton_weight = 1;
   double attachment_weight = 8;
+  double bending_weight = MuscleModelOptions().bending_weight;
   int auto_lines = 3;
   int fibres = 0;
   double gap = StepOptions().gap;  // mm

@@ -55,6 +55,14 @@ LaplacianWeights ParseLaplacian(const std::string& text) {
                    "allowed: area, paper");
 }
 
+LineRule ParseLines(const std::string& text) {
+  if (text == "slide") return LineRule::kSlide;
+  if (text == "fixed") return LineRule::kFixed;
+  throw InputError("--lines=" + text,
+                   "is not a way to follow lines",
+                   "allowed: slide, fixed");
+}
+
 AttachmentKind ParseAttachments(const std::string& text) {
   if (text == "auto") return AttachmentKind::kAuto;
   if (text == "scene") return AttachmentKind::kScene;

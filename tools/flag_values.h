@@ -16,6 +16,7 @@ ContactKind ParseContact(const std::string& text);
 ContactLevel ParseContactLevel(const std::string& text);
 ReconstructionKind ParseRemake(const std::string& text);
 LaplacianWeights ParseLaplacian(const std::string& text);
+LineRule ParseLines(const std::string& text);
 AttachmentKind ParseAttachments(const std::string& text);
 std::vector<std::string> ParseFormats(const std::string& text);
 

@@ -11,6 +11,7 @@ const FlagsOfFields& FlagsOfPreparation() {
       {"FibreOptions::fibres", "fibres"},
       {"HoleLimits::max_perimeter", "max_hole"},
       {"MuscleModelOptions::attachment_weight", "attachment_weight"},
+      {"MuscleModelOptions::bending_weight", "bending_weight"},
       {"MuscleModelOptions::sample_spacing", "sample_spacing"},
       {"MuscleModelOptions::skeleton_weight", "skeleton_weight"},
       {"OuterHullOptions::coarse_vertices", "coarse_vertices"},

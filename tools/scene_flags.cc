@@ -63,6 +63,12 @@ DEFINE_double(laplacian_length,
               "with --laplacian=area, the length scale of the stiffness of a "
               "shape, mm: the larger, the stiffer; 0: by the area of the "
               "muscle");
+DEFINE_string(lines,
+              musclewarp::DeformerSettings().lines,
+              "how a muscle follows its lines where they get longer or "
+              "shorter: slide (along them, so that all of it is stretched "
+              "evenly) or fixed (each place stays in its segment, as "
+              "Kellnhofer and Kohout have it)");
 DEFINE_double(sample_spacing, 10, "distance of samples along a line, mm");
 DEFINE_double(skeleton_weight,
               1,
@@ -70,6 +76,10 @@ DEFINE_double(skeleton_weight,
 DEFINE_double(attachment_weight,
               8,
               "how strongly coarse meshes follow the attachment areas; 0: not");
+DEFINE_double(bending_weight,
+              musclewarp::DeformerSettings().bending_weight,
+              "how strongly fibres keep the curvature that they have at rest, "
+              "against the shape of the surface; 0: not");
 DEFINE_string(attachments,
               "auto",
               "which areas of muscles follow their bones: auto (those of the "
@@ -149,9 +159,11 @@ DeformerSettings ChoicesFromFlags() {
   choices.bone_coarse_vertices = FLAGS_bone_coarse_vertices;
   choices.laplacian = FLAGS_laplacian;
   choices.laplacian_length = FLAGS_laplacian_length;
+  choices.lines = FLAGS_lines;
   choices.sample_spacing = FLAGS_sample_spacing;
   choices.skeleton_weight = FLAGS_skeleton_weight;
   choices.attachment_weight = FLAGS_attachment_weight;
+  choices.bending_weight = FLAGS_bending_weight;
   choices.auto_lines = FLAGS_auto_lines;
   choices.gap = FLAGS_gap;
   choices.max_rounds = FLAGS_max_rounds;

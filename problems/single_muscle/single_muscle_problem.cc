@@ -63,6 +63,8 @@ void AddMuscle(const MuscleModel& model,
     AddLaplacianTerms(model, target, blocks, problem);
     AddCoordinatesTerms(model.skeleton, target.skeleton, blocks, problem);
     AddCoordinatesTerms(model.attachment, target.attachment, blocks, problem);
+    AddCoordinatesTerms(
+        model.bending.from_coarse, target.bending, blocks, problem);
   }
   if (target.one_sided.size() > 0) {
     problem->AddResidualBlock(

@@ -34,9 +34,11 @@ void VisitChoices(Choices* choices, const Visitor& visit) {
   visit("bone_coarse_vertices", choices->bone_coarse_vertices);
   visit("laplacian", choices->laplacian);
   visit("laplacian_length", choices->laplacian_length);
+  visit("lines", choices->lines);
   visit("sample_spacing", choices->sample_spacing);
   visit("skeleton_weight", choices->skeleton_weight);
   visit("attachment_weight", choices->attachment_weight);
+  visit("bending_weight", choices->bending_weight);
   visit("auto_lines", choices->auto_lines);
   visit("fibres", choices->fibres);
   visit("gap", choices->gap);

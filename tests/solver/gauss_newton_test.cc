@@ -119,6 +119,7 @@ TEST(GaussNewton, ATurnAcrossTheLineNeedsNoBodies) {
   model = PrepareMuscle(muscle,
                         {model.fine_rest, model.fine_triangles},
                         {model.coarse_rest, model.coarse_triangles},
+                        {},
                         {});
   const Eigen::Matrix3d turn = Rotation(1.3, {1, 2, 0});
   ScenePose pose;
@@ -138,6 +139,7 @@ TEST(GaussNewton, TwistAboutTheLineIsTakenFromTheBodies) {
   model = PrepareMuscle(muscle,
                         {model.fine_rest, model.fine_triangles},
                         {model.coarse_rest, model.coarse_triangles},
+                        {},
                         {});
   const Eigen::Matrix3d twist = Rotation(0.7, {0, 0, 1});
   const Eigen::Vector3d on_line(8, 2, 0);

@@ -55,7 +55,7 @@ TEST(MuscleModel, SkeletonRowsGiveTheWeightedSamples) {
   ASSERT_EQ(samples.rows(), static_cast<Eigen::Index>(model.samples.size()));
   for (size_t i = 0; i < model.samples.size(); ++i) {
     const Eigen::RowVector3d place = PointOnSegment(
-        model.lines[model.samples[i].line].rest, model.samples[i]);
+        model.guides.lines[model.samples[i].line].rest, model.samples[i]);
     EXPECT_LT((samples.row(i) - model.skeleton_weights[i] * place).norm(),
               kCarriedRounding);
   }
@@ -106,7 +106,8 @@ TEST(MuscleModel, TheNormalMatrixIsThatOfAllRows) {
   const Eigen::MatrixXd expected =
       laplacian.transpose() * laplacian +
       model.skeleton.transpose() * model.skeleton +
-      model.attachment.transpose() * model.attachment;
+      model.attachment.transpose() * model.attachment +
+      model.bending.from_coarse.transpose() * model.bending.from_coarse;
   EXPECT_LT((model.normal_matrix.reconstructedMatrix() - expected).norm(),
             1e-13 * expected.norm());
 }
@@ -137,7 +138,7 @@ TEST(MuscleModel, RefusesLinesThatDoNotDetermineTheShape) {
   options.skeleton_weight = 1e-200;
   ExpectInputError(
       [&] {
-        PrepareMuscle(SpindleMuscle(), Spindle(12, 60, 1), hull, options);
+        PrepareMuscle(SpindleMuscle(), Spindle(12, 60, 1), hull, {}, options);
       },
       {"muscle spindle", "lines do not determine its shape", "give lines"});
 }

@@ -54,6 +54,7 @@ TargetRate RateAt(const TargetAt& target_at,
   rate.linear.laplacian = (after.laplacian - before.laplacian) / way;
   rate.linear.skeleton = (after.skeleton - before.skeleton) / way;
   rate.linear.attachment = (after.attachment - before.attachment) / way;
+  rate.linear.bending = (after.bending - before.bending) / way;
   const OneSidedRows& rows = here.one_sided;
   const Points places = FineFromCoarse(model, rows) * coarse;
   rate.plane_turns =
@@ -194,6 +195,7 @@ TEST(DifferentiateShape, IsRigidWhereTheTargetIs) {
   rate.linear.skeleton = turned(bent.skeleton);
   rate.linear.skeleton += model.skeleton_weights * velocity.transpose();
   rate.linear.attachment = bent.attachment;  // there are none
+  rate.linear.bending = turned(bent.bending);
   rate.plane_turns.resize(0, 3);
   Points expected = turned(coarse);
   expected.rowwise() += velocity.transpose();
@@ -208,6 +210,7 @@ TEST(DifferentiateShape, NothingMovesWhereTheTargetStands) {
   still.linear.laplacian = 0 * target.laplacian;
   still.linear.skeleton = 0 * target.skeleton;
   still.linear.attachment = target.attachment;
+  still.linear.bending = 0 * target.bending;
   still.plane_turns.resize(0, 3);
   const ShapeRate rate = DifferentiateShape(
       model, target, SolvedTightly(model, target), {still})[0];

@@ -83,7 +83,7 @@ class ShapeLimit : public ::testing::TestWithParam<ShapeLimitCase> {
     TriangleSoup fine = body(4 * coarsest);
     fine.points *= 0.85;
     const MuscleModel model =
-        PrepareMuscle(MuscleAlongZ(), fine, body(density), {});
+        PrepareMuscle(MuscleAlongZ(), fine, body(density), {}, {});
     Points coarse = model.coarse_rest;
     SolverSummary summary;
     SolveGaussNewton(

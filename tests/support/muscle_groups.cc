@@ -25,6 +25,7 @@ MuscleModel SpindleAt(double x) {
   return PrepareMuscle(muscle,
                        MovedAlongX(Spindle(12, 60, 3), x),
                        MovedAlongX(Spindle(13, 62, 2), x),
+                       {},
                        {});
 }
 

@@ -34,9 +34,24 @@ SceneMuscle SpindleMuscle() {
   return muscle;
 }
 
+std::vector<Points> SpindleFibres() {
+  std::vector<Points> fibres;
+  for (const double x : {-4.0, 0.0, 4.0}) {
+    Points& fibre = fibres.emplace_back(9, 3);
+    for (int i = 0; i < 9; ++i) {
+      const double z = 12.5 * (i - 4);
+      fibre.row(i) << x * (1 - z * z / 3600), 0, z;
+    }
+  }
+  return fibres;
+}
+
 MuscleModel SpindleModel(const MuscleModelOptions& options) {
-  return PrepareMuscle(
-      SpindleMuscle(), Spindle(12, 60, 3), Spindle(15, 66, 2), options);
+  return PrepareMuscle(SpindleMuscle(),
+                       Spindle(12, 60, 3),
+                       Spindle(15, 66, 2),
+                       SpindleFibres(),
+                       options);
 }
 
 ScenePose FemurPose(const Eigen::Matrix3d& rotation,

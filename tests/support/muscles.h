@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "musclewarp/scene/scene.h"
 #include "musclewarp/solver/muscle_model.h"
@@ -13,6 +14,9 @@ namespace musclewarp {
 // -z) and "femur", with one line through its middle, a second along its side
 // and an attachment area at each end.
 SceneMuscle SpindleMuscle();
+
+// Three fibres of it, from origin to insertion.
+std::vector<Points> SpindleFibres();
 
 // The same, prepared: 642 fine vertices in a hull of 162.
 MuscleModel SpindleModel(const MuscleModelOptions& options = {});

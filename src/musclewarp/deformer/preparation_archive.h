@@ -138,7 +138,10 @@ MUSCLEWARP_ARCHIVE(MeshPreparation,
 // Prepared scenes.
 
 MUSCLEWARP_ARCHIVE(SegmentPoint, line, segment, t)
+MUSCLEWARP_ARCHIVE(GuidePath, lines, shares, places)
+MUSCLEWARP_ARCHIVE(Guides, rule, lines, paths)
 MUSCLEWARP_ARCHIVE(RotationField, places, weights)
+MUSCLEWARP_ARCHIVE(BendingRows, from_coarse, weights, points, rest, field)
 MUSCLEWARP_ARCHIVE(EmbeddedLines, from_coarse, starts)
 MUSCLEWARP_ARCHIVE(AttachedVertices, vertices, attachment)
 // The normal matrix is computed from the other fields.
@@ -146,6 +149,7 @@ MUSCLEWARP_ARCHIVE_WITHOUT(MuscleModel,
                            (normal_matrix),
                            name,
                            lines,
+                           guides,
                            attachments,
                            fine_rest,
                            fine_triangles,
@@ -163,6 +167,7 @@ MUSCLEWARP_ARCHIVE_WITHOUT(MuscleModel,
                            attachment_of,
                            attachment_rest,
                            attachment_weights,
+                           bending,
                            rest_volume,
                            coarse_rest_volume,
                            rest_area)

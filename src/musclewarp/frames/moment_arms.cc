@@ -41,6 +41,7 @@ MuscleTarget Difference(const MuscleTarget& before, const MuscleTarget& after) {
   rate.laplacian = (after.laplacian - before.laplacian) / kWay;
   rate.skeleton = (after.skeleton - before.skeleton) / kWay;
   rate.attachment = (after.attachment - before.attachment) / kWay;
+  rate.bending = (after.bending - before.bending) / kWay;
   return rate;
 }
 

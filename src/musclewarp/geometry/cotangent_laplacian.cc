@@ -57,20 +57,11 @@ std::map<std::pair<int, int>, double> EdgeWeights(
 Eigen::VectorXd RowScalesByArea(const Points& points,
                                 const Triangles& triangles,
                                 const CotangentLaplacianOptions& options) {
-  // Six equilateral triangles at each of N vertices: normalised rows are
-  // h^2 / 4 laplace x with h^2 = 2 A / (sqrt(3) N), so that the sum of their
-  // squares is A / (12 N) times the integral of |laplace x|^2.
-  constexpr double kVerticesOfDefault = 200;
-  constexpr double kEvenRows = 12;
   const Eigen::VectorXd areas = VertexAreas(points, triangles);
-  const double area = areas.sum();
-  const double length =
-      options.length_scale > 0
-          ? options.length_scale
-          : std::sqrt(area / (kVerticesOfDefault * kEvenRows));
   const double least =
-      options.min_area * area / std::max<Eigen::Index>(1, areas.size());
-  return length / 2 * areas.cwiseMax(least).cwiseSqrt().cwiseInverse();
+      options.min_area * areas.sum() / std::max<Eigen::Index>(1, areas.size());
+  return LengthScale(points, triangles, options) / 2 *
+         areas.cwiseMax(least).cwiseSqrt().cwiseInverse();
 }
 
 }  // namespace
@@ -92,6 +83,22 @@ bool CotangentLaplacianOptions::IsValid(std::string* error) const {
       .IsWithin("min_angle", min_angle, 1e-6, 1)
       .IsAbove("min_weight", min_weight, 0)
       .is_valid();
+}
+
+double LengthScale(const Points& points,
+                   const Triangles& triangles,
+                   const CotangentLaplacianOptions& options) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
+  // Six equilateral triangles at each of N vertices: normalised rows are
+  // h^2 / 4 laplace x with h^2 = 2 A / (sqrt(3) N), so that the sum of their
+  // squares is A / (12 N) times the integral of |laplace x|^2.
+  constexpr double kVerticesOfDefault = 200;
+  constexpr double kEvenRows = 12;
+  const bool is_paper = options.weights == LaplacianWeights::kPaper;
+  if (!is_paper && options.length_scale > 0) return options.length_scale;
+  const double vertices = is_paper ? points.rows() : kVerticesOfDefault;
+  return std::sqrt(SurfaceArea(points, triangles) / (kEvenRows * vertices));
 }
 
 SparseMatrix CotangentLaplacian(const Points& points,

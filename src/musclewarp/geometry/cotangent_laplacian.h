@@ -58,6 +58,13 @@ struct CotangentLaplacianOptions {
   bool IsValid(std::string* error) const;
 };
 
+// Returns the length scale l of the rows, mm: their squares add up to l^2 times
+// the integral of |laplace x|^2 over the surface, with kPaper if its triangles
+// are even. Precondition (CHECKed): the options are valid.
+double LengthScale(const Points& points,
+                   const Triangles& triangles,
+                   const CotangentLaplacianOptions& options);
+
 // Returns the discrete Laplacian L (#V x #V) of a triangle mesh, which measures
 // how a vertex lies relative to its neighbours. Keeping L X keeps the shape of
 // the surface while the mesh is deformed (paper, eq. 2.1 to 2.3):

@@ -29,6 +29,10 @@
 namespace musclewarp {
 namespace {
 
+// The number of fibres that resist bending: enough to have some in every part
+// of a fan, and few, as each row is dense.
+constexpr int kBendingFibres = 33;
+
 // Repairs a mesh. Messages name a mesh without a file by `name`.
 TriangleSoup Repaired(const TriangleSoup& delivered,
                       const std::string& name,
@@ -51,10 +55,10 @@ TriangleSoup Repaired(const TriangleSoup& delivered,
   return repaired;
 }
 
-// Returns the action lines, sampled at the skeleton samples.
-EmbeddedLines CarryActionLines(const MuscleModel& model) {
+// Returns the action lines, sampled at distances of `spacing`, mm.
+EmbeddedLines CarryActionLines(const MuscleModel& model, double spacing) {
   std::vector<Points> lines(model.lines.size());
-  for (const SegmentPoint& sample : model.samples) {
+  for (const SegmentPoint& sample : SampleLines(model.lines, spacing)) {
     Points& line = lines[sample.line];
     line.conservativeResize(line.rows() + 1, 3);
     line.bottomRows<1>() =
@@ -83,20 +87,27 @@ void PrepareModel(const Surroundings& surroundings,
   if (options.attachments == AttachmentKind::kNone) {
     model_options.attachment_weight = 0;
   }
-  prepared->model = PrepareMuscle(muscle, fine, hull, model_options);
+  const KnownEnds ends = {muscle.attachments, muscle.lines};
+  std::vector<Points> bending_fibres;
+  if (model_options.bending_weight > 0 && !muscle.lines.empty()) {
+    FibreOptions fibres = options.fibres;
+    fibres.fibres = kBendingFibres;
+    bending_fibres = MakeFibres(fine, surroundings.bodies(), ends, fibres);
+  }
+  prepared->model =
+      PrepareMuscle(muscle, fine, hull, bending_fibres, model_options);
   if (options.attachments != AttachmentKind::kNone) {
     prepared->attached =
         FindAttachedVertices(prepared->model.attachments, fine.points);
   }
-  prepared->lines = CarryActionLines(prepared->model);
+  prepared->lines =
+      CarryActionLines(prepared->model, model_options.sample_spacing);
   if (options.fibres.fibres > 0) {
     const Stopwatch stopwatch;
-    prepared->fibres = EmbedLines(MakeFibres(fine,
-                                             surroundings.bodies(),
-                                             {muscle.attachments, muscle.lines},
-                                             options.fibres),
-                                  hull.points,
-                                  hull.triangles);
+    prepared->fibres = EmbedLines(
+        MakeFibres(fine, surroundings.bodies(), ends, options.fibres),
+        hull.points,
+        hull.triangles);
     prepared->fibres_ms = stopwatch.Milliseconds();
   }
 }

@@ -84,6 +84,23 @@ RotationField SmoothRotations(const Points& points,
   return field;
 }
 
+Eigen::VectorXd StretchesOf(const RotationField& field,
+                            const std::vector<ActionLine>& lines,
+                            const std::vector<LineTarget>& targets) {
+  const auto length = [](const Points& points, int segment) {
+    return (points.row(segment + 1) - points.row(segment)).norm();
+  };
+  Eigen::VectorXd stretches(field.places.size());
+  for (size_t p = 0; p < field.places.size(); ++p) {
+    const SegmentPoint& place = field.places[p];
+    const double at_rest = length(lines[place.line].rest, place.segment);
+    const double here = length(targets[place.line].points, place.segment);
+    stretches[p] = at_rest > 0 ? here / at_rest : 1;
+  }
+  if (field.weights.size() == 0) return stretches;
+  return field.weights * stretches;
+}
+
 std::vector<Eigen::Matrix3d> RotationsOf(const RotationField& field,
                                          const std::vector<ActionLine>& lines,
                                          const std::vector<LineTarget>& targets,

@@ -47,4 +47,11 @@ std::vector<Eigen::Matrix3d> RotationsOf(const RotationField& field,
                                          const std::vector<LineTarget>& targets,
                                          bool use_body_twist);
 
+// Returns by which factor the lines have got longer around each point (#V): the
+// means, weighted as those of rotations, of the length of a segment by that at
+// rest.
+Eigen::VectorXd StretchesOf(const RotationField& field,
+                            const std::vector<ActionLine>& lines,
+                            const std::vector<LineTarget>& targets);
+
 }  // namespace musclewarp

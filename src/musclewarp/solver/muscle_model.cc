@@ -20,38 +20,51 @@ namespace {
 constexpr double kLengthOfRow = 10;
 
 void AddSkeletonRows(const MuscleModelOptions& options, MuscleModel* model) {
-  model->samples = SampleLines(model->lines, options.sample_spacing);
+  const std::vector<ActionLine>& guides = model->guides.lines;
+  model->samples = SampleLines(guides, options.sample_spacing);
   Points rest(model->samples.size(), 3);
   for (size_t i = 0; i < model->samples.size(); ++i) {
-    rest.row(i) = PointOnSegment(model->lines[model->samples[i].line].rest,
-                                 model->samples[i]);
+    rest.row(i) =
+        PointOnSegment(guides[model->samples[i].line].rest, model->samples[i]);
   }
   model->skeleton_weights =
       Eigen::VectorXd::Constant(model->samples.size(), options.skeleton_weight);
   if (options.laplacian.weights == LaplacianWeights::kArea) {
     model->skeleton_weights.array() *=
-        (SampleLengths(model->lines, model->samples) / kLengthOfRow)
-            .array()
-            .sqrt();
+        (SampleLengths(guides, model->samples) / kLengthOfRow).array().sqrt();
   }
   model->skeleton =
       model->skeleton_weights.asDiagonal() *
       MeanValueCoordinates(rest, model->coarse_rest, model->coarse_triangles);
 }
 
-// Adds the pre-rotations of the coarse vertices.
-void AddRotations(const MuscleModelOptions& options, MuscleModel* model) {
-  if (!model->HasLines()) return;
-  if (options.laplacian.weights == LaplacianWeights::kPaper) {
-    model->rotations = NearestRotations(model->coarse_rest, model->lines);
-    return;
+// Returns how points (#V x 3) of the muscle at rest turn with its lines.
+RotationField FieldAt(const Points& points, const MuscleModel& model) {
+  const std::vector<ActionLine>& guides = model.guides.lines;
+  if (model.weights == LaplacianWeights::kPaper) {
+    return NearestRotations(points, guides);
   }
   // Of a cylinder this is its radius. Lines are cut into pieces of half of it,
   // which a thin sheet would make countless.
   constexpr double kLeastRadius = 2;  // mm
-  const double mean_radius = 2 * model->rest_volume / model->rest_area;
-  model->rotations = SmoothRotations(
-      model->coarse_rest, model->lines, std::max(mean_radius, kLeastRadius));
+  const double mean_radius = 2 * model.rest_volume / model.rest_area;
+  return SmoothRotations(points, guides, std::max(mean_radius, kLeastRadius));
+}
+
+void AddBendingRows(const MuscleModelOptions& options,
+                    const std::vector<Points>& fibres,
+                    MuscleModel* model) {
+  const double length = LengthScale(
+      model->coarse_rest, model->coarse_triangles, options.laplacian);
+  const double area = SurfaceArea(model->coarse_rest, model->coarse_triangles);
+  const bool has_rows = options.bending_weight > 0 && model->HasLines();
+  model->bending =
+      MakeBendingRows(has_rows ? fibres : std::vector<Points>(),
+                      model->coarse_rest,
+                      model->coarse_triangles,
+                      options.bending_weight * length * std::sqrt(area));
+  if (model->bending.points.empty()) return;
+  model->bending.field = FieldAt(model->bending.rest, *model);
 }
 
 AttachmentRows RowsOf(const MuscleModelOptions& options,
@@ -117,6 +130,9 @@ bool MuscleModelOptions::IsValid(std::string* error) const {
   if (!(attachment_weight >= 0 && attachment_weight <= kLargestWeight)) {
     return fail("attachment_weight", attachment_weight, "0 to 1e6");
   }
+  if (!(bending_weight >= 0 && bending_weight <= kLargestWeight)) {
+    return fail("bending_weight", bending_weight, "0 to 1e6");
+  }
   if (attachment_rows < 1) {
     return fail("attachment_rows", attachment_rows, "above 0");
   }
@@ -129,6 +145,8 @@ void FactorNormalMatrix(MuscleModel* model) {
                          model->laplacian);
   normal += model->skeleton.transpose() * model->skeleton;
   normal += model->attachment.transpose() * model->attachment;
+  const RowMajorMatrix& bending = model->bending.from_coarse;
+  normal += bending.transpose() * bending;
   model->normal_matrix.compute(normal);
   if (model->normal_matrix.info() != Eigen::Success) {
     throw InputError("muscle " + model->name,
@@ -141,12 +159,14 @@ void FactorNormalMatrix(MuscleModel* model) {
 MuscleModel PrepareMuscle(const SceneMuscle& muscle,
                           const TriangleSoup& fine,
                           const TriangleSoup& hull,
+                          const std::vector<Points>& fibres,
                           const MuscleModelOptions& options) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   MuscleModel model;
   model.name = muscle.name;
   model.lines = muscle.lines;
+  model.guides = GuidesOf(muscle.lines, options.line_rule);
   model.attachments = muscle.attachments;
   model.fine_rest = fine.points;
   model.fine_triangles = fine.triangles;
@@ -162,9 +182,10 @@ MuscleModel PrepareMuscle(const SceneMuscle& muscle,
   model.laplacian =
       CotangentLaplacian(hull.points, hull.triangles, options.laplacian);
   model.laplacian_rest = model.laplacian * hull.points;
-  AddRotations(options, &model);
+  if (model.HasLines()) model.rotations = FieldAt(hull.points, model);
   AddSkeletonRows(options, &model);
   AddAttachmentRows(options, &model);
+  AddBendingRows(options, fibres, &model);
   FactorNormalMatrix(&model);
   return model;
 }

@@ -12,7 +12,9 @@
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/scene/scene.h"
+#include "musclewarp/skeleton/guides.h"
 #include "musclewarp/skeleton/rotation_field.h"
+#include "musclewarp/solver/bending_rows.h"
 
 namespace musclewarp {
 
@@ -25,6 +27,9 @@ struct MuscleModelOptions {
   // are those of the nearest segments.
   OuterHullOptions hull;
   CotangentLaplacianOptions laplacian;
+
+  // How the muscle follows its lines where they get longer or shorter.
+  LineRule line_rule = LineRule::kSlide;
 
   // Largest distance between neighbouring skeleton samples along a line, mm.
   // With kPaper a smaller distance gives more rows, which weigh the skeleton
@@ -43,6 +48,10 @@ struct MuscleModelOptions {
   // area, they are thinned to this many.
   int attachment_rows = 32;
 
+  // How stiff fibres are against bending, w in bending_rows.h: 1 is as stiff as
+  // the surface. Bending rows go beyond the paper; 0 leaves them out.
+  double bending_weight = 2;
+
   // Returns false and names the field, its value and the rule if a field, one
   // of `hull` and `laplacian` included, is out of range.
   bool IsValid(std::string* error) const;
@@ -50,19 +59,20 @@ struct MuscleModelOptions {
 
 // Everything of one muscle that does not change with the pose, prepared once:
 // the meshes, the matrices of its energy and the factorised normal matrix. The
-// sizes are N coarse and n fine vertices, m skeleton samples and k attachment
-// rows.
+// sizes are N coarse and n fine vertices, m skeleton samples, k attachment rows
+// and r bending rows.
 //
 // The linear energy of paper eq. (2.8) is 1/2 |f(X)|^2 with
 //
-//   f(X) = [ L; S; B ] X - [ delta; s'; b' ].
+//   f(X) = [ L; S; B; D ] X - [ delta; s'; b'; d' ].
 //
-// L, S and B are here and include their weights; the right-hand side depends on
-// the pose (MuscleTarget). J_f = [ L; S; B ] acts on x, y and z alike, so that
-// A = J_f^T J_f is N x N rather than 3N x 3N.
+// L, S, B and D are here and include their weights; the right-hand side depends
+// on the pose (MuscleTarget). J_f = [ L; S; B; D ] acts on x, y and z alike, so
+// that A = J_f^T J_f is N x N rather than 3N x 3N.
 struct MuscleModel {
   std::string name;
   std::vector<ActionLine> lines;
+  Guides guides;  // made of the lines
   std::vector<Attachment> attachments;
 
   // The fine mesh: closed and oriented outward.
@@ -86,7 +96,7 @@ struct MuscleModel {
 
   // Skeleton rows, paper eq. (2.4) and (2.5).
   RowMajorMatrix skeleton;            // m x N: S
-  std::vector<SegmentPoint> samples;  // m places on the lines
+  std::vector<SegmentPoint> samples;  // m places on the guides
   Eigen::VectorXd skeleton_weights;   // m
 
   // Attachment rows.
@@ -94,6 +104,8 @@ struct MuscleModel {
   std::vector<int> attachment_of;      // k: index into attachments
   Points attachment_rest;              // k x 3, mm: B X_0 / weight of the row
   Eigen::VectorXd attachment_weights;  // k
+
+  BendingRows bending;  // r rows
 
   double rest_volume = 0;         // of the fine mesh, mm^3: V_hat
   double coarse_rest_volume = 0;  // of the coarse mesh, mm^3
@@ -108,7 +120,8 @@ struct MuscleModel {
 };
 
 // Prepares a muscle: `fine` is its mesh in the rest pose and `hull` the closed
-// coarse mesh around it, both in mm. Factorising A costs O(N^3).
+// coarse mesh around it, both in mm. `fibres` are those that resist bending
+// (bending_rows.h), none as a rule without. Factorising A costs O(N^3).
 // Preconditions (CHECKed where cheap): the options are valid, both meshes are
 // closed 2-manifolds oriented outward.
 // Throws InputError naming the muscle if its lines do not determine the shape,
@@ -116,6 +129,7 @@ struct MuscleModel {
 MuscleModel PrepareMuscle(const SceneMuscle& muscle,
                           const TriangleSoup& fine,
                           const TriangleSoup& hull,
+                          const std::vector<Points>& fibres,
                           const MuscleModelOptions& options);
 
 // Factorises the normal matrix of a muscle of which everything else is there,

@@ -7,16 +7,30 @@
 #include "musclewarp/skeleton/segment_rotation.h"
 
 namespace musclewarp {
+namespace {
+
+// Returns the stretch of the muscle at the points of its bending rows. Where
+// places keep their segments it has none to share out.
+Eigen::VectorXd StretchesAt(const MuscleModel& model,
+                            const std::vector<LineTarget>& guides) {
+  if (model.guides.rule == LineRule::kFixed) {
+    return Eigen::VectorXd::Ones(model.bending.rest.rows());
+  }
+  return StretchesOf(model.bending.field, model.guides.lines, guides);
+}
+
+}  // namespace
 
 MuscleTarget TargetOf(const MuscleModel& model,
                       const ScenePose& pose,
                       const PreRotationOptions& options) {
-  const std::vector<LineTarget> lines = LineTargets(model.lines, pose);
+  const std::vector<LineTarget> guides =
+      GuideTargets(model.guides, LineTargets(model.lines, pose));
   MuscleTarget target;
 
   target.laplacian = model.laplacian_rest;
-  const std::vector<Eigen::Matrix3d> rotations =
-      RotationsOf(model.rotations, model.lines, lines, options.use_body_twist);
+  const std::vector<Eigen::Matrix3d> rotations = RotationsOf(
+      model.rotations, model.guides.lines, guides, options.use_body_twist);
   for (size_t i = 0; i < rotations.size(); ++i) {
     target.laplacian.row(i) =
         model.laplacian_rest.row(i) * rotations[i].transpose();
@@ -26,7 +40,7 @@ MuscleTarget TargetOf(const MuscleModel& model,
   for (size_t i = 0; i < model.samples.size(); ++i) {
     target.skeleton.row(i) =
         model.skeleton_weights[i] *
-        PointOnSegment(lines[model.samples[i].line].points, model.samples[i]);
+        PointOnSegment(guides[model.samples[i].line].points, model.samples[i]);
   }
 
   target.attachment.resize(model.attachment_of.size(), 3);
@@ -35,6 +49,16 @@ MuscleTarget TargetOf(const MuscleModel& model,
     target.attachment.row(i) =
         model.attachment_weights[i] *
         Transformed(model.attachment_rest.row(i), BodyTransform(pose, body));
+  }
+
+  target.bending.resize(0, 3);
+  if (!model.bending.points.empty()) {
+    target.bending = BendingTargets(model.bending,
+                                    RotationsOf(model.bending.field,
+                                                model.guides.lines,
+                                                guides,
+                                                options.use_body_twist),
+                                    StretchesAt(model, guides));
   }
   return target;
 }
@@ -48,15 +72,19 @@ Points LinearDescent(const MuscleModel& model,
       model.skeleton.transpose() * (target.skeleton - model.skeleton * coarse);
   descent += model.attachment.transpose() *
              (target.attachment - model.attachment * coarse);
+  descent += model.bending.from_coarse.transpose() *
+             (target.bending - model.bending.from_coarse * coarse);
   return descent;
 }
 
 double LinearEnergy(const MuscleModel& model,
                     const MuscleTarget& target,
                     const Points& coarse) {
-  return 0.5 * ((model.laplacian * coarse - target.laplacian).squaredNorm() +
-                (model.skeleton * coarse - target.skeleton).squaredNorm() +
-                (model.attachment * coarse - target.attachment).squaredNorm());
+  return 0.5 *
+         ((model.laplacian * coarse - target.laplacian).squaredNorm() +
+          (model.skeleton * coarse - target.skeleton).squaredNorm() +
+          (model.attachment * coarse - target.attachment).squaredNorm() +
+          (model.bending.from_coarse * coarse - target.bending).squaredNorm());
 }
 
 Points UnconstrainedMinimizer(const MuscleModel& model,

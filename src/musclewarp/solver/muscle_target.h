@@ -17,6 +17,7 @@ struct MuscleTarget {
   Points laplacian;   // N x 3, mm: delta, pre-rotated
   Points skeleton;    // m x 3, mm times the weight: s'
   Points attachment;  // k x 3, mm times the weights: b'
+  Points bending;     // r x 3, mm times the weights: d'
 
   // Rows beside those of the linear energy; TargetOf leaves them empty.
   OneSidedRows one_sided;
@@ -32,9 +33,9 @@ struct PreRotationOptions {
 
 // Computes the target of a muscle for a pose. Each Laplacian row is turned by
 // the model's field of rotations (rotation_field.h), skeleton samples move
-// with their lines (paper eq. 2.4 and 2.5) and attachment points with their
-// bodies. At the rest pose the target equals J_f X_0, and a rigid motion of all
-// bodies yields the target of the rigidly moved muscle. Bodies
+// with the guides of the lines (paper eq. 2.4 and 2.5) and attachment points
+// with their bodies. At the rest pose the target equals J_f X_0, and a rigid
+// motion of all bodies yields the target of the rigidly moved muscle. Bodies
 // that the pose does not name stay where they are.
 MuscleTarget TargetOf(const MuscleModel& model,
                       const ScenePose& pose,

@@ -1,0 +1,57 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "musclewarp/skeleton/action_line.h"
+#include "musclewarp/skeleton/nearest_segment.h"
+
+namespace musclewarp {
+
+// How a muscle follows its lines of action where they get longer or shorter.
+enum class LineRule {
+  // It slides along them: each place keeps its share of the length, so that the
+  // whole muscle is stretched evenly.
+  kSlide,
+  // Each place keeps its place in its segment, as in the paper (section 2.2):
+  // all stretch is borne by the segments that change their length, which are
+  // those that cross a joint.
+  kFixed,
+};
+
+// What a guide that slides is made of: lines of action that follow each other.
+struct GuidePath {
+  std::vector<int> lines;            // of the muscle, in order
+  Eigen::VectorXd shares;            // #Q of the length, from 0 to 1
+  std::vector<SegmentPoint> places;  // #Q on the lines, at rest
+};
+
+// The polylines that a muscle follows, made of its lines of action. A guide
+// that slides has points at equal distances along a path: a line of action, or
+// several that follow each other, each beginning where the one before ends. The
+// segments between points are the directions of the muscle, so that these
+// change gradually where the muscle slides round a corner of the path. A fixed
+// guide is a line of action itself.
+struct Guides {
+  LineRule rule = LineRule::kFixed;
+
+  // The guides at rest. They have names and points, and no bodies.
+  std::vector<ActionLine> lines;
+
+  // One for each guide that slides; none if they are fixed.
+  std::vector<GuidePath> paths;
+};
+
+// Makes the guides of a muscle with the given lines of action.
+Guides GuidesOf(const std::vector<ActionLine>& lines, LineRule rule);
+
+// Returns where the guides are when the lines of action are at `lines`. The
+// rotation of a point of a guide that slides lies between those of the bodies
+// at the ends of the segment in which it lies at rest. At rest this gives the
+// guides at rest, and a rigid motion of all lines moves the guides with them.
+std::vector<LineTarget> GuideTargets(const Guides& guides,
+                                     const std::vector<LineTarget>& lines);
+
+}  // namespace musclewarp

@@ -1,0 +1,140 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/skeleton/guides.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "musclewarp/skeleton/polyline.h"
+
+namespace musclewarp {
+namespace {
+
+ActionLine Line(const std::string& name,
+                const std::vector<Eigen::RowVector3d>& points,
+                const std::string& body) {
+  ActionLine line;
+  line.name = name;
+  line.rest.resize(points.size(), 3);
+  for (size_t i = 0; i < points.size(); ++i) line.rest.row(i) = points[i];
+  line.bodies.assign(points.size(), body);
+  return line;
+}
+
+// A path over a corner, with segments of 60 and 40 mm.
+ActionLine CornerLine() {
+  return Line("corner", {{0, 0, 0}, {60, 0, 0}, {60, 40, 0}}, "pelvis");
+}
+
+LineTarget AtRest(const ActionLine& line) { return {line.rest, {}}; }
+
+double Distance(const Points& a, const Points& b) {
+  return (a - b).rowwise().norm().maxCoeff();
+}
+
+}  // namespace
+
+TEST(Guides, FixedOnesAreTheLines) {
+  const Guides guides = GuidesOf({CornerLine()}, LineRule::kFixed);
+  ASSERT_EQ(guides.lines.size(), 1u);
+  EXPECT_EQ(guides.lines[0].rest, CornerLine().rest);
+  LineTarget target = AtRest(CornerLine());
+  target.points *= 2;
+  EXPECT_EQ(GuideTargets(guides, {target})[0].points, target.points);
+}
+
+TEST(Guides, AtRestAndMovedRigidlyTheyAreThoseAtRest) {
+  const Guides guides = GuidesOf({CornerLine()}, LineRule::kSlide);
+  EXPECT_EQ(GuideTargets(guides, {AtRest(CornerLine())})[0].points,
+            guides.lines[0].rest);
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 2, 3).normalized())
+          .toRotationMatrix();
+  LineTarget moved;
+  moved.points = CornerLine().rest * turn.transpose();
+  moved.body_rotations.assign(3, turn);
+  const LineTarget guide = GuideTargets(guides, {moved})[0];
+  EXPECT_LT(Distance(guide.points, guides.lines[0].rest * turn.transpose()),
+            1e-12);
+  for (const auto& rotation : guide.body_rotations) {
+    EXPECT_LT((*rotation - turn).norm(), 1e-14);
+  }
+}
+
+// If one segment of the path gets longer, all of the muscle does, by the same
+// factor.
+TEST(Guides, SlideSoThatAllIsStretchedAlike) {
+  const ActionLine straight =
+      Line("straight", {{0, 0, 0}, {30, 0, 0}, {100, 0, 0}}, "pelvis");
+  const Guides guides = GuidesOf({straight}, LineRule::kSlide);
+  LineTarget longer = AtRest(straight);
+  longer.points(1, 0) = 80;
+  longer.points(2, 0) = 150;
+  EXPECT_LT(Distance(GuideTargets(guides, {longer})[0].points,
+                     1.5 * guides.lines[0].rest),
+            1e-12);
+}
+
+TEST(Guides, LinesThatFollowEachOtherAreOnePath) {
+  const ActionLine upper = Line("upper", {{-50, 0, 0}, {0, 0, 0}}, "pelvis");
+  for (const bool is_lower_first : {false, true}) {
+    const std::vector<ActionLine> lines =
+        is_lower_first ? std::vector<ActionLine>{CornerLine(), upper}
+                       : std::vector<ActionLine>{upper, CornerLine()};
+    const Guides guides = GuidesOf(lines, LineRule::kSlide);
+    ASSERT_EQ(guides.lines.size(), 1u);
+    const Points& rest = guides.lines[0].rest;
+    EXPECT_EQ(rest.row(0), upper.rest.row(0));
+    EXPECT_EQ(rest.row(rest.rows() - 1), CornerLine().rest.row(2));
+    // The lower line gets longer; half of the path is the upper one's.
+    std::vector<LineTarget> targets;
+    for (const ActionLine& line : lines) targets.push_back(AtRest(line));
+    targets[is_lower_first ? 0 : 1].points.row(2) << 60, 190, 0;
+    const Points moved = GuideTargets(guides, targets)[0].points;
+    EXPECT_NEAR(moved(1, 0) - moved(0, 0), 2 * (rest(1, 0) - rest(0, 0)), 1e-9);
+  }
+}
+
+// Lines that part or come together are no path; a ring begins with its first
+// line.
+TEST(Guides, FansAreNoPath) {
+  const ActionLine other = Line("other", {{60, 40, 0}, {90, 90, 0}}, "pelvis");
+  ActionLine fork = other;
+  fork.rest(1, 0) = 30;
+  EXPECT_EQ(
+      GuidesOf({CornerLine(), other, fork}, LineRule::kSlide).lines.size(), 3u);
+  ActionLine from_elsewhere = CornerLine();
+  from_elsewhere.rest(0, 2) = 50;
+  EXPECT_EQ(GuidesOf({CornerLine(), from_elsewhere, other}, LineRule::kSlide)
+                .lines.size(),
+            3u);
+  ActionLine on_femur = other;
+  on_femur.bodies = {"femur", "femur"};
+  EXPECT_EQ(GuidesOf({CornerLine(), on_femur}, LineRule::kSlide).lines.size(),
+            2u);
+  const ActionLine back = Line("back", {{60, 40, 0}, {0, 0, 0}}, "pelvis");
+  EXPECT_EQ(GuidesOf({CornerLine(), back}, LineRule::kSlide).lines.size(), 1u);
+}
+
+// Where the corner of a path moves along a muscle, its directions change
+// gradually: a small slide makes a small change.
+TEST(Guides, DirectionsAreContinuous) {
+  const Guides guides = GuidesOf({CornerLine()}, LineRule::kSlide);
+  const auto segment_at = [&](double slide, Eigen::Index segment) {
+    LineTarget target = AtRest(CornerLine());
+    target.points(0, 0) -= slide;
+    const Points points = GuideTargets(guides, {target})[0].points;
+    return Eigen::RowVector3d(
+        (points.row(segment + 1) - points.row(segment)).normalized());
+  };
+  constexpr double kSmall = 1e-4;
+  for (double slide = 0; slide < 60; slide += 1.7) {
+    for (Eigen::Index s = 0; s + 1 < guides.lines[0].rest.rows(); ++s) {
+      EXPECT_LT((segment_at(slide + kSmall, s) - segment_at(slide, s)).norm(),
+                1e-4);
+    }
+  }
+}
+
+}  // namespace musclewarp
