@@ -42,6 +42,7 @@ Args:
     points: (p, 3), mm, in the rest pose.
     radius: mm. What of the muscle is as near to one of the points is attached.
     may_penetrate: True if triangles of the area may cross bones of the body.
+    outline: True if the points go round the area, in order.
 Raises:
     InputError: names the argument.)";
 
@@ -121,13 +122,15 @@ SharedLine MakeLine(const std::string& name,
 SharedAttachment MakeAttachment(const std::string& body,
                                 const py::object& points,
                                 double radius,
-                                bool may_penetrate) {
+                                bool may_penetrate,
+                                bool outline) {
   const std::string where = "attachment to " + QuotedName(body);
   const auto attachment = std::make_shared<Attachment>();
   attachment->body = body;
   attachment->points = PointsFrom(points, where + ": points");
   attachment->radius = radius;
   attachment->may_penetrate = may_penetrate;
+  attachment->is_outline = outline;
   if (!(radius > 0 && std::isfinite(radius))) {
     throw InputError(where + ": radius",
                      "is " + std::to_string(radius),
@@ -194,14 +197,16 @@ void BindLines(py::module_* module) {
            py::arg("points"),
            py::arg("radius"),
            py::kw_only(),
-           py::arg("may_penetrate") = false)
+           py::arg("may_penetrate") = false,
+           py::arg("outline") = false)
       .def_readonly("body", &Attachment::body)
       .def_property_readonly("points",
                              [](const SharedAttachment& attachment) {
                                return ViewOf(attachment->points, attachment);
                              })
       .def_readonly("radius", &Attachment::radius)
-      .def_readonly("may_penetrate", &Attachment::may_penetrate);
+      .def_readonly("may_penetrate", &Attachment::may_penetrate)
+      .def_readonly("outline", &Attachment::is_outline);
 }
 
 void BindMuscles(py::module_* module) {

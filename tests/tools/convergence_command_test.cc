@@ -28,7 +28,7 @@ ConvergenceOptions EmbeddedScene() {
   options.deform.deformer.frames.contact = ContactKind::kNone;
   options.deform.deformer.prepare.muscle.hull.coarse_vertices = 60;
   options.values.vertices = {100};
-  options.values.spacings = {20};
+  options.values.spacings = {5};
   options.values.densities = {4};
   return options;
 }

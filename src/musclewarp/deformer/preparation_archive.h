@@ -54,7 +54,7 @@ namespace musclewarp {
 
 MUSCLEWARP_ARCHIVE(TriangleSoup, points, triangles)
 MUSCLEWARP_ARCHIVE(ActionLine, name, rest, bodies, slides)
-MUSCLEWARP_ARCHIVE(Attachment, body, points, radius, may_penetrate)
+MUSCLEWARP_ARCHIVE(Attachment, body, points, radius, is_outline, may_penetrate)
 MUSCLEWARP_ARCHIVE(SceneMuscle,
                    name,
                    points,

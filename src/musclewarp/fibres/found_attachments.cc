@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "musclewarp/base/infinity.h"
+#include "musclewarp/fibres/attachment_outline.h"
 #include "musclewarp/fibres/voxel_grid.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/triangle.h"
@@ -24,8 +25,6 @@ constexpr double kTipShare = 0.1;
 // A tip lies on another soft part if half of it is at most so far away, or in
 // it, mm.
 constexpr double kTouching = 1;
-// A radius that covers the points of an attachment themselves, mm.
-constexpr double kNoRadius = 1e-6;
 
 // The distance from a point to the nearest of several meshes, mm: zero inside
 // of one, infinity if there is none.
@@ -155,7 +154,7 @@ std::vector<Attachment> FindAttachments(
     Attachment attachment;
     attachment.body = end->body;
     attachment.points = muscle.points(area, Eigen::all);
-    attachment.radius = kNoRadius;
+    attachment.radius = kPointsAlone;
     attachments.push_back(std::move(attachment));
   }
   return attachments;

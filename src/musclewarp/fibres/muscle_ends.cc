@@ -82,20 +82,33 @@ std::string NearestBody(const std::vector<BodySurface>& bodies,
   return nearest;
 }
 
-// Returns the areas of the attachments.
+// Returns the areas of the attachments: one for each body, if there are several
+// bodies, else one for each attachment.
 std::vector<MuscleEnd> GivenAreas(const TriangleSoup& muscle,
                                   const VoxelGrid& grid,
                                   const std::vector<Attachment>& attachments) {
+  const bool several_bodies = std::any_of(
+      attachments.begin(), attachments.end(), [&](const Attachment& other) {
+        return other.body != attachments[0].body;
+      });
   std::vector<MuscleEnd> areas;
   for (const Attachment& attachment : attachments) {
-    MuscleEnd area;
-    area.body = attachment.body;
     const std::vector<int> vertices = VerticesInArea(attachment, muscle.points);
     // If no vertex is in the area, its own points stand for it.
     Points points = attachment.points;
     if (!vertices.empty()) points = RowsOf(muscle.points, vertices);
-    area.voxels = VoxelsAt(grid, points);
-    if (!area.voxels.empty()) areas.push_back(std::move(area));
+    std::vector<int> voxels = VoxelsAt(grid, points);
+    if (voxels.empty()) continue;
+    const auto same =
+        std::find_if(areas.begin(), areas.end(), [&](const MuscleEnd& area) {
+          return several_bodies && area.body == attachment.body;
+        });
+    if (same == areas.end()) {
+      areas.push_back({attachment.body, std::move(voxels)});
+      continue;
+    }
+    same->voxels.insert(same->voxels.end(), voxels.begin(), voxels.end());
+    SortUnique(&same->voxels);
   }
   return areas;
 }
@@ -246,6 +259,7 @@ MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
                           const std::vector<BodySurface>& bodies,
                           const KnownEnds& known) {
   std::vector<MuscleEnd> areas = GivenAreas(muscle, grid, known.attachments);
+  const bool is_given = areas.size() >= 2;
   if (areas.empty()) areas = NearAreas(muscle, grid, bodies);
   if (areas.size() < 2 || known.attachments.empty()) {
     AddLoneEnds(grid, bodies, known.lines, &areas);
@@ -271,9 +285,14 @@ MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
   MuscleEnds ends;
   ends.origin.body = areas[a].body;
   ends.insertion.body = areas[b].body;
-  ends.origin.voxels = FarPart(distances[b], areas[a].voxels);
-  ends.insertion.voxels =
-      FarPart(DistancesWithin(grid, ends.origin.voxels), areas[b].voxels);
+  if (is_given) {
+    ends.origin.voxels = areas[a].voxels;
+    ends.insertion.voxels = areas[b].voxels;
+  } else {
+    ends.origin.voxels = FarPart(distances[b], areas[a].voxels);
+    ends.insertion.voxels =
+        FarPart(DistancesWithin(grid, ends.origin.voxels), areas[b].voxels);
+  }
   DropSharedVoxels(&ends);
   // If no two ends remain, for example because the areas are the same place,
   // the tips of the muscle are the ends.

@@ -58,7 +58,8 @@ struct KnownEnds {
 // the scene, counts as such an area and belongs to the nearest body. So does a
 // tip at which one of the action lines ends; it belongs to the line's body.
 //
-// Of areas that run along the muscle only the far parts are kept. If no two
+// Areas that are given count whole, those of one body together; of areas that
+// were found and run along the muscle only the far parts are kept. If no two
 // ends remain, the two tips of the muscle are the ends. The origin is the end
 // whose body comes first in `bodies`. Precondition: the grid has at least two
 // voxels.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "musclewarp/fibres/attachment_outline.h"
 #include "musclewarp/fibres/found_attachments.h"
 #include "musclewarp/scene/leaving_lines.h"
 
@@ -25,6 +26,10 @@ std::vector<Attachment> ChooseAttachments(
   std::vector<Attachment> attachments =
       finds ? FindAttachments(fine, bodies, soft_parts, muscle.lines)
             : muscle.attachments;
+  for (Attachment& attachment : attachments) {
+    if (!attachment.is_outline) continue;
+    attachment = FilledOutline(attachment, fine, bodies);
+  }
   const auto is_dropped = [&](const Attachment& attachment) {
     const auto leaving = FindLeavingLine(muscle.lines, attachment, poses);
     if (!leaving) return false;

@@ -72,7 +72,7 @@ ActionLine ReadLine(const JsonField& field, const NamedLines& named) {
 }
 
 Attachment ReadAttachment(const JsonField& field) {
-  field.CheckKeys({"body", "points", "radius", "may_penetrate"});
+  field.CheckKeys({"body", "points", "radius", "outline", "may_penetrate"});
   Attachment attachment;
   attachment.body = field.At("body").AsString();
   attachment.points = field.At("points").AsPoints();
@@ -80,6 +80,7 @@ Attachment ReadAttachment(const JsonField& field) {
   if (attachment.points.rows() == 0) {
     field.At("points").Fail("is empty", "give at least one point");
   }
+  attachment.is_outline = field.Has("outline") && field.At("outline").AsBool();
   if (field.Has("may_penetrate")) {
     attachment.may_penetrate = field.At("may_penetrate").AsBool();
   }
@@ -169,7 +170,7 @@ void AddAttachments(const JsonField& scene_field,
                     const std::string& root,
                     Scene* scene) {
   const JsonField field = scene_field.At("attachments_file");
-  field.CheckKeys({"path", "bodies", "radius", "may_penetrate"});
+  field.CheckKeys({"path", "bodies", "radius", "outline", "may_penetrate"});
   const JsonField bodies_field = field.At("bodies");
   bodies_field.CheckObject();
   std::map<std::string, std::string> bodies;
@@ -177,6 +178,7 @@ void AddAttachments(const JsonField& scene_field,
     bodies[item.key()] = bodies_field.At(item.key()).AsString();
   }
   const double radius = field.At("radius").AsLength();
+  const bool is_outline = field.Has("outline") && field.At("outline").AsBool();
   const bool may_penetrate =
       field.Has("may_penetrate") && field.At("may_penetrate").AsBool();
   const std::string path = Resolve(field.At("path").AsString(), root);
@@ -186,6 +188,7 @@ void AddAttachments(const JsonField& scene_field,
     const auto found = attachments.find(muscle.name);
     if (found == attachments.end()) continue;
     for (Attachment attachment : found->second) {
+      attachment.is_outline = is_outline;
       attachment.may_penetrate = may_penetrate;
       muscle.attachments.push_back(std::move(attachment));
     }

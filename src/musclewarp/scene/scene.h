@@ -22,6 +22,10 @@ struct Attachment {
   Points points;
   double radius = 0;
 
+  // If true, the points go round the area, in order, and what is inside belongs
+  // to it where it lies within `radius` of the body's bones.
+  bool is_outline = false;
+
   // If true, triangles of the area may cross bones of the body. They are
   // counted apart.
   bool may_penetrate = false;
