@@ -90,16 +90,19 @@ deform() {
   echo "validation: $name took $((SECONDS - started)) s"
 }
 
+hip=data/scenes/lhdl_hip_attached.json   # with published attachment areas
+found=data/scenes/lhdl_hip_motion.json   # with areas found on the meshes
 for motion in flexion adduction rotation; do
-  deform hip_$motion data/scenes/lhdl_hip_motion.json \
-    --motion=lhdl_hip/motions/hip_$motion.mot --fibres=100
+  deform hip_$motion $hip --motion=lhdl_hip/motions/hip_$motion.mot --fibres=100
 done
+deform hip_flexion_found $found \
+  --motion=lhdl_hip/motions/hip_flexion.mot --fibres=100
 deform bodyparts3d_hip data/scenes/bodyparts3d_hip.json
 deform bodyparts3d_hamstrings data/scenes/bodyparts3d_hamstrings.json
 [[ -z $all ]] || deform bodyparts3d_thigh data/scenes/bodyparts3d_thigh.json
 if [[ -n $table ]]; then
   scripts/compare_moment_arms.py motion "$table" hip_flexion_r "$out/opensim.mot"
-  deform opensim data/scenes/lhdl_hip_motion.json --motion="$out/opensim.mot" --contact=none
+  deform opensim $hip --motion="$out/opensim.mot" --contact=none
   scripts/compare_moment_arms.py compare "$table" hip_flexion_r \
     "$out/opensim/moment_arms.sto" >"$out/opensim.txt"
 fi
