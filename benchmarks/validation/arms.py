@@ -1,43 +1,20 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Moment arms against OpenSim and against the literature."""
+"""Moment arms of lines, against OpenSim and against specimens."""
 
-import csv
-import json
 import re
-import subprocess
-import sys
-import tempfile
 import xml.etree.ElementTree as ET
 
 import numpy as np
 
 import svg
-from table import Row, Section, commands, mark, number, paragraphs, plain, power, prose
+from bands import Published, path_arms
+from table import Row, Section, commands, mark, number, paragraphs, power, prose
 from table import span, table, table_of
 
-# What Modenese and Kohout (2020), table 1, cover of the published bands, in %.
-COVERED = {
-    "psoas_major_r": 62,
-    "iliacus_r": 71,
-    "gluteus_maximus_r": 65,
-    "gluteus_medius_r": 81,
-}
-IOU = 50  # %
 SLOPE = 0.1  # mm a degree, as the test of results.md allows
 ARNOLD_MARGIN = 3  # mm
-
-ABOUT_BANDS = """
-The moment arms of the fibres are compared with the bands of Blemker and Delp
-(2005, doi 10.1007/s10439-005-3320-7), which are those of another person.
-"Covered" is the part of the published area that the band of our fibres covers,
-IoU the area of the intersection over that of the union. The targets for the
-covered part are what Modenese and Kohout (2020, doi 10.1007/s10439-020-02490-4)
-reach with their fibres. The published bounds are smoothed by polynomials of
-fourth order; below the angle at which they begin the polynomials extrapolate,
-and the plots are fainter. Moment arms of flexors are positive.
-"""
-
+PSOAS = ["psoas_upper", "psoas_r"]  # one follows the other
 
 def conditional_ranges(model, coordinate):
     """The ends (degrees) of the ranges of conditional points of each muscle
@@ -142,123 +119,6 @@ def opensim_section(run, data, out, results):
     return Section("Straight paths against OpenSim 3.3", body, rows)
 
 
-class Published:
-    """The bands of a table of lower and upper bounds over an angle, smoothed
-    by polynomials of fourth order as score_moment_arms.py has them."""
-
-    def __init__(self, path):
-        self.bounds = {}
-        with open(path, encoding="utf-8") as file:
-            for row in csv.DictReader(file):
-                points = self.bounds.setdefault((row["muscle"], row["bound"]), [])
-                points.append((float(row["angle_deg"]), float(row["moment_arm_mm"])))
-
-    def band(self, muscle, x):
-        return [
-            np.polyval(np.polyfit(*np.array(self.bounds[muscle, bound]).T, 4), x)
-            for bound in ("lower", "upper")
-        ]
-
-    def known(self, muscle):
-        """The angles for which both bounds were published."""
-        x = [np.array(self.bounds[muscle, bound])[:, 0] for bound in ("lower", "upper")]
-        return max(min(values) for values in x), min(max(values) for values in x)
-
-    def drawn(self, muscle, low, high):
-        """Bands for a plot: fainter beyond the published angles."""
-        known = np.clip(self.known(muscle), low, high)
-        pieces = [(known[0], known[1], "Blemker and Delp 2005", 0.38)]
-        pieces += [(low, known[0], "", 0.15), (known[1], high, "", 0.15)]
-        bands = []
-        for start, end, label, opacity in pieces:
-            if end - start > 0.05:
-                x = np.linspace(start, end, 41)
-                band = self.band(muscle, x)
-                bands.append(svg.Band(label, x, *band, svg.BLUE, opacity=opacity))
-        return bands
-
-
-def scores(run, data):
-    """What score_moment_arms.py makes of a run."""
-    literature = data / "literature"
-    with tempfile.NamedTemporaryFile(suffix=".json") as file:
-        script = literature / "score_moment_arms.py"
-        bands = literature / "blemker2005_hip_flexion.csv"
-        command = [script, run.folder, bands, f"--json={file.name}"]
-        subprocess.run(
-            [sys.executable, *map(str, command)], check=True, stdout=subprocess.PIPE
-        )
-        return json.load(file)
-
-
-def fibre_band(run, muscle, coordinate):
-    """The lowest and the highest moment arm of the fibres in each frame, mm."""
-    arms = run.columns(
-        "fibre_moment_arms.sto", f"{muscle}_fibre_", f".{coordinate}"
-    )
-    return arms.min(axis=1), arms.max(axis=1)
-
-
-def draw_fibres(run, muscle, published, plots):
-    x = run.angles
-    low, high = fibre_band(run, muscle, run.moving)
-    band = svg.Band("fibres of musclewarp", x, low, high, svg.ORANGE, filled=False)
-    name = f"flexion_{muscle.removesuffix('_r')}.svg"
-    svg.Plot(
-        f"Hip flexion, {plain(muscle)}",
-        "hip flexion, degrees",
-        "moment arm, mm",
-        [*published.drawn(muscle, x.min(), x.max()), band],
-    ).write(plots / name)
-    return f"![Moment arms of {plain(muscle)} over hip flexion]({plots.name}/{name})"
-
-
-def fibres_section(flexion, others, data, plots):
-    published = Published(data / "literature/blemker2005_hip_flexion.csv")
-    found = scores(flexion, data)
-    rows, cells, pictures = [], [], []
-    for muscle, wanted in COVERED.items():
-        covered, iou = 100 * found[muscle]["covered"], 100 * found[muscle]["iou"]
-        what = f"fibres over hip flexion, {plain(muscle)}"
-        met = [covered >= wanted, iou >= IOU]
-        rows += [
-            Row(f"{what}: covered", f"at least {wanted} %", f"{covered:.1f} %", met[0]),
-            Row(f"{what}: IoU", f"at least {IOU} %", f"{iou:.1f} %", met[1]),
-        ]
-        cells.append(
-            [plain(muscle), found[muscle]["fibres"]]
-            + [f"{covered:.1f}", wanted, mark(met[0]), f"{iou:.1f}", IOU, mark(met[1])]
-            + [span(found[muscle][key]) for key in ("band_mm", "published_mm")]
-            + [f"{published.known(muscle)[0]:.1f}"]
-        )
-        pictures.append(draw_fibres(flexion, muscle, published, plots))
-    head = ["muscle", "fibres", "covered, %", "target", "met?"]
-    head += ["IoU, %", "target", "met?"]
-    head += ["moment arms, mm", "published, mm", "published from, degrees"]
-    ranges = [
-        [run.moving.removesuffix("_r").replace("_", " "), plain(muscle)]
-        + [span([band[0].min(), band[1].max()])]
-        for run in (flexion, *others)
-        for muscle in run.muscles
-        for band in [fibre_band(run, muscle, run.moving)]
-    ]
-    score = "DATA/literature/score_moment_arms.py OUT/hip_flexion"
-    bands = "DATA/literature/blemker2005_hip_flexion.csv"
-    body = paragraphs(
-        prose(ABOUT_BANDS),
-        commands([flexion.command, f"{score} {bands}"]),
-        table(head, cells),
-        "\n".join(pictures),
-        prose(
-            "DATA has no published bands for adduction and rotation. The ranges of the",
-            "fibres' moment arms over these motions are given without a target:",
-        ),
-        commands([run.command for run in others]),
-        table(["coordinate", "muscle", "moment arms, mm"], ranges),
-    )
-    return Section("Fibres against the literature", body, rows)
-
-
 def arnold_band(data, x):
     """The specimens of Arnold et al. at the angles x: angles x 3."""
     path = data / "literature/arnold2000_psoas_flexion.csv"
@@ -281,9 +141,8 @@ def inside_row(requirement, x, arm, low, high):
 
 
 def psoas_section(run, data, plots):
-    x, line = run.angles, "psoas_r"
-    carried = run.column("moment_arms.sto", f"{line}.{run.moving}")
-    straight = run.column("moment_arms.sto", f"{line}_path.{run.moving}")
+    x = run.angles
+    carried, straight = (path_arms(run, PSOAS, kind) for kind in ("", "_path"))
     published = Published(data / "literature/blemker2005_hip_flexion.csv")
     specimens = arnold_band(data, x)
     low = specimens.min(axis=1) - ARNOLD_MARGIN
@@ -329,8 +188,10 @@ def psoas_section(run, data, plots):
         prose(
             "Arnold et al. (2000, doi 10.3109/10929080009148877) measured the psoas of",
             "three specimens by the excursion of its tendon; thin curves in the plot.",
-            f"The line `{line}` as its muscle carries it is compared with their range,",
-            f"extended by {ARNOLD_MARGIN} mm, and with the band of Blemker and Delp.",
+            f"The lines `{PSOAS[0]}` and `{PSOAS[1]}`, of which the second begins where",
+            "the first ends, are one path as their muscle carries them; the sum of their",
+            f"moment arms is compared with that range, extended by {ARNOLD_MARGIN} mm, and",
+            "with the band of Blemker and Delp.",
         ),
         commands([run.command]),
         table_of(rows),

@@ -15,12 +15,17 @@ import pathlib
 import sys
 
 import arms
+import dostal
 import frames
+import literature
+import straight
+import stretch
 from runs import Run
 from table import paragraphs, prose, table_of
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 MOTIONS = ["hip_flexion", "hip_adduction", "hip_rotation"]
+FOUND = "hip_flexion_found"  # as hip_flexion, with areas found on the meshes
 POSES = ["bodyparts3d_hip", "bodyparts3d_hamstrings", "bodyparts3d_thigh"]
 
 NOTE = "<!-- Written by benchmarks/validation.sh; do not edit. -->"
@@ -64,19 +69,23 @@ def write_page(data, out, page):
     plots = page.parent / page.stem
     plots.mkdir(parents=True, exist_ok=True)
     runs = {}
-    for name in MOTIONS + POSES:
+    for name in [*MOTIONS, FOUND, *POSES]:
         command = out / name / "command.txt"
         if command.exists():
             runs[name] = Run(out / name, command.read_text().strip())
         elif name != "bodyparts3d_thigh":
             raise ValueError(f"{out / name}: there is no finished run")
     motions = [runs[name] for name in MOTIONS]
-    flexion, *others = motions
+    by_found = runs.pop(FOUND)
+    flexion = motions[0]
     sections = [
         arms.opensim_section(flexion, data, out, REPOSITORY / "docs/results.md"),
-        arms.fibres_section(flexion, others, data, plots),
+        literature.fibres_section(motions, by_found, data, plots, psoas_number=5),
+        straight.pairs_section(flexion, data),
+        dostal.dostal_section(motions, data),
         arms.psoas_section(flexion, data, plots),
         frames.attachments_section(list(runs.values())),
+        stretch.stretch_section([flexion, by_found, *motions[1:]]),
         frames.slices_section(list(runs.values())),
         frames.smoothness_section(motions),
     ]

@@ -82,15 +82,25 @@ class Run:
     def muscles(self):
         return [muscle["name"] for muscle in self.report["prepare"]["muscles"]]
 
+    @functools.cache
+    def lines_file(self, folder):
+        """lines.json of the rest pose or of a frame: muscle by muscle."""
+        read = json.loads((self.folder / folder / "lines.json").read_text())
+        return {muscle["name"]: muscle for muscle in read["muscles"]}
+
     @functools.cached_property
     def lines(self):
         """The lines of each muscle at rest: {muscle: {line: points}}."""
-        read = json.loads((self.folder / "rest/lines.json").read_text())
         return {
-            muscle["name"]: {
-                line["name"]: np.array(line["points"]) for line in muscle["lines"]
-            }
-            for muscle in read["muscles"]
+            name: {line["name"]: np.array(line["points"]) for line in muscle["lines"]}
+            for name, muscle in self.lines_file("rest").items()
+        }
+
+    def fibres(self, folder):
+        """The fibres of each muscle at rest or in a frame: {muscle: [points]}."""
+        return {
+            name: [np.array(points) for points in muscle["fibres"]]
+            for name, muscle in self.lines_file(folder).items()
         }
 
     @functools.cache
