@@ -12,6 +12,7 @@ from table import Row, Section, commands, paragraphs, plain, prose, span, table
 
 ATTACHMENTS = "lhdl_hip/attachments.json"
 FEMUR = "femur_r"
+RADIUS = 8  # mm, as the scene has it: what a muscle holds of an area
 # The muscles that no bone bends: a straight line may stand for a fibre.
 STRAIGHT = ["gluteus_maximus_r", "gluteus_medius_r"]
 
@@ -20,12 +21,13 @@ What could any fibre reach that runs straight from a published origin of this
 specimen to a published insertion? All pairs of landmarks of the two areas of a
 muscle are taken as straight lines, the origin on the pelvis, the insertion on
 the femur of each frame, and the band from the least to the largest moment arm
-about the landmark HJC is scored as those of the fibres are. A band beyond that
-asks for fibres that something bends, or for another anatomy. This is why the
-covered part of the gluteus medius has its target at 42 % and its aim at 55 %:
-at neutral no pair flexes the hip. Fibres of the gluteus maximus may bend around
-the bones and reach more. Iliacus and psoas bend over the brim of the pelvis, and
-their straight lines, most of which pass through bone, say nothing.
+about the landmark HJC is scored as those of the fibres are. Areas that the mesh
+does not reach (the insertion of the gluteus maximus beside the knee, by its
+tract) are left out. A band beyond that asks for fibres that something bends, or
+for another anatomy. This is why the covered part of the gluteus medius has its
+target at 42 % and its aim at 55 %: {neutral} Fibres of the gluteus maximus bend
+around bones and may reach more. Iliacus and psoas bend over the brim of the
+pelvis, and straight lines say nothing of them.
 """
 
 
@@ -55,6 +57,17 @@ def straight_arms(origins, insertions, axis, centre):
     return -np.einsum("oik,ik->oi", along, moving).ravel()
 
 
+def reached_points(areas, vertices):
+    """The points of the published areas that some vertex of a muscle is near."""
+    reached = []
+    for area in areas:
+        points = np.array(area["points"])
+        offsets = points[:, None] - vertices[None]
+        if np.linalg.norm(offsets, axis=2).min() <= RADIUS:
+            reached.append(points)
+    return np.concatenate(reached)
+
+
 class Joint:
     """The hip of a run in which one coordinate moves: the axis of the
     coordinate, and the femur of each frame from that of the published points."""
@@ -63,10 +76,11 @@ class Joint:
         read = json.loads((data / ATTACHMENTS).read_text())
         self.points = {
             muscle: [
-                np.concatenate([area["points"] for area in sets[end]])
+                reached_points(sets[end], run.mesh("rest", muscle)[0])
                 for end in ("origin", "insertion")
             ]
             for muscle, sets in read["muscles"].items()
+            if muscle in STRAIGHT
         }
         self.centre = np.array(read["landmarks"]["HJC"])
         rest, _ = run.mesh("rest", FEMUR)
@@ -94,9 +108,10 @@ def pairs_section(run, data):
     published = Published(data / "literature/blemker2005_hip_flexion.csv")
     joint, found = Joint(run, data), scores(run, data)
     neutral = np.abs(run.angles).argmin()
-    cells, rows = [], []
+    cells, rows, largest = [], [], {}
     for muscle in STRAIGHT:
         low, high = joint.band(muscle)
+        largest[muscle] = high[neutral]
         reached = [100 * part for part in published.score(muscle, run.angles, low, high)]
         theirs = MODENESE_KOHOUT["hip_flexion"][muscle]
         cells.append(
@@ -109,5 +124,11 @@ def pairs_section(run, data):
         rows.append(Row(what, "none set", f"{percent(reached)} %", None))
     head = ["muscle", "pairs", "straight pairs: covered / IoU, %", "fibres", "M&K"]
     head += ["pairs at neutral, mm", "published at neutral, mm"]
-    body = paragraphs(prose(ABOUT_PAIRS), commands([run.command]), table(head, cells))
+    medius = (
+        f"at neutral the arms of its pairs reach {largest['gluteus_medius_r']:.1f} mm,"
+        f" those of the published band"
+        f" {published.band('gluteus_medius_r', 0)[1]:.1f} mm."
+    )
+    about = prose(ABOUT_PAIRS.format(neutral=medius))
+    body = paragraphs(about, commands([run.command]), table(head, cells))
     return Section("What straight lines could reach", body, rows)

@@ -10,13 +10,13 @@ PARTS = 5
 LEAST, MOST = 0.75, 1.35  # of the mean of a part at the end of hip flexion
 
 ABOUT = f"""
-A muscle whose fibres shorten beside the joint alone, or not at all there, keeps
-its volume and its line and is wrong all the same. Each fibre is cut at rest into
+A muscle may keep its volume and its line although all of its shortening happens
+beside the joint. Each fibre is cut at rest into
 {PARTS} parts of equal length, from its beginning (1) to its end ({PARTS}), and
 the length of a part at either end of a motion is divided by that at rest. The
 table has the means over the fibres of a muscle, and the least and the largest
 part of a single fibre. The target, {LEAST:g} to {MOST:g} for each mean, is for
-the end of hip flexion; the other ends have none. Rest is the pose of the meshes.
+the end of `hip_flexion`; the other ends have none. Rest is the pose of the meshes.
 """
 
 
@@ -40,7 +40,7 @@ def fibre_stretches(run, muscle, frame):
 
 def asked_of(run, frame):
     """Whether a frame of a run has a target: the end of hip flexion."""
-    return run.moving == "hip_flexion_r" and run.angles[frame] == run.angles.max()
+    return run.name == "hip_flexion" and run.angles[frame] == run.angles.max()
 
 
 def stretch_row(run, place, means):
