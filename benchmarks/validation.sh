@@ -11,6 +11,8 @@
 #   DATA             the folder with lhdl_hip, bodyparts3d and literature
 #   OUT              where the runs are kept; without it they are removed
 #   --all            also the thigh of BodyParts3D, which takes minutes more
+#   --pictures       also pictures of the ends of the motions, before and after;
+#                    needs musclewarp-render
 #   --reuse          keep the finished runs of OUT
 #   --programs=DIR   the programs; build/release/tools, built if need be
 #   --opensim=TABLE  compare straight moment arms with a table of OpenSim:
@@ -24,10 +26,11 @@ usage() {
   exit 2
 }
 
-data='' out='' all='' reuse='' programs='' table='' page=()
+data='' out='' all='' pictures='' reuse='' programs='' table='' page=()
 for word in "$@"; do
   case $word in
     --all) all=yes ;;
+    --pictures) pictures=yes ;;
     --reuse) reuse=yes ;;
     --programs=*) programs=$(realpath -e "${word#*=}") ;;
     --opensim=*) table=$(realpath -e "${word#*=}") ;;
@@ -97,6 +100,13 @@ for motion in flexion adduction rotation; do
 done
 deform hip_flexion_found $found \
   --motion=lhdl_hip/motions/hip_flexion.mot --fibres=100
+if [[ -n $pictures ]]; then # as things were before, for the pictures
+  for motion in flexion adduction rotation; do
+    deform hip_${motion}_before $found --lines=fixed --bending_weight=0 \
+      --motion=lhdl_hip/motions/hip_$motion.mot
+  done
+  page+=("--render=$programs/musclewarp-render")
+fi
 deform bodyparts3d_hip data/scenes/bodyparts3d_hip.json
 deform bodyparts3d_hamstrings data/scenes/bodyparts3d_hamstrings.json
 [[ -z $all ]] || deform bodyparts3d_thigh data/scenes/bodyparts3d_thigh.json

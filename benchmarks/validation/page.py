@@ -5,6 +5,7 @@
 benchmarks/validation.sh, which makes the runs.
 
   benchmarks/validation/page.py DATA OUT [--page=docs/validation.md]
+      [--render=PROGRAM]
 
 Needs the python3-numpy of Debian. OUT/<run>/command.txt has the command of
 each run as the page shows it.
@@ -12,12 +13,14 @@ each run as the page shows it.
 
 import argparse
 import pathlib
+import subprocess
 import sys
 
 import arms
 import dostal
 import frames
 import literature
+import pictures
 import straight
 import stretch
 from runs import Run
@@ -65,34 +68,50 @@ def summary(sections):
     return unmet, table_of(rows)
 
 
-def write_page(data, out, page):
-    plots = page.parent / page.stem
-    plots.mkdir(parents=True, exist_ok=True)
+def finished_runs(out, names):
+    """The runs of these names that are in a folder, by name."""
     runs = {}
-    for name in [*MOTIONS, FOUND, *POSES]:
+    for name in names:
         command = out / name / "command.txt"
         if command.exists():
             runs[name] = Run(out / name, command.read_text().strip())
         elif name != "bodyparts3d_thigh":
             raise ValueError(f"{out / name}: there is no finished run")
-    motions = [runs[name] for name in MOTIONS]
-    by_found = runs.pop(FOUND)
-    flexion = motions[0]
+    return runs
+
+
+def sections_of(data, out, plots, render):
+    """The sections, and the runs that are asked something, by name."""
+    runs = finished_runs(out, [*MOTIONS, *POSES])
+    by_found = finished_runs(out, [FOUND])[FOUND]
+    motions, every = [runs[name] for name in MOTIONS], list(runs.values())
+    flexion, *others = motions
     sections = [
         arms.opensim_section(flexion, data, out, REPOSITORY / "docs/results.md"),
         literature.fibres_section(motions, by_found, data, plots, psoas_number=5),
         straight.pairs_section(flexion, data),
         dostal.dostal_section(motions, data),
         arms.psoas_section(flexion, data, plots),
-        frames.attachments_section(list(runs.values())),
-        stretch.stretch_section([flexion, by_found, *motions[1:]]),
-        frames.slices_section(list(runs.values())),
+        frames.attachments_section(every),
+        stretch.stretch_section([flexion, by_found, *others]),
+        frames.slices_section(every),
         frames.smoothness_section(motions),
     ]
+    if render:
+        before = finished_runs(out, [name + pictures.BEFORE for name in MOTIONS])
+        sections.append(pictures.pictures_section(render, runs | before, plots))
+    return sections, runs
+
+
+def write_page(data, out, page, render):
+    plots = page.parent / page.stem
+    plots.mkdir(parents=True, exist_ok=True)
+    sections, runs = sections_of(data, out, plots, render)
     unmet, rows = summary(sections)
     flags = " --all" if "bodyparts3d_thigh" in runs else ""
+    flags += " --pictures" if render else ""
     flags += " --opensim=TABLE" if (out / "opensim.txt").exists() else ""
-    parts = [*head(unmet, flexion.report, flags), rows]
+    parts = [*head(unmet, runs[MOTIONS[0]].report, flags), rows]
     for k, section in enumerate(sections, 1):
         parts += [f"## {k}. {section.title}", section.text.rstrip()]
     page.write_text(paragraphs(*parts), encoding="utf-8")
@@ -108,10 +127,14 @@ def main():
     parser.add_argument(
         "--page", type=pathlib.Path, default=REPOSITORY / "docs/validation.md"
     )
+    parser.add_argument(
+        "--render", type=pathlib.Path, help="musclewarp-render, to make pictures"
+    )
     args = parser.parse_args()
+    paths = (args.data.resolve(), args.out.resolve(), args.page.resolve())
     try:
-        write_page(args.data.resolve(), args.out.resolve(), args.page.resolve())
-    except (ValueError, OSError) as error:
+        write_page(*paths, args.render)
+    except (ValueError, OSError, subprocess.CalledProcessError) as error:
         sys.exit(f"validation: {error}")
 
 

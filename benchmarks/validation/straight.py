@@ -112,7 +112,8 @@ def pairs_section(run, data):
     for muscle in STRAIGHT:
         low, high = joint.band(muscle)
         largest[muscle] = high[neutral]
-        reached = [100 * part for part in published.score(muscle, run.angles, low, high)]
+        score = published.score(muscle, run.angles, low, high)
+        reached = [100 * part for part in score]
         theirs = MODENESE_KOHOUT["hip_flexion"][muscle]
         cells.append(
             [plain(muscle), len(joint.arms(muscle, 0)), percent(reached)]
