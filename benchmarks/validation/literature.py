@@ -51,8 +51,8 @@ The moment arms of the fibres are compared with the bands of Blemker and Delp
 IoU the area of the intersection over that of the union: a band that is too wide
 covers much and has a low IoU. M&K are the fibres of Modenese and Kohout (2020,
 doi 10.1007/s10439-020-02490-4), scored by the same script from their result
-files (modenaxe/3d-muscles); table 1 of their paper prints 71 for the iliacus,
-where the files give 72. The published bounds are smoothed by polynomials of
+files (modenaxe/3d-muscles); table 1 of their paper prints the same shares or 1
+less. The published bounds are smoothed by polynomials of
 fourth order; below the angle at which they begin the polynomials extrapolate,
 and the plots are fainter. Moment arms of flexors are positive.
 """
