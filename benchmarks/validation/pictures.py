@@ -30,7 +30,7 @@ Each pair shows the end of a motion before and after a change of method, both ma
 with this version. Before, the areas of attachment are those found on the meshes,
 each place of a muscle stays in its segment of a line (`--lines=fixed`), and nothing
 keeps the curvature of fibres (`--bending_weight=0`); after, the areas are the
-published ones, and these options are the defaults. The camera of a pair is the
+published ones, and these two options have their defaults. The camera of a pair is the
 same but for what the picture is made to hold, the two glutei and the iliacus.
 """
 
