@@ -26,7 +26,7 @@ struct DeformerSettings {
   int bone_coarse_vertices = 1000;
   std::string laplacian = "area";
   double laplacian_length = 0;  // mm; 0: by the area of the muscle
-  std::string lines = "slide";
+  std::string lines = "tendon";
   double sample_spacing = 10;  // mm
   double skeleton_weight = 1;
   double attachment_weight = 8;

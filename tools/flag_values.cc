@@ -56,11 +56,13 @@ LaplacianWeights ParseLaplacian(const std::string& text) {
 }
 
 LineRule ParseLines(const std::string& text) {
-  if (text == "slide") return LineRule::kSlide;
-  if (text == "fixed") return LineRule::kFixed;
+  for (const LineRule rule :
+       {LineRule::kTendon, LineRule::kSlide, LineRule::kFixed}) {
+    if (text == ToString(rule)) return rule;
+  }
   throw InputError("--lines=" + text,
                    "is not a way to follow lines",
-                   "allowed: slide, fixed");
+                   "allowed: tendon, slide, fixed");
 }
 
 AttachmentKind ParseAttachments(const std::string& text) {

@@ -63,12 +63,13 @@ DEFINE_double(laplacian_length,
               "with --laplacian=area, the length scale of the stiffness of a "
               "shape, mm: the larger, the stiffer; 0: by the area of the "
               "muscle");
-DEFINE_string(lines,
-              musclewarp::DeformerSettings().lines,
-              "how a muscle follows its lines where they get longer or "
-              "shorter: slide (along them, so that all of it is stretched "
-              "evenly) or fixed (each place stays in its segment, as "
-              "Kellnhofer and Kohout have it)");
+DEFINE_string(
+    lines,
+    musclewarp::DeformerSettings().lines,
+    "how a muscle follows its lines where they get longer or "
+    "shorter: tendon (it slides along them, and thin parts keep their "
+    "length), slide (all of it is stretched evenly) or fixed (each "
+    "place stays in its segment, as Kellnhofer and Kohout have it)");
 DEFINE_double(sample_spacing, 10, "distance of samples along a line, mm");
 DEFINE_double(skeleton_weight,
               1,

@@ -59,7 +59,7 @@ class Deformer(_core.Deformer):
                  coarse_vertices: int = 200,
                  laplacian: str = "area",
                  laplacian_length: float = 0.0,
-                 lines: str = "slide",
+                 lines: str = "tendon",
                  sample_spacing: float = 10.0,
                  skeleton_weight: float = 1.0,
                  attachment_weight: float = 8.0,

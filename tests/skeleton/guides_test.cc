@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "musclewarp/skeleton/polyline.h"
 
@@ -36,7 +39,7 @@ double Distance(const Points& a, const Points& b) {
 }  // namespace
 
 TEST(Guides, FixedOnesAreTheLines) {
-  const Guides guides = GuidesOf({CornerLine()}, LineRule::kFixed);
+  const Guides guides = GuidesOf({CornerLine()}, LineRule::kFixed, {});
   ASSERT_EQ(guides.lines.size(), 1u);
   EXPECT_EQ(guides.lines[0].rest, CornerLine().rest);
   LineTarget target = AtRest(CornerLine());
@@ -45,7 +48,7 @@ TEST(Guides, FixedOnesAreTheLines) {
 }
 
 TEST(Guides, AtRestAndMovedRigidlyTheyAreThoseAtRest) {
-  const Guides guides = GuidesOf({CornerLine()}, LineRule::kSlide);
+  const Guides guides = GuidesOf({CornerLine()}, LineRule::kSlide, {});
   EXPECT_EQ(GuideTargets(guides, {AtRest(CornerLine())})[0].points,
             guides.lines[0].rest);
   const Eigen::Matrix3d turn =
@@ -67,7 +70,7 @@ TEST(Guides, AtRestAndMovedRigidlyTheyAreThoseAtRest) {
 TEST(Guides, SlideSoThatAllIsStretchedAlike) {
   const ActionLine straight =
       Line("straight", {{0, 0, 0}, {30, 0, 0}, {100, 0, 0}}, "pelvis");
-  const Guides guides = GuidesOf({straight}, LineRule::kSlide);
+  const Guides guides = GuidesOf({straight}, LineRule::kSlide, {});
   LineTarget longer = AtRest(straight);
   longer.points(1, 0) = 80;
   longer.points(2, 0) = 150;
@@ -82,7 +85,7 @@ TEST(Guides, LinesThatFollowEachOtherAreOnePath) {
     const std::vector<ActionLine> lines =
         is_lower_first ? std::vector<ActionLine>{CornerLine(), upper}
                        : std::vector<ActionLine>{upper, CornerLine()};
-    const Guides guides = GuidesOf(lines, LineRule::kSlide);
+    const Guides guides = GuidesOf(lines, LineRule::kSlide, {});
     ASSERT_EQ(guides.lines.size(), 1u);
     const Points& rest = guides.lines[0].rest;
     EXPECT_EQ(rest.row(0), upper.rest.row(0));
@@ -96,6 +99,62 @@ TEST(Guides, LinesThatFollowEachOtherAreOnePath) {
   }
 }
 
+// The factors by which the segments of a straight muscle are stretched that has
+// a belly of `belly` mm and a tendon, 100 mm together, if all of it is by
+// `stretch`.
+Eigen::VectorXd StretchesOfSegments(double belly, double stretch) {
+  const ActionLine line = Line("line", {{0, 0, 0}, {100, 0, 0}}, "pelvis");
+  // Ten points in a millimetre of the belly, one in two of the tendon.
+  std::vector<double> places;
+  for (double x = 0.05; x < belly; x += 0.1) places.push_back(x);
+  for (double x = belly + 1; x < 100; x += 2) places.push_back(x);
+  Points inside = Points::Zero(places.size(), 3);
+  for (size_t i = 0; i < places.size(); ++i) inside(i, 0) = places[i];
+  const Guides guides = GuidesOf({line}, LineRule::kTendon, inside);
+  const Points& rest = guides.lines[0].rest;
+  const Points moved =
+      GuideTargets(guides, {{stretch * line.rest, {}}})[0].points;
+  EXPECT_EQ(moved.row(0), rest.row(0));
+  EXPECT_NEAR(moved(10, 0), 100 * stretch, 1e-12);
+  return ((moved.bottomRows(10) - moved.topRows(10)).col(0).array() /
+          (rest.bottomRows(10) - rest.topRows(10)).col(0).array());
+}
+
+TEST(Guides, TendonsKeepTheirLength) {
+  for (const double stretch : {0.9, 1.0, 1.1}) {
+    const Eigen::VectorXd factors = StretchesOfSegments(70, stretch);
+    EXPECT_NEAR(factors[9], 1, 1e-12);
+    EXPECT_NEAR(factors[0], factors[4], 1e-12);
+    // The seventh segment lies between belly and tendon.
+    EXPECT_NEAR(factors[0] - 1, (stretch - 1) / 0.7, 0.02);
+  }
+}
+
+// A short belly is stretched by 15 % for its tendon, and no more; where all
+// of the muscle is stretched as much, it is stretched alike.
+TEST(Guides, AShortBellyBearsItsShare) {
+  for (const double sign : {-1.0, 1.0}) {
+    const Eigen::VectorXd little = StretchesOfSegments(30, 1 + sign * 0.1);
+    EXPECT_NEAR(little[0], 1 + sign * 0.15, 1e-12);
+    EXPECT_LT(std::abs(little[9] - 1), 0.1);
+    EXPECT_GT(std::abs(little[9] - 1), 0.05);
+    const Eigen::VectorXd much = StretchesOfSegments(30, 1 + sign * 0.3);
+    EXPECT_LT((much.array() - 1 - sign * 0.3).abs().maxCoeff(), 1e-12);
+  }
+}
+
+TEST(Compliance, IsThatOfThinParts) {
+  Eigen::VectorXd areas(4);
+  areas << 100, 30, 15, 1;
+  const Eigen::VectorXd compliance = Compliance(areas);
+  EXPECT_EQ(compliance[0], 1);
+  EXPECT_EQ(compliance[1], 1);
+  EXPECT_NEAR(compliance[2], 0.5, 1e-14);
+  EXPECT_EQ(compliance[3], 0);
+  EXPECT_EQ(Compliance(1000 * areas), compliance);
+  EXPECT_EQ(Compliance(Eigen::VectorXd::Zero(10)).minCoeff(), 1);
+}
+
 // Lines that part or come together are no path; a ring begins with its first
 // line.
 TEST(Guides, FansAreNoPath) {
@@ -103,24 +162,28 @@ TEST(Guides, FansAreNoPath) {
   ActionLine fork = other;
   fork.rest(1, 0) = 30;
   EXPECT_EQ(
-      GuidesOf({CornerLine(), other, fork}, LineRule::kSlide).lines.size(), 3u);
+      GuidesOf({CornerLine(), other, fork}, LineRule::kSlide, {}).lines.size(),
+      3u);
   ActionLine from_elsewhere = CornerLine();
   from_elsewhere.rest(0, 2) = 50;
-  EXPECT_EQ(GuidesOf({CornerLine(), from_elsewhere, other}, LineRule::kSlide)
-                .lines.size(),
-            3u);
+  EXPECT_EQ(
+      GuidesOf({CornerLine(), from_elsewhere, other}, LineRule::kSlide, {})
+          .lines.size(),
+      3u);
   ActionLine on_femur = other;
   on_femur.bodies = {"femur", "femur"};
-  EXPECT_EQ(GuidesOf({CornerLine(), on_femur}, LineRule::kSlide).lines.size(),
-            2u);
+  EXPECT_EQ(
+      GuidesOf({CornerLine(), on_femur}, LineRule::kSlide, {}).lines.size(),
+      2u);
   const ActionLine back = Line("back", {{60, 40, 0}, {0, 0, 0}}, "pelvis");
-  EXPECT_EQ(GuidesOf({CornerLine(), back}, LineRule::kSlide).lines.size(), 1u);
+  EXPECT_EQ(GuidesOf({CornerLine(), back}, LineRule::kSlide, {}).lines.size(),
+            1u);
 }
 
 // Where the corner of a path moves along a muscle, its directions change
 // gradually: a small slide makes a small change.
 TEST(Guides, DirectionsAreContinuous) {
-  const Guides guides = GuidesOf({CornerLine()}, LineRule::kSlide);
+  const Guides guides = GuidesOf({CornerLine()}, LineRule::kSlide, {});
   const auto segment_at = [&](double slide, Eigen::Index segment) {
     LineTarget target = AtRest(CornerLine());
     target.points(0, 0) -= slide;

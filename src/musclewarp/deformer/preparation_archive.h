@@ -138,7 +138,7 @@ MUSCLEWARP_ARCHIVE(MeshPreparation,
 // Prepared scenes.
 
 MUSCLEWARP_ARCHIVE(SegmentPoint, line, segment, t)
-MUSCLEWARP_ARCHIVE(GuidePath, lines, shares, places)
+MUSCLEWARP_ARCHIVE(GuidePath, lines, shares, places, rest_length, compliance)
 MUSCLEWARP_ARCHIVE(Guides, rule, lines, paths)
 MUSCLEWARP_ARCHIVE(RotationField, places, weights)
 MUSCLEWARP_ARCHIVE(BendingRows, from_coarse, weights, points, rest, field)

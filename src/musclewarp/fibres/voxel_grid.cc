@@ -265,6 +265,12 @@ VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted) {
   return grid;
 }
 
+Points Centers(const VoxelGrid& grid) {
+  Points centers(grid.num_voxels(), 3);
+  for (int v = 0; v < grid.num_voxels(); ++v) centers.row(v) = grid.Center(v);
+  return centers;
+}
+
 Eigen::VectorXd DistancesWithin(const VoxelGrid& grid,
                                 const std::vector<int>& sources) {
   // Steps to the 26 neighbours count 3, 4 or 5 thirds of an edge (Borgefors,

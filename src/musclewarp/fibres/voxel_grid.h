@@ -63,6 +63,9 @@ struct VoxelGrid {
 // Precondition (CHECKed): the mesh has a positive volume.
 VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted);
 
+// Returns the centres of all voxels, #C x 3, mm.
+Points Centers(const VoxelGrid& grid);
+
 // Returns the length (mm) of the shortest way through the voxels from the
 // nearest of the voxels `sources` to every voxel. It is approximate: steps to
 // the 26 neighbours have lengths that are multiples of a third of an edge.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/frame_solvers/certified_frame_solver.h"
 
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -21,6 +22,17 @@ std::string TimeoutShortcoming(double reached, double wall_ms) {
        << static_cast<int>(100 * reached)
        << " % of the motion; the remainder was computed without contact";
   return text.str();
+}
+
+// A step keeps muscles in the planes of what was near when it began. Along a
+// rugged bone they may slide to where it comes nearer than the gap; another
+// step then finds the planes that were missing.
+constexpr int kMaxFurtherSteps = 2;
+
+// Returns whether nothing crosses but two surfaces are nearer than the gap.
+bool IsTooNear(const Frame& frame, double gap) {
+  const std::optional<double> smallest = frame.intersections.SmallestGap();
+  return frame.intersections.triangle_pairs == 0 && smallest && *smallest < gap;
 }
 
 }  // namespace
@@ -59,24 +71,41 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
                                         const ProgressCallback& on_progress) {
   const Stopwatch moving;
   const ContactState& from = before ? *before->contact : certified_.rest;
-  CertifiedMotion motion = MoveCertified(scene_,
-                                         certified_,
-                                         pose,
-                                         options_.pre_rotation,
-                                         solvers.single,
-                                         from,
-                                         on_progress);
-  const double wall_ms = moving.Milliseconds();
-  const Stopwatch certifying;
+  const std::vector<Points> points_before =
+      before ? ShapesOf(certified_, from).fine : std::vector<Points>();
+  const auto move_from = [&](const ContactState& start) {
+    return MoveCertified(scene_,
+                         certified_,
+                         pose,
+                         options_.pre_rotation,
+                         solvers.single,
+                         start,
+                         on_progress);
+  };
+  const auto certify = [&](const CertifiedMotion& motion) {
+    return CertifiedFrame(scene_,
+                          certified_,
+                          options_.requirements,
+                          motion.state,
+                          points_before,
+                          motion.summary.summaries,
+                          meshes_.get());
+  };
+  CertifiedMotion motion = move_from(from);
+  double wall_ms = moving.Milliseconds();
+  Stopwatch certifying;
   SolvedFrame result;
-  result.frame = CertifiedFrame(
-      scene_,
-      certified_,
-      options_.requirements,
-      motion.state,
-      before ? ShapesOf(certified_, from).fine : std::vector<Points>(),
-      std::move(motion.summary.summaries),
-      meshes_.get());
+  result.frame = certify(motion);
+  for (int further = 0; further < kMaxFurtherSteps && !motion.last_clean &&
+                        IsTooNear(result.frame, options_.certified.step.gap);
+       ++further) {
+    const int steps = motion.summary.steps;
+    motion = move_from(motion.state);
+    motion.summary.steps += steps;
+    wall_ms = moving.Milliseconds();
+    certifying = Stopwatch();
+    result.frame = certify(motion);
+  }
   Frame& frame = result.frame;
   if (motion.summary.timed_out_at) {
     frame.shortcomings.insert(

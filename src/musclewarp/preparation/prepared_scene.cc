@@ -14,6 +14,7 @@
 #include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/stopwatch.h"
+#include "musclewarp/fibres/voxel_grid.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/preparation/delivered_mesh.h"
@@ -88,14 +89,14 @@ void PrepareModel(const Surroundings& surroundings,
     model_options.attachment_weight = 0;
   }
   const KnownEnds ends = {muscle.attachments, muscle.lines};
-  std::vector<Points> bending_fibres;
-  if (model_options.bending_weight > 0 && !muscle.lines.empty()) {
+  MuscleInterior interior;
+  if (!muscle.lines.empty()) {
+    interior.points = Centers(Voxelize(fine, options.fibres.voxels));
     FibreOptions fibres = options.fibres;
     fibres.fibres = kBendingFibres;
-    bending_fibres = MakeFibres(fine, surroundings.bodies(), ends, fibres);
+    interior.fibres = MakeFibres(fine, surroundings.bodies(), ends, fibres);
   }
-  prepared->model =
-      PrepareMuscle(muscle, fine, hull, bending_fibres, model_options);
+  prepared->model = PrepareMuscle(muscle, fine, hull, interior, model_options);
   if (options.attachments != AttachmentKind::kNone) {
     prepared->attached =
         FindAttachedVertices(prepared->model.attachments, fine.points);

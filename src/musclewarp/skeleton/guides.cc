@@ -24,6 +24,16 @@ constexpr int kFewestSegments = 8;
 // rounding of files, not a distance.
 constexpr double kSamePlace = 0.01;
 
+// A part counts as tendon if its area is below the first of these shares of the
+// largest area of the muscle, as belly above the second.
+constexpr double kTendonArea = 0.075;
+constexpr double kBellyArea = 0.225;
+// By how much of its length a belly is stretched so that its tendon keeps its
+// length. Beyond, the tendon gives, until all of the muscle is stretched alike.
+constexpr double kBorneByBelly = 0.15;
+// Over which length areas are smoothed: that of a segment, twice.
+constexpr int kSmoothingRounds = 2;
+
 // Returns the line that begins where `line` ends, or -1 if there is none or
 // more than one.
 int LineAfter(const std::vector<ActionLine>& lines, size_t line) {
@@ -127,9 +137,97 @@ std::optional<Eigen::Matrix3d> RotationAt(const LineTarget& line,
       .toRotationMatrix();
 }
 
+Eigen::VectorXd SegmentLengths(const Points& points) {
+  const Eigen::Index count = points.rows() - 1;
+  return (points.bottomRows(count) - points.topRows(count)).rowwise().norm();
+}
+
+Eigen::VectorXd Smoothed(const Eigen::VectorXd& values) {
+  Eigen::VectorXd smooth = values;
+  const Eigen::Index last = values.size() - 1;
+  for (int round = 0; round < kSmoothingRounds; ++round) {
+    const Eigen::VectorXd before = smooth;
+    for (Eigen::Index i = 0; i <= last; ++i) {
+      smooth[i] = (before[std::max<Eigen::Index>(0, i - 1)] + 2 * before[i] +
+                   before[std::min(last, i + 1)]) /
+                  4;
+    }
+  }
+  return smooth;
+}
+
+// Sets the compliance of all paths from the points inside of the muscle: the
+// area across a segment is the number of points nearest to it by its length.
+void FindCompliance(const Points& inside, Guides* guides) {
+  std::vector<Eigen::VectorXd> areas;
+  for (const ActionLine& line : guides->lines) {
+    areas.push_back(Eigen::VectorXd::Zero(line.rest.rows() - 1));
+  }
+  for (Eigen::Index i = 0; i < inside.rows(); ++i) {
+    const SegmentPoint nearest = NearestSegment(inside.row(i), guides->lines);
+    ++areas[nearest.line][nearest.segment];
+  }
+  for (size_t g = 0; g < areas.size(); ++g) {
+    const Eigen::VectorXd lengths = SegmentLengths(guides->lines[g].rest);
+    areas[g].array() /= lengths.array().max(kSamePlace);
+    guides->paths[g].compliance = Compliance(Smoothed(areas[g]));
+  }
+}
+
+// Returns at which shares of its length a path has its points when its length
+// is `length`, mm.
+Eigen::VectorXd SharesAt(const GuidePath& path, double length) {
+  if (path.compliance.minCoeff() == 1 || !(path.rest_length > 0) ||
+      !(length > 0)) {
+    return path.shares;
+  }
+  const Eigen::Index count = path.compliance.size();
+  const Eigen::VectorXd at_rest =
+      path.shares.tail(count) - path.shares.head(count);
+  const double stretch = length / path.rest_length - 1;
+  const double mean = at_rest.dot(path.compliance);
+  // The stretch of the belly, and how that of a part follows from it.
+  const double whole = std::abs(stretch);
+  const double belly = std::copysign(
+      std::min(whole / mean, std::max(kBorneByBelly, whole)), stretch);
+  const double by_compliance = (belly - stretch) / (1 - mean);
+  const double shared = stretch - by_compliance * mean;
+  Eigen::VectorXd shares = path.shares;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    shares[i + 1] =
+        shares[i] + at_rest[i] *
+                        (1 + by_compliance * path.compliance[i] + shared) /
+                        (1 + stretch);
+  }
+  return shares.cwiseMin(1);
+}
+
 }  // namespace
 
-Guides GuidesOf(const std::vector<ActionLine>& lines, LineRule rule) {
+std::string ToString(LineRule rule) {
+  switch (rule) {
+    case LineRule::kTendon:
+      return "tendon";
+    case LineRule::kSlide:
+      return "slide";
+    case LineRule::kFixed:
+      return "fixed";
+  }
+  LOG(FATAL) << "no such rule";
+}
+
+Eigen::VectorXd Compliance(const Eigen::VectorXd& areas) {
+  const double largest = areas.maxCoeff();
+  if (!(largest > 0)) return Eigen::VectorXd::Ones(areas.size());
+  Eigen::ArrayXd x =
+      (areas.array() / largest - kTendonArea) / (kBellyArea - kTendonArea);
+  x = x.max(0).min(1);
+  return x.square() * (3 - 2 * x);
+}
+
+Guides GuidesOf(const std::vector<ActionLine>& lines,
+                LineRule rule,
+                const Points& inside) {
   Guides guides;
   guides.rule = rule;
   if (rule == LineRule::kFixed) {
@@ -146,12 +244,15 @@ Guides GuidesOf(const std::vector<ActionLine>& lines, LineRule rule) {
         kFewestSegments, NumPieces(PolylineLength(points), kSegmentLength));
     GuidePath path;
     path.shares = Eigen::VectorXd::LinSpaced(segments + 1, 0, 1);
+    path.rest_length = PolylineLength(points);
+    path.compliance = Eigen::VectorXd::Ones(segments);
     path.places = PlacesAt(chain, lines, SharesAlong(points), path.shares);
     path.lines = std::move(chain);
     guides.lines.push_back(
         {lines[path.lines[0]].name, PointsAtShares(points, path.shares), {}});
     guides.paths.push_back(std::move(path));
   }
+  if (rule == LineRule::kTendon) FindCompliance(inside, &guides);
   return guides;
 }
 
@@ -161,7 +262,9 @@ std::vector<LineTarget> GuideTargets(const Guides& guides,
   std::vector<LineTarget> targets;
   for (const GuidePath& path : guides.paths) {
     LineTarget target;
-    target.points = PointsAtShares(PathPoints(path.lines, lines), path.shares);
+    const Points points = PathPoints(path.lines, lines);
+    target.points =
+        PointsAtShares(points, SharesAt(path, PolylineLength(points)));
     for (const SegmentPoint& place : path.places) {
       target.body_rotations.push_back(RotationAt(lines[place.line], place));
     }

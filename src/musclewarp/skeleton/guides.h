@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "musclewarp/skeleton/action_line.h"
@@ -12,6 +13,9 @@ namespace musclewarp {
 
 // How a muscle follows its lines of action where they get longer or shorter.
 enum class LineRule {
+  // It slides along them, and its thin parts, which are tendons, keep their
+  // length as long as the belly is stretched by at most 15 % for it.
+  kTendon,
   // It slides along them: each place keeps its share of the length, so that the
   // whole muscle is stretched evenly.
   kSlide,
@@ -21,11 +25,18 @@ enum class LineRule {
   kFixed,
 };
 
+std::string ToString(LineRule rule);
+
 // What a guide that slides is made of: lines of action that follow each other.
 struct GuidePath {
   std::vector<int> lines;            // of the muscle, in order
   Eigen::VectorXd shares;            // #Q of the length, from 0 to 1
   std::vector<SegmentPoint> places;  // #Q on the lines, at rest
+  double rest_length = 0;            // mm
+
+  // How much of the stretch of the path each segment bears, #Q - 1, from 0
+  // to 1.
+  Eigen::VectorXd compliance;
 };
 
 // The polylines that a muscle follows, made of its lines of action. A guide
@@ -44,8 +55,17 @@ struct Guides {
   std::vector<GuidePath> paths;
 };
 
-// Makes the guides of a muscle with the given lines of action.
-Guides GuidesOf(const std::vector<ActionLine>& lines, LineRule rule);
+// Makes the guides of a muscle with the given lines of action. `inside` are
+// points spread evenly inside the muscle (#I x 3, mm, at rest), from which
+// kTendon tells where it is thin; without any it is kSlide.
+Guides GuidesOf(const std::vector<ActionLine>& lines,
+                LineRule rule,
+                const Points& inside);
+
+// Returns the compliance of the segments of a path from the areas (#S) across
+// the muscle there: 0 where the area is small against the largest, 1 where it
+// is not. Without any area all is 1.
+Eigen::VectorXd Compliance(const Eigen::VectorXd& areas);
 
 // Returns where the guides are when the lines of action are at `lines`. The
 // rotation of a point of a guide that slides lies between those of the bodies

@@ -159,14 +159,14 @@ void FactorNormalMatrix(MuscleModel* model) {
 MuscleModel PrepareMuscle(const SceneMuscle& muscle,
                           const TriangleSoup& fine,
                           const TriangleSoup& hull,
-                          const std::vector<Points>& fibres,
+                          const MuscleInterior& interior,
                           const MuscleModelOptions& options) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   MuscleModel model;
   model.name = muscle.name;
   model.lines = muscle.lines;
-  model.guides = GuidesOf(muscle.lines, options.line_rule);
+  model.guides = GuidesOf(muscle.lines, options.line_rule, interior.points);
   model.attachments = muscle.attachments;
   model.fine_rest = fine.points;
   model.fine_triangles = fine.triangles;
@@ -185,7 +185,7 @@ MuscleModel PrepareMuscle(const SceneMuscle& muscle,
   if (model.HasLines()) model.rotations = FieldAt(hull.points, model);
   AddSkeletonRows(options, &model);
   AddAttachmentRows(options, &model);
-  AddBendingRows(options, fibres, &model);
+  AddBendingRows(options, interior.fibres, &model);
   FactorNormalMatrix(&model);
   return model;
 }

@@ -29,7 +29,7 @@ struct MuscleModelOptions {
   CotangentLaplacianOptions laplacian;
 
   // How the muscle follows its lines where they get longer or shorter.
-  LineRule line_rule = LineRule::kSlide;
+  LineRule line_rule = LineRule::kTendon;
 
   // Largest distance between neighbouring skeleton samples along a line, mm.
   // With kPaper a smaller distance gives more rows, which weigh the skeleton
@@ -119,9 +119,14 @@ struct MuscleModel {
   bool HasLines() const { return !lines.empty(); }
 };
 
+// What is known of the inside of a muscle at rest, in mm. Either may be empty.
+struct MuscleInterior {
+  Points points;               // #I x 3: spread evenly (GuidesOf)
+  std::vector<Points> fibres;  // those that resist bending (bending_rows.h)
+};
+
 // Prepares a muscle: `fine` is its mesh in the rest pose and `hull` the closed
-// coarse mesh around it, both in mm. `fibres` are those that resist bending
-// (bending_rows.h), none as a rule without. Factorising A costs O(N^3).
+// coarse mesh around it, both in mm. Factorising A costs O(N^3).
 // Preconditions (CHECKed where cheap): the options are valid, both meshes are
 // closed 2-manifolds oriented outward.
 // Throws InputError naming the muscle if its lines do not determine the shape,
@@ -129,7 +134,7 @@ struct MuscleModel {
 MuscleModel PrepareMuscle(const SceneMuscle& muscle,
                           const TriangleSoup& fine,
                           const TriangleSoup& hull,
-                          const std::vector<Points>& fibres,
+                          const MuscleInterior& interior,
                           const MuscleModelOptions& options);
 
 // Factorises the normal matrix of a muscle of which everything else is there,
