@@ -96,6 +96,24 @@ Points Together(const std::vector<Points>& lines) {
   return together;
 }
 
+// Drops courses that are shorter than a tenth of the median: where two ends
+// come near each other they would count as fibres without moment arms.
+void DropShort(std::vector<Points>* lines) {
+  constexpr double kShortest = 0.1;  // of the median
+  std::vector<double> lengths;
+  for (const Points& line : *lines) lengths.push_back(PolylineLength(line));
+  if (lengths.empty()) return;
+  const auto middle = lengths.begin() + lengths.size() / 2;
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  const double shortest = kShortest * *middle;
+  lines->erase(std::remove_if(lines->begin(),
+                              lines->end(),
+                              [&](const Points& line) {
+                                return PolylineLength(line) < shortest;
+                              }),
+               lines->end());
+}
+
 struct Courses {
   MuscleEnds ends;
   std::vector<Points> lines;
@@ -148,6 +166,7 @@ Courses FindCourses(const TriangleSoup& muscle,
     PullInside(grid, inside, surface, &line);
     courses.lines.push_back(std::move(line));
   }
+  DropShort(&courses.lines);
   return courses;
 }
 

@@ -35,8 +35,9 @@ struct FibreOptions {
 // origin to the insertion, with options.segments + 1 points (rows, mm) at equal
 // distances, inside the surface or, where the muscle is thinner than a voxel,
 // on it. The fibres do not cross, and each stands for an equal share of the
-// muscle's widest section. There are fewer than asked for if the section is too
-// small, and none if the muscle is too thin.
+// muscle's widest section. Those shorter than a tenth of the median are left
+// out. There are fewer than asked for if the section is too small, and none if
+// the muscle is too thin.
 //
 // `bodies` and `known` say where the muscle begins and ends, as for
 // FindMuscleEnds. Preconditions: the options are valid (CHECKed); the mesh is

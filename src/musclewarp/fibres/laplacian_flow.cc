@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace musclewarp {
@@ -30,8 +31,10 @@ int Beyond(const VoxelGrid& grid, int voxel, int k, int side) {
 std::array<double, 2> FaceFlow(const LaplacianFlow& flow, int voxel, int k) {
   const int below = Beyond(*flow.grid, voxel, k, 0);
   const int above = Beyond(*flow.grid, voxel, k, 1);
-  return {below < 0 ? 0 : flow.potential[voxel] - flow.potential[below],
-          above < 0 ? 0 : flow.potential[above] - flow.potential[voxel]};
+  return {below < 0 ? -flow.outflow[voxel]
+                    : flow.potential[voxel] - flow.potential[below],
+          above < 0 ? flow.outflow[voxel]
+                    : flow.potential[above] - flow.potential[voxel]};
 }
 
 // When and by which side a point leaves a voxel along one axis. The time is
@@ -69,8 +72,8 @@ double MovedAlong(const std::array<double, 2>& face, double at, double time) {
   return std::clamp(at + moved, 0.0, 1.0);
 }
 
-// Follows the flow from a point (direction 1), or goes against it (-1), up to a
-// voxel of an end. The point itself is not part of the result.
+// Follows the flow from a point (direction 1), or goes against it (-1), up to
+// the surface of an end. The point itself is not part of the result.
 std::vector<Eigen::RowVector3d> Trace(const LaplacianFlow& flow,
                                       const Eigen::RowVector3d& start,
                                       int direction) {
@@ -83,13 +86,8 @@ std::vector<Eigen::RowVector3d> Trace(const LaplacianFlow& flow,
   for (int k = 0; k < 3; ++k) {
     at[k] = (start[k] - grid.origin[k]) / grid.size - first_cell[k];
   }
-  const double end = direction > 0 ? 1 : 0;
   // The potential rises at every step, so that no voxel is passed twice.
   for (int steps = 0; steps < grid.num_voxels(); ++steps) {
-    if (flow.potential[voxel] == end) {
-      points.push_back(grid.Center(voxel));
-      break;
-    }
     std::array<double, 2> faces[3];
     Exit first;
     int axis = -1;
@@ -113,7 +111,7 @@ std::vector<Eigen::RowVector3d> Trace(const LaplacianFlow& flow,
                                                     cell[1] + at[1],
                                                     cell[2] + at[2]));
     voxel = Beyond(grid, voxel, axis, first.side);
-    CHECK_GE(voxel, 0);
+    if (voxel < 0) break;  // through the surface
     at[axis] = 1 - first.side;
   }
   return points;
@@ -133,27 +131,36 @@ void ForEachFace(const LaplacianFlow& flow, const Visit& visit) {
   }
 }
 
-// Returns the potential of the widest section, the one that crosses most faces.
+// Returns the potential of the section on which seeds are spread. At ends that
+// run along the muscle, a part of the flow is yet to come in or has gone out,
+// so that it is the widest section of those that nearly all of the flow passes:
+// the one that crosses most faces.
 double WidestLevel(const LaplacianFlow& flow) {
   constexpr int kLevels = 64;
-  std::array<int, kLevels + 1> changes = {};
+  constexpr double kNearlyAll = 0.95;
+  std::array<int, kLevels + 1> faces = {};
+  std::array<double, kLevels + 1> flows = {};
   const auto level_above = [&](double potential) {
     return std::clamp(
         static_cast<int>(std::ceil(potential * kLevels - 0.5)), 0, kLevels);
   };
+  // Changes from level to level, then their sums.
   ForEachFace(flow, [&](int low, int high, int) {
-    ++changes[level_above(flow.potential[low])];
-    --changes[level_above(flow.potential[high])];
+    const int first = level_above(flow.potential[low]);
+    const int last = level_above(flow.potential[high]);
+    const double passing = flow.potential[high] - flow.potential[low];
+    ++faces[first];
+    --faces[last];
+    flows[first] += passing;
+    flows[last] -= passing;
   });
-  int widest = 0;
-  int most = 0;
-  int crossed = 0;
+  std::partial_sum(faces.begin(), faces.end(), faces.begin());
+  std::partial_sum(flows.begin(), flows.end(), flows.begin());
+  const double most = *std::max_element(flows.begin(), flows.end() - 1);
+  int widest = -1;
   for (int i = 0; i < kLevels; ++i) {
-    crossed += changes[i];
-    if (crossed > most) {
-      most = crossed;
-      widest = i;
-    }
+    if (flows[i] < kNearlyAll * most) continue;
+    if (widest < 0 || faces[i] > faces[widest]) widest = i;
   }
   return (widest + 0.5) / kLevels;
 }
@@ -196,6 +203,73 @@ Points Thinned(const Points& points, Eigen::Index most) {
   return thinned;
 }
 
+// Returns the number of faces of a voxel on the surface.
+int NumOuterFaces(const VoxelGrid& grid, int voxel) {
+  int faces = 0;
+  for (int k = 0; k < 3; ++k) {
+    for (const int side : {0, 1}) faces += Beyond(grid, voxel, k, side) < 0;
+  }
+  return faces;
+}
+
+int NumOuterFaces(const VoxelGrid& grid, const std::vector<int>& voxels) {
+  int faces = 0;
+  for (const int voxel : voxels) faces += NumOuterFaces(grid, voxel);
+  return faces;
+}
+
+// Lets `total` flow out evenly through the surface of an end.
+void SetOutflow(const VoxelGrid& grid,
+                std::vector<int> end,
+                double total,
+                Eigen::VectorXd* outflow) {
+  // The voxels are connected and some are at the surface, so that it is found.
+  for (int reach = 1; NumOuterFaces(grid, end) == 0; ++reach) {
+    const std::vector<int> inside = end;
+    for (const int voxel : inside) {
+      for (const int near : grid.Around(voxel, reach)) end.push_back(near);
+    }
+    std::sort(end.begin(), end.end());
+    end.erase(std::unique(end.begin(), end.end()), end.end());
+  }
+  const double each = total / NumOuterFaces(grid, end);
+  for (const int voxel : end) (*outflow)[voxel] = each;
+}
+
+// Returns the matrix of the flow out of all voxels into their neighbours,
+// against the potential.
+Eigen::SparseMatrix<double, Eigen::RowMajor> FlowMatrix(const VoxelGrid& grid) {
+  const int count = grid.num_voxels();
+  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(count, count);
+  matrix.reserve(Eigen::VectorXi::Constant(count, 7));
+  for (int v = 0; v < count; ++v) {
+    double diagonal = 0;
+    for (int k = 0; k < 3; ++k) {
+      for (const int side : {0, 1}) {
+        const int neighbour = Beyond(grid, v, k, side);
+        if (neighbour < 0) continue;
+        ++diagonal;
+        matrix.insert(v, neighbour) = -1;
+      }
+    }
+    matrix.insert(v, v) = diagonal;
+  }
+  matrix.makeCompressed();
+  return matrix;
+}
+
+// Returns a potential that is about that of a flow of 1 between two sets: it
+// rises along a muscle of even sections.
+Eigen::VectorXd GuessPotential(const VoxelGrid& grid,
+                               const std::vector<int>& origin,
+                               const std::vector<int>& insertion) {
+  const Eigen::ArrayXd from_origin = DistancesWithin(grid, origin);
+  const Eigen::ArrayXd to_insertion = DistancesWithin(grid, insertion);
+  const double length = from_origin.maxCoeff() / grid.size;
+  return length * length / grid.num_voxels() * from_origin /
+         (from_origin + to_insertion).max(grid.size);
+}
+
 }  // namespace
 
 LaplacianFlow SolveFlow(const VoxelGrid& grid,
@@ -204,61 +278,34 @@ LaplacianFlow SolveFlow(const VoxelGrid& grid,
   CHECK(!origin.empty());
   CHECK(!insertion.empty());
   const int count = grid.num_voxels();
-  constexpr double kFree = -1;
-  Eigen::VectorXd fixed = Eigen::VectorXd::Constant(count, kFree);
-  for (const int voxel : origin) fixed[voxel] = 0;
+  LaplacianFlow flow;
+  flow.grid = &grid;
+  flow.outflow = Eigen::VectorXd::Zero(count);
+  SetOutflow(grid, origin, -1, &flow.outflow);
   for (const int voxel : insertion) {
-    CHECK_EQ(fixed[voxel], kFree);
-    fixed[voxel] = 1;
+    CHECK(std::find(origin.begin(), origin.end(), voxel) == origin.end());
   }
-  std::vector<int> row_of(count, -1);
-  int rows = 0;
+  SetOutflow(grid, insertion, 1, &flow.outflow);
+  Eigen::VectorXd source(count);
   for (int v = 0; v < count; ++v) {
-    if (fixed[v] == kFree) row_of[v] = rows++;
+    source[v] = NumOuterFaces(grid, v) * flow.outflow[v];
   }
-  // What flows into a voxel that is in neither end flows out of it again.
-  Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(rows, rows);
-  matrix.reserve(Eigen::VectorXi::Constant(rows, 7));
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(rows);
-  for (int v = 0; v < count; ++v) {
-    const int row = row_of[v];
-    if (row < 0) continue;
-    double diagonal = 0;
-    for (int k = 0; k < 3; ++k) {
-      for (int side = 0; side < 2; ++side) {
-        const int neighbour = Beyond(grid, v, k, side);
-        if (neighbour < 0) continue;
-        ++diagonal;
-        if (row_of[neighbour] < 0) {
-          right[row] += fixed[neighbour];
-        } else {
-          matrix.insert(row, row_of[neighbour]) = -1;
-        }
-      }
-    }
-    matrix.insert(row, row) = diagonal;
-  }
-  matrix.makeCompressed();
+  source.array() -= source.mean();  // what rounding leaves
+  // The potential is known up to a constant, of which conjugate gradients keep
+  // that of the guess.
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double, Eigen::RowMajor>,
                            Eigen::Lower | Eigen::Upper>
       solver;
   // The flow is the difference of neighbours, about 1e-2 of the potential.
   solver.setTolerance(1e-6);
+  const auto matrix = FlowMatrix(grid);
   solver.compute(matrix);
-  const Eigen::VectorXd from_origin = DistancesWithin(grid, origin);
-  const Eigen::VectorXd to_insertion = DistancesWithin(grid, insertion);
-  Eigen::VectorXd guess(rows);
-  for (int v = 0; v < count; ++v) {
-    if (row_of[v] < 0) continue;
-    guess[row_of[v]] = from_origin[v] / (from_origin[v] + to_insertion[v]);
-  }
-  const Eigen::VectorXd solution = solver.solveWithGuess(right, guess);
-  LaplacianFlow flow;
-  flow.grid = &grid;
-  flow.potential = std::move(fixed);
-  for (int v = 0; v < count; ++v) {
-    if (row_of[v] >= 0) flow.potential[v] = solution[row_of[v]];
-  }
+  flow.potential =
+      solver.solveWithGuess(source, GuessPotential(grid, origin, insertion));
+  const double lowest = flow.potential.minCoeff();
+  const double range = flow.potential.maxCoeff() - lowest;
+  flow.potential = (flow.potential.array() - lowest) / range;
+  flow.outflow /= range;
   return flow;
 }
 

@@ -3,9 +3,11 @@
 #include "musclewarp/report/frame_record.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
+#include "musclewarp/frames/fibre_measures.h"
 #include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp {
@@ -46,6 +48,11 @@ MuscleRecord RecordOf(const PreparedMuscle& muscle, const MuscleFrame& frame) {
   }
   for (const Points& fibre : frame.fibres) {
     record.fibre_lengths_mm.push_back(PolylineLength(fibre));
+  }
+  if (!frame.fibres.empty()) {
+    const std::array<double, 5> fifths = StretchByFifths(
+        LinesAt(muscle.fibres, model.coarse_rest), frame.fibres);
+    record.fibre_stretch_by_fifths.assign(fifths.begin(), fifths.end());
   }
   for (const auto& [coordinate, arms] : frame.fibre_moment_arms) {
     if (std::all_of(

@@ -50,6 +50,9 @@ struct MuscleRecord {
   std::map<std::string, double> path_lengths_mm;
   std::vector<double> fibre_lengths_mm;
 
+  // StretchByFifths; empty without fibres.
+  std::vector<double> fibre_stretch_by_fifths;
+
   // Their moment arms as the muscle carries them, mm/rad (or mm/m): of lines by
   // name and coordinate, of fibres by coordinate. Those of fibres leave out
   // coordinates by which no fibre is moved. Both are empty if there are none.

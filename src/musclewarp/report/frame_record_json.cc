@@ -155,6 +155,7 @@ OrderedJson ToJson(const MuscleRecord& record) {
           {"line_lengths_mm", record.line_lengths_mm},
           {"path_lengths_mm", record.path_lengths_mm},
           {"fibre_lengths_mm", record.fibre_lengths_mm},
+          {"fibre_stretch_by_fifths", record.fibre_stretch_by_fifths},
           {"line_moment_arms_mm", record.line_moment_arms_mm},
           {"fibre_moment_arms_mm", record.fibre_moment_arms_mm}};
 }
@@ -194,6 +195,8 @@ MuscleRecord MuscleRecordFromJson(const OrderedJson& json) {
   json.at("line_lengths_mm").get_to(record.line_lengths_mm);
   json.at("path_lengths_mm").get_to(record.path_lengths_mm);
   json.at("fibre_lengths_mm").get_to(record.fibre_lengths_mm);
+  record.fibre_stretch_by_fifths =
+      json.value("fibre_stretch_by_fifths", record.fibre_stretch_by_fifths);
   record.line_moment_arms_mm =
       json.value("line_moment_arms_mm", record.line_moment_arms_mm);
   record.fibre_moment_arms_mm =

@@ -1,6 +1,7 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/report/report_json.h"
+#include "musclewarp/frames/fibre_measures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,8 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
   OrderedJson muscles = OrderedJson::array();
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
     const PreparedMuscle& muscle = scene.muscles[i];
+    const FibreSpread fibres =
+        SpreadOf(LinesAt(muscle.fibres, muscle.model.coarse_rest));
     const bool has_named = !scene.scene.muscles[i].attachments.empty();
     muscles.push_back({{"name", muscle.model.name},
                        {"mesh", muscle.mesh.path},
@@ -59,6 +62,9 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
                        {"lines", muscle.model.lines.size()},
                        {"fibres", muscle.fibres.num_lines()},
                        {"fibres_ms", muscle.fibres_ms},
+                       {"shortest_fibre_mm", fibres.shortest},
+                       {"fibre_origins_spread_mm", fibres.at_origin},
+                       {"fibre_insertions_spread_mm", fibres.at_insertion},
                        {"attachment_rows", muscle.model.attachment_of.size()},
                        {"attachments", AttachmentsJson(muscle, !has_named)},
                        {"defects", DefectsJson(muscle.mesh.defects)},
