@@ -12,7 +12,7 @@
 
 namespace musclewarp {
 
-// Bodies of one bone each, balls of radius 8.
+// Bodies whose bones are balls of radius 8.
 class BallBones {
  public:
   void Add(const std::string& body, const Eigen::RowVector3d& place) {
@@ -20,6 +20,11 @@ class BallBones {
     ball.points.rowwise() += place;
     trees_.push_back(
         std::make_unique<TriangleBvh>(ball.points, ball.triangles));
+    for (BodySurface& known : bodies_) {
+      if (known.body != body) continue;
+      known.bones.push_back(trees_.back().get());
+      return;
+    }
     bodies_.push_back({body, {trees_.back().get()}});
   }
   const std::vector<BodySurface>& bodies() const { return bodies_; }

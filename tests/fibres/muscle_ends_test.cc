@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "fibres/ball_bones.h"
 #include "support/meshes.h"
 
@@ -112,6 +114,57 @@ TEST_F(MuscleEndsTest, AttachmentsComeFirst) {
   EXPECT_GT(MeanHeight(ends.origin), 40);
   EXPECT_EQ(ends.insertion.body, "femur");
   EXPECT_NEAR(MeanHeight(ends.insertion), 0, 5);
+}
+
+// Given areas are not cut, however near they come to the other end, and those
+// of one body count together.
+TEST_F(MuscleEndsTest, GivenAreasCountWhole) {
+  Attachment low, high, insertion;
+  low.body = high.body = "pelvis";
+  low.points = Eigen::RowVector3d(0, 10, 0);
+  high.points = Eigen::RowVector3d(0, 0, 50);
+  insertion.body = "femur";
+  insertion.points = Eigen::RowVector3d(0, 0, -50);
+  low.radius = high.radius = insertion.radius = 8;
+  bones_.Add("pelvis", {0, 0, 90});
+  bones_.Add("femur", {0, 0, -90});
+  const MuscleEnds ends = Find({low, high, insertion});
+  double lowest = 50, highest = -50;
+  for (const int v : ends.origin.voxels) {
+    lowest = std::min(lowest, grid_.Center(v)[2]);
+    highest = std::max(highest, grid_.Center(v)[2]);
+  }
+  EXPECT_LT(lowest, -3);
+  EXPECT_GT(highest, 43);
+  EXPECT_LT(MeanHeight(ends.insertion), -43);
+}
+
+// An origin that runs along the muscle is kept where it is clear of the bones
+// of the insertion; the far part of it alone would begin at a height of 13 mm.
+TEST_F(MuscleEndsTest, AnOriginAlongTheMuscleIsKeptWhereTheOtherBoneIsFar) {
+  for (const double z : {-36, 2, 14, 26, 38}) bones_.Add("pelvis", {16, 0, z});
+  bones_.Add("femur", {0, 0, -56});
+  const MuscleEnds ends = Find();
+  double lowest = 50;
+  for (const int v : ends.origin.voxels) {
+    lowest = std::min(lowest, grid_.Center(v)[2]);
+  }
+  EXPECT_LT(lowest, 5);
+  EXPECT_GT(lowest, -32);  // the bone reaches down to -44
+  EXPECT_LT(MeanHeight(ends.insertion), -35);
+}
+
+TEST_F(MuscleEndsTest, PointsNearBonesAreThoseOfTheNearestBody) {
+  bones_.Add("pelvis", {0, 0, 56});
+  bones_.Add("femur", {0, 0, -56});
+  const auto near = VerticesNearBones(muscle_.points, bones_.bodies());
+  ASSERT_EQ(near.size(), 2u);
+  for (const size_t b : {0, 1}) {
+    ASSERT_FALSE(near[b].empty());
+    for (const int v : near[b]) {
+      EXPECT_GT((b == 0 ? 1 : -1) * muscle_.points(v, 2), 40);
+    }
+  }
 }
 
 }  // namespace

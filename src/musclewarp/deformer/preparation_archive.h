@@ -4,6 +4,7 @@
 
 // Serialization of a Preparation by cereal, for preparation_cache.cc.
 
+#include <cereal/types/map.hpp>
 #include <cereal/types/optional.hpp>
 #include <cereal/types/string.hpp>
 #include <cereal/types/vector.hpp>
@@ -175,6 +176,7 @@ MUSCLEWARP_ARCHIVE(PreparedMuscle,
                    mesh,
                    model,
                    attached,
+                   area_on_bones,
                    attachment_warnings,
                    hull_encloses,
                    lines,

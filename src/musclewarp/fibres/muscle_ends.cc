@@ -26,6 +26,10 @@ constexpr double kLoneLineEnd = 0.1;
 // this share of the largest such distance. The same holds for a lone tip.
 constexpr double kEndShare = 0.7;
 
+// What is farther from the bones of the other end than this share of the
+// muscle's length belongs to an end, too: origins that run along a muscle.
+constexpr double kClearShare = 0.2;
+
 void SortUnique(std::vector<int>* voxels) {
   std::sort(voxels->begin(), voxels->end());
   voxels->erase(std::unique(voxels->begin(), voxels->end()), voxels->end());
@@ -66,6 +70,30 @@ std::vector<int> FarPart(const Eigen::VectorXd& distances,
     if (distances[v] >= kEndShare * farthest) far.push_back(v);
   }
   return far;
+}
+
+// Returns the surface of a body, or null if it has none.
+const BodySurface* SurfaceNamed(const std::vector<BodySurface>& bodies,
+                                const std::string& name) {
+  for (const BodySurface& body : bodies) {
+    if (body.body == name) return &body;
+  }
+  return nullptr;
+}
+
+// Returns the voxels of an area that are far from the other end of the muscle,
+// as FarPart has it, or farther than `clear` (mm) from the bones of its body.
+std::vector<int> FarOrClearPart(const VoxelGrid& grid,
+                                const Eigen::VectorXd& distances,
+                                const BodySurface* other,
+                                double clear,
+                                const std::vector<int>& voxels) {
+  std::vector<int> chosen = FarPart(distances, voxels);
+  for (const int v : voxels) {
+    if (other && other->Distance(grid.Center(v)) > clear) chosen.push_back(v);
+  }
+  SortUnique(&chosen);
+  return chosen;
 }
 
 std::string NearestBody(const std::vector<BodySurface>& bodies,
@@ -117,33 +145,11 @@ std::vector<MuscleEnd> GivenAreas(const TriangleSoup& muscle,
 std::vector<MuscleEnd> NearAreas(const TriangleSoup& muscle,
                                  const VoxelGrid& grid,
                                  const std::vector<BodySurface>& bodies) {
-  const Eigen::Index count = muscle.points.rows();
-  Eigen::MatrixXd distances(count, bodies.size());
-#pragma omp parallel for schedule(dynamic, 64)
-  for (Eigen::Index v = 0; v < count; ++v) {
-    for (size_t b = 0; b < bodies.size(); ++b) {
-      double distance = kNearBone + kAreaDepth;
-      for (const TriangleBvh* bone : bodies[b].bones) {
-        distance = std::min(
-            distance,
-            bone->ClosestPoint(muscle.points.row(v), distance).distance);
-      }
-      distances(v, b) = distance;
-    }
-  }
   std::vector<MuscleEnd> areas;
+  const auto near = VerticesNearBones(muscle.points, bodies);
   for (size_t b = 0; b < bodies.size(); ++b) {
-    const double nearest = distances.col(b).minCoeff();
-    if (nearest > kNearBone) continue;
-    std::vector<int> vertices;
-    for (Eigen::Index v = 0; v < count; ++v) {
-      if (distances(v, b) <= nearest + kAreaDepth &&
-          distances(v, b) == distances.row(v).minCoeff()) {
-        vertices.push_back(static_cast<int>(v));
-      }
-    }
     MuscleEnd area{bodies[b].body,
-                   VoxelsAt(grid, RowsOf(muscle.points, vertices))};
+                   VoxelsAt(grid, RowsOf(muscle.points, near[b]))};
     if (!area.voxels.empty()) areas.push_back(std::move(area));
   }
   return areas;
@@ -233,6 +239,25 @@ double BodySurface::Distance(const Eigen::RowVector3d& point) const {
 
 namespace {
 
+// Returns which two areas are farthest apart. `distances` are those of all
+// voxels from each.
+std::pair<size_t, size_t> FarthestApart(
+    const std::vector<MuscleEnd>& areas,
+    const std::vector<Eigen::VectorXd>& distances) {
+  std::pair<size_t, size_t> farthest = {0, 1};
+  double most = -1;
+  for (size_t i = 0; i < areas.size(); ++i) {
+    for (size_t j = i + 1; j < areas.size(); ++j) {
+      const double apart = Median(distances[i], areas[j].voxels) +
+                           Median(distances[j], areas[i].voxels);
+      if (apart <= most) continue;
+      most = apart;
+      farthest = {i, j};
+    }
+  }
+  return farthest;
+}
+
 // Areas of two bodies may share voxels, which then belong to neither end.
 void DropSharedVoxels(MuscleEnds* ends) {
   std::vector<int> shared;
@@ -254,6 +279,35 @@ void DropSharedVoxels(MuscleEnds* ends) {
 
 }  // namespace
 
+std::vector<std::vector<int>> VerticesNearBones(
+    const Points& points, const std::vector<BodySurface>& bodies) {
+  const Eigen::Index count = points.rows();
+  Eigen::MatrixXd distances(count, bodies.size());
+#pragma omp parallel for schedule(dynamic, 64)
+  for (Eigen::Index v = 0; v < count; ++v) {
+    for (size_t b = 0; b < bodies.size(); ++b) {
+      double distance = kNearBone + kAreaDepth;
+      for (const TriangleBvh* bone : bodies[b].bones) {
+        distance = std::min(
+            distance, bone->ClosestPoint(points.row(v), distance).distance);
+      }
+      distances(v, b) = distance;
+    }
+  }
+  std::vector<std::vector<int>> near(bodies.size());
+  for (size_t b = 0; count > 0 && b < bodies.size(); ++b) {
+    const double nearest = distances.col(b).minCoeff();
+    if (nearest > kNearBone) continue;
+    for (Eigen::Index v = 0; v < count; ++v) {
+      if (distances(v, b) <= nearest + kAreaDepth &&
+          distances(v, b) == distances.row(v).minCoeff()) {
+        near[b].push_back(static_cast<int>(v));
+      }
+    }
+  }
+  return near;
+}
+
 MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
                           const VoxelGrid& grid,
                           const std::vector<BodySurface>& bodies,
@@ -268,20 +322,7 @@ MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
   for (const MuscleEnd& area : areas) {
     distances.push_back(DistancesWithin(grid, area.voxels));
   }
-  size_t a = 0;
-  size_t b = 1;
-  double farthest = -1;
-  for (size_t i = 0; i < areas.size(); ++i) {
-    for (size_t j = i + 1; j < areas.size(); ++j) {
-      const double apart = Median(distances[i], areas[j].voxels) +
-                           Median(distances[j], areas[i].voxels);
-      if (apart > farthest) {
-        farthest = apart;
-        a = i;
-        b = j;
-      }
-    }
-  }
+  const auto [a, b] = FarthestApart(areas, distances);
   MuscleEnds ends;
   ends.origin.body = areas[a].body;
   ends.insertion.body = areas[b].body;
@@ -289,9 +330,18 @@ MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
     ends.origin.voxels = areas[a].voxels;
     ends.insertion.voxels = areas[b].voxels;
   } else {
-    ends.origin.voxels = FarPart(distances[b], areas[a].voxels);
+    const double clear = kClearShare * distances[b].maxCoeff();
+    ends.origin.voxels = FarOrClearPart(grid,
+                                        distances[b],
+                                        SurfaceNamed(bodies, areas[b].body),
+                                        clear,
+                                        areas[a].voxels);
     ends.insertion.voxels =
-        FarPart(DistancesWithin(grid, ends.origin.voxels), areas[b].voxels);
+        FarOrClearPart(grid,
+                       DistancesWithin(grid, ends.origin.voxels),
+                       SurfaceNamed(bodies, areas[a].body),
+                       clear,
+                       areas[b].voxels);
   }
   DropSharedVoxels(&ends);
   // If no two ends remain, for example because the areas are the same place,

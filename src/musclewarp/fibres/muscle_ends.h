@@ -30,6 +30,13 @@ struct BodySurface {
   double Distance(const Eigen::RowVector3d& point) const;
 };
 
+// Returns for each body the points (#V x 3, mm, at rest) of a muscle that lie
+// on it: nearer to its bones than to those of other bodies, and at most
+// kAreaDepth farther from them than the nearest point, if that is within
+// kNearBone.
+std::vector<std::vector<int>> VerticesNearBones(
+    const Points& points, const std::vector<BodySurface>& bodies);
+
 // One end of a muscle: the part of its inside that belongs to it, and the body
 // to which it is attached.
 struct MuscleEnd {
@@ -58,8 +65,9 @@ struct KnownEnds {
 // the scene, counts as such an area and belongs to the nearest body. So does a
 // tip at which one of the action lines ends; it belongs to the line's body.
 //
-// Areas that are given count whole, those of one body together; of areas that
-// were found and run along the muscle only the far parts are kept. If no two
+// Areas that are given count whole, those of one body together. Of areas that
+// were found and run along the muscle the parts are kept that are far from the
+// other end, or from the bones of its body. If no two
 // ends remain, the two tips of the muscle are the ends. The origin is the end
 // whose body comes first in `bodies`. Precondition: the grid has at least two
 // voxels.

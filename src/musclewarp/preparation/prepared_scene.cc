@@ -75,6 +75,19 @@ void AddBones(const std::vector<PreparedBone>& bones,
   }
 }
 
+// Returns how much of the surface of a muscle lies on each body, mm^2.
+std::map<std::string, double> AreaOnBones(
+    const TriangleSoup& muscle, const std::vector<BodySurface>& bodies) {
+  const Eigen::VectorXd areas = VertexAreas(muscle.points, muscle.triangles);
+  const auto near = VerticesNearBones(muscle.points, bodies);
+  std::map<std::string, double> area_on_bones;
+  for (size_t b = 0; b < bodies.size(); ++b) {
+    if (near[b].empty()) continue;
+    area_on_bones[bodies[b].body] = areas(near[b]).sum();
+  }
+  return area_on_bones;
+}
+
 // Prepares all data that depends on the mesh of muscle `m` and is not kept:
 // `muscle` has the attachments, and `hull` is the coarse mesh.
 void PrepareModel(const Surroundings& surroundings,
@@ -101,6 +114,7 @@ void PrepareModel(const Surroundings& surroundings,
     prepared->attached =
         FindAttachedVertices(prepared->model.attachments, fine.points);
   }
+  prepared->area_on_bones = AreaOnBones(fine, surroundings.bodies());
   prepared->lines =
       CarryActionLines(prepared->model, model_options.sample_spacing);
   if (options.fibres.fibres > 0) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -125,6 +126,10 @@ struct PreparedMuscle {
   MeshPreparation mesh;
   MuscleModel model;
   AttachedVertices attached;
+
+  // By body: how much of the surface lies on its bones (VerticesNearBones),
+  // mm^2. An attachment that was found is a part of that.
+  std::map<std::string, double> area_on_bones;
 
   // One sentence per line that contradicts an attachment.
   std::vector<std::string> attachment_warnings;
