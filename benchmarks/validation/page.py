@@ -18,6 +18,7 @@ import sys
 
 import arms
 import dostal
+import fine_fibres
 import frames
 import literature
 import pictures
@@ -88,7 +89,8 @@ def sections_of(data, out, plots, render):
     flexion, *others = motions
     sections = [
         arms.opensim_section(flexion, data, out, REPOSITORY / "docs/results.md"),
-        literature.fibres_section(motions, by_found, data, plots, psoas_number=5),
+        literature.fibres_section(motions, by_found, data, plots, psoas_number=6),
+        fine_fibres.fine_section(motions, data, fibres_number=2),
         straight.pairs_section(flexion, data),
         dostal.dostal_section(motions, data),
         arms.psoas_section(flexion, data, plots),
