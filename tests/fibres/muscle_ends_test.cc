@@ -16,9 +16,10 @@ namespace {
 class MuscleEndsTest : public ::testing::Test {
  protected:
   MuscleEnds Find(const std::vector<Attachment>& attachments = {},
-                  const std::vector<ActionLine>& lines = {}) const {
+                  const std::vector<ActionLine>& lines = {},
+                  EndExtent extent = EndExtent::kFarPart) const {
     return FindMuscleEnds(
-        muscle_, grid_, bones_.bodies(), {attachments, lines});
+        muscle_, grid_, bones_.bodies(), {attachments, lines}, extent);
   }
 
   double MeanHeight(const MuscleEnd& end) const {
@@ -139,19 +140,24 @@ TEST_F(MuscleEndsTest, GivenAreasCountWhole) {
   EXPECT_LT(MeanHeight(ends.insertion), -43);
 }
 
-// An origin that runs along the muscle is kept where it is clear of the bones
-// of the insertion; the far part of it alone would begin at a height of 13 mm.
-TEST_F(MuscleEndsTest, AnOriginAlongTheMuscleIsKeptWhereTheOtherBoneIsFar) {
+// Fibres of an origin that runs along the muscle begin where it is clear of the
+// bones of the insertion; the far part of it alone begins at a height of 13 mm.
+TEST_F(MuscleEndsTest, AnOriginAlongTheMuscleIsClearOfTheOtherBone) {
   for (const double z : {-36, 2, 14, 26, 38}) bones_.Add("pelvis", {16, 0, z});
   bones_.Add("femur", {0, 0, -56});
-  const MuscleEnds ends = Find();
-  double lowest = 50;
-  for (const int v : ends.origin.voxels) {
-    lowest = std::min(lowest, grid_.Center(v)[2]);
-  }
-  EXPECT_LT(lowest, 5);
-  EXPECT_GT(lowest, -32);  // the bone reaches down to -44
-  EXPECT_LT(MeanHeight(ends.insertion), -35);
+  const auto lowest = [&](EndExtent extent) {
+    const MuscleEnds ends = Find({}, {}, extent);
+    EXPECT_LT(MeanHeight(ends.insertion), -35);
+    double least = 50;
+    for (const int v : ends.origin.voxels) {
+      least = std::min(least, grid_.Center(v)[2]);
+    }
+    return least;
+  };
+  EXPECT_LT(lowest(EndExtent::kClearOfOther), 5);
+  // The bones reach down to -44.
+  EXPECT_GT(lowest(EndExtent::kClearOfOther), -32);
+  EXPECT_GT(lowest(EndExtent::kFarPart), 5);
 }
 
 TEST_F(MuscleEndsTest, PointsNearBonesAreThoseOfTheNearestBody) {

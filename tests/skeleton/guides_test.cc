@@ -120,26 +120,40 @@ Eigen::VectorXd StretchesOfSegments(double belly, double stretch) {
           (rest.bottomRows(10) - rest.topRows(10)).col(0).array());
 }
 
+// Of a stretch of the whole by 2 % the tendon takes a thirtieth.
 TEST(Guides, TendonsKeepTheirLength) {
-  for (const double stretch : {0.9, 1.0, 1.1}) {
+  for (const double stretch : {0.98, 1.0, 1.02}) {
     const Eigen::VectorXd factors = StretchesOfSegments(70, stretch);
-    EXPECT_NEAR(factors[9], 1, 1e-12);
+    EXPECT_NEAR(factors[9], 1, 0.03 * std::abs(stretch - 1) + 1e-12);
     EXPECT_NEAR(factors[0], factors[4], 1e-12);
     // The seventh segment lies between belly and tendon.
-    EXPECT_NEAR(factors[0] - 1, (stretch - 1) / 0.7, 0.02);
+    EXPECT_NEAR(factors[0] - 1, (stretch - 1) / 0.7, 0.005);
   }
 }
 
-// A short belly is stretched by 15 % for its tendon, and no more; where all
-// of the muscle is stretched as much, it is stretched alike.
-TEST(Guides, AShortBellyBearsItsShare) {
+// The tendon of a short belly gives earlier, so that no belly is stretched by a
+// tenth of its length more than the whole; at last all is stretched alike.
+TEST(Guides, AShortBellyIsSpared) {
   for (const double sign : {-1.0, 1.0}) {
-    const Eigen::VectorXd little = StretchesOfSegments(30, 1 + sign * 0.1);
-    EXPECT_NEAR(little[0], 1 + sign * 0.15, 1e-12);
-    EXPECT_LT(std::abs(little[9] - 1), 0.1);
-    EXPECT_GT(std::abs(little[9] - 1), 0.05);
-    const Eigen::VectorXd much = StretchesOfSegments(30, 1 + sign * 0.3);
-    EXPECT_LT((much.array() - 1 - sign * 0.3).abs().maxCoeff(), 1e-12);
+    for (double stretch = 0.01; stretch < 0.6; stretch += 0.01) {
+      const Eigen::VectorXd factors =
+          StretchesOfSegments(30, 1 + sign * stretch);
+      EXPECT_LT(std::abs(factors[0] - 1), stretch + 0.1);
+      EXPECT_LE(std::abs(factors[9] - 1), stretch);
+    }
+    const Eigen::VectorXd much = StretchesOfSegments(30, 1 + sign * 0.9);
+    EXPECT_LT((much.array() - 1 - sign * 0.9).abs().maxCoeff(), 0.02);
+  }
+}
+
+// Moment arms are derivatives: what a tendon takes has no kinks.
+TEST(Guides, TendonsGiveSmoothly) {
+  constexpr double kStep = 0.005;
+  for (double stretch = 0.7; stretch < 1.3; stretch += kStep) {
+    const Eigen::VectorXd bend = StretchesOfSegments(60, stretch - kStep) -
+                                 2 * StretchesOfSegments(60, stretch) +
+                                 StretchesOfSegments(60, stretch + kStep);
+    EXPECT_LT(bend.cwiseAbs().maxCoeff(), 20 * kStep * kStep);
   }
 }
 

@@ -140,7 +140,12 @@ Courses FindCourses(const TriangleSoup& muscle,
   const VoxelGrid grid = Voxelize(muscle, options.voxels);
   Courses courses;
   if (grid.num_voxels() < kFewest) return courses;
-  courses.ends = FindMuscleEnds(muscle, grid, bodies, known);
+  courses.ends = FindMuscleEnds(
+      muscle,
+      grid,
+      bodies,
+      known,
+      options.reaches_tips ? EndExtent::kFarPart : EndExtent::kClearOfOther);
   const LaplacianFlow flow = SolveFlow(
       grid, courses.ends.origin.voxels, courses.ends.insertion.voxels);
   const InsideTest inside(muscle.points, muscle.triangles, /*seed=*/1);

@@ -130,11 +130,13 @@ std::vector<Attachment> FindAttachments(
     const TriangleSoup& muscle,
     const std::vector<BodySurface>& bodies,
     const std::vector<const TriangleBvh*>& soft_parts,
-    const std::vector<ActionLine>& lines) {
+    const std::vector<ActionLine>& lines,
+    EndExtent extent) {
   const VoxelGrid grid = Voxelize(muscle, kVoxels);
   std::vector<Attachment> attachments;
   if (bodies.empty() || grid.num_voxels() < 2) return attachments;
-  const MuscleEnds ends = FindMuscleEnds(muscle, grid, bodies, {{}, lines});
+  const MuscleEnds ends =
+      FindMuscleEnds(muscle, grid, bodies, {{}, lines}, extent);
   for (const MuscleEnd* end : {&ends.origin, &ends.insertion}) {
     const auto body = std::find_if(
         bodies.begin(), bodies.end(), [&](const BodySurface& surface) {

@@ -21,11 +21,13 @@ namespace musclewarp {
 // All meshes and `lines`, the action lines of the muscle, are those of the rest
 // pose, in mm. The points of an attachment are
 // vertices of `muscle`, and its radius is next to nothing, so that it covers
-// just these. There may be two attachments, one, or none.
+// just these. Of areas that run along the muscle they have `extent`. There may
+// be two attachments, one, or none.
 std::vector<Attachment> FindAttachments(
     const TriangleSoup& muscle,
     const std::vector<BodySurface>& bodies,
     const std::vector<const TriangleBvh*>& soft_parts,
-    const std::vector<ActionLine>& lines);
+    const std::vector<ActionLine>& lines,
+    EndExtent extent = EndExtent::kFarPart);
 
 }  // namespace musclewarp

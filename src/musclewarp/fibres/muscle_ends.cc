@@ -311,7 +311,8 @@ std::vector<std::vector<int>> VerticesNearBones(
 MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
                           const VoxelGrid& grid,
                           const std::vector<BodySurface>& bodies,
-                          const KnownEnds& known) {
+                          const KnownEnds& known,
+                          EndExtent extent) {
   std::vector<MuscleEnd> areas = GivenAreas(muscle, grid, known.attachments);
   const bool is_given = areas.size() >= 2;
   if (areas.empty()) areas = NearAreas(muscle, grid, bodies);
@@ -330,7 +331,9 @@ MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
     ends.origin.voxels = areas[a].voxels;
     ends.insertion.voxels = areas[b].voxels;
   } else {
-    const double clear = kClearShare * distances[b].maxCoeff();
+    const double clear = extent == EndExtent::kClearOfOther
+                             ? kClearShare * distances[b].maxCoeff()
+                             : std::numeric_limits<double>::infinity();
     ends.origin.voxels = FarOrClearPart(grid,
                                         distances[b],
                                         SurfaceNamed(bodies, areas[b].body),

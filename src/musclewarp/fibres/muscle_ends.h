@@ -55,6 +55,17 @@ struct KnownEnds {
   std::vector<ActionLine> lines;
 };
 
+// How much of an area that was found, and runs along the muscle, is its end.
+enum class EndExtent {
+  // What is far from the other end. Where more is held than is attached, a
+  // tendon beside a bone for example, what is left between has to bear all of
+  // the stretch.
+  kFarPart,
+  // What is far from the other end, or from the bones of its body: where fibres
+  // may begin.
+  kClearOfOther,
+};
+
 // Finds where a muscle begins and ends, which meshes from segmentation do not
 // say. `grid` holds the voxels of the mesh `muscle`, in the rest pose.
 //
@@ -65,15 +76,15 @@ struct KnownEnds {
 // the scene, counts as such an area and belongs to the nearest body. So does a
 // tip at which one of the action lines ends; it belongs to the line's body.
 //
-// Areas that are given count whole, those of one body together. Of areas that
-// were found and run along the muscle the parts are kept that are far from the
-// other end, or from the bones of its body. If no two
+// Areas that are given count whole, those of one body together; those that are
+// found have the given extent. If no two
 // ends remain, the two tips of the muscle are the ends. The origin is the end
 // whose body comes first in `bodies`. Precondition: the grid has at least two
 // voxels.
 MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
                           const VoxelGrid& grid,
                           const std::vector<BodySurface>& bodies,
-                          const KnownEnds& known);
+                          const KnownEnds& known,
+                          EndExtent extent);
 
 }  // namespace musclewarp

@@ -14,11 +14,11 @@
 #include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/stopwatch.h"
-#include "musclewarp/fibres/voxel_grid.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/preparation/delivered_mesh.h"
 #include "musclewarp/preparation/exempt_areas.h"
+#include "musclewarp/preparation/muscle_interior.h"
 #include "musclewarp/preparation/surroundings.h"
 #include "musclewarp/scene/coordinate_limits.h"
 #include "musclewarp/scene/far_lines.h"
@@ -29,10 +29,6 @@
 
 namespace musclewarp {
 namespace {
-
-// The number of fibres that resist bending: enough to have some in every part
-// of a fan, and few, as each row is dense.
-constexpr int kBendingFibres = 33;
 
 // Repairs a mesh. Messages name a mesh without a file by `name`.
 TriangleSoup Repaired(const TriangleSoup& delivered,
@@ -75,24 +71,13 @@ void AddBones(const std::vector<PreparedBone>& bones,
   }
 }
 
-// Returns how much of the surface of a muscle lies on each body, mm^2.
-std::map<std::string, double> AreaOnBones(
-    const TriangleSoup& muscle, const std::vector<BodySurface>& bodies) {
-  const Eigen::VectorXd areas = VertexAreas(muscle.points, muscle.triangles);
-  const auto near = VerticesNearBones(muscle.points, bodies);
-  std::map<std::string, double> area_on_bones;
-  for (size_t b = 0; b < bodies.size(); ++b) {
-    if (near[b].empty()) continue;
-    area_on_bones[bodies[b].body] = areas(near[b]).sum();
-  }
-  return area_on_bones;
-}
-
-// Prepares all data that depends on the mesh of muscle `m` and is not kept:
-// `muscle` has the attachments, and `hull` is the coarse mesh.
+// Prepares all data that depends on the mesh of a muscle and is not kept:
+// `muscle` has the attachments, which the scene names or which were found, and
+// `hull` is the coarse mesh.
 void PrepareModel(const Surroundings& surroundings,
                   const PrepareOptions& options,
                   const SceneMuscle& muscle,
+                  bool names_attachments,
                   const TriangleSoup& fine,
                   const TriangleSoup& hull,
                   PreparedMuscle* prepared) {
@@ -101,13 +86,11 @@ void PrepareModel(const Surroundings& surroundings,
   if (options.attachments == AttachmentKind::kNone) {
     model_options.attachment_weight = 0;
   }
-  const KnownEnds ends = {muscle.attachments, muscle.lines};
+  const KnownEnds ends =
+      EndsOfFibres(fine, surroundings.bodies(), muscle, names_attachments);
   MuscleInterior interior;
   if (!muscle.lines.empty()) {
-    interior.points = Centers(Voxelize(fine, options.fibres.voxels));
-    FibreOptions fibres = options.fibres;
-    fibres.fibres = kBendingFibres;
-    interior.fibres = MakeFibres(fine, surroundings.bodies(), ends, fibres);
+    interior = InteriorOf(fine, surroundings.bodies(), ends, options.fibres);
   }
   prepared->model = PrepareMuscle(muscle, fine, hull, interior, model_options);
   if (options.attachments != AttachmentKind::kNone) {
@@ -143,7 +126,13 @@ void PrepareFromMesh(const Surroundings& surroundings,
                                          surroundings.MusclesBeside(m),
                                          &prepared->attachment_warnings);
   const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
-  PrepareModel(surroundings, options, muscle, fine, hull, prepared);
+  PrepareModel(surroundings,
+               options,
+               muscle,
+               !scene.muscles[m].attachments.empty(),
+               fine,
+               hull,
+               prepared);
 }
 
 // Reads and repairs the mesh of a bone.
@@ -332,6 +321,7 @@ void RetriangulateMuscles(const PrepareOptions& options,
     PrepareModel(surroundings,
                  options,
                  muscle,
+                 !prepared->scene.muscles[muscles[k]].attachments.empty(),
                  meshes[k],
                  {model.coarse_rest, model.coarse_triangles},
                  &prepared_muscle);

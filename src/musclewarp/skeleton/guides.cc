@@ -28,9 +28,10 @@ constexpr double kSamePlace = 0.01;
 // largest area of the muscle, as belly above the second.
 constexpr double kTendonArea = 0.075;
 constexpr double kBellyArea = 0.225;
-// By how much of its length a belly is stretched so that its tendon keeps its
-// length. Beyond, the tendon gives, until all of the muscle is stretched alike.
-constexpr double kBorneByBelly = 0.15;
+// A belly that is stretched by this share of its length bears a half of what
+// its tendon would be stretched by; of less it bears more, of more less, until
+// all of the muscle is stretched alike.
+constexpr double kHalfBorne = 0.15;
 // Over which length areas are smoothed: that of a segment, twice.
 constexpr int kSmoothingRounds = 2;
 
@@ -186,12 +187,11 @@ Eigen::VectorXd SharesAt(const GuidePath& path, double length) {
       path.shares.tail(count) - path.shares.head(count);
   const double stretch = length / path.rest_length - 1;
   const double mean = at_rest.dot(path.compliance);
-  // The stretch of the belly, and how that of a part follows from it.
-  const double whole = std::abs(stretch);
-  const double belly = std::copysign(
-      std::min(whole / mean, std::max(kBorneByBelly, whole)), stretch);
-  const double by_compliance = (belly - stretch) / (1 - mean);
-  const double shared = stretch - by_compliance * mean;
+  // The tendon is stretched by what the belly does not bear for it.
+  const double whole = stretch / (kHalfBorne * mean);
+  const double borne = 1 / (1 + whole * whole);
+  const double shared = (1 - borne) * stretch;
+  const double by_compliance = borne * stretch / mean;
   Eigen::VectorXd shares = path.shares;
   for (Eigen::Index i = 0; i < count; ++i) {
     shares[i + 1] =

@@ -14,7 +14,7 @@ namespace musclewarp {
 // How a muscle follows its lines of action where they get longer or shorter.
 enum class LineRule {
   // It slides along them, and its thin parts, which are tendons, keep their
-  // length as long as the belly is stretched by at most 15 % for it.
+  // length as long as the belly is stretched little for it.
   kTendon,
   // It slides along them: each place keeps its share of the length, so that the
   // whole muscle is stretched evenly.
