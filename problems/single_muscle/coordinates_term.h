@@ -13,8 +13,9 @@ namespace musclewarp {
 //
 //   r = sum_j k_j x_j - target,      3 residuals, mm times the row's weight.
 //
-// The skeleton rows, paper eq. (2.4) and (2.5), and the attachment rows are of
-// this form. Coordinates and target include the weight of the row.
+// The skeleton rows, paper eq. (2.4) and (2.5), the attachment rows and the
+// bending rows, whose coordinates are second differences, are of this form.
+// Coordinates and target include the weight of the row.
 //
 // Parameter blocks: the N coarse vertices in order, each of size 3, mm.
 struct CoordinatesTerm {
