@@ -120,11 +120,11 @@ Eigen::VectorXd StretchesOfSegments(double belly, double stretch) {
           (rest.bottomRows(10) - rest.topRows(10)).col(0).array());
 }
 
-// Of a stretch of the whole by 2 % the tendon takes a thirtieth.
+// Of a stretch of the whole by 2 % the tendon takes less than a tenth.
 TEST(Guides, TendonsKeepTheirLength) {
   for (const double stretch : {0.98, 1.0, 1.02}) {
     const Eigen::VectorXd factors = StretchesOfSegments(70, stretch);
-    EXPECT_NEAR(factors[9], 1, 0.03 * std::abs(stretch - 1) + 1e-12);
+    EXPECT_NEAR(factors[9], 1, 0.1 * std::abs(stretch - 1) + 1e-12);
     EXPECT_NEAR(factors[0], factors[4], 1e-12);
     // The seventh segment lies between belly and tendon.
     EXPECT_NEAR(factors[0] - 1, (stretch - 1) / 0.7, 0.005);
@@ -153,7 +153,7 @@ TEST(Guides, TendonsGiveSmoothly) {
     const Eigen::VectorXd bend = StretchesOfSegments(60, stretch - kStep) -
                                  2 * StretchesOfSegments(60, stretch) +
                                  StretchesOfSegments(60, stretch + kStep);
-    EXPECT_LT(bend.cwiseAbs().maxCoeff(), 20 * kStep * kStep);
+    EXPECT_LT(bend.cwiseAbs().maxCoeff(), 30 * kStep * kStep);
   }
 }
 

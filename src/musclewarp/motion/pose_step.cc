@@ -43,8 +43,7 @@ CoarseSolution SolveWithContactRows(const MotionContext& context,
   for (size_t i = 0; i < certified.muscles.size(); ++i) {
     solution.planes.push_back(planes.MostViolated(
         static_cast<int>(i), certified.samples[i], points[i], goal.targets[i]));
-    rows.push_back(OneSidedRowsOf(solution.planes.back().spaces,
-                                  certified.row_weights[i]));
+    rows.push_back(ContactRowsFor(certified, i, solution.planes.back()));
     CountWork(WorkUnit::kRows, rows.back().size());
   }
   SolvedPose solved = SolveWithRows(ModelsOf(certified.muscles),

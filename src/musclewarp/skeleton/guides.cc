@@ -31,7 +31,7 @@ constexpr double kBellyArea = 0.225;
 // A belly that is stretched by this share of its length bears a half of what
 // its tendon would be stretched by; of less it bears more, of more less, until
 // all of the muscle is stretched alike.
-constexpr double kHalfBorne = 0.15;
+constexpr double kHalfBorne = 0.1;
 // Over which length areas are smoothed: that of a segment, twice.
 constexpr int kSmoothingRounds = 2;
 

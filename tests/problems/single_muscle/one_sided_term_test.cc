@@ -16,10 +16,10 @@ namespace {
 // Rows for vertices all over the mesh, with depths of both signs.
 OneSidedRows RowsAllOver(const MuscleModel& model) {
   OneSidedRows rows;
-  rows.weight = 0.7;
   for (int v = 0; v < model.fine_rest.rows(); v += 20) {
     rows.vertices.push_back(v);
   }
+  rows.weights = Eigen::VectorXd::LinSpaced(rows.size(), 0.2, 0.9);
   rows.normals = RandomPoints(rows.size()).rowwise().normalized();
   const Points places = model.fine_rest(rows.vertices, Eigen::all);
   rows.levels = rows.normals.cwiseProduct(places).rowwise().sum();
