@@ -42,7 +42,7 @@ struct CertifiedContactOptions {
   // The weight of a row against a bone, if the coarse solve is not disabled.
   // Bones do not give way, so that the coarse shape itself should go over them:
   // moment arms are those of the coarse shape.
-  double coarse_bone_weight = 1;
+  double coarse_bone_weight = 0.5;
 
   // The separated rest pose is relaxed in at most `max_rest_steps` steps, until
   // at most one vertex in five hundred moves by more than the tolerance (mm) in
