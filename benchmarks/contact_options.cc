@@ -72,8 +72,6 @@ const std::map<std::string, Setter>& Setters() {
       {"defects.max_folded_fraction",
        [](double x, Options* o) { o->step.defects.max_folded_fraction = x; }},
       {"coarse_weight", [](double x, Options* o) { o->coarse_weight = x; }},
-      {"coarse_bone_weight",
-       [](double x, Options* o) { o->coarse_bone_weight = x; }},
       {"samples_per_coarse_vertex",
        [](double x, Options* o) { o->samples_per_coarse_vertex = x; }},
       {"rest_sweeps", [](double x, Options* o) { o->rest_sweeps = int(x); }},

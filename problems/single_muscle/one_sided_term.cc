@@ -26,11 +26,11 @@ bool OneSidedTerm::Evaluate(double const* const* parameters,
     Eigen::Map<Points> block(jacobians[j], rows_.size(), 3);
     for (int k = 0; k < rows_.size(); ++k) {
       const double weight =
-          depths[k] > 0 ? -rows_.weights[k] * fine_from_unknowns_(k, j) : 0;
+          depths[k] > 0 ? -rows_.weight * fine_from_unknowns_(k, j) : 0;
       block.row(k) = weight * rows_.normals.row(k);
     }
   }
-  depths = rows_.weights.cwiseProduct(depths.cwiseMax(0)).eval();
+  depths = rows_.weight * depths.cwiseMax(0);
   return depths.allFinite();
 }
 

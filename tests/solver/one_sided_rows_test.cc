@@ -36,7 +36,7 @@ TEST(OneSidedRows, AreThePlanesOfTheirVertices) {
   const std::vector<VertexHalfSpace> planes = PlanesAcrossX(model, 7, 3);
   const OneSidedRows rows = OneSidedRowsOf(planes, 0.5);
   ASSERT_EQ(rows.size(), static_cast<int>(planes.size()));
-  EXPECT_EQ(rows.weights, Eigen::VectorXd::Constant(rows.size(), 0.5));
+  EXPECT_EQ(rows.weight, 0.5);
   const Eigen::VectorXd depths =
       OneSidedDepths(rows, FineFromCoarse(model, rows), model.coarse_rest);
   for (int k = 0; k < rows.size(); ++k) {
@@ -52,7 +52,6 @@ TEST(OneSidedSystem, SolvesWithTheActiveRows) {
   OneSidedRows rows = OneSidedRowsOf(PlanesAcrossX(model, 5, 3), 0.7);
   // Every other row is not active: its vertex is beyond the plane.
   for (int k = 0; k < rows.size(); k += 2) rows.levels[k] -= 10;
-  for (int k = 0; k < rows.size(); k += 3) rows.weights[k] = 0.2;
   const RowMajorMatrix w = FineFromCoarse(model, rows);
   const Eigen::VectorXd depths = OneSidedDepths(rows, w, model.coarse_rest);
 
@@ -70,10 +69,10 @@ TEST(OneSidedSystem, SolvesWithTheActiveRows) {
     Eigen::VectorXd row(3 * count);
     for (int c = 0; c < 3; ++c) {
       row.segment(c * count, count) =
-          rows.weights[k] * rows.normals(k, c) * w.row(k).transpose();
+          rows.weight * rows.normals(k, c) * w.row(k).transpose();
     }
     dense += row * row.transpose();
-    descent += rows.weights[k] * depths[k] * row;
+    descent += rows.weight * depths[k] * row;
   }
   ASSERT_GT(active, 5);
   ASSERT_LT(active, rows.size());

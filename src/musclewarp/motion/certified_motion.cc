@@ -62,15 +62,16 @@ std::vector<ExemptArea> ExemptInOrder(const PreparedScene& scene,
   return exempt;
 }
 
-// Returns the factor of the weights of contact rows of a muscle. By area, a
-// muscle of `num_samples` even samples has rows that together weigh as much as
-// those of a hull of 200 vertices.
-double RowFactor(const CertifiedContactOptions& options,
+// Returns the weight of a contact row of a muscle. By area, a muscle of
+// `num_samples` even samples has rows that together weigh as much as those of a
+// hull of 200 vertices.
+double RowWeight(const CertifiedContactOptions& options,
                  const MuscleModel& model,
                  size_t num_samples) {
   constexpr double kVerticesOfFullWeight = 200;
-  if (model.weights == LaplacianWeights::kPaper) return 1;
-  return std::sqrt(options.samples_per_coarse_vertex * kVerticesOfFullWeight /
+  if (model.weights == LaplacianWeights::kPaper) return options.coarse_weight;
+  return options.coarse_weight *
+         std::sqrt(options.samples_per_coarse_vertex * kVerticesOfFullWeight /
                    static_cast<double>(num_samples));
 }
 
@@ -90,8 +91,8 @@ void AddSurfaces(const PreparedScene& scene,
         {model.coarse_rest, model.coarse_triangles},
         static_cast<int>(options.samples_per_coarse_vertex *
                          static_cast<double>(model.coarse_rest.rows()))));
-    certified->row_factors.push_back(
-        RowFactor(options, model, certified->samples.back().size()));
+    certified->row_weights.push_back(
+        RowWeight(options, model, certified->samples.back().size()));
   }
   for (const NamedMesh& bone : meshes.bones()) {
     certified->contact.bones.push_back(
@@ -194,7 +195,6 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
   return OptionCheck("CertifiedContactOptions", error)
              .IsAbove("samples_per_coarse_vertex", samples_per_coarse_vertex, 0)
              .IsAtLeast("coarse_weight", coarse_weight, 0)
-             .IsAbove("coarse_bone_weight", coarse_bone_weight, 0)
              .IsAtLeast("max_rest_steps", max_rest_steps, 0)
              .IsAtLeast("rest_sweeps", rest_sweeps, 1)
              .IsAbove("rest_tolerance", rest_tolerance, 0)
@@ -342,7 +342,8 @@ std::vector<ContactRows> ContactRowsOf(const CertifiedScene& certified,
   std::vector<ContactRows> contact;
   for (size_t i = 0; i < state.planes.size(); ++i) {
     const OwnedHalfSpaces& planes = state.planes[i];
-    contact.push_back({ContactRowsFor(certified, i, planes), planes.owners});
+    contact.push_back({OneSidedRowsOf(planes.spaces, certified.row_weights[i]),
+                       planes.owners});
     for (PlaneOwner& owner : contact.back().owners) {
       if (owner.IsBone()) continue;
       owner.muscle_above = certified.order[owner.muscle_above];

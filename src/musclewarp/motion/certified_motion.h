@@ -39,11 +39,6 @@ struct CertifiedContactOptions {
   double samples_per_coarse_vertex = 3;
   double coarse_weight = 0.3;
 
-  // The weight of a row against a bone, if the coarse solve is not disabled.
-  // Bones do not give way, so that the coarse shape itself should go over them:
-  // moment arms are those of the coarse shape.
-  double coarse_bone_weight = 0.5;
-
   // The separated rest pose is relaxed in at most `max_rest_steps` steps, until
   // at most one vertex in five hundred moves by more than the tolerance (mm) in
   // a step. Vertices start far from equilibrium, so these steps take more
@@ -117,9 +112,9 @@ struct CertifiedScene {
   ContactScene contact;
 
   // The fine vertices of each muscle that may get rows in the coarse solve, and
-  // the factor of the weights of its rows.
+  // the weight of its rows.
   std::vector<std::vector<int>> samples;
-  std::vector<double> row_factors;
+  std::vector<double> row_weights;
 
   // The separated rest pose. Attached vertices move rigidly with their bodies
   // from their positions in it.

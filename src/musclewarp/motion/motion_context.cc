@@ -18,18 +18,6 @@ std::vector<Points> FineMeshes(const CertifiedScene& certified,
   return meshes;
 }
 
-OneSidedRows ContactRowsFor(const CertifiedScene& certified,
-                            size_t i,
-                            const OwnedHalfSpaces& planes) {
-  const CertifiedContactOptions& options = certified.options;
-  OneSidedRows rows = OneSidedRowsOf(planes.spaces, options.coarse_weight);
-  for (int k = 0; k < rows.size(); ++k) {
-    if (planes.owners[k].IsBone()) rows.weights[k] = options.coarse_bone_weight;
-  }
-  rows.weights *= certified.row_factors[i];
-  return rows;
-}
-
 std::vector<Eigen::Matrix4d> BonesFromRest(const PreparedScene& scene,
                                            const ScenePose& pose) {
   std::vector<Eigen::Matrix4d> transforms;

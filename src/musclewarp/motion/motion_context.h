@@ -26,12 +26,6 @@ struct MotionContext {
 std::vector<Points> FineMeshes(const CertifiedScene& certified,
                                const std::vector<Points>& coarse);
 
-// Returns the rows of the coarse solve for planes of muscle `i`, in the order
-// of contact.
-OneSidedRows ContactRowsFor(const CertifiedScene& certified,
-                            size_t i,
-                            const OwnedHalfSpaces& planes);
-
 // Returns the transform of each bone from the rest pose to a pose.
 std::vector<Eigen::Matrix4d> BonesFromRest(const PreparedScene& scene,
                                            const ScenePose& pose);

@@ -43,7 +43,8 @@ CoarseSolution SolveWithContactRows(const MotionContext& context,
   for (size_t i = 0; i < certified.muscles.size(); ++i) {
     solution.planes.push_back(planes.MostViolated(
         static_cast<int>(i), certified.samples[i], points[i], goal.targets[i]));
-    rows.push_back(ContactRowsFor(certified, i, solution.planes.back()));
+    rows.push_back(OneSidedRowsOf(solution.planes.back().spaces,
+                                  certified.row_weights[i]));
     CountWork(WorkUnit::kRows, rows.back().size());
   }
   SolvedPose solved = SolveWithRows(ModelsOf(certified.muscles),

@@ -9,7 +9,7 @@ namespace musclewarp {
 OneSidedRows OneSidedRowsOf(const std::vector<VertexHalfSpace>& planes,
                             double weight) {
   OneSidedRows rows;
-  rows.weights.setConstant(planes.size(), weight);
+  rows.weight = weight;
   rows.normals.resize(planes.size(), 3);
   rows.levels.resize(planes.size());
   for (const VertexHalfSpace& plane : planes) {
@@ -49,7 +49,7 @@ void OneSidedSystem::UpdateActiveRows(const Points& coarse) {
   Eigen::MatrixXd matrix = (fine_from_coarse_(active_, Eigen::all) *
                             compliance_(Eigen::all, active_))
                                .cwiseProduct(normals * normals.transpose());
-  matrix.diagonal() += rows_.weights(active_).cwiseAbs2().cwiseInverse();
+  matrix.diagonal().array() += 1 / (rows_.weight * rows_.weight);
   active_matrix_.compute(matrix);
 }
 
@@ -65,8 +65,7 @@ Points OneSidedSystem::CorrectedSolution(Points solved) const {
 
 Points OneSidedSystem::CorrectedStep(const Points& step_without) const {
   if (active_.empty()) return step_without;
-  const Eigen::VectorXd forces =
-      rows_.weights(active_).cwiseAbs2().cwiseProduct(depths_(active_));
+  const Eigen::VectorXd forces = rows_.weight * rows_.weight * depths_(active_);
   const Points normals = rows_.normals(active_, Eigen::all);
   return CorrectedSolution(step_without + compliance_(Eigen::all, active_) *
                                               (forces.asDiagonal() * normals));

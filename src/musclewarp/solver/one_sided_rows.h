@@ -14,7 +14,7 @@ namespace musclewarp {
 // One-sided rows of the energy, beside the rows of the linear energy. Each asks
 // softly that a fine vertex v(k) lies in the half-space n_k . p >= level_k:
 //
-//   r_k = w_k max(0, level_k - n_k . (W X)_v(k)),   K residuals.
+//   r_k = weight max(0, level_k - n_k . (W X)_v(k)),   K residuals.
 //
 // A row is active, that is, not zero, while its vertex lies on the wrong side
 // of its plane. Without rows (K = 0) the energy is the linear one. Certified
@@ -24,13 +24,12 @@ struct OneSidedRows {
   std::vector<int> vertices;  // K: v(k), indices of fine vertices
   Points normals;             // K x 3: n_k, of unit length
   Eigen::VectorXd levels;     // K, mm
-  Eigen::VectorXd weights;    // K: w_k
+  double weight = 1;          // the same for all rows
 
   int size() const { return static_cast<int>(vertices.size()); }
 };
 
-// Returns the rows for `planes`, in their order, all of the same weight. A
-// vertex may have several.
+// Returns the rows for `planes`, in their order. A vertex may have several.
 OneSidedRows OneSidedRowsOf(const std::vector<VertexHalfSpace>& planes,
                             double weight);
 
@@ -49,7 +48,7 @@ Eigen::VectorXd OneSidedDepths(const OneSidedRows& rows,
 // Solves with the Gauss-Newton matrix of the energy that includes the active
 // one-sided rows,
 //
-//   A' = A (on x, y and z) + sum_active w^2 (W_v^T n)(W_v^T n)^T,
+//   A' = A (on x, y and z) + weight^2 sum_active (W_v^T n)(W_v^T n)^T,
 //
 // 3N x 3N: a row couples x, y and z. A' is never formed. Each active row adds
 // rank one, so the Woodbury identity corrects solutions with the factorised A

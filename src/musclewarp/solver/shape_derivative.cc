@@ -150,11 +150,11 @@ class ShapeSystem {
     return TransposedProducts(model_.fine_from_coarse, bent);
   }
 
-  // Adds the forces (K x 3) on the vertices of active rows, by w^2.
+  // Adds the forces (K x 3) on the vertices of active rows, by weight^2.
   void AddForces(const Points& forces, Points* sum) const {
     if (rows_.size() == 0) return;
-    *sum += fine_from_coarse_.transpose() *
-            (rows_.weights.cwiseAbs2().asDiagonal() * forces);
+    *sum +=
+        rows_.weight * rows_.weight * fine_from_coarse_.transpose() * forces;
   }
 
   // The direction of steepest descent of the energy without the constraint.
