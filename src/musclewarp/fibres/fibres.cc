@@ -30,28 +30,47 @@ void Smooth(int rounds, Points* line) {
   }
 }
 
+// Returns a point between one outside of the muscle and one in it that is
+// inside, as near to the former as bisection finds.
+Eigen::RowVector3d InsideBetween(const InsideTest& inside,
+                                 Eigen::RowVector3d out,
+                                 Eigen::RowVector3d in) {
+  constexpr int kBisections = 10;
+  for (int i = 0; i < kBisections; ++i) {
+    const Eigen::RowVector3d middle = (out + in) / 2;
+    (inside.Contains(middle) ? in : out) = middle;
+  }
+  return in;
+}
+
 // Corners of voxels stick out of the surface, and smoothing may cut a bend. So
 // points outside are moved towards the centre of their voxel until they are
-// inside or, where the muscle is thinner than a voxel, to the surface.
+// inside. Where the muscle is thinner than a voxel, points of fibres are moved
+// along the fibre, and those of lines, which reach the tips, to the surface.
 void PullInside(const VoxelGrid& grid,
                 const InsideTest& inside,
                 const TriangleBvh& surface,
+                bool reaches_tips,
                 Points* line) {
-  constexpr double kPart = 0.2;
-  for (Eigen::Index i = 0; i < line->rows(); ++i) {
+  const auto pull = [&](Eigen::Index i, Eigen::Index neighbour) {
     const Eigen::RowVector3d outside = line->row(i);
-    if (inside.Contains(outside)) continue;
+    if (inside.Contains(outside)) return;
     const int voxel = grid.Nearest(outside);
-    if (voxel < 0) continue;
+    if (voxel < 0) return;
     const Eigen::RowVector3d center = grid.Center(voxel);
-    bool is_inside = false;
-    for (double part = kPart; part < 1 + kPart / 2 && !is_inside;
-         part += kPart) {
-      line->row(i) = outside + std::min(1.0, part) * (center - outside);
-      is_inside = inside.Contains(line->row(i));
+    const Eigen::RowVector3d beside = line->row(neighbour);
+    if (inside.Contains(center)) {
+      line->row(i) = InsideBetween(inside, outside, center);
+    } else if (!reaches_tips && inside.Contains(beside)) {
+      line->row(i) = InsideBetween(inside, outside, beside);
+    } else {
+      line->row(i) = surface.ClosestPoint(outside).point;
     }
-    if (!is_inside) line->row(i) = surface.ClosestPoint(outside).point;
-  }
+  };
+  const Eigen::Index last = line->rows() - 1;
+  for (Eigen::Index i = 1; i < last; ++i) pull(i, i - 1);
+  pull(0, 1);
+  pull(last, last - 1);
 }
 
 // Returns the way from a place in the muscle to where the distance (#V) from
@@ -168,7 +187,7 @@ Courses FindCourses(const TriangleSoup& muscle,
     line = Resampled(line, kFine * (options.points - 1) + 1);
     Smooth(kRounds, &line);
     line = Resampled(line, options.points);
-    PullInside(grid, inside, surface, &line);
+    PullInside(grid, inside, surface, options.reaches_tips, &line);
     courses.lines.push_back(std::move(line));
   }
   DropShort(&courses.lines);
