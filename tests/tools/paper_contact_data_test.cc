@@ -77,11 +77,12 @@ TEST_F(ProgramsDataTest, PaperContactDoesNotDependOnThreads) {
 }
 
 TEST_F(ProgramsDataTest, LhdlFlexionRunsToTheEndInContact) {
-  // The paper knows no attachments.
+  // The paper knows no attachments, and muscles neither slide nor have fibres.
   const Json report = Deform("lhdl_hip_motion",
                              "ceres",
                              TestTempDir(),
-                             "--contact=paper --attachments=none");
+                             "--contact=paper --attachments=none "
+                             "--lines=fixed --bending_weight=0");
   EXPECT_EQ(report["frames"].size(), 36u);
   for (const Json& frame : report["frames"]) {
     EXPECT_TRUE(frame["usable"]) << frame["name"];
