@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/frame_solvers/certified_frame_solver.h"
 
-#include <optional>
+#include <algorithm>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/infinity.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/frame_solvers/certified_frame.h"
 #include "musclewarp/frames/moment_arms.h"
@@ -26,13 +28,48 @@ std::string TimeoutShortcoming(double reached, double wall_ms) {
 
 // A step keeps muscles in the planes of what was near when it began. Along a
 // rugged bone they may slide to where it comes nearer than the gap; another
-// step then finds the planes that were missing.
-constexpr int kMaxFurtherSteps = 2;
+// motion to the same pose then finds the planes that were missing.
+constexpr int kMaxFurtherMotions = 2;
 
-// Returns whether nothing crosses but two surfaces are nearer than the gap.
-bool IsTooNear(const Frame& frame, double gap) {
-  const std::optional<double> smallest = frame.intersections.SmallestGap();
-  return frame.intersections.triangle_pairs == 0 && smallest && *smallest < gap;
+// Returns the narrowest gap of meshes that do not intersect, mm, or infinity.
+// Attachment areas that may penetrate have none.
+double NarrowestGap(const Frame& frame) {
+  double narrowest = kInfinity;
+  for (const MeshGap& gap : frame.intersections.gaps) {
+    if (gap.at_most_mm > 0) narrowest = std::min(narrowest, gap.at_least_mm);
+  }
+  return narrowest;
+}
+
+// A motion to a pose, and its frame.
+struct CertifiedMove {
+  CertifiedMotion motion;
+  Frame frame;
+  double moving_ms = 0, certifying_ms = 0;
+
+  bool Crosses() const {
+    return motion.last_clean || frame.intersections.triangle_pairs > 0;
+  }
+};
+
+// Moves on from `start`, and again to the same pose while surfaces are nearer
+// than the gap (mm) without crossing and that helps.
+CertifiedMove MoveUntilApart(
+    const std::function<CertifiedMove(const ContactState&)>& move,
+    const ContactState& start,
+    double gap) {
+  CertifiedMove best = move(start);
+  for (int further = 0; further < kMaxFurtherMotions; ++further) {
+    const double narrowest = NarrowestGap(best.frame);
+    if (best.Crosses() || narrowest >= gap) break;
+    CertifiedMove next = move(best.motion.state);
+    next.motion.summary.steps += best.motion.summary.steps;
+    next.moving_ms += best.moving_ms;
+    next.certifying_ms += best.certifying_ms;
+    if (next.Crosses() || NarrowestGap(next.frame) <= narrowest) break;
+    best = std::move(next);
+  }
+  return best;
 }
 
 }  // namespace
@@ -69,53 +106,45 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
                                         const ScenePose& pose,
                                         const SceneState* before,
                                         const ProgressCallback& on_progress) {
-  const Stopwatch moving;
   const ContactState& from = before ? *before->contact : certified_.rest;
   const std::vector<Points> points_before =
       before ? ShapesOf(certified_, from).fine : std::vector<Points>();
-  const auto move_from = [&](const ContactState& start) {
-    return MoveCertified(scene_,
-                         certified_,
-                         pose,
-                         options_.pre_rotation,
-                         solvers.single,
-                         start,
-                         on_progress);
+  const auto move = [&](const ContactState& start) {
+    const Stopwatch moving;
+    CertifiedMove moved;
+    moved.motion = MoveCertified(scene_,
+                                 certified_,
+                                 pose,
+                                 options_.pre_rotation,
+                                 solvers.single,
+                                 start,
+                                 on_progress);
+    moved.moving_ms = moving.Milliseconds();
+    const Stopwatch certifying;
+    moved.frame = CertifiedFrame(scene_,
+                                 certified_,
+                                 options_.requirements,
+                                 moved.motion.state,
+                                 points_before,
+                                 moved.motion.summary.summaries,
+                                 meshes_.get());
+    moved.certifying_ms = certifying.Milliseconds();
+    return moved;
   };
-  const auto certify = [&](const CertifiedMotion& motion) {
-    return CertifiedFrame(scene_,
-                          certified_,
-                          options_.requirements,
-                          motion.state,
-                          points_before,
-                          motion.summary.summaries,
-                          meshes_.get());
-  };
-  CertifiedMotion motion = move_from(from);
-  double wall_ms = moving.Milliseconds();
-  Stopwatch certifying;
+  CertifiedMove moved = MoveUntilApart(move, from, options_.certified.step.gap);
+  CertifiedMotion& motion = moved.motion;
   SolvedFrame result;
-  result.frame = certify(motion);
-  for (int further = 0; further < kMaxFurtherSteps && !motion.last_clean &&
-                        IsTooNear(result.frame, options_.certified.step.gap);
-       ++further) {
-    const int steps = motion.summary.steps;
-    motion = move_from(motion.state);
-    motion.summary.steps += steps;
-    wall_ms = moving.Milliseconds();
-    certifying = Stopwatch();
-    result.frame = certify(motion);
-  }
+  result.frame = std::move(moved.frame);
   Frame& frame = result.frame;
   if (motion.summary.timed_out_at) {
     frame.shortcomings.insert(
         frame.shortcomings.begin(),
-        TimeoutShortcoming(*motion.summary.timed_out_at, wall_ms));
+        TimeoutShortcoming(*motion.summary.timed_out_at, moved.moving_ms));
   }
   frame.pose_steps = motion.summary.steps;
-  frame.wall_ms = wall_ms;
-  frame.solve_ms = wall_ms;
-  frame.certify_ms = certifying.Milliseconds();
+  frame.wall_ms = moved.moving_ms;
+  frame.solve_ms = moved.moving_ms;
+  frame.certify_ms = moved.certifying_ms;
   AddMomentArms(scene_,
                 pose,
                 options_.pre_rotation,

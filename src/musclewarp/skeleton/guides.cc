@@ -15,8 +15,7 @@
 namespace musclewarp {
 namespace {
 
-// The length over which a guide that slides has one direction, mm. Half and
-// twice of it give the same shapes and moment arms of the LHDL hip.
+// The length over which a guide that slides has one direction, mm.
 constexpr double kSegmentLength = 10;
 // A short line has at least this many segments.
 constexpr int kFewestSegments = 8;
@@ -28,11 +27,12 @@ constexpr double kSamePlace = 0.01;
 // largest area of the muscle, as belly above the second.
 constexpr double kTendonArea = 0.075;
 constexpr double kBellyArea = 0.225;
-// A belly that is stretched by this share of its length bears a half of what
-// its tendon would be stretched by; of less it bears more, of more less, until
-// all of the muscle is stretched alike.
+// When the belly would have to be stretched by this share of its length so that
+// the tendon keeps its own, it bears half of the tendon's stretch. It bears
+// more of a smaller stretch, and less of a larger one, until all of the muscle
+// is stretched alike.
 constexpr double kHalfBorne = 0.1;
-// Over which length areas are smoothed: that of a segment, twice.
+// Rounds of a binomial filter over the areas of neighbouring segments.
 constexpr int kSmoothingRounds = 2;
 
 // Returns the line that begins where `line` ends, or -1 if there is none or

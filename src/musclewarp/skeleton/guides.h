@@ -13,8 +13,8 @@ namespace musclewarp {
 
 // How a muscle follows its lines of action where they get longer or shorter.
 enum class LineRule {
-  // It slides along them, and its thin parts, which are tendons, keep their
-  // length as long as the belly is stretched little for it.
+  // It slides along them. Its thin parts, which are tendons, keep their length
+  // as long as the belly need not be stretched much for that.
   kTendon,
   // It slides along them: each place keeps its share of the length, so that the
   // whole muscle is stretched evenly.

@@ -9,8 +9,8 @@
 namespace musclewarp {
 namespace {
 
-// Returns the stretch of the muscle at the points of its bending rows. Where
-// places keep their segments it has none to share out.
+// Returns the stretch of the muscle at the points of its bending rows. Fixed
+// guides do not spread theirs over the muscle, so that it counts as 1.
 Eigen::VectorXd StretchesAt(const MuscleModel& model,
                             const std::vector<LineTarget>& guides) {
   if (model.guides.rule == LineRule::kFixed) {

@@ -34,7 +34,8 @@ struct PreRotationOptions {
 // Computes the target of a muscle for a pose. Each Laplacian row is turned by
 // the model's field of rotations (rotation_field.h), skeleton samples move
 // with the guides of the lines (paper eq. 2.4 and 2.5) and attachment points
-// with their bodies. At the rest pose the target equals J_f X_0, and a rigid
+// with their bodies; fibres are to keep the curvature that they have at rest
+// (bending_rows.h). At the rest pose the target equals J_f X_0, and a rigid
 // motion of all bodies yields the target of the rigidly moved muscle. Bodies
 // that the pose does not name stay where they are.
 MuscleTarget TargetOf(const MuscleModel& model,
