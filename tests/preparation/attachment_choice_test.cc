@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "musclewarp/preparation/surroundings.h"
+#include "support/meshes.h"
 #include "support/small_scene.h"
 
 namespace musclewarp {
@@ -92,6 +93,58 @@ TEST_F(ChooseAttachmentsTest, KeepsANamedOneThatTheLineLeavesAndWarns) {
   NameAnAttachment();
   EXPECT_EQ(Choose(AttachmentKind::kAuto).size(), 1u);
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("leaves femur")));
+}
+
+// A muscle whose lower tip, at z = 0, has no bone.
+class TipWithoutBoneTest : public ::testing::Test {
+ protected:
+  TipWithoutBoneTest() {
+    const TriangleSoup bone = SphereAt({0, 0, 107}, 8, 2);
+    surroundings_.AddBone("femur", bone);
+    surroundings_.AddMuscle({muscle_.points, muscle_.triangles});
+  }
+
+  size_t NumHeld() {
+    std::vector<std::string> warnings;
+    return ChooseAttachments(AttachmentKind::kAuto,
+                             muscle_,
+                             {},
+                             {muscle_.points, muscle_.triangles},
+                             surroundings_.bodies(),
+                             surroundings_.MusclesBeside(0),
+                             &warnings)
+        .size();
+  }
+
+  void AddLineTo(double lower) {
+    ActionLine line;
+    line.rest.resize(2, 3);
+    line.rest << 0, 0, 100, 0, 0, lower;
+    muscle_.lines = {line};
+  }
+
+  SceneMuscle muscle_ = [] {
+    const TriangleSoup mesh = MovedBy(Spindle(10, 50, 4), {0, 0, 50});
+    return SceneMuscle{"muscle", mesh.points, mesh.triangles};
+  }();
+  Surroundings surroundings_;
+};
+
+TEST_F(TipWithoutBoneTest, IsHeldByTheNearestBody) { EXPECT_EQ(NumHeld(), 2u); }
+
+TEST_F(TipWithoutBoneTest, IsNotHeldOnAnotherSoftPart) {
+  surroundings_.AddMuscle(SphereAt({0, 0, -8}, 20, 3));
+  EXPECT_EQ(NumHeld(), 1u);
+}
+
+TEST_F(TipWithoutBoneTest, IsNotHeldWhereALineGoesOn) {
+  AddLineTo(-60);
+  EXPECT_EQ(NumHeld(), 1u);
+}
+
+TEST_F(TipWithoutBoneTest, IsHeldWhereALineEndsSomewhatBeyond) {
+  AddLineTo(-8);
+  EXPECT_EQ(NumHeld(), 2u);
 }
 
 TEST(Surroundings, JoinTheBonesOfABody) {

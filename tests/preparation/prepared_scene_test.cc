@@ -11,6 +11,9 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/skeleton/polyline.h"
+#include "musclewarp/solver/muscle_target.h"
+#include "support/meshes.h"
 #include "support/prepared_small_scene.h"
 #include "support/temp_dir.h"
 
@@ -60,6 +63,61 @@ TEST(PrepareScene, MakesLinesForAMuscleThatHasNone) {
   const PreparedScene prepared = PrepareScene(scene, options);
   EXPECT_EQ(prepared.scene.muscles[0].lines.size(), 2u);
   EXPECT_EQ(prepared.scene.muscles[1].lines.size(), 1u);
+}
+
+// A muscle from a pelvis at z = 200 that ends on a tendon with a mesh of its
+// own, which goes on to a foot at z = 0.
+Scene SceneWithTendon() {
+  Scene scene;
+  const auto add_muscle = [&](const char* name, const TriangleSoup& mesh) {
+    scene.muscles.push_back({name, mesh.points, mesh.triangles});
+  };
+  const auto add_bone = [&](const char* name, const TriangleSoup& mesh) {
+    scene.bones.push_back({name, mesh.points, mesh.triangles, name});
+  };
+  add_muscle("belly", MovedBy(Spindle(15, 60, 4), {0, 0, 140}));
+  add_muscle("tendon", MovedBy(Spindle(3, 45, 4), {0, 0, 45}));
+  add_bone("pelvis", SphereAt({0, 0, 212}, 12, 3));
+  add_bone("foot", SphereAt({0, 0, -12}, 12, 3));
+  return scene;
+}
+
+// Returns the length of a line of a muscle as the meshes carry it, solved for
+// without contact.
+double CarriedLength(const PreparedMuscle& muscle, const ScenePose& pose) {
+  Points coarse = muscle.model.coarse_rest;
+  SolverSummary summary;
+  ReferenceSolvers().single(
+      muscle.model, TargetOf(muscle.model, pose, {}), &coarse, &summary);
+  const Points points = muscle.lines.from_coarse * coarse;
+  return PolylineLength(points);
+}
+
+TEST(PrepareScene, ATendonWithAMeshOfItsOwnKeepsItsLength) {
+  PrepareOptions options;
+  options.muscle.hull.coarse_vertices = 60;
+  options.auto_lines = 1;
+  const PreparedScene prepared = PrepareScene(SceneWithTendon(), options);
+  EXPECT_EQ(prepared.muscles[0].lines_through, std::vector<int>{1});
+  EXPECT_EQ(prepared.muscles[1].lines_through, std::vector<int>{0});
+  // Neither is held where they meet.
+  for (const PreparedMuscle& muscle : prepared.muscles) {
+    ASSERT_EQ(muscle.model.attachments.size(), 1u);
+  }
+  EXPECT_EQ(prepared.muscles[0].model.attachments[0].body, "pelvis");
+  EXPECT_EQ(prepared.muscles[1].model.attachments[0].body, "foot");
+  const ScenePose rest;
+  ScenePose lowered;
+  lowered.bodies["foot"] = Eigen::Matrix4d::Identity();
+  lowered.bodies["foot"](2, 3) = -10;
+  std::vector<double> stretches;
+  for (const PreparedMuscle& muscle : prepared.muscles) {
+    stretches.push_back(
+        CarriedLength(muscle, lowered) / CarriedLength(muscle, rest) - 1);
+  }
+  // Both together are stretched by 10 of 210 mm, the tendon by less.
+  EXPECT_GT(stretches[0], 10.0 / 210);
+  EXPECT_LT(stretches[1], 0.75 * 10 / 210);
 }
 
 TEST(PrepareScene, WarnsOfMeshesInOtherUnits) {

@@ -110,7 +110,7 @@ Eigen::VectorXd StretchesOfSegments(double belly, double stretch) {
   for (double x = belly + 1; x < 100; x += 2) places.push_back(x);
   Points inside = Points::Zero(places.size(), 3);
   for (size_t i = 0; i < places.size(); ++i) inside(i, 0) = places[i];
-  const Guides guides = GuidesOf({line}, LineRule::kTendon, inside);
+  const Guides guides = GuidesOf({line}, LineRule::kTendon, {inside, {}, {}});
   const Points& rest = guides.lines[0].rest;
   const Points moved =
       GuideTargets(guides, {{stretch * line.rest, {}}})[0].points;

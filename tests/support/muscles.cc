@@ -50,7 +50,7 @@ MuscleModel SpindleModel(const MuscleModelOptions& options) {
   return PrepareMuscle(SpindleMuscle(),
                        Spindle(12, 60, 3),
                        Spindle(15, 66, 2),
-                       {Points(), SpindleFibres()},
+                       {{}, SpindleFibres()},
                        options);
 }
 

@@ -5,11 +5,11 @@
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/invalid_option.h"
+#include "musclewarp/fibres/bodies_along.h"
 #include "musclewarp/fibres/laplacian_flow.h"
 #include "musclewarp/fibres/voxel_grid.h"
 #include "musclewarp/proximity/inside_test.h"
@@ -194,44 +194,6 @@ Courses FindCourses(const TriangleSoup& muscle,
   return courses;
 }
 
-// Returns the bodies of the points of a line: first that of the origin, then
-// perhaps one between, then that of the insertion. The sum of the distances of
-// the points from their bodies is as small as it can be.
-std::vector<std::string> BodiesAlong(const Points& line,
-                                     const MuscleEnds& ends,
-                                     const std::vector<BodySurface>& bodies) {
-  const int count = static_cast<int>(line.rows());
-  const auto distances_to = [&](const std::string& name) {
-    Eigen::VectorXd distances = Eigen::VectorXd::Zero(count);
-    for (const BodySurface& body : bodies) {
-      if (body.body != name) continue;
-      for (int i = 0; i < count; ++i) distances[i] = body.Distance(line.row(i));
-    }
-    return distances;
-  };
-  const Eigen::VectorXd to_origin = distances_to(ends.origin.body);
-  const Eigen::VectorXd to_insertion = distances_to(ends.insertion.body);
-  std::vector<std::string> best;
-  double least = std::numeric_limits<double>::infinity();
-  for (const BodySurface& between : bodies) {
-    const Eigen::VectorXd to_between = distances_to(between.body);
-    // Points below i follow the origin, those from k on the insertion.
-    for (int i = 1; i < count; ++i) {
-      for (int k = i; k < count; ++k) {
-        const double sum = to_origin.head(i).sum() +
-                           to_between.segment(i, k - i).sum() +
-                           to_insertion.tail(count - k).sum();
-        if (sum >= least) continue;
-        least = sum;
-        best.assign(count, between.body);
-        std::fill(best.begin(), best.begin() + i, ends.origin.body);
-        std::fill(best.begin() + k, best.end(), ends.insertion.body);
-      }
-    }
-  }
-  return best;
-}
-
 }  // namespace
 
 bool FibreOptions::IsValid(std::string* error) const {
@@ -287,7 +249,8 @@ std::vector<ActionLine> MakeLines(const std::string& name,
     ActionLine line;
     line.name = name + "_" + std::to_string(lines.size() + 1);
     line.rest = course;
-    line.bodies = BodiesAlong(course, courses.ends, bodies);
+    line.bodies = BodiesAlong(
+        course, courses.ends.origin.body, courses.ends.insertion.body, bodies);
     line.slides = true;
     lines.push_back(std::move(line));
   }

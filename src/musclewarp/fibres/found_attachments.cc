@@ -8,39 +8,18 @@
 
 #include "musclewarp/base/infinity.h"
 #include "musclewarp/fibres/attachment_outline.h"
+#include "musclewarp/fibres/distance_outside.h"
 #include "musclewarp/fibres/voxel_grid.h"
 #include "musclewarp/mesh/connectivity.h"
-#include "musclewarp/mesh/triangle.h"
 
 namespace musclewarp {
 namespace {
-
-using Eigen::RowVector3d;
 
 // On how many voxels ends are found, as for fibres.
 constexpr int kVoxels = 6000;
 // Of an end without a bone, what is attached reaches so far from its tip, as a
 // share of the length of the muscle.
 constexpr double kTipShare = 0.1;
-// A tip lies on another soft part if half of it is at most so far away, or in
-// it, mm.
-constexpr double kTouching = 1;
-
-// The distance from a point to the nearest of several meshes, mm: zero inside
-// of one, infinity if there is none.
-double DistanceOutside(const std::vector<const TriangleBvh*>& meshes,
-                       const RowVector3d& point) {
-  double distance = kInfinity;
-  for (const TriangleBvh* mesh : meshes) {
-    const TriangleBvh::Closest closest = mesh->ClosestPoint(point);
-    if (closest.triangle < 0) continue;
-    const RowVector3d normal = AreaVector(mesh->corners(closest.triangle));
-    if (normal.dot(point - closest.point) <= 0) return 0;
-    distance = std::min(distance, closest.distance);
-  }
-  return distance;
-}
-
 // The vertices whose nearest voxel is one of `voxels`, which are ascending.
 std::vector<int> VerticesAt(const std::vector<int>& voxels,
                             const VoxelGrid& grid,
@@ -96,16 +75,17 @@ std::vector<int> OnBones(const BodySurface& body,
   return on_bones;
 }
 
-// The voxels around the tip of an end: the one farthest from the other end, and
-// what is near it.
-std::vector<int> TipOf(const MuscleEnd& end,
-                       const MuscleEnd& other,
-                       const VoxelGrid& grid) {
+// Returns the voxel of an end that is farthest from the other end.
+int TipOf(const MuscleEnd& end, const MuscleEnd& other, const VoxelGrid& grid) {
   const Eigen::VectorXd from_other = DistancesWithin(grid, other.voxels);
-  const int tip = *std::max_element(
+  return *std::max_element(
       end.voxels.begin(), end.voxels.end(), [&](int a, int b) {
         return from_other[a] < from_other[b];
       });
+}
+
+// Returns the voxels around a tip.
+std::vector<int> VoxelsAround(int tip, const VoxelGrid& grid) {
   const Eigen::VectorXd from_tip = DistancesWithin(grid, {tip});
   std::vector<int> voxels;
   for (int v = 0; v < grid.num_voxels(); ++v) {
@@ -114,27 +94,16 @@ std::vector<int> TipOf(const MuscleEnd& end,
   return voxels;
 }
 
-bool LiesOnSoftPart(const std::vector<int>& vertices,
-                    const Points& points,
-                    const std::vector<const TriangleBvh*>& soft_parts) {
-  size_t touching = 0;
-  for (const int v : vertices) {
-    touching += DistanceOutside(soft_parts, points.row(v)) <= kTouching;
-  }
-  return 2 * touching >= vertices.size();
-}
-
 }  // namespace
 
-std::vector<Attachment> FindAttachments(
+std::vector<FoundAttachment> FindAttachments(
     const TriangleSoup& muscle,
     const std::vector<BodySurface>& bodies,
-    const std::vector<const TriangleBvh*>& soft_parts,
     const std::vector<ActionLine>& lines,
     EndExtent extent) {
   const VoxelGrid grid = Voxelize(muscle, kVoxels);
-  std::vector<Attachment> attachments;
-  if (bodies.empty() || grid.num_voxels() < 2) return attachments;
+  std::vector<FoundAttachment> found;
+  if (bodies.empty() || grid.num_voxels() < 2) return found;
   const MuscleEnds ends =
       FindMuscleEnds(muscle, grid, bodies, {{}, lines}, extent);
   for (const MuscleEnd* end : {&ends.origin, &ends.insertion}) {
@@ -145,11 +114,13 @@ std::vector<Attachment> FindAttachments(
     if (body == bodies.end()) continue;
     std::vector<int> area = OnBones(
         *body, VerticesAt(end->voxels, grid, muscle.points), muscle.points);
-    if (area.empty()) {
-      const MuscleEnd& other =
-          end == &ends.origin ? ends.insertion : ends.origin;
-      area = VerticesAt(TipOf(*end, other, grid), grid, muscle.points);
-      if (LiesOnSoftPart(area, muscle.points, soft_parts)) area.clear();
+    const bool is_on_bones = !area.empty();
+    Eigen::RowVector3d tip = Eigen::RowVector3d::Zero();
+    if (!is_on_bones) {
+      const int voxel =
+          TipOf(*end, end == &ends.origin ? ends.insertion : ends.origin, grid);
+      tip = grid.Center(voxel);
+      area = VerticesAt(VoxelsAround(voxel, grid), grid, muscle.points);
     }
     area = LargestConnected(area, muscle);
     if (area.empty()) continue;
@@ -157,9 +128,9 @@ std::vector<Attachment> FindAttachments(
     attachment.body = end->body;
     attachment.points = muscle.points(area, Eigen::all);
     attachment.radius = kPointsAlone;
-    attachments.push_back(std::move(attachment));
+    found.push_back({std::move(attachment), is_on_bones, tip});
   }
-  return attachments;
+  return found;
 }
 
 }  // namespace musclewarp

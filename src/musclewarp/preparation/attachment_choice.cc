@@ -7,10 +7,54 @@
 #include <sstream>
 
 #include "musclewarp/fibres/attachment_outline.h"
+#include "musclewarp/fibres/continued_lines.h"
 #include "musclewarp/fibres/found_attachments.h"
 #include "musclewarp/scene/leaving_lines.h"
+#include "musclewarp/skeleton/covered_part.h"
 
 namespace musclewarp {
+namespace {
+
+// A line goes on beyond the tip of its muscle if it does by more than this
+// share of the part that the muscle covers.
+constexpr double kBeyondShare = 0.1;
+
+// Returns true if a line goes on beyond the tip of a muscle (#P x 3), to what
+// the muscle pulls on.
+bool GoesOnBeyond(const ActionLine& line,
+                  const Points& tip,
+                  const Points& muscle) {
+  const CoveredPart part = PartAlong(line.rest, muscle);
+  const CoveredPart at_tip = PartAlong(line.rest, tip);
+  const double beyond = kBeyondShare * (part.end - part.begin);
+  if (at_tip.begin + at_tip.end < part.begin + part.end) {
+    return part.begin > beyond;
+  }
+  return part.length - part.end > beyond;
+}
+
+// Returns what was found to be held by bones. A tip without a bone is not if it
+// lies on another soft part, or if a line of the muscle goes on beyond it.
+std::vector<Attachment> HeldAreas(
+    const std::vector<FoundAttachment>& found,
+    const std::vector<ActionLine>& lines,
+    const Points& muscle,
+    const std::vector<const TriangleBvh*>& soft_parts) {
+  std::vector<Attachment> held;
+  for (const FoundAttachment& area : found) {
+    const Points& tip = area.attachment.points;
+    const bool is_soft =
+        !area.is_on_bones &&
+        (LiesOnSoftPart(tip, soft_parts) ||
+         std::any_of(lines.begin(), lines.end(), [&](const ActionLine& line) {
+           return GoesOnBeyond(line, tip, muscle);
+         }));
+    if (!is_soft) held.push_back(area.attachment);
+  }
+  return held;
+}
+
+}  // namespace
 
 std::vector<Attachment> ChooseAttachments(
     AttachmentKind kind,
@@ -24,7 +68,10 @@ std::vector<Attachment> ChooseAttachments(
   const bool finds =
       kind == AttachmentKind::kAuto && muscle.attachments.empty();
   std::vector<Attachment> attachments =
-      finds ? FindAttachments(fine, bodies, soft_parts, muscle.lines)
+      finds ? HeldAreas(FindAttachments(fine, bodies, muscle.lines),
+                        muscle.lines,
+                        fine.points,
+                        soft_parts)
             : muscle.attachments;
   for (Attachment& attachment : attachments) {
     if (!attachment.is_outline) continue;

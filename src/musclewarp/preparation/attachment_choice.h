@@ -21,10 +21,12 @@ enum class AttachmentKind {
 
 // Returns the attachments of a muscle with the fine mesh `fine`: those of the
 // scene or, if it has none and `kind` is kAuto, those detected on the meshes
-// (FindAttachments). A line that leaves an attachment in some pose contradicts
-// it (FindLeavingLine): a detected attachment is then dropped, as the lines are
-// more reliable than the meshes; one of the scene is kept. `warnings` gets a
-// sentence per contradiction.
+// (FindAttachments), without tips that lie on other soft parts or beyond which
+// a line goes on: to what such a tip is attached the lines say. A line that
+// leaves an attachment in some pose contradicts it (FindLeavingLine): a
+// detected attachment is then dropped, as the lines are more reliable than the
+// meshes; one of the scene is kept. `warnings` gets a sentence per
+// contradiction.
 std::vector<Attachment> ChooseAttachments(
     AttachmentKind kind,
     const SceneMuscle& muscle,

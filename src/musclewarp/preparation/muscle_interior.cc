@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/preparation/muscle_interior.h"
 
+#include <cmath>
+#include <utility>
+
 #include "musclewarp/fibres/found_attachments.h"
 #include "musclewarp/fibres/voxel_grid.h"
 #include "musclewarp/mesh/measures.h"
@@ -13,6 +16,14 @@ namespace {
 // of a fan, and few, as each row is dense.
 constexpr int kBendingFibres = 33;
 
+void AddBeyond(const Points& points, double weight, InsidePoints* inside) {
+  const Eigen::Index before = inside->beyond.rows();
+  inside->beyond.conservativeResize(before + points.rows(), 3);
+  inside->beyond.bottomRows(points.rows()) = points;
+  inside->weights.conservativeResize(before + points.rows());
+  inside->weights.tail(points.rows()).setConstant(weight);
+}
+
 }  // namespace
 
 KnownEnds EndsOfFibres(const TriangleSoup& fine,
@@ -20,22 +31,32 @@ KnownEnds EndsOfFibres(const TriangleSoup& fine,
                        const SceneMuscle& muscle,
                        bool names_attachments) {
   if (names_attachments) return {muscle.attachments, muscle.lines};
-  return {FindAttachments(fine,
-                          bodies,
-                          /*soft_parts=*/{},
-                          muscle.lines,
-                          EndExtent::kClearOfOther),
-          muscle.lines};
+  KnownEnds ends = {{}, muscle.lines};
+  for (FoundAttachment& end :
+       FindAttachments(fine, bodies, muscle.lines, EndExtent::kClearOfOther)) {
+    ends.attachments.push_back(std::move(end.attachment));
+  }
+  return ends;
 }
 
 MuscleInterior InteriorOf(const TriangleSoup& muscle,
                           const std::vector<BodySurface>& bodies,
                           const KnownEnds& ends,
+                          const std::vector<const TriangleSoup*>& beyond,
                           const FibreOptions& options) {
   FibreOptions bending = options;
   bending.fibres = kBendingFibres;
-  return {Centers(Voxelize(muscle, options.voxels)),
-          MakeFibres(muscle, bodies, ends, bending)};
+  const VoxelGrid grid = Voxelize(muscle, options.voxels);
+  MuscleInterior interior;
+  interior.points.own = Centers(grid);
+  for (const TriangleSoup* other : beyond) {
+    const VoxelGrid voxels = Voxelize(*other, options.voxels);
+    AddBeyond(Centers(voxels),
+              std::pow(voxels.size / grid.size, 3),
+              &interior.points);
+  }
+  interior.fibres = MakeFibres(muscle, bodies, ends, bending);
+  return interior;
 }
 
 std::map<std::string, double> AreaOnBones(

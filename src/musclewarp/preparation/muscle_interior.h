@@ -21,11 +21,13 @@ KnownEnds EndsOfFibres(const TriangleSoup& fine,
                        bool names_attachments);
 
 // Returns what a model needs to know of the inside of a muscle: the centres of
-// voxels, and the fibres that resist bending, which do not depend on how many
-// fibres the options ask for.
+// voxels, also of the meshes `beyond`, through which its lines go on; and the
+// fibres that resist bending, which do not depend on how many fibres the
+// options ask for.
 MuscleInterior InteriorOf(const TriangleSoup& muscle,
                           const std::vector<BodySurface>& bodies,
                           const KnownEnds& ends,
+                          const std::vector<const TriangleSoup*>& beyond,
                           const FibreOptions& options);
 
 // Returns how much of the surface of a muscle lies on the bones of each body

@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "musclewarp/base/invalid_option.h"
@@ -19,12 +19,14 @@
 #include "musclewarp/preparation/delivered_mesh.h"
 #include "musclewarp/preparation/exempt_areas.h"
 #include "musclewarp/preparation/muscle_interior.h"
+#include "musclewarp/preparation/scale_warnings.h"
+#include "musclewarp/preparation/scene_lines.h"
 #include "musclewarp/preparation/surroundings.h"
 #include "musclewarp/scene/coordinate_limits.h"
 #include "musclewarp/scene/far_lines.h"
 #include "musclewarp/scene/folded_lines.h"
 #include "musclewarp/scene/length_unit.h"
-#include "musclewarp/scene/line_targets.h"
+#include "musclewarp/skeleton/covered_part.h"
 #include "musclewarp/skeleton/sampling.h"
 
 namespace musclewarp {
@@ -55,7 +57,9 @@ TriangleSoup Repaired(const TriangleSoup& delivered,
 // Returns the action lines, sampled at distances of `spacing`, mm.
 EmbeddedLines CarryActionLines(const MuscleModel& model, double spacing) {
   std::vector<Points> lines(model.lines.size());
-  for (const SegmentPoint& sample : SampleLines(model.lines, spacing)) {
+  const std::vector<SegmentPoint> samples = SamplesAlong(
+      SampleLines(model.lines, spacing), model.lines, model.fine_rest);
+  for (const SegmentPoint& sample : samples) {
     Points& line = lines[sample.line];
     line.conservativeResize(line.rows() + 1, 3);
     line.bottomRows<1>() =
@@ -69,6 +73,17 @@ void AddBones(const std::vector<PreparedBone>& bones,
   for (const PreparedBone& bone : bones) {
     surroundings->AddBone(bone.body, bone.rest);
   }
+}
+
+// Returns all meshes of a scene whose muscles have models.
+Surroundings SurroundingsOf(const PreparedScene& scene) {
+  Surroundings surroundings;
+  AddBones(scene.bones, &surroundings);
+  for (const PreparedMuscle& muscle : scene.muscles) {
+    surroundings.AddMuscle(
+        {muscle.model.fine_rest, muscle.model.fine_triangles});
+  }
+  return surroundings;
 }
 
 // Prepares all data that depends on the mesh of a muscle and is not kept:
@@ -90,7 +105,12 @@ void PrepareModel(const Surroundings& surroundings,
       EndsOfFibres(fine, surroundings.bodies(), muscle, names_attachments);
   MuscleInterior interior;
   if (!muscle.lines.empty()) {
-    interior = InteriorOf(fine, surroundings.bodies(), ends, options.fibres);
+    std::vector<const TriangleSoup*> beyond;
+    for (const int other : prepared->lines_through) {
+      beyond.push_back(&surroundings.muscle(other));
+    }
+    interior =
+        InteriorOf(fine, surroundings.bodies(), ends, beyond, options.fibres);
   }
   prepared->model = PrepareMuscle(muscle, fine, hull, interior, model_options);
   if (options.attachments != AttachmentKind::kNone) {
@@ -173,45 +193,16 @@ TriangleSoup RepairMuscle(const PrepareOptions& options,
   return fine;
 }
 
-// Adds lines to a muscle without any, and prepares all other data.
-void PrepareOne(const Surroundings& surroundings,
-                const PrepareOptions& options,
-                int m,
-                const TriangleSoup& fine,
-                Scene* scene,
-                PreparedMuscle* prepared) {
-  SceneMuscle& muscle = scene->muscles[m];
-  if (muscle.lines.empty() && options.makes_lines) {
-    muscle.lines = MakeLines(muscle.name,
-                             fine,
-                             surroundings.bodies(),
-                             muscle.attachments,
-                             options.auto_lines);
+// Makes lines for the muscles that have none.
+void AddLines(const Surroundings& surroundings,
+              const PrepareOptions& options,
+              PreparedScene* prepared,
+              const std::function<void(size_t)>& on_done) {
+  const std::vector<std::vector<int>> through = MakeSceneLines(
+      surroundings, options.auto_lines, on_done, &prepared->scene);
+  for (size_t m = 0; m < through.size(); ++m) {
+    prepared->muscles[m].lines_through = through[m];
   }
-  PrepareFromMesh(surroundings, options, *scene, m, fine, prepared);
-}
-
-struct MeshSize {
-  std::string name;
-  double diagonal;  // mm
-};
-
-// Detects mixed units: a mesh in metres among others in millimetres is a
-// thousand times too small.
-std::vector<std::string> ScaleWarnings(const std::vector<MeshSize>& sizes,
-                                       double ratio) {
-  std::vector<std::string> warnings;
-  for (size_t a = 0; a < sizes.size(); ++a) {
-    for (size_t b = 0; b < sizes.size(); ++b) {
-      if (sizes[a].diagonal <= ratio * sizes[b].diagonal) continue;
-      std::ostringstream text;
-      text << sizes[a].name << " is " << sizes[a].diagonal << " mm across, "
-           << sizes[b].name << " " << sizes[b].diagonal
-           << " mm: are both files in millimetres?";
-      warnings.push_back(text.str());
-    }
-  }
-  return warnings;
 }
 
 // Finds crossing bones, and poses that dislocate joints.
@@ -289,12 +280,7 @@ void ReplaceMuscleMeshes(const PrepareOptions& options,
                          std::vector<TriangleSoup> meshes,
                          PreparedScene* prepared) {
   CHECK_EQ(muscles.size(), meshes.size());
-  Surroundings surroundings;
-  AddBones(prepared->bones, &surroundings);
-  for (const PreparedMuscle& muscle : prepared->muscles) {
-    surroundings.AddMuscle(
-        {muscle.model.fine_rest, muscle.model.fine_triangles});
-  }
+  const Surroundings surroundings = SurroundingsOf(*prepared);
   ParallelFor(meshes.size(), [&](size_t k) {
     PreparedMuscle& muscle = prepared->muscles[muscles[k]];
     if (options.remove_slivers) {
@@ -311,8 +297,7 @@ void RetriangulateMuscles(const PrepareOptions& options,
                           const std::vector<TriangleSoup>& meshes,
                           PreparedScene* prepared) {
   CHECK_EQ(muscles.size(), meshes.size());
-  Surroundings surroundings;
-  AddBones(prepared->bones, &surroundings);
+  const Surroundings surroundings = SurroundingsOf(*prepared);
   ParallelFor(meshes.size(), [&](size_t k) {
     PreparedMuscle& prepared_muscle = prepared->muscles[muscles[k]];
     const MuscleModel model = std::move(prepared_muscle.model);
@@ -342,11 +327,13 @@ PreparedScene PrepareScene(const Scene& scene,
   const size_t num_bones = scene.bones.size();
   const size_t num_muscles = scene.muscles.size();
   const size_t num_meshes = num_bones + num_muscles;
+  const bool makes_lines = options.makes_lines && LacksLines(scene);
+  const size_t num_steps =
+      num_meshes + (makes_lines ? 2 * num_muscles : num_muscles);
   const auto say_progress = [&](size_t done) {
     if (!on_progress) return;
-    on_progress({"preparing",
-                 static_cast<int>(done),
-                 static_cast<int>(num_meshes + num_muscles)});
+    on_progress(
+        {"preparing", static_cast<int>(done), static_cast<int>(num_steps)});
   };
   // Bones come first, as their meshes are the largest.
   std::vector<TriangleSoup> fine(num_muscles);
@@ -367,16 +354,21 @@ PreparedScene PrepareScene(const Scene& scene,
   for (const TriangleSoup& muscle : fine) {
     surroundings.AddMuscle(muscle);
   }
+  if (makes_lines) {
+    AddLines(surroundings, options, &prepared, [&](size_t done) {
+      say_progress(num_meshes + done);
+    });
+  }
   const auto prepare = [&](size_t m) {
-    PrepareOne(surroundings,
-               options,
-               static_cast<int>(m),
-               fine[m],
-               &prepared.scene,
-               &prepared.muscles[m]);
+    PrepareFromMesh(surroundings,
+                    options,
+                    prepared.scene,
+                    static_cast<int>(m),
+                    fine[m],
+                    &prepared.muscles[m]);
   };
   ParallelFor(num_muscles, prepare, [&](size_t done) {
-    say_progress(num_meshes + done);
+    say_progress(num_steps - num_muscles + done);
   });
   prepared.exempt = ExemptAreas(prepared);
   CheckBones(&prepared);

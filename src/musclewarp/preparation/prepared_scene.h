@@ -131,6 +131,10 @@ struct PreparedMuscle {
   // mm^2. An attachment that was found is a part of that.
   std::map<std::string, double> area_on_bones;
 
+  // The indices of the other muscles through which its lines go on to bones
+  // (ContinueLines), as those of a muscle that ends on a tendon do.
+  std::vector<int> lines_through;
+
   // One sentence per line that contradicts an attachment.
   std::vector<std::string> attachment_warnings;
 

@@ -20,6 +20,7 @@ void Surroundings::AddBone(const std::string& body, const TriangleSoup& bone) {
 }
 
 void Surroundings::AddMuscle(const TriangleSoup& muscle) {
+  meshes_.push_back(muscle);
   muscles_.push_back(
       std::make_unique<TriangleBvh>(muscle.points, muscle.triangles));
 }

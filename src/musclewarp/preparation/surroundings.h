@@ -24,11 +24,17 @@ class Surroundings {
   // The bodies, ordered by their first bones.
   const std::vector<BodySurface>& bodies() const { return bodies_; }
 
+  const TriangleSoup& muscle(size_t muscle) const { return meshes_[muscle]; }
+  const TriangleBvh& surface_of(size_t muscle) const {
+    return *muscles_[muscle];
+  }
+
   // Returns all muscles except that with the index `muscle`.
   std::vector<const TriangleBvh*> MusclesBeside(int muscle) const;
 
  private:
   std::vector<std::unique_ptr<TriangleBvh>> bones_, muscles_;
+  std::vector<TriangleSoup> meshes_;  // of the muscles
   std::vector<BodySurface> bodies_;
 };
 

@@ -90,7 +90,7 @@ Attachment ReadAttachment(const JsonField& field) {
 SceneMuscle ReadMuscle(const JsonField& field,
                        const NamedLines& named,
                        const std::string& root) {
-  field.CheckKeys({"name", "mesh", "lines", "attachments"});
+  field.CheckKeys({"name", "mesh", "lines", "attachments", "ends_on"});
   SceneMuscle muscle;
   muscle.name = field.At("name").AsString();
   muscle.mesh_path = Resolve(field.At("mesh").AsString(), root);
@@ -107,6 +107,7 @@ SceneMuscle ReadMuscle(const JsonField& field,
       muscle.attachments.push_back(ReadAttachment(attachments.At(i)));
     }
   }
+  if (field.Has("ends_on")) muscle.ends_on = field.At("ends_on").AsStrings();
   return muscle;
 }
 

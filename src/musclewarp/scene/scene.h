@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,11 @@ struct SceneMuscle {
   std::vector<Attachment> attachments = {};
   std::string mesh_path = {};
   double mm_per_unit = 1;  // of the points in mesh_path
+
+  // The muscles on which it ends instead of on bones, such as a tendon with a
+  // mesh of its own; none: found on the meshes. Lines that are made go on
+  // through them.
+  std::optional<std::vector<std::string>> ends_on = {};
 
   // What the volume of the muscle is compared with, mm^3, where the mesh has
   // less of it already, as that of a label may; 0: the volume of the mesh.

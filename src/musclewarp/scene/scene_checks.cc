@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/scene/scene_checks.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -131,6 +132,24 @@ std::set<std::string> KnownBodies(const Scene& scene) {
   return bodies;
 }
 
+void CheckEndsOn(const Scene& scene, const SceneMuscle& muscle) {
+  if (!muscle.ends_on) return;
+  for (const std::string& name : *muscle.ends_on) {
+    const bool is_other =
+        name != muscle.name && std::any_of(scene.muscles.begin(),
+                                           scene.muscles.end(),
+                                           [&](const SceneMuscle& other) {
+                                             return other.name == name;
+                                           });
+    if (is_other) continue;
+    throw InputError(
+        Where(scene) + ": \"ends_on\" of muscle " + muscle.name,
+        "names " + QuotedName(name) + ", which is no other muscle of the scene",
+        "name muscles, leave it out to have them found on the "
+        "meshes, or give [] if it ends on bones");
+  }
+}
+
 void CheckMuscle(const Scene& scene,
                  const SceneMuscle& muscle,
                  const std::set<std::string>& bodies,
@@ -153,6 +172,7 @@ void CheckMuscle(const Scene& scene,
     CheckFollowedBody(where, attachment.body, bodies);
     CheckCoordinates(where, attachment.points);
   }
+  CheckEndsOn(scene, muscle);
 }
 
 void CheckOnePose(const Scene& scene,

@@ -159,16 +159,24 @@ Eigen::VectorXd Smoothed(const Eigen::VectorXd& values) {
 
 // Sets the compliance of all paths from the points inside of the muscle: the
 // area across a segment is the number of points nearest to it by its length.
-void FindCompliance(const Points& inside, Guides* guides) {
+// Lines may run together in another part, each with an equal share of it.
+void FindCompliance(const InsidePoints& inside, Guides* guides) {
   std::vector<Eigen::VectorXd> areas;
   for (const ActionLine& line : guides->lines) {
     areas.push_back(Eigen::VectorXd::Zero(line.rest.rows() - 1));
   }
-  for (Eigen::Index i = 0; i < inside.rows(); ++i) {
-    const SegmentPoint nearest = NearestSegment(inside.row(i), guides->lines);
+  for (Eigen::Index i = 0; i < inside.own.rows(); ++i) {
+    const SegmentPoint nearest =
+        NearestSegment(inside.own.row(i), guides->lines);
     ++areas[nearest.line][nearest.segment];
   }
+  const double count = static_cast<double>(areas.size());
   for (size_t g = 0; g < areas.size(); ++g) {
+    const std::vector<ActionLine> alone = {guides->lines[g]};
+    for (Eigen::Index i = 0; i < inside.beyond.rows(); ++i) {
+      const SegmentPoint nearest = NearestSegment(inside.beyond.row(i), alone);
+      areas[g][nearest.segment] += inside.weights[i] / count;
+    }
     const Eigen::VectorXd lengths = SegmentLengths(guides->lines[g].rest);
     areas[g].array() /= lengths.array().max(kSamePlace);
     guides->paths[g].compliance = Compliance(Smoothed(areas[g]));
@@ -227,7 +235,7 @@ Eigen::VectorXd Compliance(const Eigen::VectorXd& areas) {
 
 Guides GuidesOf(const std::vector<ActionLine>& lines,
                 LineRule rule,
-                const Points& inside) {
+                const InsidePoints& inside) {
   Guides guides;
   guides.rule = rule;
   if (rule == LineRule::kFixed) {

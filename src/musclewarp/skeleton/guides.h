@@ -55,12 +55,20 @@ struct Guides {
   std::vector<GuidePath> paths;
 };
 
-// Makes the guides of a muscle with the given lines of action. `inside` are
-// points spread evenly inside the muscle (#I x 3, mm, at rest), from which
-// kTendon tells where it is thin; without any it is kSlide.
+// Points spread evenly inside a muscle, and inside the other soft parts through
+// which its lines go on; in mm, at rest.
+struct InsidePoints {
+  Points own;               // #I x 3
+  Points beyond;            // #J x 3
+  Eigen::VectorXd weights;  // #J: how many points of `own` each counts for
+};
+
+// Makes the guides of a muscle with the given lines of action. From the points
+// inside kTendon tells where the lines run through tendon; without any it is
+// kSlide.
 Guides GuidesOf(const std::vector<ActionLine>& lines,
                 LineRule rule,
-                const Points& inside);
+                const InsidePoints& inside);
 
 // Returns the compliance of the segments of a path from the areas (#S) across
 // the muscle there: 0 where the area is small against the largest, 1 where it

@@ -10,6 +10,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/invalid_option.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/skeleton/covered_part.h"
 #include "musclewarp/skeleton/sampling.h"
 #include "musclewarp/solver/attachment_rows.h"
 
@@ -21,7 +22,8 @@ constexpr double kLengthOfRow = 10;
 
 void AddSkeletonRows(const MuscleModelOptions& options, MuscleModel* model) {
   const std::vector<ActionLine>& guides = model->guides.lines;
-  model->samples = SampleLines(guides, options.sample_spacing);
+  model->samples = SamplesAlong(
+      SampleLines(guides, options.sample_spacing), guides, model->fine_rest);
   Points rest(model->samples.size(), 3);
   for (size_t i = 0; i < model->samples.size(); ++i) {
     rest.row(i) =

@@ -121,7 +121,7 @@ struct MuscleModel {
 
 // What is known of the inside of a muscle at rest, in mm. Either may be empty.
 struct MuscleInterior {
-  Points points;               // #I x 3: spread evenly (GuidesOf)
+  InsidePoints points;         // GuidesOf
   std::vector<Points> fibres;  // those that resist bending (bending_rows.h)
 };
 

@@ -1,0 +1,301 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/fibres/continued_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "musclewarp/base/infinity.h"
+#include "musclewarp/fibres/bodies_along.h"
+#include "musclewarp/fibres/distance_outside.h"
+#include "musclewarp/skeleton/nearest_segment.h"
+#include "musclewarp/skeleton/polyline.h"
+#include "musclewarp/skeleton/sampling.h"
+
+namespace musclewarp {
+namespace {
+
+using Eigen::RowVector3d;
+
+// A muscle touches another soft part where it is at most so far away, mm.
+constexpr double kTouching = 1;
+// A tip lies on another soft part that is at most so far away, mm: parts that
+// belong together may have a gap between them, such as a voxel of the image.
+constexpr double kNearTip = 3;
+// The length over which the direction of a line is taken, mm.
+constexpr double kChord = 30;
+// How sharply a line may turn where it enters another part: the cosine.
+constexpr double kSharpestTurn = 0.5;
+
+Eigen::Index NumTouching(const Points& points,
+                         const std::vector<const TriangleBvh*>& parts) {
+  Eigen::Index count = 0;
+  for (const auto& point : points.rowwise()) {
+    count += DistanceOutside(parts, point) <= kTouching;
+  }
+  return count;
+}
+
+// Returns the part that is nearest to the tip of an end of part `own`, at most
+// kNearTip away, or -1. Of several in which the tip lies it is the one that
+// the most points of the end touch.
+int PartAtTip(const SoftPartEnd& end,
+              int own,
+              const std::vector<SoftPart>& parts) {
+  int nearest = -1;
+  std::pair<double, Eigen::Index> best;  // distance, points that do not touch
+  for (size_t p = 0; p < parts.size(); ++p) {
+    if (static_cast<int>(p) == own) continue;
+    const std::vector<const TriangleBvh*> part = {parts[p].surface};
+    const double distance = DistanceOutside(part, end.tip);
+    if (distance > kNearTip) continue;
+    const std::pair<double, Eigen::Index> here = {
+        distance, end.points.rows() - NumTouching(end.points, part)};
+    if (nearest >= 0 && here >= best) continue;
+    best = here;
+    nearest = static_cast<int>(p);
+  }
+  return nearest;
+}
+
+// Returns the mean distance of points from the surface of a part, mm.
+double DistanceFrom(const SoftPart& part, const Points& points) {
+  double sum = 0;
+  for (const auto& point : points.rowwise()) {
+    sum += part.surface->ClosestPoint(point).distance;
+  }
+  return sum / static_cast<double>(points.rows());
+}
+
+// Lets the ends of a part lie where the scene says: on each of the parts that
+// it names the nearest end.
+void SetNamedEnds(const std::vector<SoftPart>& parts, SoftPart* part) {
+  for (const int other : *part->ends_on) {
+    const auto nearest =
+        std::min_element(part->ends.begin(),
+                         part->ends.end(),
+                         [&](const SoftPartEnd& a, const SoftPartEnd& b) {
+                           return DistanceFrom(parts[other], a.points) <
+                                  DistanceFrom(parts[other], b.points);
+                         });
+    if (nearest == part->ends.end()) continue;
+    nearest->is_on_bones = false;
+    nearest->soft_part = other;
+  }
+}
+
+bool EndsOn(const SoftPart& part, int other) {
+  return std::any_of(
+      part.ends.begin(), part.ends.end(), [&](const SoftPartEnd& end) {
+        return end.soft_part == other;
+      });
+}
+
+// Returns the end that is nearest to a point, or null without ends.
+const SoftPartEnd* NearestEnd(const SoftPart& part, const RowVector3d& point) {
+  const SoftPartEnd* nearest = nullptr;
+  double least = kInfinity;
+  for (const SoftPartEnd& end : part.ends) {
+    const double distance = (end.Middle() - point).norm();
+    if (distance >= least) continue;
+    least = distance;
+    nearest = &end;
+  }
+  return nearest;
+}
+
+// Returns the point at a distance (mm) along a line, at most at its ends.
+RowVector3d PointAt(const Points& line, double along) {
+  const double share = std::clamp(along / PolylineLength(line), 0.0, 1.0);
+  return PointsAtShares(line, Eigen::VectorXd::Constant(1, share)).row(0);
+}
+
+// Returns the direction of a line over kChord around a place (mm along it).
+RowVector3d DirectionAt(const Points& line, double along) {
+  return (PointAt(line, along + kChord / 2) - PointAt(line, along - kChord / 2))
+      .normalized();
+}
+
+// A place on one of the lines of a part.
+struct PlaceOnLine {
+  Points line;       // #P x 3, in the direction in which it is followed
+  double along = 0;  // mm from its beginning
+  double distance = kInfinity;  // of the point looked for, mm
+};
+
+// Returns the place on the lines of a part that is nearest to a point. A line
+// is turned round if it runs against `direction` there.
+PlaceOnLine NearestPlace(const SoftPart& part,
+                         const RowVector3d& point,
+                         const RowVector3d& direction) {
+  PlaceOnLine nearest;
+  for (const ActionLine& line : part.lines) {
+    const SegmentPoint place = NearestSegment(point, {line});
+    const RowVector3d here = PointOnSegment(line.rest, place);
+    const double distance = (here - point).norm();
+    if (distance >= nearest.distance) continue;
+    Points to_here(place.segment + 2, 3);
+    to_here << line.rest.topRows(place.segment + 1), here;
+    nearest = {line.rest, PolylineLength(to_here), distance};
+  }
+  if (nearest.line.rows() > 0 &&
+      DirectionAt(nearest.line, nearest.along).dot(direction) < 0) {
+    nearest.along = PolylineLength(nearest.line) - nearest.along;
+    nearest.line = Points(nearest.line.colwise().reverse());
+  }
+  return nearest;
+}
+
+// How a line goes on beyond its muscle.
+struct Continuation {
+  Points points;  // mm, at distances of about `spacing`
+  std::string body;
+  std::set<int> through;
+};
+
+// Returns how a line of parts[from] goes on from its end `point`, in which it
+// has the given direction, through the part `to`. Nothing if it finds no bone.
+std::optional<Continuation> GoOn(int from,
+                                 int to,
+                                 const RowVector3d& point,
+                                 const RowVector3d& direction,
+                                 double spacing,
+                                 const std::vector<SoftPart>& parts) {
+  std::vector<RowVector3d> points;
+  Continuation on;
+  std::set<int> visited = {from};
+  RowVector3d here = point, heading = direction;
+  while (visited.insert(to).second) {
+    on.through.insert(to);
+    const PlaceOnLine place = NearestPlace(parts[to], here, heading);
+    if (place.line.rows() == 0 ||
+        DirectionAt(place.line, place.along).dot(heading) < kSharpestTurn) {
+      return std::nullopt;
+    }
+    // The way across to the line is not to be a corner.
+    const double length = PolylineLength(place.line);
+    const double begin = place.along + std::max(place.distance, spacing / 2);
+    const double left = length - begin;
+    const int pieces =
+        std::max(1, static_cast<int>(std::lround(left / spacing)));
+    for (int i = left > spacing / 2 ? 0 : 1; i <= pieces; ++i) {
+      points.push_back(PointAt(place.line, begin + left * i / pieces));
+    }
+    here = points.back();
+    heading = DirectionAt(place.line, length);
+    const SoftPartEnd* end = NearestEnd(parts[to], here);
+    if (!end) return std::nullopt;
+    if (end->is_on_bones) {
+      on.points.resize(points.size(), 3);
+      for (size_t i = 0; i < points.size(); ++i) on.points.row(i) = points[i];
+      on.body = end->body;
+      return on;
+    }
+    if (end->soft_part < 0) return std::nullopt;
+    to = end->soft_part;
+  }
+  return std::nullopt;
+}
+
+// Continues a line over its last point, if that is an end on another part.
+void ContinueOverLast(int part,
+                      const std::vector<SoftPart>& parts,
+                      double spacing,
+                      ActionLine* line,
+                      std::set<int>* through) {
+  const RowVector3d last = line->rest.row(line->rest.rows() - 1);
+  const SoftPartEnd* end = NearestEnd(parts[part], last);
+  if (!end || end->soft_part < 0) return;
+  const RowVector3d heading =
+      DirectionAt(line->rest, PolylineLength(line->rest));
+  const auto on = GoOn(part, end->soft_part, last, heading, spacing, parts);
+  if (!on) return;
+  Points rest(line->rest.rows() + on->points.rows(), 3);
+  rest << line->rest, on->points;
+  line->rest = std::move(rest);
+  line->bodies.resize(line->rest.rows(), on->body);
+  line->bodies.back() = on->body;
+  through->insert(on->through.begin(), on->through.end());
+}
+
+void Reverse(ActionLine* line) {
+  line->rest = Points(line->rest.colwise().reverse());
+  std::reverse(line->bodies.begin(), line->bodies.end());
+}
+
+}  // namespace
+
+std::vector<SoftPartEnd> EndsOf(const SceneMuscle& muscle,
+                                const std::vector<FoundAttachment>& found) {
+  std::vector<SoftPartEnd> ends;
+  for (const Attachment& attachment : muscle.attachments) {
+    ends.push_back({attachment.points, attachment.body});
+  }
+  if (ends.size() >= 2) return ends;
+  for (const FoundAttachment& end : found) {
+    ends.push_back(
+        {end.attachment.points, end.attachment.body, end.is_on_bones, end.tip});
+  }
+  return ends;
+}
+
+bool LiesOnSoftPart(const Points& tip,
+                    const std::vector<const TriangleBvh*>& soft_parts) {
+  const Eigen::Index touching = NumTouching(tip, soft_parts);
+  return touching > 0 && 2 * touching >= tip.rows();
+}
+
+void FindSoftEnds(std::vector<SoftPart>* parts) {
+  const int count = static_cast<int>(parts->size());
+  for (int p = 0; p < count; ++p) {
+    SoftPart& part = (*parts)[p];
+    if (part.ends_on) {
+      SetNamedEnds(*parts, &part);
+      continue;
+    }
+    for (SoftPartEnd& end : part.ends) {
+      if (!end.is_on_bones) end.soft_part = PartAtTip(end, p, *parts);
+    }
+  }
+  const std::vector<SoftPart> found = *parts;
+  for (int p = 0; p < count; ++p) {
+    for (SoftPartEnd& end : (*parts)[p].ends) {
+      if (found[p].ends_on || end.is_on_bones || end.soft_part >= 0) continue;
+      double least = kInfinity;
+      for (int other = 0; other < count; ++other) {
+        if (!EndsOn(found[other], p)) continue;
+        const double distance = DistanceFrom(found[other], end.points);
+        if (distance >= least) continue;
+        least = distance;
+        end.soft_part = other;
+      }
+    }
+  }
+}
+
+ContinuedLines ContinueLines(int part,
+                             const std::vector<SoftPart>& parts,
+                             const std::vector<BodySurface>& bodies) {
+  ContinuedLines continued;
+  std::set<int> through;
+  for (ActionLine line : parts[part].lines) {
+    const Eigen::Index count = line.rest.rows();
+    const double spacing =
+        PolylineLength(line.rest) / static_cast<double>(count - 1);
+    ContinueOverLast(part, parts, spacing, &line, &through);
+    Reverse(&line);
+    ContinueOverLast(part, parts, spacing, &line, &through);
+    Reverse(&line);
+    if (line.rest.rows() > count) {
+      line.bodies = BodiesAlong(
+          line.rest, line.bodies.front(), line.bodies.back(), bodies);
+    }
+    continued.lines.push_back(std::move(line));
+  }
+  continued.through.assign(through.begin(), through.end());
+  return continued;
+}
+
+}  // namespace musclewarp

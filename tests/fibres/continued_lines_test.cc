@@ -1,0 +1,160 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/fibres/continued_lines.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <utility>
+
+#include "fibres/ball_bones.h"
+#include "musclewarp/fibres/fibres.h"
+#include "musclewarp/skeleton/polyline.h"
+#include "support/meshes.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+// A muscle along z from 0 to 100 below its bone "femur", and soft parts beside
+// it, with the lines and ends that preparation gives them.
+class ContinueLinesTest : public ::testing::Test {
+ protected:
+  ContinueLinesTest() {
+    bones_.Add("femur", {0, 0, 107});
+    bones_.Add("foot", {0, 0, -77});
+  }
+
+  void AddPart(const TriangleSoup& mesh) { meshes_.push_back(mesh); }
+  void AddMuscle() { AddPart(MovedBy(Spindle(10, 50, 4), {0, 0, 50})); }
+  // From the lower end of the muscle to the foot.
+  void AddTendon() { AddPart(MovedBy(Spindle(4, 40, 4), {0, 0, -30})); }
+
+  // Parts with ends; `ends_on` by part, if the scene says it.
+  std::vector<SoftPart> Parts(
+      const std::vector<std::optional<std::vector<int>>>& ends_on = {}) {
+    std::vector<SoftPart> parts;
+    for (size_t p = 0; p < meshes_.size(); ++p) {
+      const TriangleSoup& mesh = meshes_[p];
+      trees_.push_back(
+          std::make_unique<TriangleBvh>(mesh.points, mesh.triangles));
+      SoftPart part;
+      part.surface = trees_.back().get();
+      part.lines = MakeLines(
+          "part" + std::to_string(p), mesh, bones_.bodies(), {}, /*count=*/1);
+      part.ends = EndsOf({}, FindAttachments(mesh, bones_.bodies(), {}));
+      if (p < ends_on.size()) part.ends_on = ends_on[p];
+      parts.push_back(std::move(part));
+    }
+    FindSoftEnds(&parts);
+    return parts;
+  }
+
+  BallBones bones_;
+  std::vector<TriangleSoup> meshes_;
+  std::vector<std::unique_ptr<TriangleBvh>> trees_;
+};
+
+TEST_F(ContinueLinesTest, GoOnThroughATendonToItsBone) {
+  AddMuscle();
+  AddTendon();
+  const std::vector<SoftPart> parts = Parts();
+  const ContinuedLines muscle = ContinueLines(0, parts, bones_.bodies());
+  EXPECT_THAT(muscle.through, ElementsAre(1));
+  ASSERT_EQ(muscle.lines.size(), 1u);
+  const ActionLine& line = muscle.lines[0];
+  const Points& own = parts[0].lines[0].rest;
+  EXPECT_EQ(line.rest.topRows(own.rows()), own);
+  EXPECT_LT(line.rest(line.rest.rows() - 1, 2), -60);
+  ASSERT_EQ(static_cast<Eigen::Index>(line.bodies.size()), line.rest.rows());
+  EXPECT_EQ(line.bodies.front(), "femur");
+  EXPECT_EQ(line.bodies.back(), "foot");
+  EXPECT_LT(SharpestTurn(line.rest), 0.8);  // rad: no corner between the parts
+}
+
+TEST_F(ContinueLinesTest, ATendonHasTheSameWayFromTheOtherEnd) {
+  AddMuscle();
+  AddTendon();
+  const ContinuedLines tendon = ContinueLines(1, Parts(), bones_.bodies());
+  EXPECT_THAT(tendon.through, ElementsAre(0));
+  const ActionLine& line = tendon.lines[0];
+  const Eigen::Index last = line.rest.rows() - 1;
+  const Eigen::Index upper = line.bodies.front() == "femur" ? 0 : last;
+  EXPECT_EQ(line.bodies[upper], "femur");
+  EXPECT_EQ(line.bodies[last - upper], "foot");
+  EXPECT_GT(line.rest(upper, 2), 90);
+  EXPECT_LT(line.rest(last - upper, 2), -60);
+}
+
+TEST_F(ContinueLinesTest, GoOnThroughSeveralParts) {
+  AddMuscle();
+  AddPart(MovedBy(Spindle(4, 22, 4), {0, 0, -12}));  // from 10 to -34
+  AddPart(MovedBy(Spindle(4, 22, 4), {0, 0, -48}));  // from -26 to -70
+  const ContinuedLines muscle = ContinueLines(0, Parts(), bones_.bodies());
+  EXPECT_THAT(muscle.through, ElementsAre(1, 2));
+  EXPECT_EQ(muscle.lines[0].bodies.back(), "foot");
+}
+
+TEST_F(ContinueLinesTest, StayAsTheyAreIfThereIsAGap) {
+  AddMuscle();
+  AddPart(MovedBy(Spindle(4, 30, 4), {0, 0, -38}));  // 8 mm below
+  const std::vector<SoftPart> parts = Parts();
+  const ContinuedLines muscle = ContinueLines(0, parts, bones_.bodies());
+  EXPECT_THAT(muscle.through, IsEmpty());
+  EXPECT_EQ(muscle.lines[0].rest, parts[0].lines[0].rest);
+  EXPECT_EQ(muscle.lines[0].bodies, parts[0].lines[0].bodies);
+}
+
+TEST_F(ContinueLinesTest, GoOnOverAGapIfTheSceneSaysSo) {
+  AddMuscle();
+  AddPart(MovedBy(Spindle(4, 30, 4), {0, 0, -38}));
+  const std::vector<SoftPart> parts = Parts({std::vector<int>{1}});
+  EXPECT_THAT(ContinueLines(0, parts, bones_.bodies()).through, ElementsAre(1));
+}
+
+TEST_F(ContinueLinesTest, StayAsTheyAreIfTheSceneSaysThatTheyEnd) {
+  AddMuscle();
+  AddTendon();
+  const std::vector<SoftPart> parts = Parts({std::vector<int>{}, {}});
+  EXPECT_THAT(ContinueLines(0, parts, bones_.bodies()).through, IsEmpty());
+}
+
+// The other muscle lies beside, from the femur down: its only bone is behind.
+TEST_F(ContinueLinesTest, DoNotTurnBack) {
+  AddMuscle();
+  AddPart(MovedBy(Spindle(6, 52, 4), {6, 0, 49}));
+  const std::vector<SoftPart> parts = Parts();
+  EXPECT_EQ(parts[0].ends.size(), 2u);
+  for (const int part : {0, 1}) {
+    EXPECT_THAT(ContinueLines(part, parts, bones_.bodies()).through, IsEmpty());
+  }
+}
+
+TEST_F(ContinueLinesTest, DoNotTurnSharply) {
+  AddMuscle();
+  TriangleSoup across = Spindle(4, 40, 4);  // along x
+  across.points.col(0).swap(across.points.col(2));
+  for (auto triangle : across.triangles.rowwise()) {
+    std::swap(triangle[0], triangle[1]);
+  }
+  bones_.Add("fibula", {47, 0, -2});
+  AddPart(MovedBy(across, {0, 0, -2}));
+  EXPECT_THAT(ContinueLines(0, Parts(), bones_.bodies()).through, IsEmpty());
+}
+
+TEST(LiesOnSoftPart, CountsHalfOfTheTip) {
+  const TriangleSoup ball = Icosphere(20, 3);
+  const TriangleBvh tree(ball.points, ball.triangles);
+  Points tip(4, 3);
+  tip << 0, 0, 0, 0, 0, 20.5, 0, 0, 30, 0, 0, 40;
+  EXPECT_TRUE(LiesOnSoftPart(tip, {&tree}));
+  tip(1, 2) = 25;
+  EXPECT_FALSE(LiesOnSoftPart(tip, {&tree}));
+  EXPECT_FALSE(LiesOnSoftPart(tip, {}));
+}
+
+}  // namespace
+}  // namespace musclewarp
