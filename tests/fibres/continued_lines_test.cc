@@ -10,6 +10,7 @@
 
 #include "fibres/ball_bones.h"
 #include "musclewarp/fibres/fibres.h"
+#include "musclewarp/mesh/measures.h"
 #include "musclewarp/skeleton/polyline.h"
 #include "support/meshes.h"
 
@@ -43,6 +44,7 @@ class ContinueLinesTest : public ::testing::Test {
           std::make_unique<TriangleBvh>(mesh.points, mesh.triangles));
       SoftPart part;
       part.surface = trees_.back().get();
+      part.volume = SignedVolume(mesh.points, mesh.triangles);
       part.lines = MakeLines(
           "part" + std::to_string(p), mesh, bones_.bodies(), {}, /*count=*/1);
       part.ends = EndsOf({}, FindAttachments(mesh, bones_.bodies(), {}));
@@ -72,6 +74,7 @@ TEST_F(ContinueLinesTest, GoOnThroughATendonToItsBone) {
   ASSERT_EQ(static_cast<Eigen::Index>(line.bodies.size()), line.rest.rows());
   EXPECT_EQ(line.bodies.front(), "femur");
   EXPECT_EQ(line.bodies.back(), "foot");
+  EXPECT_THAT(muscle.tied_to, ElementsAre(1));
   EXPECT_LT(SharpestTurn(line.rest), 0.8);  // rad: no corner between the parts
 }
 
@@ -80,6 +83,7 @@ TEST_F(ContinueLinesTest, ATendonHasTheSameWayFromTheOtherEnd) {
   AddTendon();
   const ContinuedLines tendon = ContinueLines(1, Parts(), bones_.bodies());
   EXPECT_THAT(tendon.through, ElementsAre(0));
+  EXPECT_THAT(tendon.tied_to, IsEmpty());  // it carries the muscle
   const ActionLine& line = tendon.lines[0];
   const Eigen::Index last = line.rest.rows() - 1;
   const Eigen::Index upper = line.bodies.front() == "femur" ? 0 : last;
@@ -95,6 +99,7 @@ TEST_F(ContinueLinesTest, GoOnThroughSeveralParts) {
   AddPart(MovedBy(Spindle(4, 22, 4), {0, 0, -48}));  // from -26 to -70
   const ContinuedLines muscle = ContinueLines(0, Parts(), bones_.bodies());
   EXPECT_THAT(muscle.through, ElementsAre(1, 2));
+  EXPECT_THAT(muscle.tied_to, ElementsAre(1));
   EXPECT_EQ(muscle.lines[0].bodies.back(), "foot");
 }
 

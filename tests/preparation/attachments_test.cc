@@ -61,8 +61,10 @@ TEST(AttachedAreas, OfAllVerticesAreTheSurface) {
 TEST(AttachedPositions, MoveWithTheBodies) {
   const Line line;
   const ScenePose pose = FlexedPose(0.4);
-  const Points positions = AttachedPositions(
-      line.attachments, line.Attached(), line.AttachedRest(), pose);
+  MuscleModel model;
+  model.attachments = line.attachments;
+  const Points positions =
+      AttachedPositions(model, line.Attached(), line.AttachedRest(), pose);
   EXPECT_EQ(Points(positions.topRows(4)), Points(line.rest.topRows(4)));
   EXPECT_EQ(Points(positions.bottomRows(4)),
             Transformed(line.rest.bottomRows(4), pose.bodies.at("femur")));

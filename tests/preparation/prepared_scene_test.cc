@@ -100,12 +100,16 @@ TEST(PrepareScene, ATendonWithAMeshOfItsOwnKeepsItsLength) {
   const PreparedScene prepared = PrepareScene(SceneWithTendon(), options);
   EXPECT_EQ(prepared.muscles[0].lines_through, std::vector<int>{1});
   EXPECT_EQ(prepared.muscles[1].lines_through, std::vector<int>{0});
-  // Neither is held where they meet.
-  for (const PreparedMuscle& muscle : prepared.muscles) {
-    ASSERT_EQ(muscle.model.attachments.size(), 1u);
-  }
-  EXPECT_EQ(prepared.muscles[0].model.attachments[0].body, "pelvis");
-  EXPECT_EQ(prepared.muscles[1].model.attachments[0].body, "foot");
+  // Where they meet no body holds them, and the thinner one carries the other.
+  const MuscleModel& belly = prepared.muscles[0].model;
+  ASSERT_EQ(belly.attachments.size(), 2u);
+  EXPECT_EQ(belly.attachments[0].body, "pelvis");
+  EXPECT_EQ(belly.attachments[1].soft_part, "tendon");
+  EXPECT_LT(belly.attachments[1].points.col(2).maxCoeff(), 95);
+  EXPECT_EQ(belly.carriers.count(1), 1u);
+  const MuscleModel& tendon = prepared.muscles[1].model;
+  ASSERT_EQ(tendon.attachments.size(), 1u);
+  EXPECT_EQ(tendon.attachments[0].body, "foot");
   const ScenePose rest;
   ScenePose lowered;
   lowered.bodies["foot"] = Eigen::Matrix4d::Identity();

@@ -55,7 +55,8 @@ namespace musclewarp {
 
 MUSCLEWARP_ARCHIVE(TriangleSoup, points, triangles)
 MUSCLEWARP_ARCHIVE(ActionLine, name, rest, bodies, slides)
-MUSCLEWARP_ARCHIVE(Attachment, body, points, radius, is_outline, may_penetrate)
+MUSCLEWARP_ARCHIVE(
+    Attachment, body, soft_part, points, radius, is_outline, may_penetrate)
 MUSCLEWARP_ARCHIVE(SceneMuscle,
                    name,
                    points,
@@ -143,6 +144,7 @@ MUSCLEWARP_ARCHIVE(SegmentPoint, line, segment, t)
 MUSCLEWARP_ARCHIVE(GuidePath, lines, shares, places, rest_length, compliance)
 MUSCLEWARP_ARCHIVE(Guides, rule, lines, paths)
 MUSCLEWARP_ARCHIVE(RotationField, places, weights)
+MUSCLEWARP_ARCHIVE(SoftCarrier, lines, guides, field)
 MUSCLEWARP_ARCHIVE(BendingRows, from_coarse, weights, points, rest, field)
 MUSCLEWARP_ARCHIVE(EmbeddedLines, from_coarse, starts)
 MUSCLEWARP_ARCHIVE(AttachedVertices, vertices, attachment)
@@ -153,6 +155,7 @@ MUSCLEWARP_ARCHIVE_WITHOUT(MuscleModel,
                            lines,
                            guides,
                            attachments,
+                           carriers,
                            fine_rest,
                            fine_triangles,
                            coarse_rest,
@@ -179,6 +182,7 @@ MUSCLEWARP_ARCHIVE(PreparedMuscle,
                    attached,
                    area_on_bones,
                    lines_through,
+                   tied_to,
                    attachment_warnings,
                    hull_encloses,
                    lines,

@@ -93,6 +93,15 @@ bool EndsOn(const SoftPart& part, int other) {
       });
 }
 
+// Returns the mean area across a part, mm^2.
+double MeanSection(const SoftPart& part) {
+  double length = 0;
+  for (const ActionLine& line : part.lines) {
+    length += PolylineLength(line.rest) / static_cast<double>(part.lines.size());
+  }
+  return part.volume / length;
+}
+
 // Returns the end that is nearest to a point, or null without ends.
 const SoftPartEnd* NearestEnd(const SoftPart& part, const RowVector3d& point) {
   const SoftPartEnd* nearest = nullptr;
@@ -295,6 +304,14 @@ ContinuedLines ContinueLines(int part,
     continued.lines.push_back(std::move(line));
   }
   continued.through.assign(through.begin(), through.end());
+  for (const int other : continued.through) {
+    const bool is_carrier =
+        !EndsOn(parts[other], part) ||
+        MeanSection(parts[other]) < MeanSection(parts[part]);
+    if (EndsOn(parts[part], other) && is_carrier) {
+      continued.tied_to.push_back(other);
+    }
+  }
   return continued;
 }
 

@@ -34,6 +34,7 @@ struct SoftPartEnd {
 // positions are those of the rest pose.
 struct SoftPart {
   const TriangleBvh* surface = nullptr;  // must outlive this object
+  double volume = 0;                     // mm^3
   std::vector<ActionLine> lines;         // from end to end
   std::vector<SoftPartEnd> ends;
 
@@ -57,10 +58,15 @@ bool LiesOnSoftPart(const Points& tip,
 // the upper end of a tendon does on a muscle.
 void FindSoftEnds(std::vector<SoftPart>* parts);
 
-// Lines that go on beyond the ends of their muscle.
+// Lines that go on beyond the ends of their muscle. The numbers are indices of
+// other parts, ascending.
 struct ContinuedLines {
   std::vector<ActionLine> lines;
-  std::vector<int> through;  // the indices of the other parts, ascending
+  std::vector<int> through;
+
+  // Those on which the muscle itself ends, and to which it is to be attached.
+  // Of two that end on each other the thinner one carries the other.
+  std::vector<int> tied_to;
 };
 
 // Returns the lines of parts[part], which slide, each continued over the ends

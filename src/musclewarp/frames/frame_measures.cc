@@ -38,7 +38,7 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
   frame.attachments = DriftOf(
       model.attachments,
       muscle.attached,
-      AttachedPositions(model.attachments,
+      AttachedPositions(model,
                         muscle.attached,
                         model.fine_rest(muscle.attached.vertices, Eigen::all),
                         pose),

@@ -33,7 +33,7 @@ std::vector<AttachedPoints> AttachedIn(const CertifiedScene& certified,
   for (size_t i = 0; i < certified.rest.held.size(); ++i) {
     const PreparedMuscle& muscle = *certified.muscles[i];
     all.push_back({muscle.attached.vertices,
-                   AttachedPositions(muscle.model.attachments,
+                   AttachedPositions(muscle.model,
                                      muscle.attached,
                                      certified.rest.held[i].positions,
                                      pose)});

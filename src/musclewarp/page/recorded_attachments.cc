@@ -17,6 +17,7 @@ RecordedAttachments AttachmentsOf(const PreparedScene& scene) {
     const AttachedVertices& attached = muscle.attached;
     for (size_t i = 0; i < attached.vertices.size(); ++i) {
       const auto& area = muscle.model.attachments[attached.attachment[i]];
+      if (!area.soft_part.empty()) continue;
       by_body[area.body].push_back(attached.vertices[i]);
     }
     auto& areas = recorded.muscles[muscle.model.name];

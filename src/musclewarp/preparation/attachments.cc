@@ -8,7 +8,6 @@
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh/triangle.h"
 #include "musclewarp/scene/attachment_area.h"
-#include "musclewarp/scene/line_targets.h"
 
 namespace musclewarp {
 
@@ -48,13 +47,13 @@ std::vector<double> AttachedAreas(const std::vector<Attachment>& attachments,
   return areas;
 }
 
-Points AttachedPositions(const std::vector<Attachment>& attachments,
+Points AttachedPositions(const MuscleModel& model,
                          const AttachedVertices& attached,
                          const Points& rest,
                          const ScenePose& pose) {
   std::vector<Eigen::Matrix4d> transforms;
-  for (const Attachment& attachment : attachments) {
-    transforms.push_back(BodyTransform(pose, attachment.body));
+  for (size_t a = 0; a < model.attachments.size(); ++a) {
+    transforms.push_back(AttachmentTransform(model, static_cast<int>(a), pose));
   }
   Points positions(rest.rows(), 3);
   for (Eigen::Index i = 0; i < rest.rows(); ++i) {
@@ -70,7 +69,7 @@ std::vector<AttachmentDrift> DriftOf(const std::vector<Attachment>& attachments,
                                      const Points& points) {
   std::vector<AttachmentDrift> drifts;
   for (const Attachment& attachment : attachments) {
-    drifts.emplace_back().body = attachment.body;
+    drifts.emplace_back().body = NameOfCarrier(attachment);
   }
   for (size_t i = 0; i < attached.vertices.size(); ++i) {
     AttachmentDrift& drift = drifts[attached.attachment[i]];

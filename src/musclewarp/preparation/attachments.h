@@ -7,6 +7,7 @@
 
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/scene/scene.h"
+#include "musclewarp/solver/muscle_model.h"
 
 namespace musclewarp {
 
@@ -29,16 +30,17 @@ std::vector<double> AttachedAreas(const std::vector<Attachment>& attachments,
                                   const Points& points,
                                   const Triangles& triangles);
 
-// Returns the positions of the attached vertices in a pose, moved rigidly with
-// their bodies, #attached x 3, mm. `rest`: their positions in the rest pose.
-Points AttachedPositions(const std::vector<Attachment>& attachments,
+// Returns the positions of the attached vertices of a muscle in a pose, moved
+// rigidly with their bodies (AttachmentTransform), #attached x 3, mm. `rest`:
+// their positions in the rest pose.
+Points AttachedPositions(const MuscleModel& model,
                          const AttachedVertices& attached,
                          const Points& rest,
                          const ScenePose& pose);
 
 // The deviation of an attachment area from its position on its body.
 struct AttachmentDrift {
-  std::string body;
+  std::string body;  // or the soft part
   int vertices = 0;
   double mean = 0, max = 0;  // of the distances of its vertices, mm
   Eigen::RowVector3d place = Eigen::RowVector3d::Zero();  // of the farthest one

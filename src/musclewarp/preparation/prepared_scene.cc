@@ -21,6 +21,7 @@
 #include "musclewarp/preparation/muscle_interior.h"
 #include "musclewarp/preparation/scale_warnings.h"
 #include "musclewarp/preparation/scene_lines.h"
+#include "musclewarp/preparation/soft_attachments.h"
 #include "musclewarp/preparation/surroundings.h"
 #include "musclewarp/scene/coordinate_limits.h"
 #include "musclewarp/scene/far_lines.h"
@@ -145,6 +146,16 @@ void PrepareFromMesh(const Surroundings& surroundings,
                                          surroundings.bodies(),
                                          surroundings.MusclesBeside(m),
                                          &prepared->attachment_warnings);
+  for (const int other : prepared->tied_to) {
+    if (options.attachments != AttachmentKind::kAuto) break;
+    for (Attachment& soft : SoftAttachments(fine,
+                                            surroundings.bodies(),
+                                            muscle.lines,
+                                            surroundings.surface_of(other),
+                                            scene.muscles[other].name)) {
+      muscle.attachments.push_back(std::move(soft));
+    }
+  }
   const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
   PrepareModel(surroundings,
                options,
@@ -198,10 +209,19 @@ void AddLines(const Surroundings& surroundings,
               const PrepareOptions& options,
               PreparedScene* prepared,
               const std::function<void(size_t)>& on_done) {
-  const std::vector<std::vector<int>> through = MakeSceneLines(
-      surroundings, options.auto_lines, on_done, &prepared->scene);
-  for (size_t m = 0; m < through.size(); ++m) {
-    prepared->muscles[m].lines_through = through[m];
+  std::vector<ContinuedLines> made = MakeSceneLines(
+      surroundings, options.auto_lines, on_done, prepared->scene);
+  for (size_t m = 0; m < made.size(); ++m) {
+    SceneMuscle& muscle = prepared->scene.muscles[m];
+    if (!muscle.lines.empty()) continue;
+    for (const int other : made[m].tied_to) {
+      prepared->scene.notes.push_back(
+          muscle.name + " ends on " + prepared->scene.muscles[other].name +
+          ", to which it is attached; \"ends_on\" of a muscle says otherwise");
+    }
+    muscle.lines = std::move(made[m].lines);
+    prepared->muscles[m].lines_through = std::move(made[m].through);
+    prepared->muscles[m].tied_to = std::move(made[m].tied_to);
   }
 }
 
@@ -289,6 +309,7 @@ void ReplaceMuscleMeshes(const PrepareOptions& options,
     PrepareFromMesh(
         surroundings, options, prepared->scene, muscles[k], meshes[k], &muscle);
   });
+  AddSoftCarriers(prepared);
   prepared->exempt = ExemptAreas(*prepared);
 }
 
@@ -311,6 +332,7 @@ void RetriangulateMuscles(const PrepareOptions& options,
                  {model.coarse_rest, model.coarse_triangles},
                  &prepared_muscle);
   });
+  AddSoftCarriers(prepared);
   prepared->exempt = ExemptAreas(*prepared);
 }
 
@@ -370,6 +392,7 @@ PreparedScene PrepareScene(const Scene& scene,
   ParallelFor(num_muscles, prepare, [&](size_t done) {
     say_progress(num_steps - num_muscles + done);
   });
+  AddSoftCarriers(&prepared);
   prepared.exempt = ExemptAreas(prepared);
   CheckBones(&prepared);
   AddWarnings(options, &prepared);

@@ -135,6 +135,9 @@ struct PreparedMuscle {
   // (ContinueLines), as those of a muscle that ends on a tendon do.
   std::vector<int> lines_through;
 
+  // The indices of those on which it ends itself, and to which it is attached.
+  std::vector<int> tied_to;
+
   // One sentence per line that contradicts an attachment.
   std::vector<std::string> attachment_warnings;
 

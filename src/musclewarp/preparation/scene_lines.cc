@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "musclewarp/base/parallel_for.h"
-#include "musclewarp/fibres/continued_lines.h"
 #include "musclewarp/fibres/fibres.h"
+#include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {
 namespace {
@@ -37,45 +37,37 @@ bool LacksLines(const Scene& scene) {
       [](const SceneMuscle& muscle) { return muscle.lines.empty(); });
 }
 
-std::vector<std::vector<int>> MakeSceneLines(
+std::vector<ContinuedLines> MakeSceneLines(
     const Surroundings& surroundings,
     int lines_each,
     const std::function<void(size_t)>& on_done,
-    Scene* scene) {
-  const size_t count = scene->muscles.size();
-  std::vector<std::vector<int>> through(count);
-  if (!LacksLines(*scene)) return through;
-  std::vector<char> is_made(count);
-  for (size_t m = 0; m < count; ++m) {
-    is_made[m] = scene->muscles[m].lines.empty();
-  }
+    const Scene& scene) {
+  const size_t count = scene.muscles.size();
+  std::vector<ContinuedLines> made(count);
+  if (!LacksLines(scene)) return made;
   std::vector<SoftPart> parts(count);
   const auto make = [&](size_t m) {
-    SceneMuscle& muscle = scene->muscles[m];
+    const SceneMuscle& muscle = scene.muscles[m];
     const TriangleSoup& mesh = surroundings.muscle(m);
-    if (is_made[m]) {
-      muscle.lines = MakeLines(muscle.name,
-                               mesh,
-                               surroundings.bodies(),
-                               muscle.attachments,
-                               lines_each);
-    }
-    parts[m].surface = &surroundings.surface_of(m);
-    parts[m].lines = muscle.lines;
-    parts[m].ends =
-        EndsOf(muscle, FindAttachments(mesh, surroundings.bodies(), {}));
-    parts[m].ends_on = NamedEnds(muscle, *scene);
+    SoftPart& part = parts[m];
+    part.surface = &surroundings.surface_of(m);
+    part.volume = SignedVolume(mesh.points, mesh.triangles);
+    part.lines = !muscle.lines.empty() ? muscle.lines
+                                       : MakeLines(muscle.name,
+                                                   mesh,
+                                                   surroundings.bodies(),
+                                                   muscle.attachments,
+                                                   lines_each);
+    part.ends = EndsOf(muscle, FindAttachments(mesh, surroundings.bodies(), {}));
+    part.ends_on = NamedEnds(muscle, scene);
   };
   ParallelFor(count, make, on_done);
   FindSoftEnds(&parts);
   for (size_t m = 0; m < count; ++m) {
-    if (!is_made[m]) continue;
-    ContinuedLines continued =
-        ContinueLines(static_cast<int>(m), parts, surroundings.bodies());
-    scene->muscles[m].lines = std::move(continued.lines);
-    through[m] = std::move(continued.through);
+    if (!scene.muscles[m].lines.empty()) continue;
+    made[m] = ContinueLines(static_cast<int>(m), parts, surroundings.bodies());
   }
-  return through;
+  return made;
 }
 
 }  // namespace musclewarp

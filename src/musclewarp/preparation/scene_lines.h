@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "musclewarp/fibres/continued_lines.h"
 #include "musclewarp/preparation/surroundings.h"
 #include "musclewarp/scene/scene.h"
 
@@ -15,14 +16,13 @@ bool LacksLines(const Scene& scene);
 
 // Makes `lines_each` lines for each muscle of a scene that has none (MakeLines)
 // and continues them through the soft parts on which these muscles end
-// (ContinueLines). `surroundings` has the repaired meshes of the scene.
-// Returns for each muscle the indices of those through which its lines go on.
-// `on_done` is called on the calling thread with the number of muscles that are
+// (ContinueLines). `surroundings` has the repaired meshes of the scene. Returns
+// the continued lines of each muscle, none of one that has its own. `on_done` is called on the calling thread with the number of muscles that are
 // done, and may be empty. Throws InputError as MakeLines does.
-std::vector<std::vector<int>> MakeSceneLines(
+std::vector<ContinuedLines> MakeSceneLines(
     const Surroundings& surroundings,
     int lines_each,
     const std::function<void(size_t)>& on_done,
-    Scene* scene);
+    const Scene& scene);
 
 }  // namespace musclewarp

@@ -39,7 +39,7 @@ OrderedJson AttachmentsJson(const PreparedMuscle& muscle, bool is_found) {
   for (size_t a = 0; a < areas.size(); ++a) {
     const auto on_bones = muscle.area_on_bones.find(model.attachments[a].body);
     const bool has_bones = on_bones != muscle.area_on_bones.end();
-    list.push_back({{"body", model.attachments[a].body},
+    list.push_back({{"body", NameOfCarrier(model.attachments[a])},
                     {"area_mm2", areas[a]},
                     {"area_on_bones_mm2", has_bones ? on_bones->second : 0},
                     {"found", is_found}});

@@ -20,6 +20,11 @@ namespace musclewarp {
 // `radius` (mm) of one of `points` (#P x 3, mm, rest pose).
 struct Attachment {
   std::string body;
+
+  // The muscle to which it is attached instead of to a body, or empty. Such
+  // attachments are found, not named by scenes.
+  std::string soft_part;
+
   Points points;
   double radius = 0;
 
@@ -31,6 +36,11 @@ struct Attachment {
   // counted apart.
   bool may_penetrate = false;
 };
+
+// The name of what an attachment moves with: its body or its soft part.
+inline const std::string& NameOfCarrier(const Attachment& attachment) {
+  return attachment.soft_part.empty() ? attachment.body : attachment.soft_part;
+}
 
 // A muscle of a scene. Its mesh is given by points and triangles, or named by a
 // file. If the muscle has no lines, they are made from the meshes when the

@@ -10,6 +10,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/invalid_option.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/scene/line_targets.h"
 #include "musclewarp/skeleton/covered_part.h"
 #include "musclewarp/skeleton/sampling.h"
 #include "musclewarp/solver/attachment_rows.h"
@@ -139,6 +140,16 @@ bool MuscleModelOptions::IsValid(std::string* error) const {
     return fail("attachment_rows", attachment_rows, "above 0");
   }
   return true;
+}
+
+Eigen::Matrix4d AttachmentTransform(const MuscleModel& model,
+                                    int attachment,
+                                    const ScenePose& pose) {
+  const auto carrier = model.carriers.find(attachment);
+  if (carrier != model.carriers.end()) {
+    return TransformOf(carrier->second, pose);
+  }
+  return BodyTransform(pose, model.attachments[attachment].body);
 }
 
 void FactorNormalMatrix(MuscleModel* model) {

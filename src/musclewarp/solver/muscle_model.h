@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "musclewarp/skeleton/guides.h"
 #include "musclewarp/skeleton/rotation_field.h"
 #include "musclewarp/solver/bending_rows.h"
+#include "musclewarp/solver/soft_carrier.h"
 
 namespace musclewarp {
 
@@ -74,6 +76,7 @@ struct MuscleModel {
   std::vector<ActionLine> lines;
   Guides guides;  // made of the lines
   std::vector<Attachment> attachments;
+  std::map<int, SoftCarrier> carriers;  // of attachments to soft parts, by index
 
   // The fine mesh: closed and oriented outward.
   Points fine_rest;  // n x 3, mm
@@ -136,6 +139,12 @@ MuscleModel PrepareMuscle(const SceneMuscle& muscle,
                           const TriangleSoup& hull,
                           const MuscleInterior& interior,
                           const MuscleModelOptions& options);
+
+// Returns target_from_rest of an attachment in a pose, mm: that of its body, or
+// of what carries it.
+Eigen::Matrix4d AttachmentTransform(const MuscleModel& model,
+                                    int attachment,
+                                    const ScenePose& pose);
 
 // Factorises the normal matrix of a muscle of which everything else is there,
 // as PrepareMuscle() does in the end, if the muscle has lines. Throws

@@ -44,11 +44,15 @@ MuscleTarget TargetOf(const MuscleModel& model,
   }
 
   target.attachment.resize(model.attachment_of.size(), 3);
+  std::vector<Eigen::Matrix4d> transforms;
+  for (size_t a = 0; a < model.attachments.size(); ++a) {
+    transforms.push_back(AttachmentTransform(model, static_cast<int>(a), pose));
+  }
   for (size_t i = 0; i < model.attachment_of.size(); ++i) {
-    const auto& body = model.attachments[model.attachment_of[i]].body;
     target.attachment.row(i) =
         model.attachment_weights[i] *
-        Transformed(model.attachment_rest.row(i), BodyTransform(pose, body));
+        Transformed(model.attachment_rest.row(i),
+                    transforms[model.attachment_of[i]]);
   }
 
   target.bending.resize(0, 3);
