@@ -57,6 +57,7 @@ class Muscle:
                  triangles: Optional[ArrayLike] = ..., *,
                  lines: Sequence[Line] = ...,
                  attachments: Sequence[Attachment] = ...,
+                 ends_on: Optional[Sequence[str]] = ...,
                  path: _Path = ..., units: str = ...) -> None: ...
     @property
     def name(self) -> str: ...
@@ -68,6 +69,8 @@ class Muscle:
     def lines(self) -> List[Line]: ...
     @property
     def attachments(self) -> List[Attachment]: ...
+    @property
+    def ends_on(self) -> Optional[List[str]]: ...
 
 class Bone:
     def __init__(self, name: str, points: Optional[ArrayLike] = ...,

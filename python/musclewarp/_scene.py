@@ -142,7 +142,8 @@ def demo_scene(folder: Union[str, "os.PathLike[str]", None] = None) -> Scene:
         scene = read_scene(_core.write_demo_scene(work))
         scene.muscles = [
             _core.Muscle(m.name, m.mesh.points, m.mesh.triangles,
-                         lines=m.lines, attachments=m.attachments)
+                         lines=m.lines, attachments=m.attachments,
+                         ends_on=m.ends_on)
             for m in scene.muscles
         ]
         scene.bones = [

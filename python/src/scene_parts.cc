@@ -55,6 +55,8 @@ Args:
     triangles: (m, 3) indices of points.
     lines: Lines of action. Without any they are made from the meshes.
     attachments: Attachments. Without any they are found on the meshes.
+    ends_on: names of the muscles on which it ends instead of on bones. None:
+        found on the meshes.
     path: of a mesh file, in place of points and triangles.
     units: of the points or the file: "mm", "cm" or "m".
 Attributes:
@@ -144,6 +146,7 @@ SharedMuscle MakeMuscle(const std::string& name,
                         const py::object& triangles,
                         const std::vector<SharedLine>& lines,
                         const std::vector<SharedAttachment>& attachments,
+                        const std::optional<Names>& ends_on,
                         const std::filesystem::path& path,
                         const std::string& units) {
   const auto muscle = std::make_shared<SceneMuscle>();
@@ -155,6 +158,7 @@ SharedMuscle MakeMuscle(const std::string& name,
   for (const SharedAttachment& attachment : attachments) {
     muscle->attachments.push_back(*attachment);
   }
+  muscle->ends_on = ends_on;
   return muscle;
 }
 
@@ -218,6 +222,7 @@ void BindMuscles(py::module_* module) {
            py::kw_only(),
            py::arg("lines") = std::vector<SharedLine>(),
            py::arg("attachments") = std::vector<SharedAttachment>(),
+           py::arg("ends_on") = py::none(),
            py::arg("path") = "",
            py::arg("units") = "mm")
       .def_readonly("name", &SceneMuscle::name)
@@ -226,9 +231,10 @@ void BindMuscles(py::module_* module) {
       .def_property_readonly(
           "lines",
           [](const SceneMuscle& muscle) { return Shared(muscle.lines); })
-      .def_property_readonly("attachments", [](const SceneMuscle& muscle) {
-        return Shared(muscle.attachments);
-      });
+      .def_property_readonly(
+          "attachments",
+          [](const SceneMuscle& muscle) { return Shared(muscle.attachments); })
+      .def_readonly("ends_on", &SceneMuscle::ends_on);
 }
 
 void BindBones(py::module_* module) {

@@ -54,12 +54,14 @@ def test_parts_keep_what_they_were_given():
                    slides=True)
     attachment = mw.Attachment("femur", [(0, 0, 98)], 8, may_penetrate=True)
     part = mw.Muscle("psoas", *spindle(0), lines=[line],
-                     attachments=[attachment])
+                     attachments=[attachment], ends_on=["tendon"])
     assert part.lines[0].bodies == ["pelvis", "femur"]
     assert part.lines[0].slides
     np.testing.assert_array_equal(part.lines[0].points, line.points)
     assert part.attachments[0].radius == 8
     assert part.attachments[0].may_penetrate
+    assert part.ends_on == ["tendon"]
+    assert mw.Muscle("iliacus", *spindle(0)).ends_on is None
     bone = mw.Bone("femur_r", *spindle(0), body="femur")
     assert (bone.name, bone.body) == ("femur_r", "femur")
     pose = mw.Pose("bent", time=0.5, bodies={"femur": np.eye(4)},

@@ -124,6 +124,16 @@ TEST(CheckScene, BodiesThatPosesMoveNeedNoBone) {
   CheckScene(scene);
 }
 
+TEST(CheckScene, RefusesToEndOnWhatIsNoOtherMuscle) {
+  ExpectSceneRefused([](Scene* s) { s->muscles[0].ends_on = {{"tendon"}}; },
+                     {"\"ends_on\" of muscle iliacus", "\"tendon\""});
+  ExpectSceneRefused([](Scene* s) { s->muscles[0].ends_on = {{"iliacus"}}; },
+                     {"\"ends_on\" of muscle iliacus", "\"iliacus\""});
+  Scene scene = GoodScene();
+  scene.muscles[0].ends_on.emplace();
+  CheckScene(scene);
+}
+
 TEST(CheckScene, RefusesBodiesOfWhichNothingIsKnown) {
   ExpectSceneRefused(
       [](Scene* s) { s->muscles[0].lines[0].bodies[1] = "tibia"; },

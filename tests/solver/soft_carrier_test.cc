@@ -42,19 +42,19 @@ Matrix4d Motion(const Eigen::AngleAxisd& turn, const Eigen::Vector3d& by) {
 }
 
 TEST(SoftCarrier, StaysAtRest) {
-  EXPECT_LT((TransformOf(Carrier(), {}) - Matrix4d::Identity())
-                .cwiseAbs()
-                .maxCoeff(),
-            1e-12);
+  EXPECT_LT(
+      (TransformOf(Carrier(), {}) - Matrix4d::Identity()).cwiseAbs().maxCoeff(),
+      1e-12);
 }
 
 TEST(SoftCarrier, HasTheMotionThatAllBodiesShare) {
-  const Matrix4d motion = Motion(
-      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()), {3, 9, -4});
+  const Matrix4d motion =
+      Motion(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()),
+             {3, 9, -4});
   ScenePose pose;
   pose.bodies = {{"femur", motion}, {"foot", motion}};
-  EXPECT_LT(
-      (TransformOf(Carrier(), pose) - motion).cwiseAbs().maxCoeff(), 1e-10);
+  EXPECT_LT((TransformOf(Carrier(), pose) - motion).cwiseAbs().maxCoeff(),
+            1e-10);
 }
 
 TEST(SoftCarrier, MovesAsItsPlaceOnTheLine) {

@@ -97,7 +97,8 @@ bool EndsOn(const SoftPart& part, int other) {
 double MeanSection(const SoftPart& part) {
   double length = 0;
   for (const ActionLine& line : part.lines) {
-    length += PolylineLength(line.rest) / static_cast<double>(part.lines.size());
+    length +=
+        PolylineLength(line.rest) / static_cast<double>(part.lines.size());
   }
   return part.volume / length;
 }

@@ -58,7 +58,8 @@ std::vector<ContinuedLines> MakeSceneLines(
                                                    surroundings.bodies(),
                                                    muscle.attachments,
                                                    lines_each);
-    part.ends = EndsOf(muscle, FindAttachments(mesh, surroundings.bodies(), {}));
+    part.ends =
+        EndsOf(muscle, FindAttachments(mesh, surroundings.bodies(), {}));
     part.ends_on = NamedEnds(muscle, scene);
   };
   ParallelFor(count, make, on_done);

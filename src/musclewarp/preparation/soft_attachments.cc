@@ -59,7 +59,8 @@ void AddSoftCarriers(PreparedScene* scene) {
         }
         model.carriers.emplace(
             static_cast<int>(a),
-            CarrierOf(attachment.points, other.model.lines, other.model.guides));
+            CarrierOf(
+                attachment.points, other.model.lines, other.model.guides));
       }
     }
   }

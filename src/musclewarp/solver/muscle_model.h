@@ -76,7 +76,8 @@ struct MuscleModel {
   std::vector<ActionLine> lines;
   Guides guides;  // made of the lines
   std::vector<Attachment> attachments;
-  std::map<int, SoftCarrier> carriers;  // of attachments to soft parts, by index
+  std::map<int, SoftCarrier>
+      carriers;  // of attachments to soft parts, by index
 
   // The fine mesh: closed and oriented outward.
   Points fine_rest;  // n x 3, mm

@@ -49,10 +49,9 @@ MuscleTarget TargetOf(const MuscleModel& model,
     transforms.push_back(AttachmentTransform(model, static_cast<int>(a), pose));
   }
   for (size_t i = 0; i < model.attachment_of.size(); ++i) {
-    target.attachment.row(i) =
-        model.attachment_weights[i] *
-        Transformed(model.attachment_rest.row(i),
-                    transforms[model.attachment_of[i]]);
+    target.attachment.row(i) = model.attachment_weights[i] *
+                               Transformed(model.attachment_rest.row(i),
+                                           transforms[model.attachment_of[i]]);
   }
 
   target.bending.resize(0, 3);

@@ -36,8 +36,8 @@ Eigen::Matrix4d TransformOf(const SoftCarrier& carrier, const ScenePose& pose) {
     before += weight * PointOnSegment(guides[place.line].rest, place);
     after += weight * PointOnSegment(targets[place.line].points, place);
   }
-  const Eigen::Matrix3d rotation = RotationsOf(
-      carrier.field, guides, targets, /*use_body_twist=*/true)[0];
+  const Eigen::Matrix3d rotation =
+      RotationsOf(carrier.field, guides, targets, /*use_body_twist=*/true)[0];
   Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
   transform.topLeftCorner<3, 3>() = rotation;
   transform.topRightCorner<3, 1>() =
