@@ -146,15 +146,8 @@ void PrepareFromMesh(const Surroundings& surroundings,
                                          surroundings.bodies(),
                                          surroundings.MusclesBeside(m),
                                          &prepared->attachment_warnings);
-  for (const int other : prepared->tied_to) {
-    if (options.attachments != AttachmentKind::kAuto) break;
-    for (Attachment& soft : SoftAttachments(fine,
-                                            surroundings.bodies(),
-                                            muscle.lines,
-                                            surroundings.surface_of(other),
-                                            scene.muscles[other].name)) {
-      muscle.attachments.push_back(std::move(soft));
-    }
+  if (options.attachments == AttachmentKind::kAuto) {
+    AddSoftAttachments(fine, surroundings, scene, prepared->tied_to, &muscle);
   }
   const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
   PrepareModel(surroundings,
@@ -235,7 +228,8 @@ void CheckBones(PreparedScene* prepared) {
   prepared->warnings = BoneMoveWarnings(prepared->scene, bones);
 }
 
-// Adds the findings of the preparation to the warnings of the scene.
+// Adds the findings of the preparation to the warnings of the scene, and logs
+// all of these.
 void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
   std::vector<std::string>& warnings = prepared->warnings;
   const auto add = [&](const std::vector<std::string>& more) {
@@ -262,6 +256,7 @@ void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
   }
   add(FoldedLineWarnings(prepared->scene));
   add(ScaleWarnings(sizes, options.scale_warning_ratio));
+  for (const std::string& warning : warnings) LOG(WARNING) << warning;
 }
 
 }  // namespace
@@ -396,7 +391,6 @@ PreparedScene PrepareScene(const Scene& scene,
   prepared.exempt = ExemptAreas(prepared);
   CheckBones(&prepared);
   AddWarnings(options, &prepared);
-  for (const std::string& warning : prepared.warnings) LOG(WARNING) << warning;
   prepared.wall_ms = stopwatch.Milliseconds();
   return prepared;
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/preparation/soft_attachments.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "musclewarp/base/infinity.h"
@@ -12,38 +11,51 @@
 
 namespace musclewarp {
 
-std::vector<Attachment> SoftAttachments(const TriangleSoup& fine,
-                                        const std::vector<BodySurface>& bodies,
-                                        const std::vector<ActionLine>& lines,
-                                        const TriangleBvh& surface,
-                                        const std::string& name) {
+namespace {
+
+// The part of the tips of a muscle (#P x 3 each) that lies on a surface or in
+// it; none of a tip that is farther away than another.
+Points PartOnSurface(const std::vector<Points>& tips,
+                     const TriangleBvh& surface) {
   Points area;
-  Eigen::VectorXd distances;
   double nearest = kInfinity;
-  for (const FoundAttachment& end : FindAttachments(fine, bodies, lines)) {
-    if (end.is_on_bones) continue;
-    const Points& points = end.attachment.points;
-    Eigen::VectorXd here(points.rows());
-    for (Eigen::Index i = 0; i < points.rows(); ++i) {
-      here[i] = DistanceOutside({&surface}, points.row(i));
+  for (const Points& tip : tips) {
+    Eigen::VectorXd distances(tip.rows());
+    for (Eigen::Index i = 0; i < tip.rows(); ++i) {
+      distances[i] = DistanceOutside({&surface}, tip.row(i));
     }
-    if (here.minCoeff() >= nearest) continue;
-    nearest = here.minCoeff();
-    area = points;
-    distances = std::move(here);
-  }
-  std::vector<int> on_surface;
-  for (Eigen::Index i = 0; i < area.rows(); ++i) {
-    if (distances[i] <= nearest + kAreaDepth) {
-      on_surface.push_back(static_cast<int>(i));
+    if (distances.minCoeff() >= nearest) continue;
+    nearest = distances.minCoeff();
+    std::vector<Eigen::Index> near;
+    for (Eigen::Index i = 0; i < tip.rows(); ++i) {
+      if (distances[i] <= nearest + kAreaDepth) near.push_back(i);
     }
+    area = tip(near, Eigen::all);
   }
-  if (on_surface.empty()) return {};
-  Attachment attachment;
-  attachment.soft_part = name;
-  attachment.points = area(on_surface, Eigen::all);
-  attachment.radius = kPointsAlone;
-  return {attachment};
+  return area;
+}
+
+}  // namespace
+
+void AddSoftAttachments(const TriangleSoup& fine,
+                        const Surroundings& surroundings,
+                        const Scene& scene,
+                        const std::vector<int>& tied_to,
+                        SceneMuscle* muscle) {
+  if (tied_to.empty()) return;
+  std::vector<Points> tips;
+  for (const FoundAttachment& end :
+       FindAttachments(fine, surroundings.bodies(), muscle->lines)) {
+    if (!end.is_on_bones) tips.push_back(end.attachment.points);
+  }
+  for (const int other : tied_to) {
+    Attachment attachment;
+    attachment.soft_part = scene.muscles[other].name;
+    attachment.points = PartOnSurface(tips, surroundings.surface_of(other));
+    attachment.radius = kPointsAlone;
+    if (attachment.points.rows() == 0) continue;
+    muscle->attachments.push_back(std::move(attachment));
+  }
 }
 
 void AddSoftCarriers(PreparedScene* scene) {

@@ -2,26 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "musclewarp/fibres/muscle_ends.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/preparation/prepared_scene.h"
-#include "musclewarp/proximity/triangle_bvh.h"
+#include "musclewarp/preparation/surroundings.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
 
-// Returns where a muscle with the mesh `fine` is attached to the soft part
-// `name` on which it ends: what of its tip lies on the surface of that part or
-// in it, as on bones (FindAttachments). None if no tip is there. Positions are
-// those of the rest pose, mm.
-std::vector<Attachment> SoftAttachments(const TriangleSoup& fine,
-                                        const std::vector<BodySurface>& bodies,
-                                        const std::vector<ActionLine>& lines,
-                                        const TriangleBvh& surface,
-                                        const std::string& name);
+// Adds where a muscle with the mesh `fine` is attached to the other muscles of
+// the scene on which it ends, `tied_to`: what of its tip lies on the surface of
+// such a muscle or in it, as on bones (FindAttachments). Positions are those of
+// the rest pose, mm.
+void AddSoftAttachments(const TriangleSoup& fine,
+                        const Surroundings& surroundings,
+                        const Scene& scene,
+                        const std::vector<int>& tied_to,
+                        SceneMuscle* muscle);
 
 // Gives the muscles of a scene what carries their attachments to soft parts.
 // To be called whenever models have been prepared.
