@@ -161,6 +161,8 @@ class DeformRun {
       ThrowIfInterrupted();
       progress_.Say(progress);
     };
+    // Of the files that are written, only these have the gaps of vertices.
+    options.frames.measures.vertex_gaps = HasFormat(options_, "vtp");
     if (!options_.record_steps.empty()) {
       recorder_.emplace(options_.record_steps, options_.step_flags);
       options.frames.certified.on_step = [this](int number,

@@ -64,6 +64,19 @@ TEST(MeasureFrame, CountsWhatCrossesAndMovesTheBones) {
   ASSERT_EQ(frame.intersections.pairs.size(), 2u);
   EXPECT_EQ(frame.intersections.pairs[0].b, "femur");
   EXPECT_LT(frame.muscles[0].gaps.minCoeff(), 0);
+  // The smallest gap is the same if the others are not wanted.
+  const Frame without = MeasureFrame(scene,
+                                     pose,
+                                     ShapesOf(scene, RestState(scene).muscles),
+                                     {},
+                                     TwoSummaries(),
+                                     &meshes,
+                                     {/*vertex_gaps=*/false});
+  for (size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(without.muscles[i].gaps.size(), 0);
+    EXPECT_EQ(without.muscles[i].min_gap, frame.muscles[i].gaps.minCoeff());
+    EXPECT_EQ(frame.muscles[i].min_gap, frame.muscles[i].gaps.minCoeff());
+  }
 }
 
 TEST(IntersectAtRest, SeesWhereTheMusclesAre) {

@@ -69,13 +69,27 @@ class MuscleTriangles {
   BoxGrid grid_;
 };
 
+// By muscle: the vertices with proper stars, or nothing where rings are not
+// known.
+std::vector<std::vector<char>> ProperStarsOf(
+    const std::vector<SurfaceView>& muscles) {
+  std::vector<std::vector<char>> are_proper;
+  for (const SurfaceView& muscle : muscles) {
+    are_proper.emplace_back();
+    if (!muscle.rings) continue;
+    are_proper.back() = ProperStars(*muscle.rings, *muscle.points);
+  }
+  return are_proper;
+}
+
 // Adds the pairs that the entries of `entry_of` form with those of the muscles;
 // if they are those of the muscles themselves, with the entries before them.
-template <typename EntryOf>
+template <typename EntryOf, typename IsApart>
 void AddPairs(const MuscleTriangles& all,
               Eigen::Index count,
               bool are_muscles,
               const EntryOf& entry_of,
+              const IsApart& is_apart,
               std::vector<CrossingPair>* pairs) {
 #pragma omp parallel
   {
@@ -85,6 +99,7 @@ void AddPairs(const MuscleTriangles& all,
       const Entry& entry = entry_of(i);
       const Eigen::Index others = are_muscles ? i : all.size();
       all.ForEachOverlap(entry, others, [&](const Entry& other) {
+        if (is_apart(entry, other)) return;
         const bool cross =
             entry.mesh == other.mesh
                 ? TrianglesIntersectBeyondCommon(other.corners, entry.corners)
@@ -105,12 +120,20 @@ std::vector<CrossingPair> CrossingTriangles(
     const std::vector<SurfaceView>& muscles,
     const std::vector<SurfaceView>& bones) {
   const MuscleTriangles all(muscles);
+  const std::vector<std::vector<char>> are_proper = ProperStarsOf(muscles);
   std::vector<CrossingPair> pairs;
   AddPairs(
       all,
       all.size(),
       /*are_muscles=*/true,
       [&](Eigen::Index i) -> const Entry& { return all[i]; },
+      [&](const Entry& a, const Entry& b) {
+        return a.mesh == b.mesh && !are_proper[a.mesh].empty() &&
+               ShareProperStar(*muscles[a.mesh].triangles,
+                               are_proper[a.mesh],
+                               a.triangle,
+                               b.triangle);
+      },
       &pairs);
   for (size_t b = 0; b < bones.size(); ++b) {
     AddPairs(
@@ -120,6 +143,7 @@ std::vector<CrossingPair> CrossingTriangles(
         [&](Eigen::Index i) {
           return EntryOf(bones[b], static_cast<int>(muscles.size() + b), i);
         },
+        [](const Entry&, const Entry&) { return false; },
         &pairs);
   }
   std::sort(pairs.begin(),

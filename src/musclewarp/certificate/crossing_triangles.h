@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/proximity/vertex_stars.h"
 
 namespace musclewarp {
 
@@ -12,6 +13,7 @@ namespace musclewarp {
 struct SurfaceView {
   const Points* points = nullptr;
   const Triangles* triangles = nullptr;
+  const VertexRings* rings = nullptr;  // make the search faster, if given
 };
 
 // Triangle f of mesh a and triangle g of mesh b, which share a point.

@@ -173,6 +173,7 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
   std::vector<SurfaceView> muscle_views, bone_views;
   for (const NamedMesh& muscle : muscles) {
     muscle_views.push_back(ViewOf(*muscle.mesh));
+    muscle_views.back().rings = muscle.rings;
   }
   for (const NamedMesh& bone : bones) bone_views.push_back(ViewOf(*bone.mesh));
   const auto pairs = CrossingTriangles(muscle_views, bone_views);
@@ -248,28 +249,79 @@ std::vector<PairDepth> PenetrationDepths(const std::vector<NamedMesh>& muscles,
   return pairs;
 }
 
-Eigen::VectorXd VertexGaps(size_t muscle,
-                           const std::vector<NamedMesh>& muscles,
-                           const std::vector<NamedMesh>& bones,
-                           const std::vector<int>& inside,
-                           double limit) {
+namespace {
+
+// The trees of all meshes but that of a muscle.
+std::vector<const TriangleBvh*> TreesBeside(
+    size_t muscle,
+    const std::vector<NamedMesh>& muscles,
+    const std::vector<NamedMesh>& bones) {
   std::vector<const TriangleBvh*> others;
   for (size_t i = 0; i < muscles.size(); ++i) {
     if (i != muscle) others.push_back(&muscles[i].mesh->bvh());
   }
   for (const NamedMesh& bone : bones) others.push_back(&bone.mesh->bvh());
+  return others;
+}
+
+// Returns the distance of a point to the nearest of several meshes, or `limit`
+// if none is nearer.
+double DistanceTo(const std::vector<const TriangleBvh*>& meshes,
+                  const Eigen::RowVector3d& point,
+                  double limit) {
+  for (const TriangleBvh* mesh : meshes) {
+    limit = std::min(limit, mesh->ClosestPoint(point, limit).distance);
+  }
+  return limit;
+}
+
+}  // namespace
+
+Eigen::VectorXd VertexGaps(size_t muscle,
+                           const std::vector<NamedMesh>& muscles,
+                           const std::vector<NamedMesh>& bones,
+                           const std::vector<int>& inside,
+                           double limit) {
+  const std::vector<const TriangleBvh*> others =
+      TreesBeside(muscle, muscles, bones);
   const Points& points = muscles[muscle].mesh->points();
   Eigen::VectorXd gaps(points.rows());
 #pragma omp parallel for schedule(dynamic, 64)
   for (Eigen::Index v = 0; v < points.rows(); ++v) {
-    double gap = limit;
-    for (const TriangleBvh* other : others) {
-      gap = std::min(gap, other->ClosestPoint(points.row(v), gap).distance);
-    }
-    gaps[v] = gap;
+    gaps[v] = DistanceTo(others, points.row(v), limit);
   }
   for (const int v : inside) gaps[v] = -gaps[v];
   return gaps;
+}
+
+double SmallestVertexGap(size_t muscle,
+                         const std::vector<NamedMesh>& muscles,
+                         const std::vector<NamedMesh>& bones,
+                         const std::vector<int>& inside,
+                         double limit) {
+  const std::vector<const TriangleBvh*> others =
+      TreesBeside(muscle, muscles, bones);
+  const Points& points = muscles[muscle].mesh->points();
+  double deepest = 0;
+  for (const int v : inside) {
+    deepest = std::max(deepest, DistanceTo(others, points.row(v), limit));
+  }
+  if (!inside.empty()) return -deepest;
+  double smallest = limit;
+  // Few vertices, spread over the mesh, shorten the search for the others.
+  constexpr Eigen::Index kSampleStride = 64;
+  for (const Eigen::Index stride : {kSampleStride, Eigen::Index{1}}) {
+    double found = smallest;
+#pragma omp parallel for schedule(static) firstprivate(smallest) \
+    reduction(min                                                \
+              : found)
+    for (Eigen::Index v = 0; v < points.rows(); v += stride) {
+      smallest = DistanceTo(others, points.row(v), smallest);
+      found = std::min(found, smallest);
+    }
+    smallest = found;
+  }
+  return smallest;
 }
 
 }  // namespace musclewarp

@@ -9,6 +9,7 @@
 
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/proximity/triangle_bvh.h"
+#include "musclewarp/proximity/vertex_stars.h"
 
 namespace musclewarp {
 
@@ -32,6 +33,7 @@ struct MuscleSurface {
   double volume = 0;    // to be preserved, mm^3
 
   std::shared_ptr<const TriangleBvh> tree;  // of the rest pose
+  std::shared_ptr<const VertexRings> rings;
 
   // By bone: for each triangle (#F), true if it may cross the bone
   // (exempt_area.h). Empty if none may.

@@ -8,7 +8,6 @@
 
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/certificate/push_chains.h"
-#include "musclewarp/frames/frame_measures.h"
 
 namespace musclewarp {
 namespace {
@@ -196,13 +195,15 @@ Frame CertifiedFrame(const PreparedScene& scene,
                      const ContactState& state,
                      const std::vector<Points>& before,
                      std::vector<SolverSummary> summaries,
-                     SceneMeshes* meshes) {
+                     SceneMeshes* meshes,
+                     const MeasureOptions& options) {
   Frame frame = MeasureFrame(scene,
                              state.pose,
                              ShapesOf(certified, state),
                              before,
                              std::move(summaries),
-                             meshes);
+                             meshes,
+                             options);
   MeasureDrift(certified, state, &frame);
   MeasureContact(
       scene, certified, state, requirements.touching_distance, meshes, &frame);

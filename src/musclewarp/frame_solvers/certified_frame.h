@@ -8,6 +8,7 @@
 #include "musclewarp/certified_contact/contact_state.h"
 #include "musclewarp/frame_solvers/rest_result.h"
 #include "musclewarp/frames/frame.h"
+#include "musclewarp/frames/frame_measures.h"
 #include "musclewarp/motion/certified_motion.h"
 #include "musclewarp/preparation/prepared_scene.h"
 #include "musclewarp/preparation/scene_meshes.h"
@@ -25,7 +26,8 @@ Frame CertifiedFrame(const PreparedScene& scene,
                      const ContactState& state,
                      const std::vector<Points>& before,
                      std::vector<SolverSummary> summaries,
-                     SceneMeshes* meshes);
+                     SceneMeshes* meshes,
+                     const MeasureOptions& options = {});
 
 // Returns the separated rest pose of a scene, tested and judged by the same
 // requirements. `meshes`: the meshes of the scene, which are moved.

@@ -127,7 +127,8 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
                                  moved.motion.state,
                                  points_before,
                                  moved.motion.summary.summaries,
-                                 meshes_.get());
+                                 meshes_.get(),
+                                 options_.measures);
     moved.certifying_ms = certifying.Milliseconds();
     return moved;
   };

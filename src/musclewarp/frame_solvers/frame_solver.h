@@ -13,6 +13,7 @@
 #include "musclewarp/frame_solvers/paper_scene.h"
 #include "musclewarp/frame_solvers/rest_result.h"
 #include "musclewarp/frames/frame.h"
+#include "musclewarp/frames/frame_measures.h"
 #include "musclewarp/frames/scene_state.h"
 #include "musclewarp/motion/certified_motion.h"
 #include "musclewarp/motion/muscle_solvers.h"
@@ -45,6 +46,9 @@ struct FrameSolverOptions {
   // The options of certified contact, and the requirements on its frames.
   CertifiedContactOptions certified;
   FrameRequirements requirements;
+
+  // What is measured of frames.
+  MeasureOptions measures;
 
   // Also checks the nested options.
   bool IsValid(std::string* error) const;

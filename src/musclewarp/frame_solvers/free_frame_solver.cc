@@ -51,7 +51,8 @@ SolvedFrame FreeFrameSolver::Solve(const MuscleSolvers& solvers,
                               ShapesOf(scene_, solved.states),
                               FinePointsOf(scene_, before),
                               std::move(solved.summaries),
-                              meshes_.get());
+                              meshes_.get(),
+                              options_.measures);
   result.frame.shortcomings = ShortcomingsOf(result.frame);
   result.frame.wall_ms = wall_ms;
   result.frame.solve_ms = solved.solve_ms;

@@ -117,7 +117,8 @@ SolvedFrame PaperFrameSolver::Solve(const MuscleSolvers& solvers,
                               ShapesOf(scene_, solved.states),
                               FinePointsOf(scene_, before),
                               std::move(solved.summaries),
-                              meshes_.get());
+                              meshes_.get(),
+                              options_.measures);
   result.frame.pose_steps = steps;
   result.frame.wall_ms = wall_ms;
   result.frame.solve_ms = solve_ms;

@@ -33,8 +33,10 @@ struct MuscleFrame {
   int folded_triangles = 0;
   double max_displacement = 0;  // of a fine vertex from rest, mm
 
-  // n: the distance of each vertex to the nearest other mesh, mm, negative
-  // inside one; at most kGapLimit.
+  // The smallest distance of a vertex to another mesh, mm, negative inside one;
+  // at most kGapLimit. And the distance of each vertex, n, if it was asked for
+  // (MeasureOptions).
+  double min_gap = 0;
   Eigen::VectorXd gaps;
   int self_pairs = 0;  // of triangles that cross each other
 

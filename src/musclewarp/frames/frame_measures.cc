@@ -62,6 +62,7 @@ std::vector<Points> BonesIn(const PreparedScene& scene, const ScenePose& pose) {
 
 // Counts intersections and measures gaps.
 void AddIntersections(const PreparedScene& scene,
+                      const MeasureOptions& options,
                       SceneMeshes* meshes,
                       Frame* frame) {
   std::vector<Points> muscles;
@@ -74,14 +75,17 @@ void AddIntersections(const PreparedScene& scene,
       IntersectScene(meshes->muscles(), meshes->bones(), scene.exempt);
   const ScopedStage gaps_stage("gaps of vertices");
   for (size_t i = 0; i < frame->muscles.size(); ++i) {
-    frame->muscles[i].self_pairs =
-        frame->intersections.self_pairs_of_muscles[i];
-    frame->muscles[i].gaps =
-        VertexGaps(i,
-                   meshes->muscles(),
-                   meshes->bones(),
-                   frame->intersections.inside_of_muscles[i],
-                   kGapLimit);
+    MuscleFrame& muscle = frame->muscles[i];
+    const std::vector<int>& inside = frame->intersections.inside_of_muscles[i];
+    muscle.self_pairs = frame->intersections.self_pairs_of_muscles[i];
+    if (options.vertex_gaps) {
+      muscle.gaps =
+          VertexGaps(i, meshes->muscles(), meshes->bones(), inside, kGapLimit);
+      muscle.min_gap = muscle.gaps.minCoeff();
+    } else {
+      muscle.min_gap = SmallestVertexGap(
+          i, meshes->muscles(), meshes->bones(), inside, kGapLimit);
+    }
   }
 }
 
@@ -92,7 +96,8 @@ Frame MeasureFrame(const PreparedScene& scene,
                    const MuscleShapes& shapes,
                    const std::vector<Points>& before,
                    std::vector<SolverSummary> summaries,
-                   SceneMeshes* meshes) {
+                   SceneMeshes* meshes,
+                   const MeasureOptions& options) {
   const ScopedStage stage("measures of shapes");
   Frame frame;
   frame.name = pose.name;
@@ -109,7 +114,7 @@ Frame MeasureFrame(const PreparedScene& scene,
                                std::move(summaries[i]));
   }
   frame.bones = BonesIn(scene, pose);
-  AddIntersections(scene, meshes, &frame);
+  AddIntersections(scene, options, meshes, &frame);
   return frame;
 }
 
@@ -139,7 +144,7 @@ Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes) {
   for (const PreparedBone& bone : scene.bones) {
     frame.bones.push_back(bone.rest.points);
   }
-  AddIntersections(scene, meshes, &frame);
+  AddIntersections(scene, {}, meshes, &frame);
   return frame;
 }
 

@@ -13,6 +13,11 @@
 
 namespace musclewarp {
 
+// What is measured only if somebody wants it.
+struct MeasureOptions {
+  bool vertex_gaps = true;  // MuscleFrame::gaps
+};
+
 // Returns the frame of muscles that a solver has moved to a pose: their points,
 // volumes, folded triangles, lines and fibres, and everything that crosses. The
 // times, `pose_steps`, moment arms and what concerns contact are left to the
@@ -25,7 +30,8 @@ Frame MeasureFrame(const PreparedScene& scene,
                    const MuscleShapes& shapes,
                    const std::vector<Points>& before,
                    std::vector<SolverSummary> summaries,
-                   SceneMeshes* meshes);
+                   SceneMeshes* meshes,
+                   const MeasureOptions& options = {});
 
 // Returns what certificate/shortcomings.h judges a muscle by where there is no
 // contact: its volume and its stretch.

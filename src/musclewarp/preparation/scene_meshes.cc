@@ -17,6 +17,9 @@ SceneMeshes::SceneMeshes(const PreparedScene& scene) {
     const MuscleModel& model = muscle.model;
     muscles_.push_back(
         add(model.name, {model.fine_rest, model.fine_triangles}));
+    rings_.push_back(std::make_unique<VertexRings>(model.fine_triangles,
+                                                   model.fine_rest.rows()));
+    muscles_.back().rings = rings_.back().get();
   }
   for (const PreparedBone& bone : scene.bones) {
     bones_.push_back(add(bone.mesh.name, bone.rest));

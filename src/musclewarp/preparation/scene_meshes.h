@@ -28,6 +28,7 @@ class SceneMeshes {
 
  private:
   std::vector<std::unique_ptr<SearchableMesh>> meshes_;  // muscles, then bones
+  std::vector<std::unique_ptr<VertexRings>> rings_;      // of the muscles
   std::vector<NamedMesh> muscles_, bones_;
 };
 

@@ -95,6 +95,15 @@ double Depth(const Points& points,
   return depth;
 }
 
+// The pairs with the lower triangle first, in ascending order.
+PairList Ascending(PairList pairs) {
+  for (auto& [f, g] : pairs) {
+    if (f > g) std::swap(f, g);
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
 }  // namespace
 
 SearchableMesh::SearchableMesh(TriangleSoup soup)
@@ -148,14 +157,20 @@ PairList IntersectingTriangles(const TriangleBvh& a, const TriangleBvh& b) {
 }
 
 PairList SelfIntersections(const TriangleBvh& bvh) {
-  PairList pairs = bvh.CollectSelfOverlaps([&](int f, int g) {
+  return Ascending(bvh.CollectSelfOverlaps([&](int f, int g) {
     return TrianglesIntersectBeyondCommon(bvh.corners(f), bvh.corners(g));
-  });
-  for (auto& [f, g] : pairs) {
-    if (f > g) std::swap(f, g);
-  }
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  }));
+}
+
+PairList SelfIntersections(const TriangleBvh& bvh,
+                           const Points& points,
+                           const Triangles& triangles,
+                           const VertexRings& rings) {
+  const std::vector<char> is_proper = ProperStars(rings, points);
+  return Ascending(bvh.CollectSelfOverlaps([&](int f, int g) {
+    return !ShareProperStar(triangles, is_proper, f, g) &&
+           TrianglesIntersectBeyondCommon(bvh.corners(f), bvh.corners(g));
+  }));
 }
 
 PairList SelfIntersections(const TriangleSoup& soup) {

@@ -22,7 +22,7 @@ MuscleRecord RecordOf(const PreparedMuscle& muscle, const MuscleFrame& frame) {
   record.volume_error = frame.volume_error;
   record.max_step_mm = frame.solver.max_step;
   record.max_displacement_mm = frame.max_displacement;
-  record.min_gap_mm = frame.gaps.size() ? frame.gaps.minCoeff() : kGapLimit;
+  record.min_gap_mm = frame.min_gap;
   record.folded_triangles = frame.folded_triangles;
   record.self_pairs = frame.self_pairs;
   record.max_contact_displacement_mm = frame.max_contact_displacement;
