@@ -16,7 +16,7 @@ using Eigen::RowVector3d;
 TEST(IsInsideClosed, KnowsABox) {
   // Corner, edge and face directions meet edges of the triangles.
   const TriangleSoup box = Box(20, 20, 20);
-  const SurfaceView view = {&box.points, &box.triangles};
+  const BoxedMesh view(SurfaceView{&box.points, &box.triangles});
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(-15, 15);
   for (int i = 0; i < 500; ++i) {
@@ -30,7 +30,7 @@ TEST(IsInsideClosed, KnowsABox) {
 
 TEST(IsInsideClosed, WhatIsOnTheSurfaceIsNotInside) {
   const TriangleSoup box = Box(20, 20, 20);
-  const SurfaceView view = {&box.points, &box.triangles};
+  const BoxedMesh view(SurfaceView{&box.points, &box.triangles});
   for (const RowVector3d& p : {RowVector3d(10, 3, 4),
                                RowVector3d(10, 10, 10),
                                RowVector3d(-10, 10, 0),
@@ -49,7 +49,7 @@ TEST(IsInsideClosed, AHoleInsideIsOutside) {
   shell.triangles.conservativeResize(triangles + hole.triangles.rows(), 3);
   shell.triangles.bottomRows(hole.triangles.rows()) =
       hole.triangles.array() + static_cast<int>(points);
-  const SurfaceView view = {&shell.points, &shell.triangles};
+  const BoxedMesh view(SurfaceView{&shell.points, &shell.triangles});
   EXPECT_FALSE(IsInsideClosed(RowVector3d(1, 0.5, 0), view));
   EXPECT_TRUE(IsInsideClosed(RowVector3d(7, 0.5, 0), view));
 }
@@ -60,7 +60,7 @@ TEST(IsInsideClosed, WhatNoRayDecidesCountsAsInside) {
   TriangleSoup sphere = Icosphere(10, 2);
   const RowVector3d outside(6, -9, 6);  // within the bounding box
   {
-    const SurfaceView view = {&sphere.points, &sphere.triangles};
+    const BoxedMesh view(SurfaceView{&sphere.points, &sphere.triangles});
     ASSERT_FALSE(IsInsideClosed(outside, view));
   }
   const Eigen::Index v = sphere.points.rows();
@@ -68,7 +68,7 @@ TEST(IsInsideClosed, WhatNoRayDecidesCountsAsInside) {
   sphere.points.row(v) = outside + RowVector3d(1, 1e-3, -1e-4);
   sphere.triangles.conservativeResize(sphere.triangles.rows() + 1, 3);
   sphere.triangles.bottomRows<1>().setConstant(static_cast<int>(v));
-  const SurfaceView view = {&sphere.points, &sphere.triangles};
+  const BoxedMesh view(SurfaceView{&sphere.points, &sphere.triangles});
   EXPECT_TRUE(IsInsideClosed(outside, view));
 }
 

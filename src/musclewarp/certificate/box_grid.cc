@@ -37,6 +37,13 @@ RoundedBox RoundedBoxOf(const Corners& triangle) {
   return box;
 }
 
+RoundedBox RoundedBoxOf(const Eigen::RowVector3d& lower,
+                        const Eigen::RowVector3d& upper) {
+  RoundedBox box;
+  for (int k = 0; k < 3; ++k) SetExtent(lower[k], upper[k], k, &box);
+  return box;
+}
+
 BoxGrid::BoxGrid(const std::vector<RoundedBox>& boxes)
     : size_(static_cast<Eigen::Index>(boxes.size())) {
   if (boxes.empty()) return;
@@ -74,6 +81,17 @@ BoxGrid::BoxGrid(const std::vector<RoundedBox>& boxes)
       items_[next[cell]++] = {boxes[i], static_cast<int>(i)};
     });
   }
+}
+
+bool BoxGrid::OverlapsAny(const RoundedBox& box) const {
+  if (size_ == 0) return false;
+  bool overlaps = false;
+  ForEachCell(box, [&](int cell, const Index3&) {
+    for (int i = starts_[cell]; i < starts_[cell + 1] && !overlaps; ++i) {
+      overlaps = box.Overlaps(items_[i].box);
+    }
+  });
+  return overlaps;
 }
 
 }  // namespace musclewarp

@@ -28,8 +28,10 @@ struct RoundedBox {
   RoundedBox GrownBy(double margin) const;
 };
 
-// Returns a box that contains a triangle.
+// Returns a box that contains a triangle, or all points between two corners.
 RoundedBox RoundedBoxOf(const Corners& triangle);
+RoundedBox RoundedBoxOf(const Eigen::RowVector3d& lower,
+                        const Eigen::RowVector3d& upper);
 
 // A uniform grid over boxes, which finds those that overlap another box without
 // looking at all of them. The certificate searches with it, where contact
@@ -53,6 +55,9 @@ class BoxGrid {
   void ForEachOverlap(const RoundedBox& box,
                       Eigen::Index count,
                       const Visit& visit) const;
+
+  // Returns true if there is a box that overlaps `box`.
+  bool OverlapsAny(const RoundedBox& box) const;
 
  private:
   using Index3 = std::array<int, 3>;

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "musclewarp/certificate/crossing_triangles.h"
+#include "musclewarp/certificate/boxed_mesh.h"
 
 namespace musclewarp {
 
@@ -13,6 +13,6 @@ namespace musclewarp {
 // predicates. A segment that meets an edge or a corner is replaced by another
 // one. A point on the surface is not inside. If no segment decides, the point
 // counts as inside, so that a certificate claims nothing that is not proved.
-bool IsInsideClosed(const Eigen::RowVector3d& point, const SurfaceView& mesh);
+bool IsInsideClosed(const Eigen::RowVector3d& point, const BoxedMesh& mesh);
 
 }  // namespace musclewarp

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "musclewarp/certificate/box_grid.h"
+#include "musclewarp/certificate/boxed_mesh.h"
 #include "musclewarp/proximity/triangle_intersection.h"
 
 namespace musclewarp {
@@ -48,6 +49,10 @@ class MuscleTriangles {
   Eigen::Index size() const { return grid_.size(); }
   const Entry& operator[](Eigen::Index i) const { return entries_[i]; }
 
+  bool OverlapsAny(const RoundedBox& box) const {
+    return grid_.OverlapsAny(box);
+  }
+
   // Calls visit(entry) for those of the first `count` triangles whose box
   // overlaps that of `entry`, for each once.
   template <typename Visit>
@@ -82,36 +87,72 @@ std::vector<std::vector<char>> ProperStarsOf(
   return are_proper;
 }
 
-// Adds the pairs that the entries of `entry_of` form with those of the muscles;
-// if they are those of the muscles themselves, with the entries before them.
-template <typename EntryOf, typename IsApart>
-void AddPairs(const MuscleTriangles& all,
-              Eigen::Index count,
-              bool are_muscles,
-              const EntryOf& entry_of,
-              const IsApart& is_apart,
-              std::vector<CrossingPair>* pairs) {
+// Adds the pair of two triangles whose boxes overlap, if they cross.
+void AddIfCrossing(const Entry& other,
+                   const Entry& entry,
+                   std::vector<CrossingPair>* pairs) {
+  const bool cross =
+      entry.mesh == other.mesh
+          ? TrianglesIntersectBeyondCommon(other.corners, entry.corners)
+          : TrianglesIntersect(other.corners, entry.corners);
+  if (!cross) return;
+  pairs->push_back({other.mesh, entry.mesh, other.triangle, entry.triangle});
+}
+
+// Calls find(i, pairs) for all i below `count`, on several threads, and adds
+// the pairs.
+template <typename Find>
+void AddFound(int count, const Find& find, std::vector<CrossingPair>* pairs) {
 #pragma omp parallel
   {
     std::vector<CrossingPair> found;
-#pragma omp for schedule(dynamic, 1024) nowait
-    for (Eigen::Index i = 0; i < count; ++i) {
-      const Entry& entry = entry_of(i);
-      const Eigen::Index others = are_muscles ? i : all.size();
-      all.ForEachOverlap(entry, others, [&](const Entry& other) {
-        if (is_apart(entry, other)) return;
-        const bool cross =
-            entry.mesh == other.mesh
-                ? TrianglesIntersectBeyondCommon(other.corners, entry.corners)
-                : TrianglesIntersect(other.corners, entry.corners);
-        if (!cross) return;
-        found.push_back(
-            {other.mesh, entry.mesh, other.triangle, entry.triangle});
-      });
-    }
+#pragma omp for schedule(dynamic, 256) nowait
+    for (int i = 0; i < count; ++i) find(i, &found);
 #pragma omp critical
     pairs->insert(pairs->end(), found.begin(), found.end());
   }
+}
+
+// Adds the pairs of triangles of muscles. Those around a vertex with a proper
+// star are known not to cross.
+void AddPairsOfMuscles(const std::vector<SurfaceView>& muscles,
+                       const MuscleTriangles& all,
+                       std::vector<CrossingPair>* pairs) {
+  const std::vector<std::vector<char>> are_proper = ProperStarsOf(muscles);
+  const auto find = [&](int i, std::vector<CrossingPair>* found) {
+    const Entry& entry = all[i];
+    const std::vector<char>& is_proper = are_proper[entry.mesh];
+    all.ForEachOverlap(entry, i, [&](const Entry& other) {
+      if (entry.mesh == other.mesh && !is_proper.empty() &&
+          ShareProperStar(*muscles[entry.mesh].triangles,
+                          is_proper,
+                          entry.triangle,
+                          other.triangle)) {
+        return;
+      }
+      AddIfCrossing(other, entry, found);
+    });
+  };
+  AddFound(static_cast<int>(all.size()), find, pairs);
+}
+
+// Adds the pairs of triangles of muscles and a bone, cluster by cluster.
+void AddPairsOfBone(const SurfaceView& bone,
+                    int mesh,
+                    const MuscleTriangles& all,
+                    std::vector<CrossingPair>* pairs) {
+  const BoxedMesh boxed(bone);
+  const auto find = [&](int c, std::vector<CrossingPair>* found) {
+    if (!all.OverlapsAny(boxed.cluster_boxes()[c])) return;
+    for (const int* g = boxed.clusters().begin(c); g < boxed.clusters().end(c);
+         ++g) {
+      const Entry entry = EntryOf(bone, mesh, *g);
+      all.ForEachOverlap(entry, all.size(), [&](const Entry& other) {
+        AddIfCrossing(other, entry, found);
+      });
+    }
+  };
+  AddFound(boxed.clusters().size(), find, pairs);
 }
 
 }  // namespace
@@ -120,31 +161,10 @@ std::vector<CrossingPair> CrossingTriangles(
     const std::vector<SurfaceView>& muscles,
     const std::vector<SurfaceView>& bones) {
   const MuscleTriangles all(muscles);
-  const std::vector<std::vector<char>> are_proper = ProperStarsOf(muscles);
   std::vector<CrossingPair> pairs;
-  AddPairs(
-      all,
-      all.size(),
-      /*are_muscles=*/true,
-      [&](Eigen::Index i) -> const Entry& { return all[i]; },
-      [&](const Entry& a, const Entry& b) {
-        return a.mesh == b.mesh && !are_proper[a.mesh].empty() &&
-               ShareProperStar(*muscles[a.mesh].triangles,
-                               are_proper[a.mesh],
-                               a.triangle,
-                               b.triangle);
-      },
-      &pairs);
+  AddPairsOfMuscles(muscles, all, &pairs);
   for (size_t b = 0; b < bones.size(); ++b) {
-    AddPairs(
-        all,
-        bones[b].triangles->rows(),
-        /*are_muscles=*/false,
-        [&](Eigen::Index i) {
-          return EntryOf(bones[b], static_cast<int>(muscles.size() + b), i);
-        },
-        [](const Entry&, const Entry&) { return false; },
-        &pairs);
+    AddPairsOfBone(bones[b], static_cast<int>(muscles.size() + b), all, &pairs);
   }
   std::sort(pairs.begin(),
             pairs.end(),

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "musclewarp/certificate/triangle_clusters.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/proximity/vertex_stars.h"
 
@@ -13,7 +14,11 @@ namespace musclewarp {
 struct SurfaceView {
   const Points* points = nullptr;
   const Triangles* triangles = nullptr;
-  const VertexRings* rings = nullptr;  // make the search faster, if given
+
+  // They make searches faster if they are given, and are else done without or
+  // made for a search.
+  const VertexRings* rings = nullptr;
+  const TriangleClusters* clusters = nullptr;
 };
 
 // Triangle f of mesh a and triangle g of mesh b, which share a point.
@@ -28,8 +33,8 @@ struct CrossingPair {
 // Meshes are numbered muscles first, then bones. The pairs ascend.
 //
 // This is the core of the certificate. It shares only the exact tests with the
-// code of contact: triangles are sorted into a uniform grid, where contact
-// searches trees.
+// code of contact: triangles of muscles are sorted into a uniform grid, where
+// contact searches trees.
 std::vector<CrossingPair> CrossingTriangles(
     const std::vector<SurfaceView>& muscles,
     const std::vector<SurfaceView>& bones);

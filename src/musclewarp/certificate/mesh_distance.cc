@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 #include <tuple>
 
 #include "musclewarp/base/infinity.h"
@@ -73,27 +72,19 @@ struct Nearest {
   }
 };
 
-}  // namespace
-
-BoxedMesh::BoxedMesh(const SurfaceView& view)
-    : view_(view), boxes_(view.triangles->rows()) {
+std::vector<RoundedBox> BoxesOf(const BoxedMesh& mesh) {
+  std::vector<RoundedBox> boxes(mesh.num_triangles());
 #pragma omp parallel for schedule(static)
-  for (Eigen::Index f = 0; f < num_triangles(); ++f) {
-    boxes_[f] = RoundedBoxOf(corners(f));
+  for (Eigen::Index f = 0; f < mesh.num_triangles(); ++f) {
+    boxes[f] = RoundedBoxOf(mesh.corners(f));
   }
-  constexpr float kLargest = std::numeric_limits<float>::max();
-  box_.lower.fill(kLargest);
-  box_.upper.fill(-kLargest);
-  for (const RoundedBox& box : boxes_) {
-    for (int k = 0; k < 3; ++k) {
-      box_.lower[k] = std::min(box_.lower[k], box.lower[k]);
-      box_.upper[k] = std::max(box_.upper[k], box.upper[k]);
-    }
-  }
+  return boxes;
 }
 
+}  // namespace
+
 DistanceSearch::DistanceSearch(const BoxedMesh& mesh, double limit)
-    : mesh_(mesh), limit_(limit), grid_(mesh.boxes()) {
+    : mesh_(mesh), limit_(limit), boxes_(BoxesOf(mesh)), grid_(boxes_) {
   CHECK_GT(limit, 0);
 }
 
@@ -103,27 +94,33 @@ std::optional<MeshDistance> DistanceSearch::To(
   if (grid_.size() == 0 || !near.Overlaps(other.box())) return std::nullopt;
   Reach reach(limit_);
   Nearest nearest;
-  // Few triangles, spread over the mesh, shorten the reach for the others.
-  constexpr Eigen::Index kSampleStride = 64;
-  for (const Eigen::Index stride : {kSampleStride, Eigen::Index{1}}) {
+  const auto test = [&](int f, int g, const RoundedBox& box, Nearest* found) {
+    if (exempt && (*exempt)[f]) return;
+    const double within = reach.Get();
+    if (AreBeyond(boxes_[f], box, within)) return;
+    const DistanceBounds bounds =
+        BoundDistance(mesh_.corners(f), other.corners(g), within);
+    if (bounds.at_least > within) return;
+    found->Add(bounds, f, g);
+    reach.LowerTo(bounds.at_most);
+  };
+  const TriangleClusters& clusters = other.clusters();
+  // Few clusters, spread over the mesh, shorten the reach for the others.
+  constexpr int kSampleStride = 64;
+  for (const int stride : {kSampleStride, 1}) {
 #pragma omp parallel
     {
       Nearest found;
-#pragma omp for schedule(dynamic, 32) nowait
-      for (Eigen::Index g = 0; g < other.num_triangles(); g += stride) {
-        const RoundedBox& box = other.boxes()[g];
-        if (!near.Overlaps(box)) continue;
-        grid_.ForEachOverlap(
-            box.GrownBy(reach.Get()), grid_.size(), [&](int f) {
-              if (exempt && (*exempt)[f]) return;
-              const double within = reach.Get();
-              if (AreBeyond(mesh_.boxes()[f], box, within)) return;
-              const DistanceBounds bounds =
-                  BoundDistance(mesh_.corners(f), other.corners(g), within);
-              if (bounds.at_least > within) return;
-              found.Add(bounds, f, static_cast<int>(g));
-              reach.LowerTo(bounds.at_most);
-            });
+#pragma omp for schedule(dynamic, 8) nowait
+      for (int c = 0; c < clusters.size(); c += stride) {
+        const RoundedBox around = other.cluster_boxes()[c].GrownBy(reach.Get());
+        if (!near.Overlaps(around) || !grid_.OverlapsAny(around)) continue;
+        for (const int* g = clusters.begin(c); g < clusters.end(c); ++g) {
+          const RoundedBox box = RoundedBoxOf(other.corners(*g));
+          grid_.ForEachOverlap(box.GrownBy(reach.Get()),
+                               grid_.size(),
+                               [&](int f) { test(f, *g, box, &found); });
+        }
       }
 #pragma omp critical
       nearest.Add(found);

@@ -7,31 +7,9 @@
 #include <vector>
 
 #include "musclewarp/certificate/box_grid.h"
-#include "musclewarp/certificate/crossing_triangles.h"
+#include "musclewarp/certificate/boxed_mesh.h"
 
 namespace musclewarp {
-
-// A mesh at its current place with a box around each triangle, so that the
-// boxes are computed once for several searches. Keeps the pointers of the view.
-class BoxedMesh {
- public:
-  explicit BoxedMesh(const SurfaceView& view);
-
-  Eigen::Index num_triangles() const { return view_.triangles->rows(); }
-  Corners corners(Eigen::Index triangle) const {
-    return CornersOf(*view_.points, view_.triangles->row(triangle));
-  }
-
-  // The boxes of the triangles (#F), and one around all of them, which is empty
-  // (overlaps nothing) if there are no triangles.
-  const std::vector<RoundedBox>& boxes() const { return boxes_; }
-  const RoundedBox& box() const { return box_; }
-
- private:
-  SurfaceView view_;
-  std::vector<RoundedBox> boxes_;
-  RoundedBox box_;
-};
 
 // The smallest distance of the surfaces of two meshes a and b, mm: it is proved
 // to be in [at_least, at_most], and both are 0 if triangles share a point.
@@ -81,6 +59,7 @@ class DistanceSearch {
  private:
   const BoxedMesh& mesh_;
   double limit_;
+  std::vector<RoundedBox> boxes_;  // of the triangles of the mesh
   BoxGrid grid_;
 };
 

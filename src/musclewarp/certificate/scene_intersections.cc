@@ -29,20 +29,25 @@ std::vector<int> Distinct(std::vector<int> numbers) {
   return numbers;
 }
 
-SurfaceView ViewOf(const SearchableMesh& mesh) {
-  return {&mesh.points(), &mesh.triangles()};
+SurfaceView ViewOf(const NamedMesh& named) {
+  return {&named.mesh->points(),
+          &named.mesh->triangles(),
+          named.rings,
+          named.clusters};
 }
 
 // Returns true if a component of `mesh`, which does not cross `other`, lies in
 // it.
-bool LiesInside(const SearchableMesh& mesh, const SearchableMesh& other) {
+bool LiesInside(const SearchableMesh& mesh,
+                const SearchableMesh& other,
+                const BoxedMesh& boxed_other) {
   if (other.triangles().rows() == 0) return false;
   const int count = static_cast<int>(mesh.points().rows());
   bool is_inside = false;
   for (int v = 0; v < count && !is_inside; ++v) {
     if (!mesh.is_used()[v] || mesh.components()[v] != v) continue;
     const Eigen::RowVector3d p = mesh.points().row(v);
-    is_inside = other.winding().IsClosed() ? IsInsideClosed(p, ViewOf(other))
+    is_inside = other.winding().IsClosed() ? IsInsideClosed(p, boxed_other)
                                            : other.winding().IsInside(p);
   }
   return is_inside;
@@ -85,6 +90,8 @@ void DropExempt(const ExemptArea& exempt, std::vector<int>* vertices) {
 // are added to those of the muscles; null for a bone. Returns true if the
 // meshes have more in common than exempt triangles.
 bool AddPair(MeshPair meshes,
+             const BoxedMesh& boxed_a,
+             const BoxedMesh& boxed_b,
              std::vector<int>* inside_of_a,
              std::vector<int>* inside_of_b,
              SceneIntersections* sum) {
@@ -92,8 +99,8 @@ bool AddPair(MeshPair meshes,
   PairIntersection pair;
   pair.triangle_pairs = static_cast<int>(meshes.triangles_of_a.size());
   pair.exempt_pairs = meshes.exempt_pairs;
-  if (pair.triangle_pairs + pair.exempt_pairs == 0 && !LiesInside(a, b) &&
-      !LiesInside(b, a)) {
+  if (pair.triangle_pairs + pair.exempt_pairs == 0 &&
+      !LiesInside(a, b, boxed_b) && !LiesInside(b, a, boxed_a)) {
     return false;
   }
   MeshIntersection found = IntersectMeshes(a, b);
@@ -172,10 +179,9 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                                   const std::vector<ExemptArea>& exempt) {
   std::vector<SurfaceView> muscle_views, bone_views;
   for (const NamedMesh& muscle : muscles) {
-    muscle_views.push_back(ViewOf(*muscle.mesh));
-    muscle_views.back().rings = muscle.rings;
+    muscle_views.push_back(ViewOf(muscle));
   }
-  for (const NamedMesh& bone : bones) bone_views.push_back(ViewOf(*bone.mesh));
+  for (const NamedMesh& bone : bones) bone_views.push_back(ViewOf(bone));
   const auto pairs = CrossingTriangles(muscle_views, bone_views);
   // They ascend by a, then b, as the loops below do.
   auto next = pairs.begin();
@@ -206,7 +212,7 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
     for (size_t b = a + 1; b < muscles.size() + bones.size(); ++b) {
       const MeshPair meshes = crossing(a, b);
       std::vector<int>* inside_of_b = b < muscles.size() ? &inside[b] : nullptr;
-      if (AddPair(meshes, &inside[a], inside_of_b, &sum)) {
+      if (AddPair(meshes, boxed[a], boxed[b], &inside[a], inside_of_b, &sum)) {
         sum.gaps.push_back({meshes.a.name,
                             meshes.b.name,
                             /*at_least_mm=*/0,

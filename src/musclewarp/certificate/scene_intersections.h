@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/certificate/triangle_clusters.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/scene/exempt_area.h"
 
@@ -95,7 +96,10 @@ struct SceneIntersections {
 struct NamedMesh {
   std::string name;
   const SearchableMesh* mesh = nullptr;
-  const VertexRings* rings = nullptr;  // of a muscle; may be left out
+
+  // They make the certificate faster, and may be left out.
+  const VertexRings* rings = nullptr;  // of a muscle
+  const TriangleClusters* clusters = nullptr;
 };
 
 // Counts everything that intersects in a scene and measures the gaps. Whether

@@ -11,7 +11,10 @@ namespace musclewarp {
 SceneMeshes::SceneMeshes(const PreparedScene& scene) {
   const auto add = [&](const std::string& name, const TriangleSoup& soup) {
     meshes_.push_back(std::make_unique<SearchableMesh>(soup));
-    return NamedMesh{name, meshes_.back().get()};
+    clusters_.push_back(
+        std::make_unique<TriangleClusters>(soup.points, soup.triangles));
+    return NamedMesh{
+        name, meshes_.back().get(), nullptr, clusters_.back().get()};
   };
   for (const PreparedMuscle& muscle : scene.muscles) {
     const MuscleModel& model = muscle.model;

@@ -28,7 +28,8 @@ class SceneMeshes {
 
  private:
   std::vector<std::unique_ptr<SearchableMesh>> meshes_;  // muscles, then bones
-  std::vector<std::unique_ptr<VertexRings>> rings_;      // of the muscles
+  std::vector<std::unique_ptr<TriangleClusters>> clusters_;
+  std::vector<std::unique_ptr<VertexRings>> rings_;  // of the muscles
   std::vector<NamedMesh> muscles_, bones_;
 };
 
