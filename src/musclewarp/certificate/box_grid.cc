@@ -77,8 +77,9 @@ BoxGrid::BoxGrid(const std::vector<RoundedBox>& boxes)
   items_.resize(starts_.back());
   std::vector<int> next(starts_.begin(), starts_.end() - 1);
   for (size_t i = 0; i < boxes.size(); ++i) {
+    const Index3 first = CellOf(boxes[i].lower);
     ForEachCell(boxes[i], [&](int cell, const Index3&) {
-      items_[next[cell]++] = {boxes[i], static_cast<int>(i)};
+      items_[next[cell]++] = {boxes[i], static_cast<int>(i), first};
     });
   }
 }

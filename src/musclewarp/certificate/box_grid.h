@@ -65,6 +65,7 @@ class BoxGrid {
   struct Item {
     RoundedBox box;
     int index;
+    Index3 first;  // of the cells that it touches
   };
 
   Index3 CellOf(const std::array<float, 3>& p) const;
@@ -122,10 +123,9 @@ void BoxGrid::ForEachOverlap(const RoundedBox& box,
       if (items_[i].index >= count) break;  // they ascend in a cell
       if (!box.Overlaps(items_[i].box)) continue;
       // Of the cells that both touch, in the first one only.
-      const Index3 other_first = CellOf(items_[i].box.lower);
       bool is_first = true;
       for (int k = 0; k < 3; ++k) {
-        is_first &= at[k] == std::max(first[k], other_first[k]);
+        is_first &= at[k] == std::max(first[k], items_[i].first[k]);
       }
       if (is_first) visit(items_[i].index);
     }
