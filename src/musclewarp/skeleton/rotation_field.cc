@@ -51,6 +51,30 @@ Eigen::Matrix3d MeanOf(const std::vector<Eigen::Quaterniond>& rotations,
   return Eigen::Quaterniond(sum).normalized().toRotationMatrix();
 }
 
+// Returns the means of rotations for each row of weights (#V x #P). If all of
+// them are within a cone, all have the same signs whatever they are aligned to,
+// and the sums are one product of matrices; true is returned then.
+bool MeansInCone(const std::vector<Eigen::Quaterniond>& rotations,
+                 const Eigen::MatrixXd& weights,
+                 std::vector<Eigen::Matrix3d>* means) {
+  // Twice the angle between two quaternions below it is a right one.
+  constexpr double kCosine = 0.7072;
+  Eigen::MatrixX4d coefficients(rotations.size(), 4);
+  for (size_t p = 0; p < rotations.size(); ++p) {
+    const double cosine = rotations[p].dot(rotations[0]);
+    if (std::abs(cosine) < kCosine) return false;
+    coefficients.row(p) =
+        (cosine < 0 ? -1 : 1) * rotations[p].coeffs().transpose();
+  }
+  const Eigen::MatrixX4d sums = weights * coefficients;
+  means->reserve(sums.rows());
+  for (Eigen::Index i = 0; i < sums.rows(); ++i) {
+    const Eigen::Vector4d sum = sums.row(i).transpose();
+    means->push_back(Eigen::Quaterniond(sum).normalized().toRotationMatrix());
+  }
+  return true;
+}
+
 }  // namespace
 
 RotationField NearestRotations(const Points& points,
@@ -114,6 +138,7 @@ std::vector<Eigen::Matrix3d> RotationsOf(const RotationField& field,
   std::vector<Eigen::Quaterniond> quaternions(rotations.begin(),
                                               rotations.end());
   rotations.clear();
+  if (MeansInCone(quaternions, field.weights, &rotations)) return rotations;
   for (Eigen::Index i = 0; i < field.weights.rows(); ++i) {
     rotations.push_back(MeanOf(quaternions, field.weights.row(i)));
   }

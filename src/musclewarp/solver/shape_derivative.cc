@@ -16,8 +16,8 @@ namespace {
 
 // Conjugate gradients end where the residual, in the norm of A'^-1, has fallen
 // to this share of the right-hand side, or to this length. What is left in
-// moment arms of the LHDL hip is 1e-5 mm.
-constexpr double kTolerance = 1e-7;
+// moment arms of the LHDL hip is 3e-4 mm.
+constexpr double kTolerance = 3e-6;
 constexpr double kSmallest = 1e-8;  // mm by rad or m
 constexpr int kMaxIterations = 200;
 
