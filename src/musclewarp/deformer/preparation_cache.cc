@@ -86,7 +86,13 @@ bool IsIntact(const std::string& key, std::istream* file) {
   const std::string begin = kMagic + key;
   std::string header(begin.size() + ChecksumOf("").size(), '\0');
   file->read(header.data(), static_cast<std::streamsize>(header.size()));
-  const std::string rest((std::istreambuf_iterator<char>(*file)), {});
+  const std::streamoff start = file->tellg();
+  file->seekg(0, std::ios::end);
+  const std::streamoff end = file->tellg();
+  if (start < 0 || end < start) return false;
+  std::string rest(end - start, '\0');
+  file->seekg(start);
+  file->read(rest.data(), static_cast<std::streamsize>(rest.size()));
   if (header != begin + ChecksumOf(rest)) return false;
   file->clear();
   file->seekg(static_cast<std::streamoff>(header.size()));

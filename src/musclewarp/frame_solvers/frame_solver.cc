@@ -40,7 +40,8 @@ FrameSolver::FrameSolver(const PreparedScene& scene,
 
 const Frame& FrameSolver::RestFrame() {
   if (!rest_frame_) {
-    rest_frame_ = musclewarp::RestFrame(scene_, meshes_.get());
+    rest_frame_ =
+        musclewarp::RestFrame(scene_, meshes_.get(), options_.measures);
   }
   return *rest_frame_;
 }

@@ -129,7 +129,9 @@ MuscleMeasures MuscleMeasuresOf(const PreparedMuscle& muscle,
   return measures;
 }
 
-Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes) {
+Frame RestFrame(const PreparedScene& scene,
+                SceneMeshes* meshes,
+                const MeasureOptions& options) {
   Frame frame;
   for (const PreparedMuscle& muscle : scene.muscles) {
     MuscleFrame at_rest;
@@ -144,7 +146,7 @@ Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes) {
   for (const PreparedBone& bone : scene.bones) {
     frame.bones.push_back(bone.rest.points);
   }
-  AddIntersections(scene, {}, meshes, &frame);
+  AddIntersections(scene, options, meshes, &frame);
   return frame;
 }
 

@@ -39,7 +39,9 @@ MuscleMeasures MuscleMeasuresOf(const PreparedMuscle& muscle,
                                 const MuscleFrame& frame);
 
 // Returns the frame of a scene with every mesh where it was delivered.
-Frame RestFrame(const PreparedScene& scene, SceneMeshes* meshes);
+Frame RestFrame(const PreparedScene& scene,
+                SceneMeshes* meshes,
+                const MeasureOptions& options = {});
 
 // Counts what crosses with every mesh where it was delivered.
 SceneIntersections IntersectAsPrepared(const PreparedScene& scene,

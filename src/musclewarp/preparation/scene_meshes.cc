@@ -4,29 +4,42 @@
 
 #include <glog/logging.h>
 
+#include <utility>
+
+#include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stage_times.h"
 
 namespace musclewarp {
 
 SceneMeshes::SceneMeshes(const PreparedScene& scene) {
-  const auto add = [&](const std::string& name, const TriangleSoup& soup) {
-    meshes_.push_back(std::make_unique<SearchableMesh>(soup));
-    clusters_.push_back(
-        std::make_unique<TriangleClusters>(soup.points, soup.triangles));
-    return NamedMesh{
-        name, meshes_.back().get(), nullptr, clusters_.back().get()};
-  };
+  std::vector<TriangleSoup> soups;
   for (const PreparedMuscle& muscle : scene.muscles) {
     const MuscleModel& model = muscle.model;
-    muscles_.push_back(
-        add(model.name, {model.fine_rest, model.fine_triangles}));
-    rings_.push_back(std::make_unique<VertexRings>(model.fine_triangles,
-                                                   model.fine_rest.rows()));
-    muscles_.back().rings = rings_.back().get();
+    soups.push_back({model.fine_rest, model.fine_triangles});
+    muscles_.push_back({model.name});
   }
   for (const PreparedBone& bone : scene.bones) {
-    bones_.push_back(add(bone.mesh.name, bone.rest));
+    soups.push_back(bone.rest);
+    bones_.push_back({bone.mesh.name});
   }
+  meshes_.resize(soups.size());
+  clusters_.resize(soups.size());
+  rings_.resize(muscles_.size());
+  ParallelFor(soups.size(), [&](size_t i) {
+    const TriangleSoup& soup = soups[i];
+    const bool is_muscle = i < muscles_.size();
+    NamedMesh& named = is_muscle ? muscles_[i] : bones_[i - muscles_.size()];
+    clusters_[i] =
+        std::make_unique<TriangleClusters>(soup.points, soup.triangles);
+    named.clusters = clusters_[i].get();
+    if (is_muscle) {
+      rings_[i] =
+          std::make_unique<VertexRings>(soup.triangles, soup.points.rows());
+      named.rings = rings_[i].get();
+    }
+    meshes_[i] = std::make_unique<SearchableMesh>(std::move(soups[i]));
+    named.mesh = meshes_[i].get();
+  });
 }
 
 void SceneMeshes::MoveTo(const std::vector<Points>& muscles,
