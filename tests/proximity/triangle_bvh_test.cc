@@ -237,6 +237,24 @@ TEST(TriangleBvh, CollectingKeepsWhatTheFilterKeeps) {
   EXPECT_EQ(Sorted(self), Sorted(expected_self));
 }
 
+TEST(TriangleBvh, PairsOfItsOwnAreThoseOfTheNodesThatAreEntered) {
+  const TriangleSoup sphere = Icosphere(10, 2);
+  const TriangleBvh tree(sphere.points, sphere.triangles);
+  const auto all = [](int, int) { return true; };
+  const auto count = static_cast<size_t>(sphere.triangles.rows());
+  const auto pairs = tree.CollectSelfPairs(all, all);
+  EXPECT_EQ(pairs.size(), count * (count - 1) / 2);
+  EXPECT_EQ(PairSet(pairs.begin(), pairs.end()).size(), pairs.size());
+  EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
+  PairSet overlapping;
+  tree.ForEachSelfOverlap(
+      [&](int f, int g) { overlapping.insert(std::minmax(f, g)); });
+  const auto entered = tree.CollectSelfPairs(
+      [&](int a, int b) { return tree.node_box(a).Overlaps(tree.node_box(b)); },
+      all);
+  EXPECT_EQ(PairSet(entered.begin(), entered.end()), overlapping);
+}
+
 TEST(TriangleBvh, TheOrderDoesNotDependOnTheThreads) {
   std::mt19937 random(4);
   const TriangleSoup soup = RandomSoup(600, 0.2, &random);

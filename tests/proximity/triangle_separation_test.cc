@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "musclewarp/proximity/triangle_distance.h"
 #include "musclewarp/proximity/triangle_intersection.h"
 #include "proximity/triangle_distances.h"
 #include "support/meshes.h"
@@ -148,6 +149,22 @@ TEST(SeparateFromObstacles, LooksAtTheGivenTrianglesOnly) {
               DistanceOf(t, bvh.corners(g)) <= 5 ? 1u : 0u);
     EXPECT_TRUE(SeparateFromObstacles(t, bvh, &g, 0, Within(5)).empty());
   }
+}
+
+TEST(AreSurelyFarther, IsNeverWrongAndSeesMost) {
+  const std::vector<Corners> triangles = TrianglesAround(200);
+  int farther = 0, seen = 0;
+  for (const Corners& a : triangles) {
+    for (const Corners& b : triangles) {
+      const double square = ClosestPointsOfTriangles(a, b).squared_distance;
+      EXPECT_FALSE(AreSurelyFarther(a, b, square));
+      EXPECT_FALSE(AreSurelyFarther(a, b, 4 * square));
+      if (square == 0) continue;
+      ++farther;
+      seen += AreSurelyFarther(a, b, square / 2);
+    }
+  }
+  EXPECT_GT(seen, 0.9 * farther);
 }
 
 TEST(SeparateTriangles, HasNoAnswerForTrianglesThatCross) {

@@ -120,6 +120,13 @@ void AddPlanesBetweenMuscles(const StepOptions& options,
     std::vector<int> others(met.begin(f), met.begin(f) + met.count(f));
     std::sort(others.begin(), others.end());
     for (const int g : others) {
+      if (AreSurelyFarther(step.trees_before[a].corners(f),
+                           step.trees_before[b].corners(g),
+                           square) &&
+          AreSurelyFarther(
+              predicted_a.corners(f), predicted_b.corners(g), square)) {
+        continue;
+      }
       const auto separation = SeparateTriangles(
           step.trees_before[a].corners(f), step.trees_before[b].corners(g));
       if (!separation) continue;

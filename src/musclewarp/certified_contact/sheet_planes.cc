@@ -52,13 +52,26 @@ std::vector<Box3> NormalsOfNodes(const TriangleBvh& tree,
   return tree.BoxesOfNodes(boxes);
 }
 
-// Returns the smallest dot product of a normal with any vector in the box.
-double LeastProduct(const RowVector3d& normal, const Box3& box) {
+// Returns the smallest dot product of vectors in two boxes.
+double LeastProduct(const Box3& a, const Box3& b) {
   double sum = 0;
   for (int k = 0; k < 3; ++k) {
-    sum += std::min(normal[k] * box.lower[k], normal[k] * box.upper[k]);
+    sum += std::min({a.lower[k] * b.lower[k],
+                     a.lower[k] * b.upper[k],
+                     a.upper[k] * b.lower[k],
+                     a.upper[k] * b.upper[k]});
   }
   return sum;
+}
+
+// Returns true if two boxes are at most `distance` apart along each axis.
+bool AreWithin(const Box3& a, const Box3& b, double distance) {
+  bool are_within = true;
+  for (int k = 0; k < 3; ++k) {
+    are_within &= a.lower[k] - distance <= b.upper[k] &&
+                  b.lower[k] <= a.upper[k] + distance;
+  }
+  return are_within;
 }
 
 // Returns the plane between two triangles of a muscle for their separation.
@@ -121,42 +134,36 @@ std::vector<SeparatingPlane> FindPlanesBetweenSheets(const StepOptions& options,
   const Points& before = step.before.points[muscle];
   const Points normals = UnitNormals(tree);
   const std::vector<Box3> normals_of_nodes = NormalsOfNodes(tree, normals);
-  std::vector<std::vector<SeparatingPlane>> found(tree.num_triangles());
-  std::int64_t visited = 0, tested = 0;
-#pragma omp parallel for schedule(dynamic, 64) reduction(+ : visited, tested)
-  for (int f = 0; f < tree.num_triangles(); ++f) {
-    const Box3 box = BoxOf(tree.corners(f), distance);
-    const auto add_plane = [&](int g) {
-      ++visited;
-      if (g <= f || normals.row(f).dot(normals.row(g)) >= 0 ||
-          !BoxOf(tree.corners(g)).Overlaps(box) ||
-          ShareAnEdge(triangles.row(f), triangles.row(g))) {
-        return;
-      }
-      ++tested;
-      const auto separation =
-          SeparateSheets(before, triangles.row(f), triangles.row(g));
-      if (separation && separation->distance <= distance &&
-          FaceEachOther(normals.row(f),
-                        normals.row(g),
-                        separation->normal,
-                        options.planes.min_facing)) {
-        found[f].push_back(PlaneAt(options, step, muscle, f, g, *separation));
-      }
-    };
-    // Prunes nodes whose triangles face the same way, as around the triangle.
-    tree.TraverseNodes(
-        [&](int node) {
-          return tree.node_box(node).Overlaps(box) &&
-                 LeastProduct(normals.row(f), normals_of_nodes[node]) < 0;
-        },
-        add_plane);
+  // Prunes nodes whose triangles face the same way, as those of neighbours do.
+  const std::vector<std::pair<int, int>> facing = tree.CollectSelfPairs(
+      [&](int a, int b) {
+        return AreWithin(tree.node_box(a), tree.node_box(b), distance) &&
+               LeastProduct(normals_of_nodes[a], normals_of_nodes[b]) < 0;
+      },
+      [&](int f, int g) {
+        return normals.row(f).dot(normals.row(g)) < 0 &&
+               BoxOf(tree.corners(g))
+                   .Overlaps(BoxOf(tree.corners(f), distance)) &&
+               !ShareAnEdge(triangles.row(f), triangles.row(g));
+      });
+  CountWork(WorkUnit::kPairsTested, static_cast<std::int64_t>(facing.size()));
+  std::vector<std::optional<SeparatingPlane>> found(facing.size());
+#pragma omp parallel for schedule(dynamic, 64)
+  for (size_t i = 0; i < facing.size(); ++i) {
+    const auto [f, g] = facing[i];
+    const auto separation =
+        SeparateSheets(before, triangles.row(f), triangles.row(g));
+    if (separation && separation->distance <= distance &&
+        FaceEachOther(normals.row(f),
+                      normals.row(g),
+                      separation->normal,
+                      options.planes.min_facing)) {
+      found[i] = PlaneAt(options, step, muscle, f, g, *separation);
+    }
   }
-  CountWork(WorkUnit::kPairsVisited, visited);
-  CountWork(WorkUnit::kPairsTested, tested);
   std::vector<SeparatingPlane> planes;
-  for (const auto& of_triangle : found) {
-    planes.insert(planes.end(), of_triangle.begin(), of_triangle.end());
+  for (const auto& plane : found) {
+    if (plane) planes.push_back(*plane);
   }
   return planes;
 }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -69,6 +71,14 @@ class TriangleBvh {
   template <typename Keep>
   std::vector<std::pair<int, int>> CollectSelfOverlaps(const Keep& keep) const;
 
+  // Returns the pairs of two different triangles of this tree for which keep(f,
+  // g) is true, with f < g, of those for which enter(a, b) is true of all pairs
+  // of nodes that contain them. `enter` must be true of two nodes if it is true
+  // of nodes within them. Both are called from several threads.
+  template <typename Enter, typename Keep>
+  std::vector<std::pair<int, int>> CollectSelfPairs(const Enter& enter,
+                                                    const Keep& keep) const;
+
   // Calls visit(triangle) for every triangle for which enter(box) is true of
   // all boxes that contain it. `enter` must be true of a box if it is true of a
   // smaller box in it; then no triangle is missed.
@@ -125,6 +135,16 @@ class TriangleBvh {
                                        const TriangleBvh& b,
                                        NodePair pair);
 
+  // Calls visit(f, g) for the pairs of triangles in two nodes, as far as
+  // enter(node of a, node of b) is true.
+  template <typename Enter, typename Visit>
+  static void VisitPair(const TriangleBvh& a,
+                        const TriangleBvh& b,
+                        NodePair root,
+                        const Enter& enter,
+                        const Visit& visit);
+
+  // The same as far as boxes overlap.
   template <typename Visit>
   static void VisitPair(const TriangleBvh& a,
                         const TriangleBvh& b,
@@ -232,14 +252,51 @@ void TriangleBvh::VisitPair(const TriangleBvh& a,
                             const TriangleBvh& b,
                             NodePair root,
                             const Visit& visit) {
+  const auto overlap = [&](int of_a, int of_b) {
+    return a.nodes_[of_a].box.Overlaps(b.nodes_[of_b].box);
+  };
+  VisitPair(a, b, root, overlap, visit);
+}
+
+template <typename Enter, typename Keep>
+std::vector<std::pair<int, int>> TriangleBvh::CollectSelfPairs(
+    const Enter& enter, const Keep& keep) const {
+  const std::vector<NodePair> roots = SelfPairs();
+  std::vector<std::pair<int, int>> all;
+#pragma omp parallel
+  {
+    std::vector<std::pair<int, int>> found;
+    std::int64_t visited = 0;
+#pragma omp for schedule(dynamic, 64) nowait
+    for (size_t i = 0; i < roots.size(); ++i) {
+      VisitPair(*this, *this, roots[i], enter, [&](int a, int b) {
+        ++visited;
+        const auto [f, g] = std::minmax(a, b);
+        if (keep(f, g)) found.emplace_back(f, g);
+      });
+    }
+    CountWork(WorkUnit::kPairsVisited, visited);
+#pragma omp critical
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+template <typename Enter, typename Visit>
+void TriangleBvh::VisitPair(const TriangleBvh& a,
+                            const TriangleBvh& b,
+                            NodePair root,
+                            const Enter& enter,
+                            const Visit& visit) {
   std::array<NodePair, 128> stack;  // at most the sum of both depths
   int size = 0;
   stack[size++] = root;
   while (size > 0) {
     const NodePair pair = stack[--size];
+    if (!enter(pair.first, pair.second)) continue;
     const Node& node_a = a.nodes_[pair.first];
     const Node& node_b = b.nodes_[pair.second];
-    if (!node_a.box.Overlaps(node_b.box)) continue;
     if (node_a.IsLeaf() && node_b.IsLeaf()) {
       visit(node_a.triangle, node_b.triangle);
       continue;

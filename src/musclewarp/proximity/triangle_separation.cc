@@ -59,7 +59,35 @@ std::vector<Candidate> CandidatesNear(const Corners& triangle,
   return candidates;
 }
 
+// Returns true if a plane orthogonal to `direction` shows that two triangles
+// are farther apart than the root of `square`, mm^2.
+bool AreApartAlong(const RowVector3d& direction,
+                   const Corners& a,
+                   const Corners& b,
+                   double square) {
+  double highest_of_a = 0, lowest_of_b = direction.dot(b.row(0) - a.row(0));
+  double lowest_of_a = 0, highest_of_b = lowest_of_b;
+  for (const int i : {1, 2}) {
+    const double of_a = direction.dot(a.row(i) - a.row(0));
+    const double of_b = direction.dot(b.row(i) - a.row(0));
+    highest_of_a = std::max(highest_of_a, of_a);
+    lowest_of_a = std::min(lowest_of_a, of_a);
+    highest_of_b = std::max(highest_of_b, of_b);
+    lowest_of_b = std::min(lowest_of_b, of_b);
+  }
+  const double gap =
+      std::max(lowest_of_b - highest_of_a, lowest_of_a - highest_of_b);
+  // More than rounding may be wrong by.
+  constexpr double kMargin = 1 + 1e-9;
+  return gap > 0 && gap * gap > kMargin * square * direction.squaredNorm();
+}
+
 }  // namespace
+
+bool AreSurelyFarther(const Corners& a, const Corners& b, double square) {
+  return AreApartAlong(AreaVector(b), a, b, square) ||
+         AreApartAlong(b.colwise().sum() - a.colwise().sum(), a, b, square);
+}
 
 std::optional<TriangleSeparation> SeparateTriangles(const Corners& a,
                                                     const Corners& b) {
@@ -131,6 +159,10 @@ std::vector<HalfSpace> SeparateFromObstacles(const Corners& triangle,
       if (next.square >= least) break;
       const Corners& other = obstacles.corners(next.triangle);
       if (least <= most && IsBehind(other, plane)) continue;
+      if (AreSurelyFarther(triangle, other, std::min(least, most))) {
+        next.is_done = least > most;
+        continue;
+      }
       const ClosestPair pair = ClosestPointsOfTriangles(triangle, other);
       if (pair.squared_distance >= least) continue;
       const double distance = std::sqrt(pair.squared_distance);
