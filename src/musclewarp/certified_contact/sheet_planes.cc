@@ -74,6 +74,20 @@ bool AreWithin(const Box3& a, const Box3& b, double distance) {
   return are_within;
 }
 
+// Sorts pairs by the first triangle, and then by the place of the second one in
+// the tree: neighbours follow each other, and so do their planes in memory.
+void SortByPlace(const TriangleBvh& tree,
+                 std::vector<std::pair<int, int>>* pairs) {
+  std::vector<int> places(tree.num_triangles());
+  int place = 0;
+  tree.Traverse([](const Box3&) { return true; },
+                [&](int triangle) { places[triangle] = place++; });
+  std::sort(pairs->begin(), pairs->end(), [&](const auto& a, const auto& b) {
+    return std::make_pair(a.first, places[a.second]) <
+           std::make_pair(b.first, places[b.second]);
+  });
+}
+
 // Returns the plane between two triangles of a muscle for their separation.
 SeparatingPlane PlaneAt(const StepOptions& options,
                         const ContactStep& step,
@@ -135,7 +149,7 @@ std::vector<SeparatingPlane> FindPlanesBetweenSheets(const StepOptions& options,
   const Points normals = UnitNormals(tree);
   const std::vector<Box3> normals_of_nodes = NormalsOfNodes(tree, normals);
   // Prunes nodes whose triangles face the same way, as those of neighbours do.
-  const std::vector<std::pair<int, int>> facing = tree.CollectSelfPairs(
+  std::vector<std::pair<int, int>> facing = tree.CollectSelfPairs(
       [&](int a, int b) {
         return AreWithin(tree.node_box(a), tree.node_box(b), distance) &&
                LeastProduct(normals_of_nodes[a], normals_of_nodes[b]) < 0;
@@ -146,6 +160,7 @@ std::vector<SeparatingPlane> FindPlanesBetweenSheets(const StepOptions& options,
                    .Overlaps(BoxOf(tree.corners(f), distance)) &&
                !ShareAnEdge(triangles.row(f), triangles.row(g));
       });
+  SortByPlace(tree, &facing);
   CountWork(WorkUnit::kPairsTested, static_cast<std::int64_t>(facing.size()));
   std::vector<std::optional<SeparatingPlane>> found(facing.size());
 #pragma omp parallel for schedule(dynamic, 64)

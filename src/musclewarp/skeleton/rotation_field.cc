@@ -51,22 +51,25 @@ Eigen::Matrix3d MeanOf(const std::vector<Eigen::Quaterniond>& rotations,
   return Eigen::Quaterniond(sum).normalized().toRotationMatrix();
 }
 
-// Returns the means of rotations for each row of weights (#V x #P). If all of
-// them are within a cone, all have the same signs whatever they are aligned to,
-// and the sums are one product of matrices; true is returned then.
+// Finds the means of rotations for each row of weights (#V x #P) if all of them
+// are within a cone. They have the same signs then, whatever they are aligned
+// to, so that all sums run side by side. Returns false otherwise.
 bool MeansInCone(const std::vector<Eigen::Quaterniond>& rotations,
                  const Eigen::MatrixXd& weights,
                  std::vector<Eigen::Matrix3d>* means) {
   // Twice the angle between two quaternions below it is a right one.
   constexpr double kCosine = 0.7072;
-  Eigen::MatrixX4d coefficients(rotations.size(), 4);
-  for (size_t p = 0; p < rotations.size(); ++p) {
-    const double cosine = rotations[p].dot(rotations[0]);
-    if (std::abs(cosine) < kCosine) return false;
-    coefficients.row(p) =
-        (cosine < 0 ? -1 : 1) * rotations[p].coeffs().transpose();
+  for (const Eigen::Quaterniond& rotation : rotations) {
+    if (std::abs(rotation.dot(rotations[0])) < kCosine) return false;
   }
-  const Eigen::MatrixX4d sums = weights * coefficients;
+  // Place by place, in the order of MeanOf(), and so with the same rounding.
+  Eigen::MatrixX4d sums = Eigen::MatrixX4d::Zero(weights.rows(), 4);
+  for (size_t p = 0; p < rotations.size(); ++p) {
+    const double sign = rotations[p].dot(rotations[0]) < 0 ? -1 : 1;
+    for (int k = 0; k < 4; ++k) {
+      sums.col(k) += sign * rotations[p].coeffs()[k] * weights.col(p);
+    }
+  }
   means->reserve(sums.rows());
   for (Eigen::Index i = 0; i < sums.rows(); ++i) {
     const Eigen::Vector4d sum = sums.row(i).transpose();
