@@ -17,6 +17,12 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
+std::vector<FoundAttachment> FoundOn(const SceneMuscle& muscle,
+                                     const Surroundings& surroundings) {
+  return FindAttachments(
+      {muscle.points, muscle.triangles}, surroundings.bodies(), muscle.lines);
+}
+
 class ChooseAttachmentsTest : public ::testing::Test {
  protected:
   ChooseAttachmentsTest() {
@@ -34,6 +40,7 @@ class ChooseAttachmentsTest : public ::testing::Test {
                              muscle,
                              poses_,
                              {muscle.points, muscle.triangles},
+                             FoundOn(muscle, surroundings_),
                              surroundings_.bodies(),
                              surroundings_.MusclesBeside(0),
                              &warnings_);
@@ -110,6 +117,7 @@ class TipWithoutBoneTest : public ::testing::Test {
                              muscle_,
                              {},
                              {muscle_.points, muscle_.triangles},
+                             FoundOn(muscle_, surroundings_),
                              surroundings_.bodies(),
                              surroundings_.MusclesBeside(0),
                              &warnings)

@@ -11,8 +11,6 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh_files/mesh_io.h"
-#include "musclewarp/skeleton/polyline.h"
-#include "musclewarp/solver/muscle_target.h"
 #include "support/meshes.h"
 #include "support/prepared_small_scene.h"
 #include "support/temp_dir.h"
@@ -80,17 +78,6 @@ Scene SceneWithTendon() {
   add_bone("pelvis", SphereAt({0, 0, 212}, 12, 3));
   add_bone("foot", SphereAt({0, 0, -12}, 12, 3));
   return scene;
-}
-
-// Returns the length of a line of a muscle as the meshes carry it, solved for
-// without contact.
-double CarriedLength(const PreparedMuscle& muscle, const ScenePose& pose) {
-  Points coarse = muscle.model.coarse_rest;
-  SolverSummary summary;
-  ReferenceSolvers().single(
-      muscle.model, TargetOf(muscle.model, pose, {}), &coarse, &summary);
-  const Points points = muscle.lines.from_coarse * coarse;
-  return PolylineLength(points);
 }
 
 TEST(PrepareScene, ATendonWithAMeshOfItsOwnKeepsItsLength) {

@@ -7,8 +7,6 @@
 #include <map>
 #include <string>
 
-#include "musclewarp/skeleton/polyline.h"
-#include "musclewarp/solver/muscle_target.h"
 #include "support/data_root.h"
 #include "support/prepared_small_scene.h"
 
@@ -36,17 +34,6 @@ Scene Calf(const std::string& root) {
         "calcaneal_tendon"});
   keep(&scene.bones, {"femur", "tibia", "fibula", "talus", "calcaneus"});
   return scene;
-}
-
-// Returns the length of the first line of a muscle as its mesh carries it.
-double CarriedLength(const PreparedMuscle& muscle, const ScenePose& pose) {
-  Points coarse = muscle.model.coarse_rest;
-  SolverSummary summary;
-  ReferenceSolvers().single(
-      muscle.model, TargetOf(muscle.model, pose, {}), &coarse, &summary);
-  const Points points = muscle.lines.from_coarse * coarse;
-  return PolylineLength(
-      points.topRows(muscle.lines.starts[1] - muscle.lines.starts[0]));
 }
 
 TEST(SoftAttachmentsData, TheCalfPullsOnTheHeelAndItsTendonKeepsItsLength) {

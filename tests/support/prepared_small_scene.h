@@ -4,7 +4,10 @@
 
 #include "musclewarp/motion/muscle_solvers.h"
 #include "musclewarp/preparation/prepared_scene.h"
+#include "musclewarp/skeleton/polyline.h"
+#include "musclewarp/solver/embedded_lines.h"
 #include "musclewarp/solver/gauss_newton.h"
+#include "musclewarp/solver/muscle_target.h"
 #include "support/small_scene.h"
 
 namespace musclewarp {
@@ -27,6 +30,17 @@ inline MuscleSolvers ReferenceSolvers() {
     SolveGaussNewton(model, target, {}, coarse, summary);
   };
   return solvers;
+}
+
+// Returns the length of the first line of a muscle as its mesh carries it in a
+// pose, solved for without contact.
+inline double CarriedLength(const PreparedMuscle& muscle,
+                            const ScenePose& pose) {
+  Points coarse = muscle.model.coarse_rest;
+  SolverSummary summary;
+  ReferenceSolvers().single(
+      muscle.model, TargetOf(muscle.model, pose, {}), &coarse, &summary);
+  return PolylineLength(LinesAt(muscle.lines, coarse)[0]);
 }
 
 }  // namespace musclewarp

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "musclewarp/certificate/box_grid.h"
-#include "musclewarp/certificate/crossing_triangles.h"
+#include "musclewarp/certificate/surface_view.h"
 #include "musclewarp/certificate/triangle_clusters.h"
 #include "musclewarp/mesh/triangle.h"
 

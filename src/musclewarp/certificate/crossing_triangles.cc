@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/certificate/crossing_triangles.h"
 
+#include <glog/logging.h>
+
 #include <algorithm>
 #include <tuple>
 
 #include "musclewarp/certificate/box_grid.h"
-#include "musclewarp/certificate/boxed_mesh.h"
 #include "musclewarp/proximity/triangle_intersection.h"
 
 namespace musclewarp {
@@ -18,23 +19,24 @@ struct Entry {
   int mesh, triangle;
 };
 
-Entry EntryOf(const SurfaceView& surface, int mesh, Eigen::Index triangle) {
+Entry EntryOf(const BoxedMesh& boxed, int mesh, Eigen::Index triangle) {
   Entry entry;
-  entry.corners = CornersOf(*surface.points, surface.triangles->row(triangle));
+  entry.corners = boxed.corners(triangle);
   entry.box = RoundedBoxOf(entry.corners);
   entry.mesh = mesh;
   entry.triangle = static_cast<int>(triangle);
   return entry;
 }
 
-std::vector<Entry> EntriesOf(const std::vector<SurfaceView>& surfaces) {
+std::vector<Entry> EntriesOf(const std::vector<BoxedMesh>& meshes,
+                             size_t num_muscles) {
   std::vector<Entry> entries;
-  for (size_t mesh = 0; mesh < surfaces.size(); ++mesh) {
+  for (size_t mesh = 0; mesh < num_muscles; ++mesh) {
     const size_t first = entries.size();
-    entries.resize(first + surfaces[mesh].triangles->rows());
+    entries.resize(first + meshes[mesh].num_triangles());
 #pragma omp parallel for schedule(static)
-    for (Eigen::Index f = 0; f < surfaces[mesh].triangles->rows(); ++f) {
-      entries[first + f] = EntryOf(surfaces[mesh], static_cast<int>(mesh), f);
+    for (Eigen::Index f = 0; f < meshes[mesh].num_triangles(); ++f) {
+      entries[first + f] = EntryOf(meshes[mesh], static_cast<int>(mesh), f);
     }
   }
   return entries;
@@ -43,8 +45,8 @@ std::vector<Entry> EntriesOf(const std::vector<SurfaceView>& surfaces) {
 // The triangles of the muscles, by the cells that their boxes touch.
 class MuscleTriangles {
  public:
-  explicit MuscleTriangles(const std::vector<SurfaceView>& muscles)
-      : entries_(EntriesOf(muscles)), grid_(BoxesOf(entries_)) {}
+  MuscleTriangles(const std::vector<BoxedMesh>& meshes, size_t num_muscles)
+      : entries_(EntriesOf(meshes, num_muscles)), grid_(BoxesOf(entries_)) {}
 
   Eigen::Index size() const { return grid_.size(); }
   const Entry& operator[](Eigen::Index i) const { return entries_[i]; }
@@ -77,12 +79,11 @@ class MuscleTriangles {
 // By muscle: the vertices with proper stars, or nothing where rings are not
 // known.
 std::vector<std::vector<char>> ProperStarsOf(
-    const std::vector<SurfaceView>& muscles) {
-  std::vector<std::vector<char>> are_proper;
-  for (const SurfaceView& muscle : muscles) {
-    are_proper.emplace_back();
-    if (!muscle.rings) continue;
-    are_proper.back() = ProperStars(*muscle.rings, *muscle.points);
+    const std::vector<BoxedMesh>& meshes, size_t num_muscles) {
+  std::vector<std::vector<char>> are_proper(num_muscles);
+  for (size_t mesh = 0; mesh < num_muscles; ++mesh) {
+    const SurfaceView& view = meshes[mesh].view();
+    if (view.rings) are_proper[mesh] = ProperStars(*view.rings, *view.points);
   }
   return are_proper;
 }
@@ -115,16 +116,18 @@ void AddFound(int count, const Find& find, std::vector<CrossingPair>* pairs) {
 
 // Adds the pairs of triangles of muscles. Those around a vertex with a proper
 // star are known not to cross.
-void AddPairsOfMuscles(const std::vector<SurfaceView>& muscles,
+void AddPairsOfMuscles(const std::vector<BoxedMesh>& meshes,
+                       size_t num_muscles,
                        const MuscleTriangles& all,
                        std::vector<CrossingPair>* pairs) {
-  const std::vector<std::vector<char>> are_proper = ProperStarsOf(muscles);
+  const std::vector<std::vector<char>> are_proper =
+      ProperStarsOf(meshes, num_muscles);
   const auto find = [&](int i, std::vector<CrossingPair>* found) {
     const Entry& entry = all[i];
     const std::vector<char>& is_proper = are_proper[entry.mesh];
     all.ForEachOverlap(entry, i, [&](const Entry& other) {
       if (entry.mesh == other.mesh && !is_proper.empty() &&
-          ShareProperStar(*muscles[entry.mesh].triangles,
+          ShareProperStar(*meshes[entry.mesh].view().triangles,
                           is_proper,
                           entry.triangle,
                           other.triangle)) {
@@ -137,16 +140,15 @@ void AddPairsOfMuscles(const std::vector<SurfaceView>& muscles,
 }
 
 // Adds the pairs of triangles of muscles and a bone, cluster by cluster.
-void AddPairsOfBone(const SurfaceView& bone,
+void AddPairsOfBone(const BoxedMesh& boxed,
                     int mesh,
                     const MuscleTriangles& all,
                     std::vector<CrossingPair>* pairs) {
-  const BoxedMesh boxed(bone);
   const auto find = [&](int c, std::vector<CrossingPair>* found) {
     if (!all.OverlapsAny(boxed.cluster_boxes()[c])) return;
     for (const int* g = boxed.clusters().begin(c); g < boxed.clusters().end(c);
          ++g) {
-      const Entry entry = EntryOf(bone, mesh, *g);
+      const Entry entry = EntryOf(boxed, mesh, *g);
       all.ForEachOverlap(entry, all.size(), [&](const Entry& other) {
         AddIfCrossing(other, entry, found);
       });
@@ -158,13 +160,13 @@ void AddPairsOfBone(const SurfaceView& bone,
 }  // namespace
 
 std::vector<CrossingPair> CrossingTriangles(
-    const std::vector<SurfaceView>& muscles,
-    const std::vector<SurfaceView>& bones) {
-  const MuscleTriangles all(muscles);
+    const std::vector<BoxedMesh>& meshes, size_t num_muscles) {
+  CHECK_LE(num_muscles, meshes.size());
+  const MuscleTriangles all(meshes, num_muscles);
   std::vector<CrossingPair> pairs;
-  AddPairsOfMuscles(muscles, all, &pairs);
-  for (size_t b = 0; b < bones.size(); ++b) {
-    AddPairsOfBone(bones[b], static_cast<int>(muscles.size() + b), all, &pairs);
+  AddPairsOfMuscles(meshes, num_muscles, all, &pairs);
+  for (size_t b = num_muscles; b < meshes.size(); ++b) {
+    AddPairsOfBone(meshes[b], static_cast<int>(b), all, &pairs);
   }
   std::sort(pairs.begin(),
             pairs.end(),

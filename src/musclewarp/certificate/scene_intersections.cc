@@ -177,12 +177,10 @@ void SceneIntersections::DropLists() {
 SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                                   const std::vector<NamedMesh>& bones,
                                   const std::vector<ExemptArea>& exempt) {
-  std::vector<SurfaceView> muscle_views, bone_views;
-  for (const NamedMesh& muscle : muscles) {
-    muscle_views.push_back(ViewOf(muscle));
-  }
-  for (const NamedMesh& bone : bones) bone_views.push_back(ViewOf(bone));
-  const auto pairs = CrossingTriangles(muscle_views, bone_views);
+  std::vector<BoxedMesh> boxed;
+  for (const NamedMesh& muscle : muscles) boxed.emplace_back(ViewOf(muscle));
+  for (const NamedMesh& bone : bones) boxed.emplace_back(ViewOf(bone));
+  const auto pairs = CrossingTriangles(boxed, muscles.size());
   // They ascend by a, then b, as the loops below do.
   auto next = pairs.begin();
   const auto crossing = [&](size_t a, size_t b) {
@@ -199,9 +197,6 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
     }
     return meshes;
   };
-  std::vector<BoxedMesh> boxed;
-  for (const SurfaceView& view : muscle_views) boxed.emplace_back(view);
-  for (const SurfaceView& view : bone_views) boxed.emplace_back(view);
   SceneIntersections sum;
   std::vector<std::vector<int>> inside(muscles.size());
   for (size_t a = 0; a < muscles.size(); ++a) {

@@ -38,16 +38,28 @@ Eigen::Index NumTouching(const Points& points,
   return count;
 }
 
-// Returns the part that is nearest to the tip of an end of part `own`, at most
-// kNearTip away, or -1. Of several in which the tip lies it is the one that
-// the most points of the end touch.
+// Returns the mean area across a part, mm^2.
+double MeanSection(const SoftPart& part) {
+  double length = 0;
+  for (const ActionLine& line : part.lines) {
+    length +=
+        PolylineLength(line.rest) / static_cast<double>(part.lines.size());
+  }
+  return part.volume / length;
+}
+
+// Returns the part that is nearest to the tip of an end of part `own`, of those
+// that are thinner and at most kNearTip away; -1 if there is none. Of several
+// in which the tip lies it is the one that the most points of the end touch.
+// Two muscles whose bone is missing may lie on each other as well, but a tendon
+// is thinner than the muscles that end on it.
 int PartAtTip(const SoftPartEnd& end,
               int own,
               const std::vector<SoftPart>& parts) {
   int nearest = -1;
   std::pair<double, Eigen::Index> best;  // distance, points that do not touch
   for (size_t p = 0; p < parts.size(); ++p) {
-    if (static_cast<int>(p) == own) continue;
+    if (MeanSection(parts[p]) >= MeanSection(parts[own])) continue;
     const std::vector<const TriangleBvh*> part = {parts[p].surface};
     const double distance = DistanceOutside(part, end.tip);
     if (distance > kNearTip) continue;
@@ -69,8 +81,7 @@ double DistanceFrom(const SoftPart& part, const Points& points) {
   return sum / static_cast<double>(points.rows());
 }
 
-// Lets the ends of a part lie where the scene says: on each of the parts that
-// it names the nearest end.
+// For each part that the scene names, the end nearest to it lies on it.
 void SetNamedEnds(const std::vector<SoftPart>& parts, SoftPart* part) {
   for (const int other : *part->ends_on) {
     const auto nearest =
@@ -93,23 +104,18 @@ bool EndsOn(const SoftPart& part, int other) {
       });
 }
 
-// Returns the mean area across a part, mm^2.
-double MeanSection(const SoftPart& part) {
-  double length = 0;
-  for (const ActionLine& line : part.lines) {
-    length +=
-        PolylineLength(line.rest) / static_cast<double>(part.lines.size());
-  }
-  return part.volume / length;
-}
-
-// Returns the end that is nearest to a point, or null without ends.
-const SoftPartEnd* NearestEnd(const SoftPart& part, const RowVector3d& point) {
+// Returns the end of a part in which one of its lines (#P x 3) ends: that which
+// is nearest to the last point of the line, and nearer to it than to the first
+// one. Null if there is none.
+const SoftPartEnd* EndOfLine(const SoftPart& part, const Points& line) {
   const SoftPartEnd* nearest = nullptr;
   double least = kInfinity;
   for (const SoftPartEnd& end : part.ends) {
-    const double distance = (end.Middle() - point).norm();
-    if (distance >= least) continue;
+    const RowVector3d middle = end.Middle();
+    const double distance = (line.row(line.rows() - 1) - middle).norm();
+    if (distance >= least || distance >= (line.row(0) - middle).norm()) {
+      continue;
+    }
     least = distance;
     nearest = &end;
   }
@@ -167,18 +173,19 @@ struct Continuation {
 
 // Returns how a line of parts[from] goes on from its end `point`, in which it
 // has the given direction, through the part `to`. Nothing if it finds no bone.
-std::optional<Continuation> GoOn(int from,
-                                 int to,
-                                 const RowVector3d& point,
-                                 const RowVector3d& direction,
-                                 double spacing,
-                                 const std::vector<SoftPart>& parts) {
+std::optional<Continuation> FindContinuation(
+    int from,
+    int to,
+    const RowVector3d& point,
+    const RowVector3d& direction,
+    double spacing,
+    const std::vector<SoftPart>& parts) {
   std::vector<RowVector3d> points;
-  Continuation on;
+  Continuation found;
   std::set<int> visited = {from};
   RowVector3d here = point, heading = direction;
   while (visited.insert(to).second) {
-    on.through.insert(to);
+    found.through.insert(to);
     const PlaceOnLine place = NearestPlace(parts[to], here, heading);
     if (place.line.rows() == 0 ||
         DirectionAt(place.line, place.along).dot(heading) < kSharpestTurn) {
@@ -195,13 +202,15 @@ std::optional<Continuation> GoOn(int from,
     }
     here = points.back();
     heading = DirectionAt(place.line, length);
-    const SoftPartEnd* end = NearestEnd(parts[to], here);
+    const SoftPartEnd* end = EndOfLine(parts[to], place.line);
     if (!end) return std::nullopt;
     if (end->is_on_bones) {
-      on.points.resize(points.size(), 3);
-      for (size_t i = 0; i < points.size(); ++i) on.points.row(i) = points[i];
-      on.body = end->body;
-      return on;
+      found.points.resize(points.size(), 3);
+      for (size_t i = 0; i < points.size(); ++i) {
+        found.points.row(i) = points[i];
+      }
+      found.body = end->body;
+      return found;
     }
     if (end->soft_part < 0) return std::nullopt;
     to = end->soft_part;
@@ -209,25 +218,30 @@ std::optional<Continuation> GoOn(int from,
   return std::nullopt;
 }
 
-// Continues a line over its last point, if that is an end on another part.
+// Continues a line over its last point, if that is an end on another part. A
+// way that comes back to the body of the other end is none that a muscle has,
+// unless the scene says so.
 void ContinueOverLast(int part,
                       const std::vector<SoftPart>& parts,
                       double spacing,
                       ActionLine* line,
                       std::set<int>* through) {
-  const RowVector3d last = line->rest.row(line->rest.rows() - 1);
-  const SoftPartEnd* end = NearestEnd(parts[part], last);
+  const SoftPartEnd* end = EndOfLine(parts[part], line->rest);
   if (!end || end->soft_part < 0) return;
-  const RowVector3d heading =
-      DirectionAt(line->rest, PolylineLength(line->rest));
-  const auto on = GoOn(part, end->soft_part, last, heading, spacing, parts);
-  if (!on) return;
-  Points rest(line->rest.rows() + on->points.rows(), 3);
-  rest << line->rest, on->points;
+  const auto found =
+      FindContinuation(part,
+                       end->soft_part,
+                       line->rest.row(line->rest.rows() - 1),
+                       DirectionAt(line->rest, PolylineLength(line->rest)),
+                       spacing,
+                       parts);
+  if (!found) return;
+  if (found->body == line->bodies.front() && !parts[part].ends_on) return;
+  Points rest(line->rest.rows() + found->points.rows(), 3);
+  rest << line->rest, found->points;
   line->rest = std::move(rest);
-  line->bodies.resize(line->rest.rows(), on->body);
-  line->bodies.back() = on->body;
-  through->insert(on->through.begin(), on->through.end());
+  line->bodies.resize(line->rest.rows(), found->body);
+  through->insert(found->through.begin(), found->through.end());
 }
 
 void Reverse(ActionLine* line) {

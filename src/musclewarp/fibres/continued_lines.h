@@ -53,9 +53,9 @@ bool LiesOnSoftPart(const Points& tip,
                     const std::vector<const TriangleBvh*>& soft_parts);
 
 // Finds on which soft parts ends without bones lie, unless the scene says it:
-// on the part that is nearest to their tip, if that is at most 3 mm away. Where
-// a part ends on another, the end without bones of that lies on it in turn, as
-// the upper end of a tendon does on a muscle.
+// on the part nearest to their tip, of those that are thinner and at most 3 mm
+// away. Where a part ends on another, the end without bones of that lies on it
+// in turn, as the upper end of a tendon does on a muscle.
 void FindSoftEnds(std::vector<SoftPart>* parts);
 
 // Lines that go on beyond the ends of their muscle. The numbers are indices of
@@ -74,7 +74,8 @@ struct ContinuedLines {
 // muscle, to an end on bones, perhaps through further parts. A tendon between
 // muscle and bone then keeps its length (LineRule::kTendon), and the muscle
 // bears what both have to be stretched. A line that would have to turn back, or
-// to turn by more than 60 degrees, or that finds no bone, stays as it is.
+// to turn by more than 60 degrees, or that finds no bone, or one of the body at
+// its other end although the scene does not ask for it, stays as it is.
 ContinuedLines ContinueLines(int part,
                              const std::vector<SoftPart>& parts,
                              const std::vector<BodySurface>& bodies);

@@ -8,7 +8,6 @@
 
 #include "musclewarp/fibres/attachment_outline.h"
 #include "musclewarp/fibres/continued_lines.h"
-#include "musclewarp/fibres/found_attachments.h"
 #include "musclewarp/scene/leaving_lines.h"
 #include "musclewarp/skeleton/covered_part.h"
 
@@ -61,6 +60,7 @@ std::vector<Attachment> ChooseAttachments(
     const SceneMuscle& muscle,
     const std::vector<ScenePose>& poses,
     const TriangleSoup& fine,
+    const std::vector<FoundAttachment>& found,
     const std::vector<BodySurface>& bodies,
     const std::vector<const TriangleBvh*>& soft_parts,
     std::vector<std::string>* warnings) {
@@ -68,10 +68,7 @@ std::vector<Attachment> ChooseAttachments(
   const bool finds =
       kind == AttachmentKind::kAuto && muscle.attachments.empty();
   std::vector<Attachment> attachments =
-      finds ? HeldAreas(FindAttachments(fine, bodies, muscle.lines),
-                        muscle.lines,
-                        fine.points,
-                        soft_parts)
+      finds ? HeldAreas(found, muscle.lines, fine.points, soft_parts)
             : muscle.attachments;
   for (Attachment& attachment : attachments) {
     if (!attachment.is_outline) continue;

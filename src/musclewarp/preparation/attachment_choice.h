@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/fibres/found_attachments.h"
 #include "musclewarp/fibres/muscle_ends.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/proximity/triangle_bvh.h"
@@ -19,19 +20,20 @@ enum class AttachmentKind {
   kNone,
 };
 
-// Returns the attachments of a muscle with the fine mesh `fine`: those of the
-// scene or, if it has none and `kind` is kAuto, those detected on the meshes
-// (FindAttachments), without tips that lie on other soft parts or beyond which
-// a line goes on: to what such a tip is attached the lines say. A line that
-// leaves an attachment in some pose contradicts it (FindLeavingLine): a
-// detected attachment is then dropped, as the lines are more reliable than the
-// meshes; one of the scene is kept. `warnings` gets a sentence per
-// contradiction.
+// Returns the attachments of a muscle with the fine mesh `fine` to bodies:
+// those of the scene or, if it has none and `kind` is kAuto, those detected on
+// the meshes (`found`, by FindAttachments), without tips that lie on other soft
+// parts or beyond which a line goes on: to what such a tip is attached the
+// lines say. A line that leaves an attachment in some pose contradicts it
+// (FindLeavingLine): a detected attachment is then dropped, as the lines are
+// more reliable than the meshes; one of the scene is kept. `warnings` gets a
+// sentence per contradiction.
 std::vector<Attachment> ChooseAttachments(
     AttachmentKind kind,
     const SceneMuscle& muscle,
     const std::vector<ScenePose>& poses,
     const TriangleSoup& fine,
+    const std::vector<FoundAttachment>& found,
     const std::vector<BodySurface>& bodies,
     const std::vector<const TriangleBvh*>& soft_parts,
     std::vector<std::string>* warnings);

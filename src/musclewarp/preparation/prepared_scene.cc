@@ -139,16 +139,26 @@ void PrepareFromMesh(const Surroundings& surroundings,
                      const TriangleSoup& fine,
                      PreparedMuscle* prepared) {
   SceneMuscle muscle = scene.muscles[m];
+  std::vector<FoundAttachment> found;
+  if (options.attachments == AttachmentKind::kAuto &&
+      (muscle.attachments.empty() || !prepared->tied_to.empty())) {
+    found = FindAttachments(fine, surroundings.bodies(), muscle.lines);
+  }
+  std::vector<Attachment> soft;
+  for (const int other : prepared->tied_to) {
+    auto attachment = TakeSoftAttachment(
+        surroundings.surface_of(other), scene.muscles[other].name, &found);
+    if (attachment) soft.push_back(*std::move(attachment));
+  }
   muscle.attachments = ChooseAttachments(options.attachments,
                                          muscle,
                                          scene.poses,
                                          fine,
+                                         found,
                                          surroundings.bodies(),
                                          surroundings.MusclesBeside(m),
                                          &prepared->attachment_warnings);
-  if (options.attachments == AttachmentKind::kAuto) {
-    AddSoftAttachments(fine, surroundings, scene, prepared->tied_to, &muscle);
-  }
+  muscle.attachments.insert(muscle.attachments.end(), soft.begin(), soft.end());
   const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
   PrepareModel(surroundings,
                options,
@@ -208,9 +218,11 @@ void AddLines(const Surroundings& surroundings,
     SceneMuscle& muscle = prepared->scene.muscles[m];
     if (!muscle.lines.empty()) continue;
     for (const int other : made[m].tied_to) {
-      prepared->scene.notes.push_back(
-          muscle.name + " ends on " + prepared->scene.muscles[other].name +
-          ", to which it is attached; \"ends_on\" of a muscle says otherwise");
+      const std::string& carrier = prepared->scene.muscles[other].name;
+      prepared->scene.notes.push_back(muscle.name + " ends on " + carrier +
+                                      ", and its lines go on through it to a "
+                                      "bone (\"ends_on\" in the scene "
+                                      "overrides this)");
     }
     muscle.lines = std::move(made[m].lines);
     prepared->muscles[m].lines_through = std::move(made[m].through);

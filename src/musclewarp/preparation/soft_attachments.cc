@@ -4,58 +4,42 @@
 
 #include <utility>
 
-#include "musclewarp/base/infinity.h"
 #include "musclewarp/fibres/attachment_outline.h"
 #include "musclewarp/fibres/distance_outside.h"
-#include "musclewarp/fibres/found_attachments.h"
 
 namespace musclewarp {
 
-namespace {
-
-// The part of the tips of a muscle (#P x 3 each) that lies on a surface or in
-// it; none of a tip that is farther away than another.
-Points PartOnSurface(const std::vector<Points>& tips,
-                     const TriangleBvh& surface) {
-  Points area;
-  double nearest = kInfinity;
-  for (const Points& tip : tips) {
-    Eigen::VectorXd distances(tip.rows());
-    for (Eigen::Index i = 0; i < tip.rows(); ++i) {
-      distances[i] = DistanceOutside({&surface}, tip.row(i));
+std::optional<Attachment> TakeSoftAttachment(
+    const TriangleBvh& surface,
+    const std::string& name,
+    std::vector<FoundAttachment>* found) {
+  auto nearest_end = found->end();
+  Eigen::VectorXd distances;
+  for (auto end = found->begin(); end != found->end(); ++end) {
+    const Points& points = end->attachment.points;
+    Eigen::VectorXd here(points.rows());
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      here[i] = DistanceOutside({&surface}, points.row(i));
     }
-    if (distances.minCoeff() >= nearest) continue;
-    nearest = distances.minCoeff();
-    std::vector<Eigen::Index> near;
-    for (Eigen::Index i = 0; i < tip.rows(); ++i) {
-      if (distances[i] <= nearest + kAreaDepth) near.push_back(i);
+    if (nearest_end != found->end() && here.mean() >= distances.mean()) {
+      continue;
     }
-    area = tip(near, Eigen::all);
+    nearest_end = end;
+    distances = std::move(here);
   }
-  return area;
-}
-
-}  // namespace
-
-void AddSoftAttachments(const TriangleSoup& fine,
-                        const Surroundings& surroundings,
-                        const Scene& scene,
-                        const std::vector<int>& tied_to,
-                        SceneMuscle* muscle) {
-  if (tied_to.empty()) return;
-  std::vector<Points> tips;
-  for (const FoundAttachment& end :
-       FindAttachments(fine, surroundings.bodies(), muscle->lines)) {
-    if (!end.is_on_bones) tips.push_back(end.attachment.points);
+  if (nearest_end == found->end()) return std::nullopt;
+  std::vector<Eigen::Index> on_surface;
+  for (Eigen::Index i = 0; i < distances.size(); ++i) {
+    if (distances[i] <= distances.minCoeff() + kAreaDepth) {
+      on_surface.push_back(i);
+    }
   }
-  for (const int other : tied_to) {
-    Attachment attachment;
-    attachment.soft_part = scene.muscles[other].name;
-    attachment.points = PartOnSurface(tips, surroundings.surface_of(other));
-    attachment.radius = kPointsAlone;
-    if (attachment.points.rows() == 0) continue;
-    muscle->attachments.push_back(std::move(attachment));
-  }
+  Attachment attachment;
+  attachment.soft_part = name;
+  attachment.points = nearest_end->attachment.points(on_surface, Eigen::all);
+  attachment.radius = kPointsAlone;
+  found->erase(nearest_end);
+  return attachment;
 }
 
 void AddSoftCarriers(PreparedScene* scene) {

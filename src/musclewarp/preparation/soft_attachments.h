@@ -2,24 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/fibres/found_attachments.h"
 #include "musclewarp/preparation/prepared_scene.h"
-#include "musclewarp/preparation/surroundings.h"
+#include "musclewarp/proximity/triangle_bvh.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
 
-// Adds where a muscle with the mesh `fine` is attached to the other muscles of
-// the scene on which it ends, `tied_to`: what of its tip lies on the surface of
-// such a muscle or in it, as on bones (FindAttachments). Positions are those of
-// the rest pose, mm.
-void AddSoftAttachments(const TriangleSoup& fine,
-                        const Surroundings& surroundings,
-                        const Scene& scene,
-                        const std::vector<int>& tied_to,
-                        SceneMuscle* muscle);
+// Returns where a muscle is attached to the soft part `name` on which it ends:
+// what of the end nearest to the surface of that part, out of those that were
+// found (FindAttachments), lies on the surface or in it, as on bones. The end
+// is removed from `found`, so that no bone holds it. Nothing if there is no
+// end. Positions are those of the rest pose, mm.
+std::optional<Attachment> TakeSoftAttachment(
+    const TriangleBvh& surface,
+    const std::string& name,
+    std::vector<FoundAttachment>* found);
 
 // Gives the muscles of a scene what carries their attachments to soft parts.
 // To be called whenever models have been prepared.

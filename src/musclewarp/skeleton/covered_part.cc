@@ -16,12 +16,16 @@ namespace {
 // too short, mm.
 constexpr double kReach = 15;
 
-// Returns where a place lies along its line, mm from the beginning.
-double LengthTo(const SegmentPoint& place, const Points& line) {
-  const double before = PolylineLength(line.topRows(place.segment + 1));
-  return before +
-         place.t *
-             (line.row(place.segment + 1) - line.row(place.segment)).norm();
+// Returns where a place lies along its line, mm from the beginning. `along`
+// (#P): where the points of the line lie.
+double LengthTo(const SegmentPoint& place, const Eigen::VectorXd& along) {
+  return (1 - place.t) * along[place.segment] +
+         place.t * along[place.segment + 1];
+}
+
+// Returns how far along a polyline its points lie, #P, mm.
+Eigen::VectorXd LengthsAlong(const Points& line) {
+  return PolylineLength(line) * SharesAlong(line);
 }
 
 }  // namespace
@@ -30,9 +34,10 @@ CoveredPart PartAlong(const Points& line, const Points& muscle) {
   CHECK_GE(line.rows(), 2);
   CHECK_GT(muscle.rows(), 0);
   const std::vector<ActionLine> alone = {{"", line, {}}};
-  CoveredPart part{kInfinity, 0, PolylineLength(line)};
+  const Eigen::VectorXd along = LengthsAlong(line);
+  CoveredPart part{kInfinity, 0, along[along.size() - 1]};
   for (Eigen::Index v = 0; v < muscle.rows(); ++v) {
-    const double here = LengthTo(NearestSegment(muscle.row(v), alone), line);
+    const double here = LengthTo(NearestSegment(muscle.row(v), alone), along);
     part.begin = std::min(part.begin, here);
     part.end = std::max(part.end, here);
   }
@@ -49,10 +54,11 @@ std::vector<SegmentPoint> SamplesAlong(const std::vector<SegmentPoint>& samples,
     });
     const Points& line = lines[begin->line].rest;
     const CoveredPart part = PartAlong(line, muscle);
+    const Eigen::VectorXd along_line = LengthsAlong(line);
     std::vector<SegmentPoint> kept;
     std::copy_if(
         begin, end, std::back_inserter(kept), [&](const SegmentPoint& sample) {
-          const double here = LengthTo(sample, line);
+          const double here = LengthTo(sample, along_line);
           return here >= part.begin - kReach && here <= part.end + kReach;
         });
     if (kept.size() < 2) kept.assign(begin, end);
