@@ -161,7 +161,7 @@ class DeformRun {
       ThrowIfInterrupted();
       progress_.Say(progress);
     };
-    // Of the files that are written, only these have the gaps of vertices.
+    // Of all that programs write, only these files have the gaps of vertices.
     options.frames.measures.vertex_gaps = HasFormat(options_, "vtp");
     if (!options_.record_steps.empty()) {
       recorder_.emplace(options_.record_steps, options_.step_flags);

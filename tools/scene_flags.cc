@@ -231,6 +231,8 @@ DeformOptions SceneOptionsFromFlags() {
   options.frames = FLAGS_frames;
   options.threads = FLAGS_threads;
   options.deformer = OptionsOf(ChoicesFromFlags());
+  // Programs show no gaps of vertices, but for files that DeformCommand writes.
+  options.deformer.frames.measures.vertex_gaps = false;
   options.command = std::string(gflags::ProgramInvocationShortName()) +
                     SetFlags({"resume", "overwrite"});
   // Files count by their contents; threads and timing make no difference.

@@ -150,6 +150,29 @@ TEST_F(ContinueLinesTest, DoNotTurnSharply) {
   EXPECT_THAT(ContinueLines(0, Parts(), bones_.bodies()).through, IsEmpty());
 }
 
+// A thin muscle whose bone is missing lies on one that goes from bone to bone.
+TEST_F(ContinueLinesTest, EndOnAThickerPartOnlyIfTheSceneSaysSo) {
+  bones_.Add("pelvis", {13, 0, 107});
+  AddPart(MovedBy(Spindle(4, 40, 4), {13, 0, 60}));
+  AddPart(MovedBy(Spindle(13, 84, 4), {0, 0, 15}));
+  EXPECT_THAT(ContinueLines(0, Parts(), bones_.bodies()).through, IsEmpty());
+  EXPECT_THAT(
+      ContinueLines(0, Parts({std::vector<int>{1}}), bones_.bodies()).through,
+      ElementsAre(1));
+}
+
+TEST_F(ContinueLinesTest, ComeBackToTheirBodyOnlyIfTheSceneSaysSo) {
+  bones_ = BallBones();
+  for (const double height : {107.0, -77.0})
+    bones_.Add("femur", {0, 0, height});
+  AddMuscle();
+  AddTendon();
+  EXPECT_THAT(ContinueLines(0, Parts(), bones_.bodies()).through, IsEmpty());
+  EXPECT_THAT(
+      ContinueLines(0, Parts({std::vector<int>{1}}), bones_.bodies()).through,
+      ElementsAre(1));
+}
+
 TEST(LiesOnSoftPart, CountsHalfOfTheTip) {
   const TriangleSoup ball = Icosphere(20, 3);
   const TriangleBvh tree(ball.points, ball.triangles);

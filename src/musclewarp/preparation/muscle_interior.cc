@@ -8,6 +8,8 @@
 #include "musclewarp/fibres/found_attachments.h"
 #include "musclewarp/fibres/voxel_grid.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/skeleton/covered_part.h"
+#include "musclewarp/skeleton/sampling.h"
 
 namespace musclewarp {
 namespace {
@@ -57,6 +59,19 @@ MuscleInterior InteriorOf(const TriangleSoup& muscle,
   }
   interior.fibres = MakeFibres(muscle, bodies, ends, bending);
   return interior;
+}
+
+EmbeddedLines CarryActionLines(const MuscleModel& model, double spacing) {
+  std::vector<Points> lines(model.lines.size());
+  const std::vector<SegmentPoint> samples = SamplesAlong(
+      SampleLines(model.lines, spacing), model.lines, model.fine_rest);
+  for (const SegmentPoint& sample : samples) {
+    Points& line = lines[sample.line];
+    line.conservativeResize(line.rows() + 1, 3);
+    line.bottomRows<1>() =
+        PointOnSegment(model.lines[sample.line].rest, sample);
+  }
+  return EmbedLines(lines, model.coarse_rest, model.coarse_triangles);
 }
 
 std::map<std::string, double> AreaOnBones(

@@ -8,6 +8,7 @@
 
 #include "musclewarp/fibres/fibres.h"
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/solver/embedded_lines.h"
 #include "musclewarp/solver/muscle_model.h"
 
 namespace musclewarp {
@@ -29,6 +30,10 @@ MuscleInterior InteriorOf(const TriangleSoup& muscle,
                           const KnownEnds& ends,
                           const std::vector<const TriangleSoup*>& beyond,
                           const FibreOptions& options);
+
+// Returns the action lines of a muscle as its hull carries them, sampled at
+// distances of `spacing`, mm, along the muscle (SamplesAlong).
+EmbeddedLines CarryActionLines(const MuscleModel& model, double spacing);
 
 // Returns how much of the surface of a muscle lies on the bones of each body
 // (VerticesNearBones), mm^2, without bodies on which nothing lies.

@@ -27,8 +27,6 @@
 #include "musclewarp/scene/far_lines.h"
 #include "musclewarp/scene/folded_lines.h"
 #include "musclewarp/scene/length_unit.h"
-#include "musclewarp/skeleton/covered_part.h"
-#include "musclewarp/skeleton/sampling.h"
 
 namespace musclewarp {
 namespace {
@@ -53,20 +51,6 @@ TriangleSoup Repaired(const TriangleSoup& delivered,
     preparation->self_crossings = RemoveSelfCrossings(&repaired);
   }
   return repaired;
-}
-
-// Returns the action lines, sampled at distances of `spacing`, mm.
-EmbeddedLines CarryActionLines(const MuscleModel& model, double spacing) {
-  std::vector<Points> lines(model.lines.size());
-  const std::vector<SegmentPoint> samples = SamplesAlong(
-      SampleLines(model.lines, spacing), model.lines, model.fine_rest);
-  for (const SegmentPoint& sample : samples) {
-    Points& line = lines[sample.line];
-    line.conservativeResize(line.rows() + 1, 3);
-    line.bottomRows<1>() =
-        PointOnSegment(model.lines[sample.line].rest, sample);
-  }
-  return EmbedLines(lines, model.coarse_rest, model.coarse_triangles);
 }
 
 void AddBones(const std::vector<PreparedBone>& bones,
