@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "musclewarp/certified_contact/bone_planes.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/proximity/mesh_intersection.h"
@@ -60,6 +61,18 @@ double ContactGroup::VolumeError(size_t muscle) const {
   return SignedVolume(state.points[muscle], soups[muscle].triangles) /
              scene.muscles[muscle].volume -
          1;
+}
+
+std::vector<SeparatingPlane> AllPlanes(const StepOptions& options,
+                                       const ContactStep& step) {
+  std::vector<TriangleBvh> trees = PredictedTrees(step);
+  KeptBonePlanes kept;
+  std::vector<SeparatingPlane> planes =
+      FindPlanesBetweenMuscles(options, step, &trees);
+  const std::vector<SeparatingPlane> of_bones =
+      FindPlanesOfBones(options, step, &kept);
+  planes.insert(planes.end(), of_bones.begin(), of_bones.end());
+  return planes;
 }
 
 ContactGroup SpheresOverABone() {

@@ -29,6 +29,10 @@ struct ContactGroup {
   double VolumeError(size_t muscle) const;
 };
 
+// Returns the planes between muscles and those of bones, found anew.
+std::vector<SeparatingPlane> AllPlanes(const StepOptions& options,
+                                       const ContactStep& step);
+
 // A sphere over a bone, half a millimetre above it, and one beside the sphere.
 ContactGroup SpheresOverABone();
 

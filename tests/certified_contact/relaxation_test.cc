@@ -56,9 +56,8 @@ struct Relaxed {
   RelaxedPoints Run(int sweeps) const {
     const ContactStep step = MakeContactStep(
         group.scene, group.state, targets, group.state.bones_from_rest);
-    std::vector<TriangleBvh> trees = PredictedTrees(step);
     PlaneSet planes(options, step);
-    planes.Add(FindSeparatingPlanes(options, step, &trees));
+    planes.Add(AllPlanes(options, step));
     return Relax(options,
                  step,
                  targets,
@@ -250,9 +249,8 @@ TEST(Relax, TakesAttachedVerticesWhereTheirBoneHasThemUnlessABoneIsInTheWay) {
                                            group.state.targets,
                                            group.state.bones_from_rest,
                                            {attached});
-  std::vector<TriangleBvh> trees = PredictedTrees(step);
   PlaneSet planes(options, step);
-  planes.Add(FindSeparatingPlanes(options, step, &trees));
+  planes.Add(AllPlanes(options, step));
   const Points points = Relax(options,
                               step,
                               group.state.targets,

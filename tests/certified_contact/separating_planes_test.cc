@@ -23,7 +23,7 @@ constexpr double kPlaneRounding = 1e-9;
 
 std::vector<SeparatingPlane> PlanesOf(const ContactStep& step) {
   std::vector<TriangleBvh> trees = PredictedTrees(step);
-  return FindSeparatingPlanes({}, step, &trees);
+  return FindPlanesBetweenMuscles({}, step, &trees);
 }
 
 int TriangleWith(const Triangles& triangles, const RowVector3i& corners) {
@@ -33,13 +33,7 @@ int TriangleWith(const Triangles& triangles, const RowVector3i& corners) {
   return -1;
 }
 
-Eigen::Matrix4d ShiftBy(double x, double y, double z) {
-  Eigen::Matrix4d shift = Eigen::Matrix4d::Identity();
-  shift.topRightCorner<3, 1>() << x, y, z;
-  return shift;
-}
-
-TEST(FindSeparatingPlanes, FindsAllPairsOfMusclesThatAreNear) {
+TEST(FindPlanesBetweenMuscles, FindsAllPairsOfMusclesThatAreNear) {
   const ContactGroup group(
       {SphereAt({0, 0, 0}, 10, 3), SphereAt({16.4, 0.3, 0.1}, 6, 3)}, {});
   // The second comes along the first.
@@ -80,63 +74,6 @@ TEST(FindSeparatingPlanes, FindsAllPairsOfMusclesThatAreNear) {
   }
   EXPECT_EQ(found, expected);
   EXPECT_GT(found.size(), 20u);
-}
-
-TEST(FindSeparatingPlanes, PlanesOfABoneMoveWithIt) {
-  const ContactGroup group = SpheresOverABone();
-  const ContactStep still = MakeContactStep(
-      group.scene, group.state, group.state.targets, {ShiftBy(0, 0, 0)});
-  const ContactStep raised = MakeContactStep(
-      group.scene, group.state, group.state.targets, {ShiftBy(0, 0, 0.2)});
-  const auto lowest_of = [](const ContactStep& step) {
-    double least = 1e300;
-    int count = 0;
-    for (const SeparatingPlane& plane : PlanesOf(step)) {
-      if (!plane.IsOfBone()) continue;
-      ++count;
-      EXPECT_NEAR(plane.normal[2], 1, 1e-6);
-      least = std::min(least, plane.level);
-    }
-    EXPECT_GT(count, 0);
-    return least;
-  };
-  // Of the triangle nearest to the bone, which is at z = 0: the gap and half of
-  // the room beyond it.
-  EXPECT_NEAR(lowest_of(raised) - lowest_of(still), 0.2, kPlaneRounding);
-}
-
-TEST(FindSeparatingPlanes, SeesABoneThatComesFast) {
-  // A plate that passes through the whole muscle in one step.
-  const ContactGroup group({SphereAt({0, 0, 0}, 5, 2)},
-                           {MovedBy(Box(0.2, 30, 30), {-5.4, 0, 0})});
-  const ContactStep step = MakeContactStep(
-      group.scene, group.state, group.state.targets, {ShiftBy(4, 0, 0)});
-  int planes = 0;
-  for (const SeparatingPlane& plane : PlanesOf(step)) {
-    ++planes;
-    EXPECT_GT(plane.normal[0], 0);
-  }
-  EXPECT_GT(planes, 10);
-}
-
-TEST(FindSeparatingPlanes, LeavesExemptTrianglesAlone) {
-  ContactGroup group = SpheresOverABone();
-  const auto of_first = [](const std::vector<SeparatingPlane>& planes) {
-    return std::count_if(
-        planes.begin(), planes.end(), [](const SeparatingPlane& plane) {
-          return plane.IsOfBone() && plane.muscle_above == 0;
-        });
-  };
-  const auto planes = [&] {
-    return PlanesOf(MakeContactStep(group.scene,
-                                    group.state,
-                                    group.state.targets,
-                                    group.state.bones_from_rest));
-  };
-  EXPECT_GT(of_first(planes()), 0);
-  group.scene.muscles[0].exempt = {
-      std::vector<char>(group.soups[0].triangles.rows(), true)};
-  EXPECT_EQ(of_first(planes()), 0);
 }
 
 TEST(PlaneBetween, TurnsAsTheTrianglesDo) {

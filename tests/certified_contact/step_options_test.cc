@@ -50,6 +50,8 @@ TEST(StepOptions, NameTheFieldThatIsWrong) {
         [](StepOptions* o) { o->planes.search_fraction = -1; }},
        {"PlaneSearchOptions::overlooked_fraction is 1.5, allowed: 0 to 0.9",
         [](StepOptions* o) { o->planes.overlooked_fraction = 1.5; }},
+       {"PlaneSearchOptions::kept_slack is -1, allowed: 0 or above",
+        [](StepOptions* o) { o->planes.kept_slack = -1; }},
        {"PlaneSearchOptions::max_planes_per_triangle is 0, allowed: 1 or above",
         [](StepOptions* o) { o->planes.max_planes_per_triangle = 0; }},
        {"VolumeOptions::tolerance is 0, allowed: above 0",

@@ -26,8 +26,7 @@ struct Squeezed {
 
   explicit Squeezed(double factor, ContactGroup squeezed = SpheresOverABone())
       : group(std::move(squeezed)) {
-    std::vector<TriangleBvh> trees = PredictedTrees(step);
-    planes.Add(FindSeparatingPlanes(options, step, &trees));
+    planes.Add(AllPlanes(options, step));
     for (int i = 0; i < step.num_muscles(); ++i) {
       const Eigen::RowVector3d centre = relaxed.points[i].colwise().mean();
       relaxed.points[i] =

@@ -78,9 +78,14 @@ TEST(SeparateFromObstacles, EveryObstacleInReachIsBehindAPlane) {
     }
     if (nearest == 0) continue;
     const std::vector<int> near = All(bvh);
-    const std::vector<HalfSpace> spaces = SeparateFromObstacles(
+    const ObstacleSeparation separation = SeparateFromObstacles(
         t, bvh, near.data(), static_cast<int>(near.size()), Within(kRadius));
+    const std::vector<HalfSpace>& spaces = separation.spaces;
     EXPECT_EQ(spaces.empty(), nearest > kRadius);
+    EXPECT_EQ(separation.distance > kRadius, spaces.empty());
+    if (!spaces.empty()) {
+      EXPECT_LE(separation.distance, nearest + kSeparationRounding);
+    }
     for (const HalfSpace& space : spaces) {
       EXPECT_NEAR(space.normal.norm(), 1, 1e-12);
       if (nearest >= kGap) {
@@ -106,8 +111,10 @@ TEST(SeparateFromObstacles, NeedsOnePlaneOverAFlatObstacle) {
   Corners t;
   t << 9, 9, 2, 11, 9, 2, 9, 11, 2;
   const std::vector<int> near = All(bvh);
-  const std::vector<HalfSpace> spaces = SeparateFromObstacles(
-      t, bvh, near.data(), static_cast<int>(near.size()), Within(5));
+  const std::vector<HalfSpace> spaces =
+      SeparateFromObstacles(
+          t, bvh, near.data(), static_cast<int>(near.size()), Within(5))
+          .spaces;
   ASSERT_EQ(spaces.size(), 1u);
   EXPECT_LT((spaces[0].normal - RowVector3d(0, 0, 1)).norm(), 1e-12);
   // Half of the room above 1 beyond the gap is left.
@@ -125,7 +132,8 @@ TEST(SeparateFromObstacles, FindsNoMorePlanesThanAllowedTheNearestFirst) {
     ObstacleOptions options = Within(20);
     options.max_planes = static_cast<int>(max_planes);
     return SeparateFromObstacles(
-        t, bvh, near.data(), static_cast<int>(near.size()), options);
+               t, bvh, near.data(), static_cast<int>(near.size()), options)
+        .spaces;
   };
   const std::vector<HalfSpace> all = planes_within(1000);
   ASSERT_GT(all.size(), 4u);
@@ -145,9 +153,9 @@ TEST(SeparateFromObstacles, LooksAtTheGivenTrianglesOnly) {
   Corners t;
   t << 9, 9, 2, 11, 9, 2, 9, 11, 2;
   for (int g = 0; g < bvh.num_triangles(); ++g) {
-    EXPECT_EQ(SeparateFromObstacles(t, bvh, &g, 1, Within(5)).size(),
+    EXPECT_EQ(SeparateFromObstacles(t, bvh, &g, 1, Within(5)).spaces.size(),
               DistanceOf(t, bvh.corners(g)) <= 5 ? 1u : 0u);
-    EXPECT_TRUE(SeparateFromObstacles(t, bvh, &g, 0, Within(5)).empty());
+    EXPECT_TRUE(SeparateFromObstacles(t, bvh, &g, 0, Within(5)).spaces.empty());
   }
 }
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
+#include "musclewarp/certified_contact/kept_planes.h"
 #include "musclewarp/certified_contact/plane_owner.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/scene/scene_pose.h"
@@ -46,6 +48,11 @@ struct ContactState {
   // coarse meshes were solved without any. A plane is active if the target of
   // its vertex lies on the wrong side.
   std::vector<OwnedHalfSpaces> planes;
+
+  // The planes that bones keep against muscles. Null in the rest pose, and
+  // after a pose that was reached without contact: the next step finds them
+  // anew. Shared by the copies of a state.
+  std::shared_ptr<const KeptBonePlanes> bone_planes;
 };
 
 }  // namespace musclewarp

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "musclewarp/base/stage_times.h"
+#include "musclewarp/certified_contact/bone_planes.h"
 #include "musclewarp/certified_contact/sheet_planes.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/proximity/mesh_intersection.h"

@@ -8,7 +8,6 @@
 
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/work_counts.h"
-#include "musclewarp/mesh/transformed.h"
 #include "musclewarp/proximity/triangle_distance.h"
 
 namespace musclewarp {
@@ -144,107 +143,6 @@ void AddPlanesBetweenMuscles(const StepOptions& options,
   CountWork(WorkUnit::kPairsTested, met.size());
 }
 
-void AddPlanesBetweenAllMuscles(const StepOptions& options,
-                                const ContactStep& step,
-                                std::vector<TriangleBvh>* predicted,
-                                std::vector<SeparatingPlane>* planes) {
-  // Both muscles may move by the reach.
-  const double radius =
-      options.AimedGap() + options.planes.search_fraction * 2 * options.reach;
-  const std::vector<PredictedBoxes> boxes = BoxesOf(step, *predicted);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int i = 0; i < step.num_muscles(); ++i) {
-    (*predicted)[i].RefitBoxes(BoxesAround(boxes[i], radius));
-  }
-  for (int a = 0; a < step.num_muscles(); ++a) {
-    for (int b = a + 1; b < step.num_muscles(); ++b) {
-      AddPlanesBetweenMuscles(
-          options, step, {radius, *predicted, boxes}, a, b, planes);
-    }
-  }
-}
-
-// The motion of a muscle in a step relative to a bone: the distance that each
-// vertex moves, and a box around the path of each triangle.
-struct PathsPastBone {
-  Points at_rest;  // the vertices before the step, in the frame of the bone at
-                   // rest
-  Eigen::VectorXd moves;  // of the vertices, mm
-  std::vector<Box3> boxes;
-};
-
-PathsPastBone PathsOf(const ContactStep& step,
-                      int muscle,
-                      int bone,
-                      double margin) {
-  const Eigen::Matrix4d rest_from_before =
-      RigidInverse(step.before.bones_from_rest[bone]);
-  const Eigen::Matrix4d now_from_before =
-      step.bones_from_rest[bone] * rest_from_before;
-  const Points& before = step.before.points[muscle];
-  const Triangles& triangles = step.scene.muscles[muscle].triangles;
-  PathsPastBone paths;
-  paths.at_rest = Transformed(before, rest_from_before);
-  paths.moves = (Transformed(before, now_from_before) - step.predicted[muscle])
-                    .rowwise()
-                    .norm();
-  const Points predicted = Transformed(
-      step.predicted[muscle], RigidInverse(step.bones_from_rest[bone]));
-  paths.boxes.resize(triangles.rows());
-#pragma omp parallel for schedule(static)
-  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
-    paths.boxes[f] =
-        BoxOf(BoxOf(CornersOf(paths.at_rest, triangles.row(f)), margin),
-              BoxOf(CornersOf(predicted, triangles.row(f)), margin));
-  }
-  return paths;
-}
-
-void AddPlanesOfBone(const StepOptions& options,
-                     const ContactStep& step,
-                     int muscle,
-                     int bone,
-                     TriangleBvh* tree,
-                     std::vector<SeparatingPlane>* planes) {
-  const double margin =
-      options.AimedGap() + options.planes.search_fraction * options.reach;
-  const PathsPastBone paths = PathsOf(step, muscle, bone, margin);
-  const MuscleSurface& surface = step.scene.muscles[muscle];
-  const Triangles& triangles = surface.triangles;
-  const TriangleBvh& obstacles = *step.scene.bones[bone];
-  tree->RefitBoxes(paths.boxes);
-  const Grouped met =
-      ByFirst(tree->CollectOverlaps(
-                  obstacles,
-                  [&](int f, int /*g*/) { return !surface.IsExempt(bone, f); }),
-              triangles.rows());
-  std::vector<std::vector<SeparatingPlane>> found(triangles.rows());
-#pragma omp parallel for schedule(dynamic, 64)
-  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
-    if (met.count(f) == 0) continue;
-    const double move = std::max({paths.moves[triangles(f, 0)],
-                                  paths.moves[triangles(f, 1)],
-                                  paths.moves[triangles(f, 2)]});
-    ObstacleOptions nearby;
-    nearby.radius =
-        margin + std::min(1.5 * move, 2 * options.relaxation.max_push);
-    nearby.gap = options.AimedGap();
-    nearby.overlooked_fraction = options.planes.overlooked_fraction;
-    nearby.max_planes = options.planes.max_planes_per_triangle;
-    for (const HalfSpace& space :
-         SeparateFromObstacles(CornersOf(paths.at_rest, triangles.row(f)),
-                               obstacles,
-                               met.begin(f),
-                               met.count(f),
-                               nearby)) {
-      found[f].push_back(
-          PlaneOfBone(step, muscle, static_cast<int>(f), bone, space));
-    }
-  }
-  Append(found, planes);
-  CountWork(WorkUnit::kPairsTested, met.size());
-}
-
 }  // namespace
 
 SeparatingPlane PlaneBetween(const ContactStep& step,
@@ -268,34 +166,24 @@ SeparatingPlane PlaneBetween(const ContactStep& step,
   return plane;
 }
 
-SeparatingPlane PlaneOfBone(const ContactStep& step,
-                            int muscle,
-                            int f,
-                            int bone,
-                            const HalfSpace& at_rest) {
-  const Eigen::Matrix4d& place = step.bones_from_rest[bone];
-  SeparatingPlane plane;
-  plane.muscle_above = muscle;
-  plane.bone = bone;
-  plane.above = step.scene.muscles[muscle].triangles.row(f);
-  plane.normal = at_rest.normal * place.topLeftCorner<3, 3>().transpose();
-  plane.level = at_rest.level + plane.normal.dot(place.topRightCorner<3, 1>());
-  return plane;
-}
-
-std::vector<SeparatingPlane> FindSeparatingPlanes(
+std::vector<SeparatingPlane> FindPlanesBetweenMuscles(
     const StepOptions& options,
     const ContactStep& step,
     std::vector<TriangleBvh>* predicted) {
-  std::vector<SeparatingPlane> planes;
-  {
-    const ScopedStage stage("planes between muscles");
-    AddPlanesBetweenAllMuscles(options, step, predicted, &planes);
+  const ScopedStage stage("planes between muscles");
+  // Both muscles may move by the reach.
+  const double radius =
+      options.AimedGap() + options.planes.search_fraction * 2 * options.reach;
+  const std::vector<PredictedBoxes> boxes = BoxesOf(step, *predicted);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int i = 0; i < step.num_muscles(); ++i) {
+    (*predicted)[i].RefitBoxes(BoxesAround(boxes[i], radius));
   }
-  const ScopedStage stage("planes of bones");
-  for (int bone = 0; bone < step.num_bones(); ++bone) {
-    for (int i = 0; i < step.num_muscles(); ++i) {
-      AddPlanesOfBone(options, step, i, bone, &(*predicted)[i], &planes);
+  std::vector<SeparatingPlane> planes;
+  for (int a = 0; a < step.num_muscles(); ++a) {
+    for (int b = a + 1; b < step.num_muscles(); ++b) {
+      AddPlanesBetweenMuscles(
+          options, step, {radius, *predicted, boxes}, a, b, &planes);
     }
   }
   return planes;

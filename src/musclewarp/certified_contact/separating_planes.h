@@ -57,25 +57,14 @@ SeparatingPlane PlaneBetween(const ContactStep& step,
                              const TriangleSeparation& before,
                              double half_gap);
 
-// Returns the plane that keeps triangle `f` of a muscle in a half-space given
-// in the rest pose of a bone. The plane moves with the bone. In the frame of
-// the bone it is fixed and, half-spaces being convex, contains the straight
-// path of each vertex during the step: no muscle passes through a bone between
-// two states.
-SeparatingPlane PlaneOfBone(const ContactStep& step,
-                            int muscle,
-                            int f,
-                            int bone,
-                            const HalfSpace& at_rest);
-
-// Finds planes between all surfaces that may meet in a step: between triangles
-// of two muscles, and of muscles and bones, that are near each other before the
-// step or at the prediction. sheet_planes.h finds planes between the sheets of
-// one muscle, and defects.h those against remaining crossings.
+// Finds planes between the triangles of two muscles that are near each other
+// before the step or at the prediction. bone_planes.h finds the planes of
+// bones, sheet_planes.h those between the sheets of one muscle, and defects.h
+// those against remaining crossings.
 //
 // `predicted`: the trees of PredictedTrees(step), whose boxes are changed. The
 // order of the planes depends on the meshes only.
-std::vector<SeparatingPlane> FindSeparatingPlanes(
+std::vector<SeparatingPlane> FindPlanesBetweenMuscles(
     const StepOptions& options,
     const ContactStep& step,
     std::vector<TriangleBvh>* predicted);

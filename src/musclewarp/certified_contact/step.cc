@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "musclewarp/certified_contact/bone_planes.h"
 #include "musclewarp/certified_contact/defects.h"
 #include "musclewarp/certified_contact/moves.h"
 #include "musclewarp/certified_contact/relaxation.h"
@@ -41,6 +42,7 @@ struct OpenStep {
   PlaneSet planes;
   RelaxedPoints relaxed;
   std::vector<TriangleBvh> trees;  // refitted for each search
+  KeptBonePlanes kept;             // for the next step
 };
 
 StepResult ResultOf(const StepOptions& options,
@@ -72,13 +74,16 @@ OpenStep BeginStep(const StepOptions& options,
                    const ContactStep& step,
                    const std::vector<Points>& targets,
                    int sweeps) {
-  OpenStep open{PlaneSet(options, step), StartOf(step), PredictedTrees(step)};
+  OpenStep open{
+      PlaneSet(options, step), StartOf(step), PredictedTrees(step), {}};
   std::vector<SeparatingPlane> planes =
-      FindSeparatingPlanes(options, step, &open.trees);
+      FindPlanesBetweenMuscles(options, step, &open.trees);
+  const auto add = [&](const std::vector<SeparatingPlane>& more) {
+    planes.insert(planes.end(), more.begin(), more.end());
+  };
+  add(FindPlanesOfBones(options, step, &open.kept));
   for (int i = 0; i < step.num_muscles(); ++i) {
-    const std::vector<SeparatingPlane> sheets =
-        FindPlanesBetweenSheets(options, step, i);
-    planes.insert(planes.end(), sheets.begin(), sheets.end());
+    add(FindPlanesBetweenSheets(options, step, i));
   }
   open.planes.Add(planes);
   open.relaxed = Relax(options,
@@ -174,6 +179,8 @@ StepResult Step(const StepOptions& options,
       MoveOfMostMoved(open.relaxed.points, step.predicted, kPushedFarthest);
   if (push > goal.max_push) return GivenUp(push);
   state.planes.clear();
+  state.bone_planes =
+      std::make_shared<const KeptBonePlanes>(std::move(open.kept));
   if (solve_coarse) {
     CoarseSolution solution = solve_coarse(open.planes, open.relaxed.points);
     state.coarse = std::move(solution.coarse);

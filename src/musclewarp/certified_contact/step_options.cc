@@ -11,6 +11,7 @@ bool PlaneSearchOptions::IsValid(std::string* error) const {
       .IsWithin("search_fraction", search_fraction, 0, 1)
       .IsWithin("overlooked_fraction", overlooked_fraction, 0, 0.9)
       .IsAtLeast("max_planes_per_triangle", max_planes_per_triangle, 1)
+      .IsAtLeast("kept_slack", kept_slack, 0)
       .IsAtLeast("sheet_distance", sheet_distance, 0)
       .IsWithin("min_facing", min_facing, 0, 1)
       .is_valid();

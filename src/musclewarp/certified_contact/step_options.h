@@ -11,7 +11,7 @@ namespace musclewarp {
 // command.
 
 // Options of the search for separating planes between two triangles, or a
-// triangle and a bone (FindSeparatingPlanes).
+// triangle and a bone (separating_planes.h, bone_planes.h).
 struct PlaneSearchOptions {
   // The search covers surfaces whose distance is at most the gap plus this
   // fraction of the largest possible approach (the reach of each muscle). Few
@@ -29,6 +29,12 @@ struct PlaneSearchOptions {
   // first. A triangle over a flat part of a bone gets one plane, in a rugged
   // pit several; 12 give the same result.
   int max_planes_per_triangle = 24;
+
+  // The planes of a bone are found for this much more than the distance that
+  // matters in a step, mm, and stay until the triangle has moved by as much in
+  // the frame of the bone. With 0 a triangle that moves gets new planes in
+  // every step.
+  double kept_slack = 0.25;
 
   // Two triangles of one muscle get a plane if their distance is at most
   // `sheet_distance`, mm, and they face each other: the cosines of the angles

@@ -110,6 +110,7 @@ void AddSurfaces(const PreparedScene& scene,
 // bone.
 void AddRest(ContactState rest, CertifiedScene* certified) {
   const size_t num_muscles = certified->muscles.size();
+  rest.bone_planes.reset();
   rest.held.clear();
   for (size_t i = 0; i < num_muscles; ++i) {
     const std::vector<int>& vertices = certified->muscles[i]->attached.vertices;

@@ -17,7 +17,7 @@ namespace {
 
 // The first bytes of a file, followed by a checksum of the rest. The number is
 // incremented with every change of the layout.
-constexpr char kMagic[] = "musclewarp step 1\n";
+constexpr char kMagic[] = "musclewarp step 2\n";
 
 constexpr char kAdvice[] =
     "record it again with musclewarp-deform --record_steps";

@@ -10,6 +10,8 @@
 #include <cereal/types/string.hpp>
 #include <cereal/types/vector.hpp>
 #include <cstdint>
+#include <memory>
+#include <utility>
 
 #include "musclewarp/base/archived_fields.h"
 #include "musclewarp/frames/scene_state.h"
@@ -31,6 +33,24 @@ void load(Archive& archive, Eigen::Matrix<T, R, C, O, MR, MC>& matrix) {
   archive(binary_data(matrix.data(), matrix.size() * sizeof(T)));
 }
 
+// A pointer to something constant, or null.
+template <class Archive, class T>
+void save(Archive& archive, const std::shared_ptr<const T>& pointer) {
+  archive(pointer != nullptr);
+  if (pointer != nullptr) archive(*pointer);
+}
+
+template <class Archive, class T>
+void load(Archive& archive, std::shared_ptr<const T>& pointer) {
+  bool is_there;
+  archive(is_there);
+  pointer.reset();
+  if (!is_there) return;
+  T value;
+  archive(value);
+  pointer = std::make_shared<const T>(std::move(value));
+}
+
 }  // namespace cereal
 
 namespace musclewarp {
@@ -50,6 +70,9 @@ MUSCLEWARP_ARCHIVE(
     PlaneOwner, bone, muscle_above, muscle_below, above, below, share_above)
 MUSCLEWARP_ARCHIVE(OwnedHalfSpaces, spaces, owners)
 MUSCLEWARP_ARCHIVE(AttachedPoints, vertices, positions)
+MUSCLEWARP_ARCHIVE(
+    GuardedTriangle, triangle, corners, radius, first_space, num_spaces)
+MUSCLEWARP_ARCHIVE_WITHOUT(KeptPlanes, (clearances), triangles, spaces)
 MUSCLEWARP_ARCHIVE(ContactState,
                    pose,
                    bones_from_rest,
@@ -58,7 +81,8 @@ MUSCLEWARP_ARCHIVE(ContactState,
                    targets,
                    points,
                    held,
-                   planes)
+                   planes,
+                   bone_planes)
 
 MUSCLEWARP_ARCHIVE(HeldVertices, vertices, positions)
 MUSCLEWARP_ARCHIVE(VertexCorrections, fine_offset, held_coarse, held_fine)

@@ -140,25 +140,29 @@ std::optional<TriangleSeparation> SeparateSheets(const Points& points,
   return TriangleSeparation{normal, distance};
 }
 
-std::vector<HalfSpace> SeparateFromObstacles(const Corners& triangle,
-                                             const TriangleBvh& obstacles,
-                                             const int* near,
-                                             int num_near,
-                                             const ObstacleOptions& options) {
+ObstacleSeparation SeparateFromObstacles(const Corners& triangle,
+                                         const TriangleBvh& obstacles,
+                                         const int* near,
+                                         int num_near,
+                                         const ObstacleOptions& options) {
   const double most = options.radius * options.radius;
   const double overlooked = options.overlooked_fraction * options.gap;
   std::vector<Candidate> left =
       CandidatesNear(triangle, obstacles, near, num_near, options.radius);
-  std::vector<HalfSpace> spaces;
+  ObstacleSeparation separation;
   for (int planes = 0; planes < options.max_planes; ++planes) {
     // The nearest triangle, but for those behind the plane of one nearly as
     // near.
     double least = std::numeric_limits<double>::infinity();
+    double nearest = least;  // of what is behind it, at least
     HalfSpace plane;
     for (Candidate& next : left) {
       if (next.square >= least) break;
       const Corners& other = obstacles.corners(next.triangle);
-      if (least <= most && IsBehind(other, plane)) continue;
+      if (least <= most && IsBehind(other, plane)) {
+        nearest = std::min(nearest, next.square);
+        continue;
+      }
       if (AreSurelyFarther(triangle, other, std::min(least, most))) {
         next.is_done = least > most;
         continue;
@@ -174,7 +178,8 @@ std::vector<HalfSpace> SeparateFromObstacles(const Corners& triangle,
                     0.5 * std::max(0.0, distance - options.gap) + overlooked;
     }
     if (least > most) break;
-    spaces.push_back(
+    if (planes == 0) separation.distance = std::sqrt(std::min(least, nearest));
+    separation.spaces.push_back(
         {plane.normal,
          plane.level + (1 - options.overlooked_fraction) * options.gap});
     left.erase(
@@ -187,7 +192,7 @@ std::vector<HalfSpace> SeparateFromObstacles(const Corners& triangle,
                        }),
         left.end());
   }
-  return spaces;
+  return separation;
 }
 
 }  // namespace musclewarp

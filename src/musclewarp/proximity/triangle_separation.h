@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -46,6 +47,15 @@ struct ObstacleOptions {
   int max_planes = 24;
 };
 
+// Half-spaces that keep a triangle away from obstacles.
+struct ObstacleSeparation {
+  std::vector<HalfSpace> spaces;  // those of the nearest obstacles first
+
+  // A lower bound of the distance of the nearest obstacle, mm; infinite if
+  // there are no half-spaces.
+  double distance = std::numeric_limits<double>::infinity();
+};
+
 // Returns half-spaces whose common part meets none of the `num_near` triangles
 // `near` of `obstacles` that are within the radius of `triangle`. All of them
 // keep the gap from their obstacle, and at least the gap less its overlooked
@@ -60,10 +70,10 @@ struct ObstacleOptions {
 //
 // Precondition: `triangle` crosses none of the obstacles. One that it touches
 // or crosses gives no half-space.
-std::vector<HalfSpace> SeparateFromObstacles(const Corners& triangle,
-                                             const TriangleBvh& obstacles,
-                                             const int* near,
-                                             int num_near,
-                                             const ObstacleOptions& options);
+ObstacleSeparation SeparateFromObstacles(const Corners& triangle,
+                                         const TriangleBvh& obstacles,
+                                         const int* near,
+                                         int num_near,
+                                         const ObstacleOptions& options);
 
 }  // namespace musclewarp

@@ -42,7 +42,7 @@ SceneState StateFrom(const std::vector<std::uint8_t>& bytes) {
 
 // The first line of the key file. The number grows whenever a file of the log
 // gets another layout; logs before the first number had no such line.
-constexpr char kFormat[] = "musclewarp resume log 6";
+constexpr char kFormat[] = "musclewarp resume log 7";
 
 constexpr char kAdvice[] = "run without --resume, or choose another --out";
 
