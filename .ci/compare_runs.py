@@ -5,10 +5,12 @@
 
 usage: .ci/compare_runs.py RUN RUN
 
-Reads frame_*/*.ply of both. Exits with 1 if their files, or the numbers of
-vertices of these, are not the same.
+Reads frame_*/*.ply of both, and the bones of frames that have bones.json instead
+(docs/motion.md). Exits with 1 if their meshes, or the numbers of vertices of
+these, are not the same.
 """
 import array
+import json
 import math
 import pathlib
 import re
@@ -26,6 +28,24 @@ def vertices(path):
     return array.array("d", data[end:end + 24 * count])
 
 
+def moved(points, motion):
+    """The coordinates of vertices after a rigid motion, a 4 x 4 matrix."""
+    return [sum(row[k] * points[i + k] for k in range(3)) + row[3]
+            for i in range(0, len(points), 3) for row in motion[:3]]
+
+
+def meshes(run):
+    """How to read the vertices of the meshes of a run, by their paths in frames."""
+    found = {str(path.relative_to(run)): lambda path=path: vertices(path)
+             for path in run.glob("frame_*/*.ply")}
+    for path in run.glob("frame_*/bones.json"):
+        for name, motion in json.loads(path.read_text())["bones"].items():
+            rest = run / "rest" / f"{name}.ply"
+            found[f"{path.parent.name}/{name}.ply"] = (
+                lambda rest=rest, motion=motion: moved(vertices(rest), motion))
+    return found
+
+
 def distance(one, other):
     """The largest and the mean distance of two lists of vertices, mm."""
     lengths = [math.dist(one[i:i + 3], other[i:i + 3])
@@ -36,15 +56,13 @@ def distance(one, other):
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    runs = [pathlib.Path(name) for name in sys.argv[1:]]
-    names = [sorted(str(path.relative_to(run))
-                    for path in run.glob("frame_*/*.ply")) for run in runs]
-    if names[0] != names[1] or not names[0]:
-        sys.exit(f"the runs have other files: {len(names[0])} and "
-                 f"{len(names[1])} in frame_*/*.ply")
+    runs = [meshes(pathlib.Path(name)) for name in sys.argv[1:]]
+    if runs[0].keys() != runs[1].keys() or not runs[0]:
+        sys.exit(f"the runs have other meshes: {len(runs[0])} and "
+                 f"{len(runs[1])} in their frames")
     worst = {}
-    for name in names[0]:
-        one, other = (vertices(run / name) for run in runs)
+    for name in sorted(runs[0]):
+        one, other = (run[name]() for run in runs)
         if len(one) != len(other):
             sys.exit(f"{name}: {len(one) // 3} and {len(other) // 3} vertices")
         largest, mean = distance(one, other)

@@ -18,6 +18,7 @@
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/page/run_files.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/proximity/triangle_distance.h"
 #include "musclewarp/report/report_json.h"
@@ -62,6 +63,23 @@ CheckedFile CheckFile(const std::string& path, TriangleSoup soup) {
   file.mesh = std::make_unique<SearchableMesh>(std::move(soup));
   file.self_pairs = SelfIntersections(file.mesh->bvh()).size();
   return file;
+}
+
+// Calls visit(path, mesh) for the mesh of a file, or each mesh of a folder.
+template <typename Visitor>
+void VisitMeshes(const std::string& path,
+                 std::vector<std::string>* notes,
+                 const Visitor& visit) {
+  if (!std::filesystem::is_directory(path)) {
+    visit(path, ReadTriangleSoup(path, notes));
+    return;
+  }
+  const FrameFiles frame = FrameFilesIn(path);
+  for (const auto& [name, file] : frame.meshes) {
+    const auto file_name = std::filesystem::path(file).filename();
+    visit((std::filesystem::path(path) / file_name).string(),
+          ReadMeshOfFrame(frame, name));
+  }
 }
 
 // Returns the smallest distance of two meshes that do not touch, mm; infinite
@@ -254,24 +272,25 @@ int CheckCommand(const std::vector<std::string>& files,
   std::vector<CheckedFile> checked;
   std::vector<std::string> notes;
   size_t width = 4;
-  const auto check = [&](const std::string& path, bool is_bone) {
-    TriangleSoup soup = ReadTriangleSoup(path, &notes);
+  const auto check = [&](const std::string& path, TriangleSoup soup) {
     soup.points *= options.mm_per_unit;
     checked.push_back(CheckFile(path, std::move(soup)));
-    checked.back().is_bone = is_bone;
     width = std::max(width, checked.back().name.size());
   };
+  for (const std::string& path : files) VisitMeshes(path, &notes, check);
   std::vector<std::string> bones = options.bones;
-  for (const std::string& path : files) {
-    const std::string name = std::filesystem::path(path).stem().string();
+  for (CheckedFile& file : checked) {
     const auto named =
         std::find_if(bones.begin(), bones.end(), [&](const std::string& bone) {
-          return bone == name || bone == path;
+          return bone == file.name || bone == file.path;
         });
-    check(path, named != bones.end());
-    if (named != bones.end()) bones.erase(named);
+    file.is_bone = named != bones.end();
+    if (file.is_bone) bones.erase(named);
   }
-  for (const std::string& path : bones) check(path, true);
+  for (const std::string& path : bones) {
+    check(path, ReadTriangleSoup(path, &notes));
+    checked.back().is_bone = true;
+  }
   const std::vector<CheckedPair> pairs = CheckPairs(checked);
 
   if (!options.json.empty()) {

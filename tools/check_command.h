@@ -25,11 +25,12 @@ struct CheckOptions {
 // Reports on mesh files as they are, without repair: size, defects, volume and
 // self-intersections of each, and for every two of them the triangle pairs that
 // cross (by an exact test), the vertices of one inside the other, how deep they
-// are, and the smallest distance of meshes that are apart. What bones do with
-// each other is reported, too, but does not make the result not usable: they
-// stay where they are delivered. Returns an exit code. Throws InputError,
-// before anything is written, for files that cannot be read and options that
-// are not allowed.
+// are, and the smallest distance of meshes that are apart. A folder in `files`
+// stands for all its meshes; that of a frame has the bones of the frame even if
+// the run writes them once. What bones do with each other is reported, too, but
+// does not make the result not usable: they stay where they are delivered.
+// Returns an exit code. Throws InputError, before anything is written, for
+// files that cannot be read and options that are not allowed.
 int CheckCommand(const std::vector<std::string>& files,
                  const CheckOptions& options,
                  std::ostream& screen);

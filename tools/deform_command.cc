@@ -94,10 +94,6 @@ class ReportWriter {
   std::optional<Stopwatch> since_;
 };
 
-bool HasFormat(const DeformOptions& options, const std::string& format) {
-  return std::count(options.formats.begin(), options.formats.end(), format) > 0;
-}
-
 // Everything of a run but its options: what DeformCommand does, step by step.
 class DeformRun {
  public:
@@ -143,7 +139,7 @@ class DeformRun {
     Start(std::move(state));
     try {
       ComputeFrames();
-      if (HasFormat(options_, "vtp")) {
+      if (options_.files.HasFormat("vtp")) {
         WritePvd(deformer_->scene(), selected_, options_.out);
       }
       if (scene.is_motion) WriteMotionTables(run_.frames, scene, options_.out);
@@ -162,7 +158,7 @@ class DeformRun {
       progress_.Say(progress);
     };
     // Of all that programs write, only these files have the gaps of vertices.
-    options.frames.measures.vertex_gaps = HasFormat(options_, "vtp");
+    options.frames.measures.vertex_gaps = options_.files.HasFormat("vtp");
     if (!options_.record_steps.empty()) {
       recorder_.emplace(options_.record_steps, options_.step_flags);
       options.frames.certified.on_step = [this](int number,
@@ -197,7 +193,7 @@ class DeformRun {
                 << options_.out << "\n";
       }
     }
-    WriteFrame(deformer_->scene(), rest, options_.formats, options_.out);
+    WriteFrame(deformer_->scene(), rest, options_.files, options_.out);
     WriteAttachments((fs::path(options_.out) / kAttachmentsFile).string(),
                      AttachmentsOf(deformer_->scene()));
     if (run_.frames.empty()) return;
@@ -227,7 +223,7 @@ class DeformRun {
       Frame frame =
           is_motion() ? deformer_->MoveTo(pose) : deformer_->SolveAlone(pose);
       frame.index = selected_[i];
-      WriteFrame(deformer_->scene(), frame, options_.formats, options_.out);
+      WriteFrame(deformer_->scene(), frame, options_.files, options_.out);
       CompareFiles(&frame);
       const std::lock_guard<std::mutex> lock(mutex_);
       run_.frames.push_back(RecordOf(deformer_->scene(), frame));
@@ -240,7 +236,7 @@ class DeformRun {
   // Reads the files back, so that the counts are those of the files.
   void CompareFiles(Frame* frame) const {
     for (const std::string& file : FilesThatDiffer(
-             deformer_->scene(), *frame, options_.formats, options_.out)) {
+             deformer_->scene(), *frame, options_.files, options_.out)) {
       frame->shortcomings.push_back(
           file + ": differs from the frame that was counted");
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "musclewarp/deformer/deformer.h"
+#include "musclewarp/frames/frame_files.h"
 
 namespace musclewarp {
 
@@ -18,7 +19,7 @@ struct DeformOptions {
   std::string out;
   DeformerOptions deformer;
   std::string frames = "all";  // see SelectFrames
-  std::vector<std::string> formats = {"ply"};
+  FrameFileOptions files;
   ModelSources model;  // what is not as the scene has it
   int threads = 0;     // 0: as many as OpenMP chooses
   bool resume = false;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/flag_values.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 
@@ -11,6 +12,17 @@
 #include "tools/split.h"
 
 namespace musclewarp {
+namespace {
+
+BoneFiles ParseBones(const std::string& text) {
+  for (const BoneFiles bones : {BoneFiles::kEvery, BoneFiles::kOnce}) {
+    if (text == ToString(bones)) return bones;
+  }
+  throw InputError(
+      "--bones=" + text, "is not a way to write bones", "allowed: every, once");
+}
+
+}  // namespace
 
 SolverConfiguration ParseSolver(const std::string& text) {
   if (text != "ceres" && text != "reference") {
@@ -89,6 +101,25 @@ std::vector<std::string> ParseFormats(const std::string& text) {
     throw InputError("--format", "is empty", "allowed: ply, obj, vtp");
   }
   return formats;
+}
+
+FrameFileOptions ParseFrameFiles(const std::string& format,
+                                 const std::string& bones) {
+  FrameFileOptions files;
+  files.formats = ParseFormats(format);
+  files.bones = ParseBones(bones);
+  const auto has_bones = [&](const std::string& f) {
+    return files.HasBonesInFrames(f);
+  };
+  if (files.bones == BoneFiles::kOnce &&
+      std::all_of(files.formats.begin(), files.formats.end(), has_bones)) {
+    throw InputError("--bones=once",
+                     "changes nothing with --format=" + format +
+                         ": ParaView plays .vtp files as they are, so bones "
+                         "have to be in every frame",
+                     "add ply or obj to --format, or use --bones=every");
+  }
+  return files;
 }
 
 bool ParseYesNo(const std::string& flag, const std::string& text) {

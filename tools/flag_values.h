@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "musclewarp/deformer/deformer.h"
+#include "musclewarp/frames/frame_files.h"
 
 namespace musclewarp {
 
@@ -19,6 +20,10 @@ LaplacianWeights ParseLaplacian(const std::string& text);
 LineRule ParseLines(const std::string& text);
 AttachmentKind ParseAttachments(const std::string& text);
 std::vector<std::string> ParseFormats(const std::string& text);
+
+// Convert the texts of --format and --bones, which have to fit each other.
+FrameFileOptions ParseFrameFiles(const std::string& format,
+                                 const std::string& bones);
 
 // Convert the text of the flag `flag`: "yes" or "no", and folders with commas,
 // which have to exist.

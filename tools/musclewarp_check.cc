@@ -29,12 +29,13 @@ int main(int argc, char** argv) {
   return musclewarp::RunProgram(
       argc,
       argv,
-      "musclewarp-check [--bone=NAME,...] FILE... [flags]\n\n"
+      "musclewarp-check [--bone=NAME,...] FILE|FOLDER... [flags]\n\n"
       "Reports on surface meshes as they are: defects, volume, "
       "self-intersections, and\nfor every two files the triangle pairs that "
       "cross (exact), the vertices of one\ninside the other and the depth of "
-      "the deepest, or\nthe smallest distance of the two. Reads .ply, .obj, "
-      ".off, .stl, .vtk, and with VTK .vtp.\n"
+      "the deepest, or\nthe smallest distance of the two. A FOLDER stands for "
+      "all its meshes, that of a frame\nfor those of the frame. Reads .ply, "
+      ".obj, .off, .stl, .vtk, and with VTK .vtp.\n"
       "Exit code: 0 done, 1 meshes cross and --require_clean, or are nearer "
       "than --gap,\n2 bad input.",
       [](const std::vector<std::string>& files) {

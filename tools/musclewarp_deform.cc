@@ -41,6 +41,12 @@ DEFINE_string(
     "Kellnhofer and Kohout have it; none: every muscle deforms on its "
     "own");
 DEFINE_string(format, "ply", "mesh files to write: ply, obj, vtp; commas");
+DEFINE_string(
+    bones,
+    musclewarp::ToString(musclewarp::FrameFileOptions().bones),
+    "where the meshes of bones are written: every (in every frame) or "
+    "once (to OUT/rest only, and how a frame moves them to "
+    "bones.json there; vtp keeps them in every frame)");
 
 DEFINE_int32(fibres,
              0,
@@ -96,7 +102,7 @@ DeformOptions OptionsFromFlags() {
   options.deformer.solver = ParseSolver(FLAGS_solver);
   SetIterationLimit(&options.deformer.solver);
   options.deformer.frames.contact = ParseContact(FLAGS_contact);
-  options.formats = ParseFormats(FLAGS_format);
+  options.files = ParseFrameFiles(FLAGS_format, FLAGS_bones);
   options.deformer.prepare.fibres.fibres = FLAGS_fibres;
   options.resume = FLAGS_resume;
   options.overwrite = FLAGS_overwrite;

@@ -62,9 +62,16 @@ void CheckOptions(const PostureOptions& options) {
   CheckValid(repair);
 }
 
-// Returns the file of the mesh that is compared with the posture.
-std::string ComparedFile(const PostureOptions& options) {
-  if (!options.mesh.empty()) return options.mesh;
+// The mesh that is compared with the posture.
+struct ComparedMesh {
+  std::string file;
+  TriangleSoup soup;
+};
+
+ComparedMesh ReadComparedMesh(const PostureOptions& options) {
+  if (!options.mesh.empty()) {
+    return {options.mesh, ReadTriangleSoup(options.mesh)};
+  }
   const std::string frame = options.frame.empty() ? "last" : options.frame;
   const RunFiles run = FindRunFiles(options.in, frame);
   if (run.frames.size() != 1) {
@@ -75,7 +82,9 @@ std::string ComparedFile(const PostureOptions& options) {
   }
   const MeshFiles& meshes = run.frames[0].meshes;
   const auto found = meshes.find(options.muscle);
-  if (found != meshes.end()) return found->second;
+  if (found != meshes.end()) {
+    return {found->second, ReadMeshOfFrame(run.frames[0], options.muscle)};
+  }
   std::string names;
   for (const auto& item : meshes) {
     names += (names.empty() ? "" : ", ") + item.first;
@@ -83,10 +92,6 @@ std::string ComparedFile(const PostureOptions& options) {
   throw InputError("--muscle=" + options.muscle,
                    "is no mesh of frame " + frame + " of " + options.in,
                    "its meshes: " + names);
-}
-
-TriangleSoup ReadClosed(const std::string& file, const RepairOptions& options) {
-  return RepairMesh(ReadTriangleSoup(file), file, options, nullptr);
 }
 
 // Throws InputError if the samples asked for are too many to be held.
@@ -201,9 +206,14 @@ void WriteResults(const std::string& file,
 int PostureCommand(const PostureOptions& options, std::ostream& screen) {
   CheckOptions(options);
   if (!options.out.empty()) CheckWritable(options.out);
-  const std::string file = ComparedFile(options);
-  const TriangleSoup muscle = ReadClosed(file, options.repair);
-  const TriangleSoup posture = ReadClosed(options.posture, options.repair);
+  const ComparedMesh compared = ReadComparedMesh(options);
+  const std::string& file = compared.file;
+  const TriangleSoup muscle =
+      RepairMesh(compared.soup, file, options.repair, nullptr);
+  const TriangleSoup posture = RepairMesh(ReadTriangleSoup(options.posture),
+                                          options.posture,
+                                          options.repair,
+                                          nullptr);
   CheckSpacing(file, muscle, options.spacing);
   CheckSpacing(options.posture, posture, options.spacing);
   SurfaceComparisonOptions comparison;

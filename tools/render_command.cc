@@ -217,11 +217,12 @@ std::vector<PicturePanel> ReadPanels(
   }
   for (std::size_t i = 0; i < panels.size(); ++i) {
     panels[i].caption = captions[i];
-    for (const auto& [name, file] : run.frames[i].meshes) {
+    for (const auto& item : run.frames[i].meshes) {
+      const std::string& name = item.first;
       const auto look = looks.find(name);
       if (look == looks.end()) continue;
       panels[i].meshes.push_back(look->second);
-      panels[i].meshes.back().surface = ReadTriangleSoup(file);
+      panels[i].meshes.back().surface = ReadMeshOfFrame(run.frames[i], name);
       if (request.color == "stretch" && muscles.count(name) > 0) {
         ColorByStretch(rest, name, &panels[i].meshes.back());
       }

@@ -250,7 +250,7 @@ DeformOptions SceneOptionsFromFlags() {
                                        "geometry",
                                        "motion"};
   options.result_flags = SetFlags(other_flags);
-  other_flags.insert({"frames", "format"});
+  other_flags.insert({"frames", "format", "bones"});
   options.deformer.cache.options_key = "flags:" + SetFlags(other_flags);
   for (const auto& flag : OwnFlags()) {
     options.all_flags[flag.name] = flag.current_value;

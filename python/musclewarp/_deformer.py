@@ -101,7 +101,8 @@ class Run(_core.Run):
     def write(self,
               out: Union[str, "os.PathLike[str]"],
               format: str = "ply",
-              overwrite: bool = False) -> None:
+              overwrite: bool = False,
+              bones: str = "every") -> None:
         """Writes the frames, tables and report.json as musclewarp-deform does.
 
         Frames of an earlier run in the folder are removed.
@@ -111,11 +112,15 @@ class Run(_core.Run):
             format: of the meshes: "ply", "obj", "vtp", or several with commas.
             overwrite: whether to remove frames, too, that belong to no run
                 that report.json there names.
+            bones: which folders have the meshes of bones: "every" (those of
+                all frames) or "once" (the rest folder only; frames have
+                the motions of the bones in bones.json. "vtp" has them in
+                every frame all the same).
         Raises:
             InputError: the folder cannot be written, or has such frames; or
                 there is no frame.
         """
-        super().write(os.fspath(out), format, overwrite)
+        super().write(os.fspath(out), format, overwrite, bones)
 
     def page(self) -> Page:
         """Returns the page of the run (docs/page.md), for a notebook or a file.

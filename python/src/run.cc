@@ -122,12 +122,12 @@ std::shared_ptr<StorageTable> TableOf(const RunOfDeformer& run,
 
 // Writes what musclewarp-deform writes of these frames.
 void WriteFiles(const RunOfDeformer& run,
-                const std::vector<std::string>& formats,
+                const FrameFileOptions& files,
                 const std::string& dir,
                 Deformer* deformer) {
   const PreparedScene& scene = deformer->scene();
   RemoveEarlierRun(dir);
-  WriteFrame(scene, deformer->RestFrame(), formats, dir);
+  WriteFrame(scene, deformer->RestFrame(), files, dir);
   WriteAttachments((fs::path(dir) / kAttachmentsFile).string(),
                    AttachmentsOf(scene));
   std::vector<int> indices;
@@ -135,16 +135,15 @@ void WriteFiles(const RunOfDeformer& run,
   for (size_t i = 0; i < run.frames.size(); ++i) {
     ThrowIfAbandoned();
     const Frame& frame = run.frames[i]->frame;
-    WriteFrame(scene, frame, formats, dir);
-    for (const std::string& file :
-         FilesThatDiffer(scene, frame, formats, dir)) {
+    WriteFrame(scene, frame, files, dir);
+    for (const std::string& file : FilesThatDiffer(scene, frame, files, dir)) {
       record.frames[i].usable = false;
       record.frames[i].shortcomings.push_back(
           file + ": differs from the frame that was counted");
     }
     indices.push_back(frame.index);
   }
-  if (std::count(formats.begin(), formats.end(), "vtp") > 0) {
+  if (files.HasFormat("vtp")) {
     WritePvd(scene, indices, dir);
   }
   if (scene.scene.is_motion) {
@@ -158,19 +157,19 @@ void WriteFiles(const RunOfDeformer& run,
 void Write(const RunOfDeformer& run,
            const std::string& dir,
            const std::string& format,
-           bool overwrite) {
+           bool overwrite,
+           const std::string& bones) {
   if (run.frames.empty()) {
     throw InputError("run", "has no frames", "append frames first");
   }
   CallWithKeywords([&] {
-    const std::vector<std::string> formats = ParseFormats(format);
+    const FrameFileOptions files = ParseFrameFiles(format, bones);
     CheckWritable(dir);
     CheckNoStrangeFrames(dir, overwrite);
     MakeFolder(dir);
     SharedDeformer::Compute(
-        run.deformer,
-        [run = SnapshotOf(run), formats, dir](Deformer* deformer) {
-          WriteFiles(*run, formats, dir, deformer);
+        run.deformer, [run = SnapshotOf(run), files, dir](Deformer* deformer) {
+          WriteFiles(*run, files, dir, deformer);
           return true;
         });
   });
@@ -208,7 +207,8 @@ void BindRun(py::module_* module) {
            &Write,
            py::arg("out"),
            py::arg("format") = "ply",
-           py::arg("overwrite") = false)
+           py::arg("overwrite") = false,
+           py::arg("bones") = ToString(FrameFileOptions().bones))
       .def_property_readonly("lengths",
                              [](const RunOfDeformer& run) {
                                return TableOf(

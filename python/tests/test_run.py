@@ -69,9 +69,24 @@ def test_writes_files_that_hold_the_frames(run, tmp_path):
         np.testing.assert_array_equal(mesh.points, frame["iliacus"].points)
 
 
+def test_bones_may_be_written_once(run, tmp_path):
+    run.write(tmp_path / "every")
+    run.write(tmp_path / "once", bones="once")
+    every, once = files_of(tmp_path / "every"), files_of(tmp_path / "once")
+    assert once.keys() - every.keys() == {
+        f"frame_000{i}/bones.json" for i in range(3)}
+    assert every.keys() - once.keys() == {
+        f"frame_000{i}/femur.ply" for i in range(3)}
+    # The folder's name is in the page; nothing else differs.
+    assert (len(mw.page(tmp_path / "once").html)
+            == len(mw.page(tmp_path / "every").html) - len("every") + len("once"))
+
+
 def test_what_cannot_be_written_is_refused(run, deformer, tmp_path):
     with pytest.raises(mw.InputError, match="format=docx"):
         run.write(tmp_path / "out", format="docx")
+    with pytest.raises(mw.InputError, match="bones=twice"):
+        run.write(tmp_path / "out", bones="twice")
     (tmp_path / "file").touch()
     with pytest.raises(mw.InputError, match="out=.*cannot|not a folder"):
         run.write(tmp_path / "file")

@@ -197,6 +197,14 @@ TEST_F(GlbFile, KeepsItsPrecisionFarFromTheOrigin) {
             kToleranceMm);
 }
 
+TEST_F(GlbFile, IsTheSameIfBonesAreWrittenOnce) {
+  WriteGlb(path_, AnimationOf(run_, {0, 1}));
+  const std::string every = ReadFile(path_);
+  written_.KeepBonesOnce();
+  WriteGlb(path_, AnimationOf(run_, {0, 1}));
+  EXPECT_TRUE(ReadFile(path_) == every);
+}
+
 TEST_F(GlbFile, IsNotThereIfAFrameCannotBeRead) {
   std::filesystem::remove(written_.dir + "/frame_0001/bone.ply");
   ExpectInputError(

@@ -2,15 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/frames/frame_files.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <filesystem>
 
+#include "musclewarp/frames/bones_file.h"
+#include "musclewarp/mesh/transformed.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
 
 namespace musclewarp {
 namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 TEST(AreaStretch, IsTheRatioOfAreas) {
   const TriangleSoup ball = Icosphere(10, 2);
@@ -36,31 +43,96 @@ TEST(FrameFolder, HasFourDigits) {
   EXPECT_EQ(FrameFolder(12345), "frame_12345");
 }
 
-TEST(FilesThatDiffer, AreThoseThatSomebodyChanged) {
-  const std::string dir = TestTempDir();
-  PreparedScene scene;
-  const TriangleSoup ball = Icosphere(10.0 / 3, 1);
-  scene.muscles.resize(1);
-  scene.muscles[0].model.name = "muscle";
-  scene.muscles[0].model.fine_triangles = ball.triangles;
-  scene.bones.resize(1);
-  scene.bones[0].mesh.name = "bone";
-  scene.bones[0].rest = ball;
-  Frame frame;
-  frame.index = 0;
-  frame.muscles.resize(1);
-  frame.muscles[0].points = ball.points / 7;
-  frame.bones = {ball.points};
-  const std::vector<std::string> formats = {"ply", "obj"};
-  WriteFrame(scene, frame, formats, dir);
-  EXPECT_EQ(FilesThatDiffer(scene, frame, formats, dir),
-            std::vector<std::string>());
+// A muscle and a bone, which has moved and turned in the frame.
+class FrameFilesTest : public ::testing::Test {
+ protected:
+  FrameFilesTest() {
+    const TriangleSoup ball = Icosphere(10.0 / 3, 1);
+    const Eigen::Affine3d motion =
+        Eigen::Translation3d(80.0 / 3, 1, 2) *
+        Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized());
+    scene_.muscles.resize(1);
+    scene_.muscles[0].model.name = "muscle";
+    scene_.muscles[0].model.fine_triangles = ball.triangles;
+    scene_.bones.resize(1);
+    scene_.bones[0].mesh.name = "bone";
+    scene_.bones[0].rest = ball;
+    rest_.muscles.resize(1);
+    rest_.muscles[0].points = ball.points;
+    rest_.bones = {ball.points};
+    rest_.bones_from_rest = {Eigen::Matrix4d::Identity()};
+    frame_.index = 0;
+    frame_.muscles.resize(1);
+    frame_.muscles[0].points = ball.points / 7;
+    frame_.bones = {Transformed(ball.points, motion.matrix())};
+    frame_.bones_from_rest = {motion.matrix()};
+  }
+
+  void Write(const FrameFileOptions& options) const {
+    WriteFrame(scene_, rest_, options, dir_);
+    WriteFrame(scene_, frame_, options, dir_);
+  }
+  std::vector<std::string> Different(const FrameFileOptions& options) const {
+    return FilesThatDiffer(scene_, frame_, options, dir_);
+  }
+  bool Has(const std::string& file) const {
+    return std::filesystem::exists(dir_ + "/" + file);
+  }
+
+  const std::string dir_ = TestTempDir();
+  const FrameFileOptions every_ = {{"ply", "obj"}, BoneFiles::kEvery};
+  const FrameFileOptions once_ = {{"ply", "obj"}, BoneFiles::kOnce};
+  PreparedScene scene_;
+  Frame rest_, frame_;
+};
+
+TEST_F(FrameFilesTest, DifferIfSomebodyChangedThem) {
+  Write(every_);
+  EXPECT_FALSE(Has("frame_0000/bones.json"));
+  EXPECT_THAT(Different(every_), IsEmpty());
   // By one bit of one coordinate.
-  frame.muscles[0].points(5, 1) =
-      std::nextafter(frame.muscles[0].points(5, 1), 9);
-  EXPECT_EQ(FilesThatDiffer(scene, frame, {"ply"}, dir),
-            std::vector<std::string>({"frame_0000/muscle.ply"}));
+  double& y = frame_.muscles[0].points(5, 1);
+  y = std::nextafter(y, 9);
+  EXPECT_THAT(Different({{"ply"}}), ElementsAre("frame_0000/muscle.ply"));
 }
+
+TEST_F(FrameFilesTest, HaveBonesOnceIfAskedTo) {
+  Write(once_);
+  for (const char* format : {".ply", ".obj"}) {
+    EXPECT_TRUE(Has("rest/bone" + std::string(format)));
+    EXPECT_TRUE(Has("frame_0000/muscle" + std::string(format)));
+    EXPECT_FALSE(Has("frame_0000/bone" + std::string(format)));
+  }
+  EXPECT_FALSE(Has("rest/bones.json"));
+  EXPECT_EQ(ReadBonesFile(dir_ + "/frame_0000/bones.json").at("bone"),
+            frame_.bones_from_rest[0]);
+  EXPECT_THAT(Different(once_), IsEmpty());
+}
+
+TEST_F(FrameFilesTest, BonesWrittenOnceAreComparedWhereTheyAreInTheFrame) {
+  Write(once_);
+  double& y = frame_.bones[0](5, 1);
+  y = std::nextafter(y, 99);
+  EXPECT_THAT(Different(once_), ElementsAre("rest/bone.ply", "rest/bone.obj"));
+  WriteBonesFile(dir_ + "/frame_0000/bones.json", {});
+  EXPECT_THAT(Different({{"ply"}, BoneFiles::kOnce}),
+              ElementsAre("frame_0000/bones.json"));
+}
+
+#ifdef MUSCLEWARP_WITH_VTK
+TEST_F(FrameFilesTest, VtpHasBonesInEveryFrame) {
+  const FrameFileOptions options = {{"vtp", "ply"}, BoneFiles::kOnce};
+  const auto size = frame_.muscles[0].points.rows();
+  scene_.muscles[0].model.fine_rest = rest_.muscles[0].points;
+  for (Frame* frame : {&rest_, &frame_}) {
+    frame->muscles[0].gaps = Eigen::VectorXd::Zero(size);
+  }
+  Write(options);
+  EXPECT_TRUE(Has("frame_0000/bone.vtp"));
+  EXPECT_FALSE(Has("frame_0000/bone.ply"));
+  EXPECT_THAT(Different(options), IsEmpty());
+}
+#endif
 
 }  // namespace
 }  // namespace musclewarp

@@ -75,6 +75,17 @@ TEST(RecordedRun, MeasuresGapsAndCrossings) {
   EXPECT_LT(run.muscles[0].gaps[2].minCoeff(), -1);
 }
 
+TEST(RecordedRun, IsTheSameIfBonesAreWrittenOnce) {
+  const WrittenRun written = WriteRun(TestTempDir());
+  const RecordedRun every = ReadQuietly(written.dir);
+  written.KeepBonesOnce();
+  const RecordedRun once = ReadQuietly(written.dir);
+  EXPECT_EQ(once.bones[0].from_rest, every.bones[0].from_rest);
+  EXPECT_EQ(once.muscles[0].gaps, every.muscles[0].gaps);
+  EXPECT_EQ(once.intersections[2].triangle_pairs, written.pairs);
+  EXPECT_THAT(once.warnings, IsEmpty());
+}
+
 TEST(RecordedRun, SaysWhereTheReportIsAnother) {
   WrittenRun written = WriteRun(TestTempDir());
   written.report["frames"][1]["intersections"]["triangle_pairs"] = 3;

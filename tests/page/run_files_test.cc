@@ -44,6 +44,27 @@ TEST(MeshFilesIn, AFolderWithoutMeshesIsRefused) {
                    {dir + "/none", "no such folder"});
 }
 
+TEST(FrameFilesIn, HasBonesThatAreWrittenOnceWhereTheyAreInTheFrame) {
+  const WrittenRun written = WriteRun(TestTempDir());
+  const std::string folder = written.dir + "/frame_0001";
+  const FrameFiles every = FrameFilesIn(folder);
+  EXPECT_TRUE(every.bones_from_rest.empty());
+  const TriangleSoup bone = ReadMeshOfFrame(every, "bone");
+  EXPECT_EQ(bone.points, written.bone_frames[1]);
+  written.KeepBonesOnce();
+  for (const std::string& name : {folder, folder + "/"}) {
+    const FrameFiles once = FrameFilesIn(name);
+    EXPECT_EQ(once.meshes.at("bone"), written.dir + "/rest/bone.ply");
+    const TriangleSoup moved = ReadMeshOfFrame(once, "bone");
+    EXPECT_EQ(moved.points, bone.points);
+    EXPECT_EQ(moved.triangles, bone.triangles);
+    EXPECT_EQ(ReadMeshOfFrame(once, "muscle").points, written.muscle.points);
+  }
+  fs::remove(written.dir + "/rest/bone.ply");
+  ExpectInputError([&] { FrameFilesIn(folder); },
+                   {folder + "/bones.json", "\"bone\"", "rest folder"});
+}
+
 TEST(FrameFoldersIn, GoesByNumbers) {
   const std::string dir = TestTempDir();
   for (const char* name :

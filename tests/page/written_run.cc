@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/frames/bones_file.h"
 #include "musclewarp/frames/frame_files.h"
 #include "musclewarp/frames/lines_file.h"
 #include "musclewarp/mesh/transformed.h"
@@ -55,6 +56,14 @@ void WrittenRun::WriteReport() const {
   WriteTextAtomically(dir + "/report.json", report.dump(2));
 }
 
+void WrittenRun::KeepBonesOnce() const {
+  for (size_t i = 0; i < bone_motions.size(); ++i) {
+    const fs::path folder = fs::path(dir) / FrameFolder(static_cast<int>(i));
+    fs::remove(folder / "bone.ply");
+    WriteBonesFile((folder / kBonesFile).string(), {{"bone", bone_motions[i]}});
+  }
+}
+
 RecordedRun ReadQuietly(const std::string& dir) {
   std::ostringstream log;
   return ReadRecordedRun(dir, log);
@@ -70,8 +79,10 @@ WrittenRun WriteRun(const std::string& dir, const std::string& muscle_name) {
       Eigen::Translation3d(-8, 1, 2) *
       Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 3).normalized());
   run.muscle_frames = {Shifted(run.muscle.points, -5), run.muscle.points};
-  run.bone_frames = {run.bone.points,
-                     Transformed(run.bone.points, motion.matrix())};
+  run.bone_motions = {Eigen::Matrix4d::Identity(), motion.matrix()};
+  for (const Eigen::Matrix4d& from_rest : run.bone_motions) {
+    run.bone_frames.push_back(Transformed(run.bone.points, from_rest));
+  }
   WritePose(run, "rest", muscle_name, run.muscle.points, run.bone.points);
 
   auto frames = nlohmann::ordered_json::array();

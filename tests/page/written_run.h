@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -19,10 +20,15 @@ struct WrittenRun {
   nlohmann::ordered_json report;  // what report.json holds
   TriangleSoup muscle, bone;      // at rest
   std::vector<Points> muscle_frames, bone_frames;
+  std::vector<Eigen::Matrix4d> bone_motions;  // from rest, by frame
   int pairs = 0;  // of triangles that cross in the second frame
 
   // Writes `report` anew.
   void WriteReport() const;
+
+  // Leaves the run as BoneFiles::kOnce does: frames have the motions of the
+  // bone in place of its mesh.
+  void KeepBonesOnce() const;
 };
 
 WrittenRun WriteRun(const std::string& dir,

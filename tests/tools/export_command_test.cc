@@ -70,6 +70,18 @@ class Export : public ::testing::Test {
   std::ostringstream screen_;
 };
 
+TEST_F(Export, IsTheSameIfBonesAreWrittenOnce) {
+  const auto crossings = [&] {
+    EXPECT_EQ(Run("crossings"), kExitUsable);
+    return FileText(request_.out + "/crossings.csv") +
+           FileText(request_.out + "/frame_0001_triangles.ply") +
+           FileText(request_.out + "/frame_0001_curves.ply");
+  };
+  const std::string every = crossings();
+  run_.KeepBonesOnce();
+  EXPECT_TRUE(crossings() == every);
+}
+
 TEST_F(Export, CrossingsOfARun) {
   EXPECT_EQ(Run("crossings"), kExitUsable);
   EXPECT_THAT(screen_.str(),

@@ -12,6 +12,8 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/frames/bones_file.h"
+#include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/page/run_files.h"
 #include "musclewarp/render/picture.h"
@@ -125,6 +127,29 @@ TEST(RenderCommand, DrawsFramesSideBySide) {
   EXPECT_EQ(both.substr(16, 8), std::string("\0\0\1\x2c\0\0\0\xc8", 8));
   Render(request, log);
   EXPECT_EQ(Bytes(request.out), both);
+}
+
+TEST(RenderCommand, DrawsBonesThatAreWrittenOnceWhereTheyAreInTheFrame) {
+  if (!CanDraw()) GTEST_SKIP() << "no OpenGL";
+  RenderRequest request;
+  request.in = WriteRun();
+  request.out = request.in + "/a.png";
+  request.frames = "2";
+  request.size = "300x200";
+  std::ostringstream log;
+  const std::string bone = request.in + "/frame_0002/femur.ply";
+  const TriangleSoup rest = ReadTriangleSoup(bone);
+  Eigen::Matrix4d motion = Eigen::Matrix4d::Identity();
+  motion(1, 3) = 80;
+  WriteTriangleSoup(bone, {Transformed(rest.points, motion), rest.triangles});
+  Render(request, log);
+  const std::string every = Bytes(request.out);
+  fs::remove(bone);
+  fs::create_directories(request.in + "/rest");
+  WriteTriangleSoup(request.in + "/rest/femur.ply", rest);
+  WriteBonesFile(request.in + "/frame_0002/bones.json", {{"femur", motion}});
+  Render(request, log);
+  EXPECT_TRUE(Bytes(request.out) == every);
 }
 
 TEST(RenderCommand, ColoursByStretchNeedTheMeshesAtRest) {

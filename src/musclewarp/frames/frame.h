@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <map>
 #include <string>
 #include <vector>
@@ -95,6 +96,10 @@ struct Frame {
   std::map<std::string, double> coordinates;  // of the model, rad or m
   std::vector<MuscleFrame> muscles;
   std::vector<Points> bones;  // #V x 3 each, mm
+
+  // The rigid motions of the bones from rest, 4 x 4, translation in mm: `bones`
+  // are the points at rest, Transformed() by them.
+  std::vector<Eigen::Matrix4d> bones_from_rest;
 
   // -dl/dq of the straight lines, by line and coordinate, mm/rad (or mm/m).
   std::map<std::string, std::map<std::string, double>> path_moment_arms;

@@ -5,13 +5,16 @@
 #include <glog/logging.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
 
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/xml_text.h"
+#include "musclewarp/frames/bones_file.h"
 #include "musclewarp/frames/lines_file.h"
+#include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/vtp_writer.h"
 #include "musclewarp/skeleton/polyline.h"
@@ -77,7 +80,64 @@ std::vector<MuscleLines> NamedLines(const PreparedScene& scene,
   return muscles;
 }
 
+BoneMotions NamedMotions(const PreparedScene& scene, const Frame& frame) {
+  BoneMotions motions;
+  for (size_t i = 0; i < scene.bones.size(); ++i) {
+    motions[scene.bones[i].mesh.name] = frame.bones_from_rest[i];
+  }
+  return motions;
+}
+
+void WriteMuscles(const PreparedScene& scene,
+                  const Frame& frame,
+                  const std::string& format,
+                  const fs::path& folder) {
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    const PreparedMuscle& muscle = scene.muscles[i];
+    const MuscleFrame& moved = frame.muscles[i];
+    const std::string file = muscle.model.name + "." + format;
+    if (format != "vtp") {
+      WriteTriangleSoup((folder / file).string(),
+                        {moved.points, muscle.model.fine_triangles});
+      continue;
+    }
+    WriteMuscleVtp(muscle, moved, folder);
+    WriteLinesVtp(moved.lines, folder / (kLines + file));
+    if (moved.fibres.empty()) continue;
+    WriteLinesVtp(moved.fibres, folder / (kFibres + file));
+  }
+}
+
+void WriteBones(const PreparedScene& scene,
+                const Frame& frame,
+                const std::string& format,
+                const fs::path& folder) {
+  for (size_t i = 0; i < scene.bones.size(); ++i) {
+    const PreparedBone& bone = scene.bones[i];
+    WriteTriangleSoup((folder / (bone.mesh.name + "." + format)).string(),
+                      {frame.bones[i], bone.rest.triangles});
+  }
+}
+
+bool AreSame(const TriangleSoup& a, const TriangleSoup& b) {
+  return a.points.rows() == b.points.rows() &&
+         a.triangles.rows() == b.triangles.rows() && a.points == b.points &&
+         a.triangles == b.triangles;
+}
+
 }  // namespace
+
+const char* ToString(BoneFiles bones) {
+  return bones == BoneFiles::kOnce ? "once" : "every";
+}
+
+bool FrameFileOptions::HasFormat(const std::string& format) const {
+  return std::count(formats.begin(), formats.end(), format) > 0;
+}
+
+bool FrameFileOptions::HasBonesInFrames(const std::string& format) const {
+  return bones == BoneFiles::kEvery || format == "vtp";
+}
 
 std::string FrameFolder(int index) {
   std::ostringstream name;
@@ -112,73 +172,69 @@ Eigen::VectorXd AreaStretch(const Points& rest,
 
 void WriteFrame(const PreparedScene& scene,
                 const Frame& frame,
-                const std::vector<std::string>& formats,
+                const FrameFileOptions& options,
                 const std::string& dir) {
+  const bool is_rest = frame.index < 0;
   const auto write_all = [&](const std::string& partial) {
     const fs::path folder(partial);
-    const auto path = [&](const std::string& name, const std::string& format) {
-      return (folder / (name + "." + format)).string();
-    };
     WriteLinesFile((folder / kLinesFile).string(), NamedLines(scene, frame));
-    for (const std::string& format : formats) {
-      for (size_t i = 0; i < scene.muscles.size(); ++i) {
-        const PreparedMuscle& muscle = scene.muscles[i];
-        const MuscleFrame& moved = frame.muscles[i];
-        const std::string& name = muscle.model.name;
-        if (format == "vtp") {
-          WriteMuscleVtp(muscle, moved, folder);
-          WriteLinesVtp(moved.lines, path(kLines + name, format));
-          if (moved.fibres.empty()) continue;
-          WriteLinesVtp(moved.fibres, path(kFibres + name, format));
-        } else {
-          WriteTriangleSoup(path(name, format),
-                            {moved.points, muscle.model.fine_triangles});
-        }
-      }
-      for (size_t i = 0; i < scene.bones.size(); ++i) {
-        const PreparedBone& bone = scene.bones[i];
-        WriteTriangleSoup(path(bone.mesh.name, format),
-                          {frame.bones[i], bone.rest.triangles});
+    if (!is_rest && options.bones == BoneFiles::kOnce) {
+      WriteBonesFile((folder / kBonesFile).string(),
+                     NamedMotions(scene, frame));
+    }
+    for (const std::string& format : options.formats) {
+      WriteMuscles(scene, frame, format, folder);
+      if (is_rest || options.HasBonesInFrames(format)) {
+        WriteBones(scene, frame, format, folder);
       }
     }
   };
-  const std::string name =
-      frame.index < 0 ? kRestFolder : FrameFolder(frame.index);
+  const std::string name = is_rest ? kRestFolder : FrameFolder(frame.index);
   WriteFolderAtomically((fs::path(dir) / name).string(), write_all);
 }
 
-std::vector<std::string> FilesThatDiffer(
-    const PreparedScene& scene,
-    const Frame& frame,
-    const std::vector<std::string>& formats,
-    const std::string& dir) {
-  struct Written {
-    std::string name;
-    const Points* points;
-    const Triangles* triangles;
-  };
-  std::vector<Written> meshes;
-  for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    const MuscleModel& model = scene.muscles[i].model;
-    meshes.push_back(
-        {model.name, &frame.muscles[i].points, &model.fine_triangles});
-  }
-  for (size_t i = 0; i < scene.bones.size(); ++i) {
-    const PreparedBone& bone = scene.bones[i];
-    meshes.push_back({bone.mesh.name, &frame.bones[i], &bone.rest.triangles});
+std::vector<std::string> FilesThatDiffer(const PreparedScene& scene,
+                                         const Frame& frame,
+                                         const FrameFileOptions& options,
+                                         const std::string& dir) {
+  const fs::path folder = FrameFolder(frame.index);
+  const std::string bones_file = (folder / kBonesFile).string();
+  BoneMotions motions;
+  if (options.bones == BoneFiles::kOnce) {
+    motions = ReadBonesFile((fs::path(dir) / bones_file).string());
   }
   std::vector<std::string> different;
-  for (const std::string& format : formats) {
-    for (const Written& mesh : meshes) {
-      const fs::path file =
-          fs::path(FrameFolder(frame.index)) / (mesh.name + "." + format);
-      const TriangleSoup soup =
-          ReadTriangleSoup((fs::path(dir) / file).string());
-      const bool is_same = soup.points.rows() == mesh.points->rows() &&
-                           soup.triangles.rows() == mesh.triangles->rows() &&
-                           soup.points == *mesh.points &&
-                           soup.triangles == *mesh.triangles;
-      if (!is_same) different.push_back(file.string());
+  const auto compare = [&](const fs::path& file,
+                           const Eigen::Matrix4d* motion,
+                           const TriangleSoup& expected) {
+    TriangleSoup soup = ReadTriangleSoup((fs::path(dir) / file).string());
+    if (motion) soup.points = Transformed(soup.points, *motion);
+    if (!AreSame(soup, expected)) different.push_back(file.string());
+  };
+  for (const std::string& format : options.formats) {
+    const auto file_of = [&](const std::string& name) {
+      return name + "." + format;
+    };
+    for (size_t i = 0; i < scene.muscles.size(); ++i) {
+      const MuscleModel& model = scene.muscles[i].model;
+      compare(folder / file_of(model.name),
+              nullptr,
+              {frame.muscles[i].points, model.fine_triangles});
+    }
+    for (size_t i = 0; i < scene.bones.size(); ++i) {
+      const std::string file = file_of(scene.bones[i].mesh.name);
+      const TriangleSoup expected = {frame.bones[i],
+                                     scene.bones[i].rest.triangles};
+      if (options.HasBonesInFrames(format)) {
+        compare(folder / file, nullptr, expected);
+      }
+      if (options.bones == BoneFiles::kEvery) continue;
+      const auto motion = motions.find(scene.bones[i].mesh.name);
+      if (motion == motions.end()) {
+        different.push_back(bones_file);
+      } else {
+        compare(fs::path(kRestFolder) / file, &motion->second, expected);
+      }
     }
   }
   return different;

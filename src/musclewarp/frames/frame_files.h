@@ -16,28 +16,52 @@ std::string FrameFolder(int index);
 // The folder of the meshes as they were delivered and repaired.
 constexpr char kRestFolder[] = "rest";
 
+// Which folders of a run have the meshes of its bones: those of all frames, or
+// the rest folder only. Bones are rigid, and most of what a frame holds.
+enum class BoneFiles { kEvery, kOnce };
+
+// Returns "every" or "once".
+const char* ToString(BoneFiles bones);
+
+// The files of a frame.
+struct FrameFileOptions {
+  // Extensions of the meshes without dot. All formats keep double precision
+  // (.stl does not and is not offered by the programs).
+  std::vector<std::string> formats = {"ply"};
+
+  // With kOnce, "vtp" has bones in every frame all the same, because ParaView
+  // plays these files as they are.
+  BoneFiles bones = BoneFiles::kEvery;
+
+  bool HasFormat(const std::string& format) const;
+
+  // Returns true if frames have the meshes of bones in the format.
+  bool HasBonesInFrames(const std::string& format) const;
+};
+
 // Writes all meshes of a frame to DIR/frame_0000/<name>.<format> (DIR/rest/...
 // of the rest frame) and lines and fibres to lines.json beside them; the folder
-// appears complete or not at all. Formats are extensions without dot; all of
-// them keep double precision (.stl does not and is not offered by the
-// programs). With "vtp" muscles carry point data: displacement from rest (mm),
-// area_stretch (area of the triangles around a vertex to that at rest), gap to
-// the nearest other mesh (mm, negative inside, at most kGapLimit) and contact
-// (1 where the gap is at most kContactGap), and each muscle has its lines in
-// lines/<name>.vtp and its fibres, if any, in fibres/<name>.vtp.
+// appears complete or not at all. With BoneFiles::kOnce the motions of the
+// bones from rest are written to bones.json (bones_file.h), and the rest frame
+// has to be written, too. With "vtp" muscles carry point data: displacement
+// from rest (mm), area_stretch (area of the triangles around a vertex to that
+// at rest), gap to the nearest other mesh (mm, negative inside, at most
+// kGapLimit) and contact (1 where the gap is at most kContactGap), and each
+// muscle has its lines in lines/<name>.vtp and its fibres, if any, in
+// fibres/<name>.vtp.
 void WriteFrame(const PreparedScene& scene,
                 const Frame& frame,
-                const std::vector<std::string>& formats,
+                const FrameFileOptions& options,
                 const std::string& dir);
 
-// Reads the meshes of a written frame back. Returns the files, within `dir`,
-// that do not hold the frame's points and triangles to the last bit. If there
-// are none, the certificate of the frame is one of its files.
-std::vector<std::string> FilesThatDiffer(
-    const PreparedScene& scene,
-    const Frame& frame,
-    const std::vector<std::string>& formats,
-    const std::string& dir);
+// Reads the meshes of a written frame back, bones that are written once by
+// their motions. Returns the files, within `dir`, that do not hold the frame's
+// points and triangles to the last bit. If there are none, the certificate of
+// the frame is one of its files.
+std::vector<std::string> FilesThatDiffer(const PreparedScene& scene,
+                                         const Frame& frame,
+                                         const FrameFileOptions& options,
+                                         const std::string& dir);
 
 // A vertex with a smaller gap than this counts as touching another mesh, mm.
 constexpr double kContactGap = 0.5;

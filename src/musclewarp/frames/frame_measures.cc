@@ -51,13 +51,12 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
   return frame;
 }
 
-std::vector<Points> BonesIn(const PreparedScene& scene, const ScenePose& pose) {
-  std::vector<Points> bones;
+void AddBones(const PreparedScene& scene, const ScenePose& pose, Frame* frame) {
   for (const PreparedBone& bone : scene.bones) {
-    bones.push_back(
-        Transformed(bone.rest.points, BodyTransform(pose, bone.body)));
+    const Eigen::Matrix4d from_rest = BodyTransform(pose, bone.body);
+    frame->bones.push_back(Transformed(bone.rest.points, from_rest));
+    frame->bones_from_rest.push_back(from_rest);
   }
-  return bones;
 }
 
 // Counts intersections and measures gaps.
@@ -113,7 +112,7 @@ Frame MeasureFrame(const PreparedScene& scene,
                                before.empty() ? nullptr : &before[i],
                                std::move(summaries[i]));
   }
-  frame.bones = BonesIn(scene, pose);
+  AddBones(scene, pose, &frame);
   AddIntersections(scene, options, meshes, &frame);
   return frame;
 }
@@ -145,6 +144,7 @@ Frame RestFrame(const PreparedScene& scene,
   }
   for (const PreparedBone& bone : scene.bones) {
     frame.bones.push_back(bone.rest.points);
+    frame.bones_from_rest.push_back(Eigen::Matrix4d::Identity());
   }
   AddIntersections(scene, options, meshes, &frame);
   return frame;

@@ -72,12 +72,12 @@ bool HaveSameSizes(const MuscleLines& a, const MuscleLines& b) {
   return true;
 }
 
-TriangleSoup ReadMesh(const MeshFiles& files,
+TriangleSoup ReadMesh(const FrameFiles& files,
                       const std::string& folder,
                       const std::string& name,
                       const TriangleSoup& rest) {
-  const std::string file = MeshOf(files, folder, name);
-  TriangleSoup soup = ReadTriangleSoup(file);
+  const std::string file = MeshOf(files.meshes, folder, name);
+  TriangleSoup soup = ReadMeshOfFrame(files, name);
   CheckSameTriangles(file, soup, rest.triangles, rest.points.rows());
   return soup;
 }
@@ -102,7 +102,7 @@ RecordedPose ReadRestPose(const std::string& folder,
 RecordedPose ReadPose(const std::string& folder,
                       const RecordedNames& names,
                       const RecordedPose& rest) {
-  const MeshFiles files = MeshFilesIn(folder);
+  const FrameFiles files = FrameFilesIn(folder);
   RecordedPose pose;
   pose.lines = LinesIn(folder, names.muscles);
   for (std::size_t i = 0; i < names.muscles.size(); ++i) {
@@ -117,7 +117,7 @@ RecordedPose ReadPose(const std::string& folder,
   for (std::size_t i = 0; i < names.bones.size(); ++i) {
     const std::string& name = names.bones[i];
     pose.bones.push_back(ReadMesh(files, folder, name, rest.bones[i]));
-    pose.bone_files.push_back(MeshOf(files, folder, name));
+    pose.bone_files.push_back(MeshOf(files.meshes, folder, name));
   }
   return pose;
 }

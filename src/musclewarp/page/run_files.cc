@@ -8,6 +8,8 @@
 #include <sstream>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/frames/frame_files.h"
+#include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/scene/json_fields.h"
 
@@ -110,6 +112,38 @@ MeshFiles MeshFilesIn(const std::string& dir) {
   return files;
 }
 
+FrameFiles FrameFilesIn(const std::string& folder) {
+  FrameFiles frame;
+  frame.meshes = MeshFilesIn(folder);
+  const fs::path bones = fs::path(folder) / kBonesFile;
+  if (!fs::exists(bones)) return frame;
+  frame.bones_from_rest = ReadBonesFile(bones.string());
+  if (frame.bones_from_rest.empty()) return frame;
+  // The folder may be named without its parent, as in a glob.
+  const fs::path run = fs::absolute(bones).parent_path().parent_path();
+  const MeshFiles rest = MeshFilesIn((run / kRestFolder).string());
+  for (const auto& item : frame.bones_from_rest) {
+    const auto file = rest.find(item.first);
+    if (file == rest.end()) {
+      throw InputError(bones.string(),
+                       "names the bone \"" + item.first +
+                           "\", which the rest folder of the run lacks",
+                       "run musclewarp-deform again");
+    }
+    frame.meshes[item.first] = file->second;
+  }
+  return frame;
+}
+
+TriangleSoup ReadMeshOfFrame(const FrameFiles& frame, const std::string& name) {
+  TriangleSoup soup = ReadTriangleSoup(frame.meshes.at(name));
+  const auto motion = frame.bones_from_rest.find(name);
+  if (motion != frame.bones_from_rest.end()) {
+    soup.points = Transformed(soup.points, motion->second);
+  }
+  return soup;
+}
+
 std::map<int, std::string> FrameFoldersIn(const std::string& dir) {
   std::map<int, std::string> folders;
   for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
@@ -131,11 +165,12 @@ RunFiles FindRunFiles(const std::string& dir, const std::string& frames) {
   if (fs::exists(report)) ReadReport(report, &run, &names);
   const std::map<int, std::string> folders = FrameFoldersIn(dir);
   if (folders.empty()) {
-    run.frames.push_back({"", MeshFilesIn(dir)});
+    run.frames.push_back(FrameFilesIn(dir));
     return run;
   }
   for (const int number : ParseFrames(frames, dir, folders)) {
-    run.frames.push_back({names[number], MeshFilesIn(folders.at(number))});
+    run.frames.push_back(FrameFilesIn(folders.at(number)));
+    run.frames.back().name = names[number];
   }
   return run;
 }

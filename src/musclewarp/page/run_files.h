@@ -6,10 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/frames/bones_file.h"
+#include "musclewarp/mesh/triangle_soup.h"
+
 namespace musclewarp {
 
 // Finds the files of a run of musclewarp-deform, or of any folder of meshes,
-// without reading the meshes.
+// without reading the meshes, and reads single ones. Runs whose bones are
+// written once (BoneFiles::kOnce) are read as all others.
 
 // The paths of mesh files by the names of the muscles and bones they show.
 using MeshFiles = std::map<std::string, std::string>;
@@ -18,7 +22,11 @@ using MeshFiles = std::map<std::string, std::string>;
 struct FrameFiles {
   // The name of the pose from report.json; "" without a report.
   std::string name;
+
+  // Of bones that are written once, the files are those of the rest folder, and
+  // `bones_from_rest` moves them to their places in the frame.
   MeshFiles meshes;
+  BoneMotions bones_from_rest;
 };
 
 // The files of a run, and what report.json says of how to show them.
@@ -39,6 +47,17 @@ struct RunFiles {
 // mesh is there in several formats, the most exact one is taken, .ply before
 // all others. Throws InputError if the folder does not exist or holds no mesh.
 MeshFiles MeshFilesIn(const std::string& dir);
+
+// Returns the files of a frame, without its name, from its folder, such as
+// RUN/frame_0000; any other folder of meshes is one, too. Throws InputError as
+// MeshFilesIn does, and if bones.json in the folder is damaged or names a bone
+// that RUN/rest does not hold.
+FrameFiles FrameFilesIn(const std::string& folder);
+
+// Reads a mesh of a frame, where it is in the frame: to the last bit the same
+// whether its bones are written in every frame or once. Throws InputError if
+// the file is damaged. Precondition: `frame.meshes` has the name.
+TriangleSoup ReadMeshOfFrame(const FrameFiles& frame, const std::string& name);
 
 // Returns the frame folders (frame_0000, frame_0001, ...) of a run by number.
 std::map<int, std::string> FrameFoldersIn(const std::string& dir);
