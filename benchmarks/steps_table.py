@@ -99,7 +99,7 @@ def main():
     runs = [run for run in runs if run]
     if not runs:
         sys.exit(f"{sys.argv[1]}: has no figures; run benchmarks/steps.sh first")
-    print(f"{runs[0]['processor']}; ms.\n")
+    print(f"{runs[0]['processor']}, code {runs[0]['code']}; ms.\n")
     steps = [step for run in runs for step in run["steps"]]
     print_times(steps)
     print()

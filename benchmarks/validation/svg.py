@@ -90,19 +90,23 @@ class Plot:
         points = self._points(x, np.concatenate([item.low, item.high[::-1]]))
         return f'<polygon {color_style(item)} points="{points}"/>'
 
+    def _ticks(self, low, high):
+        """Returns where marks of an axis are, and the numbers beside them."""
+        return [(value, value) for value in ticks(low, high)]
+
     def _axes(self):
         lines, right, bottom = [], WIDTH - RIGHT, HEIGHT - BOTTOM
-        for value in ticks(*self.x_range):
+        for value, number in self._ticks(*self.x_range):
             x = self._x(value)
             lines.append(f'<path d="M{x:.1f} {bottom}v5"/>')
-            lines.append(text(x, bottom + 19, f"{value:g}", "middle"))
-        for value in ticks(*self.y_range):
+            lines.append(text(x, bottom + 19, f"{number:g}", "middle"))
+        for value, number in self._ticks(*self.y_range):
             y = self._y(value)
-            width = 1.2 if value == 0 else 0.4
+            width = 1.2 if number == 0 else 0.4
             lines.append(
                 f'<path d="M{LEFT} {y:.1f}H{right}" stroke-width="{width}"/>'
             )
-            lines.append(text(LEFT - 7, y + 4, f"{value:g}", "end"))
+            lines.append(text(LEFT - 7, y + 4, f"{number:g}", "end"))
         lines.append(f'<path d="M{LEFT} {TOP}V{bottom}H{right}"/>')
         middle = (LEFT + right) / 2
         lines.append(text(middle, HEIGHT - 10, self.x_label, "middle"))
