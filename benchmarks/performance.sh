@@ -43,7 +43,11 @@ for word in "$@"; do
   esac
 done
 [[ -n $data && -n $out ]] || usage
-[[ -d $data/lhdl_hip ]] || refuse "$data has no folder lhdl_hip"
+folders=(lhdl_hip)
+[[ -z $steps || -n $quick ]] || folders+=(bodyparts3d bodyparts3d_shank bodyparts3d_shoulder)
+for folder in "${folders[@]}"; do
+  [[ -d $data/$folder ]] || refuse "$data has no folder $folder"
+done
 /usr/bin/python3 -c 'import numpy' 2>/dev/null ||
   refuse "/usr/bin/python3 has no numpy: apt-get install python3-numpy"
 [[ -z $build || -d $build ]] || refuse "$build is no build folder"
@@ -69,10 +73,31 @@ if [[ -z $page ]]; then
   [[ -z $quick ]] || page=$out/performance.md
 fi
 
-figures=$out/figures work=$out/work
-rm -rf "$figures" "$work"
+work=$out/work figures=$out/work/figures # moved to OUT when all are there
+rm -rf "$work"
 mkdir -p "$figures" "$work/cache"
 trap 'rm -rf "$work"' EXIT
+
+# Prints the ticks of all processors, those of them idle, and those of this script.
+ticks() {
+  awk '/^cpu /{print $2 + $3 + $4 + $5 + $6 + $7 + $8 + $9, $5 + $6}' /proc/stat
+  awk '{print $14 + $15 + $16 + $17}' "/proc/$$/stat"
+}
+mapfile -t before < <(ticks)
+
+# Keeps the share of the processors that other programs took: on a busy machine two
+# threads may have no more than one processor, and seem to be of no use.
+write_load() {
+  local after
+  mapfile -t after < <(ticks)
+  awk -v before="${before[*]}" -v after="${after[*]}" 'BEGIN {
+    split(before, b); split(after, a)
+    all = a[1] - b[1]
+    others = all - (a[2] - b[2]) - (a[3] - b[3])
+    if (all <= 0 || others < 0) others = 0
+    printf "{\"other_programs\": %.4f}\n", others / (all + (all == 0))
+  }' >"$figures/load.json"
+}
 
 # Runs a program, which may end with exit code 1: frames that are not usable take
 # their time all the same.
@@ -95,7 +120,8 @@ deform() {
   rm -rf "$work/run"
 }
 
-turns=3 last=12 seeds=(3 5) numbers=(2 4 8) cuts=(1 2 3) frames=all
+# Seeds whose rest poses are soon free of crossings.
+turns=3 last=12 seeds=(3 4) numbers=(2 4 8) cuts=(1 2 3) frames=all
 if [[ -n $large ]]; then numbers+=(16) cuts+=(4); fi
 if [[ -n $quick ]]; then turns=1 last=3 seeds=(3) numbers=(2 4) cuts=(1 2) frames=0:1; fi
 
@@ -157,10 +183,14 @@ if [[ -n $steps ]]; then
   [[ -z $quick ]] || only=(--only=embedded)
   for anew in --anew ''; do # records the steps, then takes them again
     run benchmarks/steps.sh "$data" "$out/steps" --programs="$build" "${only[@]}" ${anew:+$anew}
+    echo "performance: steps ${anew:+recorded and }taken after $SECONDS s"
   done
   /usr/bin/python3 -B benchmarks/steps_table.py "$out/steps" >"$figures/steps.md"
 fi
 
-/usr/bin/python3 -B benchmarks/performance/page.py "$figures" "$page" \
+write_load
+rm -rf "$out/figures"
+mv "$figures" "$out/figures"
+/usr/bin/python3 -B benchmarks/performance/page.py "$out/figures" "$page" \
   --command="benchmarks/performance.sh DATA OUT${quick:+ --quick}${large:+ --large}${steps:+ --steps}"
 echo "performance: wrote $page after $SECONDS s"

@@ -29,6 +29,11 @@ def machine_of(folder):
     return found.pop()
 
 
+def load_of(folder):
+    """The share of the processors that other programs took."""
+    return reports(folder, "load")[0]["other_programs"]
+
+
 def steady_frames(report):
     """The frames from 3 on: those before still settle."""
     return [frame for frame in report["frames"] if frame["index"] >= 3]

@@ -19,6 +19,7 @@ class Sample:
     seed: int
     muscles: int
     vertices: int  # of the fine meshes of muscles
+    usable: str  # how many of its frames are
     steps: int
     step: float
     certificate: float  # of a frame, with measures
@@ -33,6 +34,7 @@ def sample_of(report, seed):
         seed,
         len(muscles),
         sum(muscle["fine_vertices"] for muscle in muscles),
+        f"{sum(frame['usable'] for frame in frames)} of {len(frames)}",
         steps,
         sum(frame["wall_ms"] for frame in frames) / steps,
         sum(frame["certify_ms"] for frame in frames) / len(frames),
@@ -52,6 +54,8 @@ def samples_of(folder, kind):
 
 def fitted_power(x, y):
     """Returns power and factor of y = factor * x^power by least squares of logs."""
+    if np.ptp(x) == 0:
+        raise ValueError(f"no power fits one size alone, {x[0]:g}")
     power, log_factor = np.polyfit(np.log(x), np.log(y), 1)
     return power, np.exp(log_factor)
 
@@ -72,14 +76,13 @@ def plot_growth(samples, size, title, x_label, path):
 
 
 def sample_table(samples):
-    head = ["seed", "muscles", "vertices", "steps", "step, ms", "certificate, ms"]
-    return table(
-        head,
-        [
-            [s.seed, s.muscles, s.vertices, s.steps, f"{s.step:.0f}", f"{s.certificate:.0f}"]
-            for s in samples
-        ],
-    )
+    head = ["seed", "muscles", "vertices", "usable frames", "steps"]
+    head += ["step, ms", "certificate, ms"]
+    rows = [
+        [*dataclasses.astuple(s)[:5], f"{s.step:.0f}", f"{s.certificate:.0f}"]
+        for s in samples
+    ]
+    return table(head, rows)
 
 
 def chapter(folder, plots):
@@ -107,7 +110,7 @@ def chapter(folder, plots):
         "    benchmarks/performance/refined_scene.py SCENE CUTS FINER_SCENE",
         prose(
             "cuts every edge of the meshes of muscles and bones into two, three, ...;",
-            "surfaces, lines and hulls are as before:",
+            "surfaces and lines are as before, and hulls have as many vertices:",
         ),
         pictures[1],
         sample_table(by_vertices),

@@ -16,9 +16,10 @@ class Points(Curve):
 
 
 def log_ticks(low, high):
-    """The numbers 1, 2 and 5 times a power of ten from low to high."""
+    """Round numbers from low to high: more of a decade where there is one only."""
+    factors = (1, 2, 5) if high > 10 * low else (1, 1.5, 2, 3, 4, 5, 6, 8)
     decades = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
-    marks = [factor * 10.0**decade for decade in decades for factor in (1, 2, 5)]
+    marks = [factor * 10.0**decade for decade in decades for factor in factors]
     return [mark for mark in marks if low <= mark <= high]
 
 

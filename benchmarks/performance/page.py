@@ -22,10 +22,18 @@ import growth
 import modes
 import shared  # noqa: F401, where table is
 import stages
-from figures import machine_of
+from figures import load_of, machine_of
 from table import prose
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+
+
+# Above this share of the processors for other programs, figures are not to be used.
+MAX_LOAD = 0.05
+BUSY = (
+    "**The machine was busy: times and ratios, of two threads to one above all, are "
+    "those of what was left of it and not of the program.**"
+)
 
 
 def markers(name):
@@ -51,13 +59,15 @@ def of_another_build(text, code):
     return code not in text.split(begin)[1].split(end)[0]
 
 
-def head(command, processor, code):
+def head(command, processor, code, load):
     return [
         f"    {command}",
         prose(
             "measures what the chapters between markers report, on a machine that does",
             f"nothing else. The processor is {processor}, the code (`code` of",
-            f"[report.json](report.md)) {code}.",
+            f"[report.json](report.md)) `{code}`. Other programs took {100 * load:.0f} %",
+            "of the processors meanwhile.",
+            BUSY if load > MAX_LOAD else "",
         ),
     ]
 
@@ -65,7 +75,7 @@ def head(command, processor, code):
 def chapters_of(figures, plots, command):
     """The parts of each chapter by its name."""
     chapters = {
-        "Machine": head(command, *machine_of(figures)),
+        "Machine": head(command, *machine_of(figures), load_of(figures)),
         "Stages": stages.chapter(figures),
         "Modes": modes.chapter(figures),
         "Growth": growth.chapter(figures, plots),
@@ -89,6 +99,8 @@ def write_page(figures, source, page, command):
             text = replaced(text, name, parts)
         if of_another_build(text, machine_of(figures)[1]):
             print("performance: steps are of another build; --steps makes them again")
+        if load_of(figures) > MAX_LOAD:
+            print("performance: the machine was busy with other programs; measure again")
         (made / page.name).write_text(text, encoding="utf-8")
         plots.mkdir(exist_ok=True)
         for plot in made_plots.iterdir():

@@ -21,14 +21,13 @@ from runs import PLY_HEADER, read_ply
 def small_triangles(n):
     """The N * N triangles of a triangle, their corners by weights that sum to n."""
     triangles = []
-    for i in range(n):
-        for j in range(n - i):
-            k = n - i - j
-            corner = (i, j, k)
-            triangles.append([corner, (i + 1, j, k - 1), (i, j + 1, k - 1)])
-            if k > 1:
-                opposite = (i + 1, j + 1, k - 2)
-                triangles.append([(i + 1, j, k - 1), opposite, (i, j + 1, k - 1)])
+    for j in range(n):
+        for k in range(n - j):
+            i = n - j - k
+            second, third = (i - 1, j + 1, k), (i - 1, j, k + 1)
+            triangles.append([(i, j, k), second, third])
+            if i > 1:
+                triangles.append([second, (i - 2, j + 1, k + 1), third])
     return triangles
 
 

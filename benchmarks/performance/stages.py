@@ -52,7 +52,7 @@ def chapter(folder):
         f"--frames=0:{last} --profile --threads=N",
         prose(
             f"{len(muscles)} muscles with {vertices} vertices, {len(bones)} bones;",
-            f"medians of frames 3 to {last} of {len(one)} runs with each number of",
+            f"medians of frames 3 to {last} of all runs, {len(one)} with each number of",
             "threads, by turns. Stages come in the order of the first visit; the last",
             "rows are the times of the report, of which the stages are parts.",
         ),
