@@ -82,7 +82,8 @@ void SolveSingleMuscle(const MuscleModel& model,
                            solve(VolumeMesh::kFine, options.hard_constraint));
   summary->initial_energy = LinearEnergy(model, target, *coarse);
   *coarse = unknowns.Coarse();
-  SummarizeSolution(model, target, MuscleState{*coarse, {}}, summary);
+  summary->final_energy = LinearEnergy(model, target, *coarse);
+  summary->volume_ratio = 1 + volume.Error(*coarse) / model.rest_volume;
   summary->wall_ms = stopwatch.Milliseconds();
 }
 

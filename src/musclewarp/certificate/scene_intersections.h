@@ -9,6 +9,7 @@
 
 #include "musclewarp/certificate/triangle_clusters.h"
 #include "musclewarp/proximity/mesh_intersection.h"
+#include "musclewarp/proximity/vertex_stars.h"
 #include "musclewarp/scene/exempt_area.h"
 
 namespace musclewarp {

@@ -93,11 +93,9 @@ void AddSelfCrossings(const StepOptions& options,
                       const Points& targets,
                       const Points& points,
                       int muscle,
-                      const TriangleBvh& tree,
                       Defects* defects) {
   const MuscleSurface& surface = step.scene.muscles[muscle];
-  for (const auto& [f, g] :
-       SelfIntersections(tree, points, surface.triangles, *surface.rings)) {
+  for (const auto& [f, g] : surface.self_crossings->Find(points)) {
     if (PlaneBetweenSheets(options, step, targets, muscle, f, g)) {
       defects->self_crossings.push_back({muscle, f, muscle, g});
     }
@@ -176,8 +174,7 @@ Defects FindDefects(const StepOptions& options,
         TooManyFolded(options.defects, step.scene.muscles[i], points[i]);
   }
   for (int a = 0; a < step.num_muscles(); ++a) {
-    AddSelfCrossings(
-        options, step, targets[a], points[a], a, (*trees)[a], &defects);
+    AddSelfCrossings(options, step, targets[a], points[a], a, &defects);
     for (int b = a + 1; b < step.num_muscles(); ++b) {
       for (const auto& [f, g] :
            IntersectingTriangles((*trees)[a], (*trees)[b])) {

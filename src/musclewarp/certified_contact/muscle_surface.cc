@@ -31,7 +31,8 @@ MuscleSurface MakeMuscleSurface(const Points& rest,
   surface.triangles = triangles;
   surface.volume = volume;
   surface.tree = std::make_shared<TriangleBvh>(rest, triangles);
-  surface.rings = std::make_shared<VertexRings>(triangles, rest.rows());
+  surface.self_crossings =
+      std::make_shared<SelfCrossingSearch>(rest, triangles);
   surface.areas = Eigen::VectorXd::Zero(rest.rows());
   std::vector<std::map<int, double>> around(rest.rows());
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/proximity/self_crossing_search.h"
 #include "musclewarp/proximity/triangle_bvh.h"
-#include "musclewarp/proximity/vertex_stars.h"
 
 namespace musclewarp {
 
@@ -33,7 +33,7 @@ struct MuscleSurface {
   double volume = 0;    // to be preserved, mm^3
 
   std::shared_ptr<const TriangleBvh> tree;  // of the rest pose
-  std::shared_ptr<const VertexRings> rings;
+  std::shared_ptr<const SelfCrossingSearch> self_crossings;
 
   // By bone: for each triangle (#F), true if it may cross the bone
   // (exempt_area.h). Empty if none may.

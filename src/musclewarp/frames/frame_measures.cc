@@ -16,6 +16,7 @@ namespace musclewarp {
 namespace {
 
 MuscleFrame FrameOf(const PreparedMuscle& muscle,
+                    const SurfaceAtRest& rest,
                     const ScenePose& pose,
                     const Points& coarse,
                     const Points& fine,
@@ -34,7 +35,7 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
   frame.folded_triangles = static_cast<int>(
       FoldedTriangles(model.fine_rest, frame.points, model.fine_triangles)
           .size());
-  frame.shape = MeasureShape(model, frame.points, before ? *before : Points());
+  frame.shape = MeasureShape(rest, frame.points, before ? *before : Points());
   frame.attachments = DriftOf(
       model.attachments,
       muscle.attached,
@@ -106,6 +107,7 @@ Frame MeasureFrame(const PreparedScene& scene,
 #pragma omp parallel for schedule(dynamic, 1)
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
     frame.muscles[i] = FrameOf(scene.muscles[i],
+                               meshes->rest_of_muscle(i),
                                pose,
                                shapes.coarse[i],
                                shapes.fine[i],

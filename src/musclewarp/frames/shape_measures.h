@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 
 #include "musclewarp/frames/triangle_stretch.h"
+#include "musclewarp/geometry/surface_deformation.h"
 #include "musclewarp/mesh/triangle_soup.h"
-#include "musclewarp/solver/muscle_model.h"
 
 namespace musclewarp {
 
@@ -15,7 +15,7 @@ namespace musclewarp {
 // these figures show it.
 struct ShapeMeasures {
   // Ratios of lengths on the surface to those at rest: in any direction, along
-  // the muscle's lines and across them (frames/surface_deformation.h).
+  // the muscle's lines and across them (geometry/surface_deformation.h).
   double max_stretch = 1;
   double max_stretch_along = 1;
   double max_stretch_across = 1;
@@ -41,7 +41,7 @@ struct ShapeMeasures {
 
 // Measures a muscle with its fine vertices at `points` (n x 3, mm). `before`
 // has them in the frame before, or no rows.
-ShapeMeasures MeasureShape(const MuscleModel& model,
+ShapeMeasures MeasureShape(const SurfaceAtRest& rest,
                            const Points& points,
                            const Points& before);
 

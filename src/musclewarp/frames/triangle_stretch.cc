@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "musclewarp/mesh/connectivity.h"
@@ -162,20 +163,33 @@ std::vector<double> WeightedQuantiles(const Eigen::VectorXd& values,
                                       const std::vector<double>& fractions) {
   CHECK_GT(values.size(), 0);
   CHECK_EQ(values.size(), weights.size());
-  std::vector<Eigen::Index> order(values.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
-    return values[a] < values[b];
-  });
+  using Weighted = std::pair<double, double>;  // value, weight
+  std::vector<Weighted> all(values.size());
+  for (size_t i = 0; i < all.size(); ++i) all[i] = {values[i], weights[i]};
   const double whole = weights.sum();
   std::vector<double> quantiles;
-  size_t i = 0;
-  double sum = weights[order[0]];
+  // What is before `begin` does not exceed the last quantile, and weighs
+  // `before`.
+  auto begin = all.begin();
+  double before = 0;
   for (const double fraction : fractions) {
-    while (sum < fraction * whole && i + 1 < order.size()) {
-      sum += weights[order[++i]];
+    // The quantile is in [begin, end), which is halved until it is alone.
+    auto end = all.end();
+    while (end - begin > 1) {
+      const auto middle = begin + (end - begin) / 2;
+      std::nth_element(begin, middle, end);
+      const double lower = std::accumulate(
+          begin, middle, before, [](double sum, const Weighted& weighted) {
+            return sum + weighted.second;
+          });
+      if (lower >= fraction * whole) {
+        end = middle;
+      } else {
+        begin = middle;
+        before = lower;
+      }
     }
-    quantiles.push_back(values[order[i]]);
+    quantiles.push_back(begin->first);
   }
   return quantiles;
 }

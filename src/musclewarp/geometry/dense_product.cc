@@ -7,19 +7,11 @@
 #include <algorithm>
 #include <iterator>
 
+#include "musclewarp/base/wide_registers.h"
 #include "musclewarp/base/work_counts.h"
 
 namespace musclewarp {
 namespace {
-
-// The compiler makes a version for processors with wide registers, which is
-// chosen when the program starts.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__)
-#define MUSCLEWARP_WIDE __attribute__((target_clones("avx2,fma", "default")))
-#else
-#define MUSCLEWARP_WIDE
-#endif
 
 // Rows are taken four at a time, so that the points are loaded once for all of
 // them. Every sum has the same terms in the same order as with one row at a

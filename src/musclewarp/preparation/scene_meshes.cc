@@ -8,6 +8,7 @@
 
 #include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stage_times.h"
+#include "musclewarp/solver/muscle_course.h"
 
 namespace musclewarp {
 
@@ -25,6 +26,7 @@ SceneMeshes::SceneMeshes(const PreparedScene& scene) {
   meshes_.resize(soups.size());
   clusters_.resize(soups.size());
   rings_.resize(muscles_.size());
+  rest_.resize(muscles_.size());
   ParallelFor(soups.size(), [&](size_t i) {
     const TriangleSoup& soup = soups[i];
     const bool is_muscle = i < muscles_.size();
@@ -36,6 +38,8 @@ SceneMeshes::SceneMeshes(const PreparedScene& scene) {
       rings_[i] =
           std::make_unique<VertexRings>(soup.triangles, soup.points.rows());
       named.rings = rings_[i].get();
+      rest_[i] = std::make_unique<SurfaceAtRest>(
+          soup.points, soup.triangles, CourseOf(scene.muscles[i].model));
     }
     meshes_[i] = std::make_unique<SearchableMesh>(std::move(soups[i]));
     named.mesh = meshes_[i].get();

@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "musclewarp/certificate/scene_intersections.h"
+#include "musclewarp/geometry/surface_deformation.h"
 #include "musclewarp/preparation/prepared_scene.h"
 
 namespace musclewarp {
 
-// The meshes of a scene with search trees for counting intersections. The trees
-// are built once, in the rest pose, and refitted to the points of each frame in
-// a fraction of the time.
+// The meshes of a scene with what measures of its frames need: search trees for
+// counting intersections, which are built once, in the rest pose, and refitted
+// to the points of each frame in a fraction of the time, and the surfaces at
+// rest.
 class SceneMeshes {
  public:
   // Copies the meshes in their rest pose.
@@ -26,10 +28,14 @@ class SceneMeshes {
   const std::vector<NamedMesh>& muscles() const { return muscles_; }
   const std::vector<NamedMesh>& bones() const { return bones_; }
 
+  // The surface of a muscle in its rest pose, with its course (CourseOf).
+  const SurfaceAtRest& rest_of_muscle(size_t i) const { return *rest_[i]; }
+
  private:
   std::vector<std::unique_ptr<SearchableMesh>> meshes_;  // muscles, then bones
   std::vector<std::unique_ptr<TriangleClusters>> clusters_;
-  std::vector<std::unique_ptr<VertexRings>> rings_;  // of the muscles
+  std::vector<std::unique_ptr<VertexRings>> rings_;   // of the muscles
+  std::vector<std::unique_ptr<SurfaceAtRest>> rest_;  // of the muscles
   std::vector<NamedMesh> muscles_, bones_;
 };
 

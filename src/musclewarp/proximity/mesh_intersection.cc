@@ -162,17 +162,6 @@ PairList SelfIntersections(const TriangleBvh& bvh) {
   }));
 }
 
-PairList SelfIntersections(const TriangleBvh& bvh,
-                           const Points& points,
-                           const Triangles& triangles,
-                           const VertexRings& rings) {
-  const std::vector<char> is_proper = ProperStars(rings, points);
-  return Ascending(bvh.CollectSelfOverlaps([&](int f, int g) {
-    return !ShareProperStar(triangles, is_proper, f, g) &&
-           TrianglesIntersectBeyondCommon(bvh.corners(f), bvh.corners(g));
-  }));
-}
-
 PairList SelfIntersections(const TriangleSoup& soup) {
   return SelfIntersections(TriangleBvh(soup.points, soup.triangles));
 }

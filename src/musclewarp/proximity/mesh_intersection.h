@@ -7,7 +7,6 @@
 
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/proximity/triangle_bvh.h"
-#include "musclewarp/proximity/vertex_stars.h"
 #include "musclewarp/proximity/winding_number.h"
 
 namespace musclewarp {
@@ -95,13 +94,5 @@ std::vector<std::pair<int, int>> IntersectingTriangles(const TriangleBvh& a,
 // coordinates are equal, whatever their indices; equal triangles intersect.
 std::vector<std::pair<int, int>> SelfIntersections(const TriangleBvh& bvh);
 std::vector<std::pair<int, int>> SelfIntersections(const TriangleSoup& soup);
-
-// Returns the same pairs of a mesh with the given rings, faster: pairs that
-// share a vertex with a proper star are not tested. `points` and `triangles`
-// are those of the tree.
-std::vector<std::pair<int, int>> SelfIntersections(const TriangleBvh& bvh,
-                                                   const Points& points,
-                                                   const Triangles& triangles,
-                                                   const VertexRings& rings);
 
 }  // namespace musclewarp

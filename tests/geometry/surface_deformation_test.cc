@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/frames/surface_deformation.h"
+#include "musclewarp/geometry/surface_deformation.h"
 
 #include <gtest/gtest.h>
 
@@ -47,8 +47,9 @@ TEST(SurfaceDeformation, RigidMotionsStretchAndBendNothing) {
           .toRotationMatrix();
   const Points moved = (mesh.points * turn.transpose()).rowwise() +
                        Eigen::RowVector3d(5, -7, 100);
-  const SurfaceDeformation result = MeasureSurfaceDeformation(
-      mesh.points, moved, mesh.triangles, Course(mesh, {0, 0, 1}));
+  const SurfaceDeformation result =
+      SurfaceAtRest(mesh.points, mesh.triangles, Course(mesh, {0, 0, 1}))
+          .Measure(moved);
   for (const Eigen::VectorXd& ratios : {result.largest_stretch,
                                         result.stretch_along,
                                         result.stretch_across,
@@ -64,8 +65,9 @@ TEST(SurfaceDeformation, LinearMapsOfAPlaneAreFoundExactly) {
   Points stretched = sheet.points;
   stretched.col(0) *= 1.5;
   stretched.col(1) *= 0.8;
-  const SurfaceDeformation result = MeasureSurfaceDeformation(
-      sheet.points, stretched, sheet.triangles, Course(sheet, {3, 0, 0}));
+  const SurfaceDeformation result =
+      SurfaceAtRest(sheet.points, sheet.triangles, Course(sheet, {3, 0, 0}))
+          .Measure(stretched);
   for (Eigen::Index v = 0; v < sheet.points.rows(); ++v) {
     EXPECT_NEAR(result.largest_stretch[v], 1.5, kStretchRounding);
     EXPECT_NEAR(result.stretch_along[v], 1.5, kStretchRounding);
@@ -80,8 +82,9 @@ TEST(SurfaceDeformation, ShearStretchesBetweenTheAxes) {
   constexpr double kShear = 1;
   Points sheared = sheet.points;
   sheared.col(0) += kShear * sheared.col(1);
-  const SurfaceDeformation result = MeasureSurfaceDeformation(
-      sheet.points, sheared, sheet.triangles, Course(sheet, {1, 0, 0}));
+  const SurfaceDeformation result =
+      SurfaceAtRest(sheet.points, sheet.triangles, Course(sheet, {1, 0, 0}))
+          .Measure(sheared);
   // The larger singular value of [1 1; 0 1] is the golden ratio.
   const double golden = (1 + std::sqrt(5.0)) / 2;
   EXPECT_NEAR(result.largest_stretch[5], golden, kStretchRounding);
@@ -92,8 +95,9 @@ TEST(SurfaceDeformation, ShearStretchesBetweenTheAxes) {
 
 TEST(SurfaceDeformation, WithoutACourseNothingIsAlongOrAcross) {
   const TriangleSoup sheet = Sheet(2);
-  const SurfaceDeformation result = MeasureSurfaceDeformation(
-      sheet.points, 2 * sheet.points, sheet.triangles, Points());
+  const SurfaceDeformation result =
+      SurfaceAtRest(sheet.points, sheet.triangles, Points())
+          .Measure(2 * sheet.points);
   EXPECT_NEAR(result.largest_stretch.minCoeff(), 2, kStretchRounding);
   EXPECT_EQ(result.stretch_along.maxCoeff(), 1);
   EXPECT_EQ(result.stretch_across.maxCoeff(), 1);
@@ -108,8 +112,8 @@ TEST(SurfaceDeformation, ARolledSheetBendsByTheAngleOfItsEdges) {
     rolled(v, 0) = kRadius * std::sin(angle);
     rolled(v, 2) = -kRadius * (1 - std::cos(angle));
   }
-  const SurfaceDeformation convex = MeasureSurfaceDeformation(
-      sheet.points, rolled, sheet.triangles, Points());
+  const SurfaceDeformation convex =
+      SurfaceAtRest(sheet.points, sheet.triangles, Points()).Measure(rolled);
   // In the middle, the normals of neighbours are turned by an edge of 1 mm on
   // the radius; weights of triangles shift that by some per cent.
   constexpr int kMiddle = 3 * 7 + 3;
@@ -118,7 +122,7 @@ TEST(SurfaceDeformation, ARolledSheetBendsByTheAngleOfItsEdges) {
   Points other = rolled;
   other.col(2) *= -1;
   const SurfaceDeformation turned =
-      MeasureSurfaceDeformation(rolled, other, sheet.triangles, Points());
+      SurfaceAtRest(rolled, sheet.triangles, Points()).Measure(other);
   EXPECT_NEAR(turned.bend[kMiddle], 2 * convex.bend[kMiddle], 1e-9);
 }
 
@@ -128,8 +132,9 @@ TEST(SurfaceDeformation, VerticesWithoutAreaCountAsRigid) {
   needle.points << 0, 0, 0, 1, 0, 0, 2, 0, 0;
   needle.triangles.resize(1, 3);
   needle.triangles << 0, 1, 2;
-  const SurfaceDeformation result = MeasureSurfaceDeformation(
-      needle.points, 3 * needle.points, needle.triangles, Points());
+  const SurfaceDeformation result =
+      SurfaceAtRest(needle.points, needle.triangles, Points())
+          .Measure(3 * needle.points);
   EXPECT_EQ(result.largest_stretch.maxCoeff(), 1);
   EXPECT_TRUE(result.bend.allFinite());
 }
