@@ -18,8 +18,6 @@
 namespace musclewarp {
 namespace {
 
-using PairList = std::vector<std::pair<int, int>>;
-
 // overlaps[j] = 1 if box j of eight overlaps one, without short cuts.
 MUSCLEWARP_WIDE void CompareWithEight(const double* lower,
                                       const double* upper,
@@ -156,13 +154,15 @@ void SelfCrossingSearch::VisitPairs(int a,
   }
 }
 
-PairList SelfCrossingSearch::Find(const Points& points) const {
-  CHECK_EQ(points.rows() + 1, static_cast<Eigen::Index>(first_.size()));
+SelfCrossingSearch::Boxes SelfCrossingSearch::BoxesAt(
+    const Points& points) const {
   const int num_groups = static_cast<int>(neighbours_.size());
-  std::vector<GroupBoxes> boxes(num_groups);
-  std::vector<Box3> group_boxes(num_groups), node_boxes(nodes_.size());
+  Boxes boxes;
+  boxes.groups.resize(num_groups);
+  std::vector<Box3> around(num_groups);
 #pragma omp parallel for schedule(static)
   for (int a = 0; a < num_groups; ++a) {
+    GroupBoxes& group = boxes.groups[a];
     for (int i = 0; i < kGroup; ++i) {
       const int f = members_[kGroup * a + i];
       Box3 box;
@@ -170,68 +170,93 @@ PairList SelfCrossingSearch::Find(const Points& points) const {
       box.upper.fill(-kInfinity);
       if (f >= 0) box = BoxOf(CornersOf(points, triangles_.row(f)));
       for (int axis = 0; axis < 3; ++axis) {
-        boxes[a].lower[axis][i] = box.lower[axis];
-        boxes[a].upper[axis][i] = box.upper[axis];
+        group.lower[axis][i] = box.lower[axis];
+        group.upper[axis][i] = box.upper[axis];
       }
-      group_boxes[a] = i == 0 ? box : BoxOf(group_boxes[a], box);
+      around[a] = i == 0 ? box : BoxOf(around[a], box);
     }
   }
+  boxes.nodes.resize(nodes_.size());
+  // Children come after their parents.
   for (int n = static_cast<int>(nodes_.size()) - 1; n >= 0; --n) {
     const Node& node = nodes_[n];
-    node_boxes[n] = node.group >= 0
-                        ? group_boxes[node.group]
-                        : BoxOf(node_boxes[n + 1], node_boxes[node.second]);
+    boxes.nodes[n] = node.group >= 0
+                         ? around[node.group]
+                         : BoxOf(boxes.nodes[n + 1], boxes.nodes[node.second]);
   }
+  return boxes;
+}
+
+void SelfCrossingSearch::AddIfCrossing(const Points& points,
+                                       int f,
+                                       int g,
+                                       PairList* found) const {
+  if (TrianglesIntersectBeyondCommon(CornersOf(points, triangles_.row(f)),
+                                     CornersOf(points, triangles_.row(g)))) {
+    found->emplace_back(std::minmax(f, g));
+  }
+}
+
+void SelfCrossingSearch::TestGroups(const Points& points,
+                                    const Boxes& boxes,
+                                    int a,
+                                    int b,
+                                    PairList* found) const {
+  PairMask pairs = PairsToTest(a, b, boxes.groups);
+  for (int bit = 0; pairs != 0; ++bit, pairs >>= 1) {
+    const int i = bit / kGroup, j = bit % kGroup;
+    if ((pairs & 1) == 0 || (a == b && j <= i)) continue;
+    AddIfCrossing(
+        points, members_[kGroup * a + i], members_[kGroup * b + j], found);
+  }
+}
+
+void SelfCrossingSearch::TestStar(const Points& points,
+                                  const std::vector<char>& is_proper,
+                                  int v,
+                                  PairList* found) const {
+  for (int k = first_[v]; k < first_[v + 1]; ++k) {
+    for (int l = first_[v]; l < k; ++l) {
+      const int f = around_[k], g = around_[l];
+      if (ShareProperStar(triangles_, is_proper, f, g)) continue;
+      AddIfCrossing(points, f, g, found);
+    }
+  }
+}
+
+SelfCrossingSearch::PairList SelfCrossingSearch::Find(
+    const Points& points) const {
+  CHECK_EQ(points.rows() + 1, static_cast<Eigen::Index>(first_.size()));
+  const Boxes boxes = BoxesAt(points);
   const std::vector<char> is_proper = ProperStars(rings_, points);
-  const auto add_if_crossing = [&](int f, int g, PairList* found) {
-    if (TrianglesIntersectBeyondCommon(CornersOf(points, triangles_.row(f)),
-                                       CornersOf(points, triangles_.row(g)))) {
-      found->emplace_back(std::minmax(f, g));
-    }
-  };
-  const auto test_groups = [&](int a, int b, PairList* found) {
-    PairMask pairs = PairsToTest(a, b, boxes);
-    for (int bit = 0; pairs != 0; ++bit, pairs >>= 1) {
-      const int i = bit / kGroup, j = bit % kGroup;
-      if ((pairs & 1) == 0 || (a == b && j <= i)) continue;
-      add_if_crossing(
-          members_[kGroup * a + i], members_[kGroup * b + j], found);
-    }
-  };
   PairList all;
 #pragma omp parallel
   {
     PairList found;
     std::int64_t visited = 0;
+    const auto test = [&](int a, int b) {
+      ++visited;
+      TestGroups(points, boxes, a, b, &found);
+    };
 #pragma omp for schedule(dynamic, 16) nowait
-    for (size_t n = 0; n < nodes_.size(); ++n) {
+    for (int n = 0; n < static_cast<int>(nodes_.size()); ++n) {
       const Node& node = nodes_[n];
       if (node.group >= 0) {
-        test_groups(node.group, node.group, &found);
-        continue;
+        test(node.group, node.group);
+      } else {
+        VisitPairs(n + 1, node.second, boxes.nodes, test);
       }
-      VisitPairs(
-          static_cast<int>(n) + 1, node.second, node_boxes, [&](int a, int b) {
-            ++visited;
-            test_groups(a, b, &found);
-          });
     }
 #pragma omp for schedule(static) nowait
     for (int v = 0; v < static_cast<int>(points.rows()); ++v) {
-      if (is_proper[v]) continue;
-      for (int k = first_[v]; k < first_[v + 1]; ++k) {
-        for (int l = first_[v]; l < k; ++l) {
-          const int f = around_[k], g = around_[l];
-          if (ShareProperStar(triangles_, is_proper, f, g)) continue;
-          add_if_crossing(f, g, &found);
-        }
-      }
+      if (!is_proper[v]) TestStar(points, is_proper, v, &found);
     }
     CountWork(WorkUnit::kPairsVisited, kGroup * kGroup * visited);
 #pragma omp critical(self_crossings)
     all.insert(all.end(), found.begin(), found.end());
   }
   std::sort(all.begin(), all.end());
+  // A pair may share two vertices.
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }

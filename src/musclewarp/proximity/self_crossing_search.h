@@ -22,13 +22,15 @@ namespace musclewarp {
 //   const auto pairs = search.Find(points);
 class SelfCrossingSearch {
  public:
+  using PairList = std::vector<std::pair<int, int>>;
+
   // Groups the triangles by where they are at `rest`, #V x 3, mm.
   SelfCrossingSearch(const Points& rest, const Triangles& triangles);
 
   // Returns the pairs (f, g) of triangles at which the mesh crosses itself with
   // its vertices at `points` (#V x 3, mm), with f < g and in ascending order:
   // the same as SelfIntersections() returns.
-  std::vector<std::pair<int, int>> Find(const Points& points) const;
+  PairList Find(const Points& points) const;
 
  private:
   static constexpr int kGroup = 8;
@@ -53,8 +55,18 @@ class SelfCrossingSearch {
     PairMask pairs;
   };
 
+  // The boxes of all groups and nodes.
+  struct Boxes {
+    std::vector<GroupBoxes> groups;
+    std::vector<Box3> nodes;
+  };
+
   int Build(const Points& centroids, int* begin, int* end);
   void FindNeighbours();
+  Boxes BoxesAt(const Points& points) const;
+
+  // Returns the pairs of triangles of two groups whose boxes overlap, but for
+  // those that share a vertex.
   PairMask PairsToTest(int a,
                        int b,
                        const std::vector<GroupBoxes>& boxes) const;
@@ -63,6 +75,19 @@ class SelfCrossingSearch {
                   int b,
                   const std::vector<Box3>& node_boxes,
                   const Visit& visit) const;
+
+  // Add the pairs that cross: one, those of two groups, and those around a
+  // vertex whose star is not proper.
+  void AddIfCrossing(const Points& points, int f, int g, PairList* found) const;
+  void TestGroups(const Points& points,
+                  const Boxes& boxes,
+                  int a,
+                  int b,
+                  PairList* found) const;
+  void TestStar(const Points& points,
+                const std::vector<char>& is_proper,
+                int v,
+                PairList* found) const;
 
   Triangles triangles_;
   VertexRings rings_;
