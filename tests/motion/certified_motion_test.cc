@@ -5,9 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cereal/archives/binary.hpp>
+#include <sstream>
 #include <string>
 
 #include "musclewarp/frames/frame_measures.h"
+#include "musclewarp/motion/state_archive.h"
+#include "support/meshes.h"
 #include "support/prepared_small_scene.h"
 
 namespace musclewarp {
@@ -168,6 +172,56 @@ TEST(ShapesOf, AreInTheOrderOfTheScene) {
   EXPECT_EQ(shapes.fine[0], state.points[1]);
   EXPECT_EQ(shapes.fine[1], state.points[0]);
   EXPECT_EQ(shapes.coarse[0], state.coarse[1]);
+}
+
+// A bone beside both muscles, about which they bend.
+Scene SmallSceneWithABoneBeside() {
+  Scene scene = SmallScene();
+  const TriangleSoup ball = MovedBy(Icosphere(20, 4), {0, 28.5, 10});
+  scene.bones.push_back({"ball", ball.points, ball.triangles});
+  scene.bones.back().body = "femur";
+  return scene;
+}
+
+// As a resumed run does it.
+ContactState WrittenAndRead(const ContactState& state) {
+  std::stringstream stream;
+  cereal::BinaryOutputArchive output(stream);
+  output(state);
+  ContactState read;
+  cereal::BinaryInputArchive input(stream);
+  input(read);
+  return read;
+}
+
+// Planes of bones are found in earlier steps, so that they must go with the
+// state wherever a run is divided.
+TEST(MoveCertified, DoesNotDependOnHowARunIsDivided) {
+  const PreparedScene scene = PreparedSmallScene(SmallSceneWithABoneBeside());
+  const CertifiedScene certified = Certified(scene);
+  EXPECT_EQ(certified.rest.bone_planes, nullptr);
+  constexpr int kPoses = 4;
+  const auto end_of = [&](int divisions, bool keeps_planes) {
+    ContactState state = certified.rest;
+    for (int i = 0; i < kPoses; ++i) {
+      if (divisions >> i & 1) state = WrittenAndRead(state);
+      if (!keeps_planes) state.bone_planes = nullptr;
+      state = Move(scene, certified, FlexedPose(0.02 * (i + 1)), state).state;
+    }
+    return state;
+  };
+  const ContactState whole = end_of(0, true);
+  ASSERT_NE(whole.bone_planes, nullptr);
+  EXPECT_TRUE(std::any_of(
+      whole.bone_planes->begin(),
+      whole.bone_planes->end(),
+      [](const KeptPlanes& planes) { return !planes.spaces.empty(); }));
+  for (int divisions = 1; divisions < 1 << kPoses; ++divisions) {
+    EXPECT_EQ(LargestDifference(end_of(divisions, true), whole), 0)
+        << divisions;
+  }
+  // They do matter.
+  EXPECT_GT(LargestDifference(end_of(0, false), whole), 0);
 }
 
 TEST(MoveCertified, DoesNotDependOnTheLengthOfSteps) {

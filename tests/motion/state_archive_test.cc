@@ -65,6 +65,12 @@ TEST(StateArchive, GivesAStateBackToTheLastBit) {
   owner.above = {1, 2, 3};
   owner.below = {4, 5, 6};
   contact.planes = {{{{3, {{0, 0.6, 0.8}, 1.5}}}, {owner}}};
+  KeptPlanes kept;
+  kept.triangles = {{7, Corners::Random(), 1.25, 0, 1}};
+  kept.spaces = {{{0, 0.8, 0.6}, 2.5}};
+  kept.clearances.distances = {3};
+  contact.bone_planes =
+      std::make_shared<const KeptBonePlanes>(KeptBonePlanes{kept});
   SceneState written;
   written.pose = contact.pose;
   written.contact = contact;
@@ -91,6 +97,16 @@ TEST(StateArchive, GivesAStateBackToTheLastBit) {
   EXPECT_EQ(planes.spaces[0].space.level, 1.5);
   EXPECT_EQ(planes.owners[0].above, owner.above);
   EXPECT_EQ(planes.owners[0].share_above, owner.share_above);
+  ASSERT_NE(read.contact->bone_planes, nullptr);
+  const KeptPlanes& kept_read = read.contact->bone_planes->at(0);
+  ASSERT_EQ(kept_read.triangles.size(), 1u);
+  EXPECT_EQ(kept_read.triangles[0].triangle, 7);
+  EXPECT_EQ(kept_read.triangles[0].corners, kept.triangles[0].corners);
+  EXPECT_EQ(kept_read.triangles[0].radius, 1.25);
+  EXPECT_EQ(kept_read.triangles[0].num_spaces, 1);
+  EXPECT_EQ(kept_read.spaces.at(0).normal, kept.spaces[0].normal);
+  EXPECT_EQ(kept_read.spaces.at(0).level, 2.5);
+  EXPECT_TRUE(kept_read.clearances.distances.empty());
 }
 
 }  // namespace
