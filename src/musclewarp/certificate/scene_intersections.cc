@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
+#include "musclewarp/base/parallel_for.h"
 #include "musclewarp/certificate/containment.h"
 #include "musclewarp/certificate/crossing_triangles.h"
 #include "musclewarp/certificate/mesh_distance.h"
@@ -197,10 +199,13 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
     }
     return meshes;
   };
+  std::vector<std::optional<DistanceSearch>> searches(muscles.size());
+  ParallelFor(muscles.size(), [&](size_t a) {
+    searches[a].emplace(boxed[a], kMeshGapLimit);
+  });
   SceneIntersections sum;
   std::vector<std::vector<int>> inside(muscles.size());
   for (size_t a = 0; a < muscles.size(); ++a) {
-    const DistanceSearch search(boxed[a], kMeshGapLimit);
     sum.self_pairs_of_muscles.push_back(
         static_cast<int>(crossing(a, a).triangles_of_a.size()));
     sum.self_pairs += sum.self_pairs_of_muscles.back();
@@ -216,7 +221,7 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                             meshes.muscle_a,
                             meshes.muscle_b});
       } else {
-        AddGap(search, boxed[b], meshes, &sum);
+        AddGap(*searches[a], boxed[b], meshes, &sum);
       }
     }
   }
