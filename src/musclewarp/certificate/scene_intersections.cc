@@ -200,9 +200,8 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
     return meshes;
   };
   std::vector<std::optional<DistanceSearch>> searches(muscles.size());
-  ParallelFor(muscles.size(), [&](size_t a) {
-    searches[a].emplace(boxed[a], kMeshGapLimit);
-  });
+  ParallelFor(muscles.size(),
+              [&](size_t a) { searches[a].emplace(boxed[a], kMeshGapLimit); });
   SceneIntersections sum;
   std::vector<std::vector<int>> inside(muscles.size());
   for (size_t a = 0; a < muscles.size(); ++a) {
