@@ -6,9 +6,8 @@
 
 #include <algorithm>
 
-#include "musclewarp/proximity/mesh_intersection.h"
-#include "musclewarp/proximity/self_crossing_search.h"
 #include "musclewarp/proximity/triangle_intersection.h"
+#include "proximity/crumpled_sphere.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -34,13 +33,6 @@ int NumCrossingAround(const TriangleSoup& mesh, int v) {
     }
   }
   return crossing;
-}
-
-// A sphere whose vertices have moved at random, by so much (mm) at most.
-TriangleSoup CrumpledSphere(double by, std::uint32_t seed) {
-  TriangleSoup sphere = Icosphere(10, 3);
-  sphere.points += by * RandomPoints(sphere.points.rows(), seed);
-  return sphere;
 }
 
 TEST(VertexRings, GoRoundEachVertexOfAClosedMesh) {
@@ -138,38 +130,6 @@ TEST(IsProperStar, IsNotOneThatGoesRoundTwice) {
   EXPECT_EQ(rings.end(0) - rings.begin(0), kCount);
   EXPECT_FALSE(IsProperStar(rings, star.points, 0, {0, 0, 1}));
   EXPECT_GT(NumCrossingAround(star, 0), 0);
-}
-
-// Whatever the groups are made of.
-TEST(SelfCrossingSearch, FindsTheSameAsTheTree) {
-  for (const double by : {0.0, 0.5, 1.5, 4.0}) {
-    const TriangleSoup sphere = CrumpledSphere(by, 5);
-    const auto expected = SelfIntersections(sphere);
-    EXPECT_EQ(expected.empty(), by < 1) << by;
-    for (const Points& rest :
-         {sphere.points, Points(Points::Zero(sphere.points.rows(), 3))}) {
-      EXPECT_EQ(SelfCrossingSearch(rest, sphere.triangles).Find(sphere.points),
-                expected)
-          << by;
-    }
-  }
-}
-
-TEST(SelfCrossingSearch, FindsCrossingsOfSmallAndOpenMeshes) {
-  const TriangleSoup none = {Points(0, 3), Triangles(0, 3)};
-  EXPECT_TRUE(SelfCrossingSearch(none.points, none.triangles)
-                  .Find(none.points)
-                  .empty());
-  TriangleSoup two;  // and one that is folded onto the second
-  two.points.resize(7, 3);
-  two.points << 0, 0, 0, 2, 0, 0, 0, 2, 0, 0.5, 0.5, -1, 0.5, 0.5, 1, 3, 3, 0,
-      0.4, 0.6, 0.5;
-  two.triangles.resize(3, 3);
-  two.triangles << 0, 1, 2, 3, 4, 5, 3, 4, 6;
-  const auto expected = SelfIntersections(two);
-  EXPECT_FALSE(expected.empty());
-  EXPECT_EQ(SelfCrossingSearch(two.points, two.triangles).Find(two.points),
-            expected);
 }
 
 }  // namespace

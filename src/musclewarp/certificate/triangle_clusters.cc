@@ -6,6 +6,8 @@
 #include <iterator>
 #include <numeric>
 
+#include "musclewarp/proximity/triangle_halves.h"
+
 namespace musclewarp {
 namespace {
 
@@ -13,23 +15,14 @@ namespace {
 constexpr std::ptrdiff_t kLargest = 16;
 
 // Calls visit(begin, end) for parts of [begin, end) of at most kLargest
-// triangles: halves along the longest side of the box around their centres.
+// triangles, by halves.
 template <typename Visit>
-void Split(const Points& centres, int* begin, int* end, const Visit& visit) {
+void Split(const Points& centroids, int* begin, int* end, const Visit& visit) {
   if (end - begin <= kLargest) return visit(begin, end);
-  Eigen::RowVector3d lower = centres.row(*begin), upper = lower;
-  for (const int* f = begin; f < end; ++f) {
-    lower = lower.cwiseMin(centres.row(*f));
-    upper = upper.cwiseMax(centres.row(*f));
-  }
-  Eigen::Index axis;
-  (upper - lower).maxCoeff(&axis);
   int* const middle = begin + (end - begin) / 2;
-  std::nth_element(begin, middle, end, [&](int f, int g) {
-    return centres(f, axis) < centres(g, axis);
-  });
-  Split(centres, begin, middle, visit);
-  Split(centres, middle, end, visit);
+  SplitAlongLongestSide(centroids, begin, middle, end);
+  Split(centroids, begin, middle, visit);
+  Split(centroids, middle, end, visit);
 }
 
 }  // namespace
@@ -38,13 +31,10 @@ TriangleClusters::TriangleClusters(const Points& points,
                                    const Triangles& triangles)
     : triangles_(triangles.rows()) {
   if (triangles_.empty()) return;
-  Points centres(triangles.rows(), 3);
-  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
-    centres.row(f) = CornersOf(points, triangles.row(f)).colwise().mean();
-  }
+  const Points centroids = CentroidsOf(points, triangles);
   std::iota(triangles_.begin(), triangles_.end(), 0);
   int* const first = triangles_.data();
-  Split(centres, first, first + triangles_.size(), [&](int* begin, int* end) {
+  Split(centroids, first, first + triangles_.size(), [&](int* begin, int* end) {
     std::sort(begin, end);
     triangle_starts_.push_back(static_cast<int>(end - first));
     std::vector<int> vertices;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/certified_contact/bone_planes.h"
 
+#include <glog/logging.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,8 +16,6 @@
 
 namespace musclewarp {
 namespace {
-
-using Eigen::RowVector3d;
 
 // Rounding of a distance between two places, mm, is below this.
 constexpr double kRounding = 1e-9;
@@ -72,6 +72,7 @@ class BoneSearch {
     double move;  // the largest of a corner, mm
     double need;  // parts of the bone farther from `before` do not matter, mm
   };
+
   // The planes of a triangle in this step.
   struct Guarded {
     int triangle = -1;
@@ -84,8 +85,8 @@ class BoneSearch {
 
   Path PathOf(int f) const;
 
-  // Returns the triangles that may be near the bone, and the lower bounds of
-  // the distances of all triangles at the start of this step.
+  // Returns the triangles that the bone may matter to. `distances` receives
+  // lower bounds of the distances of all triangles before the step.
   std::vector<int> TrianglesNear(const KeptPlanes* kept,
                                  std::vector<double>* distances) const;
 
@@ -148,9 +149,7 @@ std::vector<int> BoneSearch::TrianglesNear(
       distance = known->distances[f] -
                  std::max({moved[v[0]], moved[v[1]], moved[v[2]]});
     }
-    is_near[f] = !surface_.IsExempt(bone_, f) && distance < largest_need &&
-                 (known == nullptr || known->distances[f] < 0 ||
-                  distance < PathOf(f).need);
+    is_near[f] = !surface_.IsExempt(bone_, f) && distance < largest_need;
   }
   std::vector<int> near;
   for (int f = 0; f < count; ++f) {
@@ -208,6 +207,7 @@ BoneSearch::Guarded BoneSearch::Guard(const KeptPlanes* kept,
   Guarded guarded;
   guarded.triangle = f;
   guarded.clearance = std::max(0.0, clearance);
+  const double slack = options_.planes.kept_slack;
   const Path path = PathOf(f);
   if (kept != nullptr) {
     const auto found = std::lower_bound(
@@ -218,14 +218,15 @@ BoneSearch::Guarded BoneSearch::Guard(const KeptPlanes* kept,
     if (found != kept->triangles.end() && found->triangle == f) {
       const double moved =
           (path.before - found->corners).rowwise().norm().maxCoeff();
-      if (moved + path.need <= found->radius) {
+      if (moved <= slack && moved + path.need <= found->radius) {
         guarded.kept = static_cast<int>(found - kept->triangles.begin());
         guarded.clearance = -1;
         return guarded;
       }
     }
   }
-  if (path.move > options_.planes.kept_slack) {
+  if (guarded.clearance >= path.need) return guarded;
+  if (path.move > slack) {
     FindOnPath(path, &guarded);
   } else {
     FindAnew(path, &guarded);
@@ -297,6 +298,7 @@ std::vector<SeparatingPlane> FindPlanesOfBones(const StepOptions& options,
   const ScopedStage stage("planes of bones");
   const KeptBonePlanes* before = step.before.bone_planes.get();
   KeptBonePlanes next(step.num_muscles() * step.num_bones());
+  if (before != nullptr) CHECK_EQ(before->size(), next.size());
   std::vector<SeparatingPlane> planes;
   for (int bone = 0; bone < step.num_bones(); ++bone) {
     for (int i = 0; i < step.num_muscles(); ++i) {

@@ -80,20 +80,24 @@ void AddSurfaces(const PreparedScene& scene,
                  const std::vector<ExemptArea>& exempt,
                  CertifiedScene* certified) {
   const CertifiedContactOptions& options = certified->options;
-  for (const PreparedMuscle* muscle : certified->muscles) {
-    const MuscleModel& model = muscle->model;
-    certified->contact.muscles.push_back(MakeMuscleSurface(model.fine_rest,
-                                                           model.fine_triangles,
-                                                           model.rest_volume,
-                                                           options.surface));
-    certified->samples.push_back(ContactSamples(
+  const size_t num_muscles = certified->muscles.size();
+  certified->contact.muscles.resize(num_muscles);
+  certified->samples.resize(num_muscles);
+  certified->row_weights.resize(num_muscles);
+  ParallelFor(num_muscles, [&](size_t i) {
+    const MuscleModel& model = certified->muscles[i]->model;
+    certified->contact.muscles[i] = MakeMuscleSurface(model.fine_rest,
+                                                      model.fine_triangles,
+                                                      model.rest_volume,
+                                                      options.surface);
+    certified->samples[i] = ContactSamples(
         model.fine_rest,
         {model.coarse_rest, model.coarse_triangles},
         static_cast<int>(options.samples_per_coarse_vertex *
-                         static_cast<double>(model.coarse_rest.rows()))));
-    certified->row_weights.push_back(
-        RowWeight(options, model, certified->samples.back().size()));
-  }
+                         static_cast<double>(model.coarse_rest.rows())));
+    certified->row_weights[i] =
+        RowWeight(options, model, certified->samples[i].size());
+  });
   for (const NamedMesh& bone : meshes.bones()) {
     certified->contact.bones.push_back(
         std::make_shared<TriangleBvh>(bone.mesh->bvh()));

@@ -35,8 +35,8 @@ RecordedPose ReadRestPose(const std::string& folder,
 
 // Reads another pose of the same run, whether its bones are written in every
 // frame or once: to the last bit the same. Throws InputError as ReadRestPose
-// does,
-// and if a mesh has other triangles than at rest, or a muscle other lines.
+// does, and if a mesh has other triangles than at rest, or a muscle other
+// lines.
 RecordedPose ReadPose(const std::string& folder,
                       const RecordedNames& names,
                       const RecordedPose& rest);

@@ -13,6 +13,7 @@
 #include "musclewarp/base/wide_registers.h"
 #include "musclewarp/base/work_counts.h"
 #include "musclewarp/mesh/triangle.h"
+#include "musclewarp/proximity/triangle_halves.h"
 #include "musclewarp/proximity/triangle_intersection.h"
 
 namespace musclewarp {
@@ -32,16 +33,18 @@ MUSCLEWARP_WIDE void CompareWithEight(const double* lower,
   }
 }
 
+double Extent(const Box3& box) {
+  return box.upper[0] - box.lower[0] + box.upper[1] - box.lower[1] +
+         box.upper[2] - box.lower[2];
+}
+
 }  // namespace
 
 SelfCrossingSearch::SelfCrossingSearch(const Points& rest,
                                        const Triangles& triangles)
     : triangles_(triangles), rings_(triangles, rest.rows()) {
   const int count = static_cast<int>(triangles.rows());
-  Points centroids(count, 3);
-  for (int f = 0; f < count; ++f) {
-    centroids.row(f) = CornersOf(rest, triangles.row(f)).colwise().mean();
-  }
+  const Points centroids = CentroidsOf(rest, triangles);
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);
   if (count > 0) Build(centroids, order.data(), order.data() + count);
@@ -67,19 +70,9 @@ int SelfCrossingSearch::Build(const Points& centroids, int* begin, int* end) {
     members_.resize(members_.size() + kGroup - count, -1);
     return index;
   }
-  Eigen::RowVector3d lower = centroids.row(*begin), upper = lower;
-  for (const int* f = begin; f != end; ++f) {
-    lower = lower.cwiseMin(centroids.row(*f));
-    upper = upper.cwiseMax(centroids.row(*f));
-  }
-  int axis;
-  (upper - lower).maxCoeff(&axis);
   // All groups but the last are full.
-  int* middle = begin + (count / 2 + kGroup - 1) / kGroup * kGroup;
-  std::nth_element(begin, middle, end, [&](int f, int g) {
-    return std::make_pair(centroids(f, axis), f) <
-           std::make_pair(centroids(g, axis), g);
-  });
+  int* const middle = begin + (count / 2 + kGroup - 1) / kGroup * kGroup;
+  SplitAlongLongestSide(centroids, begin, middle, end);
   Build(centroids, begin, middle);
   const int second = Build(centroids, middle, end);
   nodes_[index].second = second;
@@ -144,7 +137,9 @@ void SelfCrossingSearch::VisitPairs(int a,
     const Node &node_a = nodes_[first], &node_b = nodes_[second];
     if (node_a.group >= 0 && node_b.group >= 0) {
       visit(node_a.group, node_b.group);
-    } else if (node_b.group >= 0 || (node_a.group < 0 && first < second)) {
+    } else if (node_b.group >= 0 ||
+               (node_a.group < 0 &&
+                Extent(node_boxes[first]) >= Extent(node_boxes[second]))) {
       stack[size++] = {node_a.second, second};
       stack[size++] = {first + 1, second};
     } else {

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "musclewarp/proximity/triangle_distance.h"
+#include "musclewarp/proximity/triangle_halves.h"
 
 namespace musclewarp {
 
@@ -18,13 +19,7 @@ using Eigen::RowVector3d;
 TriangleBvh::TriangleBvh(const Points& points, const Triangles& triangles)
     : triangles_(triangles), corners_(triangles.rows()) {
   const int count = num_triangles();
-  Points centroids(count, 3);
-  for (int f = 0; f < count; ++f) {
-    centroids.row(f) =
-        (points.row(triangles(f, 0)) + points.row(triangles(f, 1)) +
-         points.row(triangles(f, 2))) /
-        3;
-  }
+  const Points centroids = CentroidsOf(points, triangles);
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);
   nodes_.reserve(std::max(0, 2 * count - 1));
@@ -39,20 +34,8 @@ int TriangleBvh::Build(const Points& centroids, int* begin, int* end) {
     nodes_[index].triangle = *begin;
     return index;
   }
-  RowVector3d lower = centroids.row(*begin);
-  RowVector3d upper = lower;
-  for (const int* f = begin; f != end; ++f) {
-    lower = lower.cwiseMin(centroids.row(*f));
-    upper = upper.cwiseMax(centroids.row(*f));
-  }
-  int axis;
-  (upper - lower).maxCoeff(&axis);
-  int* middle = begin + (end - begin) / 2;
-  // Ties are broken by index, or the tree would depend on the standard library.
-  std::nth_element(begin, middle, end, [&](int f, int g) {
-    return std::make_pair(centroids(f, axis), f) <
-           std::make_pair(centroids(g, axis), g);
-  });
+  int* const middle = begin + (end - begin) / 2;
+  SplitAlongLongestSide(centroids, begin, middle, end);
   Build(centroids, begin, middle);
   const int second = Build(centroids, middle, end);
   nodes_[index].second = second;
