@@ -86,6 +86,20 @@ TEST(Measures, GradientIsTheNumericDerivative) {
   }
 }
 
+TEST(Measures, RateOfTheGradientIsItsDifference) {
+  const TriangleSoup spindle = Spindle(5, 20, 1);
+  const Points velocities = Points::Random(spindle.points.rows(), 3);
+  // The gradient is quadratic in the points: central differences are exact.
+  const Points difference =
+      (VolumeGradient(spindle.points + velocities, spindle.triangles) -
+       VolumeGradient(spindle.points - velocities, spindle.triangles)) /
+      2;
+  const Points rate =
+      VolumeGradientRate(spindle.points, velocities, spindle.triangles);
+  EXPECT_GT(difference.norm(), 1);
+  EXPECT_LT((rate - difference).norm(), 1e3 * kRounding);
+}
+
 TEST(Measures, GradientSumsToZeroAndGivesThriceTheVolume) {
   const TriangleSoup sphere = Icosphere(10, 3);
   const Points gradient = VolumeGradient(sphere.points, sphere.triangles);

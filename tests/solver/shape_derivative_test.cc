@@ -9,6 +9,7 @@
 #include <functional>
 #include <vector>
 
+#include "musclewarp/geometry/dense_product.h"
 #include "musclewarp/solver/gauss_newton.h"
 #include "musclewarp/solver/one_sided_rows.h"
 #include "support/muscles.h"
@@ -80,8 +81,12 @@ void ExpectDerivativeOfSolves(const MuscleModel& model,
                               double q) {
   const MuscleTarget target = target_at(q);
   const Points coarse = SolvedTightly(model, target);
-  const std::vector<ShapeRate> rates = DifferentiateShape(
-      model, target, coarse, {RateAt(target_at, model, coarse, q)});
+  const std::vector<ShapeRate> rates =
+      DifferentiateShape(model,
+                         target,
+                         coarse,
+                         Product(model.fine_from_coarse, coarse),
+                         {RateAt(target_at, model, coarse, q)});
   ASSERT_EQ(rates.size(), 1u);
   EXPECT_TRUE(rates[0].is_converged);
   EXPECT_LT(rates[0].iterations, 30);
@@ -95,6 +100,7 @@ void ExpectDerivativeOfSolves(const MuscleModel& model,
   // The derivative of the distance of two fine vertices: a moment arm.
   const Points fine = model.fine_from_coarse * coarse;
   const Points exact = model.fine_from_coarse * rates[0].coarse;
+  EXPECT_LT((rates[0].fine - exact).rowwise().norm().maxCoeff(), kVertex / 100);
   const Points of_solves = model.fine_from_coarse * difference;
   Eigen::Index top, bottom;
   model.fine_rest.col(2).maxCoeff(&top);
@@ -199,7 +205,9 @@ TEST(DifferentiateShape, IsRigidWhereTheTargetIs) {
   rate.plane_turns.resize(0, 3);
   Points expected = turned(coarse);
   expected.rowwise() += velocity.transpose();
-  const ShapeRate shape = DifferentiateShape(model, bent, coarse, {rate})[0];
+  const Points fine = Product(model.fine_from_coarse, coarse);
+  const ShapeRate shape =
+      DifferentiateShape(model, bent, coarse, fine, {rate})[0];
   EXPECT_LT((shape.coarse - expected).rowwise().norm().maxCoeff(), 1e-4);
 }
 
@@ -212,11 +220,14 @@ TEST(DifferentiateShape, NothingMovesWhereTheTargetStands) {
   still.linear.attachment = target.attachment;
   still.linear.bending = 0 * target.bending;
   still.plane_turns.resize(0, 3);
-  const ShapeRate rate = DifferentiateShape(
-      model, target, SolvedTightly(model, target), {still})[0];
+  const Points coarse = SolvedTightly(model, target);
+  const Points fine = Product(model.fine_from_coarse, coarse);
+  const ShapeRate rate =
+      DifferentiateShape(model, target, coarse, fine, {still})[0];
   EXPECT_TRUE(rate.is_converged);
   EXPECT_EQ(rate.iterations, 0);
   EXPECT_EQ(rate.coarse, Points::Zero(model.coarse_rest.rows(), 3));
+  EXPECT_EQ(rate.fine, Points::Zero(model.fine_rest.rows(), 3));
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
+#include "musclewarp/base/wide_registers.h"
 #include "musclewarp/certificate/box_grid.h"
 #include "musclewarp/proximity/triangle_intersection.h"
 
@@ -42,26 +44,76 @@ std::vector<Entry> EntriesOf(const std::vector<BoxedMesh>& meshes,
   return entries;
 }
 
+// Triangles of muscles by their numbers, with their boxes by coordinate, so
+// that another box is compared with several of them at once.
+class NearTriangles {
+ public:
+  int size() const { return static_cast<int>(numbers_.size()); }
+
+  void Clear() {
+    numbers_.clear();
+    for (std::vector<float>& values : extents_) values.clear();
+  }
+
+  void Add(int number, const RoundedBox& box) {
+    numbers_.push_back(number);
+    for (int k = 0; k < 3; ++k) {
+      extents_[k].push_back(box.lower[k]);
+      extents_[3 + k].push_back(box.upper[k]);
+    }
+  }
+
+  // Calls visit(number) for those whose boxes overlap `box`.
+  template <typename Visit>
+  void ForEachOverlap(const RoundedBox& box, const Visit& visit) {
+    overlaps_.resize(size());
+    Compare(box, extents_, size(), overlaps_.data());
+    for (int i = 0; i < size(); ++i) {
+      if (overlaps_[i]) visit(numbers_[i]);
+    }
+  }
+
+ private:
+  using Extents = std::array<std::vector<float>, 6>;  // lower, then upper
+
+  static MUSCLEWARP_WIDE void Compare(const RoundedBox& box,
+                                      const Extents& extents,
+                                      int count,
+                                      int* overlaps) {
+    const float *x0 = extents[0].data(), *y0 = extents[1].data(),
+                *z0 = extents[2].data(), *x1 = extents[3].data(),
+                *y1 = extents[4].data(), *z1 = extents[5].data();
+    const auto [lower, upper] = box;
+#pragma omp simd
+    for (int i = 0; i < count; ++i) {
+      overlaps[i] = (lower[0] <= x1[i]) & (x0[i] <= upper[0]) &
+                    (lower[1] <= y1[i]) & (y0[i] <= upper[1]) &
+                    (lower[2] <= z1[i]) & (z0[i] <= upper[2]);
+    }
+  }
+
+  std::vector<int> numbers_;
+  Extents extents_;
+  std::vector<int> overlaps_;
+};
+
 // The triangles of the muscles, by the cells that their boxes touch.
 class MuscleTriangles {
  public:
   MuscleTriangles(const std::vector<BoxedMesh>& meshes, size_t num_muscles)
-      : entries_(EntriesOf(meshes, num_muscles)), grid_(BoxesOf(entries_)) {}
+      : entries_(EntriesOf(meshes, num_muscles)),
+        boxes_(BoxesOf(entries_)),
+        grid_(boxes_) {}
 
-  Eigen::Index size() const { return grid_.size(); }
-  const Entry& operator[](Eigen::Index i) const { return entries_[i]; }
+  // Triangles are numbered muscle by muscle.
+  int size() const { return static_cast<int>(entries_.size()); }
+  const Entry& operator[](int number) const { return entries_[number]; }
 
-  bool OverlapsAny(const RoundedBox& box) const {
-    return grid_.OverlapsAny(box);
-  }
-
-  // Calls visit(entry) for those of the first `count` triangles whose box
-  // overlaps that of `entry`, for each once.
-  template <typename Visit>
-  void ForEachOverlap(const Entry& entry,
-                      Eigen::Index count,
-                      const Visit& visit) const {
-    grid_.ForEachOverlap(entry.box, count, [&](int i) { visit(entries_[i]); });
+  // Sets `near` to those of the first `count` triangles whose boxes overlap
+  // `box`.
+  void FindNear(const RoundedBox& box, int count, NearTriangles* near) const {
+    near->Clear();
+    grid_.ForEachOverlap(box, count, [&](int i) { near->Add(i, boxes_[i]); });
   }
 
  private:
@@ -73,6 +125,7 @@ class MuscleTriangles {
   }
 
   std::vector<Entry> entries_;
+  std::vector<RoundedBox> boxes_;
   BoxGrid grid_;
 };
 
@@ -100,15 +153,30 @@ void AddIfCrossing(const Entry& other,
   pairs->push_back({other.mesh, entry.mesh, other.triangle, entry.triangle});
 }
 
-// Calls find(i, pairs) for all i below `count`, on several threads, and adds
-// the pairs.
-template <typename Find>
-void AddFound(int count, const Find& find, std::vector<CrossingPair>* pairs) {
+// Calls test(triangle, near, pairs) for every triangle of a mesh, on several
+// threads, and adds the pairs; `near` has those of the first count(last)
+// triangles of muscles that are near the cluster of the triangle, whose last
+// triangle is `last`.
+template <typename Count, typename Test>
+void AddFound(const BoxedMesh& boxed,
+              const MuscleTriangles& all,
+              const Count& count,
+              const Test& test,
+              std::vector<CrossingPair>* pairs) {
+  const TriangleClusters& clusters = boxed.clusters();
 #pragma omp parallel
   {
     std::vector<CrossingPair> found;
-#pragma omp for schedule(dynamic, 256) nowait
-    for (int i = 0; i < count; ++i) find(i, &found);
+    NearTriangles near;
+#pragma omp for schedule(dynamic, 64) nowait
+    for (int c = 0; c < clusters.size(); ++c) {
+      const int last = clusters.end(c)[-1];
+      all.FindNear(boxed.cluster_boxes()[c], count(last), &near);
+      if (near.size() == 0) continue;
+      for (const int* f = clusters.begin(c); f < clusters.end(c); ++f) {
+        test(*f, &near, &found);
+      }
+    }
 #pragma omp critical
     pairs->insert(pairs->end(), found.begin(), found.end());
   }
@@ -122,39 +190,40 @@ void AddPairsOfMuscles(const std::vector<BoxedMesh>& meshes,
                        std::vector<CrossingPair>* pairs) {
   const std::vector<std::vector<char>> are_proper =
       ProperStarsOf(meshes, num_muscles);
-  const auto find = [&](int i, std::vector<CrossingPair>* found) {
-    const Entry& entry = all[i];
-    const std::vector<char>& is_proper = are_proper[entry.mesh];
-    all.ForEachOverlap(entry, i, [&](const Entry& other) {
-      if (entry.mesh == other.mesh && !is_proper.empty() &&
-          ShareProperStar(*meshes[entry.mesh].view().triangles,
-                          is_proper,
-                          entry.triangle,
-                          other.triangle)) {
-        return;
-      }
-      AddIfCrossing(other, entry, found);
-    });
-  };
-  AddFound(static_cast<int>(all.size()), find, pairs);
+  int first = 0;  // number of the first triangle of the muscle
+  for (size_t mesh = 0; mesh < num_muscles; ++mesh) {
+    const Triangles& triangles = *meshes[mesh].view().triangles;
+    const std::vector<char>& is_proper = are_proper[mesh];
+    // Each pair once: with triangles that come before.
+    const auto count = [&](int last) { return first + last; };
+    const auto test = [&](int f, NearTriangles* near, auto* found) {
+      const Entry& entry = all[first + f];
+      near->ForEachOverlap(entry.box, [&](int other) {
+        if (other >= first + f) return;
+        if (other >= first && !is_proper.empty() &&
+            ShareProperStar(triangles, is_proper, f, other - first)) {
+          return;
+        }
+        AddIfCrossing(all[other], entry, found);
+      });
+    };
+    AddFound(meshes[mesh], all, count, test, pairs);
+    first += static_cast<int>(triangles.rows());
+  }
 }
 
-// Adds the pairs of triangles of muscles and a bone, cluster by cluster.
+// Adds the pairs of triangles of muscles and a bone.
 void AddPairsOfBone(const BoxedMesh& boxed,
                     int mesh,
                     const MuscleTriangles& all,
                     std::vector<CrossingPair>* pairs) {
-  const auto find = [&](int c, std::vector<CrossingPair>* found) {
-    if (!all.OverlapsAny(boxed.cluster_boxes()[c])) return;
-    for (const int* g = boxed.clusters().begin(c); g < boxed.clusters().end(c);
-         ++g) {
-      const Entry entry = EntryOf(boxed, mesh, *g);
-      all.ForEachOverlap(entry, all.size(), [&](const Entry& other) {
-        AddIfCrossing(other, entry, found);
-      });
-    }
+  const auto count = [&](int) { return all.size(); };
+  const auto test = [&](int f, NearTriangles* near, auto* found) {
+    const Entry entry = EntryOf(boxed, mesh, f);
+    near->ForEachOverlap(
+        entry.box, [&](int other) { AddIfCrossing(all[other], entry, found); });
   };
-  AddFound(boxed.clusters().size(), find, pairs);
+  AddFound(boxed, all, count, test, pairs);
 }
 
 }  // namespace

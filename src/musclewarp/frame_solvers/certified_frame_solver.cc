@@ -149,7 +149,7 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
   AddMomentArms(scene_,
                 pose,
                 options_.pre_rotation,
-                {ShapesOf(certified_, motion.state).coarse,
+                {InterpolatedShapesOf(certified_, motion.state),
                  ContactRowsOf(certified_, motion.state),
                  FreeCoarseOf(certified_, motion.state)},
                 &frame);

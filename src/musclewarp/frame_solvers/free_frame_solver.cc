@@ -60,7 +60,7 @@ SolvedFrame FreeFrameSolver::Solve(const MuscleSolvers& solvers,
   AddMomentArms(scene_,
                 pose,
                 options_.pre_rotation,
-                {CoarseOf(solved.states), {}, {}},
+                {ShapesOf(scene_, solved.states), {}, {}},
                 &result.frame);
   result.state = {pose, std::move(solved.states), std::nullopt};
   return result;

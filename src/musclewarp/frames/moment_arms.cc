@@ -35,6 +35,49 @@ ScenePose SeenFrom(ScenePose pose, const Matrix4d& here_from_there) {
   return pose;
 }
 
+bool IsSamePlace(const Matrix4d& a, const Matrix4d& b) {
+  const Matrix4d difference = (a - b).cwiseAbs();
+  return difference.leftCols<3>().maxCoeff() < 1e-12 &&
+         difference.rightCols<1>().maxCoeff() < 1e-9;  // mm
+}
+
+// Whether two poses ask the same of a muscle, to rounding: its lines and all
+// bodies on which it depends are at the same places.
+bool AskTheSame(const ScenePose& a,
+                const ScenePose& b,
+                const MuscleModel& model) {
+  for (const ActionLine& line : model.lines) {
+    const auto in_a = a.lines.find(line.name), in_b = b.lines.find(line.name);
+    if ((in_a == a.lines.end()) != (in_b == b.lines.end())) return false;
+    if (in_a != a.lines.end() &&
+        !((in_a->second - in_b->second).cwiseAbs().maxCoeff() < 1e-9)) {
+      return false;
+    }
+    for (const std::string& body : line.bodies) {
+      if (!IsSamePlace(BodyTransform(a, body), BodyTransform(b, body))) {
+        return false;
+      }
+    }
+  }
+  for (int k = 0; k < static_cast<int>(model.attachments.size()); ++k) {
+    if (!IsSamePlace(AttachmentTransform(model, k, a),
+                     AttachmentTransform(model, k, b))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// The rate of a target that stands still.
+MuscleTarget ZeroRate(const MuscleTarget& target) {
+  MuscleTarget rate;
+  rate.laplacian = Points::Zero(target.laplacian.rows(), 3);
+  rate.skeleton = Points::Zero(target.skeleton.rows(), 3);
+  rate.attachment = Points::Zero(target.attachment.rows(), 3);
+  rate.bending = Points::Zero(target.bending.rows(), 3);
+  return rate;
+}
+
 MuscleTarget Difference(const MuscleTarget& before, const MuscleTarget& after) {
   MuscleTarget rate;
   constexpr double kWay = 2 * PerturbedPoses::kStep;
@@ -111,9 +154,6 @@ class MomentArms {
     std::vector<Matrix4d> reference;  // by coordinate: the rate of its body
     std::vector<TargetRate> rates;    // by coordinate, as that body sees it
     std::vector<ShapeRate> free, held;
-    // By coordinate, if planes go along with the muscle: the derivative of its
-    // fine vertices without contact, n x 3, mm, as that body sees it.
-    std::vector<Points> fine;
   };
 
   bool HasRows(int i) const {
@@ -150,15 +190,16 @@ class MomentArms {
       const Matrix4d before = BodyTransform(poses.before, body);
       const Matrix4d after = BodyTransform(poses.after, body);
       muscle.reference.push_back(RateBetween(before, after));
-      TargetRate rate;
-      rate.linear = Difference(
-          TargetOf(model,
-                   SeenFrom(poses.before, here * RigidInverse(before)),
-                   pre_rotation_),
-          TargetOf(model,
-                   SeenFrom(poses.after, here * RigidInverse(after)),
-                   pre_rotation_));
-      muscle.rates.push_back(std::move(rate));
+      const ScenePose seen_before =
+          SeenFrom(poses.before, here * RigidInverse(before));
+      const ScenePose seen_after =
+          SeenFrom(poses.after, here * RigidInverse(after));
+      TargetRate& rate = muscle.rates.emplace_back();
+      rate.linear =
+          AskTheSame(seen_before, seen_after, model)
+              ? ZeroRate(muscle.target)
+              : Difference(TargetOf(model, seen_before, pre_rotation_),
+                           TargetOf(model, seen_after, pre_rotation_));
     }
   }
 
@@ -169,11 +210,11 @@ class MomentArms {
     if (!muscle.carries_planes) return;
     const MuscleModel& model = scene_.muscles[i].model;
     const Points& coarse = shapes_.free_coarse[i];
-    muscle.free =
-        DifferentiateShape(model, muscle.target, coarse, muscle.rates);
-    for (const ShapeRate& rate : muscle.free) {
-      muscle.fine.push_back(Product(model.fine_from_coarse, rate.coarse));
-    }
+    muscle.free = DifferentiateShape(model,
+                                     muscle.target,
+                                     coarse,
+                                     Product(model.fine_from_coarse, coarse),
+                                     muscle.rates);
   }
 
   // How what carries planes moves with a coordinate, as the body of a muscle
@@ -191,7 +232,7 @@ class MomentArms {
       MuscleCarrier& owner = owners.muscles.emplace_back();
       if (!muscles_[j].carries_planes) continue;
       owner.points = &frame_.muscles[j].points;
-      owner.rate = &muscles_[j].fine[c];
+      owner.rate = &muscles_[j].free[c].fine;
       owner.body = muscles_[j].reference[c] - reference;
     }
     return owners;
@@ -199,7 +240,7 @@ class MomentArms {
 
   void SolveHeld(int i) {
     const PreparedMuscle& prepared = scene_.muscles[i];
-    const Points& coarse = shapes_.coarse[i];
+    const Points& coarse = shapes_.muscles.coarse[i];
     Muscle& muscle = muscles_[i];
     if (HasRows(i)) {
       muscle.target.one_sided = shapes_.contact[i].rows;
@@ -212,8 +253,11 @@ class MomentArms {
       }
     }
     muscle.held = HasRows(i) || muscle.free.empty()
-                      ? DifferentiateShape(
-                            prepared.model, muscle.target, coarse, muscle.rates)
+                      ? DifferentiateShape(prepared.model,
+                                           muscle.target,
+                                           coarse,
+                                           shapes_.muscles.fine[i],
+                                           muscle.rates)
                       : muscle.free;
     const std::vector<Points> lines = LinesAt(prepared.lines, coarse);
     const std::vector<Points> fibres = LinesAt(prepared.fibres, coarse);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "musclewarp/frames/frame.h"
+#include "musclewarp/frames/muscle_shapes.h"
 #include "musclewarp/frames/plane_rates.h"
 #include "musclewarp/preparation/prepared_scene.h"
 #include "musclewarp/solver/muscle_target.h"
@@ -13,8 +14,8 @@ namespace musclewarp {
 
 // The shapes of a scene in a pose, of which moment arms are derivatives.
 struct ConvergedShapes {
-  // The coarse vertices of each muscle, N x 3, mm.
-  std::vector<Points> coarse;
+  // The coarse vertices of each muscle, X, and what they interpolate, W X.
+  MuscleShapes muscles;
 
   // With certified contact: what held each muscle there, and the coarse
   // vertices without contact. Else both are empty.

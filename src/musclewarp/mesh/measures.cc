@@ -78,6 +78,26 @@ Points VolumeGradient(const Points& points, const Triangles& triangles) {
   return gradient;
 }
 
+Points VolumeGradientRate(const Points& points,
+                          const Points& velocities,
+                          const Triangles& triangles) {
+  const Eigen::RowVector3d origin = Origin(points);
+  const Eigen::RowVector3d origin_velocity = Origin(velocities);
+  Points rate = Points::Zero(points.rows(), 3);
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    Eigen::RowVector3d p[3], v[3];
+    for (int c = 0; c < 3; ++c) {
+      p[c] = points.row(triangles(f, c)) - origin;
+      v[c] = velocities.row(triangles(f, c)) - origin_velocity;
+    }
+    for (int c = 0; c < 3; ++c) {
+      const int b = (c + 1) % 3, d = (c + 2) % 3;
+      rate.row(triangles(f, c)) += (v[b].cross(p[d]) + p[b].cross(v[d])) / 6;
+    }
+  }
+  return rate;
+}
+
 double SurfaceArea(const Points& points, const Triangles& triangles) {
   double area = 0;
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {

@@ -27,6 +27,13 @@ bool IsConsistentlyOriented(const Triangles& triangles);
 // the triangles (i, b, c) around it; paper eq. (2.10), J_g.
 Points VolumeGradient(const Points& points, const Triangles& triangles);
 
+// Returns how VolumeGradient changes while the points move with `velocities`
+// (#V x 3, mm by some unit), #V x 3, mm^2 by that unit: the Hessian of the
+// volume times the velocities.
+Points VolumeGradientRate(const Points& points,
+                          const Points& velocities,
+                          const Triangles& triangles);
+
 // Returns the sum of the areas of all triangles, mm^2.
 double SurfaceArea(const Points& points, const Triangles& triangles);
 

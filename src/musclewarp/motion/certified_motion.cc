@@ -337,6 +337,12 @@ MuscleShapes ShapesOf(const PreparedScene& scene, const ContactState& state) {
           InOrderOfScene(order, state.points)};
 }
 
+MuscleShapes InterpolatedShapesOf(const CertifiedScene& certified,
+                                  const ContactState& state) {
+  return {InOrderOfScene(certified.order, state.coarse),
+          InOrderOfScene(certified.order, state.targets)};
+}
+
 std::vector<Points> FreeCoarseOf(const CertifiedScene& certified,
                                  const ContactState& state) {
   return InOrderOfScene(certified.order, state.free_coarse);

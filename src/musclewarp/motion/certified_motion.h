@@ -195,6 +195,11 @@ MuscleShapes ShapesOf(const CertifiedScene& certified,
 // The same, of a scene that is not prepared for certified contact any more.
 MuscleShapes ShapesOf(const PreparedScene& scene, const ContactState& state);
 
+// Returns the coarse vertices of a state and the fine ones that they
+// interpolate, without the offsets by contact, in the order of the scene.
+MuscleShapes InterpolatedShapesOf(const CertifiedScene& certified,
+                                  const ContactState& state);
+
 // Returns the coarse vertices of the solve without contact, in the order of the
 // scene, N x 3 each, mm.
 std::vector<Points> FreeCoarseOf(const CertifiedScene& certified,

@@ -16,23 +16,30 @@ namespace {
 
 // Conjugate gradients end where the residual, in the norm of A'^-1, has fallen
 // to this share of the right-hand side, or to this length. What is left in
-// moment arms of the LHDL hip is 3e-4 mm.
-constexpr double kTolerance = 3e-6;
+// moment arms of the LHDL hip is 8e-4 mm, of 50.
+constexpr double kTolerance = 1e-5;
 constexpr double kSmallest = 1e-8;  // mm by rad or m
 constexpr int kMaxIterations = 200;
 
 double Dot(const Points& a, const Points& b) { return a.cwiseProduct(b).sum(); }
+
+// Whether a target stands still that changes by `rate`.
+bool IsZero(const MuscleTarget& rate) {
+  return rate.laplacian.isZero(0) && rate.skeleton.isZero(0) &&
+         rate.attachment.isZero(0) && rate.bending.isZero(0);
+}
 
 // Everything about a shape that does not depend on the coordinate.
 class ShapeSystem {
  public:
   ShapeSystem(const MuscleModel& model,
               const MuscleTarget& target,
-              const Points& coarse)
+              const Points& coarse,
+              const Points& fine)
       : model_(model),
         rows_(target.one_sided),
         coarse_(coarse),
-        fine_(Product(model.fine_from_coarse, coarse)),
+        fine_(fine),
         fine_from_coarse_(FineFromCoarse(model, rows_)),
         depths_(OneSidedDepths(rows_, fine_from_coarse_, coarse)),
         one_sided_(model, rows_),
@@ -54,6 +61,10 @@ class ShapeSystem {
     for (size_t i = 0; i < rates.size(); ++i) {
       solves[i].residual = RightHandSide(rates[i]);
       solves[i].rate.coarse = Points::Zero(coarse_.rows(), 3);
+      solves[i].rate.fine = Points::Zero(fine_.rows(), 3);
+      if (!solves[i].residual.isZero(0)) continue;
+      solves[i].is_done = true;
+      solves[i].rate.is_converged = true;
     }
     for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
       std::vector<ConjugateGradients*> open;
@@ -66,8 +77,10 @@ class ShapeSystem {
         directions.push_back(solve.direction);
       }
       if (open.empty()) break;
-      const std::vector<Points> bent = Hessians(directions);
-      for (size_t k = 0; k < open.size(); ++k) Step(bent[k], open[k]);
+      const std::vector<Points> fine =
+          Products(model_.fine_from_coarse, directions);
+      const std::vector<Points> bent = Hessians(fine);
+      for (size_t k = 0; k < open.size(); ++k) Step(fine[k], bent[k], open[k]);
     }
     std::vector<ShapeRate> results;
     for (ConjugateGradients& solve : solves) {
@@ -111,8 +124,10 @@ class ShapeSystem {
     solve->a_direction = a_step + beta * solve->a_direction;
   }
 
-  // Goes along the direction; `bent` is H times it.
-  void Step(const Points& bent, ConjugateGradients* solve) const {
+  // Goes along the direction; `fine` is W times it, `bent` is H times it.
+  void Step(const Points& fine,
+            const Points& bent,
+            ConjugateGradients* solve) const {
     const Points product = solve->a_direction + multiplier_ * bent;
     const double curvature = Dot(solve->direction, product);
     if (!(curvature > 0)) {  // X is no minimum
@@ -121,6 +136,7 @@ class ShapeSystem {
     }
     const double length = solve->norm / curvature;
     solve->rate.coarse += length * solve->direction;
+    solve->rate.fine += length * fine;
     solve->residual -= length * product;
     ++solve->rate.iterations;
   }
@@ -138,14 +154,12 @@ class ShapeSystem {
     return solution - *share * inverse_gradient_;
   }
 
-  // H times directions. The gradient is quadratic in X, so that the difference
-  // of two of them is exact.
-  std::vector<Points> Hessians(const std::vector<Points>& directions) const {
+  // H times directions, which `fine` has as directions of the fine vertices.
+  std::vector<Points> Hessians(const std::vector<Points>& fine) const {
     std::vector<Points> bent;
-    for (const Points& fine : Products(model_.fine_from_coarse, directions)) {
-      bent.push_back((VolumeGradient(fine_ + fine, model_.fine_triangles) -
-                      VolumeGradient(fine_ - fine, model_.fine_triangles)) /
-                     2);
+    for (const Points& direction : fine) {
+      bent.push_back(
+          VolumeGradientRate(fine_, direction, model_.fine_triangles));
     }
     return TransposedProducts(model_.fine_from_coarse, bent);
   }
@@ -167,8 +181,8 @@ class ShapeSystem {
   // J_f^T dr/dq, and how the forces of the active rows change with their planes
   // while the shape stands still.
   Points RightHandSide(const TargetRate& rate) const {
-    Points sum =
-        LinearDescent(model_, rate.linear, Points::Zero(coarse_.rows(), 3));
+    Points sum = Points::Zero(coarse_.rows(), 3);
+    if (!IsZero(rate.linear)) sum = LinearDescent(model_, rate.linear, sum);
     Points forces = Points::Zero(rows_.size(), 3);
     for (int k = 0; k < rows_.size(); ++k) {
       if (depths_[k] <= 0) continue;
@@ -182,7 +196,7 @@ class ShapeSystem {
   const MuscleModel& model_;
   const OneSidedRows& rows_;
   const Points& coarse_;
-  const Points fine_;                      // n x 3: W X
+  const Points& fine_;                     // n x 3: W X
   const RowMajorMatrix fine_from_coarse_;  // K x N, of the rows
   const Eigen::VectorXd depths_;           // K
   OneSidedSystem one_sided_;
@@ -198,14 +212,16 @@ std::vector<ShapeRate> DifferentiateShape(
     const MuscleModel& model,
     const MuscleTarget& target,
     const Points& coarse,
+    const Points& fine,
     const std::vector<TargetRate>& rates) {
   CHECK_EQ(coarse.rows(), model.coarse_rest.rows());
+  CHECK_EQ(fine.rows(), model.fine_rest.rows());
   for (const TargetRate& rate : rates) {
     CHECK_EQ(rate.plane_speeds.size(), target.one_sided.size());
     CHECK_EQ(rate.plane_turns.rows(), target.one_sided.size());
   }
   if (rates.empty()) return {};
-  return ShapeSystem(model, target, coarse).Differentiate(rates);
+  return ShapeSystem(model, target, coarse, fine).Differentiate(rates);
 }
 
 }  // namespace musclewarp

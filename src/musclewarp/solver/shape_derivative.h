@@ -25,9 +25,10 @@ struct TargetRate {
   Points plane_turns;
 };
 
-// The derivative of the shape of a muscle, dX/dq.
+// The derivative of the shape of a muscle, by rad or m.
 struct ShapeRate {
-  Points coarse;       // N x 3, mm
+  Points coarse;       // N x 3, mm: dX/dq
+  Points fine;         // n x 3, mm: W dX/dq
   int iterations = 0;  // of conjugate gradients
   bool is_converged = false;
 };
@@ -48,11 +49,13 @@ struct ShapeRate {
 // 2001), which take a few iterations as lambda H is small beside A'
 // (docs/method.md).
 //
-// `coarse` is X (N x 3, mm). Where X is not a minimum, the shape is taken to
-// keep its displacement from one.
+// `coarse` is X (N x 3, mm) and `fine` is W X (n x 3, mm). Where X is not a
+// minimum, the shape is taken to keep its displacement from one. Where neither
+// the target nor a plane moves, the rate is exactly zero, and costs nothing.
 std::vector<ShapeRate> DifferentiateShape(const MuscleModel& model,
                                           const MuscleTarget& target,
                                           const Points& coarse,
+                                          const Points& fine,
                                           const std::vector<TargetRate>& rates);
 
 }  // namespace musclewarp
