@@ -163,15 +163,12 @@ std::vector<Points> SolvedFree(const PreparedScene& scene,
 
 Frame FrameWithArms(const PreparedScene& scene,
                     const ScenePose& pose,
-                    const std::vector<Points>& coarse,
-                    const std::vector<ContactRows>& contact = {},
-                    const std::vector<Points>& free_coarse = {}) {
+                    ConvergedShapes shapes) {
   Frame frame;
-  ConvergedShapes shapes = {{coarse, {}}, contact, free_coarse};
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    shapes.muscles.fine.push_back(scene.muscles[i].model.fine_from_coarse *
-                                  coarse[i]);
-    frame.muscles.emplace_back().points = shapes.muscles.fine[i];
+    frame.muscles.emplace_back().points =
+        scene.muscles[i].model.fine_from_coarse * shapes.muscles.coarse[i];
+    shapes.muscles.fine.push_back(frame.muscles[i].points);
   }
   AddMomentArms(scene, pose, {}, shapes, &frame);
   EXPECT_TRUE(frame.moment_arms_converged);
@@ -182,8 +179,8 @@ TEST(AddMomentArms, AreTheSlopesOfTheLengthsWithBothSolvers) {
   const PreparedScene scene = Prepared();
   for (const MuscleSolver& solver : {TightReference(), TightCeres()}) {
     const ScenePose pose = At(scene, 0.3, -0.6);
-    const auto frame =
-        FrameWithArms(scene, pose, SolvedFree(scene, solver, pose));
+    const auto frame = FrameWithArms(
+        scene, pose, {{SolvedFree(scene, solver, pose), {}}, {}, {}});
     const std::vector<double> arms = Arms(frame, "knee");
     ASSERT_EQ(arms.size(), 10u);
     // The third derivative of lengths about 25 mm from the axis adds 1e-5 mm.
@@ -211,8 +208,8 @@ TEST(AddMomentArms, AreTheDistanceFromTheHingeForAStraightLine) {
   const PreparedScene scene = Prepared(/*skeleton_weight=*/1e4);
   for (const double knee : {-0.4, 0.0}) {
     const ScenePose pose = At(scene, 0, knee);
-    const Frame frame =
-        FrameWithArms(scene, pose, SolvedFree(scene, TightReference(), pose));
+    const Frame frame = FrameWithArms(
+        scene, pose, {{SolvedFree(scene, TightReference(), pose), {}}, {}, {}});
     // From the thigh to the shank, as seen from the axis.
     const Eigen::Vector2d from(28, 55);
     const Eigen::Vector2d to =
@@ -250,9 +247,9 @@ class MomentArmsInContact : public ::testing::Test {
     const ContactState& state = motion.state;
     return FrameWithArms(scene_,
                          state.pose,
-                         ShapesOf(certified_, state).coarse,
-                         ContactRowsOf(certified_, state),
-                         FreeCoarseOf(certified_, state));
+                         {{ShapesOf(certified_, state).coarse, {}},
+                          ContactRowsOf(certified_, state),
+                          FreeCoarseOf(certified_, state)});
   }
 
   // Active rows on planes of bones, or between muscles.
@@ -363,8 +360,8 @@ class MomentArmsOfHeldRows : public ::testing::Test {
   void ExpectSlopesOfSolves(const Moved& moved) {
     const ScenePose pose = At(scene_, 0.2, -0.3);
     const std::vector<Points> free = SolvedFree(scene_, TightReference(), pose);
-    const Frame frame =
-        FrameWithArms(scene_, pose, SolvedHeld(0, moved), contact_, free);
+    const Frame frame = FrameWithArms(
+        scene_, pose, {{SolvedHeld(0, moved), {}}, contact_, free});
     const auto lengths = [&](double beside) {
       return Lengths(scene_, SolvedHeld(beside, moved));
     };
