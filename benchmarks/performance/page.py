@@ -22,6 +22,7 @@ import growth
 import modes
 import shared  # noqa: F401, where table is
 import stages
+from chapters import markers, replaced
 from figures import load_of, machine_of
 from table import prose
 
@@ -34,23 +35,6 @@ BUSY = (
     "**The machine was busy: times and ratios, of two threads to one above all, are "
     "those of what was left of it and not of the program.**"
 )
-
-
-def markers(name):
-    begin = f"<!-- {name}: written by benchmarks/performance.sh; do not edit. -->"
-    return begin, f"<!-- End of {name.lower()}. -->"
-
-
-def replaced(text, name, parts):
-    """The text with these parts between the markers of a chapter."""
-    begin, end = markers(name)
-    if text.count(begin) != 1 or text.count(end) != 1:
-        raise ValueError(f"the page needs once: {begin} and {end}")
-    before, rest = text.split(begin)
-    inside, after = rest.split(end)
-    if end in before:
-        raise ValueError(f"the page has {end} before {begin}")
-    return "\n\n".join([before + begin, *parts, end + after])
 
 
 def of_another_build(text, code):
