@@ -142,6 +142,48 @@ TEST(PlaneSet, PutsAPlaneHalfWayBetweenWhereTwoMusclesWantToGo) {
   }
 }
 
+TEST(PlaneSet, HoldsWhatElseIsBelowAPlane) {
+  TwoSpheres spheres;
+  spheres.options.relaxation.max_push = 100;
+  PlaneSet planes(spheres.options, spheres.step);
+  SeparatingPlane plane;
+  plane.muscle_above = 0;
+  plane.muscle_below = 1;
+  plane.above = RowVector3i::Constant(0);
+  plane.below = RowVector3i::Constant(0);
+  plane.also_below = {7};
+  plane.normal = RowVector3d(0, 0, 1);
+  planes.Add({plane});
+  std::vector<Points> wanted = spheres.step.predicted;
+  wanted[0].row(0) << 0, 0, 0;
+  wanted[1].row(0) << 0, 0, 0;
+  wanted[1].row(7) << 1, 0, 0.4;
+  planes.UpdateLevels(wanted, wanted, true);
+  // The plane is half way to the highest of both.
+  const RowVector3d high = wanted[1].row(7);
+  planes.FindNear(1, 7, high);
+  EXPECT_NEAR(planes.Projected(1, 7, high)[2], 0.2, kProjection);
+  planes.FindNear(0, 0, wanted[0].row(0));
+  EXPECT_NEAR(planes.Projected(0, 0, wanted[0].row(0))[2], 0.2, kProjection);
+}
+
+// Of two planes that face almost the same way the tighter one counts, whichever
+// comes first.
+TEST(PlaneSet, LooksOnlyAtTheTightestOfPlanesThatFaceTheSameWay) {
+  const RowVector3d up(0, 0, 1);
+  const RowVector3d leaning = RowVector3d(0.05, 0, 1).normalized();
+  for (const double first : {0.3, 0.1}) {
+    TwoSpheres spheres;
+    PlaneSet planes(spheres.options, spheres.step);
+    planes.Add({spheres.PlaneOverVertex(0, leaning, first),
+                spheres.PlaneOverVertex(0, up, 0.4 - first)});
+    const RowVector3d start = spheres.Place(0);
+    planes.FindNear(0, 0, start);
+    const RowVector3d expected = start + 0.3 * (first > 0.2 ? leaning : up);
+    EXPECT_LT((planes.Projected(0, 0, start) - expected).norm(), kProjection);
+  }
+}
+
 TEST(PlaneSet, OfTwoMusclesTheAttachedOneStaysAndTheOtherGivesWay) {
   for (const int attached : {0, 1}) {
     TwoSpheres spheres;

@@ -5,8 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
-#include <utility>
+#include <vector>
 
 #include "certified_contact/contact_group.h"
 #include "musclewarp/mesh/transformed.h"
@@ -26,54 +25,116 @@ std::vector<SeparatingPlane> PlanesOf(const ContactStep& step) {
   return FindPlanesBetweenMuscles({}, step, &trees);
 }
 
-int TriangleWith(const Triangles& triangles, const RowVector3i& corners) {
-  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
-    if (triangles.row(f) == corners) return static_cast<int>(f);
+// Two spheres that are 0.4 mm apart, of which the smaller one goes along the
+// other.
+struct SphereAlongAnother {
+  ContactGroup group;
+  std::vector<Points> targets;
+  ContactStep step;
+
+  // `is_swapped`: the smaller one comes first.
+  explicit SphereAlongAnother(bool is_swapped = false)
+      : group(is_swapped ? std::vector<TriangleSoup>{Small(), Large()}
+                         : std::vector<TriangleSoup>{Large(), Small()},
+              {}),
+        targets(group.state.targets),
+        step(MakeContactStep(group.scene, group.state, MovedTargets(), {})) {}
+
+  static TriangleSoup Large() { return SphereAt({0, 0, 0}, 10, 3); }
+  static TriangleSoup Small() { return SphereAt({16.4, 0.3, 0.1}, 6, 3); }
+
+ private:
+  const std::vector<Points>& MovedTargets() {
+    for (Points& points : targets) {
+      if (points.col(0).mean() > 10) points.col(1).array() += 3;
+    }
+    return targets;
   }
-  return -1;
+};
+
+// Whether a plane has all corners of a triangle below.
+bool IsBelow(const SeparatingPlane& plane, const RowVector3i& corners) {
+  return std::all_of(corners.begin(), corners.end(), [&](int v) {
+    return (plane.below.array() == v).any() ||
+           std::binary_search(
+               plane.also_below.begin(), plane.also_below.end(), v);
+  });
 }
 
-TEST(FindPlanesBetweenMuscles, FindsAllPairsOfMusclesThatAreNear) {
-  const ContactGroup group(
-      {SphereAt({0, 0, 0}, 10, 3), SphereAt({16.4, 0.3, 0.1}, 6, 3)}, {});
-  // The second comes along the first.
-  std::vector<Points> targets = group.state.targets;
-  targets[1].col(1).array() += 3;
-  const ContactStep step =
-      MakeContactStep(group.scene, group.state, targets, {});
+TEST(FindPlanesBetweenMuscles, KeepsAllPairsApartThatAreNear) {
+  const SphereAlongAnother spheres;
+  const ContactStep& step = spheres.step;
+  const std::vector<SeparatingPlane> planes = PlanesOf(step);
   const StepOptions options;
   const double radius =
       options.AimedGap() + options.planes.search_fraction * 2 * options.reach;
   const std::vector<TriangleBvh> predicted = PredictedTrees(step);
   const std::vector<TriangleBvh>& before = step.trees_before;
-  std::set<std::pair<int, int>> expected;
-  for (int f = 0; f < before[0].num_triangles(); ++f) {
-    for (int g = 0; g < before[1].num_triangles(); ++g) {
-      if (DistanceOf(before[0].corners(f), before[1].corners(g)) <= radius ||
-          DistanceOf(predicted[0].corners(f), predicted[1].corners(g)) <=
+  // The smaller one, with as many triangles, is above.
+  const Triangles &above = spheres.group.soups[1].triangles,
+                  &below = spheres.group.soups[0].triangles;
+  size_t pairs = 0;
+  for (int f = 0; f < above.rows(); ++f) {
+    for (int g = 0; g < below.rows(); ++g) {
+      if (DistanceOf(before[1].corners(f), before[0].corners(g)) > radius &&
+          DistanceOf(predicted[1].corners(f), predicted[0].corners(g)) >
               radius) {
-        expected.emplace(f, g);
+        continue;
       }
+      ++pairs;
+      EXPECT_TRUE(std::any_of(planes.begin(),
+                              planes.end(),
+                              [&](const SeparatingPlane& plane) {
+                                return plane.above == above.row(f) &&
+                                       IsBelow(plane, below.row(g));
+                              }))
+          << f << " " << g;
     }
   }
-  std::set<std::pair<int, int>> found;
+  EXPECT_GT(pairs, 200u);
+  // A plane serves for a patch of triangles.
+  EXPECT_LT(3 * planes.size(), pairs);
+}
+
+TEST(FindPlanesBetweenMuscles, PutsAPlaneBetweenATriangleAndThoseBehind) {
+  const SphereAlongAnother spheres;
+  const ContactStep& step = spheres.step;
+  const StepOptions options;
   for (const SeparatingPlane& plane : PlanesOf(step)) {
-    EXPECT_EQ(plane.muscle_above, 0);
-    EXPECT_EQ(plane.muscle_below, 1);
-    const int f = TriangleWith(group.soups[0].triangles, plane.above);
-    const int g = TriangleWith(group.soups[1].triangles, plane.below);
-    found.emplace(f, g);
-    EXPECT_NEAR(plane.distance,
-                DistanceOf(before[0].corners(f), before[1].corners(g)),
-                kPlaneRounding);
+    EXPECT_EQ(plane.muscle_above, 1);
+    EXPECT_EQ(plane.muscle_below, 0);
+    const Points above = step.before.points[1](plane.above, Eigen::all);
+    const Points below = step.before.points[0](plane.below, Eigen::all);
+    EXPECT_NEAR(plane.distance, DistanceOf(above, below), kPlaneRounding);
     // Nothing turns, so that the two are apart by their distance before.
-    const double room =
-        (before[0].corners(f) * plane.normal.transpose()).minCoeff() -
-        (before[1].corners(g) * plane.normal.transpose()).maxCoeff();
-    EXPECT_NEAR(room, plane.distance, kPlaneRounding);
+    const double front = (below * plane.normal.transpose()).maxCoeff();
+    EXPECT_NEAR((above * plane.normal.transpose()).minCoeff() - front,
+                plane.distance,
+                kPlaneRounding);
+    // What else is below leaves room for the gap.
+    const double gap = options.AimedGap();
+    const double beyond = std::max(0.0, plane.distance - gap) / 2 +
+                          options.planes.overlooked_fraction * gap;
+    for (const int v : plane.also_below) {
+      EXPECT_LE(step.before.points[0].row(v).dot(plane.normal),
+                front + beyond + kPlaneRounding);
+      EXPECT_FALSE((plane.below.array() == v).any());
+    }
   }
-  EXPECT_EQ(found, expected);
-  EXPECT_GT(found.size(), 20u);
+}
+
+TEST(FindPlanesBetweenMuscles, DoesNotDependOnTheOrderOfTheMuscles) {
+  const SphereAlongAnother one, other(/*is_swapped=*/true);
+  const std::vector<SeparatingPlane> planes = PlanesOf(one.step),
+                                     swapped = PlanesOf(other.step);
+  ASSERT_EQ(planes.size(), swapped.size());
+  for (size_t i = 0; i < planes.size(); ++i) {
+    EXPECT_EQ(planes[i].muscle_above, 1 - swapped[i].muscle_above);
+    EXPECT_EQ(planes[i].above, swapped[i].above);
+    EXPECT_EQ(planes[i].below, swapped[i].below);
+    EXPECT_EQ(planes[i].also_below, swapped[i].also_below);
+    EXPECT_EQ(planes[i].normal, swapped[i].normal);
+  }
 }
 
 TEST(PlaneBetween, TurnsAsTheTrianglesDo) {

@@ -80,6 +80,8 @@ TEST(StepOptions, NameTheFieldOfTheRelaxationThatIsWrong) {
         [](StepOptions* o) { o->relaxation.rope_factor = -1; }},
        {"RelaxationOptions::full_sweep_interval is 0, allowed: 1 or above",
         [](StepOptions* o) { o->relaxation.full_sweep_interval = 0; }},
+       {"RelaxationOptions::level_interval is 0, allowed: 1 or above",
+        [](StepOptions* o) { o->relaxation.level_interval = 0; }},
        {"RelaxationOptions::max_push is 0, allowed: above 0",
         [](StepOptions* o) { o->relaxation.max_push = 0; }},
        {"RelaxationOptions::room_decay is 1.1, allowed: 0 to 1",

@@ -11,6 +11,13 @@
 #include "musclewarp/base/option_check.h"
 
 namespace musclewarp {
+namespace {
+
+// The largest number of vertices of a block: some microseconds of work, which
+// is much more than it takes to give a block to a thread.
+constexpr int kBlock = 64;
+
+}  // namespace
 
 bool MuscleSurfaceOptions::IsValid(std::string* error) const {
   return OptionCheck("MuscleSurfaceOptions", error)
@@ -61,6 +68,8 @@ MuscleSurface MakeMuscleSurface(const Points& rest,
     }
     surface.first.push_back(static_cast<int>(surface.neighbours.size()));
   }
+  surface.blocks =
+      MakeVertexBlocks(rest, surface.first, surface.neighbours, kBlock);
   return surface;
 }
 

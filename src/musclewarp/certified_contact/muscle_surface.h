@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/certified_contact/vertex_blocks.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/proximity/self_crossing_search.h"
 #include "musclewarp/proximity/triangle_bvh.h"
@@ -51,6 +52,8 @@ struct MuscleSurface {
 
   // The lengths of these edges at rest, mm.
   std::vector<double> lengths;
+
+  VertexBlocks blocks;  // for sweeps on several threads
 
   // #V: a third of the area of the triangles around a vertex at rest, mm^2.
   Eigen::VectorXd areas;

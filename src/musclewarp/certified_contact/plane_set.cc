@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// The lowest and the highest level of the corners of a triangle above a plane
-// through the origin.
+// The lowest level of the corners of a triangle above a plane through the
+// origin, and the highest one, with further vertices.
 double Lowest(const RowVector3d& normal,
               const Points& points,
               const Eigen::RowVector3i& corners) {
@@ -30,9 +30,11 @@ double Lowest(const RowVector3d& normal,
 
 double Highest(const RowVector3d& normal,
                const Points& points,
-               const Eigen::RowVector3i& corners) {
+               const Eigen::RowVector3i& corners,
+               const std::vector<int>& further) {
   double most = -kInfinity;
   for (const int v : corners) most = std::max(most, normal.dot(points.row(v)));
+  for (const int v : further) most = std::max(most, normal.dot(points.row(v)));
   return most;
 }
 
@@ -68,6 +70,7 @@ void PlaneSet::Add(const std::vector<SeparatingPlane>& planes) {
     }
     if (plane.IsOfBone()) continue;
     for (const int v : plane.below) added[b].push_back({v, ~above});
+    for (const int v : plane.also_below) added[b].push_back({v, ~above});
   }
   CountWork(WorkUnit::kPlanes, static_cast<std::int64_t>(planes.size()));
   for (const std::vector<VertexSide>& sides : added) {
@@ -79,15 +82,21 @@ void PlaneSet::Add(const std::vector<SeparatingPlane>& planes) {
 void PlaneSet::AddPlane(const SeparatingPlane& plane) {
   const int number = static_cast<int>(planes_.size());
   if (plane.IsOfBone()) {
-    planes_.push_back({plane.normal, plane.level, 0});
-    origins_.push_back({-1 - plane.bone, plane.distance});
+    planes_.push_back({plane.normal, 0, plane.distance, -1 - plane.bone});
+    levels_.emplace_back();
+    SetLevel(number, plane.level);
     return;
   }
-  planes_.push_back({plane.normal, plane.level, plane.half_gap});
-  origins_.push_back({static_cast<int>(moving_.size()), plane.distance});
+  planes_.push_back({plane.normal,
+                     plane.half_gap,
+                     plane.distance,
+                     static_cast<int>(moving_.size())});
+  levels_.emplace_back();
+  SetLevel(number, plane.level);
   MovingPlane moving;
   moving.plane = number;
   moving.shared_corner = plane.shared_corner;
+  moving.also_below = plane.also_below;
   PlaneOwner& owner = moving.owner;
   owner.muscle_above = plane.muscle_above;
   owner.muscle_below = plane.muscle_below;
@@ -113,12 +122,10 @@ bool PlaneSet::ComesBefore(Side a, Side b) const {
   // The order must not depend on that of the muscles. Planes between muscles
   // are compared by their gaps, as their levels still change.
   const auto key = [&](Side side) {
-    const int number = NumberOf(side);
-    const Plane& plane = planes_[number];
+    const Plane& plane = planes_[NumberOf(side)];
     const RowVector3d n = side < 0 ? -plane.normal : plane.normal;
-    const bool is_of_bone = origins_[number].moving < 0;
-    return std::make_tuple(origins_[number].distance,
-                           is_of_bone ? plane.level : plane.half_gap,
+    return std::make_tuple(plane.distance,
+                           plane.moving < 0 ? LevelOf(side) : plane.half_gap,
                            n[0],
                            n[1],
                            n[2]);
@@ -162,12 +169,13 @@ void PlaneSet::SortSides(const std::vector<std::vector<VertexSide>>& added) {
 }
 
 HalfSpace PlaneSet::SpaceOf(Side side) const {
-  if (side < 0) {
-    const Plane& plane = planes_[~side];
-    return {-plane.normal, plane.half_gap - plane.level};
-  }
-  const Plane& plane = planes_[side];
-  return {plane.normal, plane.level + plane.half_gap};
+  const RowVector3d& normal = planes_[NumberOf(side)].normal;
+  return {side < 0 ? RowVector3d(-normal) : normal, LevelOf(side)};
+}
+
+void PlaneSet::SetLevel(int plane, double level) {
+  const double half_gap = planes_[plane].half_gap;
+  levels_[plane] = {level + half_gap, half_gap - level};
 }
 
 void PlaneSet::UpdateLevels(const std::vector<Points>& unprojected,
@@ -183,46 +191,58 @@ void PlaneSet::UpdateLevel(const std::vector<Points>& unprojected,
                            const std::vector<Points>& points,
                            bool is_first,
                            MovingPlane* moving) {
-  Plane& plane = planes_[moving->plane];
+  const auto& [normal, half_gap, distance, index] = planes_[moving->plane];
   const PlaneOwner& owner = moving->owner;
   const int a = owner.muscle_above, b = owner.muscle_below;
   if (moving->shared_corner >= 0) {
-    plane.level = plane.normal.dot(points[a].row(moving->shared_corner));
+    SetLevel(moving->plane, normal.dot(points[a].row(moving->shared_corner)));
     return;
   }
   if (!is_first) {
+    const auto& [above, below] = levels_[moving->plane];
     const double down =
-        std::max(0.0,
-                 plane.level + plane.half_gap -
-                     Lowest(plane.normal, points[a], owner.above));
-    const double up = std::max(0.0,
-                               Highest(plane.normal, points[b], owner.below) -
-                                   plane.level + plane.half_gap);
+        std::max(0.0, above - Lowest(normal, points[a], owner.above));
+    const double up = std::max(
+        0.0,
+        Highest(normal, points[b], owner.below, moving->also_below) + below);
     if (down + up < options_.relaxation.room_tolerance) {
       moving->shift *= options_.relaxation.room_decay;
     }
     moving->shift += up - down;
   }
   const double share = owner.share_above;
-  plane.level =
-      share *
-          (Lowest(plane.normal, unprojected[a], owner.above) - plane.half_gap) +
-      (1 - share) * (Highest(plane.normal, unprojected[b], owner.below) +
-                     plane.half_gap) +
-      moving->shift;
+  SetLevel(
+      moving->plane,
+      share * (Lowest(normal, unprojected[a], owner.above) - half_gap) +
+          (1 - share) *
+              (Highest(
+                   normal, unprojected[b], owner.below, moving->also_below) +
+               half_gap) +
+          moving->shift);
 }
 
 void PlaneSet::FindNear(int muscle, int vertex, const RowVector3d& point) {
+  // The cosine of 4 degrees. While a vertex moves by a millimetre, what such
+  // planes differ by stays below 0.07 mm.
+  constexpr double kSameWay = 0.998;
   const int begin = first_sides_[muscle][vertex];
   const int end = first_sides_[muscle][vertex + 1];
   const Side* sides = sides_[muscle].data();
-  Side* near = near_[muscle].data() + begin;
+  NearSpace* near = near_[muscle].data() + begin;
+  // Reused between calls: the room that each near half-space leaves, mm.
+  thread_local std::vector<double> rooms;
+  rooms.resize(std::max<size_t>(rooms.size(), end - begin));
   int count = 0;
   for (int i = begin; i < end; ++i) {
     const HalfSpace space = SpaceOf(sides[i]);
-    if (space.normal.dot(point) < space.level + options_.reach) {
-      near[count++] = sides[i];
-    }
+    const double room = space.normal.dot(point) - space.level;
+    if (room >= options_.reach) continue;
+    int k = 0;
+    while (k < count && near[k].normal.dot(space.normal) < kSameWay) ++k;
+    if (k < count && rooms[k] <= room) continue;
+    near[k] = {space.normal, sides[i]};
+    rooms[k] = room;
+    count = std::max(count, k + 1);
   }
   num_near_[muscle][vertex] = count;
 }
@@ -230,17 +250,19 @@ void PlaneSet::FindNear(int muscle, int vertex, const RowVector3d& point) {
 RowVector3d PlaneSet::Projected(int muscle,
                                 int vertex,
                                 const RowVector3d& point) const {
-  const Side* near = near_[muscle].data() + first_sides_[muscle][vertex];
+  const NearSpace* near = near_[muscle].data() + first_sides_[muscle][vertex];
   const int count = num_near_[muscle][vertex];
+  const bool is_inside =
+      std::all_of(near, near + count, [&](const NearSpace& space) {
+        return space.normal.dot(point) >= LevelOf(space.side);
+      });
+  if (is_inside) return point;
   // Reused between calls: most vertices have a few planes, some hundreds.
   thread_local std::vector<HalfSpace> spaces;
   if (static_cast<int>(spaces.size()) < count) spaces.resize(count);
-  bool is_inside = true;
   for (int i = 0; i < count; ++i) {
-    spaces[i] = SpaceOf(near[i]);
-    is_inside &= spaces[i].normal.dot(point) >= spaces[i].level;
+    spaces[i] = {near[i].normal, LevelOf(near[i].side)};
   }
-  if (is_inside) return point;
   const RelaxationOptions& relaxation = options_.relaxation;
   RowVector3d nearest = point;
   if (!ProjectIntoHalfSpaces(
@@ -249,7 +271,7 @@ RowVector3d PlaneSet::Projected(int muscle,
         spaces.data(), count, relaxation.violation_weight, &nearest);
     int bones = 0;
     for (int i = 0; i < count; ++i) {
-      if (near[i] >= 0 && origins_[near[i]].moving < 0) {
+      if (near[i].side >= 0 && planes_[near[i].side].moving < 0) {
         spaces[bones++] = spaces[i];
       }
     }
@@ -262,14 +284,14 @@ RowVector3d PlaneSet::Projected(int muscle,
 }
 
 bool PlaneSet::IsWithinOneMuscle(Side side) const {
-  const int moving = origins_[NumberOf(side)].moving;
+  const int moving = planes_[NumberOf(side)].moving;
   if (moving < 0) return false;
   const PlaneOwner& owner = moving_[moving].owner;
   return owner.muscle_above == owner.muscle_below;
 }
 
 PlaneOwner PlaneSet::CarrierOf(Side side) const {
-  const int moving = origins_[NumberOf(side)].moving;
+  const int moving = planes_[NumberOf(side)].moving;
   if (moving >= 0) return moving_[moving].owner;
   PlaneOwner owner;
   owner.bone = -1 - moving;

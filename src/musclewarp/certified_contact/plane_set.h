@@ -23,7 +23,7 @@ namespace musclewarp {
 //   planes.FindNear(muscle, v, p);
 //   points[muscle].row(v) = planes.Projected(muscle, v, p);
 //
-// FindNear() and Projected() may be called concurrently for different muscles.
+// FindNear() and Projected() may be called concurrently for different vertices.
 // The order of the muscles affects rounding only.
 class PlaneSet {
  public:
@@ -46,7 +46,8 @@ class PlaneSet {
                     bool is_first);
 
   // Selects the half-spaces of a vertex that Projected() uses: those that
-  // `point` violates or lies in by less than the reach.
+  // `point` violates or lies in by less than the reach. Of those that face
+  // almost the same way only the one that leaves least room counts.
   void FindNear(int muscle, int vertex, const Eigen::RowVector3d& point);
 
   // Projects `point` into the half-spaces of a vertex. If their intersection is
@@ -74,25 +75,31 @@ class PlaneSet {
   // The half gap of a bone's plane is zero, as its level includes the gap.
   struct Plane {
     Eigen::RowVector3d normal;
-    double level;  // mm; current value for a plane between muscles
-    double half_gap;
-  };
-  // Further data of a plane, in an array of their own to keep Plane compact:
-  // sweeps read planes more often than anything else.
-  struct PlaneOrigin {
-    int moving;       // index in moving_; -1 - b for bone b
+    double half_gap;  // mm
     double distance;  // of the two sides before the step, mm
+    int moving;       // index in moving_; -1 - b for bone b
+  };
+  // The present levels of the half-spaces above and below a plane, mm.
+  struct Levels {
+    double above, below;
   };
   // A plane between muscles, whose level follows both sides, and its shift
   // towards the side that yields.
   struct MovingPlane {
     int plane;
     PlaneOwner owner;
-    int shared_corner;  // as in SeparatingPlane
-    double shift = 0;   // mm
+    std::vector<int> also_below;  // as in SeparatingPlane
+    int shared_corner;            // as in SeparatingPlane
+    double shift = 0;             // mm
   };
   // The half-space of a vertex above plane p is p, that of one below it is ~p.
   using Side = int;
+  // A near half-space, with its normal beside it: sweeps read these more often
+  // than anything else.
+  struct NearSpace {
+    Eigen::RowVector3d normal;
+    Side side;
+  };
   struct VertexSide {
     int vertex;
     Side side;
@@ -108,6 +115,10 @@ class PlaneSet {
   bool ComesBefore(Side a, Side b) const;
 
   static int NumberOf(Side side) { return side < 0 ? ~side : side; }
+  double LevelOf(Side side) const {
+    return side < 0 ? levels_[~side].below : levels_[side].above;
+  }
+  void SetLevel(int plane, double level);
   HalfSpace SpaceOf(Side side) const;
   bool IsWithinOneMuscle(Side side) const;
   PlaneOwner CarrierOf(Side side) const;
@@ -119,16 +130,16 @@ class PlaneSet {
   const StepOptions& options_;
   const ContactStep& step_;
   std::vector<Plane> planes_;
-  std::vector<PlaneOrigin> origins_;  // of planes_
+  std::vector<Levels> levels_;  // of planes_
   std::vector<MovingPlane> moving_;
 
   // By muscle, by vertex: the sides of vertex v start at first_sides_[v].
   std::vector<std::vector<Side>> sides_;
   std::vector<std::vector<int>> first_sides_;
 
-  // By muscle: the near sides of vertex v are the num_near_[v] entries from
-  // first_sides_[v] on.
-  std::vector<std::vector<Side>> near_;
+  // By muscle: the near half-spaces of vertex v are the num_near_[v] entries
+  // from first_sides_[v] on.
+  std::vector<std::vector<NearSpace>> near_;
   std::vector<std::vector<int>> num_near_;
 };
 

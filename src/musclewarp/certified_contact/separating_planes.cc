@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 
 #include "musclewarp/base/stage_times.h"
@@ -51,32 +52,39 @@ void Append(const std::vector<std::vector<SeparatingPlane>>& parts,
   }
 }
 
-// The boxes of the triangles of a muscle before the step and at the prediction,
-// #F each.
-struct PredictedBoxes {
-  std::vector<Box3> before, predicted;
+// What is known of the triangles of a muscle, #F each.
+struct TriangleData {
+  std::vector<Box3> before, predicted;  // boxes, and at the prediction
+  std::vector<int> attached_corners;    // how many of the three are attached
 };
 
-std::vector<PredictedBoxes> BoxesOf(const ContactStep& step,
-                                    const std::vector<TriangleBvh>& predicted) {
-  std::vector<PredictedBoxes> boxes(predicted.size());
+std::vector<TriangleData> TriangleDataOf(
+    const ContactStep& step, const std::vector<TriangleBvh>& predicted) {
+  std::vector<TriangleData> data(predicted.size());
   for (size_t i = 0; i < predicted.size(); ++i) {
+    const MuscleSurface& surface = step.scene.muscles[i];
+    std::vector<char> is_attached(surface.num_vertices(), false);
+    for (const int v : step.attached[i].vertices) is_attached[v] = true;
     const int count = predicted[i].num_triangles();
-    boxes[i].before.resize(count);
-    boxes[i].predicted.resize(count);
+    data[i].before.resize(count);
+    data[i].predicted.resize(count);
+    data[i].attached_corners.resize(count);
 #pragma omp parallel for schedule(static)
     for (int f = 0; f < count; ++f) {
-      boxes[i].before[f] = BoxOf(step.trees_before[i].corners(f));
-      boxes[i].predicted[f] = BoxOf(predicted[i].corners(f));
+      data[i].before[f] = BoxOf(step.trees_before[i].corners(f));
+      data[i].predicted[f] = BoxOf(predicted[i].corners(f));
+      for (const int v : surface.triangles.row(f)) {
+        data[i].attached_corners[f] += is_attached[v];
+      }
     }
   }
-  return boxes;
+  return data;
 }
 
 // Returns boxes around both boxes of each triangle, #F. They overlap if two
 // triangles are within `radius` (mm) of each other before the step or at the
 // prediction.
-std::vector<Box3> BoxesAround(const PredictedBoxes& boxes, double radius) {
+std::vector<Box3> BoxesAround(const TriangleData& boxes, double radius) {
   std::vector<Box3> around(boxes.before.size());
   for (size_t f = 0; f < around.size(); ++f) {
     around[f] = BoxOf(boxes.before[f], boxes.predicted[f]);
@@ -88,14 +96,136 @@ std::vector<Box3> BoxesAround(const PredictedBoxes& boxes, double radius) {
   return around;
 }
 
-// The search radius and boxes for AddPlanesBetweenMuscles().
+// The search radius and the muscles for AddPlanesBetweenMuscles().
 struct NearMuscles {
   double radius = 0;  // mm
   const std::vector<TriangleBvh>&
       predicted;  // with the boxes around the motion
-  const std::vector<PredictedBoxes>& boxes;
+  const std::vector<TriangleData>& triangles;
 };
 
+// The planes of one triangle of a muscle against another muscle.
+class TrianglePlanes {
+ public:
+  TrianglePlanes(const StepOptions& options,
+                 const ContactStep& step,
+                 const NearMuscles& near,
+                 int a,
+                 int b,
+                 int f)
+      : options_(options),
+        step_(step),
+        a_(a),
+        b_(b),
+        f_(f),
+        square_(near.radius * near.radius),
+        before_(step.trees_before[a].corners(f)),
+        predicted_(near.predicted[a].corners(f)),
+        others_before_(step.trees_before[b]),
+        others_predicted_(near.predicted[b]),
+        attached_corners_(near.triangles[b].attached_corners) {}
+
+  // Finds planes to the `count` triangles `others` of the other muscle, as far
+  // as they are within the radius.
+  std::vector<SeparatingPlane> To(const int* others, int count) {
+    std::vector<SeparatingPlane> planes;
+    SetOpen(others, count);
+    for (size_t next = 0; next < open_.size(); ++next) {
+      const int g = open_[next].triangle;
+      const auto separation =
+          SeparateTriangles(before_, others_before_.corners(g));
+      if (!separation) continue;
+      if (separation->distance * separation->distance > square_ &&
+          ClosestPointsOfTriangles(predicted_, others_predicted_.corners(g))
+                  .squared_distance > square_) {
+        continue;
+      }
+      SeparatingPlane& plane = planes.emplace_back(PlaneBetween(
+          step_, a_, f_, b_, g, *separation, options_.AimedGap() / 2));
+      TakeThoseBehind(g, *separation, next + 1, &plane);
+    }
+    return planes;
+  }
+
+ private:
+  struct Open {
+    double square;  // of the distance of the centres, mm^2
+    int triangle;
+
+    bool operator<(const Open& other) const {
+      return std::tie(square, triangle) <
+             std::tie(other.square, other.triangle);
+    }
+  };
+
+  // Sets the triangles that may be within the radius, the nearest first.
+  void SetOpen(const int* others, int count) {
+    open_.clear();
+    const RowVector3d centre = before_.colwise().sum();
+    for (const int* g = others; g < others + count; ++g) {
+      const Corners corners = others_before_.corners(*g);
+      if (AreSurelyFarther(before_, corners, square_) &&
+          AreSurelyFarther(
+              predicted_, others_predicted_.corners(*g), square_)) {
+        continue;
+      }
+      const double square =
+          (corners.colwise().sum() - centre).squaredNorm() / 9;
+      open_.push_back({square, *g});
+    }
+    std::sort(open_.begin(), open_.end());
+  }
+
+  // Adds to the plane in front of triangle `g` the open triangles from `first`
+  // on that are behind it, and yield as much as it does: attached ones do not
+  // (PlaneSet). A part of what the distance exceeds the gap by is left to
+  // surfaces that bend.
+  void TakeThoseBehind(int g,
+                       const TriangleSeparation& separation,
+                       size_t first,
+                       SeparatingPlane* plane) {
+    const double gap = options_.AimedGap();
+    const double room = std::max(0.0, separation.distance - gap) / 2 +
+                        options_.planes.overlooked_fraction * gap;
+    const auto highest = [&](int triangle) {
+      return (others_before_.corners(triangle) * separation.normal.transpose())
+          .maxCoeff();
+    };
+    const double limit = highest(g) + room;
+    const auto is_behind = [&](const Open& open) {
+      if (attached_corners_[open.triangle] != attached_corners_[g] ||
+          highest(open.triangle) > limit) {
+        return false;
+      }
+      for (const int v : step_.scene.muscles[b_].triangles.row(open.triangle)) {
+        plane->also_below.push_back(v);
+      }
+      return true;
+    };
+    open_.erase(std::remove_if(open_.begin() + first, open_.end(), is_behind),
+                open_.end());
+    std::vector<int>& also = plane->also_below;
+    std::sort(also.begin(), also.end());
+    also.erase(std::unique(also.begin(), also.end()), also.end());
+    const Eigen::RowVector3i& below = plane->below;
+    also.erase(
+        std::remove_if(also.begin(),
+                       also.end(),
+                       [&](int v) { return (below.array() == v).any(); }),
+        also.end());
+  }
+
+  const StepOptions& options_;
+  const ContactStep& step_;
+  const int a_, b_, f_;
+  const double square_;  // of the radius
+  const Corners before_, predicted_;
+  const TriangleBvh &others_before_, &others_predicted_;
+  const std::vector<int>& attached_corners_;  // of the others
+  std::vector<Open> open_;
+};
+
+// Adds the planes of the triangles of `a` against muscle `b`.
 void AddPlanesBetweenMuscles(const StepOptions& options,
                              const ContactStep& step,
                              const NearMuscles& near,
@@ -103,44 +233,36 @@ void AddPlanesBetweenMuscles(const StepOptions& options,
                              int b,
                              std::vector<SeparatingPlane>* planes) {
   const double square = near.radius * near.radius;
-  const PredictedBoxes &boxes_a = near.boxes[a], &boxes_b = near.boxes[b];
+  const TriangleData &boxes_a = near.triangles[a], &boxes_b = near.triangles[b];
   const auto are_near = [&](int f, int g) {
     return boxes_a.before[f].SquaredDistance(boxes_b.before[g]) <= square ||
            boxes_a.predicted[f].SquaredDistance(boxes_b.predicted[g]) <= square;
   };
-  const TriangleBvh &predicted_a = near.predicted[a],
-                    &predicted_b = near.predicted[b];
+  const TriangleBvh& predicted = near.predicted[a];
   const Grouped met =
-      ByFirst(predicted_a.CollectOverlaps(predicted_b, are_near),
-              predicted_a.num_triangles());
-  std::vector<std::vector<SeparatingPlane>> found(predicted_a.num_triangles());
+      ByFirst(predicted.CollectOverlaps(near.predicted[b], are_near),
+              predicted.num_triangles());
+  std::vector<std::vector<SeparatingPlane>> found(predicted.num_triangles());
 #pragma omp parallel for schedule(dynamic, 64)
-  for (int f = 0; f < predicted_a.num_triangles(); ++f) {
-    std::vector<int> others(met.begin(f), met.begin(f) + met.count(f));
-    std::sort(others.begin(), others.end());
-    for (const int g : others) {
-      if (AreSurelyFarther(step.trees_before[a].corners(f),
-                           step.trees_before[b].corners(g),
-                           square) &&
-          AreSurelyFarther(
-              predicted_a.corners(f), predicted_b.corners(g), square)) {
-        continue;
-      }
-      const auto separation = SeparateTriangles(
-          step.trees_before[a].corners(f), step.trees_before[b].corners(g));
-      if (!separation) continue;
-      if (separation->distance > near.radius &&
-          ClosestPointsOfTriangles(predicted_a.corners(f),
-                                   predicted_b.corners(g))
-                  .squared_distance > square) {
-        continue;
-      }
-      found[f].push_back(
-          PlaneBetween(step, a, f, b, g, *separation, options.AimedGap() / 2));
-    }
+  for (int f = 0; f < predicted.num_triangles(); ++f) {
+    if (met.count(f) == 0) continue;
+    found[f] = TrianglePlanes(options, step, near, a, b, f)
+                   .To(met.begin(f), met.count(f));
   }
   Append(found, planes);
   CountWork(WorkUnit::kPairsTested, met.size());
+}
+
+// Whether muscle `a` is above `b` in the planes between both. Their order has
+// no part in it.
+bool IsAbove(const ContactStep& step, int a, int b) {
+  const auto key = [&](int i) {
+    const MuscleSurface& surface = step.scene.muscles[i];
+    const RowVector3d first = surface.rest.row(0);
+    return std::make_tuple(
+        surface.triangles.rows(), surface.volume, first[0], first[1], first[2]);
+  };
+  return key(a) < key(b);
 }
 
 }  // namespace
@@ -174,16 +296,17 @@ std::vector<SeparatingPlane> FindPlanesBetweenMuscles(
   // Both muscles may move by the reach.
   const double radius =
       options.AimedGap() + options.planes.search_fraction * 2 * options.reach;
-  const std::vector<PredictedBoxes> boxes = BoxesOf(step, *predicted);
+  const std::vector<TriangleData> triangles = TriangleDataOf(step, *predicted);
 #pragma omp parallel for schedule(dynamic, 1)
   for (int i = 0; i < step.num_muscles(); ++i) {
-    (*predicted)[i].RefitBoxes(BoxesAround(boxes[i], radius));
+    (*predicted)[i].RefitBoxes(BoxesAround(triangles[i], radius));
   }
   std::vector<SeparatingPlane> planes;
   for (int a = 0; a < step.num_muscles(); ++a) {
-    for (int b = a + 1; b < step.num_muscles(); ++b) {
+    for (int b = 0; b < step.num_muscles(); ++b) {
+      if (a == b || !IsAbove(step, a, b)) continue;
       AddPlanesBetweenMuscles(
-          options, step, {radius, *predicted, boxes}, a, b, &planes);
+          options, step, {radius, *predicted, triangles}, a, b, &planes);
     }
   }
   return planes;

@@ -28,6 +28,10 @@ struct SeparatingPlane {
   Eigen::RowVector3i above = Eigen::RowVector3i::Constant(-1);  // vertices
   Eigen::RowVector3i below = Eigen::RowVector3i::Constant(-1);  // of a muscle
 
+  // Further vertices of the muscle below, of triangles behind the one below,
+  // for which the plane serves, too. In rising order.
+  std::vector<int> also_below;
+
   Eigen::RowVector3d normal = Eigen::RowVector3d::Zero();  // of unit length
 
   // The plane of a bone has its final level, mm. The level of a plane between
@@ -58,7 +62,10 @@ SeparatingPlane PlaneBetween(const ContactStep& step,
                              double half_gap);
 
 // Finds planes between the triangles of two muscles that are near each other
-// before the step or at the prediction. bone_planes.h finds the planes of
+// before the step or at the prediction. A triangle of the muscle above gets a
+// plane to the nearest triangle below, which also serves for those behind that
+// one, and so on with the triangles that are left. Above is the muscle with
+// fewer triangles, which needs fewer planes. bone_planes.h finds the planes of
 // bones, sheet_planes.h those between the sheets of one muscle, and defects.h
 // those against remaining crossings.
 //

@@ -25,6 +25,7 @@ bool RelaxationOptions::IsValid(std::string* error) const {
       .IsAtLeast("rope_factor", rope_factor, 0)
       .IsWithin("pressure_gain", pressure_gain, 0, 1)
       .IsAtLeast("full_sweep_interval", full_sweep_interval, 1)
+      .IsAtLeast("level_interval", level_interval, 1)
       .IsAbove("max_push", max_push, 0)
       .IsWithin("room_decay", room_decay, 0, 1)
       .IsAtLeast("room_tolerance", room_tolerance, 0)

@@ -18,20 +18,20 @@ Points CentroidsOf(const Points& points, const Triangles& triangles) {
   return centroids;
 }
 
-void SplitAlongLongestSide(const Points& centroids,
+void SplitAlongLongestSide(const Points& points,
                            int* begin,
                            int* middle,
                            int* end) {
-  Eigen::RowVector3d lower = centroids.row(*begin), upper = lower;
+  Eigen::RowVector3d lower = points.row(*begin), upper = lower;
   for (const int* f = begin; f != end; ++f) {
-    lower = lower.cwiseMin(centroids.row(*f));
-    upper = upper.cwiseMax(centroids.row(*f));
+    lower = lower.cwiseMin(points.row(*f));
+    upper = upper.cwiseMax(points.row(*f));
   }
   Eigen::Index axis;
   (upper - lower).maxCoeff(&axis);
   std::nth_element(begin, middle, end, [&](int f, int g) {
-    return std::make_pair(centroids(f, axis), f) <
-           std::make_pair(centroids(g, axis), g);
+    return std::make_pair(points(f, axis), f) <
+           std::make_pair(points(g, axis), g);
   });
 }
 
