@@ -54,6 +54,7 @@ void SolveSingleMuscle(const MuscleModel& model,
   constraint.penalty = options.hard_constraint.initial_penalty;
   ceres::Problem problem;
   VolumeEvaluator volume(model, nullptr);
+  volume.ReuseGradientWithin(10 * options.hard_constraint.step_tolerance);
   AddMuscle(model, target, constraint, &volume, &unknowns, &problem);
   const auto solve = [&](VolumeMesh mesh,
                          const HardConstraintOptions& hard_constraint) {

@@ -54,6 +54,27 @@ TEST(VolumeEvaluator, AnswersAsAFreshOneWouldWhateverWasAskedBefore) {
   EXPECT_NE(one.Error(a), VolumeEvaluator(model, &corrections).Error(a));
 }
 
+TEST(VolumeEvaluator, ReusesTheGradientOfAPlaceNearby) {
+  const MuscleModel model = SpindleModel();
+  VolumeEvaluator volume(model, nullptr);
+  volume.ReuseGradientWithin(0.1);
+  const Points& here = model.coarse_rest;
+  Points near = here, far = here;
+  near(3, 1) += 0.09;
+  far(3, 1) += 0.11;
+  const auto fresh = [&](const Points& coarse) {
+    return Points(VolumeEvaluator(model, nullptr).Gradient(coarse));
+  };
+  EXPECT_EQ(volume.Gradient(here), fresh(here));
+  EXPECT_EQ(volume.Gradient(near), fresh(here));
+  // The error is always that of the place.
+  EXPECT_EQ(volume.Error(near), VolumeEvaluator(model, nullptr).Error(near));
+  EXPECT_EQ(volume.Gradient(far), fresh(far));
+  EXPECT_NE(fresh(far), fresh(here));
+  volume.Forget();
+  EXPECT_EQ(volume.Gradient(near), fresh(near));
+}
+
 TEST(VolumeEvaluator, SeesChangedCorrectionsWhenTold) {
   const MuscleModel model = SpindleModel();
   VertexCorrections corrections;

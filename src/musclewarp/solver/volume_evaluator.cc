@@ -19,7 +19,6 @@ void VolumeEvaluator::SetMesh(VolumeMesh mesh) {
 double VolumeEvaluator::Error(const Points& coarse) {
   if (coarse_.rows() == coarse.rows() && coarse_ == coarse) return error_;
   coarse_ = coarse;
-  gradient_.resize(0, 3);
   moved_ = coarse;
   if (corrections_) corrections_->held_coarse.PutBack(&moved_);
   if (mesh_ == VolumeMesh::kCoarse) {
@@ -39,8 +38,13 @@ double VolumeEvaluator::Error(const Points& coarse) {
 }
 
 const Points& VolumeEvaluator::Gradient(const Points& coarse) {
+  if (gradient_.rows() == coarse.rows() &&
+      (coarse - gradient_place_).rowwise().norm().maxCoeff() <=
+          reuse_within_) {
+    return gradient_;
+  }
   Error(coarse);
-  if (gradient_.rows() > 0) return gradient_;
+  gradient_place_ = coarse;
   if (mesh_ == VolumeMesh::kCoarse) {
     gradient_ = model_.rest_volume / model_.coarse_rest_volume *
                 VolumeGradient(moved_, model_.coarse_triangles);

@@ -29,6 +29,12 @@ class VolumeEvaluator {
   // Selects the mesh whose volume is constrained; at first the fine one.
   void SetMesh(VolumeMesh mesh);
 
+  // Lets Gradient() return that of another place if no coarse vertex moves by
+  // more than `distance`, mm, between the two; at first 0. The gradient turns by
+  // the move over the thickness of the muscle, so that a solver that is close
+  // to the solution loses nothing.
+  void ReuseGradientWithin(double distance) { reuse_within_ = distance; }
+
   // Returns the volume error g(X), mm^3, at `coarse` (N x 3, mm).
   double Error(const Points& coarse);
 
@@ -37,7 +43,10 @@ class VolumeEvaluator {
   const Points& Gradient(const Points& coarse);
 
   // Discards what is remembered. To be called when `corrections` has changed.
-  void Forget() { coarse_.resize(0, 3); }
+  void Forget() {
+    coarse_.resize(0, 3);
+    gradient_.resize(0, 3);
+  }
 
  private:
   const MuscleModel& model_;
@@ -46,7 +55,8 @@ class VolumeEvaluator {
   Points coarse_;  // the last place; no rows if there is none
   Points moved_;  // the vertices of the selected mesh there, held ones included
   double error_ = 0;
-  Points gradient_;  // no rows if nobody has asked for it
+  double reuse_within_ = 0;  // mm
+  Points gradient_, gradient_place_;  // no rows if nobody has asked for it
 };
 
 }  // namespace musclewarp
