@@ -39,8 +39,7 @@ double VolumeEvaluator::Error(const Points& coarse) {
 
 const Points& VolumeEvaluator::Gradient(const Points& coarse) {
   if (gradient_.rows() == coarse.rows() &&
-      (coarse - gradient_place_).rowwise().norm().maxCoeff() <=
-          reuse_within_) {
+      (coarse - gradient_place_).rowwise().norm().maxCoeff() <= reuse_within_) {
     return gradient_;
   }
   Error(coarse);

@@ -30,9 +30,9 @@ class VolumeEvaluator {
   void SetMesh(VolumeMesh mesh);
 
   // Lets Gradient() return that of another place if no coarse vertex moves by
-  // more than `distance`, mm, between the two; at first 0. The gradient turns by
-  // the move over the thickness of the muscle, so that a solver that is close
-  // to the solution loses nothing.
+  // more than `distance`, mm, between the two; at first 0. The gradient turns
+  // by the move over the thickness of the muscle, so that a solver that is
+  // close to the solution loses nothing.
   void ReuseGradientWithin(double distance) { reuse_within_ = distance; }
 
   // Returns the volume error g(X), mm^3, at `coarse` (N x 3, mm).
@@ -55,7 +55,7 @@ class VolumeEvaluator {
   Points coarse_;  // the last place; no rows if there is none
   Points moved_;  // the vertices of the selected mesh there, held ones included
   double error_ = 0;
-  double reuse_within_ = 0;  // mm
+  double reuse_within_ = 0;           // mm
   Points gradient_, gradient_place_;  // no rows if nobody has asked for it
 };
 
