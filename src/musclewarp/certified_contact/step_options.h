@@ -81,8 +81,8 @@ struct RelaxationOptions {
   int full_sweep_interval = 12;
 
   // The levels of planes between muscles follow the muscles in every
-  // `level_interval`-th sweep. In every sweep takes a tenth more time, to the
-  // same result.
+  // `level_interval`-th sweep. In every sweep takes longer, and is no better
+  // (docs/performance.md).
   int level_interval = 2;
 
   // The largest distance of a vertex from its prediction, mm. It bounds the
