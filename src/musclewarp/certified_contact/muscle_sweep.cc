@@ -132,7 +132,7 @@ RowVector3d MuscleSweep::LowestPlace(int i) const {
 }
 
 void MuscleSweep::SweepBlock(int block,
-                             bool looks_at_all_planes,
+                             const PlaneChanges& changes,
                              PlaneSet* planes,
                              Points* points,
                              Points* unprojected) {
@@ -145,7 +145,11 @@ void MuscleSweep::SweepBlock(int block,
         vertex.attached < 0 ? LowestPlace(i)
                             : RowVector3d(attached_.row(vertex.attached)));
     unprojected->row(v) = lowest;
-    if (looks_at_all_planes) planes->FindNear(muscle_, v, lowest);
+    if (changes.looks_at_all) {
+      planes->FindNear(muscle_, v, lowest);
+    } else if (changes.levels_moved) {
+      planes->RefreshNear(muscle_, v);
+    }
     Place& place = places_[i];
     place.point = planes->Projected(muscle_, v, lowest);
     place.offset = place.point - vertex.target;

@@ -19,7 +19,7 @@ namespace musclewarp {
 //   MuscleSweep muscle(options, step, i, targets, stiffness, points);
 //   muscle.UpdateGradient(points);
 //   muscle.SetPressure(gain);
-//   for each block b: muscle.SweepBlock(b, true, &planes, &points, &before);
+//   for each block b: muscle.SweepBlock(b, {}, &planes, &points, &before);
 //
 // SweepBlock() may be called concurrently for blocks of one colour.
 class MuscleSweep {
@@ -39,10 +39,16 @@ class MuscleSweep {
   // missing, as far as the last gradient tells, if nothing is in the way.
   void SetPressure(double gain);
 
+  // What the sweeps over the blocks have to know of planes.
+  struct PlaneChanges {
+    bool looks_at_all = true;  // each vertex selects those that are near
+    bool levels_moved = true;  // since the last sweep
+  };
+
   // Moves each vertex of a block to its lowest place and projects it into its
   // half-spaces; writes both places of the vertices of the block.
   void SweepBlock(int block,
-                  bool looks_at_all_planes,
+                  const PlaneChanges& changes,
                   PlaneSet* planes,
                   Points* points,
                   Points* unprojected);

@@ -240,11 +240,17 @@ void PlaneSet::FindNear(int muscle, int vertex, const RowVector3d& point) {
     int k = 0;
     while (k < count && near[k].normal.dot(space.normal) < kSameWay) ++k;
     if (k < count && rooms[k] <= room) continue;
-    near[k] = {space.normal, sides[i]};
+    near[k] = {space.normal, space.level, sides[i]};
     rooms[k] = room;
     count = std::max(count, k + 1);
   }
   num_near_[muscle][vertex] = count;
+}
+
+void PlaneSet::RefreshNear(int muscle, int vertex) {
+  NearSpace* near = near_[muscle].data() + first_sides_[muscle][vertex];
+  const int count = num_near_[muscle][vertex];
+  for (int i = 0; i < count; ++i) near[i].level = LevelOf(near[i].side);
 }
 
 RowVector3d PlaneSet::Projected(int muscle,
@@ -254,14 +260,14 @@ RowVector3d PlaneSet::Projected(int muscle,
   const int count = num_near_[muscle][vertex];
   const bool is_inside =
       std::all_of(near, near + count, [&](const NearSpace& space) {
-        return space.normal.dot(point) >= LevelOf(space.side);
+        return space.normal.dot(point) >= space.level;
       });
   if (is_inside) return point;
   // Reused between calls: most vertices have a few planes, some hundreds.
   thread_local std::vector<HalfSpace> spaces;
   if (static_cast<int>(spaces.size()) < count) spaces.resize(count);
   for (int i = 0; i < count; ++i) {
-    spaces[i] = {near[i].normal, LevelOf(near[i].side)};
+    spaces[i] = {near[i].normal, near[i].level};
   }
   const RelaxationOptions& relaxation = options_.relaxation;
   RowVector3d nearest = point;

@@ -50,10 +50,13 @@ class PlaneSet {
   // almost the same way only the one that leaves least room counts.
   void FindNear(int muscle, int vertex, const Eigen::RowVector3d& point);
 
-  // Projects `point` into the half-spaces of a vertex. If their intersection is
-  // not within RelaxationOptions::max_push, returns a compromise that favours
-  // bones: other muscles yield by UpdateLevels(), bones do not. The result is
-  // within max_push of the predicted vertex.
+  // Has the near half-spaces of a vertex follow UpdateLevels().
+  void RefreshNear(int muscle, int vertex);
+
+  // Projects `point` into the near half-spaces of a vertex. If their
+  // intersection is not within RelaxationOptions::max_push, returns a
+  // compromise that favours bones: other muscles yield by UpdateLevels(), bones
+  // do not. The result is within max_push of the predicted vertex.
   Eigen::RowVector3d Projected(int muscle,
                                int vertex,
                                const Eigen::RowVector3d& point) const;
@@ -98,6 +101,7 @@ class PlaneSet {
   // than anything else.
   struct NearSpace {
     Eigen::RowVector3d normal;
+    double level;  // of the last FindNear() or RefreshNear()
     Side side;
   };
   struct VertexSide {

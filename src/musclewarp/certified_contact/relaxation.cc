@@ -65,18 +65,20 @@ RelaxedPoints Relax(const StepOptions& options,
         options, step, i, targets[i], stiffness[i], relaxed.points[i]);
   }
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    if (sweep % options.relaxation.level_interval == 0) {
-      planes->UpdateLevels(relaxed.unprojected, relaxed.points, sweep == 0);
-    }
-    const bool looks_at_all_planes =
+    MuscleSweep::PlaneChanges changes;
+    changes.looks_at_all =
         sweep % options.relaxation.full_sweep_interval == 0 ||
         sweep + 1 == sweeps;
+    changes.levels_moved = sweep % options.relaxation.level_interval == 0;
+    if (changes.levels_moved) {
+      planes->UpdateLevels(relaxed.unprojected, relaxed.points, sweep == 0);
+    }
     // The last sweep settles in the planes.
     const double pressure_gain =
         sweep + 1 == sweeps ? 0 : options.relaxation.pressure_gain;
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < step.num_muscles(); ++i) {
-      if (looks_at_all_planes && pressure_gain > 0) {
+      if (changes.looks_at_all && pressure_gain > 0) {
         muscles[i]->UpdateGradient(relaxed.points[i]);
       }
       muscles[i]->SetPressure(pressure_gain);
@@ -86,7 +88,7 @@ RelaxedPoints Relax(const StepOptions& options,
       for (size_t k = 0; k < blocks.size(); ++k) {
         const auto [i, block] = blocks[k];
         muscles[i]->SweepBlock(block,
-                               looks_at_all_planes,
+                               changes,
                                planes,
                                &relaxed.points[i],
                                &relaxed.unprojected[i]);
