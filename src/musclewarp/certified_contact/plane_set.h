@@ -23,7 +23,8 @@ namespace musclewarp {
 //   planes.FindNear(muscle, v, p);
 //   points[muscle].row(v) = planes.Projected(muscle, v, p);
 //
-// FindNear() and Projected() may be called concurrently for different vertices.
+// FindNear(), RefreshNear() and Projected() may be called concurrently for
+// different vertices.
 // The order of the muscles affects rounding only.
 class PlaneSet {
  public:
