@@ -83,7 +83,7 @@ class NearTriangles {
     const float *x0 = extents[0].data(), *y0 = extents[1].data(),
                 *z0 = extents[2].data(), *x1 = extents[3].data(),
                 *y1 = extents[4].data(), *z1 = extents[5].data();
-    const auto [lower, upper] = box;
+    const std::array<float, 3> lower = box.lower, upper = box.upper;
 #pragma omp simd
     for (int i = 0; i < count; ++i) {
       overlaps[i] = (lower[0] <= x1[i]) & (x0[i] <= upper[0]) &
