@@ -142,6 +142,35 @@ TEST(PlaneSet, PutsAPlaneHalfWayBetweenWhereTwoMusclesWantToGo) {
   }
 }
 
+// A tighter plane of a muscle must not stand in for that of a bone: it yields
+// where there is no room.
+TEST(PlaneSet, ABoneHasTheLastWordBehindAMuscleThatFacesTheSameWay) {
+  TwoSpheres spheres;
+  PlaneSet planes(spheres.options, spheres.step);
+  const RowVector3d up(0, 0, 1);
+  SeparatingPlane up_for_a_muscle;
+  up_for_a_muscle.muscle_above = 0;
+  up_for_a_muscle.muscle_below = 1;
+  up_for_a_muscle.above = RowVector3i::Constant(0);
+  up_for_a_muscle.below = RowVector3i::Constant(0);
+  up_for_a_muscle.normal = up;
+  SeparatingPlane down_for_a_muscle = up_for_a_muscle;
+  down_for_a_muscle.below = RowVector3i::Constant(1);
+  down_for_a_muscle.normal = -up;
+  planes.Add({spheres.PlaneOverVertex(0, up, 0.3),
+              up_for_a_muscle,
+              down_for_a_muscle});
+  // One vertex of the other muscle wants the plane 0.5 above, another one wants
+  // its plane 0.3 below: between both there is no room.
+  const RowVector3d start = spheres.Place(0);
+  std::vector<Points> wanted = spheres.step.predicted;
+  wanted[1].row(0) = start + up;
+  wanted[1].row(1) = start - 0.6 * up;
+  planes.UpdateLevels(wanted, wanted, true);
+  planes.FindNear(0, 0, start);
+  EXPECT_GE(planes.Projected(0, 0, start)[2], start[2] + 0.3 - 1e-3);
+}
+
 TEST(PlaneSet, HoldsWhatElseIsBelowAPlane) {
   TwoSpheres spheres;
   spheres.options.relaxation.max_push = 100;

@@ -238,7 +238,10 @@ void PlaneSet::FindNear(int muscle, int vertex, const RowVector3d& point) {
     const double room = space.normal.dot(point) - space.level;
     if (room >= options_.reach) continue;
     int k = 0;
-    while (k < count && near[k].normal.dot(space.normal) < kSameWay) ++k;
+    while (k < count && (IsOfBone(near[k].side) != IsOfBone(sides[i]) ||
+                         near[k].normal.dot(space.normal) < kSameWay)) {
+      ++k;
+    }
     if (k < count && rooms[k] <= room) continue;
     near[k] = {space.normal, space.level, sides[i]};
     rooms[k] = room;
@@ -277,7 +280,7 @@ RowVector3d PlaneSet::Projected(int muscle,
         spaces.data(), count, relaxation.violation_weight, &nearest);
     int bones = 0;
     for (int i = 0; i < count; ++i) {
-      if (near[i].side >= 0 && planes_[near[i].side].moving < 0) {
+      if (IsOfBone(near[i].side)) {
         spaces[bones++] = spaces[i];
       }
     }

@@ -48,7 +48,8 @@ class PlaneSet {
 
   // Selects the half-spaces of a vertex that Projected() uses: those that
   // `point` violates or lies in by less than the reach. Of those that face
-  // almost the same way only the one that leaves least room counts.
+  // almost the same way only the one that leaves least room counts, of bones,
+  // which do not yield, and of others apart.
   void FindNear(int muscle, int vertex, const Eigen::RowVector3d& point);
 
   // Has the near half-spaces of a vertex follow UpdateLevels().
@@ -125,6 +126,7 @@ class PlaneSet {
   }
   void SetLevel(int plane, double level);
   HalfSpace SpaceOf(Side side) const;
+  bool IsOfBone(Side side) const { return planes_[NumberOf(side)].moving < 0; }
   bool IsWithinOneMuscle(Side side) const;
   PlaneOwner CarrierOf(Side side) const;
   void UpdateLevel(const std::vector<Points>& unprojected,
