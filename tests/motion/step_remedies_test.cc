@@ -22,6 +22,10 @@ TEST(StepRemedies, WhatPushesMusclesFarIsShortened) {
   EXPECT_THAT(RemediesOf(Outcome::kPushedFar), ElementsAre(Remedy::kShorten));
 }
 
+TEST(StepRemedies, WhatPassesThroughABoneIsHalved) {
+  EXPECT_THAT(RemediesOf(Outcome::kPassing), ElementsAre(Remedy::kHalve));
+}
+
 // Shorter steps come first, as they lose nothing. More reach lets muscles move
 // farther than need be.
 TEST(StepRemedies, WhatCrossesIsTakenOnlyIfNothingElseIsLeft) {

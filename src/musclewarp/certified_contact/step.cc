@@ -31,6 +31,15 @@ DefectCounts CountsOf(const StepOptions& options,
   return counts;
 }
 
+// Returns true if a step may end with these defects.
+bool IsDone(const StepOptions& options,
+            const DefectCounts& left,
+            int polishing_rounds) {
+  if (options.unfolds) return left.crossing_pairs == 0;
+  return left.IsEmpty() || (!left.HasCrossings() &&
+                            polishing_rounds >= options.max_polishing_rounds);
+}
+
 // The result of a round.
 struct Round {
   StepSummary summary;
@@ -62,10 +71,11 @@ StepResult ResultOf(const StepOptions& options,
   return {std::move(state), summary};
 }
 
-StepResult GivenUp(double push) {
+StepResult GivenUp(double push, bool passes_bone) {
   StepResult result;
   result.summary.push = push;
   result.summary.is_given_up = true;
+  result.summary.passes_bone = passes_bone;
   return result;
 }
 
@@ -82,7 +92,7 @@ OpenStep BeginStep(const StepOptions& options,
     planes.insert(planes.end(), more.begin(), more.end());
   };
   add(FindPlanesOfBones(options, step, &open.kept));
-  for (int i = 0; i < step.num_muscles(); ++i) {
+  for (int i = 0; i < step.num_muscles() && !options.unfolds; ++i) {
     add(FindPlanesBetweenSheets(options, step, i));
   }
   open.planes.Add(planes);
@@ -122,7 +132,7 @@ StepResult FinishStep(const StepOptions& options,
     RestoredVolumes restored =
         RestoreVolumes(options, step, relaxed, &open.planes);
     relaxed.points = std::move(restored.points);
-    const Defects defects =
+    Defects defects =
         FindDefects(options, step, targets, relaxed.points, &open.trees);
     const double violation = open.planes.WorstViolation(relaxed.points);
     const DefectCounts counts = CountsOf(options, defects, violation);
@@ -134,11 +144,11 @@ StepResult FinishStep(const StepOptions& options,
       best = {{counts, round, violation, restored.worst_error}, relaxed.points};
     }
     const DefectCounts& left = best->summary.defects;
-    if (left.IsEmpty() ||
-        (!left.HasCrossings() &&
-         polishing_rounds++ == options.max_polishing_rounds)) {
+    if (IsDone(options, left, polishing_rounds)) {
       return ResultOf(options, step, std::move(state), round, std::move(*best));
     }
+    if (!left.HasCrossings()) ++polishing_rounds;
+    if (options.unfolds) defects.self_crossings.clear();
     open.planes.Add(PlanesAgainst(defects, options, step, targets));
     stiffness =
         Stiffened(defects, options.defects, step.scene, std::move(stiffness));
@@ -151,7 +161,8 @@ StepResult FinishStep(const StepOptions& options,
 
 bool IsBetter(const DefectCounts& a, const DefectCounts& b) {
   const auto rank = [](const DefectCounts& counts) {
-    return std::make_tuple(counts.crossing_pairs + counts.self_crossing_pairs,
+    return std::make_tuple(counts.crossing_pairs,
+                           counts.self_crossing_pairs,
                            counts.is_gap_violated,
                            counts.folded_triangles);
   };
@@ -170,14 +181,16 @@ StepResult Step(const StepOptions& options,
       scene, before, state.targets, state.bones_from_rest, state.held);
   if (goal.max_push < kInfinity) {
     const double passage = MaxTunnelling(step);
-    if (passage > options.relaxation.max_push) return GivenUp(passage);
+    if (passage > options.relaxation.max_push) {
+      return GivenUp(passage, /*passes_bone=*/true);
+    }
   }
   const int sweeps_before = solve_coarse ? options.sweeps / 2 : 0;
   OpenStep open = BeginStep(options, step, state.targets, sweeps_before);
   // The remaining sweeps hardly change the push.
   const double push =
       MoveOfMostMoved(open.relaxed.points, step.predicted, kPushedFarthest);
-  if (push > goal.max_push) return GivenUp(push);
+  if (push > goal.max_push) return GivenUp(push, /*passes_bone=*/false);
   state.planes.clear();
   state.bone_planes =
       std::make_shared<const KeptBonePlanes>(std::move(open.kept));

@@ -32,7 +32,7 @@ struct DefectCounts {
 };
 
 // Returns true if `a` has fewer defects than `b`, in lexicographic order:
-// crossings, the gap, folded triangles.
+// crossings of two meshes, self-crossings, the gap, folded triangles.
 bool IsBetter(const DefectCounts& a, const DefectCounts& b);
 
 // The fractions of vertices, those pushed farthest, that measures of the push
@@ -60,6 +60,10 @@ struct StepSummary {
   // True if the step was given up because it pushes muscles too far. The state
   // is empty then.
   bool is_given_up = false;
+
+  // True if it was given up because a muscle would pass through a bone; `push`
+  // is then the depth, which is not proportional to the length of the step.
+  bool passes_bone = false;
 };
 
 // The state after a step, and the summary of the step.

@@ -180,6 +180,10 @@ struct StepOptions {
   // unfolds triangles and reduces violations of planes.
   int max_polishing_rounds = 2;
 
+  // If true, the step unfolds crumpled muscles: the two sides of a muscle may
+  // pass through each other, and rounds repair crossings of two meshes only.
+  bool unfolds = false;
+
   PlaneSearchOptions planes;
   RelaxationOptions relaxation;
   VolumeOptions volume;

@@ -159,8 +159,10 @@ ContactState StateAtRest(const MotionContext& context) {
                              std::move(coarse));
 }
 
-// Relaxes the rest pose from a state in which nothing crosses.
+// Relaxes the rest pose from a state in which no two meshes cross. Its muscles
+// may be crumpled if `unfolds`.
 void RelaxRest(const MotionContext& context,
+               bool unfolds,
                const ProgressCallback& on_progress,
                ContactState* rest) {
   const CertifiedContactOptions& options = context.certified.options;
@@ -171,7 +173,8 @@ void RelaxRest(const MotionContext& context,
   advance.max_reach = options.max_reach;
   advance.max_settling_steps = options.max_rest_steps;
   advance.settling_tolerance = options.rest_tolerance;
-  advance.accepts_self_crossings = true;
+  advance.relaxes_rest = true;
+  advance.step.unfolds = unfolds;
   advance.on_step = options.on_step;
   const ScenePose pose = rest->pose;
   AdvanceToPose(context, advance, pose, /*at=*/1, on_progress, rest);
@@ -249,7 +252,9 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
   ContactState rest = StateAtRest(context);
   rest.points = std::move(separation.points);
   // Steps need an intersection-free start.
-  if (separation.crossing_pairs == 0) RelaxRest(context, on_progress, &rest);
+  if (separation.crossing_pairs == 0) {
+    RelaxRest(context, /*unfolds=*/true, on_progress, &rest);
+  }
   AddRest(std::move(rest), &certified);
   certified.wall_ms = preparing.Milliseconds();
   return certified;
@@ -270,7 +275,7 @@ CertifiedScene RelaxCertifiedScene(const PreparedScene& scene,
   rest.coarse = InOrderOfContact(certified.order, start.coarse);
   rest.targets = FineMeshes(certified, rest.coarse);
   rest.points = InOrderOfContact(certified.order, start.fine);
-  RelaxRest(context, on_progress, &rest);
+  RelaxRest(context, /*unfolds=*/false, on_progress, &rest);
   AddRest(std::move(rest), &certified);
   certified.wall_ms = preparing.Milliseconds();
   return certified;

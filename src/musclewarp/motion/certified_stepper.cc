@@ -14,6 +14,7 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/certified_contact/moves.h"
 #include "musclewarp/motion/pose_step.h"
+#include "musclewarp/motion/settling_progress.h"
 #include "musclewarp/motion/step_remedies.h"
 
 namespace musclewarp {
@@ -21,6 +22,10 @@ namespace {
 
 // The number of states that the stepper may backtrack.
 constexpr size_t kMaxWaypoints = 4;
+
+// Muscles unfold as long as a step leaves less than this fraction of the
+// self-crossings of the step before.
+constexpr double kFewer = 0.9;
 
 // A state of the motion without crossing triangles.
 struct Waypoint {
@@ -52,8 +57,13 @@ class PoseStepper {
         step_(options.step),
         length_(options.length),
         at_(at),
+        settling_(options.step.reach),
         state_(state),
-        solves_(state->points.size()) {}
+        solves_(state->points.size()) {
+    if (options.relaxes_rest)
+      step_.reach =
+          ReachFor(MoveOfMostMoved(state->points, state->targets, kUnsettled));
+  }
 
   bool IsAtGoal() const { return at_ >= 1; }
   bool IsSettled() const { return is_settled_; }
@@ -75,7 +85,9 @@ class PoseStepper {
     PoseStepResult attempt =
         Try({step_, pose, /*is_settling=*/false, length_.max_push()});
     StepOutcome outcome = StepOutcome::kClean;
-    if (attempt.summary.push > length_.max_push()) {
+    if (attempt.summary.passes_bone) {
+      outcome = StepOutcome::kPassing;
+    } else if (attempt.summary.push > length_.max_push()) {
       outcome = StepOutcome::kPushedFar;
     } else if (Crosses(attempt.summary)) {
       outcome = summary_.last_clean ? StepOutcome::kStillStuck
@@ -152,10 +164,31 @@ class PoseStepper {
         MoveOfMost(state_->points, attempt->state.points, kUnsettled);
     VLOG(1) << "most vertices have moved by less than " << move << " mm";
     summary_.last_clean.reset();
-    const bool stops_short =
-        attempt->summary.defects.IsEmpty() && move > step_.reach;
+    const DefectCounts defects = attempt->summary.defects;
+    const bool stops_short = defects.IsEmpty() && move > step_.reach;
     Accept(std::move(*attempt), stops_short);
-    is_settled_ = move < options_.settling_tolerance;
+    settling_.Add(move);
+    is_settled_ = move < options_.settling_tolerance || settling_.IsStalled();
+    if (options_.relaxes_rest) {
+      is_settled_ = is_settled_ && !defects.HasCrossings();
+      step_.reach = ReachFor(options_.reach_growth * move);
+      ContinueUnfolding(defects.self_crossing_pairs);
+    }
+  }
+
+  // Ends the unfolding of muscles when it does not help any more.
+  void ContinueUnfolding(int self_crossings) {
+    step_.unfolds = step_.unfolds && self_crossings > 0 &&
+                    self_crossings < kFewer * self_crossings_;
+    self_crossings_ = self_crossings;
+  }
+
+  // Returns a reach, mm, which still may grow once.
+  double ReachFor(double move) const {
+    return std::clamp(move,
+                      options_.step.reach,
+                      std::max(options_.step.reach,
+                               options_.max_reach / options_.reach_growth));
   }
 
   // Keeps the state before a step as a waypoint, unless the last is close.
@@ -191,6 +224,7 @@ class PoseStepper {
                         step.max_push,
                         step.options.reach,
                         step.options.sweeps,
+                        step.options.unfolds,
                         *state_,
                         attempt.state});
     }
@@ -204,8 +238,8 @@ class PoseStepper {
   }
 
   bool Crosses(const StepSummary& step) const {
-    return options_.accepts_self_crossings ? step.defects.crossing_pairs > 0
-                                           : step.defects.HasCrossings();
+    return options_.relaxes_rest ? step.defects.crossing_pairs > 0
+                                 : step.defects.HasCrossings();
   }
 
   // Enlarges the reach of the next step. Returns false at `max_reach`.
@@ -236,6 +270,8 @@ class PoseStepper {
   StepLength length_;
   double at_;
   bool is_settled_ = false;
+  SettlingProgress settling_;
+  double self_crossings_ = kInfinity;  // after the last settling step
   int returns_ = 0;
   std::vector<Waypoint> trail_;  // the latest last
   ContactState* state_;

@@ -41,8 +41,12 @@ struct AdvanceOptions {
   int max_settling_steps = 0;
   double settling_tolerance = 0;
 
-  // If true, self-crossings of muscles do not count as crossings.
-  bool accepts_self_crossings = false;
+  // True if `state` is a rest pose just after its separation, from which
+  // vertices have far to go: steps then reach as far as the last one moved
+  // muscles, times `reach_growth`, and self-crossings do not count as
+  // crossings. The first steps unfold muscles if `step` says so, as long as
+  // that leaves fewer self-crossings.
+  bool relaxes_rest = false;
 
   // No step starts after this time, s; 0: no limit.
   double timeout_s = 0;

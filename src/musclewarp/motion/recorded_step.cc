@@ -17,7 +17,7 @@ namespace {
 
 // The first bytes of a file, followed by a checksum of the rest. The number is
 // incremented with every change of the layout.
-constexpr char kMagic[] = "musclewarp step 2\n";
+constexpr char kMagic[] = "musclewarp step 3\n";
 
 constexpr char kAdvice[] =
     "record it again with musclewarp-deform --record_steps";
@@ -38,6 +38,7 @@ void serialize(Archive& archive, RecordedStep& step) {
           step.max_push,
           step.reach,
           step.sweeps,
+          step.unfolds,
           step.before,
           step.after);
 }
@@ -46,6 +47,7 @@ StepOptions RecordedStep::OptionsIn(const StepOptions& of_run) const {
   StepOptions options = of_run;
   options.reach = reach;
   options.sweeps = sweeps;
+  options.unfolds = unfolds;
   return options;
 }
 

@@ -21,6 +21,7 @@ struct RecordedStep {
   double max_push = 0;  // mm
   double reach = 0;     // mm
   int sweeps = 0;
+  bool unfolds = false;
 
   ContactState before;
   ContactState after;  // without points if its push was too large

@@ -12,6 +12,7 @@ const std::vector<StepRemedy>& RemediesOf(StepOutcome outcome) {
   static const std::map<Outcome, std::vector<Remedy>> kRemedies = {
       {Outcome::kClean, {Remedy::kAccept}},
       {Outcome::kPushedFar, {Remedy::kShorten}},
+      {Outcome::kPassing, {Remedy::kHalve}},
       {Outcome::kCrossing,
        {Remedy::kHalve,
         Remedy::kGoBack,

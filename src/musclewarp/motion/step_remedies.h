@@ -10,6 +10,7 @@ namespace musclewarp {
 enum class StepOutcome {
   kClean,      // no triangles cross
   kPushedFar,  // rejected, as contact pushes muscles too far
+  kPassing,    // rejected, as a muscle would pass through a bone
 
   // Triangles start to cross, or still cross since an earlier accepted step. In
   // the latter case no remedy is tried until they are separated.
