@@ -24,13 +24,15 @@ TriangleSoup Grown(const Solid& muscle,
                    const std::vector<const SolidDistance*>& others,
                    const std::vector<const SolidDistance*>& bones) {
   const CellSurfaceOptions options;
-  return GrownSurface(
-      options,
-      CellSurface(options, muscle.distance, others, bones),
-      muscle.distance,
-      others,
-      bones,
-      VolumeOf({muscle.mesh.points(), muscle.mesh.triangles()}));
+  const double volume =
+      VolumeOf({muscle.mesh.points(), muscle.mesh.triangles()});
+  return SurfaceGrowth(options,
+                       CellSurface(options, muscle.distance, others, bones),
+                       muscle.distance,
+                       others,
+                       bones,
+                       volume)
+      .UpTo(volume);
 }
 
 double VolumeOf(const Solid& solid) {
@@ -38,7 +40,7 @@ double VolumeOf(const Solid& solid) {
 }
 
 // A sheet of 40 x 60 x 6 mm whose lower third lies in a bone.
-TEST(GrownSurface, WhatABoneCutsOffComesBackOnTheFreeSide) {
+TEST(SurfaceGrowth, WhatABoneCutsOffComesBackOnTheFreeSide) {
   const Solid sheet(MovedBy(Box(40, 60, 6), {0, 0, 3}));
   const Solid bone(MovedBy(Box(100, 100, 10), {0, 0, -3}));
   EXPECT_LT(VolumeOf(CellSurface(
@@ -55,7 +57,7 @@ TEST(GrownSurface, WhatABoneCutsOffComesBackOnTheFreeSide) {
 }
 
 // What lies beyond a plate belongs to nobody: growth does not reach through it.
-TEST(GrownSurface, DoesNotReachThroughAThinBone) {
+TEST(SurfaceGrowth, DoesNotReachThroughAThinBone) {
   const Solid sheet(MovedBy(Box(40, 60, 8), {0, 0, 3}));
   const Solid plate(MovedBy(Box(100, 100, 2), {0, 0, 1}));
   const TriangleSoup grown = Grown(sheet, {}, {&plate.distance});
@@ -66,7 +68,7 @@ TEST(GrownSurface, DoesNotReachThroughAThinBone) {
 
 // Two sheets that lie in each other grow away from each other, and do not
 // cross.
-TEST(GrownSurface, MusclesThatOverlapGrowApart) {
+TEST(SurfaceGrowth, MusclesThatOverlapGrowApart) {
   const Solid low(MovedBy(Box(40, 60, 6), {0, 0, 3}));
   const Solid high(MovedBy(Box(40, 60, 6), {0, 0, 7}));
   const TriangleSoup a = Grown(low, {&high.distance}, {});
@@ -77,13 +79,13 @@ TEST(GrownSurface, MusclesThatOverlapGrowApart) {
 }
 
 // A ball whose surface was cut off by coarse samples all round.
-TEST(GrownSurface, ABodyThatWasCutNowhereGrowsEvenly) {
+TEST(SurfaceGrowth, ABodyThatWasCutNowhereGrowsEvenly) {
   const Solid ball(Icosphere(10, 4));
   const CellSurfaceOptions options;
   const TriangleSoup body = CellSurface(options, ball.distance, {}, {});
   const double volume = 1.05 * VolumeOf(body);
   const TriangleSoup grown =
-      GrownSurface(options, body, ball.distance, {}, {}, volume);
+      SurfaceGrowth(options, body, ball.distance, {}, {}, volume).UpTo(volume);
   EXPECT_NEAR(VolumeOf(grown), volume, kVolumeTolerance * volume);
   for (const auto p : grown.points.rowwise()) {
     EXPECT_NEAR(p.norm(), 10.15, 0.2);

@@ -20,6 +20,24 @@ TEST(Measures, VolumeAndAreaOfABox) {
   EXPECT_DOUBLE_EQ(BoundingBoxDiagonal(box.points), std::sqrt(29.0));
 }
 
+// Of a box it is pi times the sum of its three edges, whatever diagonals its
+// sides have; of a sphere 4 pi r.
+TEST(Measures, MeanCurvatureOfABoxAndASphere) {
+  const TriangleSoup box = Box(2, 3, 4);
+  EXPECT_NEAR(
+      MeanCurvatureIntegral(box.points, box.triangles), M_PI * 9, 1e-12);
+  const TriangleSoup sphere = Icosphere(10, 4);
+  EXPECT_NEAR(MeanCurvatureIntegral(sphere.points, sphere.triangles),
+              4 * M_PI * 10,
+              1e-2 * 4 * M_PI * 10);  // edges of a tenth of the radius
+  // A dent is as concave from inside as it is convex from outside.
+  TriangleSoup inside = sphere;
+  inside.triangles.col(0).swap(inside.triangles.col(1));
+  EXPECT_NEAR(MeanCurvatureIntegral(inside.points, inside.triangles),
+              -MeanCurvatureIntegral(sphere.points, sphere.triangles),
+              1e-9);
+}
+
 // Whatever the mesh, the areas of the vertices are that of the surface, and a
 // vertex without triangles has none.
 TEST(Measures, VerticesShareTheAreaOfTheirTriangles) {

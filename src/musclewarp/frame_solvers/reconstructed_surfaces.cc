@@ -116,9 +116,18 @@ class Solids {
   std::vector<const SolidDistance*> muscles_, bones_;
 };
 
+// Returns the volume that even triangles with edges of this length (mm) cut
+// from a smooth surface whose vertices they share: the mean distance between an
+// equilateral triangle and the sphere around its corners is edge^2 / (8
+// radius).
+double VolumeCutOff(const TriangleSoup& surface, double edge) {
+  return edge * edge / 8 *
+         MeanCurvatureIntegral(surface.points, surface.triangles);
+}
+
 // Remeshes a body with even triangles and grows it, as far as there is room, to
-// the volume `before`. Even triangles cut corners, so a second pass compensates
-// for their loss of volume.
+// the volume `before`, and what the triangles cut off. If they cut off more
+// than expected, a second pass makes up for it.
 TriangleSoup EvenAndGrown(const CellSurfaceOptions& options,
                           const TriangleSoup& body,
                           double before,
@@ -126,20 +135,20 @@ TriangleSoup EvenAndGrown(const CellSurfaceOptions& options,
                           int number,
                           const Solids& solids) {
   constexpr double kAccuracy = 5e-3;  // of the volume
+  SurfaceGrowth growth(options,
+                       body,
+                       solids.muscle(number),
+                       solids.MusclesBut(number),
+                       solids.bones(),
+                       before);
   TriangleSoup best;
   double best_error = kInfinity;
-  double volume = before;
+  double volume = before + std::max(0.0, VolumeCutOff(body, edge));
   for (int tries = 0; tries < 2; ++tries) {
-    TriangleSoup even =
-        WithEvenTriangles(GrownSurface(options,
-                                       body,
-                                       solids.muscle(number),
-                                       solids.MusclesBut(number),
-                                       solids.bones(),
-                                       volume),
-                          edge);
+    TriangleSoup even = WithEvenTriangles(growth.UpTo(volume), edge);
     const double now = SignedVolume(even.points, even.triangles);
     const double error = std::abs(now / before - 1);
+    VLOG(1) << "even triangles leave " << now << " of " << volume << " mm3";
     if (error < best_error) {
       best = std::move(even);
       best_error = error;

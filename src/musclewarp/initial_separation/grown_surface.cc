@@ -8,9 +8,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <mutex>
 #include <string>
+#include <unordered_map>
 
 #include "musclewarp/base/infinity.h"
 #include "musclewarp/initial_separation/marching_tetrahedra.h"
@@ -80,6 +80,8 @@ bool SegmentMeets(const RowVector3d& a,
   return meets;
 }
 
+}  // namespace
+
 // A body that grows in its medial cell.
 class GrowingBody {
  public:
@@ -90,28 +92,34 @@ class GrowingBody {
               const std::vector<const SolidDistance*>& bones,
               const Triangles& cut,
               double reach)
-      : mesh_(body),
+      : body_(body),
+        mesh_(body),
         distance_(mesh_),
         cut_(body.points, cut),
         cell_(CellWithin(options.cell, reach), muscle, others, bones),
         around_(bones),
         reach_(reach),
-        border_(2 * kCoarser * options.spacing),
-        limit_(reach + border_ / kSlope),
+        limit_(reach + 2 * kCoarser * options.spacing / kSlope),
         blocked_(options.spacing / 4) {
     around_.insert(around_.end(), others.begin(), others.end());
   }
 
+  const TriangleSoup& body() const { return body_; }
+
   // Returns the body after it has grown by `t`, mm, as its largest part.
   TriangleSoup GrownBy(double t, double spacing) const {
-    // One box for every growth, so that the same places are sampled.
     Box3 box = mesh_.bvh().box();
     for (int k = 0; k < 3; ++k) {
-      box.lower[k] -= reach_ + spacing;
-      box.upper[k] += reach_ + spacing;
+      box.lower[k] -= t + spacing;
+      box.upper[k] += t + spacing;
     }
     TriangleSoup grown = MarchingTetrahedra(
-        [&](const RowVector3d& p) { return Region(p, t); }, box, spacing);
+        [&](const RowVector3d& p) {
+          // Beyond two samples nothing depends on the values.
+          return Region(p, t, /*border=*/2 * spacing);
+        },
+        box,
+        spacing);
     if (grown.triangles.rows() > 0) KeepLargestBody(&grown);
     return grown;
   }
@@ -125,54 +133,73 @@ class GrowingBody {
 
   // What the growth at a place depends on.
   struct Measures {
-    double own = 0;     // the signed distance to the body, at most `limit_`
-    double to_cut = 0;  // the distance to where it was cut
-    double cell = 0;    // the signed distance to the cell
+    double own = 0;        // the signed distance to the body, at most `limit_`
+    double to_cut = 0;     // the distance to where it was cut
+    bool is_near = false;  // the others are known
+    double cell = 0;       // the signed distance to the cell
     bool is_blocked = false;
   };
 
-  // Negative in the grown body. Near its border it is nowhere below the signed
-  // distance to the cell, so that bodies which grow beside each other do not
-  // cross.
-  double Region(const RowVector3d& p, double t) const {
-    const Measures& at = MeasuresAt(p);
+  // Negative in the grown body. Within `border` of its border it is nowhere
+  // below the signed distance to the cell, so that bodies which grow beside
+  // each other do not cross.
+  double Region(const RowVector3d& p, double t, double border) const {
+    Shard& shard = ShardOf(p);
+    Measures at = Known(p, &shard);
     const double growth = std::max(0.0, t - kDecline * at.to_cut);
     const double grown = kSlope * (at.own - growth);
     // The body itself lies in its cell.
-    if (grown >= border_ || at.own <= -border_) return grown;
+    if (grown >= border || at.own <= -border) return grown;
+    if (!at.is_near) {
+      MeasureNear(p, &at);
+      const std::lock_guard<std::mutex> lock(shard.mutex);
+      shard.measures[KeyOf(p)] = at;
+    }
     const double region = std::max(grown, at.cell);
     return region < 0 && at.is_blocked ? blocked_ : region;
   }
 
   // The same places are asked for again with every growth that is tried.
-  const Measures& MeasuresAt(const RowVector3d& p) const {
-    const std::array<double, 3> key = {p[0], p[1], p[2]};
-    Shard& shard = shards_[std::hash<double>()(p[0] + 3 * p[1] + 7 * p[2]) %
-                           shards_.size()];
-    {
-      const std::lock_guard<std::mutex> lock(shard.mutex);
-      const auto known = shard.measures.find(key);
-      if (known != shard.measures.end()) return known->second;
+  using Key = std::array<double, 3>;
+  static Key KeyOf(const RowVector3d& p) { return {p[0], p[1], p[2]}; }
+  struct HashOfKey {
+    size_t operator()(const Key& key) const {
+      return std::hash<double>()(key[0] + 3 * key[1] + 7 * key[2]);
     }
-    const Measures measures = Measure(p);
-    const std::lock_guard<std::mutex> lock(shard.mutex);
-    return shard.measures.emplace(key, measures).first->second;
+  };
+  struct Shard {
+    std::mutex mutex;
+    std::unordered_map<Key, Measures, HashOfKey> measures;
+  };
+  Shard& ShardOf(const RowVector3d& p) const {
+    return shards_[HashOfKey()(KeyOf(p)) % shards_.size()];
   }
 
-  Measures Measure(const RowVector3d& p) const {
+  // Returns what is known of a place, at least its distances to the body and to
+  // where it was cut.
+  Measures Known(const RowVector3d& p, Shard* shard) const {
+    {
+      const std::lock_guard<std::mutex> lock(shard->mutex);
+      const auto known = shard->measures.find(KeyOf(p));
+      if (known != shard->measures.end()) return known->second;
+    }
     Measures at;
     at.own = distance_.At(p, limit_);
     at.to_cut = kInfinity;
-    if (at.own <= -border_ || at.own >= limit_) return at;
     if (cut_.num_triangles() == 0) {
       at.to_cut = 0;
-    } else {
+    } else if (at.own < limit_) {
       const auto cut = cut_.ClosestPoint(p, reach_ / kDecline);
       if (cut.triangle >= 0) at.to_cut = cut.distance;
     }
-    at.cell = cell_.SignedDistance(p);
-    at.is_blocked = at.cell < 0 && at.own > 0 && IsBlocked(p);
-    return at;
+    const std::lock_guard<std::mutex> lock(shard->mutex);
+    return shard->measures.emplace(KeyOf(p), at).first->second;
+  }
+
+  void MeasureNear(const RowVector3d& p, Measures* at) const {
+    at->is_near = true;
+    at->cell = cell_.SignedDistance(p);
+    at->is_blocked = at->cell < 0 && at->own > 0 && IsBlocked(p);
   }
 
   // True if a bone or another muscle lies between a place and the body: there
@@ -185,24 +212,21 @@ class GrowingBody {
         });
   }
 
+  TriangleSoup body_;
   SearchableMesh mesh_;
   SolidDistance distance_;
   TriangleBvh cut_;
   MedialCell cell_;
   std::vector<const SolidDistance*> around_;  // bones and other muscles
   double reach_;                              // the largest growth, mm
-  double border_;  // farther from the border nothing depends on the values, mm
-  double limit_;   // of distances to the body, mm
+  double limit_;                              // of distances to the body, mm
   double blocked_;
 
-  // Ordered by coordinates; several, so that threads do not wait for each
-  // other.
-  struct Shard {
-    std::mutex mutex;
-    std::map<std::array<double, 3>, Measures> measures;
-  };
+  // Several, so that threads do not wait for each other.
   mutable std::array<Shard, 64> shards_;
 };
+
+namespace {
 
 // A growth, mm, and the body after it.
 struct Growth {
@@ -248,31 +272,41 @@ Growth GrowthFor(const GrowingBody& body,
 
 }  // namespace
 
-TriangleSoup GrownSurface(const CellSurfaceOptions& options,
-                          const TriangleSoup& body,
-                          const SolidDistance& muscle,
-                          const std::vector<const SolidDistance*>& others,
-                          const std::vector<const SolidDistance*>& bones,
-                          double volume) {
+SurfaceGrowth::SurfaceGrowth(const CellSurfaceOptions& options,
+                             const TriangleSoup& body,
+                             const SolidDistance& muscle,
+                             const std::vector<const SolidDistance*>& others,
+                             const std::vector<const SolidDistance*>& bones,
+                             double volume)
+    : spacing_(options.spacing),
+      left_(SignedVolume(body.points, body.triangles)) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   CHECK_GT(body.triangles.rows(), 0);
-  const double left = SignedVolume(body.points, body.triangles);
   const Triangles cut = CutTriangles(body, muscle, options.spacing / 2);
-  if (left >= volume) return body;
   const double area =
       SurfaceArea(body.points, cut.rows() > 0 ? cut : body.triangles);
-  const double reach = std::clamp(kReachPerThickness * (volume - left) / area,
-                                  options.spacing,
-                                  kLongestReach);
-  const GrowingBody growing(options, body, muscle, others, bones, cut, reach);
-  // Coarser samples cut corners: they tell where to begin.
-  const double coarse = kCoarser * options.spacing;
-  const double begin =
-      GrowthFor(growing, left, volume, coarse, reach, options.spacing).t;
-  TriangleSoup grown =
-      GrowthFor(growing, left, volume, options.spacing, reach, begin).body;
-  return SignedVolume(grown.points, grown.triangles) > left ? grown : body;
+  reach_ = std::clamp(kReachPerThickness * (volume - left_) / area,
+                      options.spacing,
+                      kLongestReach);
+  body_ = std::make_unique<GrowingBody>(
+      options, body, muscle, others, bones, cut, reach_);
+}
+
+SurfaceGrowth::~SurfaceGrowth() = default;
+
+TriangleSoup SurfaceGrowth::UpTo(double volume) {
+  const TriangleSoup& body = body_->body();
+  if (left_ >= volume) return body;
+  if (last_ == 0) {
+    // Coarser samples cut corners: they tell where to begin.
+    const double coarse = kCoarser * spacing_;
+    last_ = GrowthFor(*body_, left_, volume, coarse, reach_, spacing_).t;
+  }
+  Growth growth = GrowthFor(*body_, left_, volume, spacing_, reach_, last_);
+  last_ = growth.t;
+  const TriangleSoup& grown = growth.body;
+  return SignedVolume(grown.points, grown.triangles) > left_ ? grown : body;
 }
 
 }  // namespace musclewarp

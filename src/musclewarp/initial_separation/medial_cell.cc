@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <queue>
+#include <set>
 #include <utility>
 
 #include "musclewarp/base/infinity.h"
@@ -109,8 +110,9 @@ struct MedialCell::VoxelGrid {
     return largest;
   }
 
-  // Fills in `nearest` from the voxels `part`, outwards.
-  void SpreadFrom(const std::vector<int>& part) {
+  // Fills in `nearest` from the voxels `part`, outwards, until it is known of
+  // the voxels `wanted`.
+  void SpreadFrom(const std::vector<int>& part, std::set<int> wanted) {
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     std::vector<double> way(count(), kInfinity);
@@ -118,12 +120,20 @@ struct MedialCell::VoxelGrid {
     for (const int i : part) {
       nearest[i] = i;
       way[i] = 0;
-      queue.emplace(0, i);
     }
-    while (!queue.empty()) {
+    for (const int i : part) {
+      wanted.erase(i);
+      bool is_at_border = false;
+      ForEachNeighbour(i, [&](int next, const auto& /*place*/) {
+        is_at_border |= way[next] > 0;
+      });
+      if (is_at_border) queue.emplace(0, i);
+    }
+    while (!queue.empty() && !wanted.empty()) {
       const auto [d, at] = queue.top();
       queue.pop();
       if (d > way[at]) continue;
+      wanted.erase(at);
       const int source = nearest[at];
       const RowVector3d centre = Centre(source);
       ForEachNeighbour(at, [&](int next, const auto& place) {
@@ -256,14 +266,18 @@ MedialCell::VoxelGrid MedialCell::SampledVoxels() const {
   return grid;
 }
 
-void MedialCell::FindMainPart(VoxelGrid* grid) const {
+void MedialCell::FindMainPart(const Points& points, VoxelGrid* grid) const {
   const std::vector<double>& distance = grid->distance;
-  grid->SpreadFrom(grid->LargestPart(
-      [&](int i) { return distance[i] <= 0; },
-      [&](int i, int j) {
-        return IsPathFree(
-            grid->Centre(i), distance[i], grid->Centre(j), distance[j]);
-      }));
+  std::set<int> wanted;
+  for (const auto p : points.rowwise()) wanted.insert(grid->IndexOf(p));
+  grid->SpreadFrom(grid->LargestPart([&](int i) { return distance[i] <= 0; },
+                                     [&](int i, int j) {
+                                       return IsPathFree(grid->Centre(i),
+                                                         distance[i],
+                                                         grid->Centre(j),
+                                                         distance[j]);
+                                     }),
+                   std::move(wanted));
 }
 
 RowVector3d MedialCell::Border(const RowVector3d& q,
@@ -291,7 +305,9 @@ std::vector<Points> MedialCell::Project(
   std::vector<VoxelGrid> grids;
   for (const MedialCell* cell : cells) grids.push_back(cell->SampledVoxels());
 #pragma omp parallel for schedule(dynamic, 1)
-  for (size_t i = 0; i < cells.size(); ++i) cells[i]->FindMainPart(&grids[i]);
+  for (size_t i = 0; i < cells.size(); ++i) {
+    cells[i]->FindMainPart(*points[i], &grids[i]);
+  }
   std::vector<Points> projected;
   for (size_t i = 0; i < cells.size(); ++i) {
     projected.push_back(cells[i]->Project(*points[i], grids[i]));

@@ -88,8 +88,9 @@ class MedialCell {
   // far as they say whether the paths between neighbours are free.
   VoxelGrid SampledVoxels() const;
 
-  // Finds for each voxel the nearest one in the largest connected part.
-  void FindMainPart(VoxelGrid* grid) const;
+  // Finds for the voxel of each point the nearest one in the largest connected
+  // part.
+  void FindMainPart(const Points& points, VoxelGrid* grid) const;
 
   Points Project(const Points& points, const VoxelGrid& grid) const;
 

@@ -9,6 +9,9 @@
 
 #include <Eigen/Geometry>
 
+#include "musclewarp/mesh/connectivity.h"
+#include "musclewarp/mesh/triangle.h"
+
 namespace musclewarp {
 namespace {
 
@@ -104,6 +107,24 @@ double SurfaceArea(const Points& points, const Triangles& triangles) {
     area += AreaOf(points, triangles, f);
   }
   return area;
+}
+
+double MeanCurvatureIntegral(const Points& points, const Triangles& triangles) {
+  double integral = 0;
+  for (const EdgeUses::Uses& uses : EdgeUses(triangles)) {
+    if (uses.size() != 2) continue;
+    const auto normal = [&](int half_edge) {
+      return AreaVector(CornersOf(points, triangles.row(half_edge / 3)));
+    };
+    const Eigen::RowVector3d a = normal(uses[0]), b = normal(uses[1]);
+    const Eigen::RowVector3d along = points.row(TargetOf(triangles, uses[0])) -
+                                     points.row(OriginOf(triangles, uses[0]));
+    const double length = along.norm();
+    if (!(length > 0)) continue;
+    integral +=
+        length * std::atan2(a.cross(b).dot(along) / length, a.dot(b)) / 2;
+  }
+  return integral;
 }
 
 Eigen::VectorXd VertexAreas(const Points& points, const Triangles& triangles) {

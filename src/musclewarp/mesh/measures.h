@@ -37,6 +37,12 @@ Points VolumeGradientRate(const Points& points,
 // Returns the sum of the areas of all triangles, mm^2.
 double SurfaceArea(const Points& points, const Triangles& triangles);
 
+// Returns the integral of the mean curvature over a closed surface, mm: half
+// the sum over its edges of length times the angle between the normals of both
+// triangles, positive where it is convex (Steiner's formula). Edges of more or
+// fewer than two triangles do not count.
+double MeanCurvatureIntegral(const Points& points, const Triangles& triangles);
+
 // Returns a third of the area of the triangles at each vertex, #V, mm^2.
 Eigen::VectorXd VertexAreas(const Points& points, const Triangles& triangles);
 
