@@ -99,7 +99,8 @@ StepTimes StepReplay::Take(const std::string& path,
   const PoseStep step = {recorded.OptionsIn(certified.options.step),
                          recorded.pose,
                          recorded.is_settling,
-                         recorded.max_push};
+                         recorded.max_push,
+                         recorded.is_still};
   omp_set_num_threads(threads);
   std::vector<StepTimes> times;
   for (int i = 0; i < repeats; ++i) {

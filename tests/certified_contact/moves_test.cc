@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/certified_contact/moves.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace musclewarp {
 namespace {
+
+using ::testing::ElementsAre;
 
 // Points of which number k moves by k mm, from 0 to 99.
 std::vector<Points> Graded() {
@@ -14,21 +17,21 @@ std::vector<Points> Graded() {
   return {points};
 }
 
-TEST(MoveOfMost, LeavesOutTheShareThatMovesMost) {
+TEST(MovesOfMost, LeaveOutTheShareThatMovesMost) {
   const std::vector<Points> at_rest = {Points::Zero(100, 3)};
-  EXPECT_EQ(MoveOfMost(at_rest, Graded(), 0), 99);
-  EXPECT_EQ(MoveOfMost(at_rest, Graded(), 0.01), 98);
-  EXPECT_EQ(MoveOfMost(Graded(), at_rest, 0.1), 89);
-  EXPECT_EQ(MoveOfMost(Graded(), Graded(), 0), 0);
-  EXPECT_EQ(MoveOfMost({}, {}, 0.1), 0);
+  EXPECT_THAT(MovesOfMost(at_rest, Graded(), 0), ElementsAre(99));
+  EXPECT_THAT(MovesOfMost(at_rest, Graded(), 0.01), ElementsAre(98));
+  EXPECT_THAT(MovesOfMost(Graded(), at_rest, 0.1), ElementsAre(89));
+  EXPECT_THAT(MovesOfMost(Graded(), Graded(), 0), ElementsAre(0));
+  EXPECT_THAT(MovesOfMost({Points()}, {Points()}, 0.1), ElementsAre(0));
 }
 
-TEST(MoveOfMost, TakesAllMusclesTogetherOrTheOneThatMovesMost) {
+TEST(MoveOfMostMoved, IsOfTheMuscleThatMovesMost) {
   std::vector<Points> before = {Points::Zero(100, 3), Points::Zero(100, 3)};
   std::vector<Points> after = {Points::Zero(100, 3), Graded()[0]};
-  // Of two hundred points the ten that move most are left out.
-  EXPECT_EQ(MoveOfMost(before, after, 0.05), 89);
+  EXPECT_THAT(MovesOfMost(before, after, 0.05), ElementsAre(0, 94));
   EXPECT_EQ(MoveOfMostMoved(before, after, 0.05), 94);
+  EXPECT_EQ(MoveOfMostMoved({}, {}, 0.05), 0);
 }
 
 }  // namespace

@@ -268,6 +268,25 @@ TEST(Step, DoesNotDependOnTheOrderOfMuscles) {
   }
 }
 
+// Two spheres want to be where each other is; one stands still, and the other
+// stops beside it.
+TEST(Step, LeavesMusclesThatStandStillAsTheyAre) {
+  ContactGroup group = SpheresOverABone();
+  StepGoal goal = {group.state};
+  goal.is_still = {false, true};
+  goal.state.targets[0].rowwise() += RowVector3d(0.8, 0, 0);
+  const StepOptions options;
+  const StepResult result = Step(options, group.scene, group.state, goal);
+  EXPECT_EQ(result.state.points[1], group.state.points[1]);
+  EXPECT_GT((result.state.points[0] - group.state.points[0]).norm(), 1);
+  EXPECT_FALSE(result.summary.defects.HasCrossings());
+  EXPECT_LT(result.summary.violation, options.AllowedViolation());
+  EXPECT_FALSE(result.summary.is_pushed_far[1]);
+  group.state = result.state;
+  EXPECT_EQ(group.CrossingPairs(), 0);
+  EXPECT_LT(group.VolumeError(0), 1e-8);
+}
+
 // The cap of a sphere has been pushed in through its other side. Between planes
 // that keep its sides apart it stays there.
 TEST(Step, UnfoldsACrumpledMuscle) {

@@ -43,7 +43,8 @@ class RecordedStepTest : public ::testing::Test {
                     {step.OptionsIn(certified.options.step),
                      step.pose,
                      step.is_settling,
-                     step.max_push},
+                     step.max_push,
+                     step.is_still},
                     step.before,
                     StepSolves(2))
         .state;

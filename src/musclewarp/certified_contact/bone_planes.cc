@@ -303,6 +303,10 @@ std::vector<SeparatingPlane> FindPlanesOfBones(const StepOptions& options,
   for (int bone = 0; bone < step.num_bones(); ++bone) {
     for (int i = 0; i < step.num_muscles(); ++i) {
       const int pair = i * step.num_bones() + bone;
+      if (step.is_still[i]) {
+        if (before != nullptr) next[pair] = (*before)[pair];
+        continue;
+      }
       next[pair] =
           BoneSearch(options, step, i, bone)
               .Find(before == nullptr ? nullptr : &(*before)[pair], &planes);

@@ -33,7 +33,8 @@ ContactStep MakeContactStep(const ContactScene& scene,
                             const ContactState& before,
                             const std::vector<Points>& targets,
                             std::vector<Eigen::Matrix4d> bones_from_rest,
-                            std::vector<AttachedPoints> attached) {
+                            std::vector<AttachedPoints> attached,
+                            std::vector<char> is_still) {
   const ScopedStage stage("start of a step");
   CHECK_EQ(before.points.size(), scene.muscles.size());
   CHECK_EQ(before.targets.size(), scene.muscles.size());
@@ -41,11 +42,13 @@ ContactStep MakeContactStep(const ContactScene& scene,
   CHECK_EQ(before.bones_from_rest.size(), scene.bones.size());
   CHECK_EQ(bones_from_rest.size(), scene.bones.size());
   attached.resize(scene.muscles.size());
+  is_still.resize(scene.muscles.size(), false);
   ContactStep step{scene,
                    before,
                    std::move(bones_from_rest),
                    std::move(attached),
                    {},
+                   std::move(is_still),
                    {},
                    {}};
   for (const MuscleSurface& muscle : scene.muscles) {
@@ -56,7 +59,8 @@ ContactStep MakeContactStep(const ContactScene& scene,
 #pragma omp parallel for schedule(dynamic, 1)
   for (int i = 0; i < step.num_muscles(); ++i) {
     const Triangles& triangles = scene.muscles[i].triangles;
-    step.predicted[i] = before.points[i] + targets[i] - before.targets[i];
+    step.predicted[i] = before.points[i];
+    if (!step.is_still[i]) step.predicted[i] += targets[i] - before.targets[i];
     step.trees_before[i].Refit(before.points[i]);
     step.rotations[i].resize(triangles.rows());
     for (Eigen::Index f = 0; f < triangles.rows(); ++f) {

@@ -38,6 +38,10 @@ struct ContactStep {
   // offsets before the step.
   std::vector<Points> predicted;
 
+  // By muscle: whether it stands still, as bones do, while others move out of
+  // its way.
+  std::vector<char> is_still;
+
   // By muscle: a tree over its triangles before the step.
   std::vector<TriangleBvh> trees_before;
 
@@ -51,14 +55,16 @@ struct ContactStep {
 
 // Makes the step from `before` to coarse meshes that interpolate the vertices
 // `targets` (#V x 3 each, mm) and to bones at `bones_from_rest`. `attached`: by
-// muscle, or empty without attachments. Keeps references to the scene and to
-// `before`. Preconditions (CHECKed): `before`, `targets` and `bones_from_rest`
-// cover every muscle and bone.
+// muscle, or empty without attachments. `is_still`: by muscle, or empty if all
+// move; the targets of muscles that stand still are those before. Keeps
+// references to the scene and to `before`. Preconditions (CHECKed): `before`,
+// `targets` and `bones_from_rest` cover every muscle and bone.
 ContactStep MakeContactStep(const ContactScene& scene,
                             const ContactState& before,
                             const std::vector<Points>& targets,
                             std::vector<Eigen::Matrix4d> bones_from_rest,
-                            std::vector<AttachedPoints> attached = {});
+                            std::vector<AttachedPoints> attached = {},
+                            std::vector<char> is_still = {});
 
 // Returns a tree over the predicted triangles of each muscle. The stages of a
 // step refit these trees to the boxes that they search instead of building

@@ -123,6 +123,7 @@ void AddBoneCrossings(const ContactStep& step,
       FitTo(points, RigidInverse(place), trees);
     }
     for (int i = 0; i < step.num_muscles(); ++i) {
+      if (step.is_still[i]) continue;
       for (const auto& [f, g] :
            IntersectingTriangles((*trees)[i], *step.scene.bones[bone])) {
         if (step.scene.muscles[i].IsExempt(bone, f)) continue;
@@ -170,12 +171,16 @@ Defects FindDefects(const StepOptions& options,
 #pragma omp parallel for schedule(dynamic, 1) if (step.num_muscles() > 1)
   for (int i = 0; i < step.num_muscles(); ++i) {
     (*trees)[i].Refit(points[i]);
+    if (step.is_still[i]) continue;
     defects.folded[i] =
         TooManyFolded(options.defects, step.scene.muscles[i], points[i]);
   }
   for (int a = 0; a < step.num_muscles(); ++a) {
-    AddSelfCrossings(options, step, targets[a], points[a], a, &defects);
+    if (!step.is_still[a]) {
+      AddSelfCrossings(options, step, targets[a], points[a], a, &defects);
+    }
     for (int b = a + 1; b < step.num_muscles(); ++b) {
+      if (step.is_still[a] && step.is_still[b]) continue;
       for (const auto& [f, g] :
            IntersectingTriangles((*trees)[a], (*trees)[b])) {
         defects.muscle_crossings.push_back({a, f, b, g});

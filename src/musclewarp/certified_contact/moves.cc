@@ -7,43 +7,37 @@
 namespace musclewarp {
 namespace {
 
-void AppendMoves(const Points& a, const Points& b, std::vector<double>* moves) {
-  for (Eigen::Index v = 0; v < a.rows(); ++v) {
-    moves->push_back((a.row(v) - b.row(v)).norm());
-  }
-}
-
 // Returns the largest move without the fraction `share` of the largest ones.
-double LargestOfMost(double share, std::vector<double>* moves) {
-  if (moves->empty()) return 0;
-  const auto most =
-      moves->end() - 1 -
-      static_cast<int>(share * static_cast<double>(moves->size()));
-  std::nth_element(moves->begin(), most, moves->end());
+double MoveOfMostPoints(const Points& a, const Points& b, double share) {
+  if (a.rows() == 0) return 0;
+  std::vector<double> moves(a.rows());
+  for (Eigen::Index v = 0; v < a.rows(); ++v) {
+    moves[v] = (a.row(v) - b.row(v)).norm();
+  }
+  const auto most = moves.end() - 1 -
+                    static_cast<int>(share * static_cast<double>(moves.size()));
+  std::nth_element(moves.begin(), most, moves.end());
   return *most;
 }
 
 }  // namespace
 
-double MoveOfMost(const std::vector<Points>& a,
-                  const std::vector<Points>& b,
-                  double share) {
-  std::vector<double> moves;
-  for (size_t i = 0; i < a.size(); ++i) AppendMoves(a[i], b[i], &moves);
-  return LargestOfMost(share, &moves);
+std::vector<double> MovesOfMost(const std::vector<Points>& a,
+                                const std::vector<Points>& b,
+                                double share) {
+  std::vector<double> moves(a.size());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (size_t i = 0; i < a.size(); ++i) {
+    moves[i] = MoveOfMostPoints(a[i], b[i], share);
+  }
+  return moves;
 }
 
 double MoveOfMostMoved(const std::vector<Points>& a,
                        const std::vector<Points>& b,
                        double share) {
-  double largest = 0;
-  std::vector<double> moves;
-  for (size_t i = 0; i < a.size(); ++i) {
-    moves.clear();
-    AppendMoves(a[i], b[i], &moves);
-    largest = std::max(largest, LargestOfMost(share, &moves));
-  }
-  return largest;
+  const std::vector<double> moves = MovesOfMost(a, b, share);
+  return moves.empty() ? 0 : *std::max_element(moves.begin(), moves.end());
 }
 
 }  // namespace musclewarp

@@ -8,15 +8,14 @@
 
 namespace musclewarp {
 
-// Returns the largest distance (mm) between corresponding points of `a` and
-// `b`, over all muscles, without the fraction `share` of points that move
-// farthest: in squeezed muscles, single vertices never converge. `a`, `b`: #V x
-// 3 each, mm.
-double MoveOfMost(const std::vector<Points>& a,
-                  const std::vector<Points>& b,
-                  double share);
+// Returns, by muscle, the largest distance (mm) between corresponding points of
+// `a` and `b` without the fraction `share` of points that move farthest: in
+// squeezed muscles, single vertices never converge. `a`, `b`: #V x 3 each, mm.
+std::vector<double> MovesOfMost(const std::vector<Points>& a,
+                                const std::vector<Points>& b,
+                                double share);
 
-// Returns the maximum over the muscles of that distance, measured per muscle.
+// Returns the maximum over the muscles of that distance, or 0 without muscles.
 double MoveOfMostMoved(const std::vector<Points>& a,
                        const std::vector<Points>& b,
                        double share);

@@ -105,6 +105,9 @@ void PlaneSet::AddPlane(const SeparatingPlane& plane) {
   owner.share_above = (1 + AttachedShare(plane.muscle_above, plane.above) -
                        AttachedShare(plane.muscle_below, plane.below)) /
                       2;
+  moving.share_above = step_.is_still[plane.muscle_above]   ? 1
+                       : step_.is_still[plane.muscle_below] ? 0
+                                                            : owner.share_above;
   moving_.push_back(moving);
 }
 
@@ -210,7 +213,7 @@ void PlaneSet::UpdateLevel(const std::vector<Points>& unprojected,
     }
     moving->shift += up - down;
   }
-  const double share = owner.share_above;
+  const double share = moving->share_above;
   SetLevel(
       moving->plane,
       share * (Lowest(normal, unprojected[a], owner.above) - half_gap) +

@@ -93,6 +93,10 @@ class PlaneSet {
   struct MovingPlane {
     int plane;
     PlaneOwner owner;
+
+    // As that of the owner, but for muscles that stand still: the level follows
+    // these, and the other side yields.
+    double share_above;
     std::vector<int> also_below;  // as in SeparatingPlane
     int shared_corner;            // as in SeparatingPlane
     double shift = 0;             // mm

@@ -19,12 +19,12 @@ struct MuscleBlock {
   int muscle, block;
 };
 
-// Returns the blocks of all muscles by colour.
-std::vector<std::vector<MuscleBlock>> BlocksByColour(
-    const ContactScene& scene) {
+// Returns the blocks of all muscles that move by colour.
+std::vector<std::vector<MuscleBlock>> BlocksByColour(const ContactStep& step) {
   std::vector<std::vector<MuscleBlock>> colours;
-  for (int i = 0; i < static_cast<int>(scene.muscles.size()); ++i) {
-    const VertexBlocks& blocks = scene.muscles[i].blocks;
+  for (int i = 0; i < step.num_muscles(); ++i) {
+    if (step.is_still[i]) continue;
+    const VertexBlocks& blocks = step.scene.muscles[i].blocks;
     colours.resize(std::max(colours.size(), blocks.colours.size()));
     for (size_t c = 0; c < blocks.colours.size(); ++c) {
       for (const int b : blocks.colours[c]) colours[c].push_back({i, b});
@@ -56,11 +56,11 @@ RelaxedPoints Relax(const StepOptions& options,
                     RelaxedPoints start) {
   const ScopedStage stage("relaxation");
   RelaxedPoints relaxed = std::move(start);
-  const std::vector<std::vector<MuscleBlock>> colours =
-      BlocksByColour(step.scene);
+  const std::vector<std::vector<MuscleBlock>> colours = BlocksByColour(step);
   std::vector<std::optional<MuscleSweep>> muscles(step.num_muscles());
 #pragma omp parallel for schedule(dynamic, 1)
   for (int i = 0; i < step.num_muscles(); ++i) {
+    if (step.is_still[i]) continue;
     muscles[i].emplace(
         options, step, i, targets[i], stiffness[i], relaxed.points[i]);
   }
@@ -78,6 +78,7 @@ RelaxedPoints Relax(const StepOptions& options,
         sweep + 1 == sweeps ? 0 : options.relaxation.pressure_gain;
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < step.num_muscles(); ++i) {
+      if (step.is_still[i]) continue;
       if (changes.looks_at_all && pressure_gain > 0) {
         muscles[i]->UpdateGradient(relaxed.points[i]);
       }
@@ -95,9 +96,11 @@ RelaxedPoints Relax(const StepOptions& options,
       }
     }
   }
-  for (const MuscleSurface& muscle : step.scene.muscles) {
+  for (int i = 0; i < step.num_muscles(); ++i) {
+    if (step.is_still[i]) continue;
     CountWork(WorkUnit::kVertexSweeps,
-              static_cast<std::int64_t>(sweeps) * muscle.num_vertices());
+              static_cast<std::int64_t>(sweeps) *
+                  step.scene.muscles[i].num_vertices());
   }
   return relaxed;
 }

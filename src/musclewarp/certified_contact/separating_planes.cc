@@ -305,6 +305,7 @@ std::vector<SeparatingPlane> FindPlanesBetweenMuscles(
   for (int a = 0; a < step.num_muscles(); ++a) {
     for (int b = 0; b < step.num_muscles(); ++b) {
       if (a == b || !IsAbove(step, a, b)) continue;
+      if (step.is_still[a] && step.is_still[b]) continue;
       AddPlanesBetweenMuscles(
           options, step, {radius, *predicted, triangles}, a, b, &planes);
     }

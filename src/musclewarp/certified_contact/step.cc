@@ -63,10 +63,13 @@ StepResult ResultOf(const StepOptions& options,
   summary.rounds = rounds;
   summary.push = MoveOfMostMoved(best.points, step.predicted, kPushedFarthest) +
                  summary.violation;
-  summary.is_short_of_reach =
-      summary.push < options.reach &&
-      MoveOfMostMoved(best.points, step.predicted, kUnsettled) <
-          0.99 * options.reach;
+  summary.is_short_of_reach = summary.push < options.reach;
+  for (const double push :
+       MovesOfMost(best.points, step.predicted, kUnsettled)) {
+    const bool is_far = push >= 0.99 * options.reach;
+    summary.is_pushed_far.push_back(is_far);
+    if (is_far) summary.is_short_of_reach = false;
+  }
   state.points = std::move(best.points);
   return {std::move(state), summary};
 }
@@ -93,7 +96,7 @@ OpenStep BeginStep(const StepOptions& options,
   };
   add(FindPlanesOfBones(options, step, &open.kept));
   for (int i = 0; i < step.num_muscles() && !options.unfolds; ++i) {
-    add(FindPlanesBetweenSheets(options, step, i));
+    if (!step.is_still[i]) add(FindPlanesBetweenSheets(options, step, i));
   }
   open.planes.Add(planes);
   open.relaxed = Relax(options,
@@ -177,8 +180,12 @@ StepResult Step(const StepOptions& options,
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   ContactState state = goal.state;
-  const ContactStep step = MakeContactStep(
-      scene, before, state.targets, state.bones_from_rest, state.held);
+  const ContactStep step = MakeContactStep(scene,
+                                           before,
+                                           state.targets,
+                                           state.bones_from_rest,
+                                           state.held,
+                                           goal.is_still);
   if (goal.max_push < kInfinity) {
     const double passage = MaxTunnelling(step);
     if (passage > options.relaxation.max_push) {

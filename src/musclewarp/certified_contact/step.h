@@ -57,6 +57,9 @@ struct StepSummary {
   // kUnsettled of vertices), so that a second step would not push them farther.
   bool is_short_of_reach = false;
 
+  // By muscle: whether contact pushes it by the reach.
+  std::vector<char> is_pushed_far = {};
+
   // True if the step was given up because it pushes muscles too far. The state
   // is empty then.
   bool is_given_up = false;
@@ -83,6 +86,10 @@ struct StepGoal {
   // RelaxationOptions::max_push is given up as well, as planes cannot hold them
   // (MaxTunnelling).
   double max_push = kInfinity;
+
+  // By muscle: whether it stands still while others move out of its way; its
+  // targets are those before. Empty: all muscles move.
+  std::vector<char> is_still = {};
 };
 
 // The result of the coarse solve with contact rows, by muscle; see

@@ -89,6 +89,7 @@ RestoredVolumes RestoreVolumes(const StepOptions& options,
   double worst = 0;
 #pragma omp parallel for schedule(dynamic, 1) reduction(max : worst)
   for (int i = 0; i < step.num_muscles(); ++i) {
+    if (step.is_still[i]) continue;
     worst = std::max(worst,
                      RestoreVolume(options,
                                    step.scene.muscles[i],

@@ -45,9 +45,9 @@ struct CertifiedContactOptions {
   // sweeps. Squeezed vertices keep moving by 0.1 mm per step, but a tolerance
   // of 0.15 mm leaves muscles displaced more than necessary (12.8 instead of
   // 11.1 mm in the originals of the hamstrings).
-  int max_rest_steps = 20;
+  int max_rest_steps = 60;
   int rest_sweeps = 30;
-  double rest_tolerance = 0.05;
+  double rest_tolerance = 0.1;
 
   // A step of the shortest length that leaves crossing triangles is retried
   // with the reach multiplied by `reach_growth`, up to `max_reach` (mm). The

@@ -14,7 +14,7 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/certified_contact/moves.h"
 #include "musclewarp/motion/pose_step.h"
-#include "musclewarp/motion/settling_progress.h"
+#include "musclewarp/motion/settling_muscles.h"
 #include "musclewarp/motion/step_remedies.h"
 
 namespace musclewarp {
@@ -57,7 +57,9 @@ class PoseStepper {
         step_(options.step),
         length_(options.length),
         at_(at),
-        settling_(options.step.reach),
+        settling_(state->points.size(),
+                  options.settling_tolerance,
+                  options.step.reach),
         state_(state),
         solves_(state->points.size()) {
     if (options.relaxes_rest)
@@ -99,7 +101,7 @@ class PoseStepper {
   // Takes a settling step at the pose.
   void Settle() {
     PoseStepResult attempt =
-        Try({step_, goal_, /*is_settling=*/true, kInfinity});
+        Try({step_, goal_, /*is_settling=*/true, kInfinity, settling_.Still()});
     Respond(Crosses(attempt.summary) ? StepOutcome::kSettledCrossing
                                      : StepOutcome::kSettledClean,
             1,
@@ -140,6 +142,7 @@ class PoseStepper {
       case StepRemedy::kGoBack:
         return GoBack();
       case StepRemedy::kReachFarther:
+        settling_.MoveAll();
         return ReachFarther();
       case StepRemedy::kSettle:
         SettleAt(attempt);
@@ -155,25 +158,29 @@ class PoseStepper {
     length_.Grow(attempt->summary.push);
     // Muscles that are pushed by less than the reach need no settling.
     is_settled_ = attempt->summary.is_short_of_reach;
+    settling_.MoveOnly(attempt->summary.is_pushed_far);
     Accept(std::move(*attempt));
     at_ = to;
   }
 
   void SettleAt(PoseStepResult* attempt) {
-    const double move =
-        MoveOfMost(state_->points, attempt->state.points, kUnsettled);
+    const DefectCounts defects = attempt->summary.defects;
+    const std::vector<double> moves =
+        MovesOfMost(state_->points, attempt->state.points, kUnsettled);
+    const double move = *std::max_element(moves.begin(), moves.end());
     VLOG(1) << "most vertices have moved by less than " << move << " mm";
     summary_.last_clean.reset();
-    const DefectCounts defects = attempt->summary.defects;
     const bool stops_short = defects.IsEmpty() && move > step_.reach;
     Accept(std::move(*attempt), stops_short);
-    settling_.Add(move);
-    is_settled_ = move < options_.settling_tolerance || settling_.IsStalled();
-    if (options_.relaxes_rest) {
-      is_settled_ = is_settled_ && !defects.HasCrossings();
-      step_.reach = ReachFor(options_.reach_growth * move);
-      ContinueUnfolding(defects.self_crossing_pairs);
-    }
+    const bool all_moved = settling_.Still().empty();
+    settling_.Add(moves);
+    is_settled_ = settling_.AreSettled();
+    if (!options_.relaxes_rest) return;
+    // Muscles that stood still may be out of balance.
+    is_settled_ = is_settled_ && all_moved && !defects.HasCrossings();
+    if (defects.HasCrossings()) settling_.MoveAll();
+    step_.reach = ReachFor(options_.reach_growth * move);
+    ContinueUnfolding(defects.self_crossing_pairs);
   }
 
   // Ends the unfolding of muscles when it does not help any more.
@@ -225,6 +232,7 @@ class PoseStepper {
                         step.options.reach,
                         step.options.sweeps,
                         step.options.unfolds,
+                        step.is_still,
                         *state_,
                         attempt.state});
     }
@@ -233,7 +241,9 @@ class PoseStepper {
             << " mm, " << attempt.summary.rounds << " rounds, "
             << attempt.summary.defects.crossing_pairs << " crossing pairs, "
             << attempt.summary.defects.self_crossing_pairs
-            << " of muscles with themselves";
+            << " of muscles with themselves; "
+            << std::count(step.is_still.begin(), step.is_still.end(), true)
+            << " muscles stood still";
     return attempt;
   }
 
@@ -270,7 +280,7 @@ class PoseStepper {
   StepLength length_;
   double at_;
   bool is_settled_ = false;
-  SettlingProgress settling_;
+  SettlingMuscles settling_;
   double self_crossings_ = kInfinity;  // after the last settling step
   int returns_ = 0;
   std::vector<Waypoint> trail_;  // the latest last

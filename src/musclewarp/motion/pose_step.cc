@@ -27,25 +27,30 @@ SolvedPose SolveFree(const MotionContext& context,
                            context.pre_rotation));
 }
 
-// Solves the muscles with contact rows for the planes that their samples
-// violate most. `goal`: the predicted state; `free`: the solution without
-// contact. `summaries` receives those of both solves, merged.
+// Solves the muscles that move with contact rows for the planes that their
+// samples violate most; the others keep what they have. `goal`: the predicted
+// state; `free`: the solution without contact. `summaries` receives those of
+// both solves, merged.
 CoarseSolution SolveWithContactRows(const MotionContext& context,
                                     const PlaneSet& planes,
                                     const std::vector<Points>& points,
+                                    const std::vector<char>& is_still,
                                     const ContactState& goal,
                                     const SolvedPose& free,
                                     std::vector<SolverSummary>* summaries) {
   const ScopedStage stage("solve with contact");
   const CertifiedScene& certified = context.certified;
-  CoarseSolution solution;
-  std::vector<OneSidedRows> rows;
+  CoarseSolution solution{goal.coarse, goal.targets, goal.planes};
+  solution.planes.resize(certified.muscles.size());
+  const auto moves = [&](size_t i) { return is_still.empty() || !is_still[i]; };
+  std::vector<OneSidedRows> rows(certified.muscles.size());
   for (size_t i = 0; i < certified.muscles.size(); ++i) {
-    solution.planes.push_back(planes.MostViolated(
-        static_cast<int>(i), certified.samples[i], points[i], goal.targets[i]));
-    rows.push_back(OneSidedRowsOf(solution.planes.back().spaces,
-                                  certified.row_weights[i]));
-    CountWork(WorkUnit::kRows, rows.back().size());
+    if (!moves(i)) continue;
+    solution.planes[i] = planes.MostViolated(
+        static_cast<int>(i), certified.samples[i], points[i], goal.targets[i]);
+    rows[i] =
+        OneSidedRowsOf(solution.planes[i].spaces, certified.row_weights[i]);
+    CountWork(WorkUnit::kRows, rows[i].size());
   }
   SolvedPose solved = SolveWithRows(ModelsOf(certified.muscles),
                                     free,
@@ -54,9 +59,14 @@ CoarseSolution SolveWithContactRows(const MotionContext& context,
                                     context.solver,
                                     rows,
                                     StatesOf(goal.coarse));
-  solution.coarse = CoarseOf(solved.states);
-  solution.targets = FineMeshes(certified, solution.coarse);
-  *summaries = std::move(solved.summaries);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (size_t i = 0; i < certified.muscles.size(); ++i) {
+    if (!moves(i)) continue;
+    solution.coarse[i] = std::move(solved.states[i].coarse);
+    solution.targets[i] =
+        FinePoints(certified.muscles[i]->model, {solution.coarse[i], {}});
+    (*summaries)[i] = std::move(solved.summaries[i]);
+  }
   return solution;
 }
 
@@ -71,7 +81,8 @@ std::vector<Points> MovedAlong(const ContactState& from,
   return coarse;
 }
 
-// Returns the state of the coarse meshes in a pose, without its points.
+// Returns the state of the coarse meshes in a pose, without its points and
+// planes.
 ContactState GoalOf(const MotionContext& context,
                     const ScenePose& pose,
                     std::vector<Points> free_coarse,
@@ -92,25 +103,36 @@ PoseStepResult TakeStep(const MotionContext& context,
                         const PoseStep& step,
                         const ContactState& before,
                         const StepSolves& solves) {
-  const SolvedPose free =
-      step.is_settling
-          ? SolvedPose{StatesOf(before.free_coarse), solves.free, 0}
-          : SolveFree(context, before, step.pose);
   PoseStepResult result;
+  SolvedPose free;
+  StepGoal goal;
+  if (step.is_settling) {
+    free = {StatesOf(before.free_coarse), solves.free, 0};
+    result.solves.all = solves.all;
+    goal.state = before;
+    goal.state.points.clear();
+  } else {
+    free = SolveFree(context, before, step.pose);
+    result.solves.all = free.summaries;
+    std::vector<Points> free_coarse = CoarseOf(free.states);
+    std::vector<Points> coarse = MovedAlong(before, free_coarse);
+    goal.state =
+        GoalOf(context, step.pose, std::move(free_coarse), std::move(coarse));
+  }
   result.solves.free = free.summaries;
-  result.solves.all = step.is_settling ? solves.all : free.summaries;
-  std::vector<Points> free_coarse = CoarseOf(free.states);
-  std::vector<Points> coarse =
-      step.is_settling ? before.coarse : MovedAlong(before, free_coarse);
-  const StepGoal goal = {
-      GoalOf(context, step.pose, std::move(free_coarse), std::move(coarse)),
-      step.max_push};
+  goal.max_push = step.max_push;
+  goal.is_still = step.is_still;
   SolveCoarse solve_coarse;
   if (context.certified.options.coarse_weight > 0) {
     solve_coarse = [&](const PlaneSet& planes,
                        const std::vector<Points>& points) {
-      return SolveWithContactRows(
-          context, planes, points, goal.state, free, &result.solves.all);
+      return SolveWithContactRows(context,
+                                  planes,
+                                  points,
+                                  step.is_still,
+                                  goal.state,
+                                  free,
+                                  &result.solves.all);
     };
   }
   StepResult taken =

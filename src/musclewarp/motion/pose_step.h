@@ -22,6 +22,9 @@ struct PoseStep {
   bool is_settling = false;
 
   double max_push = kInfinity;  // mm, see StepGoal
+
+  // By muscle: whether it keeps its shape in a settling step. Empty: all move.
+  std::vector<char> is_still = {};
 };
 
 // The summaries of the solves that produced a state, by muscle, in the order of

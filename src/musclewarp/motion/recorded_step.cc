@@ -39,6 +39,7 @@ void serialize(Archive& archive, RecordedStep& step) {
           step.reach,
           step.sweeps,
           step.unfolds,
+          step.is_still,
           step.before,
           step.after);
 }

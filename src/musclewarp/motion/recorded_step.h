@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "musclewarp/certified_contact/contact_state.h"
 #include "musclewarp/certified_contact/step_options.h"
@@ -22,6 +23,7 @@ struct RecordedStep {
   double reach = 0;     // mm
   int sweeps = 0;
   bool unfolds = false;
+  std::vector<char> is_still;
 
   ContactState before;
   ContactState after;  // without points if its push was too large
