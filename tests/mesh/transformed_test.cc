@@ -60,6 +60,21 @@ TEST(Transformed, ByAnAffineMapScalesTheVolumeByTheDeterminant) {
               1e-10);
 }
 
+TEST(Transformed, ABoxStaysAroundItsPoints) {
+  const Points points = RandomPoints(200, 1);
+  const Eigen::Matrix4d b_from_a = SomeMotion();
+  const Box3 box = Transformed(BoxOf(points), b_from_a);
+  const Points moved = Transformed(points, b_from_a);
+  for (const auto p : moved.rowwise()) {
+    // Corners and points are rounded apart.
+    EXPECT_LT(box.SquaredDistance(Eigen::RowVector3d(p)),
+              kRounding * kRounding);
+  }
+  const Box3 same = Transformed(BoxOf(points), Eigen::Matrix4d::Identity());
+  EXPECT_EQ(same.lower, BoxOf(points).lower);
+  EXPECT_EQ(same.upper, BoxOf(points).upper);
+}
+
 TEST(RigidInverse, UndoesTheMotion) {
   const Eigen::Matrix4d b_from_a = SomeMotion();
   const Points points = RandomPoints(20, 1);

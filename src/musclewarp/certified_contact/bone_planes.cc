@@ -20,6 +20,27 @@ namespace {
 // Rounding of a distance between two places, mm, is below this.
 constexpr double kRounding = 1e-9;
 
+// Returns the distance that matters to a triangle that stands still, mm.
+double Margin(const StepOptions& options) {
+  return options.AimedGap() + options.planes.search_fraction * options.reach;
+}
+
+// Returns the distance beyond which nothing matters to a triangle, mm.
+double LargestNeed(const StepOptions& options) {
+  return Margin(options) + 2 * options.relaxation.max_push;
+}
+
+// Returns true if a bone is too far from a muscle to matter to it in a step.
+bool IsFar(const StepOptions& options,
+           const ContactStep& step,
+           int muscle,
+           int bone) {
+  const Box3 box = Transformed(step.scene.bones[bone]->box(),
+                               step.before.bones_from_rest[bone]);
+  const double need = LargestNeed(options);
+  return step.trees_before[muscle].box().SquaredDistance(box) > need * need;
+}
+
 // Returns a lower bound of the distance of the bone's triangles from `box`: the
 // distance of their boxes if it is below `exact_below`, mm, else at least half
 // of it.
@@ -54,8 +75,7 @@ class BoneSearch {
         muscle_(muscle),
         bone_(bone),
         max_push_(options.relaxation.max_push),
-        margin_(options.AimedGap() +
-                options.planes.search_fraction * options.reach),
+        margin_(Margin(options)),
         rest_from_after_(RigidInverse(step.bones_from_rest[bone])),
         before_(Transformed(step.before.points[muscle],
                             RigidInverse(step.before.bones_from_rest[bone]))) {}
@@ -131,7 +151,7 @@ BoneSearch::Path BoneSearch::PathOf(int f) const {
 std::vector<int> BoneSearch::TrianglesNear(
     const KeptPlanes* kept, std::vector<double>* distances) const {
   const int count = static_cast<int>(surface_.triangles.rows());
-  const double largest_need = margin_ + 2 * max_push_;
+  const double largest_need = LargestNeed(options_);
   const Clearances* known = nullptr;
   Eigen::VectorXd moved;  // of the vertices since `known`, mm
   if (kept != nullptr && !kept->clearances.distances.empty()) {
@@ -301,12 +321,14 @@ std::vector<SeparatingPlane> FindPlanesOfBones(const StepOptions& options,
   if (before != nullptr) CHECK_EQ(before->size(), next.size());
   std::vector<SeparatingPlane> planes;
   for (int bone = 0; bone < step.num_bones(); ++bone) {
+    if (step.scene.bones[bone]->num_triangles() == 0) continue;
     for (int i = 0; i < step.num_muscles(); ++i) {
       const int pair = i * step.num_bones() + bone;
       if (step.is_still[i]) {
         if (before != nullptr) next[pair] = (*before)[pair];
         continue;
       }
+      if (IsFar(options, step, i, bone)) continue;
       next[pair] =
           BoneSearch(options, step, i, bone)
               .Find(before == nullptr ? nullptr : &(*before)[pair], &planes);

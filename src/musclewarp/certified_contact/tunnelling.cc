@@ -50,6 +50,20 @@ std::vector<char> ExemptVertices(const MuscleSurface& muscle, int bone) {
   return exempt;
 }
 
+// Returns true if no path of the muscle, whose vertices are predicted in a box,
+// meets the box of the bone.
+bool IsBesideBone(const ContactStep& step,
+                  const Box3& predicted,
+                  int bone,
+                  int muscle) {
+  const Box3 starts =
+      Transformed(step.trees_before[muscle].box(),
+                  RigidInverse(step.before.bones_from_rest[bone]));
+  const Box3 ends =
+      Transformed(predicted, RigidInverse(step.bones_from_rest[bone]));
+  return !BoxOf(starts, ends).Overlaps(step.scene.bones[bone]->box());
+}
+
 double PassageThrough(const ContactStep& step, int bone, int muscle) {
   const Points starts =
       Transformed(step.before.points[muscle],
@@ -81,9 +95,14 @@ double PassageThrough(const ContactStep& step, int bone, int muscle) {
 
 double MaxTunnelling(const ContactStep& step) {
   double longest = 0;
+  std::vector<Box3> predicted;
+  for (const Points& points : step.predicted) {
+    predicted.push_back(BoxOf(points));
+  }
   for (int bone = 0; bone < step.num_bones(); ++bone) {
     if (step.scene.bones[bone]->num_triangles() == 0) continue;
     for (int muscle = 0; muscle < step.num_muscles(); ++muscle) {
+      if (IsBesideBone(step, predicted[muscle], bone, muscle)) continue;
       longest = std::max(longest, PassageThrough(step, bone, muscle));
     }
   }

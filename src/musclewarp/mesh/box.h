@@ -69,6 +69,17 @@ inline Box3 BoxOf(const Corners& triangle, double margin = 0) {
   return box;
 }
 
+// Returns the smallest box that contains points (#P x 3). Precondition: there
+// are some.
+inline Box3 BoxOf(const Points& points) {
+  Box3 box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.lower[axis] = points.col(axis).minCoeff();
+    box.upper[axis] = points.col(axis).maxCoeff();
+  }
+  return box;
+}
+
 // Returns the smallest box that contains two others.
 inline Box3 BoxOf(const Box3& a, const Box3& b) {
   Box3 box;
