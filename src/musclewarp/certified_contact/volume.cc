@@ -86,20 +86,18 @@ RestoredVolumes RestoreVolumes(const StepOptions& options,
   const ScopedStage stage("volume");
   RestoredVolumes restored;
   restored.points = relaxed.points;
-  double worst = 0;
-#pragma omp parallel for schedule(dynamic, 1) reduction(max : worst)
+  restored.errors.assign(step.num_muscles(), 0);
+#pragma omp parallel for schedule(dynamic, 1)
   for (int i = 0; i < step.num_muscles(); ++i) {
     if (step.is_still[i]) continue;
-    worst = std::max(worst,
-                     RestoreVolume(options,
-                                   step.scene.muscles[i],
-                                   step.attached[i],
-                                   i,
-                                   relaxed.unprojected[i],
-                                   planes,
-                                   &restored.points[i]));
+    restored.errors[i] = RestoreVolume(options,
+                                       step.scene.muscles[i],
+                                       step.attached[i],
+                                       i,
+                                       relaxed.unprojected[i],
+                                       planes,
+                                       &restored.points[i]);
   }
-  restored.worst_error = worst;
   return restored;
 }
 
