@@ -65,10 +65,10 @@ double ContactGroup::VolumeError(size_t muscle) const {
 
 std::vector<SeparatingPlane> AllPlanes(const StepOptions& options,
                                        const ContactStep& step) {
-  std::vector<TriangleBvh> trees = PredictedTrees(step);
+  const std::vector<TriangleBvh> trees = PredictedTrees(step);
   KeptBonePlanes kept;
   std::vector<SeparatingPlane> planes =
-      FindPlanesBetweenMuscles(options, step, &trees);
+      FindPlanesBetweenMuscles(options, step, trees);
   const std::vector<SeparatingPlane> of_bones =
       FindPlanesOfBones(options, step, &kept);
   planes.insert(planes.end(), of_bones.begin(), of_bones.end());

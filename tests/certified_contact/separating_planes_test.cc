@@ -21,8 +21,8 @@ using Eigen::RowVector3i;
 constexpr double kPlaneRounding = 1e-9;
 
 std::vector<SeparatingPlane> PlanesOf(const ContactStep& step) {
-  std::vector<TriangleBvh> trees = PredictedTrees(step);
-  return FindPlanesBetweenMuscles({}, step, &trees);
+  const std::vector<TriangleBvh> trees = PredictedTrees(step);
+  return FindPlanesBetweenMuscles({}, step, trees);
 }
 
 // Two spheres that are 0.4 mm apart, of which the smaller one goes along the

@@ -19,7 +19,7 @@ namespace musclewarp {
 // points into the half-spaces of a vertex.
 //
 //   PlaneSet planes(options, step);
-//   planes.Add(FindPlanesBetweenMuscles(options, step, &trees));
+//   planes.Add(FindPlanesBetweenMuscles(options, step, trees));
 //   planes.UpdateLevels(unprojected, points, /*is_first=*/true);
 //   planes.FindNear(muscle, v, p);
 //   points[muscle].row(v) = planes.Projected(muscle, v, p);

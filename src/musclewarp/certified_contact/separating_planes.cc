@@ -52,56 +52,46 @@ void Append(const std::vector<std::vector<SeparatingPlane>>& parts,
   }
 }
 
-// What is known of the triangles of a muscle, #F each.
-struct TriangleData {
-  std::vector<Box3> before, predicted;  // boxes, and at the prediction
-  std::vector<int> attached_corners;    // how many of the three are attached
+// What is known of a muscle.
+struct MuscleData {
+  // By node of its tree: boxes around its triangles, larger by half of the
+  // search radius on all sides, before the step and at the prediction.
+  std::vector<Box3> before, predicted;
+
+  // By triangle: how many of its corners are attached.
+  std::vector<int> attached_corners;
 };
 
-std::vector<TriangleData> TriangleDataOf(
-    const ContactStep& step, const std::vector<TriangleBvh>& predicted) {
-  std::vector<TriangleData> data(predicted.size());
+std::vector<MuscleData> MuscleDataOf(const ContactStep& step,
+                                     const std::vector<TriangleBvh>& predicted,
+                                     double radius) {
+  std::vector<MuscleData> data(predicted.size());
+#pragma omp parallel for schedule(dynamic, 1)
   for (size_t i = 0; i < predicted.size(); ++i) {
     const MuscleSurface& surface = step.scene.muscles[i];
     std::vector<char> is_attached(surface.num_vertices(), false);
     for (const int v : step.attached[i].vertices) is_attached[v] = true;
     const int count = predicted[i].num_triangles();
-    data[i].before.resize(count);
-    data[i].predicted.resize(count);
+    std::vector<Box3> before(count), after(count);
     data[i].attached_corners.resize(count);
-#pragma omp parallel for schedule(static)
     for (int f = 0; f < count; ++f) {
-      data[i].before[f] = BoxOf(step.trees_before[i].corners(f));
-      data[i].predicted[f] = BoxOf(predicted[i].corners(f));
+      before[f] = BoxOf(step.trees_before[i].corners(f), radius / 2);
+      after[f] = BoxOf(predicted[i].corners(f), radius / 2);
       for (const int v : surface.triangles.row(f)) {
         data[i].attached_corners[f] += is_attached[v];
       }
     }
+    data[i].before = predicted[i].BoxesOfNodes(before);
+    data[i].predicted = predicted[i].BoxesOfNodes(after);
   }
   return data;
-}
-
-// Returns boxes around both boxes of each triangle, #F. They overlap if two
-// triangles are within `radius` (mm) of each other before the step or at the
-// prediction.
-std::vector<Box3> BoxesAround(const TriangleData& boxes, double radius) {
-  std::vector<Box3> around(boxes.before.size());
-  for (size_t f = 0; f < around.size(); ++f) {
-    around[f] = BoxOf(boxes.before[f], boxes.predicted[f]);
-    for (int k = 0; k < 3; ++k) {
-      around[f].lower[k] -= radius / 2;
-      around[f].upper[k] += radius / 2;
-    }
-  }
-  return around;
 }
 
 // The search radius and the muscles for AddPlanesBetweenMuscles().
 struct NearMuscles {
   double radius = 0;  // mm
-  const std::vector<TriangleBvh>&
-      predicted;  // with the boxes around the motion
-  const std::vector<TriangleData>& triangles;
+  const std::vector<TriangleBvh>& predicted;
+  const std::vector<MuscleData>& muscles;
 };
 
 // The planes of one triangle of a muscle against another muscle.
@@ -123,7 +113,7 @@ class TrianglePlanes {
         predicted_(near.predicted[a].corners(f)),
         others_before_(step.trees_before[b]),
         others_predicted_(near.predicted[b]),
-        attached_corners_(near.triangles[b].attached_corners) {}
+        attached_corners_(near.muscles[b].attached_corners) {}
 
   // Finds planes to the `count` triangles `others` of the other muscle, as far
   // as they are within the radius.
@@ -232,15 +222,26 @@ void AddPlanesBetweenMuscles(const StepOptions& options,
                              int a,
                              int b,
                              std::vector<SeparatingPlane>* planes) {
+  const MuscleData &of_a = near.muscles[a], &of_b = near.muscles[b];
+  // Muscles that move together stay near each other: boxes around their whole
+  // motion would overlap far more often.
+  const auto may_be_near = [&](int node_a, int node_b) {
+    return of_a.before[node_a].Overlaps(of_b.before[node_b]) ||
+           of_a.predicted[node_a].Overlaps(of_b.predicted[node_b]);
+  };
   const double square = near.radius * near.radius;
-  const TriangleData &boxes_a = near.triangles[a], &boxes_b = near.triangles[b];
   const auto are_near = [&](int f, int g) {
-    return boxes_a.before[f].SquaredDistance(boxes_b.before[g]) <= square ||
-           boxes_a.predicted[f].SquaredDistance(boxes_b.predicted[g]) <= square;
+    const auto are_near_in = [&](const TriangleBvh& tree_a,
+                                 const TriangleBvh& tree_b) {
+      return BoxOf(tree_a.corners(f))
+                 .SquaredDistance(BoxOf(tree_b.corners(g))) <= square;
+    };
+    return are_near_in(step.trees_before[a], step.trees_before[b]) ||
+           are_near_in(near.predicted[a], near.predicted[b]);
   };
   const TriangleBvh& predicted = near.predicted[a];
   const Grouped met =
-      ByFirst(predicted.CollectOverlaps(near.predicted[b], are_near),
+      ByFirst(predicted.CollectPairs(near.predicted[b], may_be_near, are_near),
               predicted.num_triangles());
   std::vector<std::vector<SeparatingPlane>> found(predicted.num_triangles());
 #pragma omp parallel for schedule(dynamic, 64)
@@ -291,23 +292,19 @@ SeparatingPlane PlaneBetween(const ContactStep& step,
 std::vector<SeparatingPlane> FindPlanesBetweenMuscles(
     const StepOptions& options,
     const ContactStep& step,
-    std::vector<TriangleBvh>* predicted) {
+    const std::vector<TriangleBvh>& predicted) {
   const ScopedStage stage("planes between muscles");
   // Both muscles may move by the reach.
   const double radius =
       options.AimedGap() + options.planes.search_fraction * 2 * options.reach;
-  const std::vector<TriangleData> triangles = TriangleDataOf(step, *predicted);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int i = 0; i < step.num_muscles(); ++i) {
-    (*predicted)[i].RefitBoxes(BoxesAround(triangles[i], radius));
-  }
+  const std::vector<MuscleData> muscles = MuscleDataOf(step, predicted, radius);
   std::vector<SeparatingPlane> planes;
   for (int a = 0; a < step.num_muscles(); ++a) {
     for (int b = 0; b < step.num_muscles(); ++b) {
       if (a == b || !IsAbove(step, a, b)) continue;
       if (step.is_still[a] && step.is_still[b]) continue;
       AddPlanesBetweenMuscles(
-          options, step, {radius, *predicted, triangles}, a, b, &planes);
+          options, step, {radius, predicted, muscles}, a, b, &planes);
     }
   }
   return planes;

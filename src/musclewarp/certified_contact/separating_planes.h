@@ -69,11 +69,11 @@ SeparatingPlane PlaneBetween(const ContactStep& step,
 // bones, sheet_planes.h those between the sheets of one muscle, and defects.h
 // those against remaining crossings.
 //
-// `predicted`: the trees of PredictedTrees(step), whose boxes are changed. The
-// order of the planes depends on the meshes only.
+// `predicted`: the trees of PredictedTrees(step). The order of the planes
+// depends on the meshes only.
 std::vector<SeparatingPlane> FindPlanesBetweenMuscles(
     const StepOptions& options,
     const ContactStep& step,
-    std::vector<TriangleBvh>* predicted);
+    const std::vector<TriangleBvh>& predicted);
 
 }  // namespace musclewarp

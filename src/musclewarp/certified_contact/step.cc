@@ -91,7 +91,7 @@ OpenStep BeginStep(const StepOptions& options,
   OpenStep open{
       PlaneSet(options, step), StartOf(step), PredictedTrees(step), {}};
   std::vector<SeparatingPlane> planes =
-      FindPlanesBetweenMuscles(options, step, &open.trees);
+      FindPlanesBetweenMuscles(options, step, open.trees);
   const auto add = [&](const std::vector<SeparatingPlane>& more) {
     planes.insert(planes.end(), more.begin(), more.end());
   };

@@ -51,11 +51,6 @@ void TriangleBvh::Refit(const Points& points) {
   RefitNodes([&](int triangle) { return BoxOf(corners_[triangle]); });
 }
 
-void TriangleBvh::RefitBoxes(const std::vector<Box3>& boxes) {
-  CHECK_EQ(boxes.size(), corners_.size());
-  RefitNodes([&](int triangle) { return boxes[triangle]; });
-}
-
 std::vector<Box3> TriangleBvh::BoxesOfNodes(
     const std::vector<Box3>& of_triangles) const {
   CHECK_EQ(of_triangles.size(), corners_.size());
@@ -78,32 +73,6 @@ void TriangleBvh::RefitNodes(const BoxOfTriangle& box_of) {
                    ? box_of(node.triangle)
                    : BoxOf(nodes_[i + 1].box, nodes_[node.second].box);
   }
-}
-
-std::vector<TriangleBvh::NodePair> TriangleBvh::Expand(
-    const TriangleBvh& a, const TriangleBvh& b, std::vector<NodePair> roots) {
-  constexpr size_t kEnough = 256;
-  const auto is_leaf_pair = [&](const NodePair& pair) {
-    return a.nodes_[pair.first].IsLeaf() && b.nodes_[pair.second].IsLeaf();
-  };
-  bool has_changed = true;
-  while (has_changed && roots.size() < kEnough) {
-    has_changed = false;
-    std::vector<NodePair> finer;
-    for (const NodePair& pair : roots) {
-      if (!a.nodes_[pair.first].box.Overlaps(b.nodes_[pair.second].box)) {
-        continue;
-      }
-      if (is_leaf_pair(pair)) {
-        finer.push_back(pair);
-        continue;
-      }
-      for (const NodePair& half : Split(a, b, pair)) finer.push_back(half);
-      has_changed = true;
-    }
-    roots = std::move(finer);
-  }
-  return roots;
 }
 
 std::vector<TriangleBvh::NodePair> TriangleBvh::SelfPairs() const {

@@ -42,11 +42,6 @@ class TriangleBvh {
   // Moves the vertices to new positions (#V x 3); the triangles stay the same.
   void Refit(const Points& points);
 
-  // Replaces the boxes of the triangles (#F) until the next Refit(). Larger
-  // boxes find what is near a triangle, or on its way. Precondition (CHECKed):
-  // there is one box per triangle.
-  void RefitBoxes(const std::vector<Box3>& boxes);
-
   int num_triangles() const { return static_cast<int>(corners_.size()); }
   const Corners& corners(int triangle) const { return corners_[triangle]; }
 
@@ -70,6 +65,15 @@ class TriangleBvh {
                                                    const Keep& keep) const;
   template <typename Keep>
   std::vector<std::pair<int, int>> CollectSelfOverlaps(const Keep& keep) const;
+
+  // Returns the pairs of a triangle of this tree and one of another for which
+  // keep(f, g) is true, of those for which enter(a, b) is true of all pairs of
+  // nodes that contain them. `enter` must be true of two nodes if it is true of
+  // nodes within them. Both are called from several threads.
+  template <typename Enter, typename Keep>
+  std::vector<std::pair<int, int>> CollectPairs(const TriangleBvh& other,
+                                                const Enter& enter,
+                                                const Keep& keep) const;
 
   // Returns the pairs of two different triangles of this tree for which keep(f,
   // g) is true, with f < g, of those for which enter(a, b) is true of all pairs
@@ -151,19 +155,29 @@ class TriangleBvh {
                         NodePair root,
                         const Visit& visit);
 
-  // Returns overlapping node pairs that together stand for `roots`, enough of
-  // them to keep many threads busy.
+  // The condition that the boxes of two nodes overlap.
+  static auto OverlapOf(const TriangleBvh& a, const TriangleBvh& b) {
+    return [&a, &b](int of_a, int of_b) {
+      return a.nodes_[of_a].box.Overlaps(b.nodes_[of_b].box);
+    };
+  }
+
+  // Returns node pairs for which `enter` is true and that together stand for
+  // `roots`, enough of them to keep many threads busy.
+  template <typename Enter>
   static std::vector<NodePair> Expand(const TriangleBvh& a,
                                       const TriangleBvh& b,
-                                      std::vector<NodePair> roots);
+                                      std::vector<NodePair> roots,
+                                      const Enter& enter);
 
   // Returns node pairs that stand for all pairs of two triangles of this tree.
   std::vector<NodePair> SelfPairs() const;
 
-  template <typename Keep>
+  template <typename Enter, typename Keep>
   static std::vector<std::pair<int, int>> Collect(const TriangleBvh& a,
                                                   const TriangleBvh& b,
                                                   std::vector<NodePair> roots,
+                                                  const Enter& enter,
                                                   const Keep& keep);
 
   Triangles triangles_;

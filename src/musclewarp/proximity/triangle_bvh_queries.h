@@ -32,14 +32,19 @@ void TriangleBvh::ForEachSelfOverlap(const Visit& visit) const {
 template <typename Keep>
 std::vector<std::pair<int, int>> TriangleBvh::CollectOverlaps(
     const TriangleBvh& other, const Keep& keep) const {
-  if (nodes_.empty() || other.nodes_.empty()) return {};
-  return Collect(*this, other, {{0, 0}}, keep);
+  return Collect(*this, other, {{0, 0}}, OverlapOf(*this, other), keep);
 }
 
 template <typename Keep>
 std::vector<std::pair<int, int>> TriangleBvh::CollectSelfOverlaps(
     const Keep& keep) const {
-  return Collect(*this, *this, SelfPairs(), keep);
+  return Collect(*this, *this, SelfPairs(), OverlapOf(*this, *this), keep);
+}
+
+template <typename Enter, typename Keep>
+std::vector<std::pair<int, int>> TriangleBvh::CollectPairs(
+    const TriangleBvh& other, const Enter& enter, const Keep& keep) const {
+  return Collect(*this, other, {{0, 0}}, enter, keep);
 }
 
 template <typename Enter, typename Visit>
@@ -96,10 +101,7 @@ void TriangleBvh::VisitPair(const TriangleBvh& a,
                             const TriangleBvh& b,
                             NodePair root,
                             const Visit& visit) {
-  const auto overlap = [&](int of_a, int of_b) {
-    return a.nodes_[of_a].box.Overlaps(b.nodes_[of_b].box);
-  };
-  VisitPair(a, b, root, overlap, visit);
+  VisitPair(a, b, root, OverlapOf(a, b), visit);
 }
 
 template <typename Enter, typename Keep>
@@ -151,18 +153,48 @@ void TriangleBvh::VisitPair(const TriangleBvh& a,
   }
 }
 
-template <typename Keep>
+template <typename Enter>
+std::vector<TriangleBvh::NodePair> TriangleBvh::Expand(
+    const TriangleBvh& a,
+    const TriangleBvh& b,
+    std::vector<NodePair> roots,
+    const Enter& enter) {
+  constexpr size_t kEnough = 256;
+  const auto is_leaf_pair = [&](const NodePair& pair) {
+    return a.nodes_[pair.first].IsLeaf() && b.nodes_[pair.second].IsLeaf();
+  };
+  bool has_changed = true;
+  while (has_changed && roots.size() < kEnough) {
+    has_changed = false;
+    std::vector<NodePair> finer;
+    for (const NodePair& pair : roots) {
+      if (!enter(pair.first, pair.second)) continue;
+      if (is_leaf_pair(pair)) {
+        finer.push_back(pair);
+        continue;
+      }
+      for (const NodePair& half : Split(a, b, pair)) finer.push_back(half);
+      has_changed = true;
+    }
+    roots = std::move(finer);
+  }
+  return roots;
+}
+
+template <typename Enter, typename Keep>
 std::vector<std::pair<int, int>> TriangleBvh::Collect(
     const TriangleBvh& a,
     const TriangleBvh& b,
     std::vector<NodePair> roots,
+    const Enter& enter,
     const Keep& keep) {
-  const std::vector<NodePair> tasks = Expand(a, b, std::move(roots));
+  if (a.nodes_.empty() || b.nodes_.empty()) return {};
+  const std::vector<NodePair> tasks = Expand(a, b, std::move(roots), enter);
   std::vector<std::vector<std::pair<int, int>>> found(tasks.size());
 #pragma omp parallel for schedule(dynamic, 16)
   for (size_t i = 0; i < tasks.size(); ++i) {
     int visited = 0;
-    VisitPair(a, b, tasks[i], [&](int mine, int theirs) {
+    VisitPair(a, b, tasks[i], enter, [&](int mine, int theirs) {
       ++visited;
       if (keep(mine, theirs)) found[i].emplace_back(mine, theirs);
     });
