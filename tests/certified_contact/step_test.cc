@@ -316,26 +316,6 @@ TEST(Step, UnfoldsACrumpledMuscle) {
             0);
 }
 
-// One of two muscles that are far from each other is crumpled.
-TEST(Step, RepairsOnlyMusclesWithDefects) {
-  ContactGroup group({SphereAt({0, 0, 0}, 10, 3), SphereAt({50, 0, 0}, 10, 3)},
-                     {});
-  ContactState before = group.state;
-  for (Eigen::Index v = 0; v < before.points[0].rows(); ++v) {
-    auto p = before.points[0].row(v);
-    if (p[2] > 6) p[2] -= 18;
-  }
-  before.points[1].col(0) *= 1.02;
-  const StepGoal goal = {group.state};
-  StepOptions options;
-  const StepResult all = Step(options, group.scene, before, goal);
-  EXPECT_GT(all.summary.rounds, 1);
-  options.max_rounds = 1;
-  const StepResult first = Step(options, group.scene, before, goal);
-  EXPECT_EQ(all.state.points[1], first.state.points[1]);
-  EXPECT_LE(all.summary.volume_error, options.volume.tolerance);
-}
-
 TEST(DefectCounts, CrossingsAreWorseThanAGapAndThatIsWorseThanFolds) {
   DefectCounts folded, narrow, self_crossing, crossing;
   folded.folded_triangles = 100;

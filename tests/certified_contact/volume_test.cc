@@ -14,10 +14,6 @@
 namespace musclewarp {
 namespace {
 
-double WorstOf(const std::vector<double>& errors) {
-  return *std::max_element(errors.begin(), errors.end());
-}
-
 struct Squeezed {
   ContactGroup group;
   StepOptions options;
@@ -50,7 +46,7 @@ TEST(RestoreVolumes, BringsVolumesBackWithinTheTolerance) {
     Squeezed squeezed(factor);
     const RestoredVolumes restored = RestoreVolumes(
         squeezed.options, squeezed.step, squeezed.relaxed, &squeezed.planes);
-    EXPECT_LE(WorstOf(restored.errors), squeezed.options.volume.tolerance);
+    EXPECT_LE(restored.worst_error, squeezed.options.volume.tolerance);
     for (int i = 0; i < 2; ++i) {
       EXPECT_LE(squeezed.ErrorOf(i, restored.points[i]),
                 squeezed.options.volume.tolerance);
@@ -70,7 +66,7 @@ TEST(RestoreVolumes, LeavesHeldVerticesWhereTheyAre) {
   }
   const RestoredVolumes restored = RestoreVolumes(
       squeezed.options, squeezed.step, squeezed.relaxed, &squeezed.planes);
-  EXPECT_LE(WorstOf(restored.errors), squeezed.options.volume.tolerance);
+  EXPECT_LE(restored.worst_error, squeezed.options.volume.tolerance);
   int held = 0;
   for (Eigen::Index v = 0; v < points.rows(); ++v) {
     if (points(v, 2) >= 10) continue;
@@ -90,7 +86,7 @@ TEST(RestoreVolumes, LeavesAttachedVerticesWhereTheyAre) {
   ASSERT_GT(attached.size(), 50u);
   const RestoredVolumes restored = RestoreVolumes(
       squeezed.options, squeezed.step, squeezed.relaxed, &squeezed.planes);
-  EXPECT_LE(WorstOf(restored.errors), squeezed.options.volume.tolerance);
+  EXPECT_LE(restored.worst_error, squeezed.options.volume.tolerance);
   EXPECT_EQ(Points(restored.points[0](attached, Eigen::all)),
             Points(points(attached, Eigen::all)));
 }
@@ -102,7 +98,7 @@ TEST(RestoreVolumes, SaysWhatIsLeftWhereAllVerticesAreHeld) {
   }
   const RestoredVolumes restored = RestoreVolumes(
       squeezed.options, squeezed.step, squeezed.relaxed, &squeezed.planes);
-  EXPECT_NEAR(WorstOf(restored.errors), 1 - std::pow(0.99, 3), 1e-9);
+  EXPECT_NEAR(restored.worst_error, 1 - std::pow(0.99, 3), 1e-9);
   EXPECT_EQ(restored.points[0], squeezed.relaxed.points[0]);
 }
 

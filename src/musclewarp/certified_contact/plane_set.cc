@@ -105,6 +105,9 @@ void PlaneSet::AddPlane(const SeparatingPlane& plane) {
   owner.share_above = (1 + AttachedShare(plane.muscle_above, plane.above) -
                        AttachedShare(plane.muscle_below, plane.below)) /
                       2;
+  moving.share_above = step_.is_still[plane.muscle_above]   ? 1
+                       : step_.is_still[plane.muscle_below] ? 0
+                                                            : owner.share_above;
   moving_.push_back(moving);
 }
 
@@ -116,12 +119,6 @@ double PlaneSet::AttachedShare(int muscle,
     count += std::binary_search(attached.begin(), attached.end(), v);
   }
   return count / 3;
-}
-
-double PlaneSet::ShareAbove(const PlaneOwner& owner) const {
-  if (step_.is_still[owner.muscle_above]) return 1;
-  if (step_.is_still[owner.muscle_below]) return 0;
-  return owner.share_above;
 }
 
 bool PlaneSet::ComesBefore(Side a, Side b) const {
@@ -216,7 +213,7 @@ void PlaneSet::UpdateLevel(const std::vector<Points>& unprojected,
     }
     moving->shift += up - down;
   }
-  const double share = ShareAbove(owner);
+  const double share = moving->share_above;
   SetLevel(
       moving->plane,
       share * (Lowest(normal, unprojected[a], owner.above) - half_gap) +
@@ -305,13 +302,6 @@ bool PlaneSet::IsWithinOneMuscle(Side side) const {
   return owner.muscle_above == owner.muscle_below;
 }
 
-std::array<int, 2> PlaneSet::MusclesOf(Side side, int muscle) const {
-  const int moving = planes_[NumberOf(side)].moving;
-  if (moving < 0) return {muscle, muscle};
-  const PlaneOwner& owner = moving_[moving].owner;
-  return {owner.muscle_above, owner.muscle_below};
-}
-
 PlaneOwner PlaneSet::CarrierOf(Side side) const {
   const int moving = planes_[NumberOf(side)].moving;
   if (moving >= 0) return moving_[moving].owner;
@@ -350,9 +340,8 @@ OwnedHalfSpaces PlaneSet::MostViolated(int muscle,
   return most_violated;
 }
 
-std::vector<double> PlaneSet::WorstViolations(
-    const std::vector<Points>& points) const {
-  std::vector<double> worst(points.size(), 0);
+double PlaneSet::WorstViolation(const std::vector<Points>& points) const {
+  double worst = 0;
   for (int i = 0; i < step_.num_muscles(); ++i) {
     const std::vector<int>& first = first_sides_[i];
     for (Eigen::Index v = 0; v < points[i].rows(); ++v) {
@@ -360,12 +349,8 @@ std::vector<double> PlaneSet::WorstViolations(
         const Side side = sides_[i][k];
         if (IsWithinOneMuscle(side)) continue;
         const HalfSpace space = SpaceOf(side);
-        const double violation =
-            space.level - space.normal.dot(points[i].row(v));
-        if (violation <= 0) continue;
-        for (const int muscle : MusclesOf(side, i)) {
-          worst[muscle] = std::max(worst[muscle], violation);
-        }
+        worst =
+            std::max(worst, space.level - space.normal.dot(points[i].row(v)));
       }
     }
   }

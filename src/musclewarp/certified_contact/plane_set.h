@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
 #include "musclewarp/certified_contact/contact_step.h"
@@ -73,9 +72,9 @@ class PlaneSet {
                                const Points& points,
                                const Points& targets) const;
 
-  // Returns by muscle the worst violation by a vertex of a plane that is on one
-  // side of the muscle, mm, without planes between sheets of one muscle.
-  std::vector<double> WorstViolations(const std::vector<Points>& points) const;
+  // Returns the worst violation of a plane by a vertex, mm, without planes
+  // between sheets of one muscle.
+  double WorstViolation(const std::vector<Points>& points) const;
 
  private:
   // The half gap of a bone's plane is zero, as its level includes the gap.
@@ -94,6 +93,10 @@ class PlaneSet {
   struct MovingPlane {
     int plane;
     PlaneOwner owner;
+
+    // As that of the owner, but for muscles that stand still: the level follows
+    // these, and the other side yields.
+    double share_above;
     std::vector<int> also_below;  // as in SeparatingPlane
     int shared_corner;            // as in SeparatingPlane
     double shift = 0;             // mm
@@ -117,10 +120,6 @@ class PlaneSet {
   // Returns the fraction of the corners of a triangle that are attached.
   double AttachedShare(int muscle, const Eigen::RowVector3i& corners) const;
 
-  // Returns the weight of the side above in the level of a plane: the level
-  // follows a muscle that stands still.
-  double ShareAbove(const PlaneOwner& owner) const;
-
   // Sorts the sides of each vertex, including `added` (by muscle).
   void SortSides(const std::vector<std::vector<VertexSide>>& added);
   bool ComesBefore(Side a, Side b) const;
@@ -133,10 +132,6 @@ class PlaneSet {
   HalfSpace SpaceOf(Side side) const;
   bool IsOfBone(Side side) const { return planes_[NumberOf(side)].moving < 0; }
   bool IsWithinOneMuscle(Side side) const;
-
-  // Returns the muscles on both sides of a plane of `muscle`, which is both if
-  // the plane is that of a bone.
-  std::array<int, 2> MusclesOf(Side side, int muscle) const;
   PlaneOwner CarrierOf(Side side) const;
   void UpdateLevel(const std::vector<Points>& unprojected,
                    const std::vector<Points>& points,

@@ -4,7 +4,6 @@
 
 #include <glog/logging.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -110,104 +109,55 @@ OpenStep BeginStep(const StepOptions& options,
   return open;
 }
 
-// Returns by muscle whether it has no part in what a round has to repair.
-std::vector<char> WithoutDefects(const StepOptions& options,
-                                 const Defects& defects,
-                                 const std::vector<double>& violations) {
-  std::vector<char> is_sound(violations.size());
-  for (size_t i = 0; i < violations.size(); ++i) {
-    is_sound[i] = violations[i] <= options.AllowedViolation() &&
-                  defects.folded[i].empty();
-  }
-  for (const CrossingTriangle& pair : defects.muscle_crossings) {
-    is_sound[pair.a] = is_sound[pair.b] = false;
-  }
-  for (const CrossingTriangle& pair : defects.bone_crossings) {
-    is_sound[pair.a] = false;
-  }
-  for (const CrossingTriangle& pair : defects.self_crossings) {
-    is_sound[pair.a] = false;
-  }
-  return is_sound;
-}
-
-// Has only muscles with defects move in the next round, of those that move in
-// the step.
-void LeaveAsTheyAre(const std::vector<char>& is_sound,
-                    const std::vector<char>& is_still,
-                    ContactStep* step,
-                    RelaxedPoints* relaxed) {
-  for (int i = 0; i < step->num_muscles(); ++i) {
-    step->is_still[i] = is_still[i] || is_sound[i];
-    if (is_sound[i]) relaxed->unprojected[i] = relaxed->points[i];
-  }
-}
-
-double Largest(const std::vector<double>& values) {
-  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
-}
-
-// Relaxes, restores volumes and finds defects until none are left. In all
-// rounds but the first, muscles without defects stand still. `state`: the
+// Relaxes, restores volumes and finds defects until none are left. `state`: the
 // result without its points.
 StepResult FinishStep(const StepOptions& options,
+                      const ContactStep& step,
                       ContactState state,
                       int sweeps,
-                      OpenStep open,
-                      ContactStep* step) {
+                      OpenStep open) {
   const std::vector<Points>& targets = state.targets;
-  const std::vector<char> is_still = step->is_still;
-  Stiffness stiffness = UniformStiffness(step->scene);
+  Stiffness stiffness = UniformStiffness(step.scene);
   // Repairs settle in the planes, against which pressure would push.
   StepOptions repair = options;
   repair.relaxation.pressure_gain = 0;
   RelaxedPoints relaxed = std::move(open.relaxed);
-  std::vector<double> volume_errors(step->num_muscles(), 0);
   std::optional<Round> best;
   int polishing_rounds = 0;
   for (int round = 1; round <= options.max_rounds; ++round) {
     relaxed = Relax(round == 1 ? options : repair,
-                    *step,
+                    step,
                     targets,
                     stiffness,
                     round == 1 ? sweeps : options.repair_sweeps,
                     &open.planes,
                     std::move(relaxed));
     RestoredVolumes restored =
-        RestoreVolumes(options, *step, relaxed, &open.planes);
+        RestoreVolumes(options, step, relaxed, &open.planes);
     relaxed.points = std::move(restored.points);
-    for (int i = 0; i < step->num_muscles(); ++i) {
-      if (!step->is_still[i]) volume_errors[i] = restored.errors[i];
-    }
     Defects defects =
-        FindDefects(options, *step, targets, relaxed.points, &open.trees);
-    const std::vector<double> violations =
-        open.planes.WorstViolations(relaxed.points);
-    const double violation = Largest(violations);
+        FindDefects(options, step, targets, relaxed.points, &open.trees);
+    const double violation = open.planes.WorstViolation(relaxed.points);
     const DefectCounts counts = CountsOf(options, defects, violation);
     VLOG(2) << "round " << round << ": " << counts.crossing_pairs
             << " crossings, " << counts.self_crossing_pairs
             << " of muscles with themselves, " << counts.folded_triangles
             << " folded, violation " << violation << " mm";
     if (!best || IsBetter(counts, best->summary.defects)) {
-      best = {{counts, round, violation, Largest(volume_errors)},
-              relaxed.points};
+      best = {{counts, round, violation, restored.worst_error}, relaxed.points};
     }
     const DefectCounts& left = best->summary.defects;
     if (IsDone(options, left, polishing_rounds)) {
-      return ResultOf(
-          options, *step, std::move(state), round, std::move(*best));
+      return ResultOf(options, step, std::move(state), round, std::move(*best));
     }
     if (!left.HasCrossings()) ++polishing_rounds;
     if (options.unfolds) defects.self_crossings.clear();
-    open.planes.Add(PlanesAgainst(defects, options, *step, targets));
+    open.planes.Add(PlanesAgainst(defects, options, step, targets));
     stiffness =
-        Stiffened(defects, options.defects, step->scene, std::move(stiffness));
-    LeaveAsTheyAre(
-        WithoutDefects(options, defects, violations), is_still, step, &relaxed);
+        Stiffened(defects, options.defects, step.scene, std::move(stiffness));
   }
   return ResultOf(
-      options, *step, std::move(state), options.max_rounds, std::move(*best));
+      options, step, std::move(state), options.max_rounds, std::move(*best));
 }
 
 }  // namespace
@@ -230,12 +180,12 @@ StepResult Step(const StepOptions& options,
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   ContactState state = goal.state;
-  ContactStep step = MakeContactStep(scene,
-                                     before,
-                                     state.targets,
-                                     state.bones_from_rest,
-                                     state.held,
-                                     goal.is_still);
+  const ContactStep step = MakeContactStep(scene,
+                                           before,
+                                           state.targets,
+                                           state.bones_from_rest,
+                                           state.held,
+                                           goal.is_still);
   if (goal.max_push < kInfinity) {
     const double passage = MaxTunnelling(step);
     if (passage > options.relaxation.max_push) {
@@ -258,10 +208,10 @@ StepResult Step(const StepOptions& options,
     state.planes = std::move(solution.planes);
   }
   return FinishStep(options,
+                    step,
                     std::move(state),
                     options.sweeps - sweeps_before,
-                    std::move(open),
-                    &step);
+                    std::move(open));
 }
 
 }  // namespace musclewarp

@@ -86,18 +86,20 @@ RestoredVolumes RestoreVolumes(const StepOptions& options,
   const ScopedStage stage("volume");
   RestoredVolumes restored;
   restored.points = relaxed.points;
-  restored.errors.assign(step.num_muscles(), 0);
-#pragma omp parallel for schedule(dynamic, 1)
+  double worst = 0;
+#pragma omp parallel for schedule(dynamic, 1) reduction(max : worst)
   for (int i = 0; i < step.num_muscles(); ++i) {
     if (step.is_still[i]) continue;
-    restored.errors[i] = RestoreVolume(options,
-                                       step.scene.muscles[i],
-                                       step.attached[i],
-                                       i,
-                                       relaxed.unprojected[i],
-                                       planes,
-                                       &restored.points[i]);
+    worst = std::max(worst,
+                     RestoreVolume(options,
+                                   step.scene.muscles[i],
+                                   step.attached[i],
+                                   i,
+                                   relaxed.unprojected[i],
+                                   planes,
+                                   &restored.points[i]));
   }
+  restored.worst_error = worst;
   return restored;
 }
 

@@ -14,7 +14,7 @@ namespace musclewarp {
 // The result of RestoreVolumes.
 struct RestoredVolumes {
   std::vector<Points> points;  // of the muscles, #V x 3, mm
-  std::vector<double> errors;  // by muscle, relative; 0 if it stands still
+  double worst_error = 0;      // relative, over the muscles
 };
 
 // Restores the volume of every muscle after a relaxation: vertices held by
