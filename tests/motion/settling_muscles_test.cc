@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 int StepsUntilSettled(double reach, const std::vector<double>& moves) {
   SettlingMuscles muscle(1, /*tolerance=*/0.05, reach);
   for (size_t i = 0; i < moves.size(); ++i) {
-    muscle.Add({moves[i]});
+    muscle.Add({moves[i]}, {});
     if (muscle.AreSettled()) return static_cast<int>(i) + 1;
   }
   return 0;
@@ -45,17 +45,17 @@ TEST(SettlingMuscles, GoOnWhileMusclesMoveBeyondTheReach) {
 TEST(SettlingMuscles, StandStillWhileOthersSettle) {
   SettlingMuscles muscles(3, /*tolerance=*/0.1, /*reach=*/1);
   EXPECT_THAT(muscles.Still(), IsEmpty());
-  muscles.Add({0.5, 0.05, 0.3});
+  muscles.Add({0.5, 0.05, 0.3}, muscles.Still());
   EXPECT_FALSE(muscles.AreSettled());
   EXPECT_THAT(muscles.Still(), ElementsAre(false, true, false));
-  muscles.Add({0.2, 0, 0.05});
+  muscles.Add({0.2, 0, 0.05}, muscles.Still());
   EXPECT_THAT(muscles.Still(), ElementsAre(false, true, true));
   // All may be asked to move once more.
   muscles.MoveAll();
   EXPECT_THAT(muscles.Still(), IsEmpty());
-  muscles.Add({0.05, 0.2, 0.05});
+  muscles.Add({0.05, 0.2, 0.05}, muscles.Still());
   EXPECT_THAT(muscles.Still(), ElementsAre(true, false, true));
-  muscles.Add({0, 0.05, 0});
+  muscles.Add({0, 0.05, 0}, muscles.Still());
   EXPECT_TRUE(muscles.AreSettled());
   EXPECT_THAT(muscles.Still(), IsEmpty());
 }

@@ -40,11 +40,9 @@ struct CertifiedContactOptions {
   double coarse_weight = 0.3;
 
   // The separated rest pose is relaxed in at most `max_rest_steps` steps, until
-  // at most one vertex in five hundred moves by more than the tolerance (mm) in
-  // a step. Vertices start far from equilibrium, so these steps take more
-  // sweeps. Squeezed vertices keep moving by 0.1 mm per step, but a tolerance
-  // of 0.15 mm leaves muscles displaced more than necessary (12.8 instead of
-  // 11.1 mm in the originals of the hamstrings).
+  // every muscle has settled: a step moves at most one in five hundred of its
+  // vertices by the tolerance (mm), or it moves to and fro (SettlingMuscles).
+  // Vertices start far from equilibrium, so these steps take more sweeps.
   int max_rest_steps = 60;
   int rest_sweeps = 30;
   double rest_tolerance = 0.1;
@@ -76,10 +74,10 @@ struct CertifiedContactOptions {
   int max_returns = 2;
 
   // If contact still pushes muscles by the reach in the last step, settling
-  // steps follow at the pose, at most `max_settling_steps`, until at most one
-  // vertex in five hundred moves by more than the tolerance (mm) in a step. Two
-  // steps undo most of the excess displacement of long steps (thigh, flexion by
-  // 45 degrees: 0.12 of 0.16 mm on average).
+  // steps follow at the pose, at most `max_settling_steps`, until all muscles
+  // have settled within the tolerance (mm). Two steps undo most of the excess
+  // displacement of long steps (thigh, flexion by 45 degrees: 0.12 of 0.16 mm
+  // on average).
   int max_settling_steps = 8;
   double settling_tolerance = 0.9;
 

@@ -100,8 +100,9 @@ class PoseStepper {
 
   // Takes a settling step at the pose.
   void Settle() {
+    is_still_ = StillMuscles();
     PoseStepResult attempt =
-        Try({step_, goal_, /*is_settling=*/true, kInfinity, settling_.Still()});
+        Try({step_, goal_, /*is_settling=*/true, kInfinity, is_still_});
     Respond(Crosses(attempt.summary) ? StepOutcome::kSettledCrossing
                                      : StepOutcome::kSettledClean,
             1,
@@ -172,15 +173,31 @@ class PoseStepper {
     summary_.last_clean.reset();
     const bool stops_short = defects.IsEmpty() && move > step_.reach;
     Accept(std::move(*attempt), stops_short);
-    const bool all_moved = settling_.Still().empty();
-    settling_.Add(moves);
+    settling_.Add(moves, is_still_);
     is_settled_ = settling_.AreSettled();
     if (!options_.relaxes_rest) return;
     // Muscles that stood still may be out of balance.
-    is_settled_ = is_settled_ && all_moved && !defects.HasCrossings();
+    is_settled_ = is_settled_ && is_still_.empty() && !defects.HasCrossings();
     if (defects.HasCrossings()) settling_.MoveAll();
     step_.reach = ReachFor(options_.reach_growth * move);
     ContinueUnfolding(defects.self_crossing_pairs);
+  }
+
+  // Returns by muscle whether it stands still in the next settling step: all do
+  // but those that are not settled and those in contact with them, which have
+  // to yield. Empty: all muscles move.
+  std::vector<char> StillMuscles() const {
+    const std::vector<char> may_be = settling_.Still();
+    std::vector<char> is_still = may_be;
+    if (state_->planes.empty()) is_still.clear();
+    for (size_t i = 0; i < is_still.size(); ++i) {
+      if (may_be[i]) continue;
+      for (const PlaneOwner& owner : state_->planes[i].owners) {
+        if (owner.IsBone()) continue;
+        is_still[owner.muscle_above] = is_still[owner.muscle_below] = false;
+      }
+    }
+    return is_still;
   }
 
   // Ends the unfolding of muscles when it does not help any more.
@@ -281,6 +298,7 @@ class PoseStepper {
   double at_;
   bool is_settled_ = false;
   SettlingMuscles settling_;
+  std::vector<char> is_still_;         // in the last settling step, by muscle
   double self_crossings_ = kInfinity;  // after the last settling step
   int returns_ = 0;
   std::vector<Waypoint> trail_;  // the latest last

@@ -36,8 +36,8 @@ struct AdvanceOptions {
   double reach_growth = 1;
   double max_reach = 0;  // mm
 
-  // At the pose, at most `max_settling_steps` settling steps follow, until at
-  // most one vertex in five hundred moves by more than the tolerance, mm.
+  // At the pose, at most `max_settling_steps` settling steps follow, until all
+  // muscles have settled within the tolerance, mm (SettlingMuscles).
   int max_settling_steps = 0;
   double settling_tolerance = 0;
 

@@ -23,9 +23,9 @@ std::vector<char> SettlingMuscles::Still() const {
   return is_still;
 }
 
-void SettlingMuscles::Add(const std::vector<double>& moves) {
+void SettlingMuscles::Add(const std::vector<double>& moves,
+                          const std::vector<char>& is_still) {
   CHECK_EQ(moves.size(), muscles_.size());
-  const std::vector<char> is_still = Still();
   num_unsettled_ = 0;
   for (size_t i = 0; i < muscles_.size(); ++i) {
     if (is_still.empty() || !is_still[i]) AddMove(moves[i], &muscles_[i]);

@@ -15,7 +15,8 @@ namespace musclewarp {
 //
 //   SettlingMuscles settling(num_muscles, /*tolerance=*/0.1, /*reach=*/1);
 //   while (!settling.AreSettled()) {
-//     settling.Add(MovesOfStep(settling.Still()));
+//     const std::vector<char> is_still = settling.Still();
+//     settling.Add(MovesOfStep(is_still), is_still);
 //   }
 class SettlingMuscles {
  public:
@@ -24,13 +25,13 @@ class SettlingMuscles {
   SettlingMuscles(std::size_t num_muscles, double tolerance, double reach)
       : tolerance_(tolerance), reach_(reach), muscles_(num_muscles) {}
 
-  // Returns by muscle whether it stands still in the next step; empty if all
-  // muscles move.
+  // Returns by muscle whether it may stand still in the next step; empty if all
+  // muscles are to move.
   std::vector<char> Still() const;
 
-  // Records a step in which the muscles that do not stand still moved by these
-  // distances, by muscle, mm.
-  void Add(const std::vector<double>& moves);
+  // Records a step in which muscles moved by these distances, by muscle, mm.
+  // `is_still`: those that stood still; empty if all moved.
+  void Add(const std::vector<double>& moves, const std::vector<char>& is_still);
 
   bool AreSettled() const { return num_unsettled_ == 0; }
 
