@@ -35,7 +35,7 @@ double StepLength::max_push() const {
 bool StepLength::ShortenFor(double push) {
   if (push <= max_push()) return false;
   const double share =
-      std::clamp(kAim * options_.max_push / push, 1.0 / 8, 0.9);
+      std::clamp(kAim * options_.max_push / push, 1.0 / 8, 1.0 / 2);
   length_ = std::max(options_.unchecked, share * length_);
   was_shortened_ = true;
   return true;
