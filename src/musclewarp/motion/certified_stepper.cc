@@ -157,8 +157,10 @@ class PoseStepper {
 
   void GoOn(double to, PoseStepResult* attempt) {
     length_.Grow(attempt->summary.push);
-    // Muscles that are pushed by less than the reach need no settling.
-    is_settled_ = attempt->summary.is_short_of_reach;
+    // Muscles that are pushed by less than the reach need no settling, unless
+    // too many triangles are folded: a step from here may unfold them.
+    is_settled_ = attempt->summary.is_short_of_reach &&
+                  attempt->summary.defects.folded_triangles == 0;
     settling_.MoveOnly(attempt->summary.is_pushed_far);
     Accept(std::move(*attempt));
     at_ = to;
@@ -174,7 +176,7 @@ class PoseStepper {
     const bool stops_short = defects.IsEmpty() && move > step_.reach;
     Accept(std::move(*attempt), stops_short);
     settling_.Add(moves, is_still_);
-    is_settled_ = settling_.AreSettled();
+    is_settled_ = settling_.AreSettled() && defects.folded_triangles == 0;
     if (!options_.relaxes_rest) return;
     // Muscles that stood still may be out of balance.
     is_settled_ = is_settled_ && is_still_.empty() && !defects.HasCrossings();
