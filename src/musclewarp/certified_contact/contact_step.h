@@ -66,9 +66,8 @@ ContactStep MakeContactStep(const ContactScene& scene,
                             std::vector<AttachedPoints> attached = {},
                             std::vector<char> is_still = {});
 
-// Returns a tree over the predicted triangles of each muscle. The stages of a
-// step refit these trees to the boxes that they search instead of building
-// their own.
+// Returns a tree over the predicted triangles of each muscle. FindDefects()
+// refits these trees instead of building its own.
 std::vector<TriangleBvh> PredictedTrees(const ContactStep& step);
 
 }  // namespace musclewarp

@@ -135,15 +135,15 @@ TriangleSoup EvenAndGrown(const CellSurfaceOptions& options,
                           int number,
                           const Solids& solids) {
   constexpr double kAccuracy = 5e-3;  // of the volume
+  double volume = before + std::max(0.0, VolumeCutOff(body, edge));
   SurfaceGrowth growth(options,
                        body,
                        solids.muscle(number),
                        solids.MusclesBut(number),
                        solids.bones(),
-                       before);
+                       volume);
   TriangleSoup best;
   double best_error = kInfinity;
-  double volume = before + std::max(0.0, VolumeCutOff(body, edge));
   for (int tries = 0; tries < 2; ++tries) {
     TriangleSoup even = WithEvenTriangles(growth.UpTo(volume), edge);
     const double now = SignedVolume(even.points, even.triangles);

@@ -62,9 +62,10 @@ class PoseStepper {
                   options.step.reach),
         state_(state),
         solves_(state->points.size()) {
-    if (options.relaxes_rest)
+    if (options.relaxes_rest) {
       step_.reach =
           ReachFor(MoveOfMostMoved(state->points, state->targets, kUnsettled));
+    }
   }
 
   bool IsAtGoal() const { return at_ >= 1; }
@@ -159,9 +160,11 @@ class PoseStepper {
     length_.Grow(attempt->summary.push);
     // Muscles that are pushed by less than the reach need no settling, unless
     // too many triangles are folded: a step from here may unfold them.
-    is_settled_ = attempt->summary.is_short_of_reach &&
-                  attempt->summary.defects.folded_triangles == 0;
+    const bool is_folded = attempt->summary.defects.folded_triangles > 0;
+    is_settled_ = attempt->summary.is_short_of_reach && !is_folded;
     settling_.MoveOnly(attempt->summary.is_pushed_far);
+    // Defects of a muscle that stands still are not looked for.
+    if (is_folded) settling_.MoveAll();
     Accept(std::move(*attempt));
     at_ = to;
   }
@@ -176,11 +179,14 @@ class PoseStepper {
     const bool stops_short = defects.IsEmpty() && move > step_.reach;
     Accept(std::move(*attempt), stops_short);
     settling_.Add(moves, is_still_);
-    is_settled_ = settling_.AreSettled() && defects.folded_triangles == 0;
+    const bool is_sound =
+        !defects.HasCrossings() &&
+        (options_.relaxes_rest || defects.folded_triangles == 0);
+    is_settled_ = settling_.AreSettled() && is_sound;
+    if (!is_sound) settling_.MoveAll();
     if (!options_.relaxes_rest) return;
     // Muscles that stood still may be out of balance.
-    is_settled_ = is_settled_ && is_still_.empty() && !defects.HasCrossings();
-    if (defects.HasCrossings()) settling_.MoveAll();
+    is_settled_ = is_settled_ && is_still_.empty();
     step_.reach = ReachFor(options_.reach_growth * move);
     ContinueUnfolding(defects.self_crossing_pairs);
   }

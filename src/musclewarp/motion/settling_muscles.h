@@ -38,7 +38,7 @@ class SettlingMuscles {
   // Has all muscles move in the next step.
   void MoveAll() { all_move_ = true; }
 
-  // Has only some muscles move in the next step, if there are any.
+  // Has only these muscles move in the next step, or all if there are none.
   void MoveOnly(const std::vector<char>& is_unsettled);
 
  private:
