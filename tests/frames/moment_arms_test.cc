@@ -184,7 +184,7 @@ TEST(AddMomentArms, AreTheSlopesOfTheLengthsWithBothSolvers) {
     const std::vector<double> arms = Arms(frame, "knee");
     ASSERT_EQ(arms.size(), 10u);
     // The third derivative of lengths about 25 mm from the axis adds 1e-5 mm.
-    constexpr double kBeside = 2e-3;
+    constexpr double kBeside = 1e-2;
     const std::vector<double> before = Lengths(
         scene, SolvedFree(scene, solver, At(scene, 0.3, -0.6 - kBeside)));
     const std::vector<double> after = Lengths(
@@ -289,10 +289,12 @@ TEST_F(MomentArmsInContact, AreZeroForWhatMovesEverythingAsOne) {
 // Steps from a frame to both sides of it look for planes anew and make room
 // where a muscle is held back by a bone, so that their planes are not quite
 // those that are held. Without contact the right muscle would not move at all.
+// The lengths after a step depend on rounding by some 0.01 mm, as planes are
+// found or not; over the angle between both sides they change by 0.2 mm.
 TEST_F(MomentArmsInContact, AreNearTheSlopesOfSteps) {
   const CertifiedMotion before = Moved(Pressed(), certified_.rest);
   const CertifiedMotion motion = Moved(Pressed(), before.state);
-  constexpr double kBeside = 1e-3;
+  constexpr double kBeside = 1e-2;
   const auto lengths = [&](double lean) {
     const ContactState state = Moved(Pressed(lean), before.state).state;
     return Lengths(scene_, ShapesOf(certified_, state).coarse);
@@ -365,7 +367,7 @@ class MomentArmsOfHeldRows : public ::testing::Test {
     const auto lengths = [&](double beside) {
       return Lengths(scene_, SolvedHeld(beside, moved));
     };
-    constexpr double kBeside = 1e-3;
+    constexpr double kBeside = 1e-2;
     const std::vector<double> low = lengths(-kBeside), high = lengths(kBeside);
     const std::vector<double> arms = Arms(frame, "knee");
     for (size_t k = 0; k < arms.size(); ++k) {
