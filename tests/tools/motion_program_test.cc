@@ -80,7 +80,7 @@ TEST_F(MotionProgram, TheMotionMayBeInTheSceneFile) {
   EXPECT_EQ(FileText(last), mesh);
   const Json report = Report();
   EXPECT_EQ(report["motion"]["coordinates"], of_file["motion"]["coordinates"]);
-  EXPECT_EQ(report["motion"]["file"], report["scene"]);
+  EXPECT_EQ(report["motion"]["file"], dir_ + "/scene.json");
   EXPECT_EQ(report["frames"][3]["time"], 0.5);
   EXPECT_EQ(report["frames"][3]["coordinates"]["knee"],
             of_file["frames"][3]["coordinates"]["knee"]);
