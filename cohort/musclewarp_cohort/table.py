@@ -194,8 +194,10 @@ def input_files(job):
                  for item in scene.get(key, [])]
         named += [scene[key]["path"] for key in ("poses_file", "attachments_file")
                   if key in scene]
+        motion = scene.get("motion")  # a file, or in the scene itself
         named += [scene.get("model") if not job.model else None,
-                  scene.get("motion") if not job.motion_file else None]
+                  motion if isinstance(motion, str) and not job.motion_file
+                  else None]
         files += [str(root / name) for name in named if name]
     except (OSError, ValueError, TypeError, KeyError, AttributeError):
         pass

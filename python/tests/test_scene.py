@@ -1,6 +1,8 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
 """Scenes: what is read, put together and changed."""
+import json
+
 import numpy as np
 import pytest
 
@@ -18,6 +20,27 @@ def test_a_scene_is_read_with_all_its_parts():
     assert {bone.body for bone in scene.bones} == {"pelvis", "femur_r"}
     assert len(scene.poses) == 15
     assert scene.path == str(DEMO)
+
+
+def test_a_motion_may_be_in_the_scene_file(tmp_path):
+    of_file = mw.read_scene(DEMO)
+    text = json.loads(DEMO.read_text())
+    text["motion"] = {"frames": 15,
+                      "coordinates": {"hip_flexion_r": [-10, 60]}}
+    path = tmp_path / "scene.json"
+    path.write_text(json.dumps(text))
+    scene = mw.read_scene(path, data_root=DEMO.parent)
+    assert scene.is_motion
+    assert [pose.time for pose in scene.poses] == [k / 14 for k in range(15)]
+    for pose, expected in zip(scene.poses, of_file.poses):
+        assert pose.coordinates == expected.coordinates
+    again = mw.read_scene(path, data_root=DEMO.parent, motion="hip.mot")
+    assert [pose.time for pose in again.poses] == [
+        pose.time for pose in of_file.poses]
+    text["motion"]["coordinates"] = {"hip_flexoin_r": [-10, 60]}
+    path.write_text(json.dumps(text))
+    with pytest.raises(mw.InputError, match='nearly named as "hip_flexion_r"'):
+        mw.read_scene(path, data_root=DEMO.parent)
 
 
 def test_what_cannot_be_read_is_named(tmp_path):

@@ -126,6 +126,18 @@ class TableTest(FolderTest):
         self.assertEqual(["s.json", "m.osim", "walk.mot", "data/psoas.ply",
                           "data/femur.ply"], names)
 
+    def test_a_motion_in_the_scene_is_no_file_of_its_own(self):
+        self.file("leg.osim")
+        self.file("psoas.ply")
+        self.file("s.json", json.dumps({
+            "muscles": [{"mesh": "psoas.ply"}], "model": "leg.osim",
+            "motion": {"frames": 2, "coordinates": {"knee": [0, 9]}}}))
+        self.table("s s.json - - - -")
+        job, = table.read_jobs(self.source)
+        self.assertEqual([str(self.source / name)
+                          for name in ("s.json", "psoas.ply", "leg.osim")],
+                         table.input_files(job))
+
     def test_a_scene_that_cannot_be_read_is_an_input(self):
         for text in ("{", "[1]", '{"muscles": 3}', '{"muscles": [{"mesh": 1}]}'):
             self.file("a.json", text)

@@ -23,8 +23,10 @@ namespace musclewarp {
 namespace {
 
 using Json = nlohmann::json;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const Eigen::Vector3d kKnee(0, -400, 0);
 
@@ -301,6 +303,31 @@ TEST_F(ModelScene, AnotherMotionMayBeGiven) {
   const std::string path = dir_ + "/other.mot";
   WriteTextAtomically(path, "m\ninDegrees=no\nendheader\ntime knee\n0 0.1\n");
   EXPECT_EQ(Read("other.mot").poses.size(), 1u);
+}
+
+TEST_F(ModelScene, TheMotionMayBeInTheSceneFile) {
+  const Scene of_file = Read();
+  EXPECT_THAT(of_file.files, Contains(dir_ + "/leg.mot"));
+  scene_["motion"] =
+      Json::parse(R"({"frames": 3, "coordinates": {"knee": [0, -60]}})");
+  const Scene scene = Read();
+  ASSERT_EQ(scene.poses.size(), 3u);
+  EXPECT_TRUE(scene.is_motion);
+  EXPECT_EQ(scene.poses[1].time, 0.5);
+  for (size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(scene.poses[i].bodies.at("shank"),
+              of_file.poses[i].bodies.at("shank"));
+  }
+  EXPECT_EQ(scene.motion_path, scene.path);
+  EXPECT_THAT(scene.files, Contains(scene.path).Times(1));
+  EXPECT_THAT(scene.files, Not(Contains(dir_ + "/leg.mot")));
+  EXPECT_EQ(Read("leg.mot").motion_path, dir_ + "/leg.mot");
+  scene_["motion_in_degrees"] = false;
+  ExpectRefused({"scene.json: motion", "motion_in_degrees", "leave"});
+  scene_["motion_in_degrees"] = true;
+  EXPECT_EQ(Read().poses.size(), 3u);
+  scene_["motion"] = 3;
+  ExpectRefused({"scene.json: motion: is 3", "path", "\"coordinates\""});
 }
 
 TEST_F(ModelScene, RefusesWhatDoesNotFit) {

@@ -69,6 +69,31 @@ TEST_F(MotionProgram, FollowsTheMotionAndWritesItsTables) {
   EXPECT_EQ(Table("volumes").values.rows(), 7);
 }
 
+TEST_F(MotionProgram, TheMotionMayBeInTheSceneFile) {
+  ASSERT_EQ(Run().exit_code, 0);
+  const Json of_file = Report();
+  const std::string last = out() + "/frame_0006/muscle.ply";
+  const std::string mesh = FileText(last);
+  scene_["motion"] = {{"frames", 7}, {"coordinates", {{"knee", {0, -30}}}}};
+  const ProgramRun run = Run("--overwrite --html");
+  ASSERT_EQ(run.exit_code, 0) << run.out << run.errors;
+  EXPECT_EQ(FileText(last), mesh);
+  const Json report = Report();
+  EXPECT_EQ(report["motion"]["coordinates"], of_file["motion"]["coordinates"]);
+  EXPECT_EQ(report["motion"]["file"], dir_ + "/scene.json");
+  EXPECT_EQ(report["frames"][3]["time"], 0.5);
+  EXPECT_EQ(report["frames"][3]["coordinates"]["knee"],
+            of_file["frames"][3]["coordinates"]["knee"]);
+  // It counts as an input: another motion is another run.
+  scene_["motion"]["coordinates"]["knee"] = {0, -29};
+  EXPECT_EQ(Run("--resume").exit_code, 2);
+  // A file that the run names replaces it.
+  ASSERT_EQ(Run("--overwrite --motion=bend.mot").exit_code, 0);
+  EXPECT_EQ(FileText(last), mesh);
+  scene_["motion"]["frames"] = 1;
+  EXPECT_EQ(Run("--overwrite").exit_code, 2);
+}
+
 TEST_F(MotionProgram, FramesAreThoseOfTheirPosesWhateverCameBefore) {
   ASSERT_EQ(Run().exit_code, 0);
   const Points all = ReadTriangleSoup(out() + "/frame_0006/muscle.ply").points;

@@ -15,6 +15,7 @@
 #include "musclewarp/opensim/coordinate_motion.h"
 #include "musclewarp/opensim/storage_table.h"
 #include "musclewarp/scene/model_bones.h"
+#include "musclewarp/scene/ramped_motion.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
@@ -65,15 +66,35 @@ std::vector<std::string> MeshFolders(const JsonField& scene,
   return folders;
 }
 
+// Reads the motion of a run or, without one, that of the scene: a file, or an
+// object in the scene file. `path` gets the file that the motion is in.
 CoordinateMotion ReadMotion(const JsonField& scene,
+                            const std::string& root,
                             const ModelSources& sources,
                             const Model& model,
-                            const std::string& path) {
+                            std::string* path) {
   std::optional<bool> in_degrees = sources.motion_in_degrees;
   if (!in_degrees && scene.Has("motion_in_degrees")) {
     in_degrees = scene.At("motion_in_degrees").AsBool();
   }
-  return MotionOf(model, ReadStorageTable(path), path, in_degrees);
+  const auto read_file = [&](const std::string& file) {
+    *path = PathIn(root, file);
+    return MotionOf(model, ReadStorageTable(*path), *path, in_degrees);
+  };
+  if (!sources.motion.empty()) return read_file(sources.motion);
+  const JsonField motion = scene.At("motion");
+  if (motion.value().is_string()) return read_file(motion.AsString());
+  if (!motion.value().is_object()) {
+    motion.Fail("is " + Shortened(motion.value()),
+                "give the path of a motion in quotes, or an object with "
+                "\"frames\" and \"coordinates\"");
+  }
+  if (in_degrees && !*in_degrees) {
+    motion.Fail("has its angles in degrees, and motion_in_degrees says no",
+                "leave motion_in_degrees out: it is for motion files");
+  }
+  *path = scene.file();
+  return RampedMotion(motion, model);
 }
 
 std::string TimeText(double time, int digits) {
@@ -126,11 +147,8 @@ void AddModelPoses(const JsonField& field,
                "add \"bones\"");
   }
   scene->warnings = model.warnings;
-  scene->motion_path = PathIn(
-      root,
-      sources.motion.empty() ? field.At("motion").AsString() : sources.motion);
   const CoordinateMotion motion =
-      ReadMotion(field, sources, model, scene->motion_path);
+      ReadMotion(field, root, sources, model, &scene->motion_path);
   scene->warnings.insert(
       scene->warnings.end(), motion.warnings.begin(), motion.warnings.end());
   auto poses = std::make_shared<ModelPoses>(

@@ -15,7 +15,7 @@ struct Scene;
 // Puts a scene whose muscles and bones have been read on its model. It fills in
 // what the scene takes from the model, that is the rest points of lines which
 // are paths of muscles, and the meshes of bones which name none, and makes one
-// pose of every row of the motion.
+// pose of every row of the motion, which is a file or part of the scene file.
 //
 // `field` is the scene file, and paths in it are relative to `root`. Throws
 // InputError if the motion cannot be read or does not fit the model, a mesh of

@@ -321,7 +321,10 @@ void AddFiles(const JsonField& field, const std::string& root, Scene* scene) {
     scene->files.push_back(
         Resolve((file.Has("path") ? file.At("path") : file).AsString(), root));
   }
-  if (scene->model) scene->files.push_back(scene->motion_path);
+  // A motion may be in the scene file itself.
+  if (scene->model && scene->motion_path != scene->path) {
+    scene->files.push_back(scene->motion_path);
+  }
   for (const auto& muscle : scene->muscles) {
     scene->files.push_back(muscle.mesh_path);
   }

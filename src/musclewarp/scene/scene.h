@@ -101,8 +101,8 @@ struct Scene {
   // the one before. Otherwise each pose is computed on its own.
   bool is_motion = false;
 
-  // The OpenSim model that the poses come from, and the file of its motion;
-  // null and empty if the poses are given.
+  // The OpenSim model that the poses come from, and the file that its motion
+  // is in, which may be the scene file; null and empty if the poses are given.
   std::shared_ptr<const ModelPoses> model;
   std::string motion_path;
 
@@ -121,7 +121,8 @@ struct Scene {
 // Throws InputError that names the file and the field, for a file that is not
 // JSON, an unknown or missing key, a value of the wrong type, coordinates
 // beyond kLargestCoordinate, a matrix that is not a rigid motion, and for what
-// CheckScene, ReadModel, ReadStorageTable, MotionOf and BindModel refuse.
+// CheckScene, ReadModel, ReadStorageTable, MotionOf, RampedMotion and BindModel
+// refuse.
 Scene ReadScene(const std::string& path,
                 const std::string& data_root,
                 const ModelSources& sources = {});
