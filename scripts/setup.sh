@@ -22,7 +22,7 @@ build_packages="
   g++ cmake ninja-build ccache git
   libeigen3-dev libgoogle-glog-dev libgflags-dev libceres-dev
   libopenmesh-dev libcgal-dev nlohmann-json3-dev libpugixml-dev
-  libcereal-dev
+  libcereal-dev libnanoflann-dev
   libvtk9-dev libegl-dev libgl1-mesa-dri
   python3
 "

@@ -1,0 +1,179 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/joints/surface_points.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "musclewarp/joints/point_search.h"
+#include "musclewarp/mesh/box.h"
+#include "musclewarp/mesh/connectivity.h"
+#include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh_repair/orientation.h"
+#include "musclewarp/mesh_repair/soup_cleaning.h"
+#include "musclewarp/proximity/triangle_bvh.h"
+#include "musclewarp/proximity/winding_number.h"
+
+namespace musclewarp {
+namespace {
+
+// The pieces of a surface, each with its own triangles.
+std::vector<TriangleSoup> PiecesOf(const TriangleSoup& surface) {
+  const Components components = ConnectedComponents(
+      surface.triangles, EdgeUses(surface.triangles), surface.triangles.rows());
+  std::vector<int> count(components.count, 0);
+  for (const int label : components.label) ++count[label];
+  std::vector<TriangleSoup> pieces(components.count);
+  for (int label = 0; label < components.count; ++label) {
+    pieces[label].triangles.resize(count[label], 3);
+    count[label] = 0;
+  }
+  for (int f = 0; f < surface.triangles.rows(); ++f) {
+    const int label = components.label[f];
+    pieces[label].triangles.row(count[label]++) = surface.triangles.row(f);
+  }
+  for (TriangleSoup& piece : pieces) {
+    piece.points = surface.points;
+    DropUnreferencedPoints(&piece);
+  }
+  return pieces;
+}
+
+bool Contains(const Box3& outer, const Box3& inner) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (outer.lower[axis] > inner.lower[axis]) return false;
+    if (outer.upper[axis] < inner.upper[axis]) return false;
+  }
+  return true;
+}
+
+// Returns true if a piece lies within one of the others. Pieces come in order
+// of their area, the largest first, so that only those before it can hold it.
+bool IsWithinAnother(const std::vector<TriangleSoup>& pieces, size_t piece) {
+  const Box3 box = BoxOf(pieces[piece].points);
+  for (size_t other = 0; other < piece; ++other) {
+    if (!Contains(BoxOf(pieces[other].points), box)) continue;
+    const TriangleBvh bvh(pieces[other].points, pieces[other].triangles);
+    const WindingNumber winding(&bvh, pieces[other].triangles);
+    if (winding.IsInside(pieces[piece].points.row(0))) return true;
+  }
+  return false;
+}
+
+// Returns the surface with its triangles oriented, without stray pieces and
+// without those that lie within others.
+TriangleSoup OuterSurface(TriangleSoup surface, double stray_fraction) {
+  MergePoints(0, &surface);
+  RemoveDegenerateTriangles(&surface);
+  RemoveDuplicateTriangles(&surface.triangles);
+  OrientConsistently(&surface);
+  std::vector<TriangleSoup> pieces = PiecesOf(surface);
+  std::vector<std::pair<double, size_t>> order;
+  double area = 0;
+  for (size_t piece = 0; piece < pieces.size(); ++piece) {
+    order.push_back(
+        {-SurfaceArea(pieces[piece].points, pieces[piece].triangles), piece});
+    area -= order.back().first;
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<TriangleSoup> large;
+  for (const auto& [negative_area, piece] : order) {
+    if (-negative_area < stray_fraction * area) break;
+    large.push_back(std::move(pieces[piece]));
+  }
+  TriangleSoup outer;
+  for (size_t piece = 0; piece < large.size(); ++piece) {
+    if (IsWithinAnother(large, piece)) continue;
+    const int points = outer.points.rows(), triangles = outer.triangles.rows();
+    outer.points.conservativeResize(points + large[piece].points.rows(), 3);
+    outer.points.bottomRows(large[piece].points.rows()) = large[piece].points;
+    outer.triangles.conservativeResize(
+        triangles + large[piece].triangles.rows(), 3);
+    outer.triangles.bottomRows(large[piece].triangles.rows()) =
+        large[piece].triangles.array() + points;
+  }
+  return outer;
+}
+
+// Points at equal distances of area along the triangles, spread within each by
+// a sequence of low discrepancy (the R2 sequence of Roberts, "The unreasonable
+// effectiveness of quasirandom sequences", 2018).
+SurfacePoints SpreadByArea(const TriangleSoup& surface, double spacing) {
+  constexpr double kFirstStep = 0.7548776662466927;
+  constexpr double kSecondStep = 0.5698402909980532;
+  SurfacePoints spread;
+  const double area = SurfaceArea(surface.points, surface.triangles);
+  const int count = std::lround(std::ceil(area / (spacing * spacing)));
+  if (count == 0) return spread;
+  spread.area = area / count;
+  spread.points.resize(count, 3);
+  spread.normals.resize(count, 3);
+  double passed = 0;  // area of the triangles before
+  int next = 0;
+  for (int f = 0; f < surface.triangles.rows(); ++f) {
+    const Eigen::RowVector3d a = surface.points.row(surface.triangles(f, 0));
+    const Eigen::RowVector3d ab =
+        surface.points.row(surface.triangles(f, 1)) - a;
+    const Eigen::RowVector3d ac =
+        surface.points.row(surface.triangles(f, 2)) - a;
+    const Eigen::RowVector3d cross = ab.cross(ac);
+    passed += cross.norm() / 2;
+    for (; next < count && (next + 0.5) * spread.area < passed; ++next) {
+      double u = std::fmod(0.5 + (next + 1) * kFirstStep, 1.0);
+      double v = std::fmod(0.5 + (next + 1) * kSecondStep, 1.0);
+      if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+      }
+      spread.points.row(next) = a + u * ab + v * ac;
+      spread.normals.row(next) = cross.normalized();
+    }
+  }
+  // Rounding of the sum may leave out the last one.
+  spread.points.conservativeResize(next, 3);
+  spread.normals.conservativeResize(next, 3);
+  return spread;
+}
+
+// The mean of the normals around each point, of those that face the same way:
+// behind a thin wall they do not.
+Points AveragedNormals(const SurfacePoints& spread, double radius) {
+  const PointSearch search(spread.points);
+  Points averaged(spread.size(), 3);
+#pragma omp parallel for schedule(dynamic, 256)
+  for (int i = 0; i < spread.size(); ++i) {
+    const Eigen::RowVector3d own = spread.normals.row(i);
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    for (const int j : search.Within(spread.points.row(i), radius)) {
+      if (spread.normals.row(j).dot(own) > 0) sum += spread.normals.row(j);
+    }
+    averaged.row(i) = sum.normalized();
+  }
+  return averaged;
+}
+
+}  // namespace
+
+SurfacePoints SampleSurface(const TriangleSoup& surface,
+                            const SurfaceSampling& sampling) {
+  SurfacePoints spread = SpreadByArea(
+      OuterSurface(surface, sampling.stray_fraction), sampling.spacing);
+  spread.normals = AveragedNormals(spread, sampling.normal_radius);
+  return spread;
+}
+
+SurfacePoints Subset(const SurfacePoints& all, const std::vector<int>& rows) {
+  SurfacePoints some;
+  some.area = all.area;
+  some.points.resize(rows.size(), 3);
+  some.normals.resize(rows.size(), 3);
+  for (size_t i = 0; i < rows.size(); ++i) {
+    some.points.row(i) = all.points.row(rows[i]);
+    some.normals.row(i) = all.normals.row(rows[i]);
+  }
+  return some;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,52 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "musclewarp/mesh/triangle_soup.h"
+
+namespace musclewarp {
+
+// Points spread evenly over a surface, to which spheres, cylinders and axes are
+// fitted. A fit to the vertices of a mesh would follow its triangulation: on
+// 1300 vertices of a femur the axis of the knee is 12 degrees off.
+struct SurfacePoints {
+  Points points;    // #P x 3, mm
+  Points normals;   // #P x 3, outward, of unit length
+  double area = 0;  // that each point stands for, mm^2
+
+  int size() const { return static_cast<int>(points.rows()); }
+};
+
+struct SurfaceSampling {
+  double spacing = 1.2;          // mm between neighbouring points
+  double normal_radius = 2.5;    // mm, over which normals are averaged
+  double stray_fraction = 0.01;  // of the area; smaller pieces are left out
+};
+
+// Returns points spread over a surface by area, whatever its triangulation.
+// Normals are averaged over the neighbourhood, as those of voxels and of coarse
+// triangles are of little use by themselves.
+//
+// The surface may have holes, duplicate points and triangles that run the wrong
+// way: its triangles are oriented first (OrientConsistently). A piece that lies
+// within another one, as the inner wall of the cortical bone does, is left out.
+// There are no points for a surface without area.
+SurfacePoints SampleSurface(const TriangleSoup& surface,
+                            const SurfaceSampling& sampling = {});
+
+// Returns some of the points, in the order of `rows`.
+SurfacePoints Subset(const SurfacePoints& all, const std::vector<int>& rows);
+
+// Returns the points for which keep(row) is true.
+template <typename Keep>
+SurfacePoints Filtered(const SurfacePoints& all, const Keep& keep) {
+  std::vector<int> rows;
+  for (int row = 0; row < all.size(); ++row) {
+    if (keep(row)) rows.push_back(row);
+  }
+  return Subset(all, rows);
+}
+
+}  // namespace musclewarp
