@@ -65,13 +65,12 @@ Axis ShaftOf(const SurfacePoints& bone, const Eigen::Vector3d& up) {
 }
 
 BoneDirections DirectionsOfFemur(const SurfacePoints& femur,
-                                 const Eigen::Vector3d& head,
+                                 const Axis& shaft,
                                  double head_radius) {
   // Of a head of 23 mm the lower end has 35 mm.
   const double end_height = 35 * head_radius / 23;
-  const Eigen::Vector3d middle = femur.points.colwise().mean().transpose();
   BoneDirections directions;
-  directions.shaft = ShaftOf(femur, head - middle);
+  directions.shaft = shaft;
   directions.up = directions.shaft.direction;
   const Eigen::VectorXd height = femur.points * directions.up;
   directions.lowest = height.minCoeff();

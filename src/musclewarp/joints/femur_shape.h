@@ -28,13 +28,12 @@ struct BoneDirections {
 // 30 and 70 % of its length, upwards if `up` has a positive component along it.
 Axis ShaftOf(const SurfacePoints& bone, const Eigen::Vector3d& up);
 
-// Tells the directions of a femur: up is the axis of its shaft towards the
-// head, left and right are along the widest direction of the lower end, and
-// back is the side on which the condyles reach farther from the line of the
-// shaft. `head` is the centre of the head (mm), `head_radius` (mm) scales what
-// counts as the lower end.
+// Tells the directions of a femur of which the line of the shaft is known,
+// upwards: left and right are along the widest direction of the lower end, and
+// back is the side on which the condyles reach farther from the shaft.
+// `head_radius` (mm) scales what counts as the lower end.
 BoneDirections DirectionsOfFemur(const SurfacePoints& femur,
-                                 const Eigen::Vector3d& head,
+                                 const Axis& shaft,
                                  double head_radius);
 
 }  // namespace musclewarp

@@ -1,0 +1,104 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/joints/articulated_scene.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+
+namespace musclewarp {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+double SweptValue(const CoordinateSweep& sweep, int frame, int frames) {
+  if (frames < 2) return sweep.from;
+  const double part = static_cast<double>(frame) / (frames - 1);
+  return sweep.from + part * (sweep.to - sweep.from);
+}
+
+}  // namespace
+
+std::vector<std::string> CoordinateNames(const Articulation& articulation) {
+  std::vector<std::string> names;
+  for (const FoundJoint& joint : articulation.joints) {
+    if (!joint.IsFound()) continue;
+    for (const JointCoordinate& entry : CoordinatesOf(joint.kind, joint.side)) {
+      names.push_back(entry.name);
+    }
+  }
+  return names;
+}
+
+std::vector<JointMotion> MotionsOfRanges(const Articulation& articulation) {
+  std::vector<JointMotion> motions;
+  for (const FoundJoint& joint : articulation.joints) {
+    if (!joint.IsFound()) continue;
+    for (const JointCoordinate& entry : CoordinatesOf(joint.kind, joint.side)) {
+      JointMotion motion;
+      motion.name = entry.name;
+      motion.sweeps = {{entry.name, entry.lowest, entry.highest}};
+      motions.push_back(std::move(motion));
+    }
+  }
+  return motions;
+}
+
+StorageTable MotionTable(const JointMotion& motion) {
+  StorageTable table;
+  table.name = motion.name;
+  table.in_degrees = true;
+  table.values.resize(motion.frames, motion.sweeps.size());
+  for (const CoordinateSweep& sweep : motion.sweeps) {
+    table.labels.push_back(sweep.coordinate);
+  }
+  for (int frame = 0; frame < motion.frames; ++frame) {
+    table.times.push_back(motion.frames > 1
+                              ? static_cast<double>(frame) / (motion.frames - 1)
+                              : 0);
+    for (size_t i = 0; i < motion.sweeps.size(); ++i) {
+      table.values(frame, i) =
+          SweptValue(motion.sweeps[i], frame, motion.frames);
+    }
+  }
+  return table;
+}
+
+OrderedJson ArticulatedSceneJson(const Articulation& articulation,
+                                 const ArticulatedSceneParts& parts,
+                                 const JointMotion& motion) {
+  OrderedJson scene = {{"name", parts.name}, {"units", parts.units}};
+  if (!parts.axes.empty()) scene["axes"] = parts.axes;
+  for (const FoundJoint& joint : articulation.joints) {
+    scene["side"] = ToString(joint.side);
+    break;
+  }
+  OrderedJson muscles = OrderedJson::array(), bones = OrderedJson::array();
+  for (const SceneMeshFile& muscle : parts.muscles) {
+    muscles.push_back({{"name", muscle.name}, {"mesh", muscle.file}});
+  }
+  for (const Bone& bone : articulation.bones) {
+    const auto file = std::find_if(
+        parts.bones.begin(), parts.bones.end(), [&](const auto& entry) {
+          return entry.name == bone.name;
+        });
+    CHECK(file != parts.bones.end()) << bone.name;
+    bones.push_back(
+        {{"name", bone.name}, {"mesh", file->file}, {"body", bone.body}});
+  }
+  scene["muscles"] = muscles;
+  scene["bones"] = bones;
+  scene["model"] = parts.model;
+  OrderedJson coordinates;
+  for (const CoordinateSweep& sweep : motion.sweeps) {
+    coordinates[sweep.coordinate] = motion.frames > 1
+                                        ? OrderedJson{sweep.from, sweep.to}
+                                        : OrderedJson{sweep.from};
+  }
+  scene["motion"] = {{"frames", motion.frames}, {"coordinates", coordinates}};
+  scene["model_rest"] = {{"coordinates", OrderedJson::object()},
+                         {"in_degrees", true}};
+  return scene;
+}
+
+}  // namespace musclewarp

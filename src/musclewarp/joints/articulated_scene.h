@@ -1,0 +1,60 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "musclewarp/joints/articulation.h"
+#include "musclewarp/opensim/storage_table.h"
+
+namespace musclewarp {
+
+// A way of a coordinate from one value to another, degrees.
+struct CoordinateSweep {
+  std::string coordinate;
+  double from = 0, to = 0;
+};
+
+// Coordinates that move together, in so many frames at equal distances.
+struct JointMotion {
+  std::string name;
+  int frames = 15;
+  std::vector<CoordinateSweep> sweeps;
+};
+
+// Returns the names of the coordinates of all joints that were found.
+std::vector<std::string> CoordinateNames(const Articulation& articulation);
+
+// Returns a motion for each of these coordinates, through its usual range and
+// named after it.
+std::vector<JointMotion> MotionsOfRanges(const Articulation& articulation);
+
+// Returns a motion as a table over time, from 0 to 1 s, in degrees.
+StorageTable MotionTable(const JointMotion& motion);
+
+// A mesh file of a scene.
+struct SceneMeshFile {
+  std::string name;
+  std::string file;  // relative to the scene file
+};
+
+// What a scene of an articulation has beside its bones.
+struct ArticulatedSceneParts {
+  std::string name;
+  std::string units = "mm";  // of the mesh files
+  std::string axes = "LPS";
+  std::string model = "model.osim";  // relative to the scene file
+  std::vector<SceneMeshFile> bones, muscles;
+};
+
+// Returns a scene file (docs/scene.md) in which `motion` moves the bones of an
+// articulation. Muscles have no lines: the programs make them from the meshes.
+// The rest pose is that of the scan, the defaults of the model. Precondition
+// (CHECKed): every bone is in `parts.bones`, by name.
+nlohmann::ordered_json ArticulatedSceneJson(const Articulation& articulation,
+                                            const ArticulatedSceneParts& parts,
+                                            const JointMotion& motion);
+
+}  // namespace musclewarp

@@ -1,0 +1,336 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/joints/articulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/parallel_for.h"
+#include "musclewarp/joints/ankle_joints.h"
+#include "musclewarp/joints/bone_sides.h"
+#include "musclewarp/joints/hip_joint.h"
+#include "musclewarp/joints/joint_building.h"
+#include "musclewarp/joints/knee_joint.h"
+#include "musclewarp/joints/pelvis_frame.h"
+
+namespace musclewarp {
+namespace {
+
+SurfacePoints Together(const std::vector<const SurfacePoints*>& parts) {
+  SurfacePoints all;
+  int count = 0;
+  for (const SurfacePoints* part : parts) count += part->size();
+  all.points.resize(count, 3);
+  all.normals.resize(count, 3);
+  int next = 0;
+  for (const SurfacePoints* part : parts) {
+    all.points.middleRows(next, part->size()) = part->points;
+    all.normals.middleRows(next, part->size()) = part->normals;
+    next += part->size();
+    all.area = part->area;  // nearly the same for all
+  }
+  return all;
+}
+
+class Articulator {
+ public:
+  Articulator(std::vector<Bone> bones, const ArticulationOptions& options)
+      : options_(options) {
+    for (Bone& bone : bones) bones_.push_back({std::move(bone), {}, {}});
+  }
+
+  Articulation Articulate() {
+    MeasureBones();
+    DecideSides(options_.side, image_axes_, &bones_, &result_.notes);
+    AssignBodies();
+    MeasurePelvis();
+    for (const Side side : {Side::kRight, Side::kLeft}) {
+      if (options_.side && *options_.side != side) continue;
+      FindJoints(side);
+    }
+    CheckJointsAreThere();
+    CompareSides();
+    ConnectBodies();
+    for (SampledBone& bone : bones_) {
+      result_.bones.push_back(std::move(bone.bone));
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void MeasureBones() {
+    std::optional<Eigen::Vector3d> up;
+    if (!options_.axes.empty()) {
+      image_axes_ = DirectionsOfAxes(options_.axes);
+      up = image_axes_->col(1);
+    }
+    ParallelFor(bones_.size(), [&](size_t i) {
+      SampledBone& bone = bones_[i];
+      if (bone.bone.kind == BoneKind::kOther) return;
+      bone.surface = SampleSurface(bone.bone.mesh);
+      if (bone.bone.kind == BoneKind::kFemur) {
+        bone.femur = ShapeOfFemur(bone.surface, up);
+      }
+    });
+    if (!image_axes_ || AgreeWithImage(bones_, *image_axes_)) return;
+    image_axes_.reset();
+    result_.notes.push_back(
+        "the femora do not stand in the frame as its axes " + options_.axes +
+        " say, so that the axes are not used");
+  }
+
+  // The name that a body has by the table of joints, of a bone with one.
+  static std::string TableBody(const Bone& bone) {
+    return BodyOf(bone.kind, bone.side.value_or(Side::kRight));
+  }
+
+  void AssignBodies() {
+    for (SampledBone& bone : bones_) {
+      const std::string of_table = TableBody(bone.bone);
+      if (bone.bone.body.empty()) {
+        bone.bone.body = of_table.empty() ? bone.bone.name : of_table;
+      }
+      if (!of_table.empty()) body_of_.emplace(of_table, bone.bone.body);
+    }
+  }
+
+  SurfacePoints SurfaceOf(BoneKind kind,
+                          const std::optional<Side>& side) const {
+    std::vector<const SurfacePoints*> parts;
+    for (const SampledBone& bone : bones_) {
+      if (bone.bone.kind != kind) continue;
+      if (side && bone.bone.side && *bone.bone.side != *side) continue;
+      parts.push_back(&bone.surface);
+    }
+    return Together(parts);
+  }
+
+  const FemurShape* FemurOf(Side side) const {
+    for (const SampledBone& bone : bones_) {
+      if (bone.bone.kind == BoneKind::kFemur && bone.bone.side == side) {
+        return &bone.femur;
+      }
+    }
+    return nullptr;
+  }
+
+  void MeasurePelvis() {
+    SurfacePoints pelvis = SurfaceOf(BoneKind::kPelvis, {});
+    if (pelvis.size() == 0) {
+      for (const Side side : {Side::kRight, Side::kLeft}) {
+        if (SurfaceOf(BoneKind::kHipBone, side).size() == 0) return;
+      }
+      pelvis = SurfaceOf(BoneKind::kHipBone, {});
+    }
+    Eigen::Vector3d across = Eigen::Vector3d::Zero();
+    const FemurShape* right = FemurOf(Side::kRight);
+    const FemurShape* left = FemurOf(Side::kLeft);
+    if (right && left && right->head && left->head) {
+      across =
+          (right->head->sphere.center - left->head->sphere.center).normalized();
+    }
+    pelvis_axes_ = PelvisAxes(pelvis.points, across);
+  }
+
+  Limb LimbOf(Side side) const {
+    Limb limb;
+    limb.side = side;
+    limb.image_axes = image_axes_;
+    limb.pelvis_axes = pelvis_axes_;
+    std::set<BoneKind> kinds;
+    for (const SampledBone& bone : bones_) kinds.insert(bone.bone.kind);
+    for (const BoneKind kind : kinds) {
+      SurfacePoints surface = SurfaceOf(kind, side);
+      if (surface.size() > 0) limb.surfaces[kind] = std::move(surface);
+    }
+    return limb;
+  }
+
+  bool IsAskedFor(JointKind kind) const {
+    return options_.joints.empty() ||
+           std::count(options_.joints.begin(), options_.joints.end(), kind) > 0;
+  }
+
+  void FindJoints(Side side) {
+    const Limb limb = LimbOf(side);
+    const FemurShape* femur = FemurOf(side);
+    const FemurShape none;
+    if (femur == nullptr) femur = &none;
+    const auto has = [&](std::initializer_list<BoneKind> kinds) {
+      return std::any_of(kinds.begin(), kinds.end(), [&](BoneKind kind) {
+        return limb.Find(kind) != nullptr;
+      });
+    };
+    const bool has_pelvis = has({BoneKind::kPelvis, BoneKind::kHipBone});
+    const bool has_femur = has({BoneKind::kFemur});
+    const bool has_tibia = has({BoneKind::kTibia});
+    const bool has_talus = has({BoneKind::kTalus});
+    if (has_pelvis && has_femur) {
+      Add(JointKind::kHip, side, [&] { return FindHip(limb, *femur); });
+    }
+    if (has_femur && has_tibia) {
+      Add(JointKind::kKnee, side, [&] { return FindKnee(limb, *femur); });
+    }
+    if (has_tibia && has({BoneKind::kTalus, BoneKind::kFoot})) {
+      Add(JointKind::kAnkle, side, [&] { return FindAnkle(limb, *femur); });
+    }
+    if (has_tibia && has_talus && has({BoneKind::kFoot})) {
+      Add(JointKind::kSubtalar, side, [&] {
+        return FindSubtalar(limb, *femur);
+      });
+    }
+  }
+
+  // The body of a bone that has this one by the table of joints; the foot
+  // stands in for a talus that has no mesh of its own.
+  std::string BodyByTable(const std::string& body, Side side) const {
+    const auto own = body_of_.find(body);
+    if (own != body_of_.end()) return own->second;
+    if (body != BodyOf(BoneKind::kTalus, side)) return "";
+    const auto foot = body_of_.find(BodyOf(BoneKind::kFoot, side));
+    return foot == body_of_.end() ? "" : foot->second;
+  }
+
+  template <typename Find>
+  void Add(JointKind kind, Side side, const Find& find) {
+    if (!IsAskedFor(kind)) return;
+    const auto given = std::find_if(
+        options_.given.begin(), options_.given.end(), [&](auto& joint) {
+          return joint.kind == kind && joint.side == side;
+        });
+    FoundJoint joint;
+    if (given != options_.given.end()) {
+      joint = *given;
+      joint.is_given = true;
+    } else {
+      joint = find();
+      if (options_.zero == ZeroPose::kScan) {
+        joint.child_axes = joint.parent_axes;
+      }
+    }
+    joint.parent = BodyByTable(ParentBody(kind, side), side);
+    joint.child = BodyByTable(ChildBody(kind, side), side);
+    if (joint.parent == joint.child) return;  // one body by the user's table
+    result_.joints.push_back(std::move(joint));
+  }
+
+  void CheckJointsAreThere() const {
+    for (const JointKind kind : options_.joints) {
+      const bool is_there = std::any_of(
+          result_.joints.begin(), result_.joints.end(), [&](auto& j) {
+            return j.kind == kind;
+          });
+      if (is_there) continue;
+      throw InputError("joint " + ToString(kind),
+                       "lacks its bones",
+                       "name the meshes as bones (docs/joints.md), or give a "
+                       "table with a column \"bone\"");
+    }
+    if (!result_.joints.empty()) return;
+    std::string names;
+    for (const SampledBone& bone : bones_) {
+      names += (names.empty() ? "" : ", ") + bone.bone.name;
+    }
+    throw InputError("joints",
+                     "none has its bones among " + names,
+                     "name the meshes as bones (docs/joints.md), or give a "
+                     "table with a column \"bone\"");
+  }
+
+  FoundJoint* JointOf(JointKind kind, Side side) {
+    for (FoundJoint& joint : result_.joints) {
+      if (joint.kind == kind && joint.side == side && !joint.is_given) {
+        return &joint;
+      }
+    }
+    return nullptr;
+  }
+
+  // Left and right of one person are alike.
+  void CompareSides() {
+    constexpr double kRadiusTolerance = 0.1;
+    for (const JointKind kind : AllJointKinds()) {
+      FoundJoint* right = JointOf(kind, Side::kRight);
+      FoundJoint* left = JointOf(kind, Side::kLeft);
+      if (right == nullptr || left == nullptr) continue;
+      if (right->shapes.empty() || left->shapes.empty()) continue;
+      const double r = right->shapes[0].radius, l = left->shapes[0].radius;
+      if (std::abs(r - l) <= kRadiusTolerance * std::max(r, l)) continue;
+      const std::string reason =
+          "the radii of the right and the left " + right->shapes[0].what +
+          " differ: " + Rounded(r, 1) + " and " + Rounded(l, 1) +
+          " mm, 10 % at most are expected";
+      right->verdict.Weaken(reason);
+      left->verdict.Weaken(reason);
+    }
+  }
+
+  // Puts the bodies in order, and fixes those that no joint carries.
+  void ConnectBodies() {
+    std::map<std::string, std::string> carrier;
+    for (const FoundJoint& joint : result_.joints) {
+      if (joint.IsFound()) carrier[joint.child] = joint.parent;
+    }
+    for (const SampledBone& bone : bones_) {
+      if (carrier.count(bone.bone.body) > 0) continue;
+      const std::string parent = CarrierByTable(bone.bone);
+      carrier[bone.bone.body] = parent;
+      result_.welds.push_back({parent, bone.bone.body});
+    }
+    std::set<std::string> placed = {"ground"};
+    while (placed.size() <= carrier.size()) {
+      const size_t before = placed.size();
+      for (const auto& [body, parent] : carrier) {
+        if (placed.count(parent) == 0 || !placed.insert(body).second) continue;
+        result_.bodies.push_back(body);
+      }
+      if (placed.size() > before) continue;
+      throw InputError("bodies",
+                       "carry each other in a circle",
+                       "correct the column \"body\" of the table");
+    }
+  }
+
+  // The body that would carry a bone if all joints were there, of those that
+  // are: a tibia without a knee is fixed to the femur.
+  std::string CarrierByTable(const Bone& bone) const {
+    const Side side = bone.side.value_or(Side::kRight);
+    if (bone.kind == BoneKind::kPatella) {
+      const std::string tibia = BodyByTable("tibia" + SuffixOf(side), side);
+      if (!tibia.empty() && tibia != bone.body) return tibia;
+    }
+    std::string of_table = TableBody(bone);
+    for (bool is_found = true; is_found;) {
+      is_found = false;
+      for (const JointKind kind : AllJointKinds()) {
+        if (ChildBody(kind, side) != of_table) continue;
+        of_table = ParentBody(kind, side);
+        const std::string parent = BodyByTable(of_table, side);
+        if (!parent.empty() && parent != bone.body) return parent;
+        is_found = true;
+        break;
+      }
+    }
+    return "ground";
+  }
+
+  const ArticulationOptions& options_;
+  std::vector<SampledBone> bones_;
+  std::optional<Eigen::Matrix3d> image_axes_;
+  std::optional<Eigen::Matrix3d> pelvis_axes_;
+  std::map<std::string, std::string> body_of_;  // by the body of the table
+  Articulation result_;
+};
+
+}  // namespace
+
+Articulation Articulate(std::vector<Bone> bones,
+                        const ArticulationOptions& options) {
+  return Articulator(std::move(bones), options).Articulate();
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,38 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "musclewarp/joints/bone.h"
+
+namespace musclewarp {
+
+// What a name says of a bone.
+struct NamedBone {
+  BoneKind kind = BoneKind::kOther;
+  std::optional<Side> side;
+};
+
+// Reads the name of a bone: words in any case between any signs that are
+// neither letters nor digits, of which the first or the last may be the side:
+// "left", "right", "l" or "r". Known are the names of TotalSegmentator
+// ("femur_left", "hip_right", "tarsal"), of OpenSim's models ("calcn_r") and of
+// anatomy ("os_coxae", "calcaneus", "metatarsal_3"). Any other name is
+// BoneKind::kOther.
+NamedBone ParseBoneName(const std::string& name);
+
+// Returns the kind that the column "bone" of a table names, such as "femur", or
+// nothing for a name that is not known.
+std::optional<BoneKind> ParseBoneKind(const std::string& name);
+
+// Returns the side that a text names, or nothing.
+std::optional<Side> ParseSide(const std::string& text);
+
+// Returns the known names that are nearest to a name by the number of letters
+// to change, at most three.
+std::vector<std::string> NearestBoneNames(const std::string& name);
+
+}  // namespace musclewarp

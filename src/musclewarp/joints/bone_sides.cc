@@ -1,0 +1,186 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/joints/bone_sides.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "musclewarp/base/input_error.h"
+
+namespace musclewarp {
+namespace {
+
+// Bones of one limb are nearer to each other than this, mm.
+constexpr double kNearby = 60;
+
+// A bone that lies less to one side of the middle tells nothing, mm.
+constexpr double kOffMiddle = 10;
+
+constexpr char kMirrored[] =
+    "a mirrored image is the usual cause; correct the side, or mirror the "
+    "bones";
+
+bool HasSide(BoneKind kind) {
+  return kind != BoneKind::kOther && kind != BoneKind::kPelvis &&
+         kind != BoneKind::kSacrum;
+}
+
+Eigen::Vector3d MiddleOf(const SampledBone& bone) {
+  return bone.surface.points.colwise().mean().transpose();
+}
+
+// The middle of the pelvis or the sacrum, or between both hip bones.
+std::optional<Eigen::Vector3d> MiddleOfBody(
+    const std::vector<SampledBone>& bones) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int hip_bones = 0;
+  for (const SampledBone& bone : bones) {
+    if (bone.surface.size() == 0) continue;
+    if (bone.bone.kind == BoneKind::kPelvis ||
+        bone.bone.kind == BoneKind::kSacrum) {
+      return MiddleOf(bone);
+    }
+    if (bone.bone.kind == BoneKind::kHipBone) {
+      sum += MiddleOf(bone);
+      ++hip_bones;
+    }
+  }
+  if (hip_bones != 2) return std::nullopt;
+  return sum / 2;
+}
+
+std::optional<Side> SideByPlace(
+    const Eigen::Vector3d& place,
+    const std::optional<Eigen::Matrix3d>& image_axes,
+    const std::optional<Eigen::Vector3d>& middle) {
+  if (!image_axes || !middle) return std::nullopt;
+  const double right = (place - *middle).dot(image_axes->col(2));
+  if (std::abs(right) < kOffMiddle) return std::nullopt;
+  return right > 0 ? Side::kRight : Side::kLeft;
+}
+
+void CheckFemur(const SampledBone& bone,
+                const std::optional<Eigen::Matrix3d>& image_axes,
+                const std::optional<Eigen::Vector3d>& middle) {
+  const std::optional<Side> by_shape = bone.femur.ShapeSide();
+  if (!by_shape) return;
+  if (bone.bone.side && *bone.bone.side != *by_shape) {
+    throw InputError(bone.bone.name,
+                     "has the shape of a " + ToString(*by_shape) +
+                         " femur and is named " + ToString(*bone.bone.side),
+                     kMirrored);
+  }
+  const std::optional<Side> by_place =
+      SideByPlace(bone.femur.head->sphere.center, image_axes, middle);
+  if (by_place && *by_place != *by_shape) {
+    throw InputError(bone.bone.name,
+                     "has the shape of a " + ToString(*by_shape) +
+                         " femur and lies on the " + ToString(*by_place) +
+                         " of the pelvis in the image",
+                     kMirrored);
+  }
+}
+
+// The side of the bone nearest to another one, among the first `count`.
+std::optional<Side> SideOfNearest(const std::vector<SampledBone>& bones,
+                                  const SampledBone& bone) {
+  double nearest = kNearby;
+  std::optional<Side> side;
+  for (const SampledBone& other : bones) {
+    if (!other.bone.side || other.surface.size() == 0) continue;
+    // A thousand points are enough to tell legs apart.
+    const int step = std::max(1, bone.surface.size() / 1000);
+    for (int i = 0; i < bone.surface.size(); i += step) {
+      const double distance =
+          (other.surface.points.rowwise() - bone.surface.points.row(i))
+              .rowwise()
+              .squaredNorm()
+              .minCoeff();
+      if (distance >= nearest * nearest) continue;
+      nearest = std::sqrt(distance);
+      side = other.bone.side;
+    }
+  }
+  return side;
+}
+
+}  // namespace
+
+Eigen::Matrix3d DirectionsOfAxes(const std::string& axes) {
+  CHECK_EQ(axes.size(), 3u);
+  Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    switch (axes[axis]) {
+      case 'A':
+      case 'P':
+        directions(axis, 0) = axes[axis] == 'A' ? 1 : -1;
+        break;
+      case 'S':
+      case 'I':
+        directions(axis, 1) = axes[axis] == 'S' ? 1 : -1;
+        break;
+      case 'R':
+      case 'L':
+        directions(axis, 2) = axes[axis] == 'R' ? 1 : -1;
+        break;
+      default:
+        LOG(FATAL) << "no axes: " << axes;
+    }
+  }
+  return directions;
+}
+
+bool AgreeWithImage(const std::vector<SampledBone>& bones,
+                    const Eigen::Matrix3d& image_axes) {
+  const double least = std::sqrt(0.5);
+  for (const SampledBone& bone : bones) {
+    if (!bone.femur.ShapeSide()) continue;
+    const BoneDirections& directions = *bone.femur.directions;
+    if (directions.up.dot(image_axes.col(1)) < least) return false;
+    if (directions.back.dot(-image_axes.col(0)) < least) return false;
+  }
+  return true;
+}
+
+void DecideSides(const std::optional<Side>& otherwise,
+                 const std::optional<Eigen::Matrix3d>& image_axes,
+                 std::vector<SampledBone>* bones,
+                 std::vector<std::string>* notes) {
+  const std::optional<Eigen::Vector3d> middle = MiddleOfBody(*bones);
+  for (SampledBone& bone : *bones) {
+    if (bone.bone.kind != BoneKind::kFemur) continue;
+    CheckFemur(bone, image_axes, middle);
+    if (bone.bone.side) continue;
+    bone.bone.side = bone.femur.ShapeSide();
+    if (bone.bone.side) {
+      notes->push_back(bone.bone.name + ": a " + ToString(*bone.bone.side) +
+                       " femur, by its shape");
+    }
+  }
+  for (SampledBone& bone : *bones) {
+    if (!HasSide(bone.bone.kind) || bone.bone.side) continue;
+    if (otherwise) {
+      bone.bone.side = otherwise;
+      continue;
+    }
+    std::string by = "the nearest bone that has one";
+    bone.bone.side = SideOfNearest(*bones, bone);
+    if (!bone.bone.side && bone.surface.size() > 0) {
+      by = "its place in the image";
+      bone.bone.side = SideByPlace(MiddleOf(bone), image_axes, middle);
+    }
+    if (bone.bone.side) {
+      notes->push_back(bone.bone.name + ": " + ToString(*bone.bone.side) +
+                       ", by " + by);
+    } else {
+      notes->push_back(bone.bone.name +
+                       ": of no joint, as nothing tells its side");
+      bone.bone.kind = BoneKind::kOther;
+    }
+  }
+}
+
+}  // namespace musclewarp

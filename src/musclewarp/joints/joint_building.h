@@ -1,0 +1,41 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <string>
+
+#include "musclewarp/joints/cylinder_fit.h"
+#include "musclewarp/joints/found_joint.h"
+#include "musclewarp/joints/limb.h"
+#include "musclewarp/joints/sphere_fit.h"
+
+namespace musclewarp {
+
+// Parts of which joints are built.
+
+constexpr double kDegree = M_PI / 180;  // rad
+
+// Returns a number with so many digits after the point, for reasons.
+std::string Rounded(double number, int digits);
+
+// Returns a joint with the bodies of its table entry and nothing found yet.
+FoundJoint StartedJoint(JointKind kind, const Limb& limb);
+
+// Return a fit as it is reported. The angle is that which is covered, rad.
+FittedShape ShapeOf(const std::string& what, const SphereFit& fit);
+FittedShape ShapeOf(const std::string& what,
+                    const Cylinder& cylinder,
+                    double spread,
+                    double angle);
+
+// Returns right-handed axes in columns, of which column `exact` is along one
+// direction, and column `near` as near as it can be to another one.
+// Precondition: the directions are not parallel.
+Eigen::Matrix3d AxesAlong(int exact,
+                          const Eigen::Vector3d& exact_direction,
+                          int near,
+                          const Eigen::Vector3d& near_direction);
+
+}  // namespace musclewarp

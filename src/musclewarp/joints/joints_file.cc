@@ -1,0 +1,190 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/joints/joints_file.h"
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <set>
+
+#include "musclewarp/joints/joint_building.h"
+#include "musclewarp/scene/json_fields.h"
+
+namespace musclewarp {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+OrderedJson VectorJson(const Eigen::Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+OrderedJson RowsJson(const Eigen::Matrix3d& matrix) {
+  OrderedJson rows = OrderedJson::array();
+  for (int row = 0; row < 3; ++row) {
+    rows.push_back(VectorJson(matrix.row(row).transpose()));
+  }
+  return rows;
+}
+
+OrderedJson ShapeJson(const FittedShape& shape) {
+  OrderedJson json = {{"what", shape.what}};
+  json["shape"] = shape.kind == FittedShape::Kind::kSphere     ? "sphere"
+                  : shape.kind == FittedShape::Kind::kCylinder ? "cylinder"
+                                                               : "axis";
+  json["center_mm"] = VectorJson(shape.center);
+  if (shape.direction.norm() > 0) json["axis"] = VectorJson(shape.direction);
+  json["radius_mm"] = shape.radius;
+  json["spread_mm"] = shape.spread;
+  if (shape.kind == FittedShape::Kind::kSphere) {
+    json["coverage"] = shape.coverage;
+  } else {
+    json["angle_deg"] = shape.angle / kDegree;
+  }
+  return json;
+}
+
+OrderedJson JointJson(const FoundJoint& joint) {
+  OrderedJson json = {{"name", joint.name()},
+                      {"parent", joint.parent},
+                      {"child", joint.child},
+                      {"quality", ToString(joint.verdict.quality)},
+                      {"given", joint.is_given},
+                      {"reasons", joint.verdict.reasons}};
+  if (joint.IsFound()) {
+    json["center_mm"] = VectorJson(joint.center);
+    json["parent_axes"] = RowsJson(joint.parent_axes);
+    json["child_axes"] = RowsJson(joint.child_axes);
+    OrderedJson coordinates = OrderedJson::array();
+    const std::vector<double> values = ScanCoordinates(joint);
+    const std::vector<JointCoordinate> entries =
+        CoordinatesOf(joint.kind, joint.side);
+    for (size_t i = 0; i < entries.size(); ++i) {
+      coordinates.push_back(
+          {{"name", entries[i].name},
+           {"axis", VectorJson(joint.parent_axes * entries[i].axis)},
+           {"scan_deg", values[i] / kDegree},
+           {"range_deg", {entries[i].lowest, entries[i].highest}}});
+    }
+    json["coordinates"] = coordinates;
+  }
+  OrderedJson shapes = OrderedJson::array();
+  for (const FittedShape& shape : joint.shapes) {
+    shapes.push_back(ShapeJson(shape));
+  }
+  json["shapes"] = shapes;
+  return json;
+}
+
+// The kind and the side that the name of a joint has.
+struct JointId {
+  JointKind kind;
+  Side side;
+};
+JointId IdOf(const JsonField& name) {
+  std::string known;
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    for (const JointKind kind : AllJointKinds()) {
+      if (JointName(kind, side) == name.AsString()) return {kind, side};
+      known += (known.empty() ? "" : ", ") + JointName(kind, side);
+    }
+  }
+  name.Fail("is no joint", "allowed: " + known);
+}
+
+Eigen::Vector3d ReadVector(const JsonField& field, bool is_length) {
+  if (field.ArraySize() != 3)
+    field.Fail("has not three numbers", "give [x, y, z]");
+  Eigen::Vector3d vector;
+  for (int i = 0; i < 3; ++i) {
+    const JsonField number = field.At(static_cast<size_t>(i));
+    vector[i] = is_length ? number.AsCoordinate() : number.AsNumber();
+  }
+  return vector;
+}
+
+Eigen::Matrix3d ReadAxes(const JsonField& field) {
+  // Files have axes rounded to some digits.
+  constexpr double kTolerance = 1e-3;
+  if (field.ArraySize() != 3)
+    field.Fail("has not three rows", "give 3 x 3 numbers");
+  Eigen::Matrix3d axes;
+  for (int row = 0; row < 3; ++row) {
+    axes.row(row) = ReadVector(field.At(static_cast<size_t>(row)), false);
+  }
+  if ((axes * axes.transpose() - Eigen::Matrix3d::Identity()).norm() >
+          kTolerance ||
+      axes.determinant() < 0) {
+    field.Fail("is no rotation",
+               "give right-handed axes of unit length at right angles, as "
+               "columns: forward, up, right");
+  }
+  return Eigen::Quaterniond(axes).normalized().toRotationMatrix();
+}
+
+// Axes in which the first coordinate of a joint turns about a direction.
+Eigen::Matrix3d AxesAbout(const JsonField& field, const JointId& id) {
+  const Eigen::Vector3d direction = ReadVector(field, false);
+  if (!(direction.norm() > 0)) field.Fail("is zero", "give a direction");
+  const Eigen::Vector3d own = CoordinatesOf(id.kind, id.side)[0].axis;
+  return Eigen::Quaterniond::FromTwoVectors(own, direction).toRotationMatrix();
+}
+
+FoundJoint ReadJoint(const JsonField& field, const JointId& id) {
+  FoundJoint joint;
+  joint.kind = id.kind;
+  joint.side = id.side;
+  joint.is_given = true;
+  joint.center = ReadVector(field.At("center_mm"), true);
+  joint.parent_axes = field.Has("parent_axes")
+                          ? ReadAxes(field.At("parent_axes"))
+                          : AxesAbout(field.At("axis"), id);
+  joint.child_axes = field.Has("child_axes") ? ReadAxes(field.At("child_axes"))
+                                             : joint.parent_axes;
+  return joint;
+}
+
+}  // namespace
+
+OrderedJson JointsJson(const Articulation& articulation,
+                       const std::string& axes) {
+  OrderedJson bones = OrderedJson::array(), joints = OrderedJson::array();
+  for (const Bone& bone : articulation.bones) {
+    bones.push_back(
+        {{"name", bone.name},
+         {"body", bone.body},
+         {"side",
+          bone.side ? OrderedJson(ToString(*bone.side)) : OrderedJson()}});
+  }
+  for (const FoundJoint& joint : articulation.joints) {
+    joints.push_back(JointJson(joint));
+  }
+  return {{"units", "mm"},
+          {"axes", axes},
+          {"joints", joints},
+          {"bones", bones},
+          {"notes", articulation.notes}};
+}
+
+std::vector<FoundJoint> ReadJoints(const std::string& path) {
+  const JsonField file = JsonField::ParseFile(path);
+  const JsonField root = file.Has("units") ? file.InItsUnits() : file;
+  const JsonField list = root.At("joints");
+  std::vector<FoundJoint> joints;
+  std::set<std::string> names;
+  for (size_t i = 0; i < list.ArraySize(); ++i) {
+    const JsonField field = list.At(i);
+    const JsonField name = field.At("name");
+    const JointId id = IdOf(name);
+    if (!names.insert(name.AsString()).second) {
+      name.Fail("is given twice", "remove one");
+    }
+    if (field.Has("quality") && field.At("quality").AsString() == "failed" &&
+        !field.Has("center_mm")) {
+      continue;
+    }
+    joints.push_back(ReadJoint(field, id));
+  }
+  return joints;
+}
+
+}  // namespace musclewarp

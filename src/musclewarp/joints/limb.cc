@@ -1,0 +1,85 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/joints/limb.h"
+
+#include <Eigen/Geometry>
+
+namespace musclewarp {
+namespace {
+
+// A sphere that covers less is not the head of a femur. The next best place of
+// the bone covers up to 0.24, a head without its medial third 0.33 to 0.37.
+constexpr double kLeastHeadCoverage = 0.3;
+
+// A shaft of a piece of bone along a direction that is known otherwise.
+Axis ShaftAlong(const SurfacePoints& bone, const Eigen::Vector3d& up) {
+  constexpr double kFrom = 0.5;  // of the height, above the condyles
+  const Eigen::VectorXd height = bone.points * up;
+  const double low = height.minCoeff(), high = height.maxCoeff();
+  const SurfacePoints upper = Filtered(
+      bone, [&](int row) { return height[row] >= low + kFrom * (high - low); });
+  return {upper.points.colwise().mean().transpose(), up};
+}
+
+// Takes the knee of the end that has more surface on a cylinder.
+void AddKneeWithoutHead(const SurfacePoints& femur,
+                        const std::optional<Eigen::Vector3d>& up,
+                        FemurShape* shape) {
+  std::vector<Axis> shafts;
+  if (up) {
+    shafts.push_back(ShaftAlong(femur, *up));
+  } else {
+    const Axis shaft = ShaftOf(femur, Eigen::Vector3d::UnitZ());
+    shafts = {shaft, {shaft.point, -shaft.direction}};
+  }
+  for (const Axis& shaft : shafts) {
+    const BoneDirections directions =
+        DirectionsOfFemur(femur, shaft, kUsualHeadRadius);
+    const std::optional<KneeFit> knee =
+        FitKnee(femur, directions, kUsualHeadRadius);
+    if (knee && (!shape->knee || knee->points > shape->knee->points)) {
+      shape->directions = directions;
+      shape->knee = knee;
+    }
+  }
+}
+
+}  // namespace
+
+FemurShape ShapeOfFemur(const SurfacePoints& femur,
+                        const std::optional<Eigen::Vector3d>& up) {
+  FemurShape shape;
+  if (femur.size() == 0) return shape;
+  shape.head = FindSphere(femur, {});
+  if (shape.head) shape.best_coverage = shape.head->coverage;
+  if (shape.best_coverage < kLeastHeadCoverage) {
+    shape.head.reset();
+    AddKneeWithoutHead(femur, up, &shape);
+    return shape;
+  }
+  const Eigen::Vector3d middle = femur.points.colwise().mean().transpose();
+  shape.directions =
+      DirectionsOfFemur(femur,
+                        ShaftOf(femur, shape.head->sphere.center - middle),
+                        shape.HeadRadius());
+  shape.knee = FitKnee(femur, *shape.directions, shape.HeadRadius());
+  return shape;
+}
+
+std::optional<Side> FemurShape::ShapeSide() const {
+  if (!head || !knee) return std::nullopt;
+  const Eigen::Vector3d way = head->sphere.center - knee->cylinder.axis.point;
+  return way.dot(directions->left) > 0 ? Side::kRight : Side::kLeft;
+}
+
+std::optional<Eigen::Matrix3d> FemurShape::Axes() const {
+  if (!head || !knee) return std::nullopt;
+  const Axis& axis = knee->cylinder.axis;
+  Eigen::Matrix3d axes;
+  axes.col(1) = (head->sphere.center - axis.point).normalized();
+  axes.col(0) = axes.col(1).cross(-axis.direction).normalized();
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
+
+}  // namespace musclewarp

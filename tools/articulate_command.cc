@@ -1,0 +1,322 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/articulate_command.h"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <map>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/geometry/view.h"
+#include "musclewarp/joints/articulated_model.h"
+#include "musclewarp/joints/articulated_scene.h"
+#include "musclewarp/joints/bone_names.h"
+#include "musclewarp/joints/joints_file.h"
+#include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/scene/scene_names.h"
+#include "tools/flag_values.h"
+#include "tools/output_folder.h"
+#include "tools/program.h"
+#include "tools/split.h"
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostFrames = 100000;
+
+double ParseDouble(const std::string& flag, const std::string& text) {
+  double number = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || rest != end || !std::isfinite(number)) {
+    throw InputError(
+        flag, "has " + QuotedName(text) + ", which is no number", "correct it");
+  }
+  return number;
+}
+
+// Reads "hip_flexion_r:-10:60:15" for each coordinate, with the number of
+// frames in at least one of them.
+JointMotion ParseMotion(const std::vector<std::string>& entries) {
+  JointMotion motion;
+  bool has_frames = false;
+  for (const std::string& entry : entries) {
+    const std::string flag = "--motion=" + entry;
+    const std::vector<std::string> parts = Split(entry, ':');
+    if (parts.size() < 3 || parts.size() > 4) {
+      throw InputError(flag,
+                       "is no motion",
+                       "give COORDINATE:FROM:TO:FRAMES in degrees, such as "
+                       "hip_flexion_r:-10:60:15");
+    }
+    motion.sweeps.push_back(
+        {parts[0], ParseDouble(flag, parts[1]), ParseDouble(flag, parts[2])});
+    motion.name += (motion.name.empty() ? "" : "+") + parts[0];
+    if (parts.size() < 4) continue;
+    const double frames = ParseDouble(flag, parts[3]);
+    if (frames != std::floor(frames) || frames < 1 || frames > kMostFrames) {
+      throw InputError(flag,
+                       "has " + QuotedName(parts[3]) + " frames",
+                       "allowed: 1 to 100000");
+    }
+    if (has_frames && frames != motion.frames) {
+      throw InputError(flag,
+                       "has another number of frames than the one before",
+                       "coordinates move together; give one number");
+    }
+    motion.frames = static_cast<int>(frames);
+    has_frames = true;
+  }
+  return motion;
+}
+
+JointKind ParseJoint(const std::string& text) {
+  std::string known;
+  for (const JointKind kind : AllJointKinds()) {
+    if (ToString(kind) == text) return kind;
+    known += (known.empty() ? "" : ", ") + ToString(kind);
+  }
+  throw InputError("--joints",
+                   "has " + QuotedName(text) + ", which is no joint",
+                   "allowed: " + known);
+}
+
+ArticulationOptions ParseOptions(const ArticulateOptions& options) {
+  ArticulationOptions parsed;
+  for (const std::string& joint : options.joints) {
+    parsed.joints.push_back(ParseJoint(joint));
+  }
+  if (options.side != "both") {
+    parsed.side = ParseSide(options.side);
+    if (!parsed.side) {
+      throw InputError(
+          "--side=" + options.side, "is no side", "allowed: right, left, both");
+    }
+  }
+  if (options.zero != "anatomy" && options.zero != "scan") {
+    throw InputError(
+        "--zero=" + options.zero, "is no pose", "allowed: anatomy, scan");
+  }
+  if (options.zero == "scan") parsed.zero = ZeroPose::kScan;
+  parsed.axes = options.axes == "none" ? "" : options.axes;
+  if (!parsed.axes.empty() && !AreBodyAxes(parsed.axes)) {
+    throw InputError("--axes=" + options.axes,
+                     "does not say where +x, +y and +z point",
+                     "allowed: one letter each out of L or R, A or P, S or I, "
+                     "such as LPS, or none");
+  }
+  if (!options.given.empty()) parsed.given = ReadJoints(options.given);
+  return parsed;
+}
+
+class ArticulateRun {
+ public:
+  ArticulateRun(const std::vector<std::string>& files,
+                const ArticulateOptions& options,
+                std::ostream& screen)
+      : files_(files), options_(options), screen_(screen) {}
+
+  int Execute() {
+    CheckWritable(options_.out);
+    CheckThreads(options_.threads);
+    if (files_.empty()) {
+      throw InputError("files", "none given", "name the meshes of the bones");
+    }
+    const ArticulationOptions joints = ParseOptions(options_);
+    const JointMotion motion = ParseMotion(options_.motion);
+    if (options_.threads > 0) omp_set_num_threads(options_.threads);
+    ReadMeshes();
+    articulation_ = Articulate(bones_, joints);
+    ChooseMotions(motion);
+    PrintJoints();
+    Write(joints.axes);
+    return AllJointsWereFound() ? kExitUsable : kExitNotUsable;
+  }
+
+ private:
+  void ReadMeshes() {
+    const double mm_per_unit = ParseUnits(options_.units);
+    for (const std::string& file : files_) {
+      Bone bone;
+      bone.name = NameOf(file);
+      const NamedBone named = ParseBoneName(bone.name);
+      bone.kind = named.kind;
+      bone.side = named.side;
+      bone.mesh = ReadTriangleSoup(file);
+      bone.mesh.points *= mm_per_unit;
+      if (bone.kind == BoneKind::kOther) SayUnknown(bone.name);
+      bones_.push_back(std::move(bone));
+    }
+    for (const std::string& file : options_.muscles) {
+      NameOf(file);
+      ReadTriangleSoup(file);  // so that bad files are found early
+    }
+  }
+
+  std::string NameOf(const std::string& file) {
+    const std::string name = fs::path(file).stem().string();
+    CheckFileName(file, "mesh", name);
+    const auto [other, is_new] = file_of_name_.emplace(name, file);
+    if (!is_new) {
+      throw InputError(
+          file,
+          "has the name " + QuotedName(name) + ", as " + other->second + " has",
+          "meshes are named by their files without extension; "
+          "rename one");
+    }
+    return name;
+  }
+
+  void SayUnknown(const std::string& name) {
+    std::string near;
+    for (const std::string& known : NearestBoneNames(name)) {
+      near += (near.empty() ? "" : ", ") + known;
+    }
+    screen_ << name
+            << ": not known as a bone, and of no joint; names near it: " << near
+            << "\n";
+  }
+
+  void ChooseMotions(const JointMotion& asked) {
+    const std::vector<std::string> names = CoordinateNames(articulation_);
+    for (const CoordinateSweep& sweep : asked.sweeps) {
+      if (std::count(names.begin(), names.end(), sweep.coordinate) > 0)
+        continue;
+      std::string known;
+      for (const std::string& name : names) {
+        known += (known.empty() ? "" : ", ") + name;
+      }
+      throw InputError("--motion",
+                       "has " + QuotedName(sweep.coordinate) +
+                           ", which no joint that was found has",
+                       "allowed: " + known);
+    }
+    motions_ = asked.sweeps.empty() ? MotionsOfRanges(articulation_)
+                                    : std::vector<JointMotion>{asked};
+  }
+
+  void PrintJoints() {
+    for (const std::string& note : articulation_.notes) {
+      screen_ << note << "\n";
+    }
+    screen_ << std::fixed << std::setprecision(1);
+    for (const FoundJoint& joint : articulation_.joints) {
+      screen_ << std::left << std::setw(12) << joint.name() << std::setw(8)
+              << (joint.is_given ? "given" : ToString(joint.verdict.quality));
+      if (joint.IsFound()) {
+        screen_ << joint.parent << " - " << joint.child << ", at ("
+                << joint.center.x() << ", " << joint.center.y() << ", "
+                << joint.center.z() << ")";
+      }
+      screen_ << "\n";
+      for (const FittedShape& shape : joint.shapes) PrintShape(shape);
+      for (const std::string& reason : joint.verdict.reasons) {
+        screen_ << "    " << reason << "\n";
+      }
+    }
+  }
+
+  void PrintShape(const FittedShape& shape) {
+    screen_ << "    " << shape.what << ": radius " << shape.radius
+            << " mm, spread " << std::setprecision(2) << shape.spread
+            << std::setprecision(1) << " mm, covers ";
+    if (shape.kind == FittedShape::Kind::kSphere) {
+      screen_ << 100 * shape.coverage << " % of its sphere\n";
+    } else {
+      screen_ << shape.angle * 180 / M_PI << " degrees\n";
+    }
+  }
+
+  void Write(const std::string& axes) {
+    const fs::path out = options_.out;
+    MakeFolder(options_.out);
+    RemovePartialOutput(options_.out);
+    MakeFolder((out / "Geometry").string());
+    MakeFolder((out / "motions").string());
+    for (const Bone& bone : articulation_.bones) {
+      WriteTriangleSoup((out / "Geometry" / (bone.name + ".obj")).string(),
+                        bone.mesh);
+    }
+    for (const JointMotion& motion : motions_) {
+      WriteTextAtomically((out / "motions" / (motion.name + ".mot")).string(),
+                          StorageText(MotionTable(motion)));
+    }
+    const std::string name = NameOfRun();
+    WriteTextAtomically((out / "model.osim").string(),
+                        ArticulatedModelText(articulation_, name));
+    WriteJson("joints.json", JointsJson(articulation_, axes));
+    if (motions_.empty()) return;
+    WriteJson("scene.json",
+              ArticulatedSceneJson(
+                  articulation_, SceneParts(name, axes), motions_.front()));
+    screen_ << "next: musclewarp-deform --scene="
+            << (out / "scene.json").string() << " --out=DIR\n";
+  }
+
+  void WriteJson(const std::string& file, const nlohmann::ordered_json& json) {
+    WriteTextAtomically(
+        (fs::path(options_.out) / file).string(),
+        json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+            "\n");
+  }
+
+  std::string NameOfRun() const {
+    const fs::path out = fs::absolute(options_.out).lexically_normal();
+    const fs::path last =
+        out.filename().empty() ? out.parent_path().filename() : out.filename();
+    return last.empty() ? "model" : last.string();
+  }
+
+  ArticulatedSceneParts SceneParts(const std::string& name,
+                                   const std::string& axes) const {
+    ArticulatedSceneParts parts;
+    parts.name = name;
+    parts.units = options_.units;
+    parts.axes = axes;
+    const auto file_of = [&](const std::string& file) {
+      const fs::path relative = fs::relative(file, options_.out);
+      return SceneMeshFile{
+          fs::path(file).stem().string(),
+          (relative.empty() ? fs::absolute(file) : relative).generic_string()};
+    };
+    for (const std::string& file : files_) {
+      parts.bones.push_back(file_of(file));
+    }
+    for (const std::string& file : options_.muscles) {
+      parts.muscles.push_back(file_of(file));
+    }
+    return parts;
+  }
+
+  bool AllJointsWereFound() const {
+    return std::all_of(articulation_.joints.begin(),
+                       articulation_.joints.end(),
+                       [](const FoundJoint& joint) { return joint.IsFound(); });
+  }
+
+  const std::vector<std::string>& files_;
+  const ArticulateOptions& options_;
+  std::ostream& screen_;
+  std::map<std::string, std::string> file_of_name_;
+  std::vector<Bone> bones_;
+  Articulation articulation_;
+  std::vector<JointMotion> motions_;
+};
+
+}  // namespace
+
+int ArticulateCommand(const std::vector<std::string>& files,
+                      const ArticulateOptions& options,
+                      std::ostream& screen) {
+  return ArticulateRun(files, options, screen).Execute();
+}
+
+}  // namespace musclewarp
