@@ -118,14 +118,23 @@ class Articulator {
     return nullptr;
   }
 
-  void MeasurePelvis() {
-    SurfacePoints pelvis = SurfaceOf(BoneKind::kPelvis, {});
-    if (pelvis.size() == 0) {
-      for (const Side side : {Side::kRight, Side::kLeft}) {
-        if (SurfaceOf(BoneKind::kHipBone, side).size() == 0) return;
-      }
-      pelvis = SurfaceOf(BoneKind::kHipBone, {});
+  // The points of both hip bones, the mirror image of one if need be.
+  Points PointsOfPelvis() const {
+    const SurfacePoints pelvis = SurfaceOf(BoneKind::kPelvis, {});
+    if (pelvis.size() > 0) return pelvis.points;
+    const SurfacePoints both = SurfaceOf(BoneKind::kHipBone, {});
+    for (const Side side : {Side::kRight, Side::kLeft}) {
+      const SurfacePoints one = SurfaceOf(BoneKind::kHipBone, side);
+      if (one.size() == 0 || one.size() < both.size()) continue;
+      if (!image_axes_) return Points(0, 3);
+      return WithMirrorImage(one.points, side, image_axes_->col(2));
     }
+    return both.points;
+  }
+
+  void MeasurePelvis() {
+    const Points pelvis = PointsOfPelvis();
+    if (pelvis.rows() == 0) return;
     Eigen::Vector3d across = Eigen::Vector3d::Zero();
     const FemurShape* right = FemurOf(Side::kRight);
     const FemurShape* left = FemurOf(Side::kLeft);
@@ -133,7 +142,7 @@ class Articulator {
       across =
           (right->head->sphere.center - left->head->sphere.center).normalized();
     }
-    pelvis_axes_ = PelvisAxes(pelvis.points, across);
+    pelvis_axes_ = PelvisAxes(pelvis, across);
   }
 
   Limb LimbOf(Side side) const {

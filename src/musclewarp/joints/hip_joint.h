@@ -8,10 +8,10 @@
 namespace musclewarp {
 
 // Finds a hip: a sphere on the head of the femur, against which the socket is
-// checked. With one hip bone only the frame of the image stands in for that of
-// the pelvis. Without the frames of both bones the coordinates are 0 in
-// the pose of the scan. The verdict is by the signs of docs/joints.md.
-// Precondition (CHECKed): the limb has a hip bone or a pelvis.
+// checked. Without a frame of the pelvis that of the image stands in. Without
+// the frames of both bones the coordinates are 0 in the pose of the scan. The
+// verdict is by the signs of docs/joints.md. Precondition (CHECKed): the limb
+// has a hip bone or a pelvis.
 FoundJoint FindHip(const Limb& limb, const FemurShape& femur);
 
 }  // namespace musclewarp

@@ -25,7 +25,8 @@ struct Limb {
   // if the image does not say or the bones contradict it.
   std::optional<Eigen::Matrix3d> image_axes;
 
-  // The same of the pelvis (PelvisAxes), if both hip bones are there.
+  // The same of the pelvis (PelvisAxes), if both hip bones are there, or one
+  // and the image says where its mirror image is.
   std::optional<Eigen::Matrix3d> pelvis_axes;
 
   // Returns the points of a kind, or null if there are none.

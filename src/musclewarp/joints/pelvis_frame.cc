@@ -88,4 +88,15 @@ std::optional<Eigen::Matrix3d> PelvisAxes(const Points& points,
   return axes;
 }
 
+Points WithMirrorImage(const Points& hip_bone,
+                       Side side,
+                       const Eigen::Vector3d& right) {
+  const Eigen::Vector3d outward = side == Side::kRight ? right : -right;
+  const Eigen::VectorXd off_mirror =
+      (hip_bone * outward).array() - (hip_bone * outward).minCoeff();
+  Points both(2 * hip_bone.rows(), 3);
+  both << hip_bone, hip_bone - 2 * off_mirror * outward.transpose();
+  return both;
+}
+
 }  // namespace musclewarp

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "musclewarp/joints/bone.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
@@ -22,5 +23,13 @@ namespace musclewarp {
 // a plane.
 std::optional<Eigen::Matrix3d> PelvisAxes(const Points& points,
                                           const Eigen::Vector3d& across);
+
+// Returns the points of a hip bone and those of its mirror image, which stands
+// in for the other one: the mirror is at right angles to `right`, the right of
+// the body, and touches the bone where it reaches farthest to the other side,
+// at the pubic symphysis.
+Points WithMirrorImage(const Points& hip_bone,
+                       Side side,
+                       const Eigen::Vector3d& right);
 
 }  // namespace musclewarp
