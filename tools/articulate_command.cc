@@ -9,7 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
-#include <map>
+#include <utility>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
@@ -20,7 +20,7 @@
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/scene/scene_names.h"
-#include "tools/flag_values.h"
+#include "tools/articulate_input.h"
 #include "tools/output_folder.h"
 #include "tools/program.h"
 #include "tools/split.h"
@@ -128,13 +128,16 @@ class ArticulateRun {
     CheckWritable(options_.out);
     CheckThreads(options_.threads);
     if (files_.empty()) {
-      throw InputError("files", "none given", "name the meshes of the bones");
+      throw InputError("files",
+                       "none given",
+                       "name the meshes of the bones, or a label image");
     }
-    const ArticulationOptions joints = ParseOptions(options_);
+    ArticulationOptions joints = ParseOptions(options_);
     const JointMotion motion = ParseMotion(options_.motion);
     if (options_.threads > 0) omp_set_num_threads(options_.threads);
-    ReadMeshes();
-    articulation_ = Articulate(bones_, joints);
+    input_ = ReadArticulateInput(files_, options_);
+    if (!input_.is_oriented) joints.axes = "";
+    articulation_ = Articulate(std::move(input_.bones), joints);
     ChooseMotions(motion);
     PrintJoints();
     Write(joints.axes);
@@ -142,49 +145,6 @@ class ArticulateRun {
   }
 
  private:
-  void ReadMeshes() {
-    const double mm_per_unit = ParseUnits(options_.units);
-    for (const std::string& file : files_) {
-      Bone bone;
-      bone.name = NameOf(file);
-      const NamedBone named = ParseBoneName(bone.name);
-      bone.kind = named.kind;
-      bone.side = named.side;
-      bone.mesh = ReadTriangleSoup(file);
-      bone.mesh.points *= mm_per_unit;
-      if (bone.kind == BoneKind::kOther) SayUnknown(bone.name);
-      bones_.push_back(std::move(bone));
-    }
-    for (const std::string& file : options_.muscles) {
-      NameOf(file);
-      ReadTriangleSoup(file);  // so that bad files are found early
-    }
-  }
-
-  std::string NameOf(const std::string& file) {
-    const std::string name = fs::path(file).stem().string();
-    CheckFileName(file, "mesh", name);
-    const auto [other, is_new] = file_of_name_.emplace(name, file);
-    if (!is_new) {
-      throw InputError(
-          file,
-          "has the name " + QuotedName(name) + ", as " + other->second + " has",
-          "meshes are named by their files without extension; "
-          "rename one");
-    }
-    return name;
-  }
-
-  void SayUnknown(const std::string& name) {
-    std::string near;
-    for (const std::string& known : NearestBoneNames(name)) {
-      near += (near.empty() ? "" : ", ") + known;
-    }
-    screen_ << name
-            << ": not known as a bone, and of no joint; names near it: " << near
-            << "\n";
-  }
-
   void ChooseMotions(const JointMotion& asked) {
     const std::vector<std::string> names = CoordinateNames(articulation_);
     for (const CoordinateSweep& sweep : asked.sweeps) {
@@ -204,8 +164,8 @@ class ArticulateRun {
   }
 
   void PrintJoints() {
-    for (const std::string& note : articulation_.notes) {
-      screen_ << note << "\n";
+    for (const auto* notes : {&input_.notes, &articulation_.notes}) {
+      for (const std::string& note : *notes) screen_ << note << "\n";
     }
     screen_ << std::fixed << std::setprecision(1);
     for (const FoundJoint& joint : articulation_.joints) {
@@ -249,6 +209,7 @@ class ArticulateRun {
       WriteTextAtomically((out / "motions" / (motion.name + ".mot")).string(),
                           StorageText(MotionTable(motion)));
     }
+    WriteLabels(out);
     const std::string name = NameOfRun();
     WriteTextAtomically((out / "model.osim").string(),
                         ArticulatedModelText(articulation_, name));
@@ -259,6 +220,26 @@ class ArticulateRun {
                   articulation_, SceneParts(name, axes), motions_.front()));
     screen_ << "next: musclewarp-deform --scene="
             << (out / "scene.json").string() << " --out=DIR\n";
+  }
+
+  // Meshes of labels have no files that the scene could name.
+  void WriteLabels(const fs::path& out) {
+    if (input_.image.empty()) return;
+    MakeFolder((out / "meshes").string());
+    for (const Bone& bone : articulation_.bones) {
+      const bool is_label =
+          std::any_of(input_.bone_sources.begin(),
+                      input_.bone_sources.end(),
+                      [&](auto& mesh) {
+                        return mesh.name == bone.name && mesh.file.empty();
+                      });
+      if (!is_label) continue;
+      WriteTriangleSoup((out / MeshOfLabel(bone.name)).string(), bone.mesh);
+    }
+    for (const ArticulateMesh& muscle : input_.muscles) {
+      if (!muscle.file.empty()) continue;
+      WriteTriangleSoup((out / MeshOfLabel(muscle.name)).string(), muscle.soup);
+    }
   }
 
   void WriteJson(const std::string& file, const nlohmann::ordered_json& json) {
@@ -279,21 +260,28 @@ class ArticulateRun {
                                    const std::string& axes) const {
     ArticulatedSceneParts parts;
     parts.name = name;
-    parts.units = options_.units;
+    parts.units = input_.image.empty() ? options_.units : "mm";
     parts.axes = axes;
-    const auto file_of = [&](const std::string& file) {
-      const fs::path relative = fs::relative(file, options_.out);
-      return SceneMeshFile{
-          fs::path(file).stem().string(),
-          (relative.empty() ? fs::absolute(file) : relative).generic_string()};
-    };
-    for (const std::string& file : files_) {
-      parts.bones.push_back(file_of(file));
+    for (const ArticulateMesh& mesh : input_.bone_sources) {
+      parts.bones.push_back({mesh.name, SceneFile(mesh)});
     }
-    for (const std::string& file : options_.muscles) {
-      parts.muscles.push_back(file_of(file));
+    for (const ArticulateMesh& mesh : input_.muscles) {
+      parts.muscles.push_back({mesh.name, SceneFile(mesh)});
     }
     return parts;
+  }
+
+  // The file of a mesh as the scene names it.
+  std::string SceneFile(const ArticulateMesh& mesh) const {
+    if (mesh.file.empty()) return MeshOfLabel(mesh.name).generic_string();
+    const fs::path relative = fs::relative(mesh.file, options_.out);
+    return (relative.empty() ? fs::absolute(mesh.file) : relative)
+        .generic_string();
+  }
+
+  // Where the mesh of a label is written, from the folder of the results.
+  static fs::path MeshOfLabel(const std::string& name) {
+    return fs::path("meshes") / (name + ".ply");
   }
 
   bool AllJointsWereFound() const {
@@ -305,8 +293,7 @@ class ArticulateRun {
   const std::vector<std::string>& files_;
   const ArticulateOptions& options_;
   std::ostream& screen_;
-  std::map<std::string, std::string> file_of_name_;
-  std::vector<Bone> bones_;
+  ArticulateInput input_;
   Articulation articulation_;
   std::vector<JointMotion> motions_;
 };

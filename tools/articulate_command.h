@@ -15,8 +15,15 @@ namespace musclewarp {
 struct ArticulateOptions {
   std::string out;  // folder for the results
 
-  // Meshes of muscles, which the scene has beside the bones.
+  // Meshes of muscles, which the scene has beside the bones, and labels of an
+  // image that are bones although neither the table nor their names say so.
   std::vector<std::string> muscles;
+  std::vector<std::string> bones;
+
+  // The table of the labels (label_table.h), and the length of the edges of
+  // their surfaces, mm; 0: twice the edge of a voxel.
+  std::string labels;
+  double edge = 0;
 
   // "right", "left" or "both"; the names of joints, none: all; "anatomy" or
   // "scan"; see ArticulationOptions.
@@ -33,8 +40,9 @@ struct ArticulateOptions {
   // through its range.
   std::vector<std::string> motion;
 
-  std::string units = "mm";  // of the mesh files
-  int threads = 0;           // 0: as many as OpenMP chooses
+  // Of the mesh files, and of a label image that does not state its own.
+  std::string units = "mm";
+  int threads = 0;  // 0: as many as OpenMP chooses
 };
 
 // Finds the joints of a skeleton on its bones, and writes what
@@ -42,7 +50,9 @@ struct ArticulateOptions {
 // out/Geometry, out/motions/<name>.mot, out/scene.json, which moves the muscles
 // by the first motion, and out/joints.json, the report (docs/joints.md).
 //
-// `files` are meshes of bones; their names tell what they are (bone_names.h).
+// `files` are meshes of bones, whose names tell what they are (bone_names.h),
+// and at most one label image, which has muscles, too (articulate_input.h); its
+// meshes are written to out/meshes.
 //
 // Returns 0 if all joints are good or weak, and 1 if one failed. Throws
 // InputError, before anything is written, for files that cannot be read, two

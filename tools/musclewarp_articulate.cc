@@ -10,6 +10,17 @@
 
 DEFINE_string(out, "", "folder for the model, the scene and the report");
 DEFINE_string(muscles, "", "meshes of muscles for the scene; commas");
+DEFINE_string(bone,
+              "",
+              "labels that are bones although neither the table nor their "
+              "names say so; commas");
+DEFINE_string(labels,
+              "",
+              "table of the labels of an image: label,name,kind,bone,side,body "
+              "(docs/joints.md); labels that are not in it are left out");
+DEFINE_double(edge,
+              0,
+              "edges of the triangles of labels, mm; 0: twice a voxel");
 DEFINE_string(side,
               "both",
               "right, left or both: where joints are found; one of them is "
@@ -34,7 +45,10 @@ DEFINE_string(axes,
               musclewarp::ArticulateOptions().axes,
               "where +x, +y and +z of the files point, such as LPS or ASR; "
               "none if that is not known");
-DEFINE_string(units, "mm", "unit of the mesh files: mm, cm, m");
+DEFINE_string(units,
+              "mm",
+              "unit of the mesh files, and of a label image that does not "
+              "state its own: mm, cm, m");
 DEFINE_int32(threads, 0, "threads; 0: one a core");
 
 int main(int argc, char** argv) {
@@ -42,9 +56,12 @@ int main(int argc, char** argv) {
       argc,
       argv,
       "musclewarp-articulate --out=DIR [--muscles=FILE,...] FILE... "
+      "[flags]\n"
+      "       musclewarp-articulate --out=DIR [--labels=TABLE] IMAGE "
       "[flags]\n\n"
       "Finds the joints of a skeleton on the shapes of its bones, of which the "
-      "names of\nthe files tell what they are (femur_r, hip_left, tibia). "
+      "names of\nfiles or labels tell what they are (femur_r, hip_left, "
+      "tibia). "
       "Writes to DIR an OpenSim\nmodel, motions, a report of the joints "
       "(joints.json) and a scene, so that\n\n"
       "    musclewarp-deform --scene=DIR/scene.json --out=...\n\n"
@@ -55,6 +72,9 @@ int main(int argc, char** argv) {
         musclewarp::ArticulateOptions options;
         options.out = FLAGS_out;
         options.muscles = musclewarp::Split(FLAGS_muscles, ',');
+        options.bones = musclewarp::Split(FLAGS_bone, ',');
+        options.labels = FLAGS_labels;
+        options.edge = FLAGS_edge;
         options.side = FLAGS_side;
         options.joints = musclewarp::Split(FLAGS_joints, ',');
         options.given = FLAGS_given;

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace musclewarp {
@@ -95,6 +96,32 @@ std::string Joined(const std::vector<std::string>& words) {
   return joined;
 }
 
+// Returns true for the names of bones that belong to no joint here.
+bool HasWordOfOtherBones(const std::vector<std::string>& words) {
+  static const auto* others = new std::set<std::string>{"rib",
+                                                        "ribs",
+                                                        "vertebra",
+                                                        "vertebrae",
+                                                        "sternum",
+                                                        "skull",
+                                                        "cranium",
+                                                        "mandible",
+                                                        "carpal",
+                                                        "carpals",
+                                                        "hand",
+                                                        "metacarpal",
+                                                        "metacarpals",
+                                                        "coccyx",
+                                                        "hyoid",
+                                                        "phalanx",
+                                                        "phalanges",
+                                                        "finger",
+                                                        "fingers"};
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return others->count(word) > 0;
+  });
+}
+
 // The number of letters to change, add or remove.
 int EditDistance(const std::string& a, const std::string& b) {
   std::vector<int> row(b.size() + 1);
@@ -137,7 +164,12 @@ NamedBone ParseBoneName(const std::string& name) {
     }
   }
   const auto known = KnownNames().find(Joined(words));
-  if (known != KnownNames().end()) bone.kind = known->second;
+  if (known != KnownNames().end()) {
+    bone.is_known = true;
+    bone.kind = known->second;
+  } else {
+    bone.is_known = HasWordOfOtherBones(words);
+  }
   return bone;
 }
 

@@ -12,6 +12,10 @@ namespace musclewarp {
 
 // What a name says of a bone.
 struct NamedBone {
+  // False for a name that is not known as that of a bone.
+  bool is_known = false;
+
+  // kOther for bones of no joint, such as ribs, too.
   BoneKind kind = BoneKind::kOther;
   std::optional<Side> side;
 };
@@ -20,8 +24,7 @@ struct NamedBone {
 // neither letters nor digits, of which the first or the last may be the side:
 // "left", "right", "l" or "r". Known are the names of TotalSegmentator
 // ("femur_left", "hip_right", "tarsal"), of OpenSim's models ("calcn_r") and of
-// anatomy ("os_coxae", "calcaneus", "metatarsal_3"). Any other name is
-// BoneKind::kOther.
+// anatomy ("os_coxae", "calcaneus", "metatarsal_3", "rib_left_4").
 NamedBone ParseBoneName(const std::string& name);
 
 // Returns the kind that the column "bone" of a table names, such as "femur", or

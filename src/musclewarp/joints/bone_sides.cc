@@ -23,11 +23,6 @@ constexpr char kMirrored[] =
     "a mirrored image is the usual cause; correct the side, or mirror the "
     "bones";
 
-bool HasSide(BoneKind kind) {
-  return kind != BoneKind::kOther && kind != BoneKind::kPelvis &&
-         kind != BoneKind::kSacrum;
-}
-
 Eigen::Vector3d MiddleOf(const SampledBone& bone) {
   return bone.surface.points.colwise().mean().transpose();
 }
@@ -108,6 +103,11 @@ std::optional<Side> SideOfNearest(const std::vector<SampledBone>& bones,
 }
 
 }  // namespace
+
+bool HasSide(BoneKind kind) {
+  return kind != BoneKind::kOther && kind != BoneKind::kPelvis &&
+         kind != BoneKind::kSacrum;
+}
 
 Eigen::Matrix3d DirectionsOfAxes(const std::string& axes) {
   CHECK_EQ(axes.size(), 3u);

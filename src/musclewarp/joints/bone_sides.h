@@ -19,6 +19,9 @@ struct SampledBone {
   FemurShape femur;  // of a femur only
 };
 
+// True for bones that there are on both sides of the body.
+bool HasSide(BoneKind kind);
+
 // Returns where forward, up and right are in a frame with such axes ("LPS"), in
 // columns. Precondition (CHECKed): the axes are valid, as those of a scene.
 Eigen::Matrix3d DirectionsOfAxes(const std::string& axes);

@@ -152,7 +152,9 @@ class MeshesOfLabel {
     LabelPieces pieces = PiecesOfLabel(image_, entry_.label, box);
     const size_t found = pieces.regions.size();
     std::int64_t left_out = pieces.small_voxels;
-    if (options_.pieces == PieceChoice::kLargest) {
+    const PieceChoice choice =
+        options_.pieces_of ? options_.pieces_of(entry_) : options_.pieces;
+    if (choice == PieceChoice::kLargest) {
       for (size_t i = 1; i < found; ++i) {
         left_out += pieces.regions[i].voxels - pieces.regions[i].cavity_voxels;
       }
@@ -241,6 +243,7 @@ class MeshesOfLabel {
     mesh.label = entry_.label;
     mesh.name = name;
     mesh.is_bone = entry_.is_bone.value_or(false);
+    mesh.entry = entry_;
     mesh.mesh = std::move(surface.mesh);
     mesh.voxel_volume = static_cast<double>(region.voxels) * voxel_;
     mesh.volume = surface.volume;
@@ -299,7 +302,10 @@ void NoteEmptySegments(const LabelImage& image,
   std::vector<LabelEntry> empty;
   for (const auto& [label, name] : image.grid.names) {
     if (label > 0 && !boxes.count(label)) {
-      empty.push_back({label, name, std::nullopt});
+      LabelEntry entry;
+      entry.label = label;
+      entry.name = name;
+      empty.push_back(entry);
     }
   }
   if (empty.empty()) return;

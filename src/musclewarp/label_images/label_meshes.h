@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "musclewarp/label_images/label_table.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
@@ -14,6 +16,7 @@ struct LabelMesh {
   int label = 0;
   std::string name;
   bool is_bone = false;  // by the table; false if it does not say
+  LabelEntry entry;      // the row of the table, or what stands in for it
   TriangleSoup mesh;     // mm, closed, outward oriented, one piece
 
   // Of the voxels from which the mesh was made, with cavities but without the
@@ -55,6 +58,9 @@ struct LabelMeshOptions {
   double edge_length = 0;
 
   PieceChoice pieces = PieceChoice::kLargest;
+
+  // Returns the choice for one label; empty: `pieces` is that of all.
+  std::function<PieceChoice(const LabelEntry&)> pieces_of;
   double mm_per_unit = 1;  // of an image that does not state its unit
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
@@ -22,6 +23,7 @@ constexpr char kTableAdvice[] =
 // The places of the columns in a line; -1 for one that is not there.
 struct Columns {
   int label = 0, name = 1, kind = 2;
+  int bone = -1, side = -1, body = -1, origin = -1, insertion = -1;
 };
 
 // The text without blanks around it, and without the quotes around that.
@@ -120,7 +122,16 @@ class TableReader {
           column >= 0 && column < static_cast<int>(cells.size());
       return is_there ? cells[column] : std::string();
     };
-    Add(cell(columns_.label), cell(columns_.name), cell(columns_.kind));
+    LabelEntry entry;
+    entry.bone = cell(columns_.bone);
+    entry.side = LowerCase(cell(columns_.side));
+    entry.body = cell(columns_.body);
+    entry.origin = cell(columns_.origin);
+    entry.insertion = cell(columns_.insertion);
+    Add(cell(columns_.label),
+        cell(columns_.name),
+        cell(columns_.kind),
+        std::move(entry));
   }
 
   void SetColumns(const Cells& cells) {
@@ -129,6 +140,11 @@ class TableReader {
         ColumnOf(cells, {"label", "labelvalue", "value", "index", "idx", "id"});
     columns_.name = ColumnOf(cells, {"name", "labelname", "structure"});
     columns_.kind = ColumnOf(cells, {"kind", "type"});
+    columns_.bone = ColumnOf(cells, {"bone"});
+    columns_.side = ColumnOf(cells, {"side"});
+    columns_.body = ColumnOf(cells, {"body"});
+    columns_.origin = ColumnOf(cells, {"origin"});
+    columns_.insertion = ColumnOf(cells, {"insertion"});
     for (const auto& [column, name] :
          {std::pair(columns_.label, "label"), {columns_.name, "name"}}) {
       if (column >= 0) continue;
@@ -157,9 +173,9 @@ class TableReader {
 
   void Add(const std::string& label_text,
            const std::string& name,
-           const std::string& kind_text) {
+           const std::string& kind_text,
+           LabelEntry entry = {}) {
     is_first_ = false;
-    LabelEntry entry;
     entry.label = Label(label_text);
     if (entry.label == 0) return;
     if (name.empty()) {

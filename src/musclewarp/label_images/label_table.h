@@ -13,21 +13,28 @@ struct LabelEntry {
   int label = 0;  // above 0
   std::string name;
   std::optional<bool> is_bone;  // none: the table does not say
+
+  // For musclewarp-articulate, empty if the table does not say: what a bone is
+  // and on which side, if its name does not tell, and the body to which it
+  // belongs; the bodies on which a muscle ends.
+  std::string bone = {}, side = {}, body = {};
+  std::string origin = {}, insertion = {};
 };
 
 // Reads a table that names labels, one a line, in any of these forms:
 //
 //   label,name,kind          commas, semicolons or tabs between the columns;
 //   1,gluteus_medius,muscle  the first line may name them. "kind" (muscle or
-//   2,femur,bone             bone) may be empty or missing, further columns are
-//                            passed over
+//   2,femur,bone             bone) may be empty or missing
 //   1 femur 128 174 128 255  colour table of 3D Slicer (.ctbl)
 //   1 255 0 0 1 1 1 "femur"  label descriptions of ITK-SNAP
 //   1 femur bone             words between blanks
 //
 // In the line that names the columns, "label", "labelvalue", "value", "index",
 // "idx" and "id" are the label, "name", "labelname" and "structure" the name,
-// "kind" and "type" the kind; case, blanks and underscores do not matter.
+// "kind" and "type" the kind, and "bone", "side", "body", "origin" and
+// "insertion" what LabelEntry has under these names; case, blanks and
+// underscores do not matter. Further columns are passed over.
 // Empty lines and those that begin with # are passed over, and so is label 0,
 // the background. Rows come in the order of the file.
 //

@@ -1,0 +1,235 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/articulate_input.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/joints/bone_names.h"
+#include "musclewarp/joints/bone_sides.h"
+#include "musclewarp/label_images/label_image_file.h"
+#include "musclewarp/label_images/label_meshes.h"
+#include "musclewarp/label_images/label_table.h"
+#include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/scene/scene_names.h"
+#include "tools/flag_values.h"
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ArticulateReader {
+ public:
+  ArticulateReader(const std::vector<std::string>& files,
+                   const ArticulateOptions& options)
+      : options_(options), mm_per_unit_(ParseUnits(options.units)) {
+    for (const std::string& file : files) {
+      (IsLabelImageFile(file) ? images_ : meshes_).push_back(file);
+    }
+  }
+
+  ArticulateInput Read() {
+    CheckImages();
+    if (!options_.labels.empty()) {
+      for (const LabelEntry& entry : ReadLabelTable(options_.labels)) {
+        table_[entry.name] = entry;
+      }
+    }
+    for (const std::string& file : meshes_) CheckNamedOnce(file, NameOf(file));
+    for (const std::string& file : options_.muscles) {
+      CheckNamedOnce(file, NameOf(file));
+    }
+    if (!images_.empty()) ReadImage();
+    for (const std::string& file : meshes_) AddBoneFile(file);
+    for (const std::string& file : options_.muscles) AddMuscleFile(file);
+    return std::move(input_);
+  }
+
+ private:
+  static std::string NameOf(const std::string& file) {
+    return fs::path(file).stem().string();
+  }
+
+  void CheckImages() const {
+    if (images_.size() > 1) {
+      throw InputError(
+          images_[1],
+          "is a second label image beside " + images_[0] + "; allowed: one",
+          "join the images, or export meshes of one of them");
+    }
+    if (!images_.empty()) CheckLabelImagesAreRead(images_[0]);
+  }
+
+  void CheckNamedOnce(const std::string& where, const std::string& name) {
+    CheckFileName(where, "mesh", name);
+    const auto [other, is_new] = where_of_name_.emplace(name, where);
+    if (is_new) return;
+    throw InputError(
+        where,
+        "has the name " + QuotedName(name) + ", as " + other->second + " has",
+        "meshes are named by their files without extension, and by the table "
+        "of labels; rename one");
+  }
+
+  bool IsNamedBone(const std::string& name) const {
+    return std::count(options_.bones.begin(), options_.bones.end(), name) > 0;
+  }
+
+  bool IsBone(const LabelEntry& entry) const {
+    if (IsNamedBone(entry.name) || !entry.bone.empty()) return true;
+    return entry.is_bone.value_or(ParseBoneName(entry.name).is_known);
+  }
+
+  // What the columns of the table and the name say of a bone.
+  NamedBone DescribedBone(const LabelEntry& entry) const {
+    NamedBone described = ParseBoneName(entry.name);
+    const std::string where =
+        options_.labels + ": " + QuotedName(entry.name) + ": column ";
+    if (!entry.bone.empty()) {
+      const std::optional<BoneKind> kind = ParseBoneKind(entry.bone);
+      if (!kind) {
+        std::string near;
+        for (const std::string& known : NearestBoneNames(entry.bone)) {
+          near += (near.empty() ? "" : ", ") + known;
+        }
+        throw InputError(
+            where + "bone",
+            "has " + QuotedName(entry.bone) + ", which is not known as a bone",
+            "names near it: " + near);
+      }
+      described.is_known = true;
+      described.kind = *kind;
+    }
+    if (!entry.side.empty()) {
+      described.side = ParseSide(entry.side);
+      if (!described.side) {
+        throw InputError(where + "side",
+                         "has " + QuotedName(entry.side),
+                         "allowed: right, left, or nothing");
+      }
+    }
+    return described;
+  }
+
+  PieceChoice PiecesOf(const LabelEntry& entry) const {
+    if (!IsBone(entry)) return PieceChoice::kLargest;
+    const NamedBone bone = DescribedBone(entry);
+    return HasSide(bone.kind) && !bone.side ? PieceChoice::kAll
+                                            : PieceChoice::kLargest;
+  }
+
+  void ReadImage() {
+    input_.image = images_[0];
+    LabelMeshOptions options;
+    options.table = options_.labels;
+    options.edge_length = options_.edge;
+    options.mm_per_unit = mm_per_unit_;
+    options.pieces_of = [this](const LabelEntry& entry) {
+      return PiecesOf(entry);
+    };
+    LabelMeshes labels = ReadLabelMeshes(input_.image, options);
+    input_.is_oriented = labels.frame == "LPS";
+    input_.notes = labels.notes;
+    CheckBonesAreLabels(labels);
+    std::map<int, double> volume_of_label;
+    for (const LabelMesh& mesh : labels.meshes) {
+      volume_of_label[mesh.label] += mesh.volume;
+    }
+    constexpr double kLeastPiece = 0.01;
+    for (LabelMesh& mesh : labels.meshes) {
+      if (mesh.volume < kLeastPiece * volume_of_label[mesh.label]) continue;
+      CheckNamedOnce(input_.image + ": label " + std::to_string(mesh.label),
+                     mesh.name);
+      ArticulateMesh source;
+      source.name = mesh.name;
+      source.soup = std::move(mesh.mesh);
+      if (IsBone(mesh.entry)) {
+        AddBone(std::move(source), mesh.entry);
+      } else {
+        input_.muscles.push_back(std::move(source));
+      }
+    }
+  }
+
+  void CheckBonesAreLabels(const LabelMeshes& labels) const {
+    for (const std::string& bone : options_.bones) {
+      std::string names;
+      bool is_label = false;
+      for (const LabelMesh& mesh : labels.meshes) {
+        is_label = is_label || mesh.entry.name == bone;
+        names += (names.empty() ? "" : ", ") + mesh.entry.name;
+      }
+      if (is_label) continue;
+      throw InputError(
+          "--bone",
+          "has " + QuotedName(bone) + ", which is no label of " + input_.image,
+          "the labels are " + names);
+    }
+  }
+
+  void AddBoneFile(const std::string& file) {
+    ArticulateMesh source;
+    source.name = NameOf(file);
+    source.file = file;
+    source.soup = ReadTriangleSoup(file);
+    source.soup.points *= mm_per_unit_;
+    LabelEntry entry;
+    entry.name = source.name;
+    const auto row = table_.find(source.name);
+    if (row != table_.end()) entry = row->second;
+    AddBone(std::move(source), entry);
+  }
+
+  void AddBone(ArticulateMesh source, const LabelEntry& entry) {
+    const NamedBone described = DescribedBone(entry);
+    Bone bone;
+    bone.name = source.name;
+    bone.kind = described.kind;
+    bone.side = described.side;
+    bone.body = entry.body;
+    bone.mesh = std::move(source.soup);
+    source.soup = {};
+    if (!described.is_known) NoteUnknown(bone.name);
+    input_.bones.push_back(std::move(bone));
+    input_.bone_sources.push_back(std::move(source));
+  }
+
+  void NoteUnknown(const std::string& name) {
+    std::string near;
+    for (const std::string& known : NearestBoneNames(name)) {
+      near += (near.empty() ? "" : ", ") + known;
+    }
+    input_.notes.push_back(
+        name +
+        ": not known as a bone, and of no joint; known names near it: " + near);
+  }
+
+  void AddMuscleFile(const std::string& file) {
+    ReadTriangleSoup(file);  // so that a bad file is found early
+    ArticulateMesh source;
+    source.name = NameOf(file);
+    source.file = file;
+    input_.muscles.push_back(std::move(source));
+  }
+
+  const ArticulateOptions& options_;
+  const double mm_per_unit_;
+  std::vector<std::string> images_, meshes_;
+  std::map<std::string, LabelEntry> table_;  // by name
+  std::map<std::string, std::string> where_of_name_;
+  ArticulateInput input_;
+};
+
+}  // namespace
+
+ArticulateInput ReadArticulateInput(const std::vector<std::string>& files,
+                                    const ArticulateOptions& options) {
+  return ArticulateReader(files, options).Read();
+}
+
+}  // namespace musclewarp
