@@ -46,6 +46,8 @@ Condyles CondylesOf(const SurfacePoints& femur,
       Filtered(femur, [&](int row) { return height[row] <= top; });
   Condyles condyles;
   condyles.left = directions.left;
+  condyles.middle.setZero();
+  if (end.size() == 0) return condyles;
   const Eigen::VectorXd across = end.points * directions.left;
   condyles.middle = end.points.colwise().mean().transpose();
   condyles.middle += ((across.maxCoeff() + across.minCoeff()) / 2 -

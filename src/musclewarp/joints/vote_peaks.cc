@@ -53,7 +53,7 @@ VotePeak ClimbFrom(Eigen::Vector3d place,
   for (int move = 0; move < kMaxMoves; ++move) {
     const std::vector<int> near = search.Within(place, radius);
     const int count = static_cast<int>(near.size());
-    if (count <= peak.votes) break;
+    if (count < peak.votes || (move > 0 && place == peak.place)) break;
     peak = {place, count};
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const int vote : near) sum += votes.row(vote).transpose();
