@@ -67,13 +67,19 @@ std::optional<AnkleFit> Refined(const SurfacePoints& dome, Cylinder cylinder) {
 // tibia, before and behind them.
 SurfacePoints WholeDome(const SurfacePoints& talus,
                         const SurfacePoints& dome,
-                        const Cylinder& cylinder) {
+                        const Cylinder& cylinder,
+                        const Eigen::Vector3d& up) {
+  // The dome of a talus ends 75 degrees before and behind its top.
+  constexpr double kLeastUp = 0.26;
   const SurfacePoints near = PointsOn(dome, cylinder, 1.5);
   const Eigen::VectorXd along = near.points * cylinder.axis.direction;
   const double low = along.minCoeff(), high = along.maxCoeff();
   return Filtered(talus, [&](int row) {
-    const double place = talus.points.row(row).dot(cylinder.axis.direction);
-    return place >= low && place <= high;
+    const Eigen::Vector3d point = talus.points.row(row).transpose();
+    const double place = point.dot(cylinder.axis.direction);
+    const Eigen::Vector3d offset = OffsetFrom(cylinder.axis, point);
+    return place >= low && place <= high &&
+           offset.dot(up) >= kLeastUp * offset.norm();
   });
 }
 
@@ -97,7 +103,7 @@ std::optional<AnkleFit> FitAnkle(const SurfacePoints& talus,
     if (fit && (!best || fit->points > best->points)) best = fit;
   }
   if (!best) return std::nullopt;
-  return Refined(WholeDome(talus, dome, best->cylinder), best->cylinder);
+  return Refined(WholeDome(talus, dome, best->cylinder, up), best->cylinder);
 }
 
 std::optional<SubtalarFit> FitSubtalar(const SurfacePoints& talus,
@@ -108,7 +114,10 @@ std::optional<SubtalarFit> FitSubtalar(const SurfacePoints& talus,
   const std::optional<SphereFit> facet =
       FindSphere(facing, {/*min_radius=*/10, /*max_radius=*/45, true});
   if (!head || !facet) return std::nullopt;
-  SubtalarFit fit = {*head, *facet, {}};
+  SubtalarFit fit;
+  fit.head = *head;
+  fit.facet = *facet;
+  fit.facet_area = facet->points * talus.area;
   const Eigen::Vector3d way = head->sphere.center - facet->sphere.center;
   fit.axis = {(head->sphere.center + facet->sphere.center) / 2,
               way.normalized()};

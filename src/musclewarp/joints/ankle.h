@@ -27,9 +27,10 @@ std::optional<AnkleFit> FitAnkle(const SurfacePoints& talus,
 
 // The two spheres of a talus on whose line of centres the foot turns.
 struct SubtalarFit {
-  SphereFit head;   // looks at the navicular
-  SphereFit facet;  // hollow, looks at the heel bone
-  Axis axis;        // its point is halfway between the centres
+  SphereFit head;         // looks at the navicular
+  SphereFit facet;        // hollow, looks at the heel bone
+  double facet_area = 0;  // mm^2
+  Axis axis;              // its point is halfway between the centres
 };
 
 // Finds the axis of a subtalar joint (Modenese and Renault 2021, doi

@@ -153,6 +153,14 @@ FoundJoint FindSubtalar(const Limb& limb, const FemurShape& femur) {
   joint.center = fit->axis.point;
   joint.shapes.push_back(ShapeOf("head of the talus", fit->head));
   joint.shapes.push_back(ShapeOf("facet above the heel bone", fit->facet));
+  constexpr double kLeastFacet = 250;  // mm^2
+  if (fit->facet_area < kLeastFacet) {
+    joint.verdict.Weaken(
+        "only " + Rounded(fit->facet_area, 0) +
+        " mm2 of the talus look at the heel bone as a hollow sphere, " +
+        Rounded(kLeastFacet, 0) +
+        " mm2 or more are expected: bones too far apart, or a coarse mesh");
+  }
   joint.parent_axes = AxesAlong(0, fit->axis.direction, 1, foot.up);
   joint.child_axes = joint.parent_axes;
   return joint;

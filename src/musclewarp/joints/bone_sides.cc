@@ -6,9 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/short_list.h"
+#include "musclewarp/joints/point_search.h"
 
 namespace musclewarp {
 namespace {
@@ -79,27 +80,57 @@ void CheckFemur(const SampledBone& bone,
   }
 }
 
-// The side of the bone nearest to another one, among the first `count`.
-std::optional<Side> SideOfNearest(const std::vector<SampledBone>& bones,
-                                  const SampledBone& bone) {
-  double nearest = kNearby;
-  std::optional<Side> side;
-  for (const SampledBone& other : bones) {
-    if (!other.bone.side || other.surface.size() == 0) continue;
-    // A thousand points are enough to tell legs apart.
-    const int step = std::max(1, bone.surface.size() / 1000);
-    for (int i = 0; i < bone.surface.size(); i += step) {
-      const double distance =
-          (other.surface.points.rowwise() - bone.surface.points.row(i))
-              .rowwise()
-              .squaredNorm()
-              .minCoeff();
-      if (distance >= nearest * nearest) continue;
-      nearest = std::sqrt(distance);
-      side = other.bone.side;
-    }
+// The least distance of a bone from others, at most `most` (mm): some hundred
+// points of it are enough to tell legs apart.
+double DistanceFrom(const PointSearch& others,
+                    const Points& points_of_others,
+                    const SampledBone& bone,
+                    double most) {
+  const int step = std::max(1, bone.surface.size() / 300);
+  for (int i = 0; i < bone.surface.size(); i += step) {
+    const Eigen::RowVector3d point = bone.surface.points.row(i);
+    const int nearest = others.Nearest(point.transpose());
+    most = std::min(most, (points_of_others.row(nearest) - point).norm());
   }
-  return side;
+  return most;
+}
+
+// Gives each bone without a side that of the nearest bone with one, the nearest
+// of all first, so that sides spread along a limb.
+void SpreadSides(std::vector<SampledBone>* bones,
+                 std::vector<std::string>* names) {
+  std::vector<double> distance(bones->size(), kNearby);
+  std::vector<std::optional<Side>> side(bones->size());
+  const auto is_waiting = [&](const SampledBone& bone) {
+    return HasSide(bone.bone.kind) && !bone.bone.side &&
+           bone.surface.size() > 0;
+  };
+  const auto spread_from = [&](const SampledBone& from) {
+    const PointSearch search(from.surface.points);
+    for (size_t i = 0; i < bones->size(); ++i) {
+      if (!is_waiting((*bones)[i])) continue;
+      const double between =
+          DistanceFrom(search, from.surface.points, (*bones)[i], distance[i]);
+      if (between >= distance[i]) continue;
+      distance[i] = between;
+      side[i] = from.bone.side;
+    }
+  };
+  for (const SampledBone& bone : *bones) {
+    if (bone.bone.side && bone.surface.size() > 0) spread_from(bone);
+  }
+  while (true) {
+    int next = -1;
+    for (size_t i = 0; i < bones->size(); ++i) {
+      if (!is_waiting((*bones)[i]) || !side[i]) continue;
+      if (next < 0 || distance[i] < distance[next]) next = static_cast<int>(i);
+    }
+    if (next < 0) return;
+    SampledBone& bone = (*bones)[next];
+    bone.bone.side = side[next];
+    names->push_back(bone.bone.name + " (" + ToString(*side[next]) + ")");
+    spread_from(bone);
+  }
 }
 
 }  // namespace
@@ -161,23 +192,26 @@ void DecideSides(const std::optional<Side>& otherwise,
     }
   }
   for (SampledBone& bone : *bones) {
+    if (HasSide(bone.bone.kind) && !bone.bone.side) bone.bone.side = otherwise;
+  }
+  std::vector<std::string> spread;
+  SpreadSides(bones, &spread);
+  if (!spread.empty()) {
+    notes->push_back("sides by the nearest bone that has one: " +
+                     ShortList(spread));
+  }
+  for (SampledBone& bone : *bones) {
     if (!HasSide(bone.bone.kind) || bone.bone.side) continue;
-    if (otherwise) {
-      bone.bone.side = otherwise;
-      continue;
-    }
-    std::string by = "the nearest bone that has one";
-    bone.bone.side = SideOfNearest(*bones, bone);
-    if (!bone.bone.side && bone.surface.size() > 0) {
-      by = "its place in the image";
+    if (bone.surface.size() > 0) {
       bone.bone.side = SideByPlace(MiddleOf(bone), image_axes, middle);
     }
     if (bone.bone.side) {
       notes->push_back(bone.bone.name + ": " + ToString(*bone.bone.side) +
-                       ", by " + by);
+                       ", by its place in the image");
     } else {
       notes->push_back(bone.bone.name +
-                       ": of no joint, as nothing tells its side");
+                       ": of no joint, as nothing tells its side; --side or a "
+                       "column \"side\" does");
       bone.bone.kind = BoneKind::kOther;
     }
   }
