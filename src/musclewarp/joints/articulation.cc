@@ -11,6 +11,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/parallel_for.h"
 #include "musclewarp/joints/ankle_joints.h"
+#include "musclewarp/joints/arm_joints.h"
 #include "musclewarp/joints/bone_sides.h"
 #include "musclewarp/joints/hip_joint.h"
 #include "musclewarp/joints/joint_building.h"
@@ -191,6 +192,22 @@ class Articulator {
       Add(JointKind::kSubtalar, side, [&] {
         return FindSubtalar(limb, *femur);
       });
+    }
+    FindArmJoints(limb);
+  }
+
+  void FindArmJoints(const Limb& limb) {
+    const bool has_humerus = limb.Find(BoneKind::kHumerus) != nullptr;
+    const bool has_ulna = limb.Find(BoneKind::kUlna) != nullptr;
+    const bool has_radius = limb.Find(BoneKind::kRadius) != nullptr;
+    if (has_humerus && limb.Find(BoneKind::kScapula) != nullptr) {
+      Add(JointKind::kShoulder, limb.side, [&] { return FindShoulder(limb); });
+    }
+    if (has_humerus && has_ulna) {
+      Add(JointKind::kElbow, limb.side, [&] { return FindElbow(limb); });
+    }
+    if (has_humerus && has_ulna && has_radius) {
+      Add(JointKind::kForearm, limb.side, [&] { return FindForearm(limb); });
     }
   }
 
