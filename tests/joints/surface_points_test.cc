@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/phantom/field.h"
+#include "musclewarp/phantom/polygonize.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -154,18 +157,20 @@ TEST(SurfacePoints, LieOnEachOfTwoBodiesSideBySide) {
   EXPECT_NEAR(points.size() - on_second, SampleSurface(first).size(), 1);
 }
 
-// The box of the one holds that of the other, which is in the hollow of an L.
-TEST(SurfacePoints, LieOnABodyBesideAnotherWithinItsBox) {
-  const TriangleSoup corner = Together(MovedBy(Box(100, 10, 10), {50, 5, 5}),
-                                       MovedBy(Box(10, 90, 10), {5, 55, 5}));
-  TriangleSoup joined = corner;  // two boxes that share a side
-  const SurfacePoints points =
-      SampleSurface(Together(joined, SphereAt({60, 60, 5}, 4.5, 3)));
-  int on_ball = 0;
-  for (const auto& point : points.points.rowwise()) {
-    on_ball += point.x() > 50 && point.y() > 50;
-  }
-  EXPECT_NEAR(on_ball, SampleSurface(Icosphere(4.5, 3)).size(), 1);
+TEST(SurfacePoints, LieOnABallInTheHoleOfARing) {
+  // The box of the ring holds the ball, the ring does not.
+  const phantom::Field ring_field = [](const Eigen::Vector3d& p) {
+    return std::hypot(std::hypot(p.x(), p.y()) - 20, p.z()) - 8;
+  };
+  const Eigen::AlignedBox3d box(Eigen::Vector3d(-32, -32, -12),
+                                Eigen::Vector3d(32, 32, 12));
+  const TriangleSoup ring = phantom::PolygonizeField(ring_field, box, {});
+  const TriangleSoup ball = Icosphere(7, 3);
+  const SurfacePoints points = SampleSurface(Together(ring, ball));
+  const int on_ball = (points.points.rowwise().norm().array() < 8).count();
+  // Where one ends and the other begins a point may be on either.
+  EXPECT_NEAR(on_ball, SampleSurface(ball).size(), 1);
+  EXPECT_NEAR(points.size() - on_ball, SampleSurface(ring).size(), 1);
 }
 
 TEST(SurfacePoints, LeaveOutStrayPiecesOfLessThanOnePercent) {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/made_bones.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "musclewarp/phantom/field.h"
