@@ -126,6 +126,11 @@ MadeFemur Mirrored(const MadeFemur& femur) {
   return image;
 }
 
+BoneDirections DirectionsOf(const MadeFemur& femur,
+                            const SurfacePoints& points) {
+  return DirectionsOfFemur(points, ShaftOf(points, femur.up), kMadeHeadRadius);
+}
+
 MadeFemur MovedBy(const Eigen::Isometry3d& motion, const MadeFemur& femur) {
   MadeFemur moved = femur;
   moved.surface.points =
