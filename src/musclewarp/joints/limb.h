@@ -52,6 +52,9 @@ struct FemurShape {
     return head ? head->sphere.radius : kUsualHeadRadius;
   }
 
+  // True for a knee that does not fail (knee_verdict.h).
+  bool HasKnee() const;
+
   // The side that the shape tells: the head of a right femur lies on the left
   // of its knee. None without a head and a knee.
   std::optional<Side> ShapeSide() const;
