@@ -56,9 +56,9 @@ TEST(DirectionsOfFemur, AreThoseOfItsShaftAndItsCondyles) {
     // The lowest place is on the lower condyle: its middle, 3 degrees lower
     // over 22.5 mm, and a radius below.
     EXPECT_NEAR(directions.lowest, -20 - 37.5 * std::sin(3 * kDegree), 1);
-    // Condyles reach 28 mm back from the shaft, the front 24 mm forward.
-    EXPECT_GT(directions.back_to_front, 1.05);
-    EXPECT_LT(directions.back_to_front, 1.35);
+    // Condyles reach 34 mm back from the shaft, the front 17 mm forward.
+    EXPECT_GT(directions.back_to_front, 1.9);
+    EXPECT_LT(directions.back_to_front, 2.1);
   }
 }
 
