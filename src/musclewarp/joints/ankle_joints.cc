@@ -153,6 +153,7 @@ FoundJoint FindSubtalar(const Limb& limb, const FemurShape& femur) {
   joint.center = fit->axis.point;
   joint.shapes.push_back(ShapeOf("head of the talus", fit->head));
   joint.shapes.push_back(ShapeOf("facet above the heel bone", fit->facet));
+  for (FittedShape& shape : joint.shapes) shape.is_on_parent = true;
   constexpr double kLeastFacet = 250;  // mm^2
   if (fit->facet_area < kLeastFacet) {
     joint.verdict.Weaken(

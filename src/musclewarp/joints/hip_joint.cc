@@ -65,6 +65,7 @@ FoundJoint FindHip(const Limb& limb, const FemurShape& femur) {
     joint.verdict.Weaken("no socket was found about the head of the femur");
   } else {
     joint.shapes.push_back(ShapeOf("socket of the hip bone", *socket));
+    joint.shapes.back().is_on_parent = true;
     const double offset = (socket->sphere.center - head.center).norm();
     if (offset > kWeakOffset) {
       joint.verdict.Weaken(

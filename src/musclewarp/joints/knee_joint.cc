@@ -86,6 +86,7 @@ FoundJoint FindKnee(const Limb& limb, const FemurShape& femur) {
                                  knee.cylinder,
                                  knee.spread,
                                  std::min(knee.left_angle, knee.right_angle)));
+  joint.shapes.back().is_on_parent = true;
   JudgeKnee(femur, &joint.verdict);
   const Eigen::Vector3d right = -knee.cylinder.axis.direction;
   const Eigen::Vector3d up_of_femur =
