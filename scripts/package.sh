@@ -2,7 +2,7 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
 #
-# Packs the committed sources together with the report page, so that they can
+# Packs the committed sources together with the report pages, so that they can
 # be built where there is no Node.js.
 #
 # usage: scripts/package.sh [FOLDER]    writes FOLDER/musclewarp-VERSION.tar.gz
@@ -19,9 +19,11 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 git -c safe.directory='*' archive HEAD tools/report | tar -x -C "$work"
 (cd "$work/tools/report" && npm ci --ignore-scripts --no-progress >/dev/null)
-node "$work/tools/report/build.mjs" "$work/page.html"
+node "$work/tools/report/build.mjs" run "$work/page.html"
+node "$work/tools/report/build.mjs" joints "$work/joints.html"
 
 git -c safe.directory='*' archive --format=tar.gz \
   --prefix="$name/tools/report/packaged/" --add-file="$work/page.html" \
+  --add-file="$work/joints.html" \
   --prefix="$name/" --output="$out/$name.tar.gz" HEAD
 echo "package: wrote $out/$name.tar.gz"

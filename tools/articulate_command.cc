@@ -19,6 +19,7 @@
 #include "musclewarp/joints/bone_names.h"
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/page/joints_page.h"
 #include "musclewarp/scene/scene_names.h"
 #include "tools/articulate_input.h"
 #include "tools/output_folder.h"
@@ -214,12 +215,22 @@ class ArticulateRun {
     WriteTextAtomically((out / "model.osim").string(),
                         ArticulatedModelText(articulation_, name));
     WriteJson("joints.json", JointsJson(articulation_, axes));
+    if (options_.html) WritePage(name, axes);
     if (motions_.empty()) return;
     WriteJson("scene.json",
               ArticulatedSceneJson(
                   articulation_, SceneParts(name, axes), motions_.front()));
     screen_ << "next: musclewarp-deform --scene="
             << (out / "scene.json").string() << " --out=DIR\n";
+  }
+
+  void WritePage(const std::string& name, const std::string& axes) {
+    JointsPageOptions page;
+    page.name = name;
+    page.axes = axes;
+    const std::string file = (fs::path(options_.out) / "joints.html").string();
+    WriteTextAtomically(file, JointsPageHtml(articulation_, page));
+    screen_ << "wrote " << file << "\n";
   }
 
   // Meshes of labels have no files that the scene could name.

@@ -42,13 +42,15 @@ struct ArticulateOptions {
 
   // Of the mesh files, and of a label image that does not state its own.
   std::string units = "mm";
-  int threads = 0;  // 0: as many as OpenMP chooses
+  int threads = 0;    // 0: as many as OpenMP chooses
+  bool html = false;  // also write joints.html, a page to look at
 };
 
 // Finds the joints of a skeleton on its bones, and writes what
 // musclewarp-deform needs to move it: out/model.osim with its meshes in
 // out/Geometry, out/motions/<name>.mot, out/scene.json, which moves the muscles
 // by the first motion, and out/joints.json, the report (docs/joints.md).
+// Options.html adds out/joints.html, the page of the joints (joints_page.h).
 //
 // `files` are meshes of bones, whose names tell what they are (bone_names.h),
 // and at most one label image, which has muscles, too (articulate_input.h); its

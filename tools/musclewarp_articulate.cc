@@ -49,6 +49,10 @@ DEFINE_string(units,
               "mm",
               "unit of the mesh files, and of a label image that does not "
               "state its own: mm, cm, m");
+DEFINE_bool(html,
+            false,
+            "also write joints.html, the bones and joints as one page to look "
+            "at");
 DEFINE_int32(threads, 0, "threads; 0: one a core");
 
 int main(int argc, char** argv) {
@@ -83,6 +87,7 @@ int main(int argc, char** argv) {
         options.axes = FLAGS_axes;
         options.units = FLAGS_units;
         options.threads = FLAGS_threads;
+        options.html = FLAGS_html;
         return musclewarp::ArticulateCommand(files, options, std::cout);
       });
 }

@@ -1,10 +1,10 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 
-// Bundles the page into one HTML file, with a comment where musclewarp-report
-// puts the data.
+// Bundles a page into one HTML file, with a comment where the program that
+// writes it puts the data: the page of a run, or that of joints.
 //
-// usage: node build.mjs OUTPUT.html
+// usage: node build.mjs run|joints OUTPUT.html
 
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -13,8 +13,23 @@ import { fileURLToPath } from "node:url";
 
 import * as esbuild from "esbuild";
 
-const output = process.argv[2];
-if (!output) throw new Error("usage: node build.mjs OUTPUT.html");
+const pages = {
+  run: {
+    entry: "src/main.ts",
+    shows: "a run of musclewarp",
+    program: "musclewarp-report",
+  },
+  joints: {
+    entry: "src/joints/main.ts",
+    shows: "joints found by musclewarp",
+    program: "musclewarp-articulate",
+  },
+};
+const [kind, output] = process.argv.slice(2);
+const chosen = pages[kind];
+if (!chosen || !output) {
+  throw new Error("usage: node build.mjs run|joints OUTPUT.html");
+}
 const target = resolve(output);
 const here = dirname(fileURLToPath(import.meta.url));
 
@@ -55,13 +70,15 @@ function licenceOf(folder) {
 
 const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 
-const script = await bundle("src/main.ts");
+const script = await bundle(chosen.entry);
 const style = await bundle("src/style.css");
 const licences = [
   "musclewarp (Apache-2.0), Copyright 2026 The musclewarp authors\n",
   ...packagesIn(script.meta).map(licenceOf),
 ].join("\n----\n\n");
 const parts = {
+  shows: chosen.shows,
+  program: chosen.program,
   "script-hash": createHash("sha256").update(script.text).digest("base64"),
   style: style.text,
   licences: escaped(licences),

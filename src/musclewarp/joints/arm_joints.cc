@@ -140,6 +140,7 @@ FoundJoint FindElbow(const Limb& limb) {
   joint.shapes.push_back(AxisShape("trochlea and capitulum", axis));
   joint.shapes.back().spread = fit->spread;
   joint.shapes.back().angle = angle;
+  joint.shapes.back().is_on_parent = true;
   if (angle < kWeakAngle) {
     joint.verdict.Weaken("the humerus looks at the forearm over " +
                          Rounded(angle / kDegree, 0) +
@@ -174,6 +175,7 @@ FoundJoint FindForearm(const Limb& limb) {
   const Axis axis = {(elbow + wrist) / 2, (elbow - wrist).normalized()};
   joint.shapes.push_back(
       AxisShape("head of the ulna to head of the radius", axis));
+  joint.shapes.back().is_on_parent = true;
   joint.center = axis.point;
   const std::optional<Eigen::Vector3d> right = RightAtElbow(limb);
   joint.parent_axes = AxesAlong(1, axis.direction, 2, *right);

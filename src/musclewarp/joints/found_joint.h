@@ -36,10 +36,11 @@ struct FittedShape {
   Kind kind = Kind::kSphere;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();     // mm
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  // of the axis; or zero
-  double radius = 0;    // mm; 0 for an axis alone
-  double spread = 0;    // root mean square distance of the points, mm
-  double coverage = 0;  // of a sphere, as a share
-  double angle = 0;     // covered about an axis, rad
+  double radius = 0;          // mm; 0 for an axis alone
+  double spread = 0;          // root mean square distance of the points, mm
+  double coverage = 0;        // of a sphere, as a share
+  double angle = 0;           // covered about an axis, rad
+  bool is_on_parent = false;  // of the joint; else on the child
 };
 
 // A joint as it is on the bones of one person, in the frame of the image.

@@ -77,6 +77,7 @@ FoundJoint FindHip(const Limb& limb, const FemurShape& femur) {
         "scans, or a hip bone that is cut");
   } else {
     joint.shapes.push_back(ShapeOf("socket of the hip bone", *socket));
+    joint.shapes.back().is_on_parent = true;
     const double offset = (socket->sphere.center - head.center).norm();
     if (offset > kWeakOffset) {
       joint.verdict.Weaken(

@@ -26,8 +26,9 @@ OrderedJson RowsJson(const Eigen::Matrix3d& matrix) {
   return rows;
 }
 
-OrderedJson ShapeJson(const FittedShape& shape) {
+OrderedJson ShapeJson(const FittedShape& shape, const FoundJoint& joint) {
   OrderedJson json = {{"what", shape.what}};
+  json["body"] = shape.is_on_parent ? joint.parent : joint.child;
   json["shape"] = shape.kind == FittedShape::Kind::kSphere     ? "sphere"
                   : shape.kind == FittedShape::Kind::kCylinder ? "cylinder"
                                                                : "axis";
@@ -62,6 +63,7 @@ OrderedJson JointJson(const FoundJoint& joint) {
       coordinates.push_back(
           {{"name", entries[i].name},
            {"axis", VectorJson(joint.parent_axes * entries[i].axis)},
+           {"axis_in_joint", VectorJson(entries[i].axis)},
            {"scan_deg", values[i] / kDegree},
            {"range_deg", {entries[i].lowest, entries[i].highest}}});
     }
@@ -69,7 +71,7 @@ OrderedJson JointJson(const FoundJoint& joint) {
   }
   OrderedJson shapes = OrderedJson::array();
   for (const FittedShape& shape : joint.shapes) {
-    shapes.push_back(ShapeJson(shape));
+    shapes.push_back(ShapeJson(shape, joint));
   }
   json["shapes"] = shapes;
   return json;
@@ -148,6 +150,7 @@ FoundJoint ReadJoint(const JsonField& field, const JointId& id) {
 OrderedJson JointsJson(const Articulation& articulation,
                        const std::string& axes) {
   OrderedJson bones = OrderedJson::array(), joints = OrderedJson::array();
+  OrderedJson welds = OrderedJson::array();
   for (const Bone& bone : articulation.bones) {
     bones.push_back(
         {{"name", bone.name},
@@ -158,10 +161,15 @@ OrderedJson JointsJson(const Articulation& articulation,
   for (const FoundJoint& joint : articulation.joints) {
     joints.push_back(JointJson(joint));
   }
+  for (const Weld& weld : articulation.welds) {
+    welds.push_back({{"parent", weld.parent}, {"child", weld.child}});
+  }
   return {{"units", "mm"},
           {"axes", axes},
           {"joints", joints},
           {"bones", bones},
+          {"bodies", articulation.bodies},
+          {"welds", welds},
           {"notes", articulation.notes}};
 }
 

@@ -44,6 +44,7 @@ FoundJoint FindKnee(const Limb& limb, const FemurShape& femur) {
                                  knee.cylinder,
                                  knee.spread,
                                  std::min(knee.left_angle, knee.right_angle)));
+  joint.shapes.back().is_on_parent = true;
   joint.verdict = JudgeKnee(femur);
   const Eigen::Vector3d right = -knee.cylinder.axis.direction;
   const Eigen::Vector3d up_of_femur =

@@ -85,6 +85,11 @@ JointVerdict JudgeKnee(const FemurShape& femur) {
   JudgeLowerEnd(femur, &verdict);
   JudgeAxis(femur, &verdict);
   JudgeSurface(*femur.knee, &verdict);
+  if (!femur.is_up_known) {
+    verdict.Weaken(
+        "neither a head nor the image tells which end of the femur is up: the "
+        "condyles may be looked at from the wrong side");
+  }
   return verdict;
 }
 

@@ -46,6 +46,7 @@ std::vector<Axis> PossibleShafts(const SurfacePoints& femur) {
 void AddKneeWithoutHead(const SurfacePoints& femur,
                         const std::optional<Eigen::Vector3d>& up,
                         FemurShape* shape) {
+  shape->is_up_known = up.has_value();
   const std::vector<Axis> shafts =
       up ? std::vector<Axis>{ShaftAlong(femur, *up)} : PossibleShafts(femur);
   int best = -1;

@@ -47,6 +47,7 @@ struct FemurShape {
   // Without a head these rest on the image, or on the end that fits better.
   std::optional<BoneDirections> directions;
   std::optional<KneeFit> knee;
+  bool is_up_known = true;  // false for a piece that nothing tells the ends of
 
   double HeadRadius() const {
     return head ? head->sphere.radius : kUsualHeadRadius;

@@ -9,9 +9,8 @@
 #include <set>
 
 #include "musclewarp/frames/frame_files.h"
-#include "musclewarp/geometry/view.h"
 #include "musclewarp/page/packed_numbers.h"
-#include "musclewarp/page/view_mesh.h"
+#include "musclewarp/page/page_parts.h"
 #include "musclewarp/report/motion_tables.h"
 
 namespace musclewarp {
@@ -22,19 +21,15 @@ using OrderedJson = nlohmann::ordered_json;
 // The step to which gaps are rounded, mm; the largest gap is 100 steps.
 constexpr double kGapStep = kGapLimit / 100;
 
-// Returns the step to which positions are rounded, mm: a share of the diagonal
-// of the box around all muscles and bones at rest.
-double RoundingStep(const RecordedRun& run) {
-  Eigen::RowVector3d lower = Eigen::RowVector3d::Constant(INFINITY);
-  Eigen::RowVector3d upper = -lower;
-  const auto add = [&](const Points& points) {
-    if (points.rows() == 0) return;
-    lower = lower.cwiseMin(points.colwise().minCoeff());
-    upper = upper.cwiseMax(points.colwise().maxCoeff());
-  };
-  for (const RecordedMuscle& muscle : run.muscles) add(muscle.points[0]);
-  for (const RecordedBone& bone : run.bones) add(bone.rest.points);
-  return (upper - lower).norm() / (1 << 17);
+// Of everything at rest.
+double StepOf(const RecordedRun& run) {
+  std::vector<const Points*> points;
+  for (const RecordedMuscle& muscle : run.muscles) {
+    points.push_back(&muscle.points[0]);
+  }
+  for (const RecordedBone& bone : run.bones)
+    points.push_back(&bone.rest.points);
+  return RoundingStep(points);
 }
 
 // Returns polylines, one after the other; each has the same number of points in
@@ -110,22 +105,16 @@ OrderedJson BoneJson(const RecordedBone& bone,
                      double step,
                      const PageOptions& options,
                      PackedNumbers* packed) {
-  const ViewMesh view = ViewMeshOf(bone.rest, options.max_bone_triangles);
-  std::vector<int> positions;
-  AppendRounded(view.soup.points, step, &positions);
+  OrderedJson json = BoneShapeJson(
+      bone.name, bone.rest, step, options.max_bone_triangles, packed);
   OrderedJson poses = OrderedJson::array();
   for (const Eigen::Matrix4d& motion : bone.from_rest) {
     OrderedJson rows = OrderedJson::array();
     for (int i = 0; i < 12; ++i) rows.push_back(motion(i / 4, i % 4));
     poses.push_back(rows);
   }
-  return {{"name", bone.name},
-          {"vertices", view.soup.points.rows()},
-          {"triangles", packed->Add(view.soup.triangles)},
-          {"points", packed->Add(positions, 3)},
-          {"poses", poses},
-          {"triangles_in_files", bone.rest.triangles.rows()},
-          {"view_error_mm", view.max_error}};
+  json["poses"] = poses;
+  return json;
 }
 
 // Returns what crosses, by pose. Triangles of bones are left out, because the
@@ -232,7 +221,7 @@ OrderedJson RunJson(const RecordedRun& run,
                     const std::string& label,
                     const PageOptions& options,
                     PackedNumbers* packed) {
-  const double step = RoundingStep(run);
+  const double step = StepOf(run);
   OrderedJson frames = OrderedJson::array();
   for (const FrameRecord& frame : run.frames) frames.push_back(ToJson(frame));
   OrderedJson muscles = OrderedJson::array();
@@ -258,10 +247,6 @@ OrderedJson RunJson(const RecordedRun& run,
           {"warnings", run.warnings}};
 }
 
-OrderedJson ToJson(const Eigen::Vector3d& vector) {
-  return {vector[0], vector[1], vector[2]};
-}
-
 OrderedJson ViewsJson(const RecordedRun& run, const PageOptions& options) {
   const auto chosen = [&](const std::string& option, const char* key) {
     return option.empty() ? run.report.at(key).get<std::string>() : option;
@@ -271,9 +256,7 @@ OrderedJson ViewsJson(const RecordedRun& run, const PageOptions& options) {
   OrderedJson views;
   for (const char* name :
        {"anterior", "posterior", "lateral", "medial", "superior", "inferior"}) {
-    const View view = ParseView(name, axes, side);
-    views[name] = {{"toward_viewer", ToJson(view.toward_viewer)},
-                   {"up", ToJson(view.up)}};
+    views[name] = ViewJson(ParseView(name, axes, side));
   }
   return views;
 }

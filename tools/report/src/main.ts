@@ -9,15 +9,18 @@ import { timelineOf } from "./data/timeline";
 import { button, element, icon } from "./dom";
 import { figuresSection } from "./figures/figures";
 import { listenToKeys } from "./keyboard";
-import { colorsByName, readable } from "./palette";
+import { colorsByName } from "./palette";
 import { crossingsPanel } from "./panels/crossings";
-import { lookPanel, sectionPanel, viewButtons } from "./panels/look";
+import { lookPanel, sectionPanel, viewNames } from "./panels/look";
 import { meshesPanel } from "./panels/meshes";
 import { endOf, summarySection } from "./panels/summary";
 import { transport } from "./panels/transport";
+import { viewButtons } from "./panels/views";
 import { Player } from "./player";
+import { runKeys } from "./run_keys";
+import { noView, sayWhatIsClicked, startPage } from "./start";
 import { Store, initialState } from "./state";
-import { startTheme, toggleTheme } from "./theme";
+import { toggleTheme } from "./theme";
 import { Viewer } from "./viewer/viewer";
 
 function runTitle(run: Run): string {
@@ -75,30 +78,6 @@ function stage(runs: Run[]): { root: HTMLElement; canvas: HTMLCanvasElement } {
   return { root, canvas };
 }
 
-// Says what was clicked at, where the pointer did not drag.
-function sayWhatIsClicked(
-  canvas: HTMLCanvasElement,
-  viewer: Viewer,
-  label: HTMLElement,
-): void {
-  let from: [number, number] = [0, 0];
-  canvas.addEventListener("pointerdown", (event) => {
-    from = [event.clientX, event.clientY];
-  });
-  canvas.addEventListener("click", (event) => {
-    if (Math.hypot(event.clientX - from[0], event.clientY - from[1]) > 4)
-      return;
-    const box = canvas.getBoundingClientRect();
-    const picked = viewer.pick(
-      event.clientX - box.left,
-      event.clientY - box.top,
-    );
-    label.textContent = picked
-      ? readable(picked.name) + (picked.text ? `: ${picked.text}` : "")
-      : "";
-  });
-}
-
 function build(data: PageData): void {
   const { runs } = data;
   const timeline = timelineOf(runs);
@@ -131,7 +110,10 @@ function build(data: PageData): void {
         element(
           "div",
           { class: "seen" },
-          viewButtons(data, () => viewer),
+          viewButtons(
+            viewNames.filter((name) => name in data.views),
+            () => viewer,
+          ),
           root,
           transport(runs, timeline, store, player),
         ),
@@ -154,36 +136,12 @@ function build(data: PageData): void {
     viewer = new Viewer(canvas, data, timeline, colors, store);
   } catch (error) {
     // The figures can be read without WebGL.
-    root.replaceChildren(
-      element("p", { class: "notice", role: "alert" }, `No 3D view: ${error}`),
-    );
+    root.replaceChildren(noView(error));
     return;
   }
-  help.append(
-    listenToKeys(store, player, viewer, timeline.length, toggleTheme),
-  );
-  sayWhatIsClicked(canvas, viewer, picked);
+  help.append(listenToKeys(runKeys(store, player, viewer, timeline.length)));
+  const shown = viewer;
+  sayWhatIsClicked(canvas, (x, y) => shown.pick(x, y), picked);
 }
 
-function showError(error: unknown): void {
-  const text = error instanceof Error ? error.message : String(error);
-  document
-    .getElementById("page")!
-    .replaceChildren(
-      element(
-        "p",
-        { class: "notice", role: "alert" },
-        `This page cannot be shown: ${text} ` +
-          "Write it again with musclewarp-report, and open it in a current browser with WebGL.",
-      ),
-    );
-}
-
-startTheme();
-readPageData()
-  .then(build)
-  .then(() => (document.documentElement.dataset.ready = ""))
-  .catch((error) => {
-    showError(error);
-    console.error(error);
-  });
+startPage(readPageData, build, "musclewarp-report");

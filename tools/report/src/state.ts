@@ -1,20 +1,24 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 
-// What the visitor has chosen. Every part of the page reads it and is told of
+// What the visitor has chosen. Every part of a page reads it and is told of
 // changes; nothing else is shared between them.
+
+export interface MeshLook {
+  opacity: Record<string, number>; // by mesh; 1 if not there
+  hidden: Record<string, boolean>;
+}
 
 export type Coloring =
   "name" | "displacement" | "stretch" | "gap" | "contact" | "attachment";
 export type SectionAxis = "off" | "anterior" | "lateral" | "superior";
 
-export interface State {
+// On the page of a run.
+export interface State extends MeshLook {
   moment: number; // on the timeline
   playing: boolean;
   framesPerSecond: number;
   coloring: Coloring;
-  opacity: Record<string, number>; // by mesh; 1 if not there
-  hidden: Record<string, boolean>;
   lines: boolean;
   fibres: boolean;
   crossings: boolean;
@@ -38,21 +42,21 @@ export const initialState: State = {
   sectionFlipped: false,
 };
 
-type Listener = (state: State, changed: Set<keyof State>) => void;
+type Listener<S> = (state: S, changed: Set<keyof S>) => void;
 
-export class Store {
-  private listeners: Listener[] = [];
+export class Store<S extends object = State> {
+  private listeners: Listener<S>[] = [];
 
-  constructor(public state: State) {}
+  constructor(public state: S) {}
 
   // Calls the listener now, and after every change.
-  subscribe(listener: Listener): void {
+  subscribe(listener: Listener<S>): void {
     this.listeners.push(listener);
-    listener(this.state, new Set(Object.keys(this.state) as (keyof State)[]));
+    listener(this.state, new Set(Object.keys(this.state) as (keyof S)[]));
   }
 
-  set(change: Partial<State>): void {
-    const keys = Object.keys(change) as (keyof State)[];
+  set(change: Partial<S>): void {
+    const keys = Object.keys(change) as (keyof S)[];
     const changed = new Set(
       keys.filter((key) => this.state[key] !== change[key]),
     );
@@ -60,4 +64,11 @@ export class Store {
     this.state = { ...this.state, ...change };
     for (const listener of this.listeners) listener(this.state, changed);
   }
+}
+
+// A store of any page, as far as it tells how meshes look.
+export interface MeshLookStore {
+  readonly state: MeshLook;
+  subscribe(listener: (state: MeshLook) => void): void;
+  set(change: Partial<MeshLook>): void;
 }

@@ -5,14 +5,14 @@
 // then the frames. Lengths in mm.
 
 import { NumbersRef, PackedNumbers } from "./numbers";
+import {
+  BoneShape,
+  BoneShapeJson,
+  View,
+  boneShapeFrom,
+  readParts,
+} from "./page_parts";
 import { FrameRecord, PairRecord, Report } from "./report";
-
-type Vector = [number, number, number];
-
-export interface View {
-  toward_viewer: Vector;
-  up: Vector;
-}
 
 interface PolylinesJson {
   counts: number[];
@@ -30,14 +30,8 @@ interface MuscleJson {
   fibres: PolylinesJson;
 }
 
-interface BoneJson {
-  name: string;
-  vertices: number;
-  triangles: NumbersRef;
-  points: NumbersRef;
+interface BoneJson extends BoneShapeJson {
   poses: number[][];
-  triangles_in_files: number;
-  view_error_mm: number;
 }
 
 interface CrossingJson extends PairRecord {
@@ -91,13 +85,8 @@ export interface Muscle {
   fibres: Polylines;
 }
 
-export interface Bone {
-  name: string;
-  triangles: Uint32Array;
-  points: Float32Array; // at rest
+export interface Bone extends BoneShape {
   poses: number[][]; // rows of 3 x 4 matrices, from rest
-  trianglesInFiles: number;
-  viewError: number;
 }
 
 // Two meshes that cross in a pose: the triangles of those that are muscles.
@@ -170,14 +159,7 @@ function muscleFrom(
 }
 
 function boneFrom(json: BoneJson, run: RunJson, packed: PackedNumbers): Bone {
-  return {
-    name: json.name,
-    triangles: new Uint32Array(packed.at(json.triangles)),
-    points: rows(packed.at(json.points), 3 * json.vertices, run.step_mm)(0),
-    poses: json.poses,
-    trianglesInFiles: json.triangles_in_files,
-    viewError: json.view_error_mm,
-  };
+  return { ...boneShapeFrom(json, run.step_mm, packed), poses: json.poses };
 }
 
 function runFrom(json: RunJson, packed: PackedNumbers): Run {
@@ -201,15 +183,8 @@ function runFrom(json: RunJson, packed: PackedNumbers): Run {
   };
 }
 
-function textOf(id: string): string {
-  const text = document.getElementById(id)?.textContent;
-  if (!text) throw new Error("The page holds no data: was it cut short?");
-  return text;
-}
-
 export async function readPageData(): Promise<PageData> {
-  const packed = await PackedNumbers.fromBase64(textOf("numbers"));
-  const json = JSON.parse(textOf("runs")) as PageJson;
+  const { json, packed } = await readParts<PageJson>("runs");
   return {
     views: json.views,
     runs: json.runs.map((run) => runFrom(run, packed)),

@@ -3,11 +3,10 @@
 
 // What the muscles are coloured by, what else is shown, the section plane.
 
-import { PageData, Run } from "../data/run";
+import { Run } from "../data/run";
 import { button, element, labelled, section, select } from "../dom";
 import { Coloring, SectionAxis, State, Store } from "../state";
 import { vertexScale } from "../viewer/coloring";
-import { Viewer } from "../viewer/viewer";
 
 export const colorings: [Coloring, string][] = [
   ["name", "name"],
@@ -91,24 +90,6 @@ export function lookPanel(runs: Run[], store: Store): HTMLElement {
       ...(hasFibres ? [toggle("fibres", "fibres", store)] : []),
       toggle("crossing triangles, red", "crossings", store),
     ),
-  );
-}
-
-export function viewButtons(
-  data: PageData,
-  viewer: () => Viewer | null,
-): HTMLElement {
-  return element(
-    "div",
-    { class: "views", role: "group", "aria-label": "View from" },
-    ...viewNames
-      .filter((name) => name in data.views)
-      .map((name, i) =>
-        button(name, `View from ${name} (${i + 1})`, () =>
-          viewer()?.view(name),
-        ),
-      ),
-    button("reset", "Reset the view (R)", () => viewer()?.reset()),
   );
 }
 

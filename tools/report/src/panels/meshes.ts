@@ -3,16 +3,17 @@
 
 // Show, hide and fade each mesh.
 
+import { BoneShape } from "../data/page_parts";
 import { Run } from "../data/run";
 import { button, element, section } from "../dom";
 import { readable } from "../palette";
-import { Store } from "../state";
+import { MeshLookStore, Store } from "../state";
 
 function meshRow(
   name: string,
   color: string,
   note: string,
-  store: Store,
+  store: MeshLookStore,
 ): HTMLElement {
   const box = element("input", {
     type: "checkbox",
@@ -48,12 +49,14 @@ function meshRow(
   );
 }
 
-function group(
+// Of several meshes, and what to say of each.
+export function meshGroup(
   title: string,
-  names: string[],
-  row: (name: string) => HTMLElement,
-  store: Store,
+  notes: Map<string, string>,
+  colorOf: (name: string) => string,
+  store: MeshLookStore,
 ): HTMLElement {
+  const names = [...notes.keys()];
   const setAll = (isHidden: boolean) =>
     store.set({
       hidden: {
@@ -72,8 +75,46 @@ function group(
       button("all", `Show all ${title.toLowerCase()}`, () => setAll(false)),
       button("none", `Hide all ${title.toLowerCase()}`, () => setAll(true)),
     ),
-    element("ul", { class: "meshes" }, ...names.map(row)),
+    element(
+      "ul",
+      { class: "meshes" },
+      ...[...notes].map(([name, note]) =>
+        meshRow(name, colorOf(name), note, store),
+      ),
+    ),
   );
+}
+
+export function opaqueButton(store: MeshLookStore): HTMLElement {
+  return button("all opaque", "Take back all fading", () =>
+    store.set({ opacity: {} }),
+  );
+}
+
+// By name.
+export function boneNotes(bones: BoneShape[]): Map<string, string> {
+  return new Map(
+    bones.map((bone) => {
+      const shown = bone.triangles.length / 3;
+      return [
+        bone.name,
+        shown < bone.trianglesInFiles
+          ? `simplified for view: ${shown} of ${bone.trianglesInFiles} triangles, within ${bone.viewError.toFixed(2)} mm`
+          : `${shown} triangles`,
+      ];
+    }),
+  );
+}
+
+// How far the bones are from what they were, or nothing if they are not.
+export function simplificationOf(bones: BoneShape[]): string {
+  const isSimplified = bones.some(
+    (bone) => bone.triangles.length / 3 < bone.trianglesInFiles,
+  );
+  const worst = Math.max(0, ...bones.map((bone) => bone.viewError));
+  return isSimplified
+    ? `Bones are simplified for view, within ${worst.toFixed(2)} mm`
+    : "";
 }
 
 export function meshesPanel(
@@ -81,54 +122,26 @@ export function meshesPanel(
   colors: Map<string, string>,
   store: Store,
 ): HTMLElement {
-  const muscles = new Set(
-    runs.flatMap((run) => run.muscles.map((m) => m.name)),
-  );
-  const bones = new Map(
-    runs.flatMap((run) =>
-      run.bones.map((bone) => {
-        const shown = bone.triangles.length / 3;
-        return [
-          bone.name,
-          shown < bone.trianglesInFiles
-            ? `simplified for view: ${shown} of ${bone.trianglesInFiles} triangles, within ${bone.viewError.toFixed(2)} mm`
-            : `${shown} triangles`,
-        ] as [string, string];
-      }),
-    ),
-  );
-  const isSimplified = runs.some((run) =>
-    run.bones.some((bone) => bone.triangles.length / 3 < bone.trianglesInFiles),
-  );
-  const worst = Math.max(
-    0,
-    ...runs.flatMap((run) => run.bones.map((bone) => bone.viewError)),
-  );
-  const row = (note: (name: string) => string) => (name: string) =>
-    meshRow(name, colors.get(name)!, note(name), store);
+  const muscles = runs.flatMap((run) => run.muscles);
+  const bones = runs.flatMap((run) => run.bones);
+  const colorOf = (name: string) => colors.get(name)!;
+  const simplification = simplificationOf(bones);
   return section(
     "Meshes",
     "meshes",
-    group(
+    meshGroup(
       "Muscles",
-      [...muscles],
-      row(() => ""),
+      new Map(muscles.map(({ name }) => [name, ""])),
+      colorOf,
       store,
     ),
-    group(
-      "Bones",
-      [...bones.keys()],
-      row((name) => bones.get(name)!),
-      store,
-    ),
-    button("all opaque", "Take back all fading", () =>
-      store.set({ opacity: {} }),
-    ),
+    meshGroup("Bones", boneNotes(bones), colorOf, store),
+    opaqueButton(store),
     element(
       "p",
       { class: "note" },
-      (isSimplified
-        ? `Bones are simplified for view, within ${worst.toFixed(2)} mm; counts and gaps are of the full meshes. `
+      (simplification
+        ? `${simplification}; counts and gaps are of the full meshes. `
         : "") +
         `Positions are rounded to ${runs[0].step.toPrecision(1)} mm for view.`,
     ),

@@ -11,26 +11,38 @@ import {
   Plane,
 } from "three";
 
+import { BoneShape } from "../data/page_parts";
 import { Bone } from "../data/run";
 
+export type BoneMesh = Mesh<BufferGeometry, MeshLambertMaterial>;
+
+export function boneMesh(
+  bone: BoneShape,
+  color: string,
+  clippingPlanes: Plane[],
+): BoneMesh {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(bone.points, 3));
+  geometry.setIndex(new BufferAttribute(bone.triangles, 1));
+  geometry.computeVertexNormals();
+  const mesh = new Mesh(
+    geometry,
+    new MeshLambertMaterial({ color, clippingPlanes }),
+  );
+  mesh.name = bone.name;
+  mesh.matrixAutoUpdate = false;
+  return mesh;
+}
+
 export class BoneSurface {
-  readonly mesh: Mesh<BufferGeometry, MeshLambertMaterial>;
+  readonly mesh: BoneMesh;
 
   constructor(
     readonly bone: Bone,
     readonly color: string,
     clippingPlanes: Plane[],
   ) {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(bone.points, 3));
-    geometry.setIndex(new BufferAttribute(bone.triangles, 1));
-    geometry.computeVertexNormals();
-    this.mesh = new Mesh(
-      geometry,
-      new MeshLambertMaterial({ color, clippingPlanes }),
-    );
-    this.mesh.name = bone.name;
-    this.mesh.matrixAutoUpdate = false;
+    this.mesh = boneMesh(bone, color, clippingPlanes);
   }
 
   setPose(pose: number): void {

@@ -6,7 +6,7 @@
 import { Box3, PerspectiveCamera, Sphere, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
-import { View } from "../data/run";
+import { View } from "../data/page_parts";
 
 const flightMs = 400;
 // Of what is shown, to the edge of the picture.

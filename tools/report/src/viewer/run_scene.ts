@@ -19,6 +19,7 @@ import { Run } from "../data/run";
 import { State } from "../state";
 import { BoneSurface } from "./bone_surface";
 import { VertexScale } from "./coloring";
+import { showMesh } from "./mesh_look";
 import { MuscleSurface } from "./muscle_surface";
 import { PolylineObject } from "./polylines";
 import { Section } from "./section";
@@ -113,7 +114,7 @@ export class RunScene {
       : new Map<string, Set<number>>();
     this.bones.forEach((bone) => {
       if (moved) bone.setPose(pose);
-      this.show(bone.mesh, state, 1);
+      showMesh(bone.mesh, state);
     });
     this.muscles.forEach((surface, i) => {
       const { name } = surface.muscle;
@@ -121,7 +122,7 @@ export class RunScene {
       surface.setColors(scale, pose);
       surface.setCrossing(crossing.get(name) ?? new Set());
       const hasFibres = state.fibres && !this.fibres[i].isEmpty;
-      this.show(surface.mesh, state, hasFibres ? opacityAroundFibres : 1);
+      showMesh(surface.mesh, state, hasFibres ? opacityAroundFibres : 1);
       const visible = !state.hidden[name];
       surface.group.visible = visible;
       for (const [polylines, isOn] of [
@@ -146,17 +147,6 @@ export class RunScene {
       box.union(new Box3().setFromArray(bone.points).applyMatrix4(mesh.matrix));
     }
     return box;
-  }
-
-  private show(mesh: BoneSurface["mesh"], state: State, factor: number): void {
-    const opacity = factor * (state.opacity[mesh.name] ?? 1);
-    mesh.visible = !state.hidden[mesh.name] && opacity > 0;
-    mesh.material.opacity = opacity;
-    const transparent = opacity < 1;
-    if (mesh.material.transparent === transparent) return;
-    mesh.material.transparent = transparent;
-    mesh.material.depthWrite = !transparent;
-    mesh.material.needsUpdate = true;
   }
 
   private crossingTriangles(pose: number): Map<string, Set<number>> {

@@ -2,25 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The canvas: one pane a run, beside each other, or above each other where it
-// is narrow. Draws only when something has changed.
+// is narrow.
 
-import {
-  Box3,
-  DirectionalLight,
-  Plane,
-  Raycaster,
-  Sphere,
-  Vector2,
-  Vector3,
-  WebGLRenderer,
-} from "three";
+import { Box3, Plane, Raycaster, Sphere, Vector2, Vector3 } from "three";
 
 import { PageData } from "../data/run";
 import { Moment } from "../data/timeline";
 import { State, Store } from "../state";
 import { LinkedCamera } from "./camera";
 import { VertexScale, vertexScale } from "./coloring";
-import { Resolution } from "./resolution";
+import { DrawnCanvas } from "./drawn_canvas";
 import { RunScene } from "./run_scene";
 
 interface Pane {
@@ -35,59 +26,39 @@ export interface Picked {
   text: string;
 }
 
-export class Viewer {
+export class Viewer extends DrawnCanvas {
   readonly camera: LinkedCamera;
   readonly scenes: RunScene[];
-  private readonly renderer: WebGLRenderer;
   private readonly planes: Plane[] = [];
   private readonly plane = new Plane(new Vector3(1, 0, 0), 0);
-  private readonly lights: DirectionalLight[];
-  private readonly bounds: Sphere; // of everything in all poses
+  private readonly everything: Sphere; // of everything in all poses
   private readonly muscleBox: Box3; // the same of the muscles
   private state: State;
   private scale: VertexScale | null = null;
-  private isPending = false;
-  private isStale = true; // the scenes, not only the view
-  private readonly resolution = new Resolution(() => this.request());
 
   constructor(
-    private readonly canvas: HTMLCanvasElement,
+    canvas: HTMLCanvasElement,
     private readonly data: PageData,
     private readonly timeline: Moment[],
     colors: Map<string, string>,
     store: Store,
   ) {
+    super(canvas);
     this.state = store.state;
-    this.renderer = new WebGLRenderer({
-      canvas,
-      antialias: !this.resolution.isSoftware,
-      alpha: true,
-      stencil: true,
-    });
     this.renderer.localClippingEnabled = true;
     this.renderer.autoClear = false;
     this.scenes = data.runs.map(
       (run) =>
         new RunScene(run, colors, this.planes, this.plane, this.renderer),
     );
-    this.lights = this.scenes.map((scene) => {
-      const light = new DirectionalLight("#ffffff", 1.8);
-      scene.addHeadlight(light);
-      return light;
-    });
-    [this.bounds, this.muscleBox] = this.measure();
+    for (const scene of this.scenes) scene.addHeadlight(this.headlight());
+    [this.everything, this.muscleBox] = this.measure();
     this.camera = new LinkedCamera(canvas, data.views, () => this.request());
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
-    canvas.addEventListener("webglcontextrestored", () => {
-      this.isStale = true;
-      this.request();
-    });
-    this.resize();
+    this.start();
     this.reset(false);
     store.subscribe((state) => {
       this.state = state;
-      this.isStale = true;
-      this.request();
+      this.refresh();
     });
   }
 
@@ -97,13 +68,6 @@ export class Viewer {
 
   view(name: string, fly = true): void {
     this.camera.showFrom(name, this.muscleBox, fly);
-  }
-
-  request(): void {
-    delete this.canvas.dataset.still;
-    if (this.isPending) return;
-    this.isPending = true;
-    requestAnimationFrame((now) => this.draw(now));
   }
 
   // What is under a point of the canvas (CSS pixels), if anything.
@@ -178,31 +142,21 @@ export class Viewer {
     return [all.getBoundingSphere(new Sphere()), muscles];
   }
 
-  private resize(): void {
-    const { clientWidth, clientHeight } = this.canvas.parentElement!;
-    this.renderer.setSize(clientWidth, clientHeight, false);
-    const [pane] = this.panes();
-    this.camera.setAspect(
-      (clientWidth * pane.width) / Math.max(1, clientHeight * pane.height),
-    );
-    this.request();
+  protected isPlaying(): boolean {
+    return this.state.playing;
   }
 
-  private draw(now: number): void {
-    this.isPending = false;
-    const pixelRatio = this.resolution.next(now, this.state.playing);
-    // Sets the size anew, which costs, even to what it is.
-    if (this.renderer.getPixelRatio() !== pixelRatio) {
-      this.renderer.setPixelRatio(pixelRatio);
-    }
-    if (this.isStale) this.updateScenes();
-    this.isStale = false;
-    const isFlying = this.camera.advance(now);
-    this.camera.enclose(this.bounds);
-    this.placeLights();
+  protected bounds(): Sphere {
+    return this.everything;
+  }
 
+  protected aspect(width: number, height: number): number {
+    const [pane] = this.panes();
+    return (width * pane.width) / (height * pane.height);
+  }
+
+  protected drawScenes(size: Vector2): void {
     const { renderer } = this;
-    const size = renderer.getSize(new Vector2());
     renderer.setScissorTest(false);
     renderer.clear();
     renderer.setScissorTest(true);
@@ -217,18 +171,14 @@ export class Viewer {
       renderer.setScissor(...rectangle);
       renderer.render(this.scenes[i].scene, this.camera.camera);
     });
-    if (isFlying) this.request();
-    // For those who take pictures: this one stays.
-    const isStill = this.resolution.isFinal && !this.isPending;
-    if (isStill) this.canvas.dataset.still = "";
   }
 
-  private updateScenes(): void {
+  protected updateScenes(): void {
     this.placePlane();
     this.scale = vertexScale(this.state.coloring, this.data.runs);
     const { poses } = this.timeline[this.state.moment];
     this.scenes.forEach((scene, i) =>
-      scene.update(this.state, poses[i], this.scale, this.bounds),
+      scene.update(this.state, poses[i], this.scale, this.everything),
     );
   }
 
@@ -236,18 +186,12 @@ export class Viewer {
     const { section, sectionPlace, sectionFlipped } = this.state;
     this.planes.length = 0;
     if (section === "off") return;
-    const { center, radius } = this.bounds;
+    const { center, radius } = this.everything;
     const toward = new Vector3(...this.data.views[section].toward_viewer);
     const height = toward.dot(center) + radius * (2 * sectionPlace - 1);
     // What is on the viewer's side is cut away.
     this.plane.set(toward.negate(), height);
     if (sectionFlipped) this.plane.negate();
     this.planes.push(this.plane);
-  }
-
-  private placeLights(): void {
-    const { camera } = this.camera;
-    const side = new Vector3(-0.4, 0.5, 1).applyQuaternion(camera.quaternion);
-    for (const light of this.lights) light.position.copy(side);
   }
 }

@@ -1,0 +1,131 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+
+// The page of joints in a browser: an arm made on a lathe, of which the shoulder
+// is found and the elbow is not.
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, afterEach, before, test } from "node:test";
+
+import { Browser, countOf, differentPixels } from "./browser.mjs";
+import { headRadius, writeHumerus, writeRod } from "./made_bones.mjs";
+
+const work = mkdtempSync(join(tmpdir(), "musclewarp_joints_"));
+const html = join(work, "arm", "joints.html");
+let browser;
+
+before(async () => {
+  const file = (name) => join(work, `${name}.obj`);
+  writeHumerus(file("humerus_r"));
+  writeRod(file("scapula_r"), -100, 60, -80);
+  writeRod(file("ulna_r"), -150, -340, -560);
+  const flags = [`--out=${join(work, "arm")}`, "--html"];
+  const bones = ["humerus_r", "scapula_r", "ulna_r"].map(file);
+  const { status, stderr } = spawnSync(
+    process.env.MUSCLEWARP_ARTICULATE,
+    [...flags, ...bones],
+    { encoding: "utf8" },
+  );
+  assert.equal(status, 1, stderr); // a joint failed
+  browser = await Browser.launch();
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(work, { recursive: true, force: true });
+});
+afterEach(() => browser?.closePages());
+
+const item = (page, joint) => page.locator(`[data-joint="${joint}"]`);
+const flexion = "#coordinate-arm_flex_r";
+
+test("opens from disk without complaint or request", async () => {
+  const page = await browser.openReady(html);
+  await browser.keep(page, "joints", { fullPage: true });
+  assert.deepEqual(page.complaints, []);
+  assert.equal(await page.title(), "arm: musclewarp");
+  await page.getByText("2 joints: 1 good, 1 failed").waitFor();
+});
+
+test("lists joints with figures and reasons", async () => {
+  const page = await browser.openReady(html);
+  const shoulder = await item(page, "shoulder_r").innerText();
+  assert.match(shoulder, /good/);
+  assert.match(
+    shoulder,
+    new RegExp(`head of the humerus\\s+${headRadius}.0 mm`),
+  );
+  const elbow = await item(page, "elbow_r").innerText();
+  assert.match(elbow, /failed/);
+  assert.match(elbow, /the humerus looks at the forearm over 0 degrees/);
+  assert.equal(await item(page, "elbow_r").locator("input").count(), 0);
+});
+
+test("sliders move bones and what they carry", async () => {
+  const page = await browser.openReady(html);
+  await page.getByRole("button", { name: "View from right" }).click();
+  const start = await browser.look(page);
+  const slider = page.locator(flexion);
+  assert.equal(await slider.inputValue(), "0");
+  await slider.fill("90");
+  assert.ok(differentPixels(start, await browser.look(page)) > 1000);
+  await page.getByText("90.0°").waitFor();
+  await browser.keep(page, "joints_moved");
+  await page.getByRole("button", { name: /as in the scan/ }).click();
+  assert.equal(await slider.inputValue(), "0");
+  assert.ok(differentPixels(start, await browser.look(page)) < 50);
+  assert.deepEqual(page.complaints, []);
+});
+
+test("a joint that is chosen is highlighted", async () => {
+  const page = await browser.openReady(html);
+  const child = [240, 185, 107];
+  const count = async () => countOf(await browser.look(page), child);
+  const before = await count();
+  const button = item(page, "shoulder_r").getByRole("button");
+  await button.click();
+  assert.equal(await button.getAttribute("aria-pressed"), "true");
+  assert.ok((await count()) > before + 500);
+  await browser.keep(page, "joints_chosen");
+  await button.click();
+  assert.equal(await button.getAttribute("aria-pressed"), "false");
+  assert.ok(Math.abs((await count()) - before) < 50);
+});
+
+test("shapes, axes and bones are hidden", async () => {
+  const page = await browser.openReady(html);
+  for (const box of ["#show-axes", "#show-shapes"]) {
+    const before = await browser.look(page);
+    await page.locator(box).uncheck();
+    assert.ok(differentPixels(before, await browser.look(page)) > 100, box);
+  }
+  const before = await browser.look(page);
+  const bone = page.locator('[data-mesh="humerus_r"] input[type=checkbox]');
+  await bone.uncheck();
+  assert.ok(differentPixels(before, await browser.look(page)) > 1000);
+});
+
+test("is used by keyboard", async () => {
+  const page = await browser.openReady(html);
+  await page.keyboard.press("j");
+  await page.locator('[data-joint="shoulder_r"].selected').waitFor();
+  await page.keyboard.press("j");
+  await page.locator('[data-joint="elbow_r"].selected').waitFor();
+  await page.keyboard.press("j");
+  assert.equal(await page.locator(".joint.selected").count(), 0);
+  await page.locator(flexion).focus();
+  await page.keyboard.press("ArrowRight");
+  assert.ok(Number(await page.inputValue(flexion)) > 0);
+  await page.keyboard.press("Escape");
+  const unlabelled = await page.$$eval(
+    "input, button",
+    (all) =>
+      all.filter((each) => !each.labels?.length && !each.ariaLabel).length,
+  );
+  const byText = await page.locator(".joint-name").count();
+  assert.equal(unlabelled, byText + 1); // and "Close" of the dialog
+});
