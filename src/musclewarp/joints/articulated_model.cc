@@ -213,6 +213,47 @@ void AddJoints(const Articulation& articulation, pugi::xml_node model) {
   }
 }
 
+std::string NumbersText(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) {
+    text += (text.empty() ? "" : " ") + NumberText(number);
+  }
+  return text;
+}
+
+// Coordinates that follow others. The function is constant beyond its ends, by
+// one more point on either side.
+void AddCouplers(const Articulation& articulation, pugi::xml_node model) {
+  constexpr double kBeyond = 4 * M_PI;
+  pugi::xml_node objects;
+  for (const FoundJoint& joint : articulation.joints) {
+    const JointCoupling& coupling = joint.coupling;
+    if (!joint.IsFound() || coupling.coordinate.empty()) continue;
+    if (!objects) {
+      objects = AddNamed(model, "ConstraintSet", "constraintset")
+                    .append_child("objects");
+    }
+    const std::string dependent =
+        CoordinatesOf(joint.kind, joint.side)[0].name;
+    std::vector<double> x = coupling.at, y = coupling.values;
+    x.insert(x.begin(), x.front() - kBeyond);
+    y.insert(y.begin(), y.front());
+    x.push_back(x.back() + kBeyond);
+    y.push_back(y.back());
+    pugi::xml_node node = AddNamed(
+        objects, "CoordinateCouplerConstraint", dependent + "_coupler");
+    pugi::xml_node function =
+        AddNamed(node.append_child("coupled_coordinates_function"),
+                 "PiecewiseLinearFunction",
+                 "function");
+    AddText(function, "x", NumbersText(x));
+    AddText(function, "y", NumbersText(y));
+    AddText(node, "independent_coordinate_names", coupling.coordinate);
+    AddText(node, "dependent_coordinate_name", dependent);
+    AddText(node, "scale_factor", "1");
+  }
+}
+
 }  // namespace
 
 Eigen::Vector3d BodyFixedAngles(const Eigen::Matrix3d& rotation) {
@@ -245,6 +286,7 @@ std::string ArticulatedModelText(const Articulation& articulation,
   AddNamed(model, "Ground", "ground");
   AddBodies(articulation, model);
   AddJoints(articulation, model);
+  AddCouplers(articulation, model);
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();

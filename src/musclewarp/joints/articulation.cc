@@ -16,6 +16,7 @@
 #include "musclewarp/joints/hip_joint.h"
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/joints/knee_joint.h"
+#include "musclewarp/joints/patella_joint.h"
 #include "musclewarp/joints/pelvis_frame.h"
 
 namespace musclewarp {
@@ -185,6 +186,9 @@ class Articulator {
     if (has_femur && has_tibia) {
       Add(JointKind::kKnee, side, [&] { return FindKnee(limb, *femur); });
     }
+    if (has_femur && has_tibia && has({BoneKind::kPatella})) {
+      AddPatella(limb, *femur);
+    }
     if (has_tibia && has({BoneKind::kTalus, BoneKind::kFoot})) {
       Add(JointKind::kAnkle, side, [&] { return FindAnkle(limb, *femur); });
     }
@@ -194,6 +198,16 @@ class Articulator {
       });
     }
     FindArmJoints(limb);
+  }
+
+  // The patella follows the knee, and stands still without one.
+  void AddPatella(const Limb& limb, const FemurShape& femur) {
+    const FoundJoint* knee = JointOf(JointKind::kKnee, limb.side);
+    if (knee == nullptr) return;
+    const FoundJoint of_knee = *knee;
+    Add(JointKind::kPatella, limb.side, [&] {
+      return FindPatella(limb, of_knee);
+    });
   }
 
   void FindArmJoints(const Limb& limb) {

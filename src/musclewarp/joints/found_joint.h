@@ -43,6 +43,14 @@ struct FittedShape {
   bool is_on_parent = false;  // of the joint; else on the child
 };
 
+// How the only coordinate of a joint follows one of another joint: it is
+// linear between points, and constant beyond them.
+struct JointCoupling {
+  std::string coordinate;      // that is followed; empty: none
+  std::vector<double> at;      // its values, rad, ascending
+  std::vector<double> values;  // of the coordinate that follows, rad
+};
+
 // A joint as it is on the bones of one person, in the frame of the image.
 struct FoundJoint {
   JointKind kind = JointKind::kHip;
@@ -55,6 +63,8 @@ struct FoundJoint {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   Eigen::Matrix3d parent_axes = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d child_axes = Eigen::Matrix3d::Identity();
+
+  JointCoupling coupling;
 
   JointVerdict verdict;
   bool is_given = false;  // by the user

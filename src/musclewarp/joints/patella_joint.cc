@@ -1,0 +1,225 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/joints/patella_joint.h"
+
+#include <glog/logging.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "musclewarp/joints/joint_building.h"
+#include "musclewarp/joints/robust_fit.h"
+
+namespace musclewarp {
+namespace {
+
+// Places in the plane across the axis of the knee: x forward, y up, mm.
+using Place = Eigen::Vector2d;
+
+// The plane of a knee, with its axis at the origin.
+struct KneePlane {
+  Eigen::Vector3d center;
+  Eigen::Matrix3d axes;  // of the femur: forward, up, right
+
+  Eigen::Vector3d Local(const Eigen::Vector3d& point) const {
+    return axes.transpose() * (point - center);
+  }
+};
+
+struct Circle {
+  Place center = Place::Zero();
+  double radius = 0;
+  double spread = 0;  // mm
+  int points = 0;
+};
+
+struct CircleModel {
+  static constexpr int kParameters = 3;
+  double scale;
+
+  template <typename T>
+  T operator()(const T* circle, const double* point) const {
+    using std::sqrt;
+    const T x = T(point[0]) - circle[0], y = T(point[1]) - circle[1];
+    return RobustResidual<T>(sqrt(x * x + y * y) - circle[2], scale);
+  }
+};
+
+// The groove of the femur as seen along the axis: the surface before and below
+// the axis in a strip beside the middle of the patella.
+Points GrooveIn(const SurfacePoints& femur,
+                const KneePlane& plane,
+                const Eigen::Vector3d& patella) {
+  constexpr double kHalfStrip = 4;  // mm
+  constexpr double kLargestSlant = 0.5;
+  const double middle = plane.Local(patella).z();
+  Points groove(femur.size(), 3);
+  int count = 0;
+  for (int i = 0; i < femur.size(); ++i) {
+    const Eigen::Vector3d point =
+        plane.Local(femur.points.row(i).transpose());
+    const Eigen::Vector3d normal =
+        plane.axes.transpose() * femur.normals.row(i).transpose();
+    const bool is_before = point.x() > 0 && normal.x() > 0.2;
+    // The groove is as high as the condyles reach above the axis.
+    const bool is_low = point.y() > -40 && point.y() < 25;
+    if (!is_before || !is_low || std::abs(point.z() - middle) > kHalfStrip ||
+        std::abs(normal.z()) > kLargestSlant) {
+      continue;
+    }
+    groove.row(count++) = Eigen::RowVector3d(point.x(), point.y(), 0);
+  }
+  groove.conservativeResize(count, 3);
+  return groove;
+}
+
+std::optional<Circle> FitCircle(const Points& points) {
+  constexpr int kFewestPoints = 40;
+  if (points.rows() < kFewestPoints) return std::nullopt;
+  const Eigen::Vector3d fitted =
+      FitToPoints(CircleModel{kLossScale},
+                  points,
+                  Eigen::VectorXd::Ones(points.rows()),
+                  Eigen::Vector3d(0, 0, 25));
+  Circle circle = {fitted.head<2>(), std::abs(fitted[2]), 0, 0};
+  const Eigen::ArrayXd off =
+      (points.leftCols<2>().rowwise() - circle.center.transpose())
+          .rowwise()
+          .norm()
+          .array() -
+      circle.radius;
+  circle.points = static_cast<int>(points.rows());
+  circle.spread = std::sqrt(off.square().mean());
+  return circle;
+}
+
+// The point of the tibia that is farthest before its axis, below the joint.
+std::optional<Eigen::Vector3d> TuberosityOf(const SurfacePoints& tibia,
+                                            const KneePlane& plane) {
+  constexpr double kTop = -30, kBottom = -80;  // mm below the axis
+  std::optional<Eigen::Vector3d> farthest;
+  for (int i = 0; i < tibia.size(); ++i) {
+    const Eigen::Vector3d point = tibia.points.row(i).transpose();
+    const Eigen::Vector3d local = plane.Local(point);
+    if (local.y() > kTop || local.y() < kBottom) continue;
+    if (farthest && local.x() <= plane.Local(*farthest).x()) continue;
+    farthest = point;
+  }
+  return farthest;
+}
+
+Eigen::Vector3d LowestOf(const SurfacePoints& bone, const KneePlane& plane) {
+  int lowest = 0;
+  (bone.points * plane.axes.col(1)).minCoeff(&lowest);
+  return bone.points.row(lowest).transpose();
+}
+
+// Turns a place about a centre as flexion does: backwards at the lower end.
+Place Flexed(const Place& place, const Place& center, double angle) {
+  return center + Eigen::Rotation2Dd(-angle) * (place - center);
+}
+
+// Follows the angle of the patella while the knee turns away from the scan, as
+// long as the ligament allows it.
+void FollowKnee(const Circle& groove,
+                const Place& tip,
+                const Place& tuberosity,
+                double scan,
+                double step,
+                double last,
+                std::vector<std::pair<double, double>>* path) {
+  constexpr int kIterations = 30;
+  const double length = (tip - tuberosity).norm();
+  double angle = 0;
+  for (double knee = scan + step; (last - knee) * step >= 0; knee += step) {
+    const Place end = Flexed(tuberosity, Place::Zero(), knee - scan);
+    const auto stretch = [&](double at) {
+      return (Flexed(tip, groove.center, at) - end).norm() - length;
+    };
+    for (int i = 0; i < kIterations; ++i) {
+      constexpr double kBeside = 1e-6;
+      const double slope =
+          (stretch(angle + kBeside) - stretch(angle - kBeside)) /
+          (2 * kBeside);
+      if (std::abs(slope) < 1) return;  // mm by rad: the ligament is in line
+      angle -= std::clamp(stretch(angle) / slope, -0.1, 0.1);
+    }
+    if (std::abs(stretch(angle)) > 1e-6) return;
+    path->emplace_back(knee, angle);
+  }
+}
+
+}  // namespace
+
+FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
+  constexpr double kStep = 5 * kDegree, kRangeBeyond = 15 * kDegree;
+  constexpr double kWeakSpread = 1.5;  // mm
+  FoundJoint joint = StartedJoint(JointKind::kPatella, limb);
+  const SurfacePoints* femur = limb.Find(BoneKind::kFemur);
+  const SurfacePoints* tibia = limb.Find(BoneKind::kTibia);
+  const SurfacePoints* patella = limb.Find(BoneKind::kPatella);
+  CHECK(femur != nullptr && tibia != nullptr && patella != nullptr);
+  if (!knee.IsFound()) {
+    joint.verdict.Fail("the knee that the patella follows was not found");
+    return joint;
+  }
+  const KneePlane plane = {knee.center, knee.parent_axes};
+  const Eigen::Vector3d middle = patella->points.colwise().mean().transpose();
+  const std::optional<Circle> groove =
+      FitCircle(GrooveIn(*femur, plane, middle));
+  const std::optional<Eigen::Vector3d> tuberosity =
+      TuberosityOf(*tibia, plane);
+  if (!groove || !tuberosity || plane.Local(middle).x() <= 0) {
+    joint.verdict.Fail(
+        "the groove of the femur or the tuberosity of the tibia was not found "
+        "behind and below the patella");
+    return joint;
+  }
+  joint.center =
+      plane.center + plane.axes * Eigen::Vector3d(groove->center.x(),
+                                                  groove->center.y(),
+                                                  plane.Local(middle).z());
+  joint.parent_axes = plane.axes;
+  joint.child_axes = plane.axes;
+  joint.shapes.push_back(
+      ShapeOf("groove of the femur",
+              {{joint.center, plane.axes.col(2)}, groove->radius},
+              groove->spread,
+              0));
+  if (groove->spread > kWeakSpread) {
+    joint.verdict.Weaken("the groove is off its circle by " +
+                         Rounded(groove->spread, 1) + " mm, " +
+                         Rounded(kWeakSpread, 1) + " mm or less are expected");
+  }
+  const auto in_plane = [&](const Eigen::Vector3d& point) {
+    return Place(plane.Local(point).head<2>());
+  };
+  const Place tip = in_plane(LowestOf(*patella, plane));
+  const JointCoordinate of_knee = CoordinatesOf(knee.kind, knee.side)[0];
+  const double scan = ScanCoordinates(knee)[0];
+  std::vector<std::pair<double, double>> path = {{scan, 0}};
+  const double low = of_knee.lowest * kDegree - kRangeBeyond;
+  const double high = of_knee.highest * kDegree + kRangeBeyond;
+  FollowKnee(
+      *groove, tip, in_plane(*tuberosity), scan, kStep, high, &path);
+  const double reached = path.back().first;
+  FollowKnee(
+      *groove, tip, in_plane(*tuberosity), scan, -kStep, low, &path);
+  std::sort(path.begin(), path.end());
+  if (reached < of_knee.highest * kDegree - kStep) {
+    joint.verdict.Weaken(
+        "the ligament holds the patella back from " +
+        Rounded(reached / kDegree, 0) +
+        " degrees of the knee on: there it stays in its groove");
+  }
+  joint.coupling.coordinate = of_knee.name;
+  for (const auto& [of, value] : path) {
+    joint.coupling.at.push_back(of);
+    joint.coupling.values.push_back(value);
+  }
+  return joint;
+}
+
+}  // namespace musclewarp
