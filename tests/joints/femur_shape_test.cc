@@ -47,8 +47,8 @@ TEST(ShaftOf, IsTheLineThroughTheMiddleOfABar) {
 TEST(DirectionsOfFemur, AreThoseOfItsShaftAndItsCondyles) {
   const MadeFemur right = RightFemur(3);
   for (const MadeFemur& femur : {right, Mirrored(right)}) {
-    const BoneDirections directions = DirectionsOfFemur(
-        SampleSurface(femur.surface), femur.head, kMadeHeadRadius);
+    const BoneDirections directions =
+        DirectionsOf(femur, SampleSurface(femur.surface));
     EXPECT_LT(AngleOf(directions.up, femur.up), kShaftTolerance);
     EXPECT_LT(AngleOf(directions.back, femur.back), kSideTolerance);
     EXPECT_LT(AngleOf(directions.left, femur.left), kSideTolerance);
@@ -56,9 +56,9 @@ TEST(DirectionsOfFemur, AreThoseOfItsShaftAndItsCondyles) {
     // The lowest place is on the lower condyle: its middle, 3 degrees lower
     // over 22.5 mm, and a radius below.
     EXPECT_NEAR(directions.lowest, -20 - 37.5 * std::sin(3 * kDegree), 1);
-    // Condyles reach 28 mm back from the shaft, the front 24 mm forward.
-    EXPECT_GT(directions.back_to_front, 1.05);
-    EXPECT_LT(directions.back_to_front, 1.35);
+    // Condyles reach 34 mm back from the shaft, the front 17 mm forward.
+    EXPECT_GT(directions.back_to_front, 1.9);
+    EXPECT_LT(directions.back_to_front, 2.1);
   }
 }
 
@@ -69,7 +69,7 @@ TEST(DirectionsOfFemur, MoveWithTheBone) {
     const Eigen::Isometry3d motion = RandomMotion(seed);
     const MadeFemur moved = MovedBy(motion, femur);
     const BoneDirections directions =
-        DirectionsOfFemur(MovedBy(motion, points), moved.head, kMadeHeadRadius);
+        DirectionsOf(moved, MovedBy(motion, points));
     EXPECT_LT(AngleOf(directions.up, moved.up), kShaftTolerance);
     EXPECT_LT(AngleOf(directions.back, moved.back), kSideTolerance);
     EXPECT_LT(AngleOf(directions.left, moved.left), kSideTolerance);
@@ -85,8 +85,8 @@ TEST(DirectionsOfFemur, TellTheSideByTheHead) {
   for (const bool is_right : {true, false}) {
     const MadeFemur femur = MovedBy(RandomMotion(is_right ? 4 : 5),
                                     is_right ? right : Mirrored(right));
-    const BoneDirections directions = DirectionsOfFemur(
-        SampleSurface(femur.surface), femur.head, kMadeHeadRadius);
+    const BoneDirections directions =
+        DirectionsOf(femur, SampleSurface(femur.surface));
     const double medial =
         OffsetFrom(directions.shaft, femur.head).dot(directions.left);
     // The made head is 48 mm beside the shaft.

@@ -24,9 +24,7 @@ constexpr double kKneeMiddle = 1;  // mm
 
 KneeFit KneeOf(const MadeFemur& femur, const SurfacePoints& points) {
   const auto fit =
-      FitKnee(points,
-              DirectionsOfFemur(points, femur.head, kMadeHeadRadius),
-              kMadeHeadRadius);
+      FitKnee(points, DirectionsOf(femur, points), kMadeHeadRadius);
   EXPECT_TRUE(fit);
   return fit.value_or(KneeFit());
 }
@@ -70,8 +68,7 @@ TEST(FitKnee, FindsTheSameAxisInAnyOrientation) {
 TEST(FitKnee, FindsTheSameAxisFromDirectionsThatAreOff) {
   const MadeFemur femur = RightFemur(3);
   const SurfacePoints points = SampleSurface(femur.surface);
-  const BoneDirections own =
-      DirectionsOfFemur(points, femur.head, kMadeHeadRadius);
+  const BoneDirections own = DirectionsOf(femur, points);
   // As those of an image may be, by 8 degrees about each.
   for (const Eigen::Vector3d& about : {own.up, own.back, own.left}) {
     for (const double sign : {-1.0, 1.0}) {
@@ -104,8 +101,7 @@ TEST(FitKnee, HasTheHeadOfARightFemurOnItsLeft) {
 TEST(FitKnee, FindsNothingWithoutASecondCondyle) {
   const MadeFemur femur = RightFemur(3);
   const SurfacePoints whole = SampleSurface(femur.surface);
-  const BoneDirections directions =
-      DirectionsOfFemur(whole, femur.head, kMadeHeadRadius);
+  const BoneDirections directions = DirectionsOf(femur, whole);
   const SurfacePoints one = Filtered(whole, [&](int row) {
     // What is left of the other side looks forward.
     return whole.points(row, 0) > 0 || whole.normals(row, 1) < -0.2;

@@ -85,7 +85,7 @@ Field Condyles() {
 
 MadeFemur RightFemur(double cell) {
   MadeFemur femur;
-  femur.head = {48, -15, 395};
+  femur.head = {48, -18, 395};
   const Matrix3d knee = JointFrame(kKneeTurn, kKneeLean);
   femur.knee = {Vector3d::Zero(), knee.col(0)};
   femur.up = Vector3d::UnitZ();
@@ -93,14 +93,14 @@ MadeFemur RightFemur(double cell) {
   femur.left = femur.back.cross(femur.up);
   // The condyles reach farther back from the line of the shaft than the rest of
   // the lower end reaches forward.
-  const Field shaft = Sweep({{{0, -8, 340}, 15},
-                             {{0, -8, 250}, 13.5},
-                             {{0, -8, 150}, 13.5},
-                             {{0, -8, 70}, 15},
-                             {{0, -8, 25}, 20}});
+  const Field shaft = Sweep({{{0, -14, 340}, 15},
+                             {{0, -14, 250}, 13.5},
+                             {{0, -14, 150}, 13.5},
+                             {{0, -14, 70}, 15},
+                             {{0, -14, 25}, 20}});
   const Field neck =
-      Sweep({{{0, -8, 340}, 16}, {{24, -11, 370}, 14}, {femur.head, 14}});
-  const Field trochanter = Ellipsoid({-20, -4, 342}, {14, 18, 24});
+      Sweep({{{0, -14, 340}, 16}, {{24, -16, 370}, 14}, {femur.head, 14}});
+  const Field trochanter = Ellipsoid({-20, -10, 342}, {14, 18, 24});
   const Field upper = Union(Union(shaft, trochanter, 10), neck, 10);
   const Field with_head =
       Union(upper, phantom::Sphere(femur.head, kMadeHeadRadius), 4);
@@ -124,6 +124,11 @@ MadeFemur Mirrored(const MadeFemur& femur) {
   image.back = mirror * femur.back;
   image.left = -(mirror * femur.left);
   return image;
+}
+
+BoneDirections DirectionsOf(const MadeFemur& femur,
+                            const SurfacePoints& points) {
+  return DirectionsOfFemur(points, ShaftOf(points, femur.up), kMadeHeadRadius);
 }
 
 MadeFemur MovedBy(const Eigen::Isometry3d& motion, const MadeFemur& femur) {

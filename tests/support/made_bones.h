@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "musclewarp/joints/cylinder_fit.h"
+#include "musclewarp/joints/femur_shape.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
@@ -36,6 +37,11 @@ MadeFemur RightFemur(double cell);
 MadeFemur Mirrored(const MadeFemur& femur);
 
 MadeFemur MovedBy(const Eigen::Isometry3d& motion, const MadeFemur& femur);
+
+// Returns the directions of a made femur as its points (SampleSurface) show
+// them.
+BoneDirections DirectionsOf(const MadeFemur& femur,
+                            const SurfacePoints& points);
 
 // A talus with a dome 28 mm wide, and a tibia whose lower end is the matching
 // hollow with a malleolus on one side, `gap` mm off.

@@ -94,13 +94,19 @@ void JudgeAnkle(const Limb& limb,
                 AnkleFit* fit,
                 JointVerdict* verdict) {
   constexpr double kLeastAngle = 60 * kDegree;
-  constexpr double kLargestRadius = 1.25;  // by that of the head
+  constexpr double kLargestSpread = 0.5;   // mm
+  constexpr double kLargestRadius = 1.15;  // by that of the head
   const double radius = kLargestRadius * femur.HeadRadius();
-  if (fit->angle >= kLeastAngle && fit->cylinder.radius <= radius) return;
+  if (fit->angle >= kLeastAngle && fit->cylinder.radius <= radius &&
+      fit->spread <= kLargestSpread) {
+    return;
+  }
   verdict->Weaken(
       "the dome of the talus covers " + Rounded(fit->angle / kDegree, 0) +
       " degrees of a cylinder of " + Rounded(fit->cylinder.radius, 1) +
-      " mm; 60 degrees or more and " + Rounded(radius, 1) +
+      " mm and is off it by " + Rounded(fit->spread, 1) +
+      " mm; 60 degrees or more, " + Rounded(radius, 1) + " mm or less and " +
+      Rounded(kLargestSpread, 1) +
       " mm or less are expected: a dome flattened by thick slices. The height "
       "of the axis is that of the tips of the malleoli");
   const Eigen::Vector3d tips =

@@ -43,7 +43,8 @@ void JudgeHead(const FemurShape& femur, JointVerdict* verdict) {
 }  // namespace
 
 FoundJoint FindHip(const Limb& limb, const FemurShape& femur) {
-  constexpr double kWeakOffset = 3;  // mm, of the socket
+  constexpr double kWeakOffset = 3;         // mm, of the socket
+  constexpr double kLargestDistance = 1.6;  // by the radius of the head
   FoundJoint joint = StartedJoint(JointKind::kHip, limb);
   if (!femur.head) {
     joint.verdict.Fail(
@@ -61,8 +62,19 @@ FoundJoint FindHip(const Limb& limb, const FemurShape& femur) {
   if (hip_bone == nullptr) hip_bone = limb.Find(BoneKind::kPelvis);
   CHECK(hip_bone != nullptr);
   const std::optional<SphereFit> socket = FindSocket(*hip_bone, head);
-  if (!socket) {
-    joint.verdict.Weaken("no socket was found about the head of the femur");
+  const double distance = (hip_bone->points.rowwise() - head.center.transpose())
+                              .rowwise()
+                              .norm()
+                              .minCoeff();
+  if (distance > kLargestDistance * head.radius) {
+    joint.verdict.Fail("the hip bone is " + Rounded(distance, 0) +
+                       " mm away from the centre of the head, " +
+                       Rounded(kLargestDistance * head.radius, 0) +
+                       " mm or less are needed: bones from two scans");
+  } else if (!socket) {
+    joint.verdict.Weaken(
+        "no socket was found about the head of the femur: bones from two "
+        "scans, or a hip bone that is cut");
   } else {
     joint.shapes.push_back(ShapeOf("socket of the hip bone", *socket));
     joint.shapes.back().is_on_parent = true;

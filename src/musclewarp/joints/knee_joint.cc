@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "musclewarp/joints/joint_building.h"
+#include "musclewarp/joints/knee_verdict.h"
 
 namespace musclewarp {
 namespace {
@@ -23,49 +24,6 @@ Eigen::Vector3d LowerEndOf(const SurfacePoints& tibia,
     return distance[row] >= (1 - kLastPart) * farthest;
   });
   return end.points.colwise().mean().transpose();
-}
-
-void JudgeKnee(const FemurShape& femur, JointVerdict* verdict) {
-  constexpr double kFailedAngle = 30 * kDegree, kWeakAngle = 60 * kDegree;
-  constexpr double kLeastBackToFront = 1.5, kLeastLength = 8;
-  constexpr double kWeakSphereAngle = 5 * kDegree;
-  constexpr double kWeakSpread = 1.0;  // mm
-  const KneeFit& knee = *femur.knee;
-  const double angle = std::min(knee.left_angle, knee.right_angle);
-  if (femur.head) {
-    const double length =
-        (femur.head->sphere.center - knee.cylinder.axis.point).norm() /
-        femur.head->sphere.radius;
-    if (femur.directions->back_to_front < kLeastBackToFront ||
-        length < kLeastLength) {
-      verdict->Fail(
-          "no condyles: the lower end reaches back " +
-          Rounded(femur.directions->back_to_front, 1) +
-          " times as far as forward (1.5 or more are needed) and is " +
-          Rounded(length, 1) +
-          " radii of the head away from it (8 or more): a part of the femur "
-          "without its lower end");
-      return;
-    }
-  }
-  const std::string covered = "the condyles cover " +
-                              Rounded(angle / kDegree, 0) +
-                              " degrees of their cylinder";
-  if (angle < kFailedAngle) {
-    verdict->Fail(covered + ", 30 or more are needed");
-  } else if (angle < kWeakAngle) {
-    verdict->Weaken(covered + ", 60 or more are expected: cut or coarse bone");
-  }
-  if (knee.sphere_angle > kWeakSphereAngle) {
-    verdict->Weaken("spheres on both condyles give an axis that is " +
-                    Rounded(knee.sphere_angle / kDegree, 1) +
-                    " degrees off, 5 or less are expected: osteophytes, or a "
-                    "coarse mesh");
-  }
-  if (knee.spread > kWeakSpread) {
-    verdict->Weaken("the condyles are off their cylinder by " +
-                    Rounded(knee.spread, 1) + " mm, 1 mm or less is expected");
-  }
 }
 
 }  // namespace
@@ -87,7 +45,7 @@ FoundJoint FindKnee(const Limb& limb, const FemurShape& femur) {
                                  knee.spread,
                                  std::min(knee.left_angle, knee.right_angle)));
   joint.shapes.back().is_on_parent = true;
-  JudgeKnee(femur, &joint.verdict);
+  joint.verdict = JudgeKnee(femur);
   const Eigen::Vector3d right = -knee.cylinder.axis.direction;
   const Eigen::Vector3d up_of_femur =
       femur.head ? Eigen::Vector3d(femur.head->sphere.center - joint.center)

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/joints/limb.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <vector>
+
+#include "musclewarp/joints/knee_verdict.h"
 
 namespace musclewarp {
 namespace {
@@ -21,26 +25,41 @@ Axis ShaftAlong(const SurfacePoints& bone, const Eigen::Vector3d& up) {
   return {upper.points.colwise().mean().transpose(), up};
 }
 
-// Takes the knee of the end that has more surface on a cylinder.
+// Shafts that a piece of a femur may have, upwards: along each of the
+// directions in which it spreads, as the widest of a short piece is across.
+std::vector<Axis> PossibleShafts(const SurfacePoints& femur) {
+  const Eigen::RowVector3d middle = femur.points.colwise().mean();
+  const Points centered = femur.points.rowwise() - middle;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+      centered.transpose() * centered);
+  std::vector<Axis> shafts;
+  for (int column = 2; column >= 0; --column) {
+    const Eigen::Vector3d direction = solver.eigenvectors().col(column);
+    shafts.push_back(ShaftAlong(femur, direction));
+    shafts.push_back(ShaftAlong(femur, -direction));
+  }
+  return shafts;
+}
+
+// Takes the knee with the most surface on a cylinder, of those that nothing
+// speaks against.
 void AddKneeWithoutHead(const SurfacePoints& femur,
                         const std::optional<Eigen::Vector3d>& up,
                         FemurShape* shape) {
-  std::vector<Axis> shafts;
-  if (up) {
-    shafts.push_back(ShaftAlong(femur, *up));
-  } else {
-    const Axis shaft = ShaftOf(femur, Eigen::Vector3d::UnitZ());
-    shafts = {shaft, {shaft.point, -shaft.direction}};
-  }
+  shape->is_up_known = up.has_value();
+  const std::vector<Axis> shafts =
+      up ? std::vector<Axis>{ShaftAlong(femur, *up)} : PossibleShafts(femur);
+  int best = -1;
   for (const Axis& shaft : shafts) {
-    const BoneDirections directions =
-        DirectionsOfFemur(femur, shaft, kUsualHeadRadius);
-    const std::optional<KneeFit> knee =
-        FitKnee(femur, directions, kUsualHeadRadius);
-    if (knee && (!shape->knee || knee->points > shape->knee->points)) {
-      shape->directions = directions;
-      shape->knee = knee;
-    }
+    FemurShape candidate = *shape;
+    candidate.directions = DirectionsOfFemur(femur, shaft, kUsualHeadRadius);
+    candidate.knee = FitKnee(femur, *candidate.directions, kUsualHeadRadius);
+    if (!candidate.knee) continue;
+    const int points = candidate.HasKnee() ? candidate.knee->points : 0;
+    if (points <= best) continue;
+    best = points;
+    shape->directions = candidate.directions;
+    shape->knee = candidate.knee;
   }
 }
 
@@ -66,14 +85,18 @@ FemurShape ShapeOfFemur(const SurfacePoints& femur,
   return shape;
 }
 
+bool FemurShape::HasKnee() const {
+  return knee && JudgeKnee(*this).quality != JointQuality::kFailed;
+}
+
 std::optional<Side> FemurShape::ShapeSide() const {
-  if (!head || !knee) return std::nullopt;
+  if (!head || !HasKnee()) return std::nullopt;
   const Eigen::Vector3d way = head->sphere.center - knee->cylinder.axis.point;
   return way.dot(directions->left) > 0 ? Side::kRight : Side::kLeft;
 }
 
 std::optional<Eigen::Matrix3d> FemurShape::Axes() const {
-  if (!head || !knee) return std::nullopt;
+  if (!head || !HasKnee()) return std::nullopt;
   const Axis& axis = knee->cylinder.axis;
   Eigen::Matrix3d axes;
   axes.col(1) = (head->sphere.center - axis.point).normalized();

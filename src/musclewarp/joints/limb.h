@@ -47,10 +47,14 @@ struct FemurShape {
   // Without a head these rest on the image, or on the end that fits better.
   std::optional<BoneDirections> directions;
   std::optional<KneeFit> knee;
+  bool is_up_known = true;  // false for a piece that nothing tells the ends of
 
   double HeadRadius() const {
     return head ? head->sphere.radius : kUsualHeadRadius;
   }
+
+  // True for a knee that does not fail (knee_verdict.h).
+  bool HasKnee() const;
 
   // The side that the shape tells: the head of a right femur lies on the left
   // of its knee. None without a head and a knee.
