@@ -80,12 +80,12 @@ function lengthOf(shape: Shape, points: Float32Array[]): [number, number] {
   for (const some of points) {
     for (let i = 0; i < some.length; i += 3) {
       at.fromArray(some, i).sub(center);
-      const along = at.dot(axis);
-      const away = at.addScaledVector(axis, -along).length();
+      const height = at.dot(axis);
+      const away = at.addScaledVector(axis, -height).length();
       if (Math.abs(away - radius) > onSurface) continue;
-      if (Math.abs(along) > 3 * radius) continue;
-      from = Math.min(from, along);
-      to = Math.max(to, along);
+      if (Math.abs(height) > 3 * radius) continue;
+      from = Math.min(from, height);
+      to = Math.max(to, height);
     }
   }
   return [from, to];
