@@ -14,18 +14,12 @@
 namespace musclewarp {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// The text of a script of the page.
-std::string ScriptText(const std::string& html, const std::string& id) {
-  const std::size_t begin = html.find('>', html.find("id=\"" + id + "\"")) + 1;
-  return html.substr(begin, html.find("</script>", begin) - begin);
-}
-
-Json DataOf(const std::string& html) {
-  return Json::parse(ScriptText(html, "joints"));
+OrderedJson DataOf(const std::string& html) {
+  return OrderedJson::parse(ScriptText(html, "joints"));
 }
 
 Bone MadeBone(const std::string& name,
@@ -84,7 +78,7 @@ TEST(JointsPage, HoldsJointsAndBones) {
   EXPECT_THAT(html, HasSubstr("Made by musclewarp-articulate."));
   EXPECT_THAT(html, Not(HasSubstr("musclewarp:data")));
   EXPECT_THAT(html, Not(HasSubstr("{{")));
-  const Json data = DataOf(html);
+  const OrderedJson data = DataOf(html);
   EXPECT_EQ(data["name"], "somebody");
   ASSERT_EQ(data["bones"].size(), 3u);
   EXPECT_EQ(data["bones"][1]["body"], "femur_r");
@@ -103,20 +97,20 @@ TEST(JointsPage, HoldsJointsAndBones) {
 
 // What the page needs to move bones, and what it says of joints.
 TEST(JointsPage, HasTheReportOfTheJoints) {
-  const Json file = DataOf(JointsPageHtml(
+  const OrderedJson file = DataOf(JointsPageHtml(
       MadeArticulation(), OptionsWithAxes("LPS")))["joints_file"];
-  EXPECT_EQ(file["bodies"], Json({"pelvis", "femur_r", "tibia_r"}));
+  EXPECT_EQ(file["bodies"], OrderedJson({"pelvis", "femur_r", "tibia_r"}));
   EXPECT_EQ(file["welds"][1]["parent"], "femur_r");
   EXPECT_EQ(file["welds"][1]["child"], "tibia_r");
   EXPECT_EQ(file["notes"][0], "a note");
-  const Json& hip = file["joints"][0];
+  const OrderedJson& hip = file["joints"][0];
   EXPECT_EQ(hip["shapes"][0]["body"], "pelvis");
   EXPECT_EQ(hip["shapes"][1]["body"], "femur_r");
-  const Json& flexion = hip["coordinates"][0];
+  const OrderedJson& flexion = hip["coordinates"][0];
   EXPECT_EQ(flexion["name"], "hip_flexion_r");
-  EXPECT_EQ(flexion["axis_in_joint"], Json({0.0, 0.0, 1.0}));
-  EXPECT_EQ(flexion["axis"], Json({-1.0, 0.0, 0.0}));
-  const Json& knee = file["joints"][1];
+  EXPECT_EQ(flexion["axis_in_joint"], OrderedJson({0.0, 0.0, 1.0}));
+  EXPECT_EQ(flexion["axis"], OrderedJson({-1.0, 0.0, 0.0}));
+  const OrderedJson& knee = file["joints"][1];
   EXPECT_EQ(knee["quality"], "failed");
   EXPECT_THAT(knee["reasons"][0].get<std::string>(), HasSubstr("no condyles"));
 }
@@ -136,7 +130,7 @@ TEST(JointsPage, TextsCannotEndTheScript) {
   const std::string html =
       JointsPageHtml(MadeArticulation(name), OptionsWithAxes("LPS"));
   EXPECT_THAT(html, Not(HasSubstr("<img src=x")));
-  const Json data = DataOf(html);
+  const OrderedJson data = DataOf(html);
   EXPECT_EQ(data["bones"][1]["name"], name);
   EXPECT_THAT(data["joints_file"]["joints"][1]["reasons"][0].get<std::string>(),
               HasSubstr("</script><img src=x"));
@@ -144,8 +138,9 @@ TEST(JointsPage, TextsCannotEndTheScript) {
 
 TEST(JointsPage, ViewsFollowTheAxesOrTheJoints) {
   const auto right = [](const Articulation& made, const std::string& axes) {
-    const Json data = DataOf(JointsPageHtml(made, OptionsWithAxes(axes)));
-    const Json& view = data["views"]["right"]["toward_viewer"];
+    const OrderedJson data =
+        DataOf(JointsPageHtml(made, OptionsWithAxes(axes)));
+    const OrderedJson& view = data["views"]["right"]["toward_viewer"];
     return Eigen::Vector3d(view[0], view[1], view[2]);
   };
   Articulation made = MadeArticulation();

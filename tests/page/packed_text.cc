@@ -47,4 +47,9 @@ std::vector<int> UnpackedNumbers(const std::string& text,
   return numbers;
 }
 
+std::string ScriptText(const std::string& html, const std::string& id) {
+  const std::size_t begin = html.find('>', html.find("id=\"" + id + "\"")) + 1;
+  return html.substr(begin, html.find("</script>", begin) - begin);
+}
+
 }  // namespace musclewarp

@@ -13,4 +13,7 @@ namespace musclewarp {
 std::vector<int> UnpackedNumbers(const std::string& text,
                                  const nlohmann::ordered_json& where);
 
+// Returns the text of a script of a page, by its id.
+std::string ScriptText(const std::string& html, const std::string& id);
+
 }  // namespace musclewarp

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "page/packed_text.h"
 #include "page/written_run.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
@@ -15,12 +16,6 @@ namespace {
 using Json = nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-// The text of a script of the page.
-std::string ScriptText(const std::string& html, const std::string& id) {
-  const std::size_t begin = html.find('>', html.find("id=\"" + id + "\"")) + 1;
-  return html.substr(begin, html.find("</script>", begin) - begin);
-}
 
 TEST(Page, HoldsTheRun) {
   const WrittenRun written = WriteRun(TestTempDir());

@@ -97,6 +97,16 @@ TEST_F(ArticulateLeg, WritesAMotionOfEachCoordinate) {
   }
 }
 
+TEST_F(ArticulateLeg, WritesAPageIfAskedTo) {
+  Articulate({"femur", "tibia", "pelvis"});
+  EXPECT_FALSE(fs::exists(options_.out + "/joints.html"));
+  options_.html = true;
+  Articulate({"femur", "tibia", "pelvis"});
+  EXPECT_THAT(ReadFile(options_.out + "/joints.html"),
+              HasSubstr("hip_flexion_r"));
+  EXPECT_THAT(screen_, HasSubstr("joints.html"));
+}
+
 TEST_F(ArticulateLeg, TakesACorrectedJointBack) {
   Articulate({"femur", "tibia", "pelvis"});
   Json report = Report();

@@ -40,6 +40,25 @@ void JudgeHead(const FemurShape& femur, JointVerdict* verdict) {
   }
 }
 
+void SetHipAxes(const Limb& limb, const FemurShape& femur, FoundJoint* joint) {
+  const std::optional<Eigen::Matrix3d> pelvis_axes =
+      limb.pelvis_axes ? limb.pelvis_axes : limb.image_axes;
+  const std::optional<Eigen::Matrix3d> femur_axes = femur.Axes();
+  if (pelvis_axes && femur_axes) {
+    joint->parent_axes = *pelvis_axes;
+    joint->child_axes = *femur_axes;
+  } else if (pelvis_axes || femur_axes || limb.image_axes) {
+    joint->parent_axes = pelvis_axes  ? *pelvis_axes
+                         : femur_axes ? *femur_axes
+                                      : *limb.image_axes;
+    joint->child_axes = joint->parent_axes;
+  } else {
+    joint->verdict.Weaken(
+        "neither bones nor image say where forward and up are: the axes are "
+        "those of the file");
+  }
+}
+
 }  // namespace
 
 FoundJoint FindHip(const Limb& limb, const FemurShape& femur) {
@@ -86,22 +105,7 @@ FoundJoint FindHip(const Limb& limb, const FemurShape& femur) {
           " mm are expected: bones from two scans, or a dislocation");
     }
   }
-  const std::optional<Eigen::Matrix3d> pelvis_axes =
-      limb.pelvis_axes ? limb.pelvis_axes : limb.image_axes;
-  const std::optional<Eigen::Matrix3d> femur_axes = femur.Axes();
-  if (pelvis_axes && femur_axes) {
-    joint.parent_axes = *pelvis_axes;
-    joint.child_axes = *femur_axes;
-  } else if (pelvis_axes || femur_axes || limb.image_axes) {
-    joint.parent_axes = pelvis_axes  ? *pelvis_axes
-                        : femur_axes ? *femur_axes
-                                     : *limb.image_axes;
-    joint.child_axes = joint.parent_axes;
-  } else {
-    joint.verdict.Weaken(
-        "neither bones nor image say where forward and up are: the axes are "
-        "those of the file");
-  }
+  SetHipAxes(limb, femur, &joint);
   return joint;
 }
 

@@ -7,13 +7,19 @@
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
+import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { after, afterEach, before, test } from "node:test";
+import { after, afterEach, before, describe, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
 
 import { Browser, countOf, differentPixels } from "./browser.mjs";
 import { headRadius, writeHumerus, writeRod } from "./made_bones.mjs";
 
+const require = createRequire(
+  new URL("../../../tools/report/package.json", import.meta.url),
+);
+const esbuild = require("esbuild");
 const work = mkdtempSync(join(tmpdir(), "musclewarp_joints_"));
 const html = join(work, "arm", "joints.html");
 let browser;
@@ -128,4 +134,105 @@ test("is used by keyboard", async () => {
   );
   const byText = await page.locator(".joint-name").count();
   assert.equal(unlabelled, byText + 1); // and "Close" of the dialog
+});
+
+const bundled = join(work, "kinematics.mjs");
+await esbuild.build({
+  entryPoints: [
+    fileURLToPath(
+      new URL(
+        "../../../tools/report/src/joints/kinematics.ts",
+        import.meta.url,
+      ),
+    ),
+  ],
+  bundle: true,
+  format: "esm",
+  outfile: bundled,
+  logLevel: "error",
+});
+const { posesOf } = await import(pathToFileURL(bundled));
+
+// What moves the bones, by itself.
+describe("kinematics", () => {
+  const degree = Math.PI / 180;
+  const [cz, sz] = [Math.cos(20 * degree), Math.sin(20 * degree)];
+  const [cx, sx] = [Math.cos(10 * degree), Math.sin(10 * degree)];
+  const upright = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ];
+  const coordinate = (name, axis_in_joint, scan_deg) => ({
+    name,
+    axis_in_joint,
+    scan_deg,
+    range_deg: [-90, 90],
+  });
+  const file = {
+    bodies: ["pelvis", "femur", "patella", "tibia"],
+    welds: [
+      { parent: "ground", child: "pelvis" },
+      { parent: "femur", child: "patella" },
+    ],
+    joints: [
+      {
+        parent: "pelvis",
+        child: "femur",
+        center_mm: [1, 2, 3],
+        parent_axes: upright,
+        // About z by 20 degrees, then about x by 10.
+        child_axes: [
+          [cz, -sz * cx, sz * sx],
+          [sz, cz * cx, -cz * sx],
+          [0, sx, cx],
+        ],
+        coordinates: [
+          coordinate("flexion", [0, 0, 1], 20),
+          coordinate("adduction", [1, 0, 0], 10),
+          coordinate("rotation", [0, 1, 0], 0),
+        ],
+      },
+      {
+        parent: "femur",
+        child: "tibia",
+        center_mm: [1, -400, 3],
+        parent_axes: upright,
+        child_axes: upright,
+        coordinates: [coordinate("knee", [0, 0, -1], 0)],
+      },
+      { parent: "tibia", child: "talus" }, // failed
+    ],
+  };
+  const scan = { flexion: 20, adduction: 10, rotation: 0, knee: 0 };
+  // Where a point of a body goes.
+  const moved = (values, body, [x, y, z]) => {
+    const e = posesOf(file, { ...scan, ...values }).get(body).elements;
+    return [0, 1, 2].map(
+      (row) => e[row] * x + e[4 + row] * y + e[8 + row] * z + e[12 + row],
+    );
+  };
+  const assertNear = (point, expected) =>
+    point.forEach((number, i) =>
+      assert.ok(Math.abs(number - expected[i]) < 1e-9, `${point}`),
+    );
+
+  test("bodies are where they were scanned", () => {
+    for (const body of file.bodies) {
+      assertNear(moved({}, body, [7, -300, 20]), [7, -300, 20]);
+    }
+  });
+
+  test("bodies turn about joints and carry others", () => {
+    assertNear(moved({ knee: 90 }, "tibia", [1, -500, 3]), [-99, -400, 3]);
+    assertNear(moved({ knee: 90 }, "patella", [1, -500, 3]), [1, -500, 3]);
+    for (const body of ["femur", "patella", "tibia"]) {
+      const point = moved({ flexion: 110 }, body, [1, -98, 3]);
+      assertNear(point, [101, 2, 3]);
+    }
+    assertNear(moved({ flexion: 110 }, "pelvis", [1, -98, 3]), [1, -98, 3]);
+    // The knee lies to the right of the hip by then.
+    const both = { flexion: 110, knee: 90 };
+    assertNear(moved(both, "tibia", [1, -500, 3]), [403, -98, 3]);
+  });
 });

@@ -20,7 +20,7 @@ function shapeRow(shape: Shape): HTMLElement {
     shape.radius_mm > 0 ? `${shape.radius_mm.toFixed(1)} mm` : "",
     shape.spread_mm > 0 ? `${shape.spread_mm.toFixed(2)} mm` : "",
     shape.coverage !== undefined
-      ? `${(100 * shape.coverage).toFixed(0)} % of ball`
+      ? `${(100 * shape.coverage).toFixed(0)} %`
       : shape.angle_deg
         ? `${shape.angle_deg.toFixed(0)}°`
         : "",
@@ -131,7 +131,9 @@ function item(joint: Joint, store: Store<JointsState>): HTMLElement {
   store.subscribe(({ selected }) => {
     const isSelected = selected === joint.name;
     select.setAttribute("aria-pressed", String(isSelected));
+    const isNew = isSelected && !made.classList.contains("selected");
     made.classList.toggle("selected", isSelected);
+    if (isNew) made.scrollIntoView({ block: "nearest" });
   });
   return made;
 }

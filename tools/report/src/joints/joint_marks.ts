@@ -7,6 +7,8 @@ import {
   BufferGeometry,
   ConeGeometry,
   CylinderGeometry,
+  DoubleSide,
+  FrontSide,
   Group,
   Matrix4,
   Mesh,
@@ -26,8 +28,8 @@ import { Values, turningFrames } from "./kinematics";
 
 const shapeOpacity = 0.45;
 const fadedOpacity = 0.12; // while another joint is selected
-// Axes have no ends, and cylinders none that were fitted.
-const cylinderLength = 3; // radii
+const onSurface = 2; // mm, off the cylinder: points of the bone that it fits
+// Axes have no ends.
 const shapeLineLength = 140; // mm
 const leastAxisLength = 90; // mm
 const axisLength = 4; // radii
@@ -67,18 +69,49 @@ function onTop(geometry: BufferGeometry, color: string): Mesh {
   return mesh;
 }
 
-function surfaceOf(shape: Shape): Mesh<BufferGeometry, MeshLambertMaterial> {
+// A cylinder has no ends: it is shown as far as the points of its bone lie on
+// it, to both sides of its centre.
+function lengthOf(shape: Shape, points: Float32Array[]): [number, number] {
   const { radius_mm: radius } = shape;
-  const geometry =
-    shape.shape === "sphere"
-      ? new SphereGeometry(radius, 48, 32)
-      : new CylinderGeometry(radius, radius, cylinderLength * radius, 64);
+  const center = new Vector3(...shape.center_mm);
+  const axis = new Vector3(...shape.axis!).normalize();
+  const at = new Vector3();
+  let [from, to] = [-radius / 2, radius / 2];
+  for (const some of points) {
+    for (let i = 0; i < some.length; i += 3) {
+      at.fromArray(some, i).sub(center);
+      const height = at.dot(axis);
+      const away = at.addScaledVector(axis, -height).length();
+      if (Math.abs(away - radius) > onSurface) continue;
+      if (Math.abs(height) > 3 * radius) continue;
+      from = Math.min(from, height);
+      to = Math.max(to, height);
+    }
+  }
+  return [from, to];
+}
+
+function geometryOf(shape: Shape, points: Float32Array[]): BufferGeometry {
+  const { radius_mm: radius } = shape;
+  if (shape.shape === "sphere") return new SphereGeometry(radius, 48, 32);
+  const [from, to] = lengthOf(shape, points);
+  const length = to - from;
+  const geometry = new CylinderGeometry(radius, radius, length, 64, 1, true);
+  return geometry.translate(0, (from + to) / 2, 0);
+}
+
+function surfaceOf(
+  shape: Shape,
+  points: Float32Array[],
+): Mesh<BufferGeometry, MeshLambertMaterial> {
+  const geometry = geometryOf(shape, points);
   const surface = new Mesh(
     geometry,
     new MeshLambertMaterial({
       color: shapeColor,
       transparent: true,
       opacity: shapeOpacity,
+      side: shape.shape === "cylinder" ? DoubleSide : FrontSide, // it is open
       depthWrite: false,
       // It lies on the bone to which it was fitted.
       polygonOffset: true,
@@ -115,10 +148,14 @@ export class JointMarks {
   private readonly turning: Group[] = [];
   private readonly surfaces: Mesh<BufferGeometry, MeshLambertMaterial>[] = [];
 
-  constructor(readonly joint: Joint) {
+  // `pointsOf` has the points of the bones of a body.
+  constructor(
+    readonly joint: Joint,
+    pointsOf: (body: string) => Float32Array[],
+  ) {
     this.shapes = joint.shapes.map((shape) => ({
       body: shape.body,
-      object: this.objectOf(shape),
+      object: this.objectOf(shape, pointsOf(shape.body)),
     }));
     this.axes.matrixAutoUpdate = false;
     if (isFound(joint)) this.addAxes(joint);
@@ -140,14 +177,14 @@ export class JointMarks {
     this.axes.visible = axes && !isOther;
   }
 
-  private objectOf(shape: Shape): Object3D {
+  private objectOf(shape: Shape, points: Float32Array[]): Object3D {
     if (shape.shape === "axis") {
       const direction = new Vector3(...shape.axis!).normalize();
       const look = { color: shapeColor, width: 2, isOnTop: true };
       const center = new Vector3(...shape.center_mm);
       return line(center, direction, shapeLineLength, look);
     }
-    const surface = surfaceOf(shape);
+    const surface = surfaceOf(shape, points);
     this.surfaces.push(surface);
     return surface;
   }
@@ -164,8 +201,13 @@ export class JointMarks {
       this.turning.push(axis);
       this.axes.add(axis);
     });
-    const center = onTop(new SphereGeometry(centerRadius, 24, 16), "#202020");
-    center.position.set(...joint.center_mm);
-    this.axes.add(center);
+    for (const [radius, color] of [
+      [1.35 * centerRadius, "#ffffff"],
+      [centerRadius, "#202020"],
+    ] as const) {
+      const center = onTop(new SphereGeometry(radius, 24, 16), color);
+      center.position.set(...joint.center_mm);
+      this.axes.add(center);
+    }
   }
 }

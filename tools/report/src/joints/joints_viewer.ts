@@ -57,7 +57,13 @@ export class JointsViewer extends DrawnCanvas {
       this.bodyGroup(bone.body).add(mesh);
       return { bone, mesh, box: new Box3().setFromArray(bone.points) };
     });
-    this.marks = data.file.joints.map((joint) => new JointMarks(joint));
+    const pointsOf = (body: string) =>
+      data.bones
+        .filter((bone) => bone.body === body)
+        .map(({ points }) => points);
+    this.marks = data.file.joints.map(
+      (joint) => new JointMarks(joint, pointsOf),
+    );
     for (const marks of this.marks) {
       for (const { body, object } of marks.shapes) {
         this.bodyGroup(body).add(object);
