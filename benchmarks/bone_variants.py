@@ -142,7 +142,7 @@ def _image_of(mesh: Mesh, spacing: float) -> vtk.vtkImageData:
 
 
 def from_voxels(mesh: Mesh, spacing: float) -> Mesh:
-    """The faces between the voxels (mm) of which the middle is in the bone and others."""
+    """The faces between voxels (mm) with the middle in the bone and others."""
     contour = vtk.vtkDiscreteFlyingEdges3D()
     contour.SetInputData(_image_of(mesh, spacing))
     contour.SetValue(0, 1)

@@ -1,6 +1,6 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Bones that are cut, swapped, moved or none at all, and what has to be said of them."""
+"""Bones that are cut, swapped, moved or none, and what has to be said of them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Iterator, Mapping
 
 import bone_variants as variants
 import numpy as np
-from joint_runs import Bones, Found, Leg, Reference, Run, differences, is_wrong
+from joint_runs import Bones, Found, Leg, Run, differences, is_wrong
 
 # What may be said of a joint. "right" is found and not wrong, "honest" failed or not
 # wrong, "weak" anything but good.
@@ -80,6 +80,13 @@ def _cut_femora(leg: Leg) -> Iterator[Case]:
                 leg.with_bones(femur=part),
                 {"hip": RIGHT, "knee": FAILED},
             )
+        yield Case(
+            f"upper {100 * share:.0f} % of the femur, names without side",
+            leg,
+            leg.with_bones(femur=part).bones,
+            [],
+            {"hip": HONEST, "knee": FAILED},
+        )
     side = f"--side={'right' if leg.side == 'r' else 'left'}"
     for share in (0.5, 0.25, 0.15):
         part = variants.cut(femur, _at_height(leg, share), _up(leg))
@@ -199,20 +206,21 @@ def failure_cases(legs: list[Leg]) -> Iterator[Case]:
                 yield from _swapped(right, left)
 
 
-def _is_met(what: str, found: Found | None, reference: Reference) -> bool:
+def _is_met(case: Case, kind: str, found: Found | None) -> bool:
+    what = case.expected[kind]
     if found is None or found.quality == "failed":
         return what != RIGHT
     if what == WEAK:
         return found.quality == "weak"
-    return what != FAILED and not is_wrong(found, reference)
+    is_right = not is_wrong(kind, found, case.leg.references[kind])
+    return what != FAILED and is_right and found.side == case.leg.side
 
 
 def is_met(case: Case, run: Run) -> bool:
     if case.exit_2:
         return run.exit_code == 2 and run.message != ""
     return run.exit_code in (0, 1, 2) and all(
-        _is_met(what, run.joint(kind, case.leg.side), case.leg.references[kind])
-        for kind, what in case.expected.items()
+        _is_met(case, kind, run.joint(kind, case.leg.side)) for kind in case.expected
     )
 
 
@@ -227,6 +235,8 @@ def verdict(case: Case, run: Run) -> str:
             parts.append(f"no {kind}")
             continue
         text = f"{kind} {found.quality}"
+        if found.side != case.leg.side:
+            text = f"{kind} of the other side {found.quality}"
         if found.quality != "failed" and case.expected.get(kind) != WEAK:
             off = differences(found, case.leg.references[kind])
             units = ("mm",) if len(off) == 1 else ("deg", "mm")
