@@ -25,7 +25,7 @@ import time
 from typing import Callable, Iterator
 
 import bone_variants as variants
-from joint_failures import failure_cases, is_met, verdict
+from joint_failures import WEAK, failure_cases, is_met, verdict
 from joint_runs import (
     KINDS,
     OTHER_SIDE,
@@ -43,10 +43,11 @@ from joint_runs import (
 SEEDS = (1, 2, 3)
 
 # Differences that are allowed, of all legs and of those with a talus from CT.
-LIMITS: dict[str, tuple[float, ...]] = {"hip": (1.0,), "knee": (1.5, 3.5)}
-LIMITS_OF_CT = {**LIMITS, "ankle": (2.0, 2.0), "subtalar": (6.0,)}
-LIMITS_OF_VARIANTS: dict[str, tuple[float, ...]] = {"hip": (1.5,), "knee": (2.0,)}
-LIMITS_OF_CT_VARIANTS = {**LIMITS_OF_VARIANTS, "ankle": (2.0,)}
+Limits = dict[str, tuple[float, ...]]
+LIMITS: Limits = {"hip": (1.0,), "knee": (1.5, 3.5)}
+LIMITS_OF_CT: Limits = {**LIMITS, "ankle": (2.0, 2.0), "subtalar": (6.0,)}
+LIMITS_OF_VARIANTS: Limits = {"hip": (1.5,), "knee": (2.0,)}
+LIMITS_OF_CT_VARIANTS: Limits = {**LIMITS_OF_VARIANTS, "ankle": (2.0,)}
 CT = "LHDL_CT"
 
 
@@ -109,7 +110,7 @@ def variants_of(leg: Leg, legs: list[Leg]) -> Iterator[Variant]:
         yield Variant(name, leg.changed(change))
 
 
-def limits_of(variant: Variant) -> dict[str, tuple[float, ...]]:
+def limits_of(variant: Variant) -> Limits:
     if not variant.has_limits:
         return {}
     is_ct = variant.leg.person == CT
@@ -219,6 +220,8 @@ def failure_table(
         for kind in case.expected:
             found = run.joint(kind, case.leg.side)
             if found is None or found.quality == "failed":
+                continue
+            if case.expected[kind] == WEAK and found.quality == "weak":
                 continue
             wrong_side = found.side != case.leg.side
             if wrong_side or is_wrong(kind, found, case.leg.references[kind]):
