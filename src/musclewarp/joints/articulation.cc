@@ -187,7 +187,7 @@ class Articulator {
       Add(JointKind::kKnee, side, [&] { return FindKnee(limb, *femur); });
     }
     if (has_femur && has_tibia && has({BoneKind::kPatella})) {
-      AddPatella(limb, *femur);
+      AddPatella(limb);
     }
     if (has_tibia && has({BoneKind::kTalus, BoneKind::kFoot})) {
       Add(JointKind::kAnkle, side, [&] { return FindAnkle(limb, *femur); });
@@ -201,7 +201,7 @@ class Articulator {
   }
 
   // The patella follows the knee, and stands still without one.
-  void AddPatella(const Limb& limb, const FemurShape& femur) {
+  void AddPatella(const Limb& limb) {
     const FoundJoint* knee = JointOf(JointKind::kKnee, limb.side);
     if (knee == nullptr) return;
     const FoundJoint of_knee = *knee;
