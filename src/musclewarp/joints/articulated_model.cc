@@ -233,8 +233,7 @@ void AddCouplers(const Articulation& articulation, pugi::xml_node model) {
       objects = AddNamed(model, "ConstraintSet", "constraintset")
                     .append_child("objects");
     }
-    const std::string dependent =
-        CoordinatesOf(joint.kind, joint.side)[0].name;
+    const std::string dependent = CoordinatesOf(joint.kind, joint.side)[0].name;
     std::vector<double> x = coupling.at, y = coupling.values;
     x.insert(x.begin(), x.front() - kBeyond);
     y.insert(y.begin(), y.front());

@@ -32,7 +32,7 @@ struct Circle {
   Place center = Place::Zero();
   double radius = 0;
   double spread = 0;  // mm
-  int points = 0;
+  double angle = 0;   // covered, rad
 };
 
 struct CircleModel {
@@ -58,8 +58,7 @@ Points GrooveIn(const SurfacePoints& femur,
   Points groove(femur.size(), 3);
   int count = 0;
   for (int i = 0; i < femur.size(); ++i) {
-    const Eigen::Vector3d point =
-        plane.Local(femur.points.row(i).transpose());
+    const Eigen::Vector3d point = plane.Local(femur.points.row(i).transpose());
     const Eigen::Vector3d normal =
         plane.axes.transpose() * femur.normals.row(i).transpose();
     const bool is_before = point.x() > 0 && normal.x() > 0.2;
@@ -90,7 +89,9 @@ std::optional<Circle> FitCircle(const Points& points) {
           .norm()
           .array() -
       circle.radius;
-  circle.points = static_cast<int>(points.rows());
+  const Axis axis = {{circle.center.x(), circle.center.y(), 0},
+                     Eigen::Vector3d::UnitZ()};
+  circle.angle = AngleCovered(points, axis);
   circle.spread = std::sqrt(off.square().mean());
   return circle;
 }
@@ -141,8 +142,7 @@ void FollowKnee(const Circle& groove,
     for (int i = 0; i < kIterations; ++i) {
       constexpr double kBeside = 1e-6;
       const double slope =
-          (stretch(angle + kBeside) - stretch(angle - kBeside)) /
-          (2 * kBeside);
+          (stretch(angle + kBeside) - stretch(angle - kBeside)) / (2 * kBeside);
       if (std::abs(slope) < 1) return;  // mm by rad: the ligament is in line
       angle -= std::clamp(stretch(angle) / slope, -0.1, 0.1);
     }
@@ -169,8 +169,7 @@ FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
   const Eigen::Vector3d middle = patella->points.colwise().mean().transpose();
   const std::optional<Circle> groove =
       FitCircle(GrooveIn(*femur, plane, middle));
-  const std::optional<Eigen::Vector3d> tuberosity =
-      TuberosityOf(*tibia, plane);
+  const std::optional<Eigen::Vector3d> tuberosity = TuberosityOf(*tibia, plane);
   if (!groove || !tuberosity || plane.Local(middle).x() <= 0) {
     joint.verdict.Fail(
         "the groove of the femur or the tuberosity of the tibia was not found "
@@ -187,7 +186,7 @@ FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
       ShapeOf("groove of the femur",
               {{joint.center, plane.axes.col(2)}, groove->radius},
               groove->spread,
-              0));
+              groove->angle));
   if (groove->spread > kWeakSpread) {
     joint.verdict.Weaken("the groove is off its circle by " +
                          Rounded(groove->spread, 1) + " mm, " +
@@ -202,11 +201,9 @@ FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
   std::vector<std::pair<double, double>> path = {{scan, 0}};
   const double low = of_knee.lowest * kDegree - kRangeBeyond;
   const double high = of_knee.highest * kDegree + kRangeBeyond;
-  FollowKnee(
-      *groove, tip, in_plane(*tuberosity), scan, kStep, high, &path);
+  FollowKnee(*groove, tip, in_plane(*tuberosity), scan, kStep, high, &path);
   const double reached = path.back().first;
-  FollowKnee(
-      *groove, tip, in_plane(*tuberosity), scan, -kStep, low, &path);
+  FollowKnee(*groove, tip, in_plane(*tuberosity), scan, -kStep, low, &path);
   std::sort(path.begin(), path.end());
   if (reached < of_knee.highest * kDegree - kStep) {
     joint.verdict.Weaken(
