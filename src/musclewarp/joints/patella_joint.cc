@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/joints/robust_fit.h"
@@ -25,6 +27,9 @@ struct KneePlane {
 
   Eigen::Vector3d Local(const Eigen::Vector3d& point) const {
     return axes.transpose() * (point - center);
+  }
+  Place InPlane(const Eigen::Vector3d& point) const {
+    return Local(point).head<2>();
   }
 };
 
@@ -151,10 +156,39 @@ void FollowKnee(const Circle& groove,
   }
 }
 
+// Lets the coordinate of the patella follow that of the knee, over a little
+// more than its range.
+void CoupleToKnee(const FoundJoint& knee,
+                  const Circle& groove,
+                  const Place& tip,
+                  const Place& tuberosity,
+                  FoundJoint* patella) {
+  constexpr double kStep = 5 * kDegree, kRangeBeyond = 15 * kDegree;
+  const JointCoordinate of_knee = CoordinatesOf(knee.kind, knee.side)[0];
+  const double scan = ScanCoordinates(knee)[0];
+  const double low = of_knee.lowest * kDegree - kRangeBeyond;
+  const double high = of_knee.highest * kDegree + kRangeBeyond;
+  std::vector<std::pair<double, double>> path = {{scan, 0}};
+  FollowKnee(groove, tip, tuberosity, scan, kStep, high, &path);
+  const double reached = path.back().first;
+  FollowKnee(groove, tip, tuberosity, scan, -kStep, low, &path);
+  std::sort(path.begin(), path.end());
+  if (reached < of_knee.highest * kDegree - kStep) {
+    patella->verdict.Weaken(
+        "the ligament holds the patella back from " +
+        Rounded(reached / kDegree, 0) +
+        " degrees of the knee on: there it stays in its groove");
+  }
+  patella->coupling.coordinate = of_knee.name;
+  for (const auto& [at, value] : path) {
+    patella->coupling.at.push_back(at);
+    patella->coupling.values.push_back(value);
+  }
+}
+
 }  // namespace
 
 FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
-  constexpr double kStep = 5 * kDegree, kRangeBeyond = 15 * kDegree;
   constexpr double kWeakSpread = 1.5;  // mm
   FoundJoint joint = StartedJoint(JointKind::kPatella, limb);
   const SurfacePoints* femur = limb.Find(BoneKind::kFemur);
@@ -192,30 +226,11 @@ FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
                          Rounded(groove->spread, 1) + " mm, " +
                          Rounded(kWeakSpread, 1) + " mm or less are expected");
   }
-  const auto in_plane = [&](const Eigen::Vector3d& point) {
-    return Place(plane.Local(point).head<2>());
-  };
-  const Place tip = in_plane(LowestOf(*patella, plane));
-  const JointCoordinate of_knee = CoordinatesOf(knee.kind, knee.side)[0];
-  const double scan = ScanCoordinates(knee)[0];
-  std::vector<std::pair<double, double>> path = {{scan, 0}};
-  const double low = of_knee.lowest * kDegree - kRangeBeyond;
-  const double high = of_knee.highest * kDegree + kRangeBeyond;
-  FollowKnee(*groove, tip, in_plane(*tuberosity), scan, kStep, high, &path);
-  const double reached = path.back().first;
-  FollowKnee(*groove, tip, in_plane(*tuberosity), scan, -kStep, low, &path);
-  std::sort(path.begin(), path.end());
-  if (reached < of_knee.highest * kDegree - kStep) {
-    joint.verdict.Weaken(
-        "the ligament holds the patella back from " +
-        Rounded(reached / kDegree, 0) +
-        " degrees of the knee on: there it stays in its groove");
-  }
-  joint.coupling.coordinate = of_knee.name;
-  for (const auto& [of, value] : path) {
-    joint.coupling.at.push_back(of);
-    joint.coupling.values.push_back(value);
-  }
+  CoupleToKnee(knee,
+               *groove,
+               plane.InPlane(LowestOf(*patella, plane)),
+               plane.InPlane(*tuberosity),
+               &joint);
   return joint;
 }
 
