@@ -58,8 +58,7 @@ Points GrooveIn(const SurfacePoints& femur,
   Points groove(femur.size(), 3);
   int count = 0;
   for (int i = 0; i < femur.size(); ++i) {
-    const Eigen::Vector3d point =
-        plane.Local(femur.points.row(i).transpose());
+    const Eigen::Vector3d point = plane.Local(femur.points.row(i).transpose());
     const Eigen::Vector3d normal =
         plane.axes.transpose() * femur.normals.row(i).transpose();
     const bool is_before = point.x() > 0 && normal.x() > 0.2;
@@ -141,8 +140,7 @@ void FollowKnee(const Circle& groove,
     for (int i = 0; i < kIterations; ++i) {
       constexpr double kBeside = 1e-6;
       const double slope =
-          (stretch(angle + kBeside) - stretch(angle - kBeside)) /
-          (2 * kBeside);
+          (stretch(angle + kBeside) - stretch(angle - kBeside)) / (2 * kBeside);
       if (std::abs(slope) < 1) return;  // mm by rad: the ligament is in line
       angle -= std::clamp(stretch(angle) / slope, -0.1, 0.1);
     }
@@ -169,8 +167,7 @@ FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
   const Eigen::Vector3d middle = patella->points.colwise().mean().transpose();
   const std::optional<Circle> groove =
       FitCircle(GrooveIn(*femur, plane, middle));
-  const std::optional<Eigen::Vector3d> tuberosity =
-      TuberosityOf(*tibia, plane);
+  const std::optional<Eigen::Vector3d> tuberosity = TuberosityOf(*tibia, plane);
   if (!groove || !tuberosity || plane.Local(middle).x() <= 0) {
     joint.verdict.Fail(
         "the groove of the femur or the tuberosity of the tibia was not found "
@@ -202,11 +199,9 @@ FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
   std::vector<std::pair<double, double>> path = {{scan, 0}};
   const double low = of_knee.lowest * kDegree - kRangeBeyond;
   const double high = of_knee.highest * kDegree + kRangeBeyond;
-  FollowKnee(
-      *groove, tip, in_plane(*tuberosity), scan, kStep, high, &path);
+  FollowKnee(*groove, tip, in_plane(*tuberosity), scan, kStep, high, &path);
   const double reached = path.back().first;
-  FollowKnee(
-      *groove, tip, in_plane(*tuberosity), scan, -kStep, low, &path);
+  FollowKnee(*groove, tip, in_plane(*tuberosity), scan, -kStep, low, &path);
   std::sort(path.begin(), path.end());
   if (reached < of_knee.highest * kDegree - kStep) {
     joint.verdict.Weaken(
