@@ -38,6 +38,7 @@ run cmake -S tests/install -B "$work/build" -G Ninja \
   -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$work/stage"
 run cmake --build "$work/build"
 "$work/build/consumer"
+"$work/build/joints"
 for program in "$work"/stage/bin/musclewarp-*; do
   [[ -x $program ]] || continue
   "$program" --version >/dev/null || {

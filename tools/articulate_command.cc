@@ -31,8 +31,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostFrames = 100000;
-
 double ParseDouble(const std::string& flag, const std::string& text) {
   double number = 0;
   const char* end = text.data() + text.size();
@@ -63,7 +61,8 @@ JointMotion ParseMotion(const std::vector<std::string>& entries) {
     motion.name += (motion.name.empty() ? "" : "+") + parts[0];
     if (parts.size() < 4) continue;
     const double frames = ParseDouble(flag, parts[3]);
-    if (frames != std::floor(frames) || frames < 1 || frames > kMostFrames) {
+    if (frames != std::floor(frames) || frames < 1 ||
+        frames > kMostMotionFrames) {
       throw InputError(flag,
                        "has " + QuotedName(parts[3]) + " frames",
                        "allowed: 1 to 100000");
@@ -90,34 +89,6 @@ JointKind ParseJoint(const std::string& text) {
                    "allowed: " + known);
 }
 
-ArticulationOptions ParseOptions(const ArticulateOptions& options) {
-  ArticulationOptions parsed;
-  for (const std::string& joint : options.joints) {
-    parsed.joints.push_back(ParseJoint(joint));
-  }
-  if (options.side != "both") {
-    parsed.side = ParseSide(options.side);
-    if (!parsed.side) {
-      throw InputError(
-          "--side=" + options.side, "is no side", "allowed: right, left, both");
-    }
-  }
-  if (options.zero != "anatomy" && options.zero != "scan") {
-    throw InputError(
-        "--zero=" + options.zero, "is no pose", "allowed: anatomy, scan");
-  }
-  if (options.zero == "scan") parsed.zero = ZeroPose::kScan;
-  parsed.axes = options.axes == "none" ? "" : options.axes;
-  if (!parsed.axes.empty() && !AreBodyAxes(parsed.axes)) {
-    throw InputError("--axes=" + options.axes,
-                     "does not say where +x, +y and +z point",
-                     "allowed: one letter each out of L or R, A or P, S or I, "
-                     "such as LPS, or none");
-  }
-  if (!options.given.empty()) parsed.given = ReadJoints(options.given);
-  return parsed;
-}
-
 class ArticulateRun {
  public:
   ArticulateRun(const std::vector<std::string>& files,
@@ -133,7 +104,7 @@ class ArticulateRun {
                        "none given",
                        "name the meshes of the bones, or a label image");
     }
-    ArticulationOptions joints = ParseOptions(options_);
+    ArticulationOptions joints = ArticulationOptionsOf(options_);
     const JointMotion motion = ParseMotion(options_.motion);
     if (options_.threads > 0) omp_set_num_threads(options_.threads);
     input_ = ReadArticulateInput(files_, options_);
@@ -147,19 +118,7 @@ class ArticulateRun {
 
  private:
   void ChooseMotions(const JointMotion& asked) {
-    const std::vector<std::string> names = CoordinateNames(articulation_);
-    for (const CoordinateSweep& sweep : asked.sweeps) {
-      if (std::count(names.begin(), names.end(), sweep.coordinate) > 0)
-        continue;
-      std::string known;
-      for (const std::string& name : names) {
-        known += (known.empty() ? "" : ", ") + name;
-      }
-      throw InputError("--motion",
-                       "has " + QuotedName(sweep.coordinate) +
-                           ", which no joint that was found has",
-                       "allowed: " + known);
-    }
+    CheckCoordinates(asked, articulation_, "--motion");
     motions_ = asked.sweeps.empty() ? MotionsOfRanges(articulation_)
                                     : std::vector<JointMotion>{asked};
   }
@@ -202,18 +161,13 @@ class ArticulateRun {
     RemovePartialOutput(options_.out);
     MakeFolder((out / "Geometry").string());
     MakeFolder((out / "motions").string());
-    for (const Bone& bone : articulation_.bones) {
-      WriteTriangleSoup((out / "Geometry" / (bone.name + ".obj")).string(),
-                        bone.mesh);
-    }
     for (const JointMotion& motion : motions_) {
       WriteTextAtomically((out / "motions" / (motion.name + ".mot")).string(),
                           StorageText(MotionTable(motion)));
     }
     WriteLabels(out);
     const std::string name = NameOfRun();
-    WriteTextAtomically((out / "model.osim").string(),
-                        ArticulatedModelText(articulation_, name));
+    WriteArticulatedModel(articulation_, name, (out / "model.osim").string());
     WriteJson("joints.json", JointsJson(articulation_, axes));
     if (options_.html) WritePage(name, axes);
     if (motions_.empty()) return;
@@ -310,6 +264,34 @@ class ArticulateRun {
 };
 
 }  // namespace
+
+ArticulationOptions ArticulationOptionsOf(const ArticulateOptions& options) {
+  ArticulationOptions parsed;
+  for (const std::string& joint : options.joints) {
+    parsed.joints.push_back(ParseJoint(joint));
+  }
+  if (options.side != "both") {
+    parsed.side = ParseSide(options.side);
+    if (!parsed.side) {
+      throw InputError(
+          "--side=" + options.side, "is no side", "allowed: right, left, both");
+    }
+  }
+  if (options.zero != "anatomy" && options.zero != "scan") {
+    throw InputError(
+        "--zero=" + options.zero, "is no pose", "allowed: anatomy, scan");
+  }
+  if (options.zero == "scan") parsed.zero = ZeroPose::kScan;
+  parsed.axes = options.axes == "none" ? "" : options.axes;
+  if (!parsed.axes.empty() && !AreBodyAxes(parsed.axes)) {
+    throw InputError("--axes=" + options.axes,
+                     "does not say where +x, +y and +z point",
+                     "allowed: one letter each out of L or R, A or P, S or I, "
+                     "such as LPS, or none");
+  }
+  if (!options.given.empty()) parsed.given = ReadJoints(options.given);
+  return parsed;
+}
 
 int ArticulateCommand(const std::vector<std::string>& files,
                       const ArticulateOptions& options,

@@ -46,6 +46,10 @@ struct ArticulateOptions {
   bool html = false;  // also write joints.html, a page to look at
 };
 
+// Returns the options of the library, with the joints of `options.given` read.
+// Throws InputError that names the flag.
+ArticulationOptions ArticulationOptionsOf(const ArticulateOptions& options);
+
 // Finds the joints of a skeleton on its bones, and writes what
 // musclewarp-deform needs to move it: out/model.osim with its meshes in
 // out/Geometry, out/motions/<name>.mot, out/scene.json, which moves the muscles

@@ -194,19 +194,11 @@ class ArticulateReader {
     bone.body = entry.body;
     bone.mesh = std::move(source.soup);
     source.soup = {};
-    if (!described.is_known) NoteUnknown(bone.name);
+    if (!described.is_known) {
+      input_.notes.push_back(NoteOnUnknownBone(bone.name));
+    }
     input_.bones.push_back(std::move(bone));
     input_.bone_sources.push_back(std::move(source));
-  }
-
-  void NoteUnknown(const std::string& name) {
-    std::string near;
-    for (const std::string& known : NearestBoneNames(name)) {
-      near += (near.empty() ? "" : ", ") + known;
-    }
-    input_.notes.push_back(
-        name +
-        ": not known as a bone, and of no joint; known names near it: " + near);
   }
 
   void AddMuscleFile(const std::string& file) {

@@ -84,11 +84,12 @@ class InputReader {
   }
 
   void ReadImage() {
-    input_.labels = ReadLabelMeshes(input_.image,
-                                    {options_.labels,
-                                     options_.edge,
-                                     options_.pieces,
-                                     options_.mm_per_unit});
+    LabelMeshOptions options;
+    options.table = options_.labels;
+    options.edge_length = options_.edge;
+    options.pieces = options_.pieces;
+    options.mm_per_unit = options_.mm_per_unit;
+    input_.labels = ReadLabelMeshes(input_.image, options);
     std::vector<InputMesh> muscles;
     for (LabelMesh& label : input_.labels.meshes) {
       InputMesh mesh = {label.name,

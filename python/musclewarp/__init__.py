@@ -18,25 +18,28 @@ anything that numpy makes such an array of. Bad input raises InputError.
 """
 from musclewarp import _lifetime  # first, see there
 from musclewarp._core import (Attachment, Bone, BoneFrame, Crossings, Frame,
-                              Line, Mesh, Model, Muscle, MuscleFrame, Pose,
+                              Joint, Line, Mesh, Model, Muscle, MuscleFrame, Pose,
                               State, Table, __version__, crossings, read_model,
                               read_mesh, read_table, self_crossings,
                               set_threads, threads, write_mesh)
 from musclewarp._deformer import Deformer, Run, run
 from musclewarp._errors import InputError
 from musclewarp._functions import repair, separate
+from musclewarp._joints import Articulation, articulate
 from musclewarp._page import Page, page
 from musclewarp._scene import Scene, demo_scene, read_scene
 
 __all__ = [
-    "Attachment", "Bone", "BoneFrame", "Crossings", "Deformer", "Frame",
-    "InputError", "Line", "Mesh", "Model", "Muscle", "MuscleFrame", "Page",
-    "Pose", "Run", "Scene", "State", "Table", "__version__", "crossings",
+    "Articulation", "Attachment", "Bone", "BoneFrame", "Crossings", "Deformer",
+    "Frame", "InputError", "Joint", "Line", "Mesh", "Model", "Muscle", "MuscleFrame", "Page",
+    "Pose", "Run", "Scene", "State", "Table", "__version__", "articulate",
+    "crossings",
     "demo_scene", "page", "read_mesh", "read_model", "read_scene", "read_table", "repair",
     "run", "self_crossings", "separate", "set_threads", "threads", "write_mesh"
 ]
 
 _lifetime.begin()
-for _class in (Attachment, Bone, BoneFrame, Crossings, Frame, Line, Mesh, Model,
+for _class in (Attachment, Bone, BoneFrame, Crossings, Frame, Joint, Line,
+               Mesh, Model,
                Muscle, MuscleFrame, Pose, State, Table):
     _class.__module__ = "musclewarp"

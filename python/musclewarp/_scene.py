@@ -120,6 +120,11 @@ def read_scene(path: Union[str, "os.PathLike[str]"],
                               os.fspath(motion),
                               [os.fspath(folder) for folder in geometry],
                               motion_in_degrees)
+    return scene_of(source)
+
+
+def scene_of(source: _core.SceneSource) -> Scene:
+    """Returns the scene for users that a scene of the library is."""
     scene = Scene(source.muscles, source.bones, source.poses, name=source.name,
                   is_motion=source.is_motion, axes=source.axes,
                   side=source.side)

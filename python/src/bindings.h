@@ -16,6 +16,7 @@ void BindFrames(pybind11::module_* module);
 void BindDeformer(pybind11::module_* module);
 void BindRun(pybind11::module_* module);
 void BindChecks(pybind11::module_* module);
+void BindJoints(pybind11::module_* module);
 void BindOpenSim(pybind11::module_* module);
 
 // Hands what the library has logged since then to Python's logging, as the

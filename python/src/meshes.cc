@@ -69,19 +69,6 @@ std::shared_ptr<TriangleSoup> ToPython(TriangleSoup soup) {
   return std::make_shared<TriangleSoup>(std::move(soup));
 }
 
-std::shared_ptr<TriangleSoup> MakeMesh(const py::object& points,
-                                       const py::object& triangles,
-                                       const std::string& where) {
-  TriangleSoup soup;
-  soup.points = PointsFrom(points, where + ": points");
-  soup.triangles =
-      TrianglesFrom(triangles, soup.points.rows(), where + ": triangles");
-  if (soup.triangles.rows() == 0) {
-    throw InputError(where + ": triangles", "are none", "give at least one");
-  }
-  return ToPython(std::move(soup));
-}
-
 py::tuple Repair(const py::object& object,
                  double max_hole,
                  double stitch_tolerance,
@@ -139,12 +126,25 @@ void BindMeshFunctions(py::module_* module) {
 
 }  // namespace
 
+std::shared_ptr<TriangleSoup> MeshOfArrays(const py::object& points,
+                                           const py::object& triangles,
+                                           const std::string& where) {
+  TriangleSoup soup;
+  soup.points = PointsFrom(points, where + ": points");
+  soup.triangles =
+      TrianglesFrom(triangles, soup.points.rows(), where + ": triangles");
+  if (soup.triangles.rows() == 0) {
+    throw InputError(where + ": triangles", "are none", "give at least one");
+  }
+  return ToPython(std::move(soup));
+}
+
 SharedMesh MeshFrom(const py::handle& object, const std::string& where) {
   if (py::isinstance<TriangleSoup>(object)) {
     return object.cast<std::shared_ptr<TriangleSoup>>();
   }
   if (py::hasattr(object, "points") && py::hasattr(object, "triangles")) {
-    return MakeMesh(object.attr("points"), object.attr("triangles"), where);
+    return MeshOfArrays(object.attr("points"), object.attr("triangles"), where);
   }
   if (py::hasattr(object, "mesh")) return MeshFrom(object.attr("mesh"), where);
   throw InputError(
@@ -158,7 +158,7 @@ void BindMeshes(py::module_* module) {
   py::class_<TriangleSoup, std::shared_ptr<TriangleSoup>>(
       *module, "Mesh", kMeshDoc)
       .def(py::init([](const py::object& points, const py::object& triangles) {
-             return MakeMesh(points, triangles, "mesh");
+             return MeshOfArrays(points, triangles, "mesh");
            }),
            py::arg("points"),
            py::arg("triangles"))

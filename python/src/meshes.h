@@ -19,4 +19,9 @@ using SharedMesh = std::shared_ptr<const TriangleSoup>;
 // whose place is `where`, for anything else.
 SharedMesh MeshFrom(const pybind11::handle& object, const std::string& where);
 
+// Returns the mesh of arrays. Throws InputError for what is none.
+std::shared_ptr<TriangleSoup> MeshOfArrays(const pybind11::object& points,
+                                           const pybind11::object& triangles,
+                                           const std::string& where);
+
 }  // namespace musclewarp::python

@@ -22,6 +22,7 @@ PYBIND11_MODULE(_core, module) {
   BindDeformer(&module);
   BindRun(&module);
   BindChecks(&module);
+  BindJoints(&module);
   module.attr("__version__") = musclewarp::kVersion;
   module.attr("__sources_hash__") = musclewarp::kSourcesHash;
   module.def(

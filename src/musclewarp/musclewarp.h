@@ -17,10 +17,22 @@
 //     Show(frame.muscles[0].points);
 //   }
 //
+// and to give a skeleton joints that move it (docs/joints.md):
+//
+//   const mw::Articulation leg = mw::Articulate(
+//       {mw::BoneOfName("femur_r", femur), mw::BoneOfName("hip_right", hip)},
+//       {});
+//   mw::WriteArticulatedModel(leg, "leg", "leg/model.osim");
+//
 // Lengths are in millimetres, angles in radians. Bad input throws InputError.
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/deformer/deformer.h"
 #include "musclewarp/frames/frame.h"
 #include "musclewarp/frames/frame_files.h"
+#include "musclewarp/joints/articulated_model.h"
+#include "musclewarp/joints/articulated_scene.h"
+#include "musclewarp/joints/articulation.h"
+#include "musclewarp/joints/bone_names.h"
+#include "musclewarp/joints/joints_file.h"
 #include "musclewarp/scene/scene.h"

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/opensim/model.h"
 
 namespace musclewarp {
@@ -289,6 +293,24 @@ std::string ArticulatedModelText(const Articulation& articulation,
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();
+}
+
+void WriteArticulatedModel(const Articulation& articulation,
+                           const std::string& name,
+                           const std::string& path) {
+  const std::filesystem::path folder =
+      std::filesystem::path(path).parent_path() / "Geometry";
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw InputError(folder.string(),
+                     "cannot be made (" + error.message() + ")",
+                     "choose another folder");
+  }
+  for (const Bone& bone : articulation.bones) {
+    WriteTriangleSoup((folder / (bone.name + ".obj")).string(), bone.mesh);
+  }
+  WriteTextAtomically(path, ArticulatedModelText(articulation, name));
 }
 
 }  // namespace musclewarp

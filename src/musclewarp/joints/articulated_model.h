@@ -26,6 +26,13 @@ namespace musclewarp {
 std::string ArticulatedModelText(const Articulation& articulation,
                                  const std::string& name);
 
+// Writes that text to `path`, and the mesh of every bone to the folder Geometry
+// beside it; folders are made. Throws InputError, which names the file, for one
+// that cannot be written.
+void WriteArticulatedModel(const Articulation& articulation,
+                           const std::string& name,
+                           const std::string& path);
+
 // Returns the angles a, b, c (rad) of a rotation Rx(a) Ry(b) Rz(c), as
 // OpenSim's <orientation> has it.
 Eigen::Vector3d BodyFixedAngles(const Eigen::Matrix3d& rotation);

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/scene/scene_names.h"
+
 namespace musclewarp {
 namespace {
 
@@ -28,6 +31,23 @@ std::vector<std::string> CoordinateNames(const Articulation& articulation) {
     }
   }
   return names;
+}
+
+void CheckCoordinates(const JointMotion& motion,
+                      const Articulation& articulation,
+                      const std::string& where) {
+  const std::vector<std::string> names = CoordinateNames(articulation);
+  for (const CoordinateSweep& sweep : motion.sweeps) {
+    if (std::count(names.begin(), names.end(), sweep.coordinate) > 0) continue;
+    std::string known;
+    for (const std::string& name : names) {
+      known += (known.empty() ? "" : ", ") + name;
+    }
+    throw InputError(where,
+                     "has " + QuotedName(sweep.coordinate) +
+                         ", which no joint that was found has",
+                     "allowed: " + known);
+  }
 }
 
 std::vector<JointMotion> MotionsOfRanges(const Articulation& articulation) {

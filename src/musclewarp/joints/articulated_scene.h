@@ -24,8 +24,17 @@ struct JointMotion {
   std::vector<CoordinateSweep> sweeps;
 };
 
+// The most frames that a motion may have.
+constexpr int kMostMotionFrames = 100000;
+
 // Returns the names of the coordinates of all joints that were found.
 std::vector<std::string> CoordinateNames(const Articulation& articulation);
+
+// Throws InputError, whose place is `where`, if a coordinate of a motion is not
+// one of those.
+void CheckCoordinates(const JointMotion& motion,
+                      const Articulation& articulation,
+                      const std::string& where);
 
 // Returns a motion for each of these coordinates, through its usual range and
 // named after it.

@@ -196,4 +196,23 @@ std::vector<std::string> NearestBoneNames(const std::string& name) {
   return names;
 }
 
+Bone BoneOfName(const std::string& name, TriangleSoup mesh) {
+  const NamedBone named = ParseBoneName(name);
+  Bone bone;
+  bone.name = name;
+  bone.kind = named.kind;
+  bone.side = named.side;
+  bone.mesh = std::move(mesh);
+  return bone;
+}
+
+std::string NoteOnUnknownBone(const std::string& name) {
+  std::string near;
+  for (const std::string& known : NearestBoneNames(name)) {
+    near += (near.empty() ? "" : ", ") + known;
+  }
+  return name +
+         ": not known as a bone, and of no joint; known names near it: " + near;
+}
+
 }  // namespace musclewarp

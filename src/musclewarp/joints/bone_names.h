@@ -38,4 +38,10 @@ std::optional<Side> ParseSide(const std::string& text);
 // to change, at most three.
 std::vector<std::string> NearestBoneNames(const std::string& name);
 
+// Returns a bone of which the name tells what it is.
+Bone BoneOfName(const std::string& name, TriangleSoup mesh);
+
+// What a user has to know of a bone whose name is not known.
+std::string NoteOnUnknownBone(const std::string& name);
+
 }  // namespace musclewarp

@@ -210,7 +210,10 @@ OrderedJson JointsJson(const Articulation& articulation,
 }
 
 std::vector<FoundJoint> ReadJoints(const std::string& path) {
-  const JsonField file = JsonField::ParseFile(path);
+  return ReadJoints(JsonField::ParseFile(path));
+}
+
+std::vector<FoundJoint> ReadJoints(const JsonField& file) {
   const JsonField root = file.Has("units") ? file.InItsUnits() : file;
   const JsonField list = root.At("joints");
   std::vector<FoundJoint> joints;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "musclewarp/joints/articulation.h"
+#include "musclewarp/scene/json_fields.h"
 
 namespace musclewarp {
 
@@ -26,5 +27,6 @@ nlohmann::ordered_json JointsJson(const Articulation& articulation,
 // not allowed: a name that is no joint, axes that are no rotation, a joint
 // given twice.
 std::vector<FoundJoint> ReadJoints(const std::string& path);
+std::vector<FoundJoint> ReadJoints(const JsonField& file);
 
 }  // namespace musclewarp

@@ -38,10 +38,19 @@ HullTriangle TriangleOf(std::array<Eigen::Vector3d, 3> corners) {
           (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2};
 }
 
+// The triangles of a hull of points that lie in one plane, as where an image
+// ends, would depend on where CGAL has them in memory. So all are moved a
+// little, each in its own way, by a sequence of low discrepancy.
 std::vector<HullTriangle> TrianglesOfHull(const Points& points) {
+  constexpr double kMost = 1e-6;  // mm
+  const Eigen::RowVector3d step(
+      0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
   std::vector<HullKernel::Point_3> corners;
   for (int i = 0; i < points.rows(); ++i) {
-    corners.emplace_back(points(i, 0), points(i, 1), points(i, 2));
+    const Eigen::RowVector3d turns = (i + 1) * step;
+    const Eigen::RowVector3d place =
+        points.row(i) + kMost * (turns - turns.array().floor().matrix()).eval();
+    corners.emplace_back(place.x(), place.y(), place.z());
   }
   Hull hull;
   CGAL::convex_hull_3(corners.begin(), corners.end(), hull);

@@ -85,7 +85,11 @@ std::string Shortened(const Json& value) {
 }
 
 JsonField JsonField::ParseFile(const std::string& file) {
-  return JsonField(ParseText(ReadFile(file), file), file, "");
+  return Parse(ReadFile(file), file);
+}
+
+JsonField JsonField::Parse(const std::string& text, const std::string& name) {
+  return JsonField(ParseText(text, name), name, "");
 }
 
 std::string JsonField::where() const {

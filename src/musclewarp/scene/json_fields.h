@@ -35,6 +35,9 @@ class JsonField {
   // key twice in one object, or a number that no double can hold.
   static JsonField ParseFile(const std::string& file);
 
+  // The same for a text, which messages call `name`.
+  static JsonField Parse(const std::string& text, const std::string& name);
+
   const Json& value() const { return value_; }
   const std::string& file() const { return file_; }
 

@@ -1,0 +1,182 @@
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Joints, found on the shapes of bones."""
+import json
+import os
+import pathlib
+import tempfile
+from typing import (Any, Dict, Iterable, List, Mapping, Optional, Sequence,
+                    Tuple, Union)
+
+from musclewarp import _core
+from musclewarp._errors import InputError
+from musclewarp._scene import Scene, scene_of
+
+_Path = Union[str, "os.PathLike[str]"]
+
+
+class Articulation:
+    """A skeleton with joints, as articulate() finds them. It does not change.
+
+    Attributes:
+        joints: list of Joint, those that failed too, from the trunk outwards.
+        notes: what has to be known beside the reasons of the joints, such as
+            names that are not known as those of bones; sentences.
+    """
+
+    def __init__(self, source: _core.ArticulationSource) -> None:
+        self._source = source
+
+    @property
+    def joints(self) -> List[_core.Joint]:
+        return self._source.joints
+
+    @property
+    def notes(self) -> List[str]:
+        return self._source.notes
+
+    def report(self) -> Dict[str, Any]:
+        """Returns what musclewarp-articulate writes to joints.json.
+
+        Lengths are in mm, angles in degrees. Corrected or not, it may be given
+        to articulate() as `given`.
+        """
+        return self._source.report()
+
+    def model(self, path: _Path, *, name: Optional[str] = None) -> None:
+        """Writes an OpenSim model of the skeleton, with the meshes of its bones.
+
+        Args:
+            path: of the .osim file. The meshes go to Geometry/<bone>.obj beside
+                it. Folders are made.
+            name: of the model; None: that of the file, without ".osim".
+        Raises:
+            InputError: a file cannot be written.
+        """
+        self._source.write_model(
+            os.fspath(path),
+            pathlib.Path(path).stem if name is None else name)
+
+    def scene(self,
+              muscles: Union[Iterable[_core.Muscle], Mapping[str, Any]],
+              motion: Optional[Mapping[str, Sequence[float]]] = None,
+              frames: int = 15,
+              *,
+              name: str = "scene") -> Scene:
+        """Returns a scene in which the joints move the bones, for a Deformer.
+
+            scene = articulation.scene(muscles, {"hip_flexion_r": (-10, 60)})
+
+        The rest pose is that of the scan. Scene.pose_of_model() gives other
+        poses of the same joints (in rad). The scene is in memory: it depends on
+        no file but those that muscles name by their `path`.
+
+        Args:
+            muscles: list of Muscle, or dict of meshes by name, each in a form
+                that articulate() takes. Those without lines get them from the
+                meshes.
+            motion: for each coordinate that moves from where to where, in
+                degrees, as in scene files (docs/scene.md). They move together;
+                the others stay as they are in the scan. None: the first
+                coordinate goes through its usual range.
+            frames: the number of poses, at equal distances; with 1 the first.
+            name: of the scene, for reports.
+        Raises:
+            InputError: a coordinate that no joint has that was found, two
+                muscles or bones of one name, no muscle.
+        """
+        with tempfile.TemporaryDirectory(prefix="musclewarp-") as folder:
+            return scene_of(
+                self._source.scene(_muscles(muscles), _sweeps(motion or {}),
+                                   frames, name, folder))
+
+    def __repr__(self) -> str:
+        joints = ", ".join(f"{joint.name} {joint.quality}"
+                           for joint in self.joints)
+        return f"<musclewarp.Articulation: {joints}>"
+
+
+def articulate(bones: Mapping[str, Any],
+               *,
+               side: str = "both",
+               joints: Sequence[str] = (),
+               zero: str = "anatomy",
+               axes: Optional[str] = "LPS",
+               given: Union[_Path, Mapping[str, Any], None] = None
+               ) -> Articulation:
+    """Finds the joints of a skeleton on the shapes of its bones.
+
+        leg = mw.articulate({"hip_right": hip, "femur_r": "femur.ply"})
+        for joint in leg.joints:
+            print(joint.name, joint.quality, joint.reasons, joint.center)
+
+    This is what musclewarp-articulate does (docs/joints.md), with the same
+    results.
+
+    Args:
+        bones: dict of meshes by name, in one frame, mm. Names tell what bones
+            are: "femur_r", "hip_left", "calcn_r", "os coxae". Bones of other
+            names belong to no joint. A mesh is a Mesh, a pair (points,
+            triangles), anything that has points and triangles, or the path of a
+            mesh file.
+        side: "right", "left" or "both": where joints are found, and of which
+            bones are that nothing else says the side of.
+        joints: those to find: "hip", "knee", "patella", "ankle", "subtalar",
+            "shoulder", "elbow", "forearm". None: all that have their bones.
+        zero: the pose in which coordinates are 0: "anatomy" (the frames of both
+            bones are parallel) or "scan".
+        axes: where +x, +y and +z point, one letter each out of L(eft) or
+            R(ight), A(nterior) or P(osterior), S(uperior) or I(nferior). None:
+            not known.
+        given: joints that replace those found: the path of a joints.json, or
+            the same as a dict, such as a corrected Articulation.report().
+    Raises:
+        InputError: a mesh is bad, a joint that was asked for lacks its bones,
+            no joint has any, or the shape of a femur contradicts its side, as
+            in a mirrored image; names the bone.
+    """
+    if not isinstance(bones, Mapping):
+        raise InputError("bones", f"is no dict, but {type(bones).__name__}",
+                         "give meshes by the names of bones")
+    if isinstance(joints, str):
+        joints = [joints]
+    is_path = given is not None and not isinstance(given, Mapping)
+    return Articulation(
+        _core.articulate(list(bones.items()), side, list(joints), zero,
+                         "none" if axes is None else axes,
+                         os.fspath(given) if is_path else "",
+                         json.dumps(given) if isinstance(given, Mapping) else
+                         ""))
+
+
+def _sweeps(
+    motion: Mapping[str, Sequence[float]]) -> List[Tuple[str, float, float]]:
+    sweeps = []
+    for coordinate, values in motion.items():
+        try:
+            first, last = (float(value) for value in values)
+        except (TypeError, ValueError):
+            raise InputError("motion",
+                             f"has {values!r} for {coordinate!r}",
+                             "give two numbers, from and to, degrees") from None
+        sweeps.append((coordinate, first, last))
+    return sweeps
+
+
+def _muscles(
+    muscles: Union[Iterable[_core.Muscle],
+                   Mapping[str, Any]]) -> List[_core.Muscle]:
+    if isinstance(muscles, Mapping):
+        return [_muscle(name, mesh) for name, mesh in muscles.items()]
+    return list(muscles)
+
+
+def _muscle(name: str, mesh: Any) -> _core.Muscle:
+    if isinstance(mesh, (str, os.PathLike)):
+        return _core.Muscle(name, path=mesh)
+    if isinstance(mesh, tuple):
+        return _core.Muscle(name, *mesh)
+    if not hasattr(mesh, "points"):
+        mesh = getattr(mesh, "mesh", mesh)
+    return _core.Muscle(name, getattr(mesh, "points", None),
+                        getattr(mesh, "triangles", None))
