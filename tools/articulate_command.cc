@@ -108,8 +108,13 @@ class ArticulateRun {
     const JointMotion motion = ParseMotion(options_.motion);
     if (options_.threads > 0) omp_set_num_threads(options_.threads);
     input_ = ReadArticulateInput(files_, options_);
-    if (!input_.is_oriented) joints.axes = "";
+    // A label image says itself where its axes point.
+    if (!input_.image.empty()) joints.axes = input_.is_oriented ? "LPS" : "";
+    PrintNotes(input_.notes);
     articulation_ = Articulate(std::move(input_.bones), joints);
+    PrintNotes(articulation_.notes);
+    articulation_.notes.insert(
+        articulation_.notes.begin(), input_.notes.begin(), input_.notes.end());
     ChooseMotions(motion);
     PrintJoints();
     Write(joints.axes);
@@ -119,14 +124,17 @@ class ArticulateRun {
  private:
   void ChooseMotions(const JointMotion& asked) {
     CheckCoordinates(asked, articulation_, "--motion");
-    motions_ = asked.sweeps.empty() ? MotionsOfRanges(articulation_)
-                                    : std::vector<JointMotion>{asked};
+    const bool is_asked = !asked.sweeps.empty();
+    motions_ = is_asked ? std::vector<JointMotion>{asked}
+                        : MotionsOfRanges(articulation_);
+    of_scene_ = is_asked ? asked : FirstMotion(articulation_);
+  }
+
+  void PrintNotes(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) screen_ << note << "\n";
   }
 
   void PrintJoints() {
-    for (const auto* notes : {&input_.notes, &articulation_.notes}) {
-      for (const std::string& note : *notes) screen_ << note << "\n";
-    }
     screen_ << std::fixed << std::setprecision(1);
     for (const FoundJoint& joint : articulation_.joints) {
       screen_ << std::left << std::setw(12) << joint.name() << std::setw(8)
@@ -170,10 +178,15 @@ class ArticulateRun {
     WriteArticulatedModel(articulation_, name, (out / "model.osim").string());
     WriteJson("joints.json", JointsJson(articulation_, axes));
     if (options_.html) WritePage(name, axes);
-    if (motions_.empty()) return;
-    WriteJson("scene.json",
-              ArticulatedSceneJson(
-                  articulation_, SceneParts(name, axes), motions_.front()));
+    if (of_scene_.sweeps.empty()) return;
+    WriteJson(
+        "scene.json",
+        ArticulatedSceneJson(articulation_, SceneParts(name, axes), of_scene_));
+    if (input_.muscles.empty()) {
+      screen_ << "the scene has no muscles to move; --muscles names their "
+                 "meshes\n";
+      return;
+    }
     screen_ << "next: musclewarp-deform --scene="
             << (out / "scene.json").string() << " --out=DIR\n";
   }
@@ -231,7 +244,8 @@ class ArticulateRun {
       parts.bones.push_back({mesh.name, SceneFile(mesh)});
     }
     for (const ArticulateMesh& mesh : input_.muscles) {
-      parts.muscles.push_back({mesh.name, SceneFile(mesh)});
+      parts.muscles.push_back(
+          {mesh.name, SceneFile(mesh), mesh.origin, mesh.insertion});
     }
     return parts;
   }
@@ -261,6 +275,7 @@ class ArticulateRun {
   ArticulateInput input_;
   Articulation articulation_;
   std::vector<JointMotion> motions_;
+  JointMotion of_scene_;
 };
 
 }  // namespace

@@ -37,7 +37,7 @@ struct ArticulateOptions {
 
   // Coordinates that move together: "hip_flexion_r:-10:60:15" goes from -10 to
   // 60 degrees in 15 frames. Without any there is a motion for each coordinate,
-  // through its range.
+  // through its range, and the scene moves the first one by 30 degrees.
   std::vector<std::string> motion;
 
   // Of the mesh files, and of a label image that does not state its own.

@@ -151,6 +151,8 @@ class ArticulateReader {
       if (IsBone(mesh.entry)) {
         AddBone(std::move(source), mesh.entry);
       } else {
+        source.origin = mesh.entry.origin;
+        source.insertion = mesh.entry.insertion;
         input_.muscles.push_back(std::move(source));
       }
     }
@@ -194,7 +196,8 @@ class ArticulateReader {
     bone.body = entry.body;
     bone.mesh = std::move(source.soup);
     source.soup = {};
-    if (!described.is_known) {
+    const bool is_stated = IsNamedBone(entry.name) || entry.is_bone;
+    if (!described.is_known && !is_stated) {
       input_.notes.push_back(NoteOnUnknownBone(bone.name));
     }
     input_.bones.push_back(std::move(bone));
@@ -206,6 +209,11 @@ class ArticulateReader {
     ArticulateMesh source;
     source.name = NameOf(file);
     source.file = file;
+    const auto row = table_.find(source.name);
+    if (row != table_.end()) {
+      source.origin = row->second.origin;
+      source.insertion = row->second.insertion;
+    }
     input_.muscles.push_back(std::move(source));
   }
 

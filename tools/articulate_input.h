@@ -15,6 +15,9 @@ struct ArticulateMesh {
   std::string name;
   std::string file;   // empty for a label
   TriangleSoup soup;  // mm
+
+  // Of a muscle: the bodies or bones of its ends, by the table; may be empty.
+  std::string origin = {}, insertion = {};
 };
 
 // What musclewarp-articulate reads.

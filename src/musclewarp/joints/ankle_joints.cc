@@ -119,7 +119,7 @@ void JudgeAnkle(const Limb& limb,
   verdict->Weaken(
       "the dome of the talus covers " + Rounded(fit->angle / kDegree, 0) +
       " degrees of a cylinder of " + Rounded(fit->cylinder.radius, 1) +
-      " mm, is off it by " + Rounded(fit->spread, 1) +
+      " mm, is off it by " + Rounded(fit->spread, 2) +
       " mm, and the tips of the malleoli are " + Rounded(std::abs(above), 1) +
       " mm above or below its axis; 60 degrees or more, " + Rounded(radius, 1) +
       ", " + Rounded(kLargestSpread, 1) + " and " + Rounded(height, 1) +

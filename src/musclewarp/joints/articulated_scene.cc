@@ -5,8 +5,10 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/short_list.h"
 #include "musclewarp/scene/scene_names.h"
 
 namespace musclewarp {
@@ -20,12 +22,45 @@ double SweptValue(const CoordinateSweep& sweep, int frame, int frames) {
   return sweep.from + part * (sweep.to - sweep.from);
 }
 
+// The body that a name stands for: its own, or that of a bone.
+std::string BodyNamed(const Articulation& articulation,
+                      const std::string& muscle,
+                      const std::string& name) {
+  std::vector<std::string> names = articulation.bodies;
+  for (const std::string& body : articulation.bodies) {
+    if (body == name) return body;
+  }
+  for (const Bone& bone : articulation.bones) {
+    if (bone.name == name) return bone.body;
+    names.push_back(bone.name);
+  }
+  throw InputError(
+      muscle,
+      "ends on " + QuotedName(name) + ", which is neither a body nor a bone",
+      "allowed: " + ShortList(names));
+}
+
+OrderedJson MuscleJson(const Articulation& articulation,
+                       const SceneMeshFile& muscle) {
+  OrderedJson json = {{"name", muscle.name}, {"mesh", muscle.file}};
+  if (muscle.origin.empty() && muscle.insertion.empty()) return json;
+  if (muscle.origin.empty() || muscle.insertion.empty()) {
+    throw InputError(muscle.name,
+                     muscle.origin.empty() ? "has an insertion and no origin"
+                                           : "has an origin and no insertion",
+                     "name the bodies of both ends, or of none");
+  }
+  json["end_bodies"] = {BodyNamed(articulation, muscle.name, muscle.origin),
+                        BodyNamed(articulation, muscle.name, muscle.insertion)};
+  return json;
+}
+
 }  // namespace
 
 std::vector<std::string> CoordinateNames(const Articulation& articulation) {
   std::vector<std::string> names;
   for (const FoundJoint& joint : articulation.joints) {
-    if (!joint.IsFound()) continue;
+    if (!joint.IsFound() || !joint.coupling.coordinate.empty()) continue;
     for (const JointCoordinate& entry : CoordinatesOf(joint.kind, joint.side)) {
       names.push_back(entry.name);
     }
@@ -53,7 +88,7 @@ void CheckCoordinates(const JointMotion& motion,
 std::vector<JointMotion> MotionsOfRanges(const Articulation& articulation) {
   std::vector<JointMotion> motions;
   for (const FoundJoint& joint : articulation.joints) {
-    if (!joint.IsFound()) continue;
+    if (!joint.IsFound() || !joint.coupling.coordinate.empty()) continue;
     for (const JointCoordinate& entry : CoordinatesOf(joint.kind, joint.side)) {
       JointMotion motion;
       motion.name = entry.name;
@@ -62,6 +97,21 @@ std::vector<JointMotion> MotionsOfRanges(const Articulation& articulation) {
     }
   }
   return motions;
+}
+
+JointMotion FirstMotion(const Articulation& articulation) {
+  constexpr double kWay = 30;  // degrees
+  JointMotion motion;
+  motion.frames = 7;
+  for (const FoundJoint& joint : articulation.joints) {
+    if (!joint.IsFound() || !joint.coupling.coordinate.empty()) continue;
+    const JointCoordinate entry = CoordinatesOf(joint.kind, joint.side)[0];
+    const double scan = ScanCoordinates(joint)[0] * 180 / M_PI;
+    motion.name = entry.name;
+    motion.sweeps = {{entry.name, scan, scan + kWay}};
+    break;
+  }
+  return motion;
 }
 
 StorageTable MotionTable(const JointMotion& motion) {
@@ -95,7 +145,7 @@ OrderedJson ArticulatedSceneJson(const Articulation& articulation,
   }
   OrderedJson muscles = OrderedJson::array(), bones = OrderedJson::array();
   for (const SceneMeshFile& muscle : parts.muscles) {
-    muscles.push_back({{"name", muscle.name}, {"mesh", muscle.file}});
+    muscles.push_back(MuscleJson(articulation, muscle));
   }
   for (const Bone& bone : articulation.bones) {
     const auto file = std::find_if(

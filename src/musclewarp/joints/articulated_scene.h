@@ -27,7 +27,8 @@ struct JointMotion {
 // The most frames that a motion may have.
 constexpr int kMostMotionFrames = 100000;
 
-// Returns the names of the coordinates of all joints that were found.
+// Returns the names of the coordinates of all joints that were found, but for
+// those that follow others.
 std::vector<std::string> CoordinateNames(const Articulation& articulation);
 
 // Throws InputError, whose place is `where`, if a coordinate of a motion is not
@@ -40,6 +41,11 @@ void CheckCoordinates(const JointMotion& motion,
 // named after it.
 std::vector<JointMotion> MotionsOfRanges(const Articulation& articulation);
 
+// Returns a motion for a first look: the first coordinate of the first joint
+// that was found, from the pose of the scan on by 30 degrees. It has no sweeps
+// if no joint was found.
+JointMotion FirstMotion(const Articulation& articulation);
+
 // Returns a motion as a table over time, from 0 to 1 s, in degrees.
 StorageTable MotionTable(const JointMotion& motion);
 
@@ -47,6 +53,10 @@ StorageTable MotionTable(const JointMotion& motion);
 struct SceneMeshFile {
   std::string name;
   std::string file;  // relative to the scene file
+
+  // Of a muscle: the bodies of its origin and its insertion, or bones that
+  // belong to them; empty: those that are nearest to its mesh.
+  std::string origin = {}, insertion = {};
 };
 
 // What a scene of an articulation has beside its bones.
@@ -60,8 +70,10 @@ struct ArticulatedSceneParts {
 
 // Returns a scene file (docs/scene.md) in which `motion` moves the bones of an
 // articulation. Muscles have no lines: the programs make them from the meshes.
-// The rest pose is that of the scan, the defaults of the model. Precondition
-// (CHECKed): every bone is in `parts.bones`, by name.
+// The rest pose is that of the scan, the defaults of the model. Throws
+// InputError for a muscle that names one end only, or a body or bone that the
+// articulation does not have. Precondition (CHECKed): every bone is in
+// `parts.bones`, by name.
 nlohmann::ordered_json ArticulatedSceneJson(const Articulation& articulation,
                                             const ArticulatedSceneParts& parts,
                                             const JointMotion& motion);

@@ -19,6 +19,7 @@
 #include "musclewarp/joints/knee_joint.h"
 #include "musclewarp/joints/patella_joint.h"
 #include "musclewarp/joints/pelvis_frame.h"
+#include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {
 namespace {
@@ -37,6 +38,17 @@ SurfacePoints Together(const std::vector<const SurfacePoints*>& parts) {
     all.area = part->area;  // nearly the same for all
   }
   return all;
+}
+
+// Larger bones are in another unit, and have too much surface to look at.
+void CheckSize(const Bone& bone) {
+  constexpr double kLargest = 3000;  // mm
+  const double diagonal = BoundingBoxDiagonal(bone.mesh.points);
+  if (diagonal <= kLargest) return;
+  throw InputError(
+      bone.name,
+      "is " + Rounded(diagonal / 1000, 1) + " m long, allowed: 3 m",
+      "give the unit of the files (--units)");
 }
 
 class Articulator {
@@ -75,6 +87,7 @@ class Articulator {
     ParallelFor(bones_.size(), [&](size_t i) {
       SampledBone& bone = bones_[i];
       if (bone.bone.kind == BoneKind::kOther) return;
+      CheckSize(bone.bone);
       bone.surface = SampleSurface(bone.bone.mesh);
       if (bone.bone.kind == BoneKind::kFemur) {
         bone.femur = ShapeOfFemur(bone.surface, up);
@@ -204,8 +217,11 @@ class Articulator {
 
   // The patella follows the knee, and stands still without one.
   void AddPatella(const Limb& limb) {
-    const FoundJoint* knee = JointOf(JointKind::kKnee, limb.side);
-    if (knee == nullptr) return;
+    const auto knee = std::find_if(
+        result_.joints.begin(), result_.joints.end(), [&](auto& joint) {
+          return joint.kind == JointKind::kKnee && joint.side == limb.side;
+        });
+    if (knee == result_.joints.end()) return;
     const FoundJoint of_knee = *knee;
     Add(JointKind::kPatella, limb.side, [&] {
       return FindPatella(limb, of_knee);
@@ -275,8 +291,15 @@ class Articulator {
     if (!result_.joints.empty()) return;
     std::vector<std::string> names;
     for (const SampledBone& bone : bones_) names.push_back(bone.bone.name);
+    if (names.empty()) {
+      throw InputError("bones",
+                       "none given",
+                       "name meshes or labels as bones (docs/joints.md)");
+    }
+    const std::string side =
+        options_.side ? " of the " + ToString(*options_.side) + " side" : "";
     throw InputError("joints",
-                     "none has its bones among " + ShortList(names),
+                     "none" + side + " has its bones among " + ShortList(names),
                      lacks_sides_
                          ? "give their sides by --side or by their names, such "
                            "as femur_r, as nothing else tells them"

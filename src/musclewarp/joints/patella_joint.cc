@@ -221,6 +221,7 @@ FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
               {{joint.center, plane.axes.col(2)}, groove->radius},
               groove->spread,
               groove->angle));
+  joint.shapes.back().is_on_parent = true;
   if (groove->spread > kWeakSpread) {
     joint.verdict.Weaken("the groove is off its circle by " +
                          Rounded(groove->spread, 1) + " mm, " +
