@@ -288,8 +288,7 @@ TEST_F(MomentArmsInContact, AreZeroForWhatMovesEverythingAsOne) {
 
 // Steps from a frame to both sides of it look for planes anew and make room
 // where a muscle is held back by a bone, so that their planes are not quite
-// those that are held. Lengths depend on rounding by 0.01 mm, and change by
-// 0.2.
+// those that are held. Rounding changes lengths by 0.01 mm, contact by 0.2 mm.
 TEST_F(MomentArmsInContact, AreNearTheSlopesOfSteps) {
   const CertifiedMotion before = Moved(Pressed(), certified_.rest);
   const CertifiedMotion motion = Moved(Pressed(), before.state);

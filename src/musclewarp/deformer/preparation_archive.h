@@ -64,6 +64,7 @@ MUSCLEWARP_ARCHIVE(SceneMuscle,
                    lines,
                    attachments,
                    ends_on,
+                   end_bodies,
                    mesh_path,
                    mm_per_unit,
                    delivered_volume)

@@ -5,6 +5,7 @@
 #include <glog/logging.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -64,30 +65,38 @@ std::optional<SubtalarFit> SubtalarOf(const Limb& limb) {
 }
 
 // The middle of the tips of both malleoli: of the lowest points of tibia and
-// fibula on either side.
-Eigen::Vector3d MiddleOfTips(const Limb& limb,
-                             const FootDirections& foot,
-                             const Eigen::Vector3d& middle) {
-  const Eigen::Vector3d right = foot.forward.cross(foot.up);
-  Eigen::Vector3d tips[2];
+// fibula on either side. None without a fibula, whose tip is the lower one.
+std::optional<Eigen::Vector3d> MiddleOfTips(const Limb& limb,
+                                            const FootDirections& foot,
+                                            const Eigen::Vector3d& middle) {
+  constexpr double kHighest = 5;  // mm, of the outer tip above the inner one
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  double lowest[2] = {kNone, kNone};
+  const Eigen::Vector3d right = foot.forward.cross(foot.up);
+  const Eigen::Vector3d outward =
+      limb.side == Side::kRight ? right : Eigen::Vector3d(-right);
+  Eigen::Vector3d inner, outer;
+  double inner_height = kNone, outer_height = kNone;
   for (const BoneKind kind : {BoneKind::kTibia, BoneKind::kFibula}) {
     const SurfacePoints* bone = limb.Find(kind);
     if (bone == nullptr) continue;
     for (int i = 0; i < bone->size(); ++i) {
-      const Eigen::Vector3d way = bone->points.row(i).transpose() - middle;
-      const int side = way.dot(right) > 0;
-      if (way.dot(foot.up) >= lowest[side]) continue;
-      lowest[side] = way.dot(foot.up);
-      tips[side] = bone->points.row(i).transpose();
+      const Eigen::Vector3d point = bone->points.row(i).transpose();
+      const double height = (point - middle).dot(foot.up);
+      const bool is_outer = (point - middle).dot(outward) > 0;
+      double* lowest = is_outer ? &outer_height : &inner_height;
+      if (height >= *lowest) continue;
+      *lowest = height;
+      (is_outer ? outer : inner) = point;
     }
   }
-  if (lowest[0] == kNone || lowest[1] == kNone) return middle;
-  return (tips[0] + tips[1]) / 2;
+  if (inner_height == kNone || outer_height > inner_height + kHighest) {
+    return std::nullopt;
+  }
+  return (inner + outer) / 2;
 }
 
-// Signs that the dome does not tell the height of the axis.
+// Signs that the dome does not tell the height of the axis; it is then that of
+// the tips of the malleoli.
 void JudgeAnkle(const Limb& limb,
                 const FemurShape& femur,
                 const FootDirections& foot,
@@ -95,24 +104,28 @@ void JudgeAnkle(const Limb& limb,
                 JointVerdict* verdict) {
   constexpr double kLeastAngle = 60 * kDegree;
   constexpr double kLargestSpread = 0.5;   // mm
-  constexpr double kLargestRadius = 1.15;  // by that of the head
+  constexpr double kLargestRadius = 1.25;  // by that of the head
+  constexpr double kLargestHeight = 0.25;  // by that of the head
   const double radius = kLargestRadius * femur.HeadRadius();
+  const double height = kLargestHeight * femur.HeadRadius();
+  const std::optional<Eigen::Vector3d> tips =
+      MiddleOfTips(limb, foot, fit->cylinder.axis.point);
+  const double above =
+      tips ? (*tips - fit->cylinder.axis.point).dot(foot.up) : 0;
   if (fit->angle >= kLeastAngle && fit->cylinder.radius <= radius &&
-      fit->spread <= kLargestSpread) {
+      fit->spread <= kLargestSpread && std::abs(above) <= height) {
     return;
   }
   verdict->Weaken(
       "the dome of the talus covers " + Rounded(fit->angle / kDegree, 0) +
       " degrees of a cylinder of " + Rounded(fit->cylinder.radius, 1) +
-      " mm and is off it by " + Rounded(fit->spread, 1) +
-      " mm; 60 degrees or more, " + Rounded(radius, 1) + " mm or less and " +
-      Rounded(kLargestSpread, 1) +
-      " mm or less are expected: a dome flattened by thick slices. The height "
-      "of the axis is that of the tips of the malleoli");
-  const Eigen::Vector3d tips =
-      MiddleOfTips(limb, foot, fit->cylinder.axis.point);
-  fit->cylinder.axis.point +=
-      (tips - fit->cylinder.axis.point).dot(foot.up) * foot.up;
+      " mm, is off it by " + Rounded(fit->spread, 1) +
+      " mm, and the tips of the malleoli are " + Rounded(std::abs(above), 1) +
+      " mm above or below its axis; 60 degrees or more, " + Rounded(radius, 1) +
+      ", " + Rounded(kLargestSpread, 1) + " and " + Rounded(height, 1) +
+      " mm or less are expected: a dome flattened by thick slices" +
+      (tips ? ". The height of the axis is that of the tips" : ""));
+  fit->cylinder.axis.point += above * foot.up;
 }
 
 }  // namespace
@@ -160,13 +173,24 @@ FoundJoint FindSubtalar(const Limb& limb, const FemurShape& femur) {
   joint.shapes.push_back(ShapeOf("head of the talus", fit->head));
   joint.shapes.push_back(ShapeOf("facet above the heel bone", fit->facet));
   for (FittedShape& shape : joint.shapes) shape.is_on_parent = true;
-  constexpr double kLeastFacet = 250;  // mm^2
+  constexpr double kLeastFacet = 250;     // mm^2
+  constexpr double kLeastDistance = 1.4;  // by the radius of the head
   if (fit->facet_area < kLeastFacet) {
     joint.verdict.Weaken(
         "only " + Rounded(fit->facet_area, 0) +
         " mm2 of the talus look at the heel bone as a hollow sphere, " +
         Rounded(kLeastFacet, 0) +
         " mm2 or more are expected: bones too far apart, or a coarse mesh");
+  }
+  // The angle of the axis is uncertain by that of a centre over the distance
+  // between both.
+  const double distance =
+      (fit->head.sphere.center - fit->facet.sphere.center).norm();
+  const double least = kLeastDistance * femur.HeadRadius();
+  if (distance < least) {
+    joint.verdict.Weaken("the centres of both spheres are only " +
+                         Rounded(distance, 0) + " mm apart, " +
+                         Rounded(least, 0) + " mm or more are expected");
   }
   joint.parent_axes = AxesAlong(0, fit->axis.direction, 1, foot.up);
   joint.child_axes = joint.parent_axes;

@@ -10,6 +10,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/parallel_for.h"
+#include "musclewarp/base/short_list.h"
 #include "musclewarp/joints/ankle_joints.h"
 #include "musclewarp/joints/arm_joints.h"
 #include "musclewarp/joints/bone_sides.h"
@@ -47,7 +48,8 @@ class Articulator {
 
   Articulation Articulate() {
     MeasureBones();
-    DecideSides(options_.side, image_axes_, &bones_, &result_.notes);
+    lacks_sides_ =
+        !DecideSides(options_.side, image_axes_, &bones_, &result_.notes);
     AssignBodies();
     MeasurePelvis();
     for (const Side side : {Side::kRight, Side::kLeft}) {
@@ -271,14 +273,15 @@ class Articulator {
                        "table with a column \"bone\"");
     }
     if (!result_.joints.empty()) return;
-    std::string names;
-    for (const SampledBone& bone : bones_) {
-      names += (names.empty() ? "" : ", ") + bone.bone.name;
-    }
+    std::vector<std::string> names;
+    for (const SampledBone& bone : bones_) names.push_back(bone.bone.name);
     throw InputError("joints",
-                     "none has its bones among " + names,
-                     "name the meshes as bones (docs/joints.md), or give a "
-                     "table with a column \"bone\"");
+                     "none has its bones among " + ShortList(names),
+                     lacks_sides_
+                         ? "give their sides by --side or by their names, such "
+                           "as femur_r, as nothing else tells them"
+                         : "name the meshes as bones (docs/joints.md), or give "
+                           "a table with a column \"bone\"");
   }
 
   FoundJoint* JointOf(JointKind kind, Side side) {
@@ -363,6 +366,7 @@ class Articulator {
   std::optional<Eigen::Matrix3d> image_axes_;
   std::optional<Eigen::Matrix3d> pelvis_axes_;
   std::map<std::string, std::string> body_of_;  // by the body of the table
+  bool lacks_sides_ = false;  // a bone has none, although its kind does
   Articulation result_;
 };
 

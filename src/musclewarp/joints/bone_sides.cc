@@ -176,7 +176,7 @@ bool AgreeWithImage(const std::vector<SampledBone>& bones,
   return true;
 }
 
-void DecideSides(const std::optional<Side>& otherwise,
+bool DecideSides(const std::optional<Side>& otherwise,
                  const std::optional<Eigen::Matrix3d>& image_axes,
                  std::vector<SampledBone>* bones,
                  std::vector<std::string>* notes) {
@@ -194,6 +194,7 @@ void DecideSides(const std::optional<Side>& otherwise,
   for (SampledBone& bone : *bones) {
     if (HasSide(bone.bone.kind) && !bone.bone.side) bone.bone.side = otherwise;
   }
+  bool all_have_sides = true;
   std::vector<std::string> spread;
   SpreadSides(bones, &spread);
   if (!spread.empty()) {
@@ -213,8 +214,10 @@ void DecideSides(const std::optional<Side>& otherwise,
                        ": of no joint, as nothing tells its side; --side or a "
                        "column \"side\" does");
       bone.bone.kind = BoneKind::kOther;
+      all_have_sides = false;
     }
   }
+  return all_have_sides;
 }
 
 }  // namespace musclewarp

@@ -34,11 +34,12 @@ bool AgreeWithImage(const std::vector<SampledBone>& bones,
 // Gives a side to every bone of a kind that has one: by its shape if it is a
 // femur without a side, by `otherwise`, by the nearest bone that has one, and
 // by its place in the image. Adds a note for each bone that gets its side by
-// its place, or gets none; that becomes BoneKind::kOther.
+// its place, or gets none; that becomes BoneKind::kOther. Returns false if
+// there is such a bone.
 //
 // Throws InputError, which begins with the name of the bone, if the side of a
 // femur by its shape is not the one by its name, or by its place in the image.
-void DecideSides(const std::optional<Side>& otherwise,
+bool DecideSides(const std::optional<Side>& otherwise,
                  const std::optional<Eigen::Matrix3d>& image_axes,
                  std::vector<SampledBone>* bones,
                  std::vector<std::string>* notes);

@@ -69,8 +69,8 @@ FoundJoint FindHip(const Limb& limb, const FemurShape& femur) {
     joint.verdict.Fail(
         "no head on the femur: the best sphere of 14 to 32 mm covers " +
         Rounded(100 * femur.best_coverage, 0) +
-        " % of itself, 30 % or more are needed; are the meshes in mm, and is "
-        "the upper end of the femur there");
+        " % of itself, 30 to 95 % are needed; are the meshes in mm, and is the "
+        "upper end of the femur there");
     return joint;
   }
   const Sphere& head = femur.head->sphere;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 #include <set>
+#include <string>
 
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/scene/json_fields.h"
@@ -44,6 +45,17 @@ OrderedJson ShapeJson(const FittedShape& shape, const FoundJoint& joint) {
   return json;
 }
 
+OrderedJson CouplingJson(const JointCoupling& coupling) {
+  OrderedJson json = {{"coordinate", coupling.coordinate},
+                      {"at_deg", OrderedJson::array()},
+                      {"values_deg", OrderedJson::array()}};
+  for (size_t i = 0; i < coupling.at.size(); ++i) {
+    json["at_deg"].push_back(coupling.at[i] / kDegree);
+    json["values_deg"].push_back(coupling.values[i] / kDegree);
+  }
+  return json;
+}
+
 OrderedJson JointJson(const FoundJoint& joint) {
   OrderedJson json = {{"name", joint.name()},
                       {"parent", joint.parent},
@@ -66,6 +78,8 @@ OrderedJson JointJson(const FoundJoint& joint) {
            {"axis_in_joint", VectorJson(entries[i].axis)},
            {"scan_deg", values[i] / kDegree},
            {"range_deg", {entries[i].lowest, entries[i].highest}}});
+      if (joint.coupling.coordinate.empty()) continue;
+      coordinates.back()["follows"] = CouplingJson(joint.coupling);
     }
     json["coordinates"] = coordinates;
   }
@@ -131,6 +145,24 @@ Eigen::Matrix3d AxesAbout(const JsonField& field, const JointId& id) {
   return Eigen::Quaterniond::FromTwoVectors(own, direction).toRotationMatrix();
 }
 
+JointCoupling ReadCoupling(const JsonField& field) {
+  JointCoupling coupling;
+  coupling.coordinate = field.At("coordinate").AsString();
+  const JsonField at = field.At("at_deg"), values = field.At("values_deg");
+  if (at.ArraySize() == 0 || at.ArraySize() != values.ArraySize()) {
+    values.Fail("has " + std::to_string(values.ArraySize()) + " numbers",
+                "give as many as at_deg, at least one");
+  }
+  for (size_t i = 0; i < at.ArraySize(); ++i) {
+    coupling.at.push_back(at.At(i).AsNumber() * kDegree);
+    coupling.values.push_back(values.At(i).AsNumber() * kDegree);
+    if (i > 0 && coupling.at[i] <= coupling.at[i - 1]) {
+      at.At(i).Fail("is not above the number before it", "sort the points");
+    }
+  }
+  return coupling;
+}
+
 FoundJoint ReadJoint(const JsonField& field, const JointId& id) {
   FoundJoint joint;
   joint.kind = id.kind;
@@ -142,6 +174,10 @@ FoundJoint ReadJoint(const JsonField& field, const JointId& id) {
                           : AxesAbout(field.At("axis"), id);
   joint.child_axes = field.Has("child_axes") ? ReadAxes(field.At("child_axes"))
                                              : joint.parent_axes;
+  if (field.Has("coordinates") && field.At("coordinates").ArraySize() == 1 &&
+      field.At("coordinates").At(0).Has("follows")) {
+    joint.coupling = ReadCoupling(field.At("coordinates").At(0).At("follows"));
+  }
   return joint;
 }
 

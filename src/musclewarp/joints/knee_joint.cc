@@ -46,6 +46,17 @@ FoundJoint FindKnee(const Limb& limb, const FemurShape& femur) {
                                  std::min(knee.left_angle, knee.right_angle)));
   joint.shapes.back().is_on_parent = true;
   joint.verdict = JudgeKnee(femur);
+  constexpr double kLargestGap = 2;  // by the radius of the head
+  const double gap = (tibia->points.rowwise() - joint.center.transpose())
+                         .rowwise()
+                         .norm()
+                         .minCoeff();
+  if (gap > kLargestGap * femur.HeadRadius()) {
+    joint.verdict.Fail("the tibia is " + Rounded(gap, 0) +
+                       " mm away from the centre of the knee, " +
+                       Rounded(kLargestGap * femur.HeadRadius(), 0) +
+                       " mm or less are needed: of another leg or scan");
+  }
   const Eigen::Vector3d right = -knee.cylinder.axis.direction;
   const Eigen::Vector3d up_of_femur =
       femur.head ? Eigen::Vector3d(femur.head->sphere.center - joint.center)

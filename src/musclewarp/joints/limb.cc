@@ -15,6 +15,25 @@ namespace {
 // the bone covers up to 0.24, a head without its medial third 0.33 to 0.37.
 constexpr double kLeastHeadCoverage = 0.3;
 
+// A sphere that covers more is a ball without a neck, and no femur.
+constexpr double kMostHeadCoverage = 0.95;
+
+// On coarse voxels normals see the steps between them. Those of a head are
+// averaged over this distance as well, mm; this makes the head of 3 mm voxels
+// cover 0.55 in place of 0.25, and the next best place no more than before.
+constexpr double kCoarseNormals = 5;
+constexpr double kUncertainCoverage = 0.5;
+
+// The sphere that covers most of itself.
+std::optional<SphereFit> FindHead(const SurfacePoints& femur) {
+  std::optional<SphereFit> head = FindSphere(femur, {});
+  if (head && head->coverage >= kUncertainCoverage) return head;
+  const std::optional<SphereFit> smooth =
+      FindSphere(WithAveragedNormals(femur, kCoarseNormals), {});
+  const bool is_better = smooth && (!head || smooth->coverage > head->coverage);
+  return is_better ? smooth : head;
+}
+
 // A shaft of a piece of bone along a direction that is known otherwise.
 Axis ShaftAlong(const SurfacePoints& bone, const Eigen::Vector3d& up) {
   constexpr double kFrom = 0.5;  // of the height, above the condyles
@@ -25,9 +44,28 @@ Axis ShaftAlong(const SurfacePoints& bone, const Eigen::Vector3d& up) {
   return {upper.points.colwise().mean().transpose(), up};
 }
 
+// The product of the widths of the third of a bone at one end, mm^2.
+double SectionOf(const SurfacePoints& bone, const Eigen::Vector3d& end) {
+  const Eigen::VectorXd height = bone.points * end;
+  const double low = height.minCoeff(), high = height.maxCoeff();
+  const SurfacePoints third = Filtered(
+      bone, [&](int row) { return height[row] >= high - (high - low) / 3; });
+  const Eigen::Vector3d across = end.unitOrthogonal();
+  double section = 1;
+  for (const Eigen::Vector3d& direction :
+       {across, Eigen::Vector3d(end.cross(across))}) {
+    const Eigen::VectorXd place = third.points * direction;
+    section *= place.maxCoeff() - place.minCoeff();
+  }
+  return section;
+}
+
 // Shafts that a piece of a femur may have, upwards: along each of the
 // directions in which it spreads, as the widest of a short piece is across.
+// The upper third of a femur's lower piece is at most half as wide as its lower
+// third, by the product of its widths.
 std::vector<Axis> PossibleShafts(const SurfacePoints& femur) {
+  constexpr double kLargestSection = 0.5;
   const Eigen::RowVector3d middle = femur.points.colwise().mean();
   const Points centered = femur.points.rowwise() - middle;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
@@ -35,8 +73,13 @@ std::vector<Axis> PossibleShafts(const SurfacePoints& femur) {
   std::vector<Axis> shafts;
   for (int column = 2; column >= 0; --column) {
     const Eigen::Vector3d direction = solver.eigenvectors().col(column);
-    shafts.push_back(ShaftAlong(femur, direction));
-    shafts.push_back(ShaftAlong(femur, -direction));
+    for (const double sign : {1.0, -1.0}) {
+      const Eigen::Vector3d up = sign * direction;
+      if (SectionOf(femur, up) > kLargestSection * SectionOf(femur, -up)) {
+        continue;
+      }
+      shafts.push_back(ShaftAlong(femur, up));
+    }
   }
   return shafts;
 }
@@ -69,9 +112,10 @@ FemurShape ShapeOfFemur(const SurfacePoints& femur,
                         const std::optional<Eigen::Vector3d>& up) {
   FemurShape shape;
   if (femur.size() == 0) return shape;
-  shape.head = FindSphere(femur, {});
+  shape.head = FindHead(femur);
   if (shape.head) shape.best_coverage = shape.head->coverage;
-  if (shape.best_coverage < kLeastHeadCoverage) {
+  if (shape.best_coverage < kLeastHeadCoverage ||
+      shape.best_coverage > kMostHeadCoverage) {
     shape.head.reset();
     AddKneeWithoutHead(femur, up, &shape);
     return shape;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/joints/robust_fit.h"
@@ -26,13 +28,16 @@ struct KneePlane {
   Eigen::Vector3d Local(const Eigen::Vector3d& point) const {
     return axes.transpose() * (point - center);
   }
+  Place InPlane(const Eigen::Vector3d& point) const {
+    return Local(point).head<2>();
+  }
 };
 
 struct Circle {
   Place center = Place::Zero();
   double radius = 0;
   double spread = 0;  // mm
-  int points = 0;
+  double angle = 0;   // covered, rad
 };
 
 struct CircleModel {
@@ -89,7 +94,9 @@ std::optional<Circle> FitCircle(const Points& points) {
           .norm()
           .array() -
       circle.radius;
-  circle.points = static_cast<int>(points.rows());
+  const Axis axis = {{circle.center.x(), circle.center.y(), 0},
+                     Eigen::Vector3d::UnitZ()};
+  circle.angle = AngleCovered(points, axis);
   circle.spread = std::sqrt(off.square().mean());
   return circle;
 }
@@ -149,10 +156,39 @@ void FollowKnee(const Circle& groove,
   }
 }
 
+// Lets the coordinate of the patella follow that of the knee, over a little
+// more than its range.
+void CoupleToKnee(const FoundJoint& knee,
+                  const Circle& groove,
+                  const Place& tip,
+                  const Place& tuberosity,
+                  FoundJoint* patella) {
+  constexpr double kStep = 5 * kDegree, kRangeBeyond = 15 * kDegree;
+  const JointCoordinate of_knee = CoordinatesOf(knee.kind, knee.side)[0];
+  const double scan = ScanCoordinates(knee)[0];
+  const double low = of_knee.lowest * kDegree - kRangeBeyond;
+  const double high = of_knee.highest * kDegree + kRangeBeyond;
+  std::vector<std::pair<double, double>> path = {{scan, 0}};
+  FollowKnee(groove, tip, tuberosity, scan, kStep, high, &path);
+  const double reached = path.back().first;
+  FollowKnee(groove, tip, tuberosity, scan, -kStep, low, &path);
+  std::sort(path.begin(), path.end());
+  if (reached < of_knee.highest * kDegree - kStep) {
+    patella->verdict.Weaken(
+        "the ligament holds the patella back from " +
+        Rounded(reached / kDegree, 0) +
+        " degrees of the knee on: there it stays in its groove");
+  }
+  patella->coupling.coordinate = of_knee.name;
+  for (const auto& [at, value] : path) {
+    patella->coupling.at.push_back(at);
+    patella->coupling.values.push_back(value);
+  }
+}
+
 }  // namespace
 
 FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
-  constexpr double kStep = 5 * kDegree, kRangeBeyond = 15 * kDegree;
   constexpr double kWeakSpread = 1.5;  // mm
   FoundJoint joint = StartedJoint(JointKind::kPatella, limb);
   const SurfacePoints* femur = limb.Find(BoneKind::kFemur);
@@ -184,36 +220,17 @@ FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
       ShapeOf("groove of the femur",
               {{joint.center, plane.axes.col(2)}, groove->radius},
               groove->spread,
-              0));
+              groove->angle));
   if (groove->spread > kWeakSpread) {
     joint.verdict.Weaken("the groove is off its circle by " +
                          Rounded(groove->spread, 1) + " mm, " +
                          Rounded(kWeakSpread, 1) + " mm or less are expected");
   }
-  const auto in_plane = [&](const Eigen::Vector3d& point) {
-    return Place(plane.Local(point).head<2>());
-  };
-  const Place tip = in_plane(LowestOf(*patella, plane));
-  const JointCoordinate of_knee = CoordinatesOf(knee.kind, knee.side)[0];
-  const double scan = ScanCoordinates(knee)[0];
-  std::vector<std::pair<double, double>> path = {{scan, 0}};
-  const double low = of_knee.lowest * kDegree - kRangeBeyond;
-  const double high = of_knee.highest * kDegree + kRangeBeyond;
-  FollowKnee(*groove, tip, in_plane(*tuberosity), scan, kStep, high, &path);
-  const double reached = path.back().first;
-  FollowKnee(*groove, tip, in_plane(*tuberosity), scan, -kStep, low, &path);
-  std::sort(path.begin(), path.end());
-  if (reached < of_knee.highest * kDegree - kStep) {
-    joint.verdict.Weaken(
-        "the ligament holds the patella back from " +
-        Rounded(reached / kDegree, 0) +
-        " degrees of the knee on: there it stays in its groove");
-  }
-  joint.coupling.coordinate = of_knee.name;
-  for (const auto& [of, value] : path) {
-    joint.coupling.at.push_back(of);
-    joint.coupling.values.push_back(value);
-  }
+  CoupleToKnee(knee,
+               *groove,
+               plane.InPlane(LowestOf(*patella, plane)),
+               plane.InPlane(*tuberosity),
+               &joint);
   return joint;
 }
 

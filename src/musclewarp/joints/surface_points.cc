@@ -5,7 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "musclewarp/joints/point_search.h"
 #include "musclewarp/mesh/box.h"
@@ -160,8 +161,12 @@ SurfacePoints SampleSurface(const TriangleSoup& surface,
                             const SurfaceSampling& sampling) {
   SurfacePoints spread = SpreadByArea(
       OuterSurface(surface, sampling.stray_fraction), sampling.spacing);
-  spread.normals = AveragedNormals(spread, sampling.normal_radius);
-  return spread;
+  return WithAveragedNormals(std::move(spread), sampling.normal_radius);
+}
+
+SurfacePoints WithAveragedNormals(SurfacePoints surface, double radius) {
+  surface.normals = AveragedNormals(surface, radius);
+  return surface;
 }
 
 SurfacePoints Subset(const SurfacePoints& all, const std::vector<int>& rows) {

@@ -36,6 +36,10 @@ struct SurfaceSampling {
 SurfacePoints SampleSurface(const TriangleSoup& surface,
                             const SurfaceSampling& sampling = {});
 
+// Returns the points with the mean of the normals within `radius` (mm) of each,
+// of those that face the same way.
+SurfacePoints WithAveragedNormals(SurfacePoints surface, double radius);
+
 // Returns some of the points, in the order of `rows`.
 SurfacePoints Subset(const SurfacePoints& all, const std::vector<int>& rows);
 

@@ -86,16 +86,15 @@ void PrepareModel(const Surroundings& surroundings,
   if (options.attachments == AttachmentKind::kNone) {
     model_options.attachment_weight = 0;
   }
-  const KnownEnds ends =
-      EndsOfFibres(fine, surroundings.bodies(), muscle, names_attachments);
+  const std::vector<BodySurface> bodies = surroundings.BodiesOf(muscle);
+  const KnownEnds ends = EndsOfFibres(fine, bodies, muscle, names_attachments);
   MuscleInterior interior;
   if (!muscle.lines.empty()) {
     std::vector<const TriangleSoup*> beyond;
     for (const int other : prepared->lines_through) {
       beyond.push_back(&surroundings.muscle(other));
     }
-    interior =
-        InteriorOf(fine, surroundings.bodies(), ends, beyond, options.fibres);
+    interior = InteriorOf(fine, bodies, ends, beyond, options.fibres);
   }
   prepared->model = PrepareMuscle(muscle, fine, hull, interior, model_options);
   if (options.attachments != AttachmentKind::kNone) {
@@ -107,10 +106,10 @@ void PrepareModel(const Surroundings& surroundings,
       CarryActionLines(prepared->model, model_options.sample_spacing);
   if (options.fibres.fibres > 0) {
     const Stopwatch stopwatch;
-    prepared->fibres = EmbedLines(
-        MakeFibres(fine, surroundings.bodies(), ends, options.fibres),
-        hull.points,
-        hull.triangles);
+    prepared->fibres =
+        EmbedLines(MakeFibres(fine, bodies, ends, options.fibres),
+                   hull.points,
+                   hull.triangles);
     prepared->fibres_ms = stopwatch.Milliseconds();
   }
 }
@@ -126,7 +125,7 @@ void PrepareFromMesh(const Surroundings& surroundings,
   std::vector<FoundAttachment> found;
   if (options.attachments == AttachmentKind::kAuto &&
       (muscle.attachments.empty() || !prepared->tied_to.empty())) {
-    found = FindAttachments(fine, surroundings.bodies(), muscle.lines);
+    found = FindAttachments(fine, surroundings.BodiesOf(muscle), muscle.lines);
   }
   std::vector<Attachment> soft;
   for (const int other : prepared->tied_to) {

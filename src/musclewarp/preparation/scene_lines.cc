@@ -28,6 +28,28 @@ std::optional<std::vector<int>> NamedEnds(const SceneMuscle& muscle,
   return ends_on;
 }
 
+// Lets lines that were made end on two different bodies, as the scene says,
+// where both ends are nearest to the same one.
+void PutEndsOnBodies(const std::vector<BodySurface>& bodies,
+                     std::vector<ActionLine>* lines) {
+  if (bodies.size() != 2) return;
+  for (ActionLine& line : *lines) {
+    const int last = static_cast<int>(line.rest.rows()) - 1;
+    if (line.bodies.empty() || line.bodies.front() != line.bodies.back()) {
+      continue;
+    }
+    const auto distance = [&](int body, int point) {
+      return bodies[body].Distance(line.rest.row(point));
+    };
+    const bool is_forward = distance(0, 0) + distance(1, last) <=
+                            distance(1, 0) + distance(0, last);
+    for (int point = 0; point <= last; ++point) {
+      const bool is_first_half = 2 * point <= last;
+      line.bodies[point] = bodies[is_first_half == is_forward ? 0 : 1].body;
+    }
+  }
+}
+
 }  // namespace
 
 bool LacksLines(const Scene& scene) {
@@ -49,17 +71,19 @@ std::vector<ContinuedLines> MakeSceneLines(
   const auto make = [&](size_t m) {
     const SceneMuscle& muscle = scene.muscles[m];
     const TriangleSoup& mesh = surroundings.muscle(m);
+    const std::vector<BodySurface> bodies = surroundings.BodiesOf(muscle);
     SoftPart& part = parts[m];
     part.surface = &surroundings.surface_of(m);
     part.volume = SignedVolume(mesh.points, mesh.triangles);
-    part.lines = !muscle.lines.empty() ? muscle.lines
-                                       : MakeLines(muscle.name,
-                                                   mesh,
-                                                   surroundings.bodies(),
-                                                   muscle.attachments,
-                                                   lines_each);
-    part.ends =
-        EndsOf(muscle, FindAttachments(mesh, surroundings.bodies(), {}));
+    part.lines =
+        !muscle.lines.empty()
+            ? muscle.lines
+            : MakeLines(
+                  muscle.name, mesh, bodies, muscle.attachments, lines_each);
+    if (muscle.lines.empty() && !muscle.end_bodies.empty()) {
+      PutEndsOnBodies(bodies, &part.lines);
+    }
+    part.ends = EndsOf(muscle, FindAttachments(mesh, bodies, {}));
     part.ends_on = NamedEnds(muscle, scene);
   };
   ParallelFor(count, make, on_done);

@@ -33,4 +33,16 @@ std::vector<const TriangleBvh*> Surroundings::MusclesBeside(int muscle) const {
   return others;
 }
 
+std::vector<BodySurface> Surroundings::BodiesOf(
+    const SceneMuscle& muscle) const {
+  if (muscle.end_bodies.empty()) return bodies_;
+  std::vector<BodySurface> ends;
+  for (const std::string& name : muscle.end_bodies) {
+    for (const BodySurface& body : bodies_) {
+      if (body.body == name) ends.push_back(body);
+    }
+  }
+  return ends;
+}
+
 }  // namespace musclewarp

@@ -9,6 +9,7 @@
 #include "musclewarp/fibres/muscle_ends.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/proximity/triangle_bvh.h"
+#include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
 
@@ -23,6 +24,10 @@ class Surroundings {
 
   // The bodies, ordered by their first bones.
   const std::vector<BodySurface>& bodies() const { return bodies_; }
+
+  // The bodies on whose bones a muscle may end: those that it names, in their
+  // order, or all. Precondition: the muscle passes CheckScene.
+  std::vector<BodySurface> BodiesOf(const SceneMuscle& muscle) const;
 
   const TriangleSoup& muscle(size_t muscle) const { return meshes_[muscle]; }
   const TriangleBvh& surface_of(size_t muscle) const {

@@ -90,7 +90,8 @@ Attachment ReadAttachment(const JsonField& field) {
 SceneMuscle ReadMuscle(const JsonField& field,
                        const NamedLines& named,
                        const std::string& root) {
-  field.CheckKeys({"name", "mesh", "lines", "attachments", "ends_on"});
+  field.CheckKeys(
+      {"name", "mesh", "lines", "attachments", "ends_on", "end_bodies"});
   SceneMuscle muscle;
   muscle.name = field.At("name").AsString();
   muscle.mesh_path = Resolve(field.At("mesh").AsString(), root);
@@ -108,6 +109,9 @@ SceneMuscle ReadMuscle(const JsonField& field,
     }
   }
   if (field.Has("ends_on")) muscle.ends_on = field.At("ends_on").AsStrings();
+  if (field.Has("end_bodies")) {
+    muscle.end_bodies = field.At("end_bodies").AsStrings();
+  }
   return muscle;
 }
 

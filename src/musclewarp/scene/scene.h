@@ -59,6 +59,10 @@ struct SceneMuscle {
   // through them.
   std::optional<std::vector<std::string>> ends_on = {};
 
+  // The bodies on whose bones it ends, that of its origin first; empty: those
+  // that are nearest to its mesh.
+  std::vector<std::string> end_bodies = {};
+
   // What the volume of the muscle is compared with, mm^3, where the mesh has
   // less of it already, as that of a label may; 0: the volume of the mesh.
   double delivered_volume = 0;

@@ -132,6 +132,30 @@ std::set<std::string> KnownBodies(const Scene& scene) {
   return bodies;
 }
 
+void CheckEndBodies(const Scene& scene, const SceneMuscle& muscle) {
+  if (muscle.end_bodies.empty()) return;
+  const std::string where =
+      Where(scene) + ": \"end_bodies\" of muscle " + muscle.name;
+  if (muscle.end_bodies.size() != 2) {
+    throw InputError(where,
+                     "has " + std::to_string(muscle.end_bodies.size()) +
+                         " bodies; allowed: two",
+                     "name the body of the origin and that of the insertion");
+  }
+  for (const std::string& body : muscle.end_bodies) {
+    const bool has_bones = std::any_of(
+        scene.bones.begin(), scene.bones.end(), [&](const SceneBone& bone) {
+          return bone.body == body;
+        });
+    if (has_bones) continue;
+    throw InputError(where,
+                     "names " + QuotedName(body) +
+                         ", which is the body of no bone of the scene",
+                     "name bodies of bones, or leave it out to have them found "
+                     "on the meshes");
+  }
+}
+
 void CheckEndsOn(const Scene& scene, const SceneMuscle& muscle) {
   if (!muscle.ends_on) return;
   for (const std::string& name : *muscle.ends_on) {
@@ -173,6 +197,7 @@ void CheckMuscle(const Scene& scene,
     CheckCoordinates(where, attachment.points);
   }
   CheckEndsOn(scene, muscle);
+  CheckEndBodies(scene, muscle);
 }
 
 void CheckOnePose(const Scene& scene,

@@ -17,7 +17,8 @@ namespace musclewarp {
 //   there is one for each point. Targets have as many points as their line.
 // - Bodies that lines and attachments follow belong to a bone, are moved by a
 //   pose, or come from the model. A body needs no mesh.
-// - The muscles on which a muscle ends are others of the scene.
+// - The muscles on which a muscle ends are others of the scene; the bodies on
+//   which it ends are two, and have bones.
 // - Bodies that poses move are those of a bone, a line or an attachment.
 //   They move rigidly (rigid_motion.h).
 //

@@ -18,6 +18,14 @@ export interface Coordinate {
   axis_in_joint: Vector;
   scan_deg: number;
   range_deg: [number, number];
+  follows?: Follows;
+}
+
+// How a coordinate follows another one: linear between points, constant beyond.
+export interface Follows {
+  coordinate: string;
+  at_deg: number[]; // ascending
+  values_deg: number[];
 }
 
 export interface Shape {

@@ -8,6 +8,7 @@ import { readable } from "../palette";
 import { Store } from "../state";
 import { turnColors } from "./colors";
 import { Coordinate, Joint, JointsFile, Shape } from "./data";
+import { withFollowers } from "./kinematics";
 import { JointsState, rangeOf } from "./state";
 
 // "good", "weak", "failed", or "given" by the user.
@@ -59,9 +60,10 @@ function degrees(value: number): string {
 function slider(
   coordinate: Coordinate,
   color: string,
+  file: JointsFile,
   store: Store<JointsState>,
 ): HTMLElement {
-  const { name, scan_deg } = coordinate;
+  const { name, scan_deg, follows } = coordinate;
   const [lowest, highest] = rangeOf(coordinate);
   const input = element("input", {
     type: "range",
@@ -70,10 +72,16 @@ function slider(
     max: highest,
     step: "any",
     "aria-label": `${readable(name)}, degrees`,
-    title: `${degrees(lowest)} to ${degrees(highest)}, ${degrees(scan_deg)} in the scan`,
+    disabled: follows !== undefined,
+    title: follows
+      ? `follows ${readable(follows.coordinate)}`
+      : `${degrees(lowest)} to ${degrees(highest)}, ${degrees(scan_deg)} in the scan`,
     oninput: () =>
       store.set({
-        values: { ...store.state.values, [name]: Number(input.value) },
+        values: withFollowers(file, {
+          ...store.state.values,
+          [name]: Number(input.value),
+        }),
       }),
   });
   const shown = element("output", { for: input.id });
@@ -94,7 +102,11 @@ function slider(
   );
 }
 
-function item(joint: Joint, store: Store<JointsState>): HTMLElement {
+function item(
+  joint: Joint,
+  file: JointsFile,
+  store: Store<JointsState>,
+): HTMLElement {
   const quality = qualityOf(joint);
   const select = element(
     "button",
@@ -126,7 +138,9 @@ function item(joint: Joint, store: Store<JointsState>): HTMLElement {
   }
   if (joint.shapes.length > 0) made.append(shapeTable(joint.shapes));
   (joint.coordinates ?? []).forEach((coordinate, i) =>
-    made.append(slider(coordinate, turnColors[i % turnColors.length], store)),
+    made.append(
+      slider(coordinate, turnColors[i % turnColors.length], file, store),
+    ),
   );
   store.subscribe(({ selected }) => {
     const isSelected = selected === joint.name;
@@ -145,6 +159,6 @@ export function jointList(
   return element(
     "ul",
     { class: "joints" },
-    ...file.joints.map((joint) => item(joint, store)),
+    ...file.joints.map((joint) => item(joint, file, store)),
   );
 }

@@ -6,11 +6,36 @@
 
 import { Matrix4, Vector3 } from "three";
 
-import { Frames, JointsFile, foundJoints } from "./data";
+import {
+  Follows,
+  Frames,
+  JointsFile,
+  coordinatesOf,
+  foundJoints,
+} from "./data";
 
 export type Values = Record<string, number>; // by coordinate, degrees
 
 const degree = Math.PI / 180;
+
+function followed({ at_deg, values_deg }: Follows, value: number): number {
+  const next = at_deg.findIndex((at) => at >= value);
+  if (next < 0) return values_deg[values_deg.length - 1];
+  if (next === 0) return values_deg[0];
+  const part = (value - at_deg[next - 1]) / (at_deg[next] - at_deg[next - 1]);
+  return (
+    values_deg[next - 1] + part * (values_deg[next] - values_deg[next - 1])
+  );
+}
+
+// The values with those of coordinates that follow others.
+export function withFollowers(file: JointsFile, values: Values): Values {
+  const all = { ...values };
+  for (const { name, follows } of coordinatesOf(file)) {
+    if (follows) all[name] = followed(follows, values[follows.coordinate]);
+  }
+  return all;
+}
 
 // A frame at the centre of a joint, of which the rows of the axes are given.
 function frame(joint: Frames, [x, y, z]: Frames["parent_axes"]): Matrix4 {

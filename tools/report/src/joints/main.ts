@@ -22,6 +22,7 @@ import { JointsData, JointsFile, coordinatesOf, readJointsData } from "./data";
 import { jointList, qualityOf } from "./joint_list";
 import { JointsViewer } from "./joints_viewer";
 import { JointsState, initialJointsState, rangeOf, scanValues } from "./state";
+import { withFollowers } from "./kinematics";
 
 type JointsStore = Store<JointsState>;
 
@@ -121,7 +122,7 @@ function jointsSection(data: JointsData, store: JointsStore): HTMLElement {
         store.set({ values: scanValues(file) }),
       ),
       button("zero", "All coordinates 0, or as near as they go", () =>
-        store.set({ values: zeroValues(file) }),
+        store.set({ values: withFollowers(file, zeroValues(file)) }),
       ),
     ),
     element(
