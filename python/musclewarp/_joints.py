@@ -122,7 +122,7 @@ def articulate(bones: Mapping[str, Any],
         side: "right", "left" or "both": where joints are found, and of which
             bones are that nothing else says the side of.
         joints: those to find: "hip", "knee", "patella", "ankle", "subtalar",
-            "shoulder", "elbow", "forearm". None: all that have their bones.
+            "shoulder", "elbow", "forearm". Empty: all that have their bones.
         zero: the pose in which coordinates are 0: "anatomy" (the frames of both
             bones are parallel) or "scan".
         axes: where +x, +y and +z point, one letter each out of L(eft) or
@@ -140,13 +140,14 @@ def articulate(bones: Mapping[str, Any],
                          "give meshes by the names of bones")
     if isinstance(joints, str):
         joints = [joints]
-    is_path = given is not None and not isinstance(given, Mapping)
+    file, text = "", ""
+    if isinstance(given, Mapping):
+        text = json.dumps(given)
+    elif given is not None:
+        file = os.fspath(given)
     return Articulation(
         _core.articulate(list(bones.items()), side, list(joints), zero,
-                         "none" if axes is None else axes,
-                         os.fspath(given) if is_path else "",
-                         json.dumps(given) if isinstance(given, Mapping) else
-                         ""))
+                         "none" if axes is None else axes, file, text))
 
 
 def _sweeps(
@@ -174,7 +175,7 @@ def _muscles(
 def _muscle(name: str, mesh: Any) -> _core.Muscle:
     if isinstance(mesh, (str, os.PathLike)):
         return _core.Muscle(name, path=mesh)
-    if isinstance(mesh, tuple):
+    if isinstance(mesh, tuple) and len(mesh) == 2:
         return _core.Muscle(name, *mesh)
     if not hasattr(mesh, "points"):
         mesh = getattr(mesh, "mesh", mesh)

@@ -220,6 +220,48 @@ def test_a_joint_that_failed_says_why():
         found.scene([vastus()])
 
 
+def tube(start, end, radius):
+    """A cylinder from point to point."""
+    start, end = np.array(start, float), np.array(end, float)
+    length = np.linalg.norm(end - start)
+    rims = np.linspace(0, radius, 8)[1:]
+    mesh = revolved([(0, 0), *((r, 0) for r in rims),
+                     *((radius, z) for z in np.linspace(0, length, 30)[1:-1]),
+                     *((r, length) for r in rims[::-1]), (0, length)])
+    z = (end - start) / length
+    x = np.cross((0, 1, 0), z)
+    if np.linalg.norm(x) == 0:
+        x = np.array((1, 0, 0))
+    x /= np.linalg.norm(x)
+    axes = np.stack([x, np.cross(z, x), z], 1)
+    return mw.Mesh(mesh.points @ axes.T + start, mesh.triangles)
+
+
+def right_femur():
+    """Tubes and a ball that cross each other: a head to the left of a knee."""
+    ball = revolved([(0, HEAD[2] - 23), *arc(23, 0.05, math.pi, 30)])
+    parts = [ball, tube((-48, 4, 25), (-48, 4, 340), 14),
+             tube((-48, 4, 340), (0, 0, 400), 14)]
+    # Both condyles reach farther back from the shaft than it is wide.
+    for x in (-48 - 37.5, -48 + 7.5):
+        parts.append(tube((x, 18, 5), (x + 30, 18, 5), 20))
+    starts = np.cumsum([0] + [len(part.points) for part in parts])
+    return mw.Mesh(np.vstack([part.points for part in parts]),
+                   np.vstack([part.triangles + start
+                              for part, start in zip(parts, starts)]))
+
+
+def test_refuses_a_mirrored_femur():
+    bones = {"femur": right_femur(), "pelvis": BONES["hip_right"]}
+    found = mw.articulate(bones, joints=["hip"])
+    assert found.joints[0].side == "right"
+    assert "femur: a right femur, by its shape" in found.notes
+    bones["femur_l"] = bones.pop("femur")
+    with pytest.raises(mw.InputError, match="femur_l: has the shape of a right "
+                       "femur and is named left.*mirrored"):
+        mw.articulate(bones)
+
+
 def test_names_that_are_not_known_are_noted(hip):
     found = mw.articulate({**BONES, "femmur": BONES["femur_r"]})
     assert any("femmur: not known as a bone" in note and "femur" in note

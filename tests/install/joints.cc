@@ -32,7 +32,8 @@ int main() {
       mw::Articulate({mw::BoneOfName("femur_r", Block(2, 400)),
                       mw::BoneOfName("right tibia", Block(-350, -2))},
                      options);
-  std::cout << mw::JointsJson(leg, options.axes).dump(1) << "\n";
+  const auto report = mw::JointsJson(leg, options.axes);
+  std::cout << report["joints"][0]["name"] << "\n";
   const std::string model = mw::ArticulatedModelText(leg, "leg");
   return leg.joints.size() == 1 &&
                  mw::CoordinateNames(leg).at(0) == "knee_angle_r" &&
