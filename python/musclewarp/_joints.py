@@ -24,8 +24,9 @@ class Articulation:
             names that are not known as those of bones; sentences.
     """
 
-    def __init__(self, source: _core.ArticulationSource) -> None:
+    def __init__(self, source: _core.ArticulationSource, units: str) -> None:
         self._source = source
+        self._units = units
 
     @property
     def joints(self) -> List[_core.Joint]:
@@ -73,12 +74,12 @@ class Articulation:
 
         Args:
             muscles: list of Muscle, or dict of meshes by name, each in a form
-                that articulate() takes. Those without lines get them from the
-                meshes.
+                and in the units that articulate() was given. Those without
+                lines get them from the meshes.
             motion: for each coordinate that moves from where to where, in
                 degrees, as in scene files (docs/scene.md). They move together;
-                the others stay as they are in the scan. None: the first
-                coordinate goes through its usual range.
+                the others stay as they are in the scan, or follow. None: the
+                first coordinate moves by 30 degrees from the pose of the scan.
             frames: the number of poses, at equal distances; with 1 the first.
             name: of the scene, for reports.
         Raises:
@@ -87,8 +88,9 @@ class Articulation:
         """
         with tempfile.TemporaryDirectory(prefix="musclewarp-") as folder:
             return scene_of(
-                self._source.scene(_muscles(muscles), _sweeps(motion or {}),
-                                   frames, name, folder))
+                self._source.scene(_muscles(muscles, self._units),
+                                   _sweeps(motion or {}), frames, name,
+                                   folder))
 
     def __repr__(self) -> str:
         joints = ", ".join(f"{joint.name} {joint.quality}"
@@ -102,6 +104,7 @@ def articulate(bones: Mapping[str, Any],
                joints: Sequence[str] = (),
                zero: str = "anatomy",
                axes: Optional[str] = "LPS",
+               units: str = "mm",
                given: Union[_Path, Mapping[str, Any], None] = None
                ) -> Articulation:
     """Finds the joints of a skeleton on the shapes of its bones.
@@ -114,7 +117,7 @@ def articulate(bones: Mapping[str, Any],
     results.
 
     Args:
-        bones: dict of meshes by name, in one frame, mm. Names tell what bones
+        bones: dict of meshes by name, in one frame. Names tell what bones
             are: "femur_r", "hip_left", "calcn_r", "os coxae". Bones of other
             names belong to no joint. A mesh is a Mesh, a pair (points,
             triangles), anything that has points and triangles, or the path of a
@@ -128,6 +131,7 @@ def articulate(bones: Mapping[str, Any],
         axes: where +x, +y and +z point, one letter each out of L(eft) or
             R(ight), A(nterior) or P(osterior), S(uperior) or I(nferior). None:
             not known.
+        units: of the meshes: "mm", "cm" or "m". All results are in mm.
         given: joints that replace those found: the path of a joints.json, or
             the same as a dict, such as a corrected Articulation.report().
     Raises:
@@ -147,7 +151,8 @@ def articulate(bones: Mapping[str, Any],
         file = os.fspath(given)
     return Articulation(
         _core.articulate(list(bones.items()), side, list(joints), zero,
-                         "none" if axes is None else axes, file, text))
+                         "none" if axes is None else axes, units, file,
+                         text), units)
 
 
 def _sweeps(
@@ -165,19 +170,19 @@ def _sweeps(
 
 
 def _muscles(
-    muscles: Union[Iterable[_core.Muscle],
-                   Mapping[str, Any]]) -> List[_core.Muscle]:
+    muscles: Union[Iterable[_core.Muscle], Mapping[str, Any]],
+    units: str) -> List[_core.Muscle]:
     if isinstance(muscles, Mapping):
-        return [_muscle(name, mesh) for name, mesh in muscles.items()]
+        return [_muscle(name, mesh, units) for name, mesh in muscles.items()]
     return list(muscles)
 
 
-def _muscle(name: str, mesh: Any) -> _core.Muscle:
+def _muscle(name: str, mesh: Any, units: str) -> _core.Muscle:
     if isinstance(mesh, (str, os.PathLike)):
-        return _core.Muscle(name, path=mesh)
+        return _core.Muscle(name, path=mesh, units=units)
     if isinstance(mesh, tuple) and len(mesh) == 2:
-        return _core.Muscle(name, *mesh)
+        return _core.Muscle(name, *mesh, units=units)
     if not hasattr(mesh, "points"):
         mesh = getattr(mesh, "mesh", mesh)
     return _core.Muscle(name, getattr(mesh, "points", None),
-                        getattr(mesh, "triangles", None))
+                        getattr(mesh, "triangles", None), units=units)

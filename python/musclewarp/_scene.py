@@ -148,7 +148,7 @@ def demo_scene(folder: Union[str, "os.PathLike[str]", None] = None) -> Scene:
         scene.muscles = [
             _core.Muscle(m.name, m.mesh.points, m.mesh.triangles,
                          lines=m.lines, attachments=m.attachments,
-                         ends_on=m.ends_on)
+                         ends_on=m.ends_on, end_bodies=m.end_bodies)
             for m in scene.muscles
         ]
         scene.bones = [

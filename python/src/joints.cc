@@ -67,8 +67,7 @@ constexpr char kArticulationSourceDoc[] =
 // An articulation and what belongs to its report.
 struct ArticulationSource {
   Articulation articulation;
-  std::string axes;                // empty if they are not known
-  std::vector<std::string> notes;  // those of the names first
+  std::string axes;  // empty if they are not known
 };
 using SharedArticulation = std::shared_ptr<ArticulationSource>;
 
@@ -93,6 +92,7 @@ SharedMesh BoneMeshFrom(const py::object& object, const std::string& where) {
 }
 
 std::vector<Bone> BonesFrom(const MeshesByName& meshes,
+                            double mm_per_unit,
                             std::vector<std::string>* notes) {
   if (meshes.empty()) {
     throw InputError("bones", "are none", "give meshes by the names of bones");
@@ -102,6 +102,7 @@ std::vector<Bone> BonesFrom(const MeshesByName& meshes,
     CheckFileName("bones", "bone", name);
     const SharedMesh mesh = BoneMeshFrom(object, "bone " + QuotedName(name));
     bones.push_back(BoneOfName(name, *mesh));
+    bones.back().mesh.points *= mm_per_unit;
     if (!ParseBoneName(name).is_known) {
       notes->push_back(NoteOnUnknownBone(name));
     }
@@ -116,6 +117,7 @@ SharedArticulation FindJoints(const MeshesByName& meshes,
                               const std::vector<std::string>& joints,
                               const std::string& zero,
                               const std::string& axes,
+                              const std::string& units,
                               const std::string& given,
                               const std::string& given_text) {
   ArticulationOptions options;
@@ -133,11 +135,13 @@ SharedArticulation FindJoints(const MeshesByName& meshes,
   }
   const auto source = std::make_shared<ArticulationSource>();
   source->axes = options.axes;
-  std::vector<Bone> bones = BonesFrom(meshes, &source->notes);
-  return ComputeFree([source, bones = std::move(bones), options] {
+  std::vector<std::string> notes;
+  std::vector<Bone> bones =
+      BonesFrom(meshes, MillimetresFrom(units, "units"), &notes);
+  return ComputeFree([source, bones = std::move(bones), notes, options] {
     source->articulation = Articulate(bones, options);
-    const std::vector<std::string>& notes = source->articulation.notes;
-    source->notes.insert(source->notes.end(), notes.begin(), notes.end());
+    std::vector<std::string>& all = source->articulation.notes;
+    all.insert(all.begin(), notes.begin(), notes.end());
     return source;
   });
 }
@@ -162,13 +166,12 @@ JointMotion MotionOf(const Sweeps& sweeps,
   }
   CheckCoordinates(motion, articulation, "motion");
   if (sweeps.empty()) {
-    const std::vector<JointMotion> motions = MotionsOfRanges(articulation);
-    if (motions.empty()) {
+    motion = FirstMotion(articulation);
+    if (motion.sweeps.empty()) {
       throw InputError("motion",
                        "has nothing to move: no joint was found",
                        "the reasons of the joints say why");
     }
-    motion = motions.front();
   }
   motion.frames = frames;
   return motion;
@@ -307,7 +310,10 @@ void BindJoints(py::module_* module) {
                              [](const ArticulationSource& source) {
                                return Shared(source.articulation.joints);
                              })
-      .def_readonly("notes", &ArticulationSource::notes)
+      .def_property_readonly("notes",
+                             [](const ArticulationSource& source) {
+                               return source.articulation.notes;
+                             })
       .def("report",
            [](const ArticulationSource& source) {
              return FromJson(JointsJson(source.articulation, source.axes));
@@ -337,6 +343,7 @@ void BindJoints(py::module_* module) {
               py::arg("joints"),
               py::arg("zero"),
               py::arg("axes"),
+              py::arg("units"),
               py::arg("given"),
               py::arg("given_text"));
 }

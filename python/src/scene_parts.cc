@@ -57,6 +57,8 @@ Args:
     attachments: Attachments. Without any they are found on the meshes.
     ends_on: names of the muscles on which it ends instead of on bones. None:
         found on the meshes.
+    end_bodies: the bodies on whose bones it ends, that of its origin and that
+        of its insertion. Empty: found on the meshes.
     path: of a mesh file, in place of points and triangles.
     units: of the points or the file: "mm", "cm" or "m".
 Attributes:
@@ -147,6 +149,7 @@ SharedMuscle MakeMuscle(const std::string& name,
                         const std::vector<SharedLine>& lines,
                         const std::vector<SharedAttachment>& attachments,
                         const std::optional<Names>& ends_on,
+                        const Names& end_bodies,
                         const std::filesystem::path& path,
                         const std::string& units) {
   const auto muscle = std::make_shared<SceneMuscle>();
@@ -159,6 +162,7 @@ SharedMuscle MakeMuscle(const std::string& name,
     muscle->attachments.push_back(*attachment);
   }
   muscle->ends_on = ends_on;
+  muscle->end_bodies = end_bodies;
   return muscle;
 }
 
@@ -223,6 +227,7 @@ void BindMuscles(py::module_* module) {
            py::arg("lines") = std::vector<SharedLine>(),
            py::arg("attachments") = std::vector<SharedAttachment>(),
            py::arg("ends_on") = py::none(),
+           py::arg("end_bodies") = Names(),
            py::arg("path") = "",
            py::arg("units") = "mm")
       .def_readonly("name", &SceneMuscle::name)
@@ -234,7 +239,8 @@ void BindMuscles(py::module_* module) {
       .def_property_readonly(
           "attachments",
           [](const SceneMuscle& muscle) { return Shared(muscle.attachments); })
-      .def_readonly("ends_on", &SceneMuscle::ends_on);
+      .def_readonly("ends_on", &SceneMuscle::ends_on)
+      .def_readonly("end_bodies", &SceneMuscle::end_bodies);
 }
 
 void BindBones(py::module_* module) {

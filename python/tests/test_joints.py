@@ -129,6 +129,33 @@ def test_takes_meshes_of_all_forms(hip, tmp_path):
         assert other.report() == hip.report()
 
 
+def test_takes_other_units(hip):
+    in_metres = {name: (mesh.points / 1000, mesh.triangles)
+                 for name, mesh in BONES.items()}
+    found = mw.articulate(in_metres, joints=["hip"], units="m")
+    np.testing.assert_allclose(found.joints[0].center, hip.joints[0].center,
+                               atol=1e-6)
+    scene = found.scene({"vastus": (vastus().mesh.points / 1000,
+                                    vastus().mesh.triangles)})
+    np.testing.assert_allclose(scene.muscles[0].mesh.points,
+                               vastus().mesh.points, rtol=1e-12)
+    with pytest.raises(mw.InputError, match="units"):
+        mw.articulate(BONES, units="inch")
+
+
+def test_a_muscle_names_the_bodies_of_its_ends(hip):
+    mesh = vastus().mesh
+    ends = mw.Muscle("vastus", mesh.points, mesh.triangles,
+                     end_bodies=["femur_r", "pelvis"])
+    assert ends.end_bodies == ["femur_r", "pelvis"]
+    lines = quick(hip.scene([ends])).rest_frame["vastus"].lines
+    assert len(lines) == 3
+    wrong = mw.Muscle("vastus", mesh.points, mesh.triangles,
+                      end_bodies=["femur_r", "skull"])
+    with pytest.raises(mw.InputError, match="end_bodies.*skull"):
+        quick(hip.scene([wrong]))
+
+
 def test_the_scene_is_that_of_the_program(hip, tmp_path):
     mw.write_mesh(tmp_path / "vastus.ply", vastus().mesh)
     out = program(tmp_path, "--joints=hip", "--motion=hip_flexion_r:-10:60:4",
@@ -180,7 +207,7 @@ def test_without_a_motion_the_first_coordinate_moves(hip):
     assert len(scene.poses) == 15
     assert [pose.coordinates["hip_flexion_r"]
             for pose in (scene.poses[0], scene.poses[-1])] == pytest.approx(
-                [-30, 120])
+                [0, 30], abs=1e-9)
     assert len(hip.scene([vastus()], {"hip_flexion_r": (5, 5)}, 1).poses) == 1
 
 
@@ -238,9 +265,13 @@ def tube(start, end, radius):
 
 
 def right_femur():
-    """Tubes and a ball that cross each other: a head to the left of a knee."""
+    """Tubes and an open ball that cross each other: a head to the left of a knee."""
     ball = revolved([(0, HEAD[2] - 23), *arc(23, 0.05, math.pi, 30)])
-    parts = [ball, tube((-48, 4, 25), (-48, 4, 340), 14),
+    to_neck = np.array((-48, 4, -60)) / math.sqrt(48**2 + 4**2 + 60**2)
+    middles = ball.points[ball.triangles].mean(1) - HEAD
+    open_ball = mw.Mesh(ball.points,
+                        ball.triangles[middles @ to_neck < 0.8 * 23])
+    parts = [open_ball, tube((-48, 4, 25), (-48, 4, 340), 14),
              tube((-48, 4, 340), (0, 0, 400), 14)]
     # Both condyles reach farther back from the shaft than it is wide.
     for x in (-48 - 37.5, -48 + 7.5):
