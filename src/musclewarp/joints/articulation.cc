@@ -10,16 +10,15 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/parallel_for.h"
-#include "musclewarp/base/short_list.h"
 #include "musclewarp/joints/ankle_joints.h"
 #include "musclewarp/joints/arm_joints.h"
+#include "musclewarp/joints/articulation_checks.h"
 #include "musclewarp/joints/bone_sides.h"
 #include "musclewarp/joints/hip_joint.h"
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/joints/knee_joint.h"
 #include "musclewarp/joints/patella_joint.h"
 #include "musclewarp/joints/pelvis_frame.h"
-#include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {
 namespace {
@@ -40,17 +39,6 @@ SurfacePoints Together(const std::vector<const SurfacePoints*>& parts) {
   return all;
 }
 
-// Larger bones are in another unit, and have too much surface to look at.
-void CheckSize(const Bone& bone) {
-  constexpr double kLargest = 3000;  // mm
-  const double diagonal = BoundingBoxDiagonal(bone.mesh.points);
-  if (diagonal <= kLargest) return;
-  throw InputError(
-      bone.name,
-      "is " + Rounded(diagonal / 1000, 1) + " m long, allowed: 3 m",
-      "give the unit of the files (--units)");
-}
-
 class Articulator {
  public:
   Articulator(std::vector<Bone> bones, const ArticulationOptions& options)
@@ -68,7 +56,9 @@ class Articulator {
       if (options_.side && *options_.side != side) continue;
       FindJoints(side);
     }
-    CheckJointsAreThere();
+    std::vector<std::string> names;
+    for (const SampledBone& bone : bones_) names.push_back(bone.bone.name);
+    CheckJointsAreThere(options_, names, lacks_sides_, result_.joints);
     CompareSides();
     ConnectBodies();
     for (SampledBone& bone : bones_) {
@@ -87,7 +77,7 @@ class Articulator {
     ParallelFor(bones_.size(), [&](size_t i) {
       SampledBone& bone = bones_[i];
       if (bone.bone.kind == BoneKind::kOther) return;
-      CheckSize(bone.bone);
+      CheckBoneSize(bone.bone);
       bone.surface = SampleSurface(bone.bone.mesh);
       if (bone.bone.kind == BoneKind::kFemur) {
         bone.femur = ShapeOfFemur(bone.surface, up);
@@ -274,37 +264,6 @@ class Articulator {
     joint.child = BodyByTable(ChildBody(kind, side), side);
     if (joint.parent == joint.child) return;  // one body by the user's table
     result_.joints.push_back(std::move(joint));
-  }
-
-  void CheckJointsAreThere() const {
-    for (const JointKind kind : options_.joints) {
-      const bool is_there = std::any_of(
-          result_.joints.begin(), result_.joints.end(), [&](auto& j) {
-            return j.kind == kind;
-          });
-      if (is_there) continue;
-      throw InputError("joint " + ToString(kind),
-                       "lacks its bones",
-                       "name the meshes as bones (docs/joints.md), or give a "
-                       "table with a column \"bone\"");
-    }
-    if (!result_.joints.empty()) return;
-    std::vector<std::string> names;
-    for (const SampledBone& bone : bones_) names.push_back(bone.bone.name);
-    if (names.empty()) {
-      throw InputError("bones",
-                       "none given",
-                       "name meshes or labels as bones (docs/joints.md)");
-    }
-    const std::string side =
-        options_.side ? " of the " + ToString(*options_.side) + " side" : "";
-    throw InputError("joints",
-                     "none" + side + " has its bones among " + ShortList(names),
-                     lacks_sides_
-                         ? "give their sides by --side or by their names, such "
-                           "as femur_r, as nothing else tells them"
-                         : "name the meshes as bones (docs/joints.md), or give "
-                           "a table with a column \"bone\"");
   }
 
   FoundJoint* JointOf(JointKind kind, Side side) {
