@@ -134,6 +134,16 @@ TEST(CheckScene, RefusesToEndOnWhatIsNoOtherMuscle) {
   CheckScene(scene);
 }
 
+TEST(CheckScene, RefusesToEndOnOtherThanTwoBodiesWithBones) {
+  ExpectSceneRefused([](Scene* s) { s->muscles[0].end_bodies = {"femur"}; },
+                     {"\"end_bodies\" of muscle iliacus", "two"});
+  ExpectSceneRefused(
+      [](Scene* s) {
+        s->muscles[0].end_bodies = {"pelvis", "thing"};
+      },
+      {"\"end_bodies\" of muscle iliacus", "\"thing\""});
+}
+
 TEST(CheckScene, RefusesBodiesOfWhichNothingIsKnown) {
   ExpectSceneRefused(
       [](Scene* s) { s->muscles[0].lines[0].bodies[1] = "tibia"; },
