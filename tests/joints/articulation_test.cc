@@ -20,7 +20,6 @@ namespace musclewarp {
 namespace {
 
 using ::testing::AnyOf;
-using ::testing::Contains;
 using ::testing::HasSubstr;
 
 const FoundJoint& JointOf(const Articulation& articulation, JointKind kind) {

@@ -17,7 +17,11 @@ SurfacePoints Plate(double z, double up) {
   plate.points.resize(441, 3);
   plate.normals.setZero(441, 3);
   plate.normals.col(2).setConstant(up);
-  for (int i = 0; i < 441; ++i) plate.points.row(i) << i % 21, i / 21, z;
+  for (int row = 0; row < 21; ++row) {
+    for (int column = 0; column < 21; ++column) {
+      plate.points.row(21 * row + column) << column, row, z;
+    }
+  }
   plate.area = 1;
   return plate;
 }

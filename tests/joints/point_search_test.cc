@@ -40,9 +40,13 @@ TEST(PointSearch, FindsWhatBruteForceFinds) {
 
 TEST(PointSearch, CountsPointsAtTheRadiusItself) {
   Points points(125, 3);
-  for (int i = 0; i < 125; ++i) points.row(i) << i % 5, i / 5 % 5, i / 25;
-  const PointSearch search(points);
   const auto index = [](int x, int y, int z) { return x + 5 * y + 25 * z; };
+  for (int x = 0; x < 5; ++x) {
+    for (int y = 0; y < 5; ++y) {
+      for (int z = 0; z < 5; ++z) points.row(index(x, y, z)) << x, y, z;
+    }
+  }
+  const PointSearch search(points);
   EXPECT_THAT(search.Within({2, 2, 2}, 1),
               ElementsAre(index(2, 2, 1),
                           index(2, 1, 2),

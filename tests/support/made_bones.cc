@@ -15,7 +15,6 @@ using Eigen::Vector3d;
 using phantom::Difference;
 using phantom::Ellipsoid;
 using phantom::Field;
-using phantom::Intersection;
 using phantom::SmoothMax;
 using phantom::Sweep;
 using phantom::Union;

@@ -208,6 +208,8 @@ void AddLines(const Surroundings& surroundings,
                                       "overrides this)");
     }
     muscle.lines = std::move(made[m].lines);
+    prepared->muscles[m].line_ends =
+        LineEndsOf(muscle.lines, surroundings.bodies());
     prepared->muscles[m].lines_through = std::move(made[m].through);
     prepared->muscles[m].tied_to = std::move(made[m].tied_to);
   }
@@ -235,6 +237,7 @@ void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
   for (const PreparedMuscle& muscle : prepared->muscles) {
     add(muscle.mesh.notes);
     add(muscle.attachment_warnings);
+    add(FarEndWarnings(muscle.model.name, muscle.line_ends));
     if (muscle.fibres.num_lines() >= options.fibres.fibres) continue;
     warnings.push_back(muscle.model.name + " has room for " +
                        std::to_string(muscle.fibres.num_lines()) +

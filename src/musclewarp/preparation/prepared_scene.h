@@ -19,6 +19,7 @@
 #include "musclewarp/preparation/attachment_choice.h"
 #include "musclewarp/preparation/attachments.h"
 #include "musclewarp/preparation/bones_at_rest.h"
+#include "musclewarp/preparation/line_ends.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/scene/exempt_area.h"
 #include "musclewarp/scene/scene.h"
@@ -137,6 +138,9 @@ struct PreparedMuscle {
 
   // The indices of those on which it ends itself, and to which it is attached.
   std::vector<int> tied_to;
+
+  // The ends of lines that were made; none of lines that the scene has.
+  std::vector<LineEnd> line_ends;
 
   // One sentence per line that contradicts an attachment.
   std::vector<std::string> attachment_warnings;

@@ -47,6 +47,14 @@ OrderedJson AttachmentsJson(const PreparedMuscle& muscle, bool is_found) {
   return list;
 }
 
+OrderedJson LineEndsJson(const std::vector<LineEnd>& ends) {
+  OrderedJson list = OrderedJson::array();
+  for (const LineEnd& end : ends) {
+    list.push_back({{"body", end.body}, {"distance_mm", end.distance}});
+  }
+  return list;
+}
+
 OrderedJson PrepareJson(const PreparedScene& scene) {
   OrderedJson muscles = OrderedJson::array();
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
@@ -63,6 +71,7 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
                        {"delivered_volume_mm3", muscle.mesh.delivered_volume},
                        {"skeleton_samples", muscle.model.samples.size()},
                        {"lines", muscle.model.lines.size()},
+                       {"line_ends", LineEndsJson(muscle.line_ends)},
                        {"fibres", muscle.fibres.num_lines()},
                        {"fibres_ms", muscle.fibres_ms},
                        {"shortest_fibre_mm", fibres.shortest},
