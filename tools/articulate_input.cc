@@ -119,8 +119,9 @@ class ArticulateReader {
   PieceChoice PiecesOf(const LabelEntry& entry) const {
     if (!IsBone(entry)) return PieceChoice::kLargest;
     const NamedBone bone = DescribedBone(entry);
-    return HasSide(bone.kind) && !bone.side ? PieceChoice::kAll
-                                            : PieceChoice::kLargest;
+    const bool has_both_sides = bone.kind == BoneKind::kPelvis ||
+                                (HasSide(bone.kind) && !bone.side);
+    return has_both_sides ? PieceChoice::kAll : PieceChoice::kLargest;
   }
 
   void ReadImage() {

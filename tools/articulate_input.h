@@ -44,7 +44,8 @@ struct ArticulateInput {
 // or by its name; the table may have rows for meshes, too, by their names.
 //
 // A label of a bone that there is on both sides, without a side, is taken
-// apart: each piece with at least 1 % of its volume becomes a bone.
+// apart, and so is that of a pelvis: each piece with at least 1 % of its volume
+// becomes a bone.
 //
 // Throws InputError for files that cannot be read, two meshes of one name, a
 // column whose value is not allowed (the message names the table and the row),
