@@ -119,8 +119,8 @@ class ArticulateReader {
   PieceChoice PiecesOf(const LabelEntry& entry) const {
     if (!IsBone(entry)) return PieceChoice::kLargest;
     const NamedBone bone = DescribedBone(entry);
-    const bool has_both_sides = bone.kind == BoneKind::kPelvis ||
-                                (HasSide(bone.kind) && !bone.side);
+    const bool has_both_sides =
+        bone.kind == BoneKind::kPelvis || (HasSide(bone.kind) && !bone.side);
     return has_both_sides ? PieceChoice::kAll : PieceChoice::kLargest;
   }
 
