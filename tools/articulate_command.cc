@@ -22,6 +22,7 @@
 #include "musclewarp/page/joints_page.h"
 #include "musclewarp/scene/scene_names.h"
 #include "tools/articulate_input.h"
+#include "tools/flag_values.h"
 #include "tools/output_folder.h"
 #include "tools/program.h"
 #include "tools/split.h"
@@ -104,6 +105,8 @@ class ArticulateRun {
                        "none given",
                        "name the meshes of the bones, or a label image");
     }
+    CheckLabelEdge(options_.edge);
+    CheckInputsStay();
     ArticulationOptions joints = ArticulationOptionsOf(options_);
     const JointMotion motion = ParseMotion(options_.motion);
     if (options_.threads > 0) omp_set_num_threads(options_.threads);
@@ -122,6 +125,20 @@ class ArticulateRun {
   }
 
  private:
+  // The meshes of the model must not replace those that it is made of.
+  void CheckInputsStay() const {
+    for (const std::string& file : files_) {
+      const std::string name = fs::path(file).stem().string();
+      const fs::path result =
+          fs::path(options_.out) / "Geometry" / (name + ".obj");
+      std::error_code error;
+      if (!fs::equivalent(result, file, error)) continue;
+      throw InputError("--out=" + options_.out,
+                       "has the input " + file + ", which would be replaced",
+                       "choose another folder");
+    }
+  }
+
   void ChooseMotions(const JointMotion& asked) {
     CheckCoordinates(asked, articulation_, "--motion");
     const bool is_asked = !asked.sweeps.empty();

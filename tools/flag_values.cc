@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <sstream>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh_files/mesh_io.h"
@@ -146,6 +147,15 @@ double ParseUnits(const std::string& text) {
   throw InputError("--units=" + text,
                    "is not a unit of length",
                    std::string("allowed: ") + kLengthUnits);
+}
+
+void CheckLabelEdge(double edge) {
+  constexpr double kLongest = 100;  // mm
+  if (edge >= 0 && edge <= kLongest) return;
+  std::ostringstream value;
+  value << edge;
+  throw InputError(
+      "--edge", "is " + value.str(), "allowed: 0 (twice a voxel) to 100 mm");
 }
 
 }  // namespace musclewarp

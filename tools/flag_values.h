@@ -31,6 +31,10 @@ bool ParseYesNo(const std::string& flag, const std::string& text);
 std::vector<std::string> ParseFolders(const std::string& flag,
                                       const std::string& text);
 
+// Throws InputError, naming --edge, unless the edge of the surfaces of labels
+// is 0 (twice a voxel) to 100 mm.
+void CheckLabelEdge(double edge);
+
 // Returns the millimetres in the unit that --units names.
 double ParseUnits(const std::string& text);
 

@@ -23,6 +23,7 @@
 #include "musclewarp/report/report_json.h"
 #include "musclewarp/report/screen_progress.h"
 #include "musclewarp/report/screen_report.h"
+#include "tools/flag_values.h"
 #include "tools/interruption.h"
 #include "tools/option_flags.h"
 #include "tools/output_folder.h"
@@ -34,8 +35,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
-
-constexpr double kLongestEdge = 100;  // mm
 
 std::string NumberText(double number) {
   std::ostringstream text;
@@ -56,11 +55,7 @@ void CheckSeparateOptions(const std::vector<std::string>& files,
                      "allowed: mesh files and names of labels with commas "
                      "between them");
   }
-  if (!(options.edge >= 0 && options.edge <= kLongestEdge)) {
-    throw InputError("--edge",
-                     "is " + NumberText(options.edge),
-                     "allowed: 0 (twice a voxel) to 100 mm");
-  }
+  CheckLabelEdge(options.edge);
   CheckThreads(options.threads);
   CheckWritable(options.out);
   CheckValid(RestSeparationOptionsOf(options));

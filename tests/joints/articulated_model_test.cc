@@ -84,16 +84,8 @@ void ExpectKnownChildren(pugi::xml_node node) {
 }
 
 TEST(ArticulatedModelText, HasTheElementsOfOpenSimFour) {
-  MadeLeg leg = LegOf(Side::kRight);
-  TriangleSoup patella = Icosphere(20, 3);
-  patella.points.col(1) *= 0.5;
-  leg.bones.push_back({"patella",
-                       BoneKind::kPatella,
-                       std::nullopt,
-                       "",
-                       MovedTo(patella, {0, -45, 15})});
   const std::string text =
-      ArticulatedModelText(Articulate(leg.bones, {}), "leg");
+      ArticulatedModelText(Articulate(LegWithPatella(Side::kRight), {}), "leg");
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(text.c_str()));
   const pugi::xml_node root = document.document_element();

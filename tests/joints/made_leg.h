@@ -44,4 +44,17 @@ inline MadeLeg LegOf(Side side) {
   return leg;
 }
 
+// The same with a patella of 40 x 20 x 40 mm before the groove of the femur.
+inline std::vector<Bone> LegWithPatella(Side side) {
+  std::vector<Bone> bones = LegOf(side).bones;
+  TriangleSoup patella = Icosphere(20, 3);
+  patella.points.col(1) *= 0.5;
+  bones.push_back({"patella",
+                   BoneKind::kPatella,
+                   std::nullopt,
+                   "",
+                   MovedTo(patella, {0, -45, 15})});
+  return bones;
+}
+
 }  // namespace musclewarp

@@ -19,19 +19,6 @@
 namespace musclewarp {
 namespace {
 
-// A leg with a patella of 40 x 20 x 40 mm before the groove of the femur.
-std::vector<Bone> LegWithPatella(Side side) {
-  MadeLeg leg = LegOf(side);
-  TriangleSoup patella = Icosphere(20, 3);
-  patella.points.col(1) *= 0.5;
-  leg.bones.push_back({"patella",
-                       BoneKind::kPatella,
-                       std::nullopt,
-                       "",
-                       MovedTo(patella, {0, -45, 15})});
-  return leg.bones;
-}
-
 class PatellaOfSide : public ::testing::TestWithParam<Side> {
  protected:
   PatellaOfSide()

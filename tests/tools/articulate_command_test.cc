@@ -139,6 +139,21 @@ TEST_F(ArticulateLeg, KeepsBonesThatItDoesNotKnow) {
   EXPECT_EQ(ReadScene(options_.out + "/scene.json", {}).bones.size(), 4u);
 }
 
+TEST_F(ArticulateLeg, DoesNotReplaceItsInput) {
+  Articulate({"femur", "tibia", "pelvis"});
+  const std::string femur = options_.out + "/Geometry/femur.obj";
+  const std::string before = ReadFile(femur);
+  options_.units = "cm";
+  std::ostringstream screen;
+  ExpectInputError(
+      [&] {
+        ArticulateCommand(
+            {femur, Path("tibia"), Path("pelvis")}, options_, screen);
+      },
+      {"--out=", "femur.obj", "would be replaced"});
+  EXPECT_EQ(ReadFile(femur), before);
+}
+
 TEST_F(ArticulateLeg, RefusesBadFlags) {
   options_.motion = {"hip_flexion_r:-10"};
   ExpectRefused({"--motion=hip_flexion_r:-10", "COORDINATE:FROM:TO:FRAMES"});
@@ -166,6 +181,9 @@ TEST_F(ArticulateLeg, RefusesBadFlags) {
   options_.given = dir_ + "/none.json";
   ExpectRefused({"none.json"});
   options_.given.clear();
+  options_.edge = -1;
+  ExpectRefused({"--edge", "is -1", "0 (twice a voxel) to 100 mm"});
+  options_.edge = 0;
   options_.muscles = {Path("femur")};
   ExpectRefused({"femur.ply", "has the name"});
 }

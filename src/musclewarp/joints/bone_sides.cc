@@ -28,24 +28,31 @@ Eigen::Vector3d MiddleOf(const SampledBone& bone) {
   return bone.surface.points.colwise().mean().transpose();
 }
 
-// The middle of the pelvis or the sacrum, or between both hip bones.
+// The middle between the bones of a kind, if there are any.
+std::optional<Eigen::Vector3d> MiddleBetween(
+    const std::vector<SampledBone>& bones, BoneKind kind, int* count) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  *count = 0;
+  for (const SampledBone& bone : bones) {
+    if (bone.bone.kind != kind || bone.surface.size() == 0) continue;
+    sum += MiddleOf(bone);
+    ++*count;
+  }
+  if (*count == 0) return std::nullopt;
+  return sum / *count;
+}
+
+// The middle of the sacrum or the pelvis, of which both halves may be meshes of
+// their own, or between both hip bones.
 std::optional<Eigen::Vector3d> MiddleOfBody(
     const std::vector<SampledBone>& bones) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  int hip_bones = 0;
-  for (const SampledBone& bone : bones) {
-    if (bone.surface.size() == 0) continue;
-    if (bone.bone.kind == BoneKind::kPelvis ||
-        bone.bone.kind == BoneKind::kSacrum) {
-      return MiddleOf(bone);
-    }
-    if (bone.bone.kind == BoneKind::kHipBone) {
-      sum += MiddleOf(bone);
-      ++hip_bones;
-    }
+  int count = 0;
+  for (const BoneKind kind : {BoneKind::kSacrum, BoneKind::kPelvis}) {
+    const auto middle = MiddleBetween(bones, kind, &count);
+    if (middle) return middle;
   }
-  if (hip_bones != 2) return std::nullopt;
-  return sum / 2;
+  const auto middle = MiddleBetween(bones, BoneKind::kHipBone, &count);
+  return count == 2 ? middle : std::nullopt;
 }
 
 std::optional<Side> SideByPlace(

@@ -219,7 +219,7 @@ class MeshesOfLabel {
       if (kept.regions.size() == found) {
         text +=
             ", each of fewer than " + std::to_string(kFewestVoxels) + " voxels";
-      } else {
+      } else if (!options_.pieces_of) {
         text += "; --pieces=all makes a mesh of each";
       }
     }
