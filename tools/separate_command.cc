@@ -159,7 +159,7 @@ OrderedJson SeparationJson(const SeparateInput& input,
       entry[key] = moved.at(key);
     }
     entry["mean_displacement_mm"] = result.mean_displacements[i];
-    for (const char* key : {"defects", "repairs", "remade"}) {
+    for (const char* key : {"dropped_pieces", "defects", "repairs", "remade"}) {
       entry[key] = prepared.at(key);
     }
     muscles.push_back(std::move(entry));
@@ -173,6 +173,7 @@ OrderedJson SeparationJson(const SeparateInput& input,
           {"warnings", report.at("prepare").at("warnings")},
           {"before", report.at("rest").at("intersections")},
           {"after", frame.at("intersections")},
+          {"delivered_crossings", frame.at("delivered_crossings")},
           {"gaps", frame.at("gaps")},
           {"smallest_gap_mm", frame.at("smallest_gap_mm")},
           {"muscles", muscles},

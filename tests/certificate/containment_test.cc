@@ -40,18 +40,23 @@ TEST(IsInsideClosed, WhatIsOnTheSurfaceIsNotInside) {
 }
 
 TEST(IsInsideClosed, AHoleInsideIsOutside) {
-  TriangleSoup shell = Icosphere(10, 3);
-  const TriangleSoup hole = Icosphere(5, 2);
-  const Eigen::Index points = shell.points.rows();
-  const Eigen::Index triangles = shell.triangles.rows();
-  shell.points.conservativeResize(points + hole.points.rows(), 3);
-  shell.points.bottomRows(hole.points.rows()) = hole.points;
-  shell.triangles.conservativeResize(triangles + hole.triangles.rows(), 3);
-  shell.triangles.bottomRows(hole.triangles.rows()) =
-      hole.triangles.array() + static_cast<int>(points);
+  TriangleSoup hole = Icosphere(5, 2);
+  hole.triangles.col(0).swap(hole.triangles.col(1));
+  const TriangleSoup shell = Together(Icosphere(10, 3), hole);
   const BoxedMesh view(SurfaceView{&shell.points, &shell.triangles});
   EXPECT_FALSE(IsInsideClosed(RowVector3d(1, 0.5, 0), view));
   EXPECT_TRUE(IsInsideClosed(RowVector3d(7, 0.5, 0), view));
+}
+
+// Two vertebrae of one mesh may lie in each other.
+TEST(IsInsideClosed, WhereTwoSurfacesOverlapIsInside) {
+  const TriangleSoup both =
+      Together(SphereAt({0, 0, 0}, 10, 3), SphereAt({12, 0, 0}, 10, 3));
+  const BoxedMesh view(SurfaceView{&both.points, &both.triangles});
+  EXPECT_TRUE(IsInsideClosed(RowVector3d(0, 0.5, 0), view));
+  EXPECT_TRUE(IsInsideClosed(RowVector3d(6, 0.5, 0), view));
+  EXPECT_TRUE(IsInsideClosed(RowVector3d(12, 0.5, 0), view));
+  EXPECT_FALSE(IsInsideClosed(RowVector3d(6, 9, 0), view));
 }
 
 // The certificate errs on the side of more crossings. A triangle whose corners

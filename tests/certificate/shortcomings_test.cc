@@ -266,5 +266,17 @@ TEST(FrameRequirements, NameWhatIsWrong) {
   EXPECT_EQ(error, "FrameRequirements::gap is 3, allowed: 0 to 2");
 }
 
+TEST(DeliveredShortcomings, NameBothTheCountsAndThePlace) {
+  EXPECT_TRUE(DeliveredShortcomings({}).empty());
+  const std::vector<std::string> shortcomings =
+      DeliveredShortcomings({{"psoas", "pelvis", 3, 1, {1, 2, 3}}});
+  ASSERT_EQ(shortcomings.size(), 1u);
+  EXPECT_NE(shortcomings[0].find(
+                "psoas x pelvis as it was delivered: 3 crossing triangle pairs "
+                "and 1 pieces of the bone inside, around (1.0, 2.0, 3.0)"),
+            std::string::npos)
+      << shortcomings[0];
+}
+
 }  // namespace
 }  // namespace musclewarp

@@ -57,8 +57,8 @@ class RepairData : public ::testing::Test {
         report->fillings.holes,
         report->fillings.longest,
         report->fillings.area,
-        report->dropped_components,
-        report->dropped_area,
+        report->dropped_pieces.size(),
+        TotalsOf(report->dropped_pieces).area,
         report->pulls.points,
         SignedVolume(soup.points, soup.triangles) / 1000,
         SignedVolume(repaired.points, repaired.triangles) / 1000,
@@ -98,7 +98,7 @@ TEST_F(RepairData, LhdlHip) {
     EXPECT_EQ(report.degenerate_triangles, expected.second) << file;
     EXPECT_EQ(report.fillings.holes, 0) << file;
     // Flaps and crumbs only: of the order of one triangle in ten thousand.
-    EXPECT_LT(report.dropped_area,
+    EXPECT_LT(TotalsOf(report.dropped_pieces).area,
               1e-3 * SurfaceArea(repaired.points, repaired.triangles))
         << file;
     const TriangleSoup soup = ReadTriangleSoup((root_ / file).string());
@@ -123,7 +123,7 @@ TEST_F(RepairData, OpenSimBones) {
     EXPECT_TRUE(CountDefects(repaired).IsClean()) << file;
     EXPECT_GT(report.fillings.missing_faces, 0) << file;
     // What is dropped are single triangles, doubled ones for the most part.
-    EXPECT_LT(report.dropped_area,
+    EXPECT_LT(TotalsOf(report.dropped_pieces).area,
               0.02 * SurfaceArea(repaired.points, repaired.triangles))
         << file;
   }
@@ -161,7 +161,7 @@ TEST_F(RepairData, CrackedBodyParts) {
                 5e-3 * volume)
         << file;
     EXPECT_LE(report.stitches.longest, RepairOptions().stitch_tolerance);
-    EXPECT_LT(report.fillings.area + report.dropped_area,
+    EXPECT_LT(report.fillings.area + TotalsOf(report.dropped_pieces).area,
               1e-3 * SurfaceArea(repaired.points, repaired.triangles))
         << file;
     EXPECT_LT(report.pulls.longest, 0.05) << file;

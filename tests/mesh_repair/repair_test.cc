@@ -175,7 +175,7 @@ TEST(RepairMesh, AFinIsCutOff) {
     EXPECT_EQ(repaired.points, Sphere().points);
     EXPECT_EQ(repaired.triangles, Sphere().triangles);
     EXPECT_EQ(report.separation.edges, 1);
-    EXPECT_EQ(report.dropped_triangles, 1);
+    EXPECT_EQ(TotalsOf(report.dropped_pieces).triangles, 1);
   }
 }
 
@@ -186,12 +186,13 @@ TEST(RepairMesh, IslandsAreDroppedAndReported) {
   AddSoup(island, &soup);
   RepairReport report;
   EXPECT_EQ(Repaired(soup, &report).points, Sphere().points);
-  EXPECT_EQ(report.dropped_components, 1);
-  EXPECT_EQ(report.dropped_triangles, island.triangles.rows());
-  EXPECT_NEAR(report.dropped_area,
+  EXPECT_EQ(report.dropped_pieces.size(), 1);
+  EXPECT_EQ(TotalsOf(report.dropped_pieces).triangles, island.triangles.rows());
+  EXPECT_NEAR(TotalsOf(report.dropped_pieces).area,
               SurfaceArea(island.points, island.triangles),
               kVolumeRounding);
-  EXPECT_EQ(report.largest_dropped_area, report.dropped_area);
+  EXPECT_EQ(TotalsOf(report.dropped_pieces).largest_area,
+            TotalsOf(report.dropped_pieces).area);
 }
 
 TEST(RepairMesh, AMissingTriangleIsPutBack) {
@@ -264,7 +265,8 @@ TEST(RepairMesh, TheOrderOfTrianglesDoesNotMatter) {
     RepairReport again;
     EXPECT_NEAR(Volume(Repaired(shuffled, &again)), volume, kVolumeRounding);
     EXPECT_EQ(again.stitches.inserted_points, report.stitches.inserted_points);
-    EXPECT_EQ(again.dropped_triangles, report.dropped_triangles);
+    EXPECT_EQ(TotalsOf(again.dropped_pieces).triangles,
+              TotalsOf(report.dropped_pieces).triangles);
     EXPECT_EQ(again.fillings.holes, report.fillings.holes);
   }
 }

@@ -72,7 +72,7 @@ TEST(RepairTouching, OfTwoBodiesAtAVertexTheLargerStays) {
   // Whole numbers: the volume is exact up to the division by six.
   EXPECT_NEAR(Volume(Repaired(soup, &report)), 2, 1e-12);
   EXPECT_EQ(report.separated_vertices, 1);
-  EXPECT_EQ(report.dropped_components, 1);
+  EXPECT_EQ(report.dropped_pieces.size(), 1);
 }
 
 TEST(RepairTouching, OfTwoBodiesAlongAnEdgeTheLargerStays) {
@@ -81,7 +81,7 @@ TEST(RepairTouching, OfTwoBodiesAlongAnEdgeTheLargerStays) {
   RepairReport report;
   EXPECT_NEAR(Volume(Repaired(soup, &report)), 2, 1e-12);
   EXPECT_EQ(report.separation.edges, 1);
-  EXPECT_EQ(report.dropped_components, 1);
+  EXPECT_EQ(report.dropped_pieces.size(), 1);
 }
 
 TEST(RepairTouching, ABodyInsideOutBesideAnotherDoesNotSpoilThePairing) {

@@ -86,24 +86,27 @@ TEST(RemoveSelfCrossings, AVertexThroughTheOppositeSideIsTakenBack) {
   ExpectRepairedNear(place, 12, soup);
 }
 
-TEST(RemoveSelfCrossings, WhatCannotBeRepairedStaysAsItIs) {
-  // Two bodies that cross are not clean, whatever is done about crossings.
-  TriangleSoup soup = Icosphere(10, 2);
-  const TriangleSoup other = MovedBy(soup, {15, 0, 0});
-  const Eigen::Index points = soup.points.rows();
-  const Eigen::Index triangles = soup.triangles.rows();
-  soup.points.conservativeResize(2 * points, 3);
-  soup.points.bottomRows(points) = other.points;
-  soup.triangles.conservativeResize(2 * triangles, 3);
-  soup.triangles.bottomRows(triangles) =
-      other.triangles.array() + static_cast<int>(points);
+TEST(RemoveSelfCrossings, SurfacesOfOneMeshMayCrossEachOther) {
+  TriangleSoup soup = Together(Icosphere(10, 2), SphereAt({15, 0, 0}, 10, 2));
   const TriangleSoup before = soup;
   const SelfCrossingRemoval removal = RemoveSelfCrossings(&soup);
-  EXPECT_GT(removal.pairs_before, 0);
-  EXPECT_EQ(removal.pairs_after, removal.pairs_before);
-  EXPECT_EQ(removal.new_vertices, 0);
+  EXPECT_EQ(removal.pairs_before, 0);
   EXPECT_EQ(soup.points, before.points);
   EXPECT_EQ(soup.triangles, before.triangles);
+}
+
+TEST(RemoveSelfCrossings, OfSeveralSurfacesOnlyTheOneThatCrossesChanges) {
+  TriangleSoup crossing = Icosphere(20, 3);
+  crossing.points.col(2) *= 0.1;
+  Eigen::Index top;
+  crossing.points.col(2).maxCoeff(&top);
+  crossing.points(top, 2) = -3;
+  const TriangleSoup ball = SphereAt({15, 0, 0}, 10, 2);
+  TriangleSoup soup = Together(crossing, ball);
+  const SelfCrossingRemoval removal = RemoveSelfCrossings(&soup);
+  EXPECT_GT(removal.pairs_before, 0);
+  EXPECT_EQ(removal.pairs_after, 0);
+  EXPECT_EQ(soup.points.bottomRows(ball.points.rows()), ball.points);
 }
 
 }  // namespace musclewarp

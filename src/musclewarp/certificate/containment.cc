@@ -3,6 +3,7 @@
 #include "musclewarp/certificate/containment.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "musclewarp/proximity/exact_predicates.h"
 #include "musclewarp/proximity/triangle_intersection.h"
@@ -12,14 +13,14 @@ namespace {
 
 using Eigen::RowVector3d;
 
-enum class Parity { kEven, kOdd, kUndecided };
-
-// Crossings of the segment from p to q with the triangles that may be near it.
-Parity CountCrossings(const RowVector3d& p,
-                      const RowVector3d& q,
-                      const BoxedMesh& mesh) {
+// Returns how often the segment from p, which lies on no triangle, to q leaves
+// the mesh, less how often it enters it, or nothing if it meets an edge or a
+// corner.
+std::optional<int> CountCrossings(const RowVector3d& p,
+                                  const RowVector3d& q,
+                                  const BoxedMesh& mesh) {
   const RoundedBox box = RoundedBoxOf(p.cwiseMin(q), p.cwiseMax(q));
-  bool is_odd = false;
+  int winding = 0;
   for (int cluster = 0; cluster < mesh.clusters().size(); ++cluster) {
     if (!mesh.cluster_boxes()[cluster].Overlaps(box)) continue;
     for (const int* f = mesh.clusters().begin(cluster);
@@ -37,12 +38,12 @@ Parity CountCrossings(const RowVector3d& p,
       const int ca = Orientation(p, q, c, a);
       if (std::min({ab, bc, ca}) < 0 && std::max({ab, bc, ca}) > 0) continue;
       if (side_p == 0 || side_q == 0 || ab == 0 || bc == 0 || ca == 0) {
-        return Parity::kUndecided;
+        return std::nullopt;
       }
-      is_odd = !is_odd;
+      winding += side_p > 0 ? 1 : -1;
     }
   }
-  return is_odd ? Parity::kOdd : Parity::kEven;
+  return winding;
 }
 
 bool IsOnSurface(const RowVector3d& p, const BoxedMesh& mesh) {
@@ -67,8 +68,8 @@ bool IsInsideClosed(const RowVector3d& point, const BoxedMesh& mesh) {
   for (int attempt = 0; attempt < kAttempts; ++attempt, tilt *= 1.37) {
     const RowVector3d end =
         point + beyond * RowVector3d(1, tilt, -0.618 * tilt);
-    const Parity parity = CountCrossings(point, end, mesh);
-    if (parity != Parity::kUndecided) return parity == Parity::kOdd;
+    const std::optional<int> winding = CountCrossings(point, end, mesh);
+    if (winding) return *winding != 0;
     if (attempt == 0 && IsOnSurface(point, mesh)) return false;
   }
   return true;

@@ -31,13 +31,6 @@ std::vector<int> Distinct(std::vector<int> numbers) {
   return numbers;
 }
 
-SurfaceView ViewOf(const NamedMesh& named) {
-  return {&named.mesh->points(),
-          &named.mesh->triangles(),
-          named.rings,
-          named.clusters};
-}
-
 // Returns true if a component of `mesh`, which does not cross `other`, lies in
 // it.
 bool LiesInside(const SearchableMesh& mesh,
@@ -180,8 +173,8 @@ SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                                   const std::vector<NamedMesh>& bones,
                                   const std::vector<ExemptArea>& exempt) {
   std::vector<BoxedMesh> boxed;
-  for (const NamedMesh& muscle : muscles) boxed.emplace_back(ViewOf(muscle));
-  for (const NamedMesh& bone : bones) boxed.emplace_back(ViewOf(bone));
+  for (const NamedMesh& muscle : muscles) boxed.emplace_back(muscle.view());
+  for (const NamedMesh& bone : bones) boxed.emplace_back(bone.view());
   const auto pairs = CrossingTriangles(boxed, muscles.size());
   // They ascend by a, then b, as the loops below do.
   auto next = pairs.begin();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/certificate/surface_view.h"
 #include "musclewarp/certificate/triangle_clusters.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/proximity/vertex_stars.h"
@@ -101,6 +102,10 @@ struct NamedMesh {
   // They make the certificate faster, and may be left out.
   const VertexRings* rings = nullptr;  // of a muscle
   const TriangleClusters* clusters = nullptr;
+
+  SurfaceView view() const {
+    return {&mesh->points(), &mesh->triangles(), rings, clusters};
+  }
 };
 
 // Counts everything that intersects in a scene and measures the gaps. Whether

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "musclewarp/base/option_check.h"
+#include "musclewarp/base/place_text.h"
 
 namespace musclewarp {
 namespace {
@@ -18,14 +19,6 @@ std::string Sentence(const Words&... words) {
   std::ostringstream text;
   text.precision(3);
   (text << ... << words);
-  return text.str();
-}
-
-std::string PlaceText(const Eigen::RowVector3d& place) {
-  std::ostringstream text;
-  text.precision(1);
-  text << std::fixed << "(" << place[0] << ", " << place[1] << ", " << place[2]
-       << ")";
   return text.str();
 }
 
@@ -213,6 +206,26 @@ std::vector<std::string> Shortcomings(
   AddNarrowGaps(intersections.gaps, requirements.gap, &shortcomings);
   for (const MuscleMeasures& muscle : muscles) {
     AddShortcomingsOf(muscle, requirements, &shortcomings);
+  }
+  return shortcomings;
+}
+
+std::vector<std::string> DeliveredShortcomings(
+    const std::vector<DeliveredCrossing>& crossings) {
+  std::vector<std::string> shortcomings;
+  for (const DeliveredCrossing& crossing : crossings) {
+    shortcomings.push_back(
+        Sentence(crossing.muscle,
+                 " x ",
+                 crossing.bone,
+                 " as it was delivered: ",
+                 crossing.triangle_pairs,
+                 " crossing triangle pairs and ",
+                 crossing.pieces_inside,
+                 " pieces of the bone inside, around ",
+                 PlaceText(crossing.place),
+                 ", where the repair of the bone has left out or moved "
+                 "triangles: mend the bone there, or remove them from it"));
   }
   return shortcomings;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/certificate/delivered_crossings.h"
 #include "musclewarp/certificate/scene_intersections.h"
 
 namespace musclewarp {
@@ -90,12 +91,17 @@ std::vector<std::string> ShapeShortcomings(
 
 // Returns what a frame does not hold of the requirements, a sentence each:
 // triangles that cross (how many, where, how deep), vertices inside another
-// mesh, gaps, volume, stretch, self-intersections, folded triangles,
-// displacement. A frame is certified if there are none. Precondition (CHECKed):
-// the requirements are valid.
+// mesh, gaps, volume, stretch,
+// self-intersections, folded triangles, displacement. A frame is certified if
+// there are none. Precondition (CHECKed): the requirements are valid.
 std::vector<std::string> Shortcomings(
     const FrameRequirements& requirements,
     const SceneIntersections& intersections,
     const std::vector<MuscleMeasures>& muscles);
+
+// Returns a sentence for each crossing with a bone as it was delivered, which
+// no certified frame has.
+std::vector<std::string> DeliveredShortcomings(
+    const std::vector<DeliveredCrossing>& crossings);
 
 }  // namespace musclewarp

@@ -93,6 +93,7 @@ MUSCLEWARP_ARCHIVE(Stitches, merged_points, inserted_points, longest)
 MUSCLEWARP_ARCHIVE(
     Fillings, holes, missing_faces, triangles, points, area, longest)
 MUSCLEWARP_ARCHIVE(Pulls, points, longest)
+MUSCLEWARP_ARCHIVE(DroppedPiece, reason, triangles, area, share, volume, place)
 MUSCLEWARP_ARCHIVE(RepairReport,
                    point_merges,
                    degenerate_triangles,
@@ -102,10 +103,8 @@ MUSCLEWARP_ARCHIVE(RepairReport,
                    stitches,
                    fillings,
                    separated_vertices,
-                   dropped_components,
-                   dropped_triangles,
-                   dropped_area,
-                   largest_dropped_area,
+                   pieces,
+                   dropped_pieces,
                    dropped_points,
                    pulls)
 MUSCLEWARP_ARCHIVE(SelfCrossingRemoval,
@@ -191,7 +190,7 @@ MUSCLEWARP_ARCHIVE(PreparedMuscle,
                    lines,
                    fibres,
                    fibres_ms)
-MUSCLEWARP_ARCHIVE(PreparedBone, mesh, body, rest)
+MUSCLEWARP_ARCHIVE(PreparedBone, mesh, body, rest, delivered_only)
 MUSCLEWARP_ARCHIVE(PairIntersection,
                    a,
                    b,

@@ -127,6 +127,10 @@ void Judge(const PreparedScene& scene,
   }
   frame->shortcomings =
       Shortcomings(requirements, frame->intersections, measures);
+  for (std::string& shortcoming :
+       DeliveredShortcomings(frame->delivered_crossings)) {
+    frame->shortcomings.push_back(std::move(shortcoming));
+  }
 }
 
 // Finds overlapping bones if the frame has shortcomings or drifting

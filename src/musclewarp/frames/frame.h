@@ -9,6 +9,7 @@
 
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/certificate/bone_overlaps.h"
+#include "musclewarp/certificate/delivered_crossings.h"
 #include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/frames/shape_measures.h"
 #include "musclewarp/mesh/triangle_soup.h"
@@ -111,6 +112,10 @@ struct Frame {
   // What crosses, counted by exact tests on these very points, and the proved
   // gaps between meshes.
   SceneIntersections intersections;
+
+  // What muscles have in common with triangles of bones as they were delivered
+  // that the repaired bones do not have; empty if there is nothing.
+  std::vector<DeliveredCrossing> delivered_crossings;
   int pose_steps = 1;  // on the way from the frame before
 
   // With certified contact, the bones of different bodies that lie in each

@@ -60,6 +60,19 @@ void AddBones(const PreparedScene& scene, const ScenePose& pose, Frame* frame) {
   }
 }
 
+// Returns what only the delivered bones have, in the pose of a frame.
+std::vector<DeliveredOnly> DeliveredOnlyIn(const PreparedScene& scene,
+                                           const Frame& frame) {
+  std::vector<DeliveredOnly> delivered;
+  for (size_t i = 0; i < scene.bones.size(); ++i) {
+    const TriangleSoup& rest = scene.bones[i].delivered_only;
+    delivered.push_back(
+        {scene.bones[i].mesh.name,
+         {Transformed(rest.points, frame.bones_from_rest[i]), rest.triangles}});
+  }
+  return delivered;
+}
+
 // Counts intersections and measures gaps.
 void AddIntersections(const PreparedScene& scene,
                       const MeasureOptions& options,
@@ -73,6 +86,8 @@ void AddIntersections(const PreparedScene& scene,
   const ScopedStage stage("certificate");
   frame->intersections =
       IntersectScene(meshes->muscles(), meshes->bones(), scene.exempt);
+  frame->delivered_crossings = CrossingsWithDelivered(
+      meshes->muscles(), DeliveredOnlyIn(scene, *frame), scene.exempt);
   const ScopedStage gaps_stage("gaps of vertices");
   for (size_t i = 0; i < frame->muscles.size(); ++i) {
     MuscleFrame& muscle = frame->muscles[i];

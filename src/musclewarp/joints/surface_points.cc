@@ -10,8 +10,8 @@
 
 #include "musclewarp/joints/point_search.h"
 #include "musclewarp/mesh/box.h"
-#include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh/pieces.h"
 #include "musclewarp/mesh_repair/orientation.h"
 #include "musclewarp/mesh_repair/soup_cleaning.h"
 #include "musclewarp/proximity/triangle_bvh.h"
@@ -19,28 +19,6 @@
 
 namespace musclewarp {
 namespace {
-
-// The pieces of a surface, each with its own triangles.
-std::vector<TriangleSoup> PiecesOf(const TriangleSoup& surface) {
-  const Components components = ConnectedComponents(
-      surface.triangles, EdgeUses(surface.triangles), surface.triangles.rows());
-  std::vector<int> count(components.count, 0);
-  for (const int label : components.label) ++count[label];
-  std::vector<TriangleSoup> pieces(components.count);
-  for (int label = 0; label < components.count; ++label) {
-    pieces[label].triangles.resize(count[label], 3);
-    count[label] = 0;
-  }
-  for (int f = 0; f < surface.triangles.rows(); ++f) {
-    const int label = components.label[f];
-    pieces[label].triangles.row(count[label]++) = surface.triangles.row(f);
-  }
-  for (TriangleSoup& piece : pieces) {
-    piece.points = surface.points;
-    DropUnreferencedPoints(&piece);
-  }
-  return pieces;
-}
 
 bool Contains(const Box3& outer, const Box3& inner) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -84,18 +62,11 @@ TriangleSoup OuterSurface(TriangleSoup surface, double stray_fraction) {
     if (-negative_area < stray_fraction * area) break;
     large.push_back(std::move(pieces[piece]));
   }
-  TriangleSoup outer;
+  std::vector<TriangleSoup> outer;
   for (size_t piece = 0; piece < large.size(); ++piece) {
-    if (IsWithinAnother(large, piece)) continue;
-    const int points = outer.points.rows(), triangles = outer.triangles.rows();
-    outer.points.conservativeResize(points + large[piece].points.rows(), 3);
-    outer.points.bottomRows(large[piece].points.rows()) = large[piece].points;
-    outer.triangles.conservativeResize(
-        triangles + large[piece].triangles.rows(), 3);
-    outer.triangles.bottomRows(large[piece].triangles.rows()) =
-        large[piece].triangles.array() + points;
+    if (!IsWithinAnother(large, piece)) outer.push_back(large[piece]);
   }
-  return outer;
+  return Joined(outer);
 }
 
 // Points at equal distances of area along the triangles, spread within each by

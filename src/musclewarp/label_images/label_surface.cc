@@ -19,7 +19,6 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/geometry/remeshing.h"
-#include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh/triangle.h"
@@ -158,12 +157,11 @@ LabelSurface SurfaceOfRegion(const std::string& where,
                      "is so thin that no closed surface holds half of it",
                      "remove it from the image, or make it thicker");
   }
-  surface.mesh = Remeshed(soup, edge_length);
-  RestoreVolume(surface.volume, &surface.mesh);
+  surface.mesh =
+      RemeshedWithoutCrossings(soup, edge_length, [&](TriangleSoup* even) {
+        RestoreVolume(surface.volume, even);
+      });
   surface.volume = SignedVolume(surface.mesh.points, surface.mesh.triangles);
-  if (!CountDefects(surface.mesh).IsClean()) {
-    surface.mesh = RepairMesh(surface.mesh, where, RepairOptions(), nullptr);
-  }
   return surface;
 }
 

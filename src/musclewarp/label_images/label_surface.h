@@ -33,10 +33,11 @@ struct LabelSurface {
 // flat muscle (the subscapularis at 1 mm) it loses 1.2 % of the volume. And a
 // level of a smooth function does not cross itself.
 //
-// The triangles are then made even (Remeshed), and the vertices moved along
-// their normals, all by the same small distance, to where the volume is that
-// from before. That may leave a few triangles that cross where a part is not
-// thicker than an edge.
+// The triangles are then made even (RemeshedWithoutCrossings), and the vertices
+// moved along their normals, all by the same small distance, to where the
+// volume is that from before. Where a part is not thicker than an edge, as a
+// tendon of two voxels, it keeps the small triangles of the level, so that none
+// cross.
 //
 // Throws InputError with `where` as its place for a region with fewer than
 // kFewestVoxels, and one that is so thin that half of it is lost. Precondition

@@ -95,7 +95,11 @@ bool IsDegenerate(const TriangleSoup& soup, int f) {
 }
 
 bool MeshDefects::IsClean() const {
-  return is_closed_manifold && components == 1 && !is_inside_out &&
+  return components == 1 && IsCleanInPieces();
+}
+
+bool MeshDefects::IsCleanInPieces() const {
+  return is_closed_manifold && components > 0 && !is_inside_out &&
          duplicate_points == 0 && unreferenced_points == 0 &&
          degenerate_triangles == 0 && duplicate_triangles == 0 &&
          misoriented_edges == 0;

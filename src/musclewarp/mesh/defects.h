@@ -45,6 +45,10 @@ struct MeshDefects {
   // True if nothing needs repair: the soup is one closed, outward oriented
   // 2-manifold component, and all counts of defects are zero.
   bool IsClean() const;
+
+  // The same of any number of components, one at least. That every one of them
+  // faces outward is not looked at.
+  bool IsCleanInPieces() const;
 };
 
 // Counts the defects of a soup. A soup without triangles is not clean.

@@ -11,6 +11,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/invalid_option.h"
+#include "musclewarp/base/place_text.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
@@ -18,60 +19,6 @@
 
 namespace musclewarp {
 namespace {
-
-std::string PlaceText(const Eigen::RowVector3d& point) {
-  std::ostringstream text;
-  text.precision(5);
-  text << "(" << point.x() << ", " << point.y() << ", " << point.z() << ")";
-  return text.str();
-}
-
-// Drops the components for which keep(areas of all components, label) is false.
-template <typename Keep>
-void DropComponents(const Keep& keep,
-                    TriangleSoup* soup,
-                    RepairReport* report) {
-  const Components components = ConnectedComponents(
-      soup->triangles, EdgeUses(soup->triangles), soup->triangles.size());
-  std::vector<double> area(components.count, 0);
-  for (int f = 0; f < soup->triangles.rows(); ++f) {
-    area[components.label[f]] +=
-        SurfaceArea(soup->points, soup->triangles.row(f));
-  }
-  std::vector<bool> keep_component(components.count);
-  for (int label = 0; label < components.count; ++label) {
-    keep_component[label] = keep(area, label);
-    if (keep_component[label]) continue;
-    ++report->dropped_components;
-    report->dropped_area += area[label];
-    report->largest_dropped_area =
-        std::max(report->largest_dropped_area, area[label]);
-  }
-  std::vector<bool> keep_triangle(soup->triangles.rows());
-  for (size_t f = 0; f < keep_triangle.size(); ++f) {
-    keep_triangle[f] = keep_component[components.label[f]];
-    report->dropped_triangles += !keep_triangle[f];
-  }
-  KeepTriangles(keep_triangle, &soup->triangles);
-}
-
-void DropStrayPieces(double share, TriangleSoup* soup, RepairReport* report) {
-  const double least = share * SurfaceArea(soup->points, soup->triangles);
-  DropComponents([&](const std::vector<double>& area,
-                     int label) { return area[label] >= least; },
-                 soup,
-                 report);
-}
-
-void KeepLargestPiece(TriangleSoup* soup, RepairReport* report) {
-  DropComponents(
-      [](const std::vector<double>& area, int label) {
-        return std::max_element(area.begin(), area.end()) - area.begin() ==
-               label;
-      },
-      soup,
-      report);
-}
 
 void PullApartUntilClear(TriangleSoup* soup, RepairReport* report) {
   constexpr int kMaxRounds = 5;  // a pull may land on another point
@@ -120,7 +67,7 @@ void CheckClosed(const TriangleSoup& soup,
 
 void CheckClean(const TriangleSoup& soup, const std::string& name) {
   const MeshDefects defects = CountDefects(soup);
-  if (defects.IsClean()) return;
+  if (defects.IsCleanInPieces()) return;
   std::ostringstream problem;
   problem << "no closed surface could be made of it: " << soup.triangles.rows()
           << " triangles are left, with " << defects.non_manifold_edges
@@ -136,11 +83,12 @@ void CheckClean(const TriangleSoup& soup, const std::string& name) {
 
 bool RepairReport::AnythingDone() const {
   return point_merges.merged + degenerate_triangles + duplicate_triangles +
-             flipped_triangles + separation.edges + separation.copies +
-             stitches.merged_points + stitches.inserted_points +
-             fillings.holes + separated_vertices + dropped_components +
-             pulls.points + dropped_points >
-         0;
+                 flipped_triangles + separation.edges + separation.copies +
+                 stitches.merged_points + stitches.inserted_points +
+                 fillings.holes + separated_vertices + pulls.points +
+                 dropped_points >
+             0 ||
+         !dropped_pieces.empty();
 }
 
 bool RepairOptions::IsValid(std::string* error) const {
@@ -155,10 +103,7 @@ bool RepairOptions::IsValid(std::string* error) const {
   if (!(stitch_tolerance >= 0)) {
     return fail("stitch_tolerance", stitch_tolerance, "0 or above");
   }
-  if (!(stray_area >= 0 && stray_area <= 1)) {
-    return fail("stray_area", stray_area, "0 to 1");
-  }
-  return holes.IsValid(error);
+  return pieces.IsValid(error) && holes.IsValid(error);
 }
 
 TriangleSoup RepairMesh(const TriangleSoup& soup,
@@ -182,16 +127,17 @@ TriangleSoup RepairMesh(const TriangleSoup& soup,
   report->flipped_triangles = flips.flipped;
   report->separation = SeparateAtNonManifoldEdges(&work);
   report->stitches = StitchBorders(options.stitch_tolerance, &work);
-  DropStrayPieces(options.stray_area, &work, report);
+  DropCrumbs(options.pieces, &work, &report->dropped_pieces);
   report->fillings = FillHoles(options.holes, &work);
   report->separated_vertices = SeparateAtNonManifoldVertices(&work);
-  KeepLargestPiece(&work, report);
+  KeepSurfaces(options.pieces, &work, &report->dropped_pieces);
   CheckClosed(work, options.holes, name);
-  // The surface is closed now: it is turned as a whole or not at all.
+  // The surfaces are closed now: each is turned as a whole or not at all.
   report->flipped_triangles += OrientConsistently(&work).flipped;
   report->dropped_points = DropUnreferencedPoints(&work);
   PullApartUntilClear(&work, report);
   CheckClean(work, name);
+  report->pieces = CountDefects(work).components;
   return work;
 }
 

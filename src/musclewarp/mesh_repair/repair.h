@@ -3,10 +3,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/mesh_repair/border_stitching.h"
 #include "musclewarp/mesh_repair/hole_filling.h"
+#include "musclewarp/mesh_repair/piece_selection.h"
 #include "musclewarp/mesh_repair/pull_apart.h"
 #include "musclewarp/mesh_repair/sheet_separation.h"
 #include "musclewarp/mesh_repair/soup_cleaning.h"
@@ -22,9 +24,8 @@ struct RepairOptions {
   // The widest crack between two borders that is stitched, mm.
   double stitch_tolerance = 0.3;
 
-  // Pieces with less than this share of the whole area are dropped before holes
-  // are filled. Of the other pieces only the largest is kept in the end.
-  double stray_area = 0.01;
+  // Which pieces stay.
+  PieceOptions pieces;
 
   // Which holes may be filled: those with a short border, and slits of any
   // length (see HoleLimits for the exact rule).
@@ -50,11 +51,9 @@ struct RepairReport {
   // Points that were doubled where a body touches itself in a point.
   int separated_vertices = 0;
 
-  // Pieces that were dropped: stray pieces, flaps, other bodies. Areas in mm^2.
-  int dropped_components = 0;
-  int dropped_triangles = 0;
-  double dropped_area = 0;
-  double largest_dropped_area = 0;
+  // The number of pieces that stay, and those that were dropped.
+  int pieces = 1;
+  std::vector<DroppedPiece> dropped_pieces;
 
   // Points that no triangle uses any more, merged ones included.
   int dropped_points = 0;
@@ -65,11 +64,13 @@ struct RepairReport {
   bool AnythingDone() const;
 };
 
-// Makes one closed, outward oriented 2-manifold out of a mesh as segmentation
-// delivers it. The steps are: merge duplicate points, remove degenerate and
-// duplicate triangles, orient the triangles, cut non-manifold edges apart,
-// stitch cracks, drop stray pieces, fill holes, cut non-manifold vertices
-// apart, and keep the largest piece. CountDefects(result).IsClean() holds.
+// Makes closed, outward oriented 2-manifolds out of a mesh as segmentation
+// delivers it: one or, with PieceRule::kAll, any number. The steps are: merge
+// duplicate points, remove degenerate and duplicate triangles, orient the
+// triangles, cut non-manifold edges apart, stitch cracks, drop crumbs, fill
+// holes, cut non-manifold vertices apart, and keep what is a surface of the
+// mesh. CountDefects(result).IsCleanInPieces() holds, and IsClean() of one
+// piece.
 //
 //   RepairReport report;
 //   const TriangleSoup clean = RepairMesh(
@@ -78,9 +79,9 @@ struct RepairReport {
 //
 // A clean mesh is returned bit by bit as it is. Points and triangles that stay
 // keep their order, and points beside no defect keep their place.
-// Self-intersections are neither looked for nor removed. A piece that is
-// connected to the rest by cracks only must face the same way as the rest to be
-// stitched to it.
+// Self-intersections, and pieces that cross each other, are neither looked for
+// nor removed. A piece that is connected to the rest by cracks only must face
+// the same way as the rest to be stitched to it.
 //
 // Throws InputError if a hole beyond the limits or a surface with one side
 // remains; the message has `name` as its place and says what is wrong and where

@@ -9,9 +9,11 @@
 #include <limits>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "musclewarp/geometry/cgal_mesh.h"
 #include "musclewarp/mesh/defects.h"
+#include "musclewarp/mesh/pieces.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp {
@@ -37,9 +39,8 @@ void Compare(const TriangleSoup& before,
   if (removal->new_vertices > 0) removal->place /= removal->new_vertices;
 }
 
-}  // namespace
-
-SelfCrossingRemoval RemoveSelfCrossings(TriangleSoup* soup) {
+// Removes the crossings of one closed manifold with itself.
+SelfCrossingRemoval RemoveFromSurface(TriangleSoup* soup) {
   SelfCrossingRemoval removal;
   removal.pairs_before = static_cast<int>(SelfIntersections(*soup).size());
   removal.pairs_after = removal.pairs_before;
@@ -55,6 +56,28 @@ SelfCrossingRemoval RemoveSelfCrossings(TriangleSoup* soup) {
   Compare(*soup, repaired, &removal);
   *soup = std::move(repaired);
   return removal;
+}
+
+void Add(const SelfCrossingRemoval& piece, SelfCrossingRemoval* sum) {
+  sum->pairs_before += piece.pairs_before;
+  sum->pairs_after += piece.pairs_after;
+  const int vertices = sum->new_vertices + piece.new_vertices;
+  if (piece.new_vertices > 0) {
+    sum->place += (piece.place - sum->place) * piece.new_vertices / vertices;
+  }
+  sum->new_vertices = vertices;
+  sum->farthest = std::max(sum->farthest, piece.farthest);
+}
+
+}  // namespace
+
+SelfCrossingRemoval RemoveSelfCrossings(TriangleSoup* soup) {
+  std::vector<TriangleSoup> pieces = PiecesOf(*soup);
+  if (pieces.size() == 1) return RemoveFromSurface(soup);
+  SelfCrossingRemoval sum;
+  for (TriangleSoup& piece : pieces) Add(RemoveFromSurface(&piece), &sum);
+  if (sum.new_vertices > 0) *soup = Joined(pieces);
+  return sum;
 }
 
 }  // namespace musclewarp

@@ -20,11 +20,12 @@ struct SelfCrossingRemoval {
   double farthest = 0;
 };
 
-// Removes the places where a closed manifold crosses itself: small patches
-// around them are smoothed or cut out and filled again, more and more of their
-// neighbourhood until nothing crosses (remove_self_intersections of CGAL).
-// Vertices and triangles elsewhere keep their places and order. If that does
-// not help, or would leave the mesh open, the mesh stays as it is and
+// Removes the places where a surface of a mesh, which is one closed manifold or
+// several, crosses itself; several surfaces may cross each other. Small patches
+// around these places are smoothed or cut out and filled again, more and more
+// of their neighbourhood until nothing crosses (remove_self_intersections of
+// CGAL). Vertices and triangles elsewhere keep their places and order. If that
+// does not help, or would leave the mesh open, the mesh stays as it is and
 // `pairs_after` equals `pairs_before`.
 SelfCrossingRemoval RemoveSelfCrossings(TriangleSoup* soup);
 

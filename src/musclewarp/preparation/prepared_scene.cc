@@ -16,7 +16,9 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/mesh/triangle_difference.h"
 #include "musclewarp/preparation/delivered_mesh.h"
+#include "musclewarp/preparation/dropped_piece_warnings.h"
 #include "musclewarp/preparation/exempt_areas.h"
 #include "musclewarp/preparation/muscle_interior.h"
 #include "musclewarp/preparation/scale_warnings.h"
@@ -46,7 +48,8 @@ TriangleSoup Repaired(const TriangleSoup& delivered,
                                      options.repair,
                                      &preparation->repairs);
   preparation->delivered_volume =
-      SignedVolume(repaired.points, repaired.triangles);
+      SignedVolume(repaired.points, repaired.triangles) +
+      TotalsOf(preparation->repairs.dropped_pieces).volume;
   if (options.remove_self_crossings) {
     preparation->self_crossings = RemoveSelfCrossings(&repaired);
   }
@@ -152,12 +155,14 @@ void PrepareFromMesh(const Surroundings& surroundings,
                prepared);
 }
 
-// Reads and repairs the mesh of a bone.
-PreparedBone RepairBone(const PrepareOptions& options, const SceneBone& bone) {
+// Reads and repairs the mesh of a bone, of which all pieces stay.
+PreparedBone RepairBone(PrepareOptions options, const SceneBone& bone) {
+  options.repair.pieces.rule = PieceRule::kAll;
   PreparedBone prepared;
   const TriangleSoup delivered = DeliveredMesh(bone, &prepared.mesh.notes);
   prepared.rest =
       Repaired(delivered, bone.name, bone.mesh_path, options, &prepared.mesh);
+  prepared.delivered_only = TrianglesNotIn(delivered, prepared.rest);
   prepared.body = bone.body;
   return prepared;
 }
@@ -233,9 +238,13 @@ void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
     warnings.insert(warnings.end(), more.begin(), more.end());
   };
   add(prepared->scene.warnings);
-  for (const PreparedBone& bone : prepared->bones) add(bone.mesh.notes);
+  for (const PreparedBone& bone : prepared->bones) {
+    add(bone.mesh.notes);
+    add(DroppedPieceWarnings(bone.mesh.name, bone.mesh.repairs));
+  }
   for (const PreparedMuscle& muscle : prepared->muscles) {
     add(muscle.mesh.notes);
+    add(DroppedPieceWarnings(muscle.model.name, muscle.mesh.repairs));
     add(muscle.attachment_warnings);
     add(FarEndWarnings(muscle.model.name, muscle.line_ends));
     if (muscle.fibres.num_lines() >= options.fibres.fibres) continue;

@@ -114,8 +114,8 @@ struct MeshPreparation {
   // them out (frame_solvers/rest_retriangulation.h).
   int drawn_out_triangles = 0;
 
-  // The volume after repair, before any further change, mm^3; or
-  // SceneMuscle::delivered_volume if given.
+  // The volume after repair, with that of the pieces it left out, before any
+  // further change, mm^3; or SceneMuscle::delivered_volume if given.
   double delivered_volume = 0;
 
   // Remarks of the reader for the user; also among the warnings of the scene.
@@ -156,7 +156,11 @@ struct PreparedMuscle {
 struct PreparedBone {
   MeshPreparation mesh;
   std::string body;
-  TriangleSoup rest;
+  TriangleSoup rest;  // one closed surface or several, which may cross
+
+  // The triangles that were delivered and `rest` does not have: those that the
+  // repair left out, moved or replaced.
+  TriangleSoup delivered_only;
 };
 
 // A scene ready for solvers: its meshes are repaired and analysed, and every

@@ -97,6 +97,7 @@ FrameRecord RecordOf(const PreparedScene& scene, const Frame& frame) {
   record.usable = frame.IsUsable();
   record.shortcomings = frame.shortcomings;
   record.bone_overlaps = frame.bone_overlaps;
+  record.delivered_crossings = frame.delivered_crossings;
   for (size_t i = 0; i < frame.muscles.size(); ++i) {
     record.muscles.push_back(RecordOf(scene.muscles[i], frame.muscles[i]));
   }

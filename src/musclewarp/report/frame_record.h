@@ -78,6 +78,7 @@ struct FrameRecord {
   bool usable = false;
   std::vector<std::string> shortcomings;
   std::vector<BoneOverlap> bone_overlaps;
+  std::vector<DeliveredCrossing> delivered_crossings;
   std::vector<MuscleRecord> muscles;
 
   // The moment arms of straight paths, by line and coordinate, mm/rad (or

@@ -69,6 +69,31 @@ std::vector<BoneOverlap> OverlapsFromJson(const OrderedJson& json) {
   return overlaps;
 }
 
+OrderedJson ToJson(const std::vector<DeliveredCrossing>& crossings) {
+  OrderedJson list = OrderedJson::array();
+  for (const DeliveredCrossing& crossing : crossings) {
+    list.push_back({{"muscle", crossing.muscle},
+                    {"bone", crossing.bone},
+                    {"triangle_pairs", crossing.triangle_pairs},
+                    {"pieces_inside", crossing.pieces_inside},
+                    {"place_mm", ToJson(crossing.place)}});
+  }
+  return list;
+}
+
+std::vector<DeliveredCrossing> DeliveredFromJson(const OrderedJson& json) {
+  std::vector<DeliveredCrossing> crossings;
+  for (const OrderedJson& item : json) {
+    DeliveredCrossing& crossing = crossings.emplace_back();
+    item.at("muscle").get_to(crossing.muscle);
+    item.at("bone").get_to(crossing.bone);
+    item.at("triangle_pairs").get_to(crossing.triangle_pairs);
+    item.at("pieces_inside").get_to(crossing.pieces_inside);
+    crossing.place = PlaceFromJson(item.at("place_mm"));
+  }
+  return crossings;
+}
+
 OrderedJson ToJson(const StretchMeasures& stretch) {
   return {{"mean", stretch.mean},
           {"quantile_99", stretch.quantile_99},
@@ -310,6 +335,7 @@ OrderedJson ToJson(const FrameRecord& record) {
       {"usable", record.usable},
       {"shortcomings", record.shortcomings},
       {"bone_overlaps", ToJson(record.bone_overlaps)},
+      {"delivered_crossings", ToJson(record.delivered_crossings)},
       {"muscles", muscles},
       {"path_moment_arms_mm", record.path_moment_arms_mm},
       {"moment_arms_converged", record.moment_arms_converged},
@@ -338,6 +364,8 @@ FrameRecord FrameRecordFromJson(const OrderedJson& json) {
   json.at("shortcomings").get_to(record.shortcomings);
   record.bone_overlaps =
       OverlapsFromJson(json.value("bone_overlaps", OrderedJson::array()));
+  record.delivered_crossings = DeliveredFromJson(
+      json.value("delivered_crossings", OrderedJson::array()));
   for (const OrderedJson& muscle : json.at("muscles")) {
     record.muscles.push_back(MuscleRecordFromJson(muscle));
   }

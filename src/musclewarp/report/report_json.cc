@@ -27,6 +27,21 @@ OrderedJson ToJson(const SurfaceReconstruction& reconstruction) {
           {"farthest_mm", reconstruction.farthest}};
 }
 
+// The pieces of a mesh that its repair left out.
+OrderedJson DroppedPiecesJson(const MeshPreparation& mesh) {
+  OrderedJson list = OrderedJson::array();
+  for (const DroppedPiece& piece : mesh.repairs.dropped_pieces) {
+    const Eigen::RowVector3d& place = piece.place;
+    list.push_back({{"reason", ToString(piece.reason)},
+                    {"triangles", piece.triangles},
+                    {"area_mm2", piece.area},
+                    {"share", piece.share},
+                    {"volume_mm3", piece.volume},
+                    {"place_mm", {place.x(), place.y(), place.z()}}});
+  }
+  return list;
+}
+
 // The attachment areas of a muscle. `is_found`: on the meshes, not in the
 // scene.
 OrderedJson AttachmentsJson(const PreparedMuscle& muscle, bool is_found) {
@@ -79,17 +94,22 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
                        {"fibre_insertions_spread_mm", fibres.at_insertion},
                        {"attachment_rows", muscle.model.attachment_of.size()},
                        {"attachments", AttachmentsJson(muscle, !has_named)},
+                       {"dropped_pieces", DroppedPiecesJson(muscle.mesh)},
                        {"defects", DefectsJson(muscle.mesh.defects)},
                        {"repairs", RepairsJson(muscle.mesh)},
                        {"remade", ToJson(muscle.mesh.reconstruction)}});
   }
   OrderedJson bones = OrderedJson::array();
   for (const PreparedBone& bone : scene.bones) {
-    bones.push_back({{"name", bone.mesh.name},
-                     {"mesh", bone.mesh.path},
-                     {"vertices", bone.rest.points.rows()},
-                     {"defects", DefectsJson(bone.mesh.defects)},
-                     {"repairs", RepairsJson(bone.mesh)}});
+    bones.push_back(
+        {{"name", bone.mesh.name},
+         {"mesh", bone.mesh.path},
+         {"vertices", bone.rest.points.rows()},
+         {"pieces", bone.mesh.repairs.pieces},
+         {"dropped_pieces", DroppedPiecesJson(bone.mesh)},
+         {"delivered_triangles_changed", bone.delivered_only.triangles.rows()},
+         {"defects", DefectsJson(bone.mesh.defects)},
+         {"repairs", RepairsJson(bone.mesh)}});
   }
   OrderedJson crossings = OrderedJson::array();
   for (const BoneCrossing& crossing : scene.bone_crossings) {
@@ -135,6 +155,7 @@ OrderedJson MotionJson(const Scene& scene) {
 
 nlohmann::ordered_json RepairsJson(const MeshPreparation& mesh) {
   const RepairReport& repairs = mesh.repairs;
+  const DroppedTotals dropped = TotalsOf(repairs.dropped_pieces);
   return {{"merged_points", repairs.point_merges.merged},
           {"longest_merge_mm", repairs.point_merges.longest},
           {"degenerate_triangles_removed", repairs.degenerate_triangles},
@@ -149,10 +170,10 @@ nlohmann::ordered_json RepairsJson(const MeshPreparation& mesh) {
           {"missing_faces_filled", repairs.fillings.missing_faces},
           {"filled_area_mm2", repairs.fillings.area},
           {"longest_hole_mm", repairs.fillings.longest},
-          {"dropped_components", repairs.dropped_components},
-          {"dropped_triangles", repairs.dropped_triangles},
-          {"dropped_area_mm2", repairs.dropped_area},
-          {"largest_dropped_area_mm2", repairs.largest_dropped_area},
+          {"dropped_components", repairs.dropped_pieces.size()},
+          {"dropped_triangles", dropped.triangles},
+          {"dropped_area_mm2", dropped.area},
+          {"largest_dropped_area_mm2", dropped.largest_area},
           {"pulled_points", repairs.pulls.points},
           {"longest_pull_mm", repairs.pulls.longest},
           {"dropped_points", repairs.dropped_points},

@@ -56,6 +56,17 @@ std::string Counted(int count, const std::string& noun) {
 // Returns what was done to a mesh, for the end of its line.
 std::string Treatment(const MeshPreparation& mesh) {
   std::string text = mesh.repairs.AnythingDone() ? ", repaired" : "";
+  if (mesh.repairs.pieces > 1) {
+    text += ", " + Counted(mesh.repairs.pieces, "piece");
+  }
+  const std::vector<DroppedPiece>& dropped = mesh.repairs.dropped_pieces;
+  const auto others =
+      std::count_if(dropped.begin(), dropped.end(), [](const auto& piece) {
+        return piece.reason != DropReason::kCrumb;
+      });
+  if (others > 0) {
+    text += ", " + Counted(static_cast<int>(others), "piece") + " left out";
+  }
   const int faces = mesh.repairs.fillings.missing_faces;
   if (faces > 0) text += ", " + Counted(faces, "missing face") + " filled";
   const SelfCrossingRemoval& crossings = mesh.self_crossings;

@@ -1,0 +1,70 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/preparation/dropped_piece_warnings.h"
+
+#include <algorithm>
+
+#include "musclewarp/base/place_text.h"
+
+namespace musclewarp {
+namespace {
+
+// Less is a flap or two at a non-manifold edge, which nearly all meshes have.
+constexpr double kShareWorthAWord = 1e-4;
+
+std::string SizeText(double area, double share, double volume) {
+  return MeasureText(area / 100) + " cm2, " + MeasureText(100 * share) +
+         " % of its surface, " + MeasureText(volume / 1000) + " cm3";
+}
+
+std::string WhyText(DropReason reason) {
+  switch (reason) {
+    case DropReason::kCrumb:
+    case DropReason::kSmaller:
+      return ": a muscle is one closed surface";
+    case DropReason::kOpen:
+      return ": its border is too long to be closed (--max_hole)";
+    case DropReason::kFlat:
+      return ": it encloses no volume";
+    case DropReason::kShell:
+      return ": it lies within the rest, and its cavity is filled";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> DroppedPieceWarnings(const std::string& name,
+                                              const RepairReport& repairs) {
+  std::vector<std::string> warnings;
+  int crumbs = 0;
+  DroppedPiece all, largest;  // crumbs
+  for (const DroppedPiece& piece : repairs.dropped_pieces) {
+    if (piece.reason == DropReason::kCrumb) {
+      ++crumbs;
+      all.area += piece.area;
+      all.share += piece.share;
+      all.volume += piece.volume;
+      if (piece.area > largest.area) largest = piece;
+      continue;
+    }
+    if (piece.reason == DropReason::kFlat && piece.share < kShareWorthAWord) {
+      continue;
+    }
+    warnings.push_back(name + ": a piece of " +
+                       SizeText(piece.area, piece.share, piece.volume) +
+                       " around " + PlaceText(piece.place) + " is left out" +
+                       WhyText(piece.reason));
+  }
+  if (all.share >= kShareWorthAWord) {
+    warnings.push_back(name + ": " + std::to_string(crumbs) +
+                       (crumbs == 1 ? " crumb of " : " crumbs of together ") +
+                       SizeText(all.area, all.share, all.volume) +
+                       (crumbs == 1 ? " is" : " are") + " left out" +
+                       (crumbs == 1 ? ", around " : ", the largest around ") +
+                       PlaceText(largest.place));
+  }
+  return warnings;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,18 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "musclewarp/mesh_repair/repair.h"
+
+namespace musclewarp {
+
+// Returns what the repair of a mesh has left out, a sentence for each piece
+// with its volume, share and place, and one for all crumbs. Flaps of which
+// nothing can be missed, a share below 1e-4 without volume, are passed over.
+std::vector<std::string> DroppedPieceWarnings(const std::string& name,
+                                              const RepairReport& repairs);
+
+}  // namespace musclewarp
