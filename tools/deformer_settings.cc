@@ -60,6 +60,8 @@ DeformerOptions OptionsOf(const DeformerSettings& choices) {
   ChooseCertifiedContact(choices, &options.frames.certified);
   options.reconstruction.kind = ParseRemake(choices.remake);
   options.frames.requirements.max_volume_loss = choices.max_loss;
+  options.frames.requirements.max_lost_area = choices.max_lost_area;
+  options.frames.requirements.max_lost_extent = choices.max_lost_extent;
   options.frames.requirements.max_torn_patch = choices.max_torn_patch;
   options.solver = ParseSolver(choices.solver);
   SetIterationLimit(choices.max_iterations, &options.solver);

@@ -18,7 +18,9 @@ struct DeformerSettings {
   std::string attachments = "auto";
   std::string remake = "auto";
   double max_loss = FrameRequirements().max_volume_loss;
-  double max_torn_patch = FrameRequirements().max_torn_patch;  // mm^2
+  double max_lost_area = FrameRequirements().max_lost_area;      // mm^2
+  double max_lost_extent = FrameRequirements().max_lost_extent;  // mm
+  double max_torn_patch = FrameRequirements().max_torn_patch;    // mm^2
   int max_iterations = 500;
   unsigned seed = 1;
   double max_hole = HoleLimits().max_perimeter;  // mm

@@ -37,6 +37,21 @@ DEFINE_double(max_loss,
               musclewarp::SeparateOptions().max_loss,
               "share of the volume of a mesh or label, as it was delivered, "
               "that may be lost; with more the exit code is 1");
+DEFINE_double(
+    max_lost_area,
+    musclewarp::SeparateOptions().max_lost_area,
+    "area of the surface of a mesh, mm2, that may be gone where it is "
+    "made anew, farther than 3 mm from the new surface; with more the "
+    "exit code is 1");
+DEFINE_double(
+    max_lost_extent,
+    musclewarp::SeparateOptions().max_lost_extent,
+    "length at an end of a mesh, mm, that may be gone where it is made "
+    "anew; with more the exit code is 1");
+DEFINE_double(max_move,
+              musclewarp::SeparateOptions().max_move,
+              "how much farther than twice its depth in others a vertex may "
+              "move, mm; with more the exit code is 1");
 DEFINE_double(max_hole,
               musclewarp::SeparateOptions().max_hole,
               "holes whose border is at most this long are filled when a mesh "
@@ -81,6 +96,9 @@ int main(int argc, char** argv) {
         options.edge = FLAGS_edge;
         options.pieces = musclewarp::ParsePieces(FLAGS_pieces);
         options.max_loss = FLAGS_max_loss;
+        options.max_lost_area = FLAGS_max_lost_area;
+        options.max_lost_extent = FLAGS_max_lost_extent;
+        options.max_move = FLAGS_max_move;
         options.max_hole = FLAGS_max_hole;
         options.gap = FLAGS_gap;
         options.remake = musclewarp::ParseRemake(FLAGS_remake);

@@ -117,6 +117,17 @@ DEFINE_double(max_loss,
               "share of the volume of a muscle, as it was delivered, that may "
               "be lost where its mesh is made anew; with more, frames are not "
               "usable");
+DEFINE_double(
+    max_lost_area,
+    musclewarp::DeformerSettings().max_lost_area,
+    "area of the surface of a muscle, mm2, that may be gone where its "
+    "mesh is made anew, farther than 3 mm from the new surface; with "
+    "more, frames are not usable");
+DEFINE_double(
+    max_lost_extent,
+    musclewarp::DeformerSettings().max_lost_extent,
+    "length at an end of a muscle, mm, that may be gone where its mesh "
+    "is made anew; with more, frames are not usable");
 DEFINE_double(max_step_turn,
               20,
               "largest turn of a body in one step of certified contact, "
@@ -152,6 +163,8 @@ DeformerSettings ChoicesFromFlags() {
   choices.attachments = FLAGS_attachments;
   choices.remake = FLAGS_remake;
   choices.max_loss = FLAGS_max_loss;
+  choices.max_lost_area = FLAGS_max_lost_area;
+  choices.max_lost_extent = FLAGS_max_lost_extent;
   choices.max_torn_patch = FLAGS_max_torn_patch;
   choices.max_iterations = FLAGS_max_iterations;
   choices.seed = FLAGS_seed;

@@ -8,7 +8,6 @@
 #include <atomic>
 #include <filesystem>
 #include <iomanip>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -154,6 +153,7 @@ OrderedJson SeparationJson(const SeparateInput& input,
                             "volume_ratio",
                             "volume_error",
                             "max_displacement_mm",
+                            "depth_without_contact_mm",
                             "folded_triangles",
                             "self_pairs"}) {
       entry[key] = moved.at(key);
@@ -252,7 +252,7 @@ void PrintPairs(const Separation& result, int width, std::ostream& screen) {
 void PrintMeshes(const Separation& result, int width, std::ostream& screen) {
   screen << "\n"
          << std::left << std::setw(width) << "mesh" << std::right
-         << "  delivered cm3    after  largest move mm   mean mm\n"
+         << "  delivered cm3    after  depth mm  largest move mm   mean mm\n"
          << std::fixed << std::setprecision(3);
   for (size_t i = 0; i < result.meshes.frame.muscles.size(); ++i) {
     const PreparedMuscle& mesh = result.meshes.scene.muscles[i];
@@ -261,7 +261,8 @@ void PrintMeshes(const Separation& result, int width, std::ostream& screen) {
     screen << std::left << std::setw(width) << mesh.model.name << std::right
            << std::setw(15) << mesh.mesh.delivered_volume / 1000 << std::setw(9)
            << moved.volume_ratio * mesh.mesh.delivered_volume / 1000
-           << std::setw(17) << moved.max_displacement << std::setw(10)
+           << std::setw(10) << moved.depth_without_contact << std::setw(17)
+           << moved.max_displacement << std::setw(10)
            << result.mean_displacements[i];
     if (reconstruction.is_done) {
       screen << "  made anew, " << std::setprecision(1)
@@ -363,11 +364,10 @@ RestSeparationOptions RestSeparationOptionsOf(const SeparateOptions& options) {
   RestSeparationOptions separation = MeshSeparationOptions();
   SetGap(options.gap, &separation.contact);
   separation.prepare.repair.holes.max_perimeter = options.max_hole;
-  // How far meshes move is reported. It does not count against the result: a
-  // mesh moves farther than it is deep if a part has to leave a pocket.
-  separation.requirements.displacement_allowance =
-      std::numeric_limits<double>::infinity();
+  separation.requirements.displacement_allowance = options.max_move;
   separation.requirements.max_volume_loss = options.max_loss;
+  separation.requirements.max_lost_area = options.max_lost_area;
+  separation.requirements.max_lost_extent = options.max_lost_extent;
   separation.reconstruction.kind = options.remake;
   return separation;
 }

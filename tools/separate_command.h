@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/deformer/mesh_separation.h"
 #include "musclewarp/frame_solvers/rest_separation.h"
 #include "musclewarp/label_images/label_meshes.h"
 
@@ -40,6 +41,10 @@ struct SeparateOptions {
   // The share of the volume of a mesh or label, as it was delivered, that may
   // be lost; with more the result is not usable.
   double max_loss = FrameRequirements().max_volume_loss;
+  double max_lost_area = FrameRequirements().max_lost_area;      // mm^2
+  double max_lost_extent = FrameRequirements().max_lost_extent;  // mm
+  double max_move =
+      MeshSeparationOptions().requirements.displacement_allowance;  // mm
   std::vector<std::string> formats = {"ply"};  // of the meshes written
   bool json = false;         // if true, separation.json is written, too
   int threads = 0;           // 0: as many as OpenMP chooses

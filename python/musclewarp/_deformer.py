@@ -54,6 +54,8 @@ class Deformer(_core.Deformer):
                  fibres: int = 0,
                  remake: str = "auto",
                  max_loss: float = 0.06,
+                 max_lost_area: float = 100.0,
+                 max_lost_extent: float = 5.0,
                  max_torn_patch: float = 0.0,
                  max_hole: float = 30.0,
                  coarse_vertices: int = 200,

@@ -39,6 +39,9 @@ def separate(meshes: NamedMeshes,
              gap: float = 0.1,
              remake: str = "auto",
              max_loss: float = 0.06,
+             max_lost_area: float = 100.0,
+             max_lost_extent: float = 5.0,
+             max_move: float = 5.0,
              units: str = "mm",
              progress: Progress = None) -> _core.Frame:
     """Moves vertices as little as it takes for no two meshes to cross.
@@ -55,7 +58,11 @@ def separate(meshes: NamedMeshes,
         remake: what happens to meshes that moving vertices does not separate:
             "auto" (made anew) or "never" (InputError).
         max_loss: the share of the volume of a mesh that may be lost where it is
-            made anew; with more the frame is not usable.
+            made anew; with more the frame is not usable. So it is with
+            more than `max_lost_area` mm2 of its surface gone, or
+            `max_lost_extent` mm of its length at one end.
+        max_move: how much farther than twice its depth in others a vertex
+            may move, mm; beyond, the frame is not usable.
         units: of the points that are given: "mm", "cm" or "m".
         progress: a function of (stage, done, total), or a bar of tqdm.
     Returns:
@@ -64,7 +71,8 @@ def separate(meshes: NamedMeshes,
         InputError: a mesh is bad, or the meshes cannot be separated.
     """
     return _core.separate(_named(meshes, "mesh"), _named(bones, "bone"), gap,
-                          remake, max_loss, units,
+                          remake, max_loss, max_lost_area, max_lost_extent,
+                          max_move, units,
                           as_function(progress))
 
 

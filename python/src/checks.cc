@@ -122,6 +122,9 @@ std::shared_ptr<FrameOfScene> Separate(const MeshesByName& meshes,
                                        double gap,
                                        const std::string& remake,
                                        double max_loss,
+                                       double max_lost_area,
+                                       double max_lost_extent,
+                                       double max_move,
                                        const std::string& units,
                                        const py::object& progress) {
   if (meshes.empty()) {
@@ -133,6 +136,9 @@ std::shared_ptr<FrameOfScene> Separate(const MeshesByName& meshes,
     options.gap = gap;
     options.remake = ParseRemake(remake);
     options.max_loss = max_loss;
+    options.max_lost_area = max_lost_area;
+    options.max_lost_extent = max_lost_extent;
+    options.max_move = max_move;
     separation = RestSeparationOptionsOf(options);
     CheckValid(separation);
   });
@@ -180,6 +186,9 @@ void BindChecks(py::module_* module) {
               py::arg("gap"),
               py::arg("remake"),
               py::arg("max_loss"),
+              py::arg("max_lost_area"),
+              py::arg("max_lost_extent"),
+              py::arg("max_move"),
               py::arg("units"),
               py::arg("progress"));
 }

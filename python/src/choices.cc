@@ -26,6 +26,8 @@ void VisitChoices(Choices* choices, const Visitor& visit) {
   visit("attachments", choices->attachments);
   visit("remake", choices->remake);
   visit("max_loss", choices->max_loss);
+  visit("max_lost_area", choices->max_lost_area);
+  visit("max_lost_extent", choices->max_lost_extent);
   visit("max_torn_patch", choices->max_torn_patch);
   visit("max_iterations", choices->max_iterations);
   visit("seed", choices->seed);

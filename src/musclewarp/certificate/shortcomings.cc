@@ -91,10 +91,41 @@ void AddShortcomingsOfShape(const MuscleMeasures& muscle,
   }
 }
 
+void AddLosses(const MuscleMeasures& muscle,
+               const FrameRequirements& requirements,
+               std::vector<std::string>* shortcomings) {
+  if (muscle.gone_area > requirements.max_lost_area) {
+    shortcomings->push_back(
+        Sentence(muscle.name,
+                 ": ",
+                 muscle.gone_area / 100,
+                 " cm2 of the muscle are gone, the farthest "
+                 "point ",
+                 muscle.farthest_gone,
+                 " mm away, allowed ",
+                 requirements.max_lost_area / 100,
+                 " cm2"));
+  }
+  if (muscle.lost_extent > requirements.max_lost_extent) {
+    shortcomings->push_back(Sentence(muscle.name,
+                                     ": ends ",
+                                     muscle.lost_extent,
+                                     " mm short of where it was delivered, "
+                                     "allowed ",
+                                     requirements.max_lost_extent,
+                                     " mm"));
+  }
+  for (const std::string& carrier : muscle.lost_attachments) {
+    shortcomings->push_back(
+        Sentence(muscle.name, ": is not attached to ", carrier, " any more"));
+  }
+}
+
 void AddShortcomingsOf(const MuscleMeasures& muscle,
                        const FrameRequirements& requirements,
                        std::vector<std::string>* shortcomings) {
   AddShortcomingsOfShape(muscle, requirements, shortcomings);
+  AddLosses(muscle, requirements, shortcomings);
   if (muscle.self_pairs > 0) {
     shortcomings->push_back(Sentence(muscle.name,
                                      ": ",
@@ -151,6 +182,8 @@ bool FrameRequirements::IsValid(std::string* error) const {
   return OptionCheck("FrameRequirements", error)
       .IsAtLeast("max_volume_error", max_volume_error, 0)
       .IsWithin("max_volume_loss", max_volume_loss, 0, 1)
+      .IsAtLeast("max_lost_area", max_lost_area, 0)
+      .IsAtLeast("max_lost_extent", max_lost_extent, 0)
       .IsAtLeast("max_stretch", max_stretch, 1)
       .IsAtLeast("max_torn_patch", max_torn_patch, 0)
       .IsWithin("max_folded_fraction", max_folded_fraction, 0, 1)

@@ -21,6 +21,13 @@ struct FrameRequirements {
   // to bones and other muscles, and to pieces of labels that are left out.
   double max_volume_loss = 0.06;
 
+  // What of a muscle, as it was delivered, may be gone where its mesh was
+  // reconstructed, whatever its volume: the area of surface that is farther
+  // than 3 mm, and twice its depth in others, from the new one, mm^2, and the
+  // length at one end, mm. No attachment may be lost.
+  double max_lost_area = 100;
+  double max_lost_extent = 5;
+
   // The largest stretch of a muscle's surface, as a ratio of lengths: beyond it
   // no data make sense. Muscles and tendons bear far less
   // (report/shape_warnings.h).
@@ -63,6 +70,13 @@ struct MuscleMeasures {
   Eigen::RowVector3d torn_place = Eigen::RowVector3d::Zero();  // mm
   int num_triangles = 0;
   int folded_triangles = 0;
+
+  // What of it is gone as delivered (SurfaceReconstruction), mm^2 and mm, and
+  // what it was attached to and is no longer.
+  double gone_area = 0;
+  double farthest_gone = 0;
+  double lost_extent = 0;
+  std::vector<std::string> lost_attachments;
 
   int self_pairs = 0;  // of its triangles that cross each other
 

@@ -18,6 +18,9 @@ RestSeparationOptions MeshSeparationOptions() {
   options.contact.coarse_weight = 0;
   // No motion follows in which the meshes would settle.
   options.contact.max_rest_steps += options.contact.max_settling_steps;
+  // A mesh moves farther than it is deep if a part has to leave a pocket.
+  options.requirements.displacement_allowance = 5;
+  options.reconstruction.reconstructs_displaced = false;
   options.prepare.makes_lines = false;
   options.prepare.attachments = AttachmentKind::kNone;
   options.prepare.remove_self_crossings = true;

@@ -125,7 +125,10 @@ MUSCLEWARP_ARCHIVE(SurfaceReconstruction,
                    volume_after,
                    lost_area,
                    place,
-                   farthest)
+                   farthest,
+                   gone_area,
+                   lost_extent,
+                   lost_attachments)
 MUSCLEWARP_ARCHIVE(MeshPreparation,
                    name,
                    path,

@@ -15,9 +15,11 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/option_check.h"
 #include "musclewarp/base/parallel_for.h"
+#include "musclewarp/base/place_text.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/frame_solvers/certified_frame.h"
 #include "musclewarp/frame_solvers/reconstructed_surfaces.h"
+#include "musclewarp/frame_solvers/reconstruction_loss.h"
 #include "musclewarp/frame_solvers/rest_retriangulation.h"
 #include "musclewarp/frames/frame_measures.h"
 #include "musclewarp/mesh/measures.h"
@@ -28,7 +30,8 @@ namespace {
 using Reasons = std::map<int, ReconstructionReason>;  // by muscle
 
 // Returns the muscles that need reconstruction, each with its worst reason.
-Reasons UncleanMuscles(const RestResult& rest) {
+Reasons UncleanMuscles(const ReconstructionOptions& options,
+                       const RestResult& rest) {
   Reasons reasons;
   for (const PairIntersection& pair : rest.intersections.pairs) {
     if (!pair.Counts()) continue;
@@ -46,6 +49,7 @@ Reasons UncleanMuscles(const RestResult& rest) {
     if (self_pairs[i] == 0) continue;
     reasons.emplace(static_cast<int>(i), ReconstructionReason::kCrossesItself);
   }
+  if (!options.reconstructs_displaced) return reasons;
   for (const int muscle : rest.displaced) {
     reasons.emplace(muscle, ReconstructionReason::kDisplaced);
   }
@@ -91,33 +95,6 @@ std::string Describe(const PreparedScene& scene,
   return text.str();
 }
 
-// Compares the new surface of a muscle with the old one.
-SurfaceReconstruction Compare(const SearchableMesh& before,
-                              const TriangleSoup& after) {
-  SurfaceReconstruction reconstruction;
-  reconstruction.is_done = true;
-  reconstruction.volume_before =
-      SignedVolume(before.points(), before.triangles());
-  reconstruction.volume_after = SignedVolume(after.points, after.triangles);
-  const TriangleBvh tree(after.points, after.triangles);
-  for (Eigen::Index f = 0; f < before.triangles().rows(); ++f) {
-    const Corners t = CornersOf(before.points(), before.triangles().row(f));
-    const Eigen::RowVector3d middle = t.colwise().mean();
-    const double edge = (t.row(1) - t.row(0)).norm();
-    const double distance =
-        tree.ClosestPoint(middle, std::numeric_limits<double>::infinity())
-            .distance;
-    reconstruction.farthest = std::max(reconstruction.farthest, distance);
-    if (distance <= edge) continue;
-    const double area = AreaVector(t).norm() / 2;
-    reconstruction.lost_area += area;
-    reconstruction.place += area * middle;
-  }
-  if (reconstruction.lost_area > 0)
-    reconstruction.place /= reconstruction.lost_area;
-  return reconstruction;
-}
-
 // Returns the reason for which moving the vertices of a muscle was not enough.
 std::string Text(ReconstructionReason reason) {
   switch (reason) {
@@ -141,68 +118,64 @@ std::string Warning(const std::string& name,
        << Text(reconstruction.reason) << "), so its mesh was made anew: "
        << reconstruction.volume_before / 1000 << " cm3 before, "
        << reconstruction.volume_after / 1000 << " cm3 after; "
-       << reconstruction.lost_area / 100 << " cm2 of the old surface were left";
+       << reconstruction.lost_area / 100
+       << " cm2 of the old surface are not part of the new one";
   if (reconstruction.lost_area > 0) {
-    text << ", around (" << reconstruction.place.x() << ", "
-         << reconstruction.place.y() << ", " << reconstruction.place.z()
-         << "), by " << reconstruction.farthest << " mm at most";
+    text << ", around " << PlaceText(reconstruction.place) << ", "
+         << reconstruction.farthest << " mm away at most";
   }
   return text.str();
 }
 
 // Throws InputError if too little of a muscle is left.
 void CheckEnoughIsLeft(const ReconstructionOptions& options,
-                       const std::string& name,
-                       const SurfaceReconstruction& reconstruction) {
-  if (reconstruction.volume_after >=
-      options.least_volume_fraction * reconstruction.volume_before) {
-    return;
-  }
-  throw InputError(
-      name,
-      "only " +
-          std::to_string(static_cast<int>(100 * reconstruction.volume_after /
-                                          reconstruction.volume_before)) +
-          " % of the muscle lies outside bones and other muscles",
-      "check that the meshes are in one frame, or correct them");
+                       const MuscleModel& before,
+                       const TriangleSoup& after) {
+  const double share =
+      SignedVolume(after.points, after.triangles) / before.rest_volume;
+  if (share >= options.least_volume_fraction) return;
+  throw InputError(before.name,
+                   "only " + std::to_string(static_cast<int>(100 * share)) +
+                       " % of the muscle lies outside bones and other muscles",
+                   "check that the meshes are in one frame, or correct them");
 }
 
-// Reconstructs the meshes of muscles. Repeated reconstructions keep the volume
-// before and the reason of the first one.
+// What muscles were before their first reconstruction, by muscle.
+using DeliveredMuscles = std::map<int, DeliveredMuscle>;
+
+// Reconstructs the meshes of muscles. Repeated reconstructions keep the reason
+// of the first one.
 void Reconstruct(const RestSeparationOptions& options,
                  const Reasons& reasons,
                  int attempt,
+                 DeliveredMuscles* delivered,
                  PreparedScene* scene) {
   std::vector<int> muscles;
-  for (const auto& [muscle, reason] : reasons) muscles.push_back(muscle);
+  const SceneMeshes meshes(*scene);
+  for (const auto& [muscle, reason] : reasons) {
+    muscles.push_back(muscle);
+    if (delivered->count(muscle) > 0) continue;
+    delivered->emplace(muscle, DeliveredMuscleOf(*scene, meshes, muscle));
+  }
   std::vector<TriangleSoup> surfaces =
       ReconstructedSurfaces(options.reconstruction,
                             options.contact.separation.cell,
                             muscles,
                             attempt,
                             *scene);
-  const SceneMeshes meshes(*scene);
-  std::vector<SurfaceReconstruction> reconstructions(muscles.size());
-  ParallelFor(muscles.size(), [&](size_t k) {
-    const int i = muscles[k];
-    reconstructions[k] = Compare(*meshes.muscles()[i].mesh, surfaces[k]);
-    CheckEnoughIsLeft(options.reconstruction,
-                      scene->muscles[i].model.name,
-                      reconstructions[k]);
-  });
-  ReplaceMuscleMeshes(options.prepare, muscles, std::move(surfaces), scene);
   for (size_t k = 0; k < muscles.size(); ++k) {
+    CheckEnoughIsLeft(
+        options.reconstruction, scene->muscles[muscles[k]].model, surfaces[k]);
+  }
+  ReplaceMuscleMeshes(options.prepare, muscles, std::move(surfaces), scene);
+  ParallelFor(muscles.size(), [&](size_t k) {
     PreparedMuscle& muscle = scene->muscles[muscles[k]];
     SurfaceReconstruction& known = muscle.mesh.reconstruction;
-    // The removal of slivers has changed the volume slightly.
-    reconstructions[k].volume_after = muscle.model.rest_volume;
-    reconstructions[k].reason = reasons.at(muscles[k]);
-    if (known.is_done) {
-      reconstructions[k].volume_before = known.volume_before;
-      reconstructions[k].reason = known.reason;
-    }
-    known = reconstructions[k];
-  }
+    const ReconstructionReason reason =
+        known.is_done ? known.reason : reasons.at(muscles[k]);
+    known = LossOf(delivered->at(muscles[k]), muscle);
+    known.reason = reason;
+  });
 }
 
 // Separates the meshes without reconstruction.
@@ -271,9 +244,10 @@ RestResult SeparateRest(const RestSeparationOptions& options,
   const bool is_never =
       options.reconstruction.kind == ReconstructionKind::kNever;
   const int max_attempts = options.reconstruction.max_attempts;
+  DeliveredMuscles delivered;
   for (int attempt = 0;; ++attempt) {
     RestResult result = SeparateOnce(options, solver, on_progress, *scene);
-    Reasons reasons = UncleanMuscles(result);
+    Reasons reasons = UncleanMuscles(options.reconstruction, result);
     const bool is_over = is_never || attempt == max_attempts;
     const bool is_clean =
         result.intersections.IsClean() && result.intersections.self_pairs == 0;
@@ -299,7 +273,7 @@ RestResult SeparateRest(const RestSeparationOptions& options,
     if (on_progress) on_progress({"remaking", attempt, 0});
     // The last attempt reconstructs all of them.
     if (attempt + 1 < max_attempts) KeepWorst(&reasons);
-    Reconstruct(options, reasons, attempt, scene);
+    Reconstruct(options, reasons, attempt, &delivered, scene);
   }
 }
 

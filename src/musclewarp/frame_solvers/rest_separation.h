@@ -39,6 +39,10 @@ struct ReconstructionOptions {
   // its volume, which protects thin muscles.
   double max_loss_by_margin = 0.25;
 
+  // If true, muscles that are displaced beyond the requirements are
+  // reconstructed.
+  bool reconstructs_displaced = true;
+
   // The largest number of reconstructions, each followed by a separation.
   int max_attempts = 3;
 

@@ -142,6 +142,11 @@ MuscleMeasures MuscleMeasuresOf(const PreparedMuscle& muscle,
   measures.volume_ratio = frame.volume_ratio;
   measures.volume_error = frame.volume_error;
   measures.max_stretch = frame.shape.max_stretch;
+  const SurfaceReconstruction& reconstruction = muscle.mesh.reconstruction;
+  measures.gone_area = reconstruction.gone_area;
+  measures.farthest_gone = reconstruction.farthest;
+  measures.lost_extent = reconstruction.lost_extent;
+  measures.lost_attachments = reconstruction.lost_attachments;
   return measures;
 }
 

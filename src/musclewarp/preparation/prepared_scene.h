@@ -92,12 +92,20 @@ struct SurfaceReconstruction {
   ReconstructionReason reason = ReconstructionReason::kCrossesBone;
   double volume_before = 0, volume_after = 0;  // mm^3
 
-  // The part of the old surface whose distance to the new one exceeds the edge
-  // of its triangle: its area (mm^2) and centre (mm); and the largest distance
-  // of the old surface to the new one (mm).
+  // The part of the delivered surface whose distance to the new one exceeds the
+  // edge of its triangle: its area (mm^2) and centre (mm); and the largest
+  // distance of the delivered surface to the new one (mm).
   double lost_area = 0;
   Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
   double farthest = 0;
+
+  // What is gone (frame_solvers/reconstruction_loss.h): the area of the
+  // delivered surface that is farther from the new one than separation
+  // explains, mm^2; by how much the muscle is shorter at one end, mm; and the
+  // bodies or muscles to which it was attached and is no longer.
+  double gone_area = 0;
+  double lost_extent = 0;
+  std::vector<std::string> lost_attachments;
 };
 
 // The defects of a delivered mesh, and all changes to it.

@@ -24,7 +24,10 @@ OrderedJson ToJson(const SurfaceReconstruction& reconstruction) {
           {"volume_after_mm3", reconstruction.volume_after},
           {"lost_area_mm2", reconstruction.lost_area},
           {"place_mm", {place.x(), place.y(), place.z()}},
-          {"farthest_mm", reconstruction.farthest}};
+          {"farthest_mm", reconstruction.farthest},
+          {"gone_area_mm2", reconstruction.gone_area},
+          {"lost_extent_mm", reconstruction.lost_extent},
+          {"lost_attachments", reconstruction.lost_attachments}};
 }
 
 // The pieces of a mesh that its repair left out.
