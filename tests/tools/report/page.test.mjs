@@ -226,6 +226,7 @@ describe("the page", () => {
     assert.equal(await frameShown(page), 8);
     // What the files say otherwise is told.
     await hasText(page, "report.json says 0");
+    await hasText(page, "yes; not tested for crossings (contact none)");
     await browser.keep(page, "verdicts");
   });
 
