@@ -62,5 +62,16 @@ TEST(ScreenReport, SaysOfCertifiedContactHowManyFramesAreClean) {
                     EndsWith(": NOT usable")));
 }
 
+TEST(ScreenReport, SaysOfAStoppedRunThatItIsUsableSoFar) {
+  RunRecord run = CrossingRun(ContactKind::kCertified);
+  run.frames_planned = 15;
+  run.finished = false;
+  EXPECT_THAT(LastLine(run),
+              AllOf(HasSubstr("2 of 15 frames, 0 without"),
+                    EndsWith(": usable so far")));
+  run.frames[1].usable = false;
+  EXPECT_THAT(LastLine(run), EndsWith(": NOT usable"));
+}
+
 }  // namespace
 }  // namespace musclewarp

@@ -75,6 +75,8 @@ Json SummaryAfter(const DeformOptions& options,
   EXPECT_EQ(DeformCommand(options, screen), kExitNotUsable);
   EXPECT_THAT(buffer.str(), HasSubstr("stopped after 2 of 4 frames"));
   EXPECT_THAT(buffer.str(), HasSubstr("--resume"));
+  EXPECT_THAT(buffer.str(), HasSubstr("2 of 4 frames, "));
+  EXPECT_THAT(buffer.str(), HasSubstr(": usable so far\n"));
   const Json report = Json::parse(FileText(options.out + "/report.json"));
   EXPECT_EQ(report["frames"].size(), 2u);
   EXPECT_EQ(report["summary"]["frames_planned"], 4);

@@ -84,13 +84,24 @@ std::string CrossingsIn(const RunTotals& totals, ContactKind contact) {
   return count + (is_tolerated ? " (contact paper does not refuse them)" : "");
 }
 
+// "15 frames", or "4 of 15 frames" of a run that was stopped.
+std::string FramesOf(const RunRecord& run) {
+  const std::string all = Counted(run.frames_planned, "frame");
+  return run.finished ? all : std::to_string(run.frames.size()) + " of " + all;
+}
+
+std::string VerdictOf(const RunRecord& run, const RunTotals& totals) {
+  if (!totals.usable) return "NOT usable";
+  return run.finished ? "usable" : "usable so far";
+}
+
 void PrintTotals(const RunRecord& run, std::ostream& out) {
   const RunTotals totals = TotalsOf(run);
   out << "\n"
-      << totals.frames << " frames, " << CrossingsIn(totals, run.contact.kind)
+      << FramesOf(run) << ", " << CrossingsIn(totals, run.contact.kind)
       << ", worst volume error " << std::scientific << totals.worst_volume_error
       << ", median " << std::fixed << totals.wall_ms_per_frame_median
-      << " ms a frame: " << (totals.usable ? "usable" : "NOT usable") << "\n";
+      << " ms a frame: " << VerdictOf(run, totals) << "\n";
 }
 
 }  // namespace

@@ -558,6 +558,7 @@ describe("what went wrong", () => {
     const page = await browser.openReady(
       writePage(empty, join(workDir, "empty.html")),
     );
+    await hasText(page, "so far; not tested for crossings (contact none)");
     assert.match(
       (await page.locator(".notice").allInnerTexts()).join(),
       /stopped after 0 of 15 frames: the program ended without saying why/,

@@ -132,11 +132,14 @@ function command(text: string): HTMLElement {
 function usability(run: Run): string {
   const { contact, summary } = run.report;
   if (!summary.usable) return "no: report.json says why";
-  if (contact === "none") return "yes; not tested for crossings (contact none)";
+  const yes = summary.finished ? "yes" : "so far";
+  if (contact === "none") {
+    return `${yes}; not tested for crossings (contact none)`;
+  }
   const crossing = run.frames.some((frame) => !isClean(frame.intersections));
   return crossing && contact === "paper"
-    ? "yes; contact paper does not refuse frames in which meshes cross"
-    : "yes";
+    ? `${yes}; contact paper does not refuse frames in which meshes cross`
+    : yes;
 }
 
 function runSummary(run: Run): HTMLElement {
