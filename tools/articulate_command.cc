@@ -13,6 +13,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/portable_path.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/joints/articulated_model.h"
 #include "musclewarp/joints/articulated_scene.h"
@@ -20,6 +21,7 @@
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/page/joints_page.h"
+#include "musclewarp/report/paths_in_json.h"
 #include "musclewarp/scene/scene_names.h"
 #include "tools/articulate_input.h"
 #include "tools/flag_values.h"
@@ -193,7 +195,9 @@ class ArticulateRun {
     WriteLabels(out);
     const std::string name = NameOfRun();
     WriteArticulatedModel(articulation_, name, (out / "model.osim").string());
-    WriteJson("joints.json", JointsJson(articulation_, axes));
+    nlohmann::ordered_json joints = JointsJson(articulation_, axes);
+    MakePathsRelative(options_.out, &joints);
+    WriteJson("joints.json", joints);
     if (options_.html) WritePage(name, axes);
     if (of_scene_.sweeps.empty()) return;
     WriteJson(
@@ -270,9 +274,7 @@ class ArticulateRun {
   // The file of a mesh as the scene names it.
   std::string SceneFile(const ArticulateMesh& mesh) const {
     if (mesh.file.empty()) return MeshOfLabel(mesh.name).generic_string();
-    const fs::path relative = fs::relative(mesh.file, options_.out);
-    return (relative.empty() ? fs::absolute(mesh.file) : relative)
-        .generic_string();
+    return PathFrom(options_.out, mesh.file);
   }
 
   // Where the mesh of a label is written, from the folder of the results.

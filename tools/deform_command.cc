@@ -20,6 +20,7 @@
 #include "musclewarp/frames/frame_files.h"
 #include "musclewarp/page/recorded_attachments.h"
 #include "musclewarp/report/earlier_run.h"
+#include "musclewarp/report/kept_model.h"
 #include "musclewarp/report/motion_tables.h"
 #include "musclewarp/report/report_json.h"
 #include "musclewarp/report/resume_log.h"
@@ -110,6 +111,7 @@ class DeformRun {
     const Scene scene =
         ReadScene(options_.scene, options_.data_root, options_.model);
     selected_ = SelectFrames(options_.frames, scene.poses);
+    run_.dir = options_.out;
     run_.solver = options_.deformer.solver.name;
     run_.command = options_.command;
     run_.options = options_.all_flags;
@@ -194,6 +196,7 @@ class DeformRun {
       }
     }
     WriteFrame(deformer_->scene(), rest, options_.files, options_.out);
+    KeepModel(deformer_->scene().scene, options_.out);
     WriteAttachments((fs::path(options_.out) / kAttachmentsFile).string(),
                      AttachmentsOf(deformer_->scene()));
     if (run_.frames.empty()) return;

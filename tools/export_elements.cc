@@ -12,6 +12,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/portable_path.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/exchange/element_files.h"
@@ -158,7 +159,7 @@ class ElementExport {
       is_usable = is_usable && frame.at("failure").is_null();
     }
     const OrderedJson record = {{"version", kVersion},
-                                {"run", run_.dir},
+                                {"run", PathFrom(dir_, run_.dir)},
                                 {"mesher", mesher_.program},
                                 {"inputs", Inputs()},
                                 {"frames", frames},

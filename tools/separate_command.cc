@@ -20,6 +20,7 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/deformer/mesh_separation.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/report/paths_in_json.h"
 #include "musclewarp/report/report_json.h"
 #include "musclewarp/report/screen_progress.h"
 #include "musclewarp/report/screen_report.h"
@@ -335,11 +336,11 @@ class SeparateRun {
     RemovePartialOutput(options_.out);
     WriteMeshes(result, options_);
     if (!options_.json) return;
+    OrderedJson json = SeparationJson(input, result, wall_ms);
+    MakePathsRelative(options_.out, &json);
     WriteTextAtomically(
         (fs::path(options_.out) / "separation.json").string(),
-        SeparationJson(input, result, wall_ms)
-                .dump(2, ' ', false, OrderedJson::error_handler_t::replace) +
-            "\n");
+        json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
   }
 
   void SayStopped(const std::string& reason) {

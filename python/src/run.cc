@@ -12,6 +12,7 @@
 #include "musclewarp/page/page.h"
 #include "musclewarp/page/recorded_attachments.h"
 #include "musclewarp/report/earlier_run.h"
+#include "musclewarp/report/kept_model.h"
 #include "musclewarp/report/motion_tables.h"
 #include "musclewarp/report/report_json.h"
 #include "python/src/bindings.h"
@@ -128,10 +129,12 @@ void WriteFiles(const RunOfDeformer& run,
   const PreparedScene& scene = deformer->scene();
   RemoveEarlierRun(dir);
   WriteFrame(scene, deformer->RestFrame(), files, dir);
+  KeepModel(scene.scene, dir);
   WriteAttachments((fs::path(dir) / kAttachmentsFile).string(),
                    AttachmentsOf(scene));
   std::vector<int> indices;
   RunRecord record = RecordOf(run, deformer);
+  record.dir = dir;
   for (size_t i = 0; i < run.frames.size(); ++i) {
     ThrowIfAbandoned();
     const Frame& frame = run.frames[i]->frame;
