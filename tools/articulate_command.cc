@@ -26,6 +26,7 @@
 #include "tools/articulate_input.h"
 #include "tools/flag_values.h"
 #include "tools/output_folder.h"
+#include "tools/output_lock.h"
 #include "tools/program.h"
 #include "tools/split.h"
 
@@ -112,6 +113,7 @@ class ArticulateRun {
     ArticulationOptions joints = ArticulationOptionsOf(options_);
     const JointMotion motion = ParseMotion(options_.motion);
     if (options_.threads > 0) omp_set_num_threads(options_.threads);
+    const OutputLock lock(options_.out);
     input_ = ReadArticulateInput(files_, options_);
     // A label image says itself where its axes point.
     if (!input_.image.empty()) joints.axes = input_.is_oriented ? "LPS" : "";

@@ -20,6 +20,7 @@
 #include "musclewarp/exchange/moved_mesh.h"
 #include "musclewarp/frames/frame_files.h"
 #include "tools/output_folder.h"
+#include "tools/output_lock.h"
 #include "tools/program.h"
 #include "tools/searchable_scene.h"
 
@@ -91,8 +92,9 @@ class ElementExport {
   int Execute(const std::vector<int>& frames) {
     rest_ = ReadRestPose(run_.rest, run_.names);
     ReadAttachmentsIfThere();
-    if (options_.resume) ReadRecord();
     MakeFolder(dir_);
+    const OutputLock lock(dir_);
+    if (options_.resume) ReadRecord();
     screen_ << "frame        tetrahedra  points inside  min dihedral  aspect  "
                "seconds\n";
     int failed = 0;

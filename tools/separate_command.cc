@@ -28,6 +28,7 @@
 #include "tools/interruption.h"
 #include "tools/option_flags.h"
 #include "tools/output_folder.h"
+#include "tools/output_lock.h"
 #include "tools/program.h"
 #include "tools/separate_input.h"
 
@@ -297,15 +298,19 @@ class SeparateRun {
  public:
   SeparateRun(const std::vector<std::string>& files,
               const SeparateOptions& options,
+              OutputLock* lock,
               std::ostream& screen)
       : files_(files),
         options_(options),
+        lock_(lock),
         screen_(screen),
         progress_(options.is_terminal, &screen) {}
 
   int Execute() {
-    const InterruptionScope interruption(
-        [this](const std::string& reason) { SayStopped(reason); });
+    const InterruptionScope interruption([this](const std::string& reason) {
+      SayStopped(reason);
+      lock_->Release();
+    });
     try {
       const Stopwatch stopwatch;
       const SeparateInput input = ReadSeparateInput(files_, options_);
@@ -352,6 +357,7 @@ class SeparateRun {
 
   const std::vector<std::string>& files_;
   const SeparateOptions& options_;
+  OutputLock* lock_;  // on the folder of the results
   std::ostream& screen_;
   ScreenProgress progress_;
   std::atomic<bool> is_writing_ = false;
@@ -377,7 +383,8 @@ int SeparateCommand(const std::vector<std::string>& files,
                     std::ostream& screen) {
   CheckSeparateOptions(files, options);
   if (options.threads > 0) omp_set_num_threads(options.threads);
-  return SeparateRun(files, options, screen).Execute();
+  OutputLock lock(options.out);
+  return SeparateRun(files, options, &lock, screen).Execute();
 }
 
 }  // namespace musclewarp

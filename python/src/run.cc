@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <filesystem>
+#include <memory>
 #include <sstream>
 
 #include "musclewarp/base/content_hash.h"
@@ -21,6 +22,7 @@
 #include "python/src/json.h"
 #include "tools/flag_values.h"
 #include "tools/output_folder.h"
+#include "tools/output_lock.h"
 
 namespace musclewarp::python {
 namespace {
@@ -168,10 +170,13 @@ void Write(const RunOfDeformer& run,
   CallWithKeywords([&] {
     const FrameFileOptions files = ParseFrameFiles(format, bones);
     CheckWritable(dir);
-    CheckNoStrangeFrames(dir, overwrite);
-    MakeFolder(dir);
     SharedDeformer::Compute(
-        run.deformer, [run = SnapshotOf(run), files, dir](Deformer* deformer) {
+        run.deformer,
+        [run = SnapshotOf(run), files, dir, overwrite](Deformer* deformer) {
+          // Held by the thread that writes, even if nobody waits for it.
+          const OutputLock lock(dir);
+          CheckNoStrangeFrames(dir, overwrite);
+          MakeFolder(dir);
           WriteFiles(*run, files, dir, deformer);
           return true;
         });
