@@ -103,7 +103,8 @@ DEFINE_int32(max_rounds,
 DEFINE_double(frame_timeout_s,
               -1,
               "a frame of certified contact that takes longer than this is "
-              "given up, s; 0: no limit; -1: 60, and 20 more for each muscle");
+              "given up, s; 0: none is ever given up; -1: those that make no "
+              "progress are, however fast and busy the machine is");
 DEFINE_string(remake,
               "auto",
               "what certified contact does with muscles that cannot be "
