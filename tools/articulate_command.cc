@@ -13,6 +13,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/portable_path.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/joints/articulated_model.h"
 #include "musclewarp/joints/articulated_scene.h"
@@ -20,10 +21,12 @@
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/page/joints_page.h"
+#include "musclewarp/report/paths_in_json.h"
 #include "musclewarp/scene/scene_names.h"
 #include "tools/articulate_input.h"
 #include "tools/flag_values.h"
 #include "tools/output_folder.h"
+#include "tools/output_lock.h"
 #include "tools/program.h"
 #include "tools/split.h"
 
@@ -110,6 +113,7 @@ class ArticulateRun {
     ArticulationOptions joints = ArticulationOptionsOf(options_);
     const JointMotion motion = ParseMotion(options_.motion);
     if (options_.threads > 0) omp_set_num_threads(options_.threads);
+    const OutputLock lock(options_.out);
     input_ = ReadArticulateInput(files_, options_);
     // A label image says itself where its axes point.
     if (!input_.image.empty()) joints.axes = input_.is_oriented ? "LPS" : "";
@@ -193,7 +197,9 @@ class ArticulateRun {
     WriteLabels(out);
     const std::string name = NameOfRun();
     WriteArticulatedModel(articulation_, name, (out / "model.osim").string());
-    WriteJson("joints.json", JointsJson(articulation_, axes));
+    nlohmann::ordered_json joints = JointsJson(articulation_, axes);
+    MakePathsRelative(options_.out, &joints);
+    WriteJson("joints.json", joints);
     if (options_.html) WritePage(name, axes);
     if (of_scene_.sweeps.empty()) return;
     WriteJson(
@@ -270,9 +276,7 @@ class ArticulateRun {
   // The file of a mesh as the scene names it.
   std::string SceneFile(const ArticulateMesh& mesh) const {
     if (mesh.file.empty()) return MeshOfLabel(mesh.name).generic_string();
-    const fs::path relative = fs::relative(mesh.file, options_.out);
-    return (relative.empty() ? fs::absolute(mesh.file) : relative)
-        .generic_string();
+    return PathFrom(options_.out, mesh.file);
   }
 
   // Where the mesh of a label is written, from the folder of the results.

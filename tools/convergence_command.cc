@@ -13,6 +13,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/report/paths_in_json.h"
 #include "musclewarp/report/report_json.h"
 #include "musclewarp/report/screen_report.h"
 #include "tools/convergence_run.h"
@@ -127,18 +128,18 @@ void WriteStudies(const DeformOptions& options,
                   const PreparedScene& scene,
                   const std::vector<ConvergenceRow>& rows) {
   const Discretisation as_set = DiscretisationOf(options.deformer.prepare);
-  const OrderedJson json = {
-      {"scene", scene.scene.name},
-      {"command", options.command},
-      {"contact", ToString(options.deformer.frames.contact)},
-      {"machine", MachineJson()},
-      {"version", kVersion},
-      {"as_set",
-       {{"coarse_vertices", as_set.coarse_vertices},
-        {"sample_spacing_mm", as_set.sample_spacing},
-        {"density", as_set.density}}},
-      {"rows", ConvergenceJson(rows)}};
+  OrderedJson json = {{"scene", scene.scene.name},
+                      {"command", options.command},
+                      {"contact", ToString(options.deformer.frames.contact)},
+                      {"machine", MachineJson()},
+                      {"version", kVersion},
+                      {"as_set",
+                       {{"coarse_vertices", as_set.coarse_vertices},
+                        {"sample_spacing_mm", as_set.sample_spacing},
+                        {"density", as_set.density}}},
+                      {"rows", ConvergenceJson(rows)}};
   MakeFolder(options.out);
+  MakePathsRelative(options.out, &json);
   const std::filesystem::path out = options.out;
   WriteTextAtomically((out / "convergence.csv").string(), ConvergenceCsv(rows));
   WriteTextAtomically(

@@ -20,6 +20,7 @@
 #include "musclewarp/frames/frame_files.h"
 #include "musclewarp/page/recorded_attachments.h"
 #include "musclewarp/report/earlier_run.h"
+#include "musclewarp/report/kept_model.h"
 #include "musclewarp/report/motion_tables.h"
 #include "musclewarp/report/report_json.h"
 #include "musclewarp/report/resume_log.h"
@@ -29,6 +30,7 @@
 #include "tools/interruption.h"
 #include "tools/option_flags.h"
 #include "tools/output_folder.h"
+#include "tools/output_lock.h"
 #include "tools/program.h"
 #include "tools/report_command.h"
 #include "tools/step_recorder.h"
@@ -97,8 +99,11 @@ class ReportWriter {
 // Everything of a run but its options: what DeformCommand does, step by step.
 class DeformRun {
  public:
-  DeformRun(const DeformOptions& options, std::ostream& screen)
+  DeformRun(const DeformOptions& options,
+            OutputLock* lock,
+            std::ostream& screen)
       : options_(options),
+        lock_(lock),
         screen_(screen),
         report_((fs::path(options.out) / "report.json").string()),
         writer_(report_),
@@ -110,6 +115,7 @@ class DeformRun {
     const Scene scene =
         ReadScene(options_.scene, options_.data_root, options_.model);
     selected_ = SelectFrames(options_.frames, scene.poses);
+    run_.dir = options_.out;
     run_.solver = options_.deformer.solver.name;
     run_.command = options_.command;
     run_.options = options_.all_flags;
@@ -194,6 +200,7 @@ class DeformRun {
       }
     }
     WriteFrame(deformer_->scene(), rest, options_.files, options_.out);
+    KeepModel(deformer_->scene().scene, options_.out);
     WriteAttachments((fs::path(options_.out) / kAttachmentsFile).string(),
                      AttachmentsOf(deformer_->scene()));
     if (run_.frames.empty()) return;
@@ -282,6 +289,7 @@ class DeformRun {
     if (!run_.scene) {
       screen_ << reason << " before the first frame; nothing was written"
               << std::endl;
+      lock_->Release();
       return;
     }
     run_.stopped = reason;
@@ -292,6 +300,7 @@ class DeformRun {
       screen_ << error.what() << "\n";
     }
     screen_ << std::flush;
+    lock_->Release();
   }
 
   bool is_motion() const { return deformer_->scene().scene.is_motion; }
@@ -300,6 +309,7 @@ class DeformRun {
   }
 
   const DeformOptions& options_;
+  OutputLock* lock_;  // on the folder of the results
   std::ostream& screen_;
   const std::string report_;
   ReportWriter writer_;
@@ -327,7 +337,8 @@ int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   CheckSceneOptions(options);
   CheckWritable(options.out);
   if (options.threads > 0) omp_set_num_threads(options.threads);
-  return DeformRun(options, screen).Execute();
+  OutputLock lock(options.out);
+  return DeformRun(options, &lock, screen).Execute();
 }
 
 }  // namespace musclewarp

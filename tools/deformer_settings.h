@@ -37,7 +37,7 @@ struct DeformerSettings {
   int fibres = 0;
   double gap = StepOptions().gap;  // mm
   int max_rounds = 6;
-  double frame_timeout_s = CertifiedContactOptions::kTimeoutByMuscles;
+  double frame_timeout_s = CertifiedContactOptions::kNoClock;
   double max_step_turn = 20;  // degrees
   double max_step_move = 80;  // mm
   bool body_twist = true;

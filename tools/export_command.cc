@@ -21,6 +21,7 @@
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "tools/frame_selection.h"
 #include "tools/output_folder.h"
+#include "tools/output_lock.h"
 #include "tools/program.h"
 #include "tools/searchable_scene.h"
 #include "tools/split.h"
@@ -78,12 +79,14 @@ int ExportCrossings(const ExportRequest& request, std::ostream& screen) {
       scene.Add(fs::path(file).stem(), ReadTriangleSoup(file), &scene.muscles);
     }
     MakeFolder(request.out);
+    const OutputLock lock(request.out);
     places = AddCrossings("meshes", scene, &files);
   } else {
     const RunOutline run = OpenRun(request, screen);
     const std::vector<int> selected = SelectedFrames(request, run);
     const RecordedPose rest = ReadRestPose(run.rest, run.names);
     MakeFolder(request.out);
+    const OutputLock lock(request.out);
     for (const int i : selected) {
       const OutlinedFrame& frame = run.frames[i];
       const std::string label = FrameFolder(frame.index);

@@ -12,6 +12,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/portable_path.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/exchange/element_files.h"
@@ -19,6 +20,7 @@
 #include "musclewarp/exchange/moved_mesh.h"
 #include "musclewarp/frames/frame_files.h"
 #include "tools/output_folder.h"
+#include "tools/output_lock.h"
 #include "tools/program.h"
 #include "tools/searchable_scene.h"
 
@@ -90,8 +92,9 @@ class ElementExport {
   int Execute(const std::vector<int>& frames) {
     rest_ = ReadRestPose(run_.rest, run_.names);
     ReadAttachmentsIfThere();
-    if (options_.resume) ReadRecord();
     MakeFolder(dir_);
+    const OutputLock lock(dir_);
+    if (options_.resume) ReadRecord();
     screen_ << "frame        tetrahedra  points inside  min dihedral  aspect  "
                "seconds\n";
     int failed = 0;
@@ -158,7 +161,7 @@ class ElementExport {
       is_usable = is_usable && frame.at("failure").is_null();
     }
     const OrderedJson record = {{"version", kVersion},
-                                {"run", run_.dir},
+                                {"run", PathFrom(dir_, run_.dir)},
                                 {"mesher", mesher_.program},
                                 {"inputs", Inputs()},
                                 {"frames", frames},

@@ -9,6 +9,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/portable_path.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/exchange/osim_file.h"
 #include "musclewarp/exchange/run_paths.h"
@@ -40,6 +41,11 @@ void CheckIsOther(const std::string& out, const std::string& model) {
     throw InputError(
         "--out=" + out, "is the model that is read", "give another name");
   }
+}
+
+std::string FolderOf(const std::string& file) {
+  const fs::path folder = fs::path(file).parent_path();
+  return folder.empty() ? "." : folder.string();
 }
 
 OrderedJson FitJson(const PathFit& fit, const RunPaths& paths, size_t samples) {
@@ -96,9 +102,13 @@ int ExportOsim(const std::string& runs,
   }
   const std::string text = WithFunctionPaths(
       ReadFile(paths.model.path), paths.model.path, paths.coordinates, fits);
+  OrderedJson dirs = OrderedJson::array();
+  for (const std::string& dir : Split(runs, ',')) {
+    dirs.push_back(PathFrom(FolderOf(out), dir));
+  }
   const OrderedJson record = {
-      {"model", paths.model.path},
-      {"runs", Split(runs, ',')},
+      {"model", PathFrom(FolderOf(out), paths.model.path)},
+      {"runs", dirs},
       {"max_length_error_mm", options.fit.max_length_error},
       {"max_arm_error_mm", options.fit.max_arm_error},
       {"within_bounds", is_fine},

@@ -14,6 +14,7 @@
 #include "tools/flag_values.h"
 #include "tools/model_listing.h"
 #include "tools/output_folder.h"
+#include "tools/output_lock.h"
 #include "tools/program.h"
 #include "tools/scene_flags.h"
 
@@ -146,6 +147,7 @@ void PrepareDemo(DeformOptions* options) {
   options->scene = DemoScenePath(options->out);
   CheckSceneOptions(*options);
   CheckWritable(options->out);
+  const OutputLock lock(options->out);
   WriteDemoScene(options->out);
 }
 

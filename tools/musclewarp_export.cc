@@ -41,7 +41,7 @@ DEFINE_bool(resume,
             "same flags");
 DEFINE_string(model,
               "",
-              "of osim: the model, if it is no longer where the run had it");
+              "of osim: the model, in place of the one that the run keeps");
 DEFINE_double(max_length_error_mm,
               0.5,
               "of osim: mm; exit code 1 if a length is fitted worse");

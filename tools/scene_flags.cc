@@ -8,12 +8,15 @@
 #include <cctype>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/portable_path.h"
 #include "tools/deformer_settings.h"
 #include "tools/flag_values.h"
+#include "tools/split.h"
 
 DEFINE_string(scene, "", "scene file (JSON)");
 DEFINE_string(data_root,
@@ -100,7 +103,8 @@ DEFINE_int32(max_rounds,
 DEFINE_double(frame_timeout_s,
               -1,
               "a frame of certified contact that takes longer than this is "
-              "given up, s; 0: no limit; -1: 60, and 20 more for each muscle");
+              "given up, s; 0: none is ever given up; -1: those that make no "
+              "progress are, however fast and busy the machine is");
 DEFINE_string(remake,
               "auto",
               "what certified contact does with muscles that cannot be "
@@ -199,13 +203,53 @@ std::vector<gflags::CommandLineFlagInfo> OwnFlags() {
 }
 
 // The flags that were set, but those in `without`.
-std::string SetFlags(const std::set<std::string>& without) {
+std::string SetFlags(
+    const std::set<std::string>& without,
+    const std::function<std::string(const std::string& name,
+                                    const std::string& value)>& value_of) {
   std::string text;
   for (const auto& flag : OwnFlags()) {
     if (flag.is_default || without.count(flag.name)) continue;
-    text += " --" + flag.name + "=" + ShellQuoted(flag.current_value);
+    text += " --" + flag.name + "=" +
+            ShellQuoted(value_of(flag.name, flag.current_value));
   }
   return text;
+}
+
+std::string AsGiven(const std::string& /*name*/, const std::string& value) {
+  return value;
+}
+
+std::string AbsolutePath(const std::string& path) {
+  auto absolute = std::filesystem::absolute(path).lexically_normal();
+  if (!absolute.has_filename()) absolute = absolute.parent_path();
+  return absolute.string();
+}
+
+// Returns the value of a flag as reports have it. Paths do not depend on the
+// working folder, so that the report can have them lead from its own folder
+// (report/paths_in_json.h).
+std::string AsRecorded(const std::string& name, const std::string& value) {
+  static const std::set<std::string> kPaths = {
+      "scene", "data_root", "out", "record_steps"};
+  const bool is_cache = name == "cache" && !CacheFolderOf(value).empty();
+  if (value.empty()) return value;
+  if (kPaths.count(name) > 0 || is_cache) return AbsolutePath(value);
+  if (name == "geometry") {
+    std::string folders;
+    for (const std::string& folder : Split(value, ',')) {
+      folders += (folders.empty() ? "" : ",") + AbsolutePath(folder);
+    }
+    return folders;
+  }
+  if (name != "motion") return value;
+  // It leads from the folder of the data.
+  const std::string root =
+      FLAGS_data_root.empty()
+          ? std::filesystem::absolute(FLAGS_scene).parent_path().string()
+          : FLAGS_data_root;
+  return std::filesystem::path(value).is_absolute() ? PathFrom(root, value)
+                                                    : value;
 }
 
 }  // namespace
@@ -247,7 +291,7 @@ DeformOptions SceneOptionsFromFlags() {
   // Programs show no gaps of vertices, but for files that DeformCommand writes.
   options.deformer.frames.measures.vertex_gaps = false;
   options.command = std::string(gflags::ProgramInvocationShortName()) +
-                    SetFlags({"resume", "overwrite"});
+                    SetFlags({"resume", "overwrite"}, AsRecorded);
   // Files count by their contents; threads and timing make no difference.
   std::set<std::string> other_flags = {"resume",
                                        "overwrite",
@@ -262,11 +306,12 @@ DeformOptions SceneOptionsFromFlags() {
                                        "data_root",
                                        "geometry",
                                        "motion"};
-  options.result_flags = SetFlags(other_flags);
+  options.result_flags = SetFlags(other_flags, AsGiven);
   other_flags.insert({"frames", "format", "bones"});
-  options.deformer.cache.options_key = "flags:" + SetFlags(other_flags);
+  options.deformer.cache.options_key =
+      "flags:" + SetFlags(other_flags, AsGiven);
   for (const auto& flag : OwnFlags()) {
-    options.all_flags[flag.name] = flag.current_value;
+    options.all_flags[flag.name] = AsRecorded(flag.name, flag.current_value);
   }
   return options;
 }

@@ -19,6 +19,7 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/deformer/mesh_separation.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/report/paths_in_json.h"
 #include "musclewarp/report/report_json.h"
 #include "musclewarp/report/screen_progress.h"
 #include "musclewarp/report/screen_report.h"
@@ -26,6 +27,7 @@
 #include "tools/interruption.h"
 #include "tools/option_flags.h"
 #include "tools/output_folder.h"
+#include "tools/output_lock.h"
 #include "tools/program.h"
 #include "tools/separate_input.h"
 
@@ -298,15 +300,19 @@ class SeparateRun {
  public:
   SeparateRun(const std::vector<std::string>& files,
               const SeparateOptions& options,
+              OutputLock* lock,
               std::ostream& screen)
       : files_(files),
         options_(options),
+        lock_(lock),
         screen_(screen),
         progress_(options.is_terminal, &screen) {}
 
   int Execute() {
-    const InterruptionScope interruption(
-        [this](const std::string& reason) { SayStopped(reason); });
+    const InterruptionScope interruption([this](const std::string& reason) {
+      SayStopped(reason);
+      lock_->Release();
+    });
     try {
       const Stopwatch stopwatch;
       const SeparateInput input = ReadSeparateInput(files_, options_);
@@ -337,11 +343,11 @@ class SeparateRun {
     RemovePartialOutput(options_.out);
     WriteMeshes(result, options_);
     if (!options_.json) return;
+    OrderedJson json = SeparationJson(input, result, wall_ms);
+    MakePathsRelative(options_.out, &json);
     WriteTextAtomically(
         (fs::path(options_.out) / "separation.json").string(),
-        SeparationJson(input, result, wall_ms)
-                .dump(2, ' ', false, OrderedJson::error_handler_t::replace) +
-            "\n");
+        json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
   }
 
   void SayStopped(const std::string& reason) {
@@ -353,6 +359,7 @@ class SeparateRun {
 
   const std::vector<std::string>& files_;
   const SeparateOptions& options_;
+  OutputLock* lock_;  // on the folder of the results
   std::ostream& screen_;
   ScreenProgress progress_;
   std::atomic<bool> is_writing_ = false;
@@ -377,7 +384,8 @@ int SeparateCommand(const std::vector<std::string>& files,
                     std::ostream& screen) {
   CheckSeparateOptions(files, options);
   if (options.threads > 0) omp_set_num_threads(options.threads);
-  return SeparateRun(files, options, screen).Execute();
+  OutputLock lock(options.out);
+  return SeparateRun(files, options, &lock, screen).Execute();
 }
 
 }  // namespace musclewarp

@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <filesystem>
+#include <memory>
 #include <sstream>
 
 #include "musclewarp/base/content_hash.h"
@@ -12,6 +13,7 @@
 #include "musclewarp/page/page.h"
 #include "musclewarp/page/recorded_attachments.h"
 #include "musclewarp/report/earlier_run.h"
+#include "musclewarp/report/kept_model.h"
 #include "musclewarp/report/motion_tables.h"
 #include "musclewarp/report/report_json.h"
 #include "python/src/bindings.h"
@@ -20,6 +22,7 @@
 #include "python/src/json.h"
 #include "tools/flag_values.h"
 #include "tools/output_folder.h"
+#include "tools/output_lock.h"
 
 namespace musclewarp::python {
 namespace {
@@ -128,10 +131,12 @@ void WriteFiles(const RunOfDeformer& run,
   const PreparedScene& scene = deformer->scene();
   RemoveEarlierRun(dir);
   WriteFrame(scene, deformer->RestFrame(), files, dir);
+  KeepModel(scene.scene, dir);
   WriteAttachments((fs::path(dir) / kAttachmentsFile).string(),
                    AttachmentsOf(scene));
   std::vector<int> indices;
   RunRecord record = RecordOf(run, deformer);
+  record.dir = dir;
   for (size_t i = 0; i < run.frames.size(); ++i) {
     ThrowIfAbandoned();
     const Frame& frame = run.frames[i]->frame;
@@ -165,10 +170,13 @@ void Write(const RunOfDeformer& run,
   CallWithKeywords([&] {
     const FrameFileOptions files = ParseFrameFiles(format, bones);
     CheckWritable(dir);
-    CheckNoStrangeFrames(dir, overwrite);
-    MakeFolder(dir);
     SharedDeformer::Compute(
-        run.deformer, [run = SnapshotOf(run), files, dir](Deformer* deformer) {
+        run.deformer,
+        [run = SnapshotOf(run), files, dir, overwrite](Deformer* deformer) {
+          // Held by the thread that writes, even if nobody waits for it.
+          const OutputLock lock(dir);
+          CheckNoStrangeFrames(dir, overwrite);
+          MakeFolder(dir);
           WriteFiles(*run, files, dir, deformer);
           return true;
         });

@@ -1,6 +1,8 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
 """Runs: tables, reports, pages, files."""
+import fcntl
+
 import numpy as np
 import pytest
 
@@ -93,6 +95,18 @@ def test_what_cannot_be_written_is_refused(run, deformer, tmp_path):
     with pytest.raises(mw.InputError, match="run: has no frames"):
         mw.Run(deformer).write(tmp_path / "out")
     assert not (tmp_path / "out").exists()
+
+
+def test_a_folder_that_another_run_writes_to_is_refused(run, tmp_path):
+    run.write(tmp_path / "out")
+    with open(tmp_path / "out/.musclewarp.lock", "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        lock.write("process 7 on mule")
+        lock.flush()
+        with pytest.raises(mw.InputError, match="another run.*process 7 on mule"):
+            run.write(tmp_path / "out")
+    run.write(tmp_path / "out")
+    assert ".musclewarp.lock" not in files_of(tmp_path / "out")
 
 
 def test_becomes_a_page(run, tmp_path):

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -144,6 +145,30 @@ TEST(FrameSolver, CertifiedFramesAreJudged) {
   EXPECT_FALSE(frame.IsUsable());
   EXPECT_THAT(frame.FullReport(), HasSubstr("volume off by"));
   EXPECT_THAT(frame.FullReport(), HasSubstr("mm by contact, allowed 0"));
+}
+
+TEST(FrameSolver, CertifiedFramesSayWhereTheyWereGivenUp) {
+  const PreparedScene scene = PreparedSmallScene();
+  FrameSolverOptions options;
+  // Two steps for the way, with nothing done against crossings.
+  options.certified.limits = {M_PI, 60};
+  options.certified.unchecked_fraction = 1;
+  options.certified.max_halvings = 0;
+  options.certified.max_returns = 0;
+  options.certified.max_reach = options.certified.step.reach;
+  options.certified.step.max_rounds = 1;
+  options.certified.max_stuck_steps = 1;
+  const auto solver = SolverFor(scene, options);
+  ScenePose pose;
+  pose.bodies["femur"] = Eigen::Matrix4d::Identity();
+  pose.bodies["femur"](2, 3) = -120;  // through the muscles
+  const Frame frame =
+      solver->Solve(ReferenceSolvers(), pose, nullptr, {}).frame;
+  EXPECT_FALSE(frame.IsUsable());
+  EXPECT_THAT(frame.FullReport(),
+              HasSubstr("given up, as triangles crossed for 1 step, at"));
+  EXPECT_THAT(frame.FullReport(),
+              HasSubstr("the remainder was computed without contact"));
 }
 
 TEST(ContactKind, HasTheNamesOfTheFlag) {

@@ -145,6 +145,66 @@ TEST(MoveCertified, GoesBackForShorterStepsWhereItIsStuck) {
   EXPECT_GE(back.summary.steps, 5);
 }
 
+// The bone jumps into the muscles, and as far again.
+ScenePose ThroughTheMuscles() {
+  ScenePose pose = IntoTheMuscles();
+  pose.bodies["femur"](2, 3) *= 2;
+  return pose;
+}
+
+// Two steps for that way, with nothing done against crossings, and a single one
+// allowed to leave some.
+CertifiedContactOptions StuckAtOnce() {
+  CertifiedContactOptions options;
+  options.limits = {M_PI, 60};
+  options.unchecked_fraction = 1;
+  options.max_halvings = 0;
+  options.max_returns = 0;
+  options.max_reach = options.step.reach;
+  options.step.max_rounds = 1;
+  options.max_stuck_steps = 1;
+  return options;
+}
+
+TEST(MoveCertified, GoesTheRestOfTheWayWithoutContactWhereItIsStuck) {
+  const PreparedScene scene = PreparedSmallScene();
+  const CertifiedScene certified = Certified(scene, StuckAtOnce());
+  const CertifiedMotion motion =
+      Move(scene, certified, ThroughTheMuscles(), certified.rest);
+  ASSERT_TRUE(motion.summary.stuck_at.has_value());
+  EXPECT_NEAR(*motion.summary.stuck_at, 0.5, 0.1);
+  EXPECT_FALSE(motion.summary.timed_out_at.has_value());
+  EXPECT_EQ(motion.summary.steps, 1);
+  EXPECT_EQ(motion.state.pose.name, "into the muscles");
+  ASSERT_TRUE(motion.last_clean.has_value());
+  EXPECT_EQ(LargestDifference(*motion.last_clean, certified.rest), 0);
+}
+
+TEST(MoveCertified, TakesAsManyStepsAsLeaveNoCrossings) {
+  const PreparedScene scene = PreparedSmallScene();
+  CertifiedContactOptions options;
+  options.limits.max_turn = 0.02;
+  options.max_stuck_steps = 1;
+  const CertifiedScene certified = Certified(scene, options);
+  const CertifiedMotion motion =
+      Move(scene, certified, FlexedPose(0.1), certified.rest);
+  EXPECT_GE(motion.summary.steps, 5);
+  EXPECT_FALSE(motion.summary.stuck_at.has_value());
+}
+
+TEST(MoveCertified, AsksAClockInPlaceOfStepsIfToldTo) {
+  EXPECT_EQ(CertifiedContactOptions().frame_timeout_s,
+            CertifiedContactOptions::kNoClock);
+  const PreparedScene scene = PreparedSmallScene();
+  CertifiedContactOptions options = StuckAtOnce();
+  options.frame_timeout_s = 1e9;
+  const CertifiedScene certified = Certified(scene, options);
+  const CertifiedMotion motion =
+      Move(scene, certified, ThroughTheMuscles(), certified.rest);
+  EXPECT_FALSE(motion.summary.stuck_at.has_value());
+  EXPECT_GT(motion.summary.steps, 1);
+}
+
 TEST(MoveCertified, GoesTheRestOfTheWayWithoutContactWhenTheTimeRunsOut) {
   const PreparedScene scene = PreparedSmallScene();
   CertifiedContactOptions options;

@@ -117,6 +117,28 @@ TEST(PageContents, MomentArmsNeedOneMovingCoordinate) {
   EXPECT_TRUE(arms().is_null());
 }
 
+TEST(PageContents, NameNoFoldersOfTheMachine) {
+  RecordedRun run = ReadQuietly(WriteRun(TestTempDir()).dir);
+  run.report["command"] = "musclewarp-deform --scene=/home/anna/leg.json";
+  run.report["motion"]["model"] = "../../home/anna/leg.osim";
+  run.report["prepare"]["warnings"] = {"/home/anna/psoas.ply: is open"};
+  const std::string text = PageContentsOf({run}, {}).json.dump();
+  EXPECT_EQ(text.find("anna"), std::string::npos);
+  EXPECT_NE(text.find("--scene=leg.json"), std::string::npos);
+  EXPECT_EQ(text.find(run.dir), std::string::npos);
+}
+
+TEST(PageContents, RunsAreToldApartByAsFewFoldersAsWillDo) {
+  RecordedRun run = ReadQuietly(WriteRun(TestTempDir()).dir);
+  run.dir = "/home/anna/before/flexion";
+  RecordedRun other = run;
+  other.dir = "/home/anna/after/flexion/";
+  const PageContents contents = PageContentsOf({run, other}, {});
+  EXPECT_EQ(contents.json["runs"][0]["folder"], "before/flexion");
+  EXPECT_EQ(contents.json["runs"][1]["folder"], "after/flexion");
+  EXPECT_EQ(FirstRun(PageContentsOf({run}, {}))["folder"], "flexion");
+}
+
 TEST(PageContents, OptionsAreNamedWhenRefused) {
   const RecordedRun run = ReadQuietly(WriteRun(TestTempDir()).dir);
   PageOptions options;

@@ -96,7 +96,7 @@ TEST(Page, RunsAreNamedApart) {
   EXPECT_EQ(labels(dir + "/a/run/", dir + "/a/other"),
             (std::vector<std::string>{"run", "other"}));
   EXPECT_EQ(labels(dir + "/a/run", dir + "/b/run"),
-            (std::vector<std::string>{dir + "/a/run", dir + "/b/run"}));
+            (std::vector<std::string>{"a/run", "b/run"}));
 }
 
 TEST(Page, IsTheSameForTheSameRun) {

@@ -24,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // The meshes of a made leg as files, with a muscle beside the femur.
 class ArticulateLeg : public ::testing::Test {
@@ -105,6 +106,25 @@ TEST_F(ArticulateLeg, WritesAPageIfAskedTo) {
   EXPECT_THAT(ReadFile(options_.out + "/joints.html"),
               HasSubstr("hip_flexion_r"));
   EXPECT_THAT(screen_, HasSubstr("joints.html"));
+}
+
+TEST_F(ArticulateLeg, MayBeMovedTogetherWithItsMeshes) {
+  options_.html = true;
+  Articulate({"femur", "tibia", "pelvis"});
+  for (const char* file : {"scene.json", "joints.json", "joints.html"}) {
+    EXPECT_THAT(ReadFile(options_.out + "/" + file),
+                Not(HasSubstr(dir_.substr(1))))
+        << file;
+  }
+  const std::string out = fs::relative(options_.out, dir_).string();
+  const std::string moved = dir_ + "/moved";
+  fs::create_directories(moved);
+  for (const auto& entry : fs::directory_iterator(dir_)) {
+    const std::string name = entry.path().filename().string();
+    if (name != "moved") fs::rename(entry.path(), moved + "/" + name);
+  }
+  const Scene scene = ReadScene(moved + "/" + out + "/scene.json", {});
+  EXPECT_EQ(scene.bones.size(), 3u);
 }
 
 TEST_F(ArticulateLeg, TakesACorrectedJointBack) {

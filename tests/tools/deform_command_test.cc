@@ -14,6 +14,7 @@
 
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "support/input_errors.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
 #include "tools/program.h"
@@ -75,6 +76,8 @@ Json SummaryAfter(const DeformOptions& options,
   EXPECT_EQ(DeformCommand(options, screen), kExitNotUsable);
   EXPECT_THAT(buffer.str(), HasSubstr("stopped after 2 of 4 frames"));
   EXPECT_THAT(buffer.str(), HasSubstr("--resume"));
+  EXPECT_THAT(buffer.str(), HasSubstr("2 of 4 frames, "));
+  EXPECT_THAT(buffer.str(), HasSubstr(": usable so far\n"));
   const Json report = Json::parse(FileText(options.out + "/report.json"));
   EXPECT_EQ(report["frames"].size(), 2u);
   EXPECT_EQ(report["summary"]["frames_planned"], 4);
@@ -95,6 +98,20 @@ TEST(DeformCommand, AnInterruptedRunSaysSoAndGoesOn) {
   EXPECT_EQ(report["frames"].size(), 4u);
   EXPECT_EQ(report["summary"]["finished"], true);
   EXPECT_TRUE(report["summary"]["stopped"].is_null());
+}
+
+TEST(DeformCommand, TwoRunsDoNotWriteIntoOneFolder) {
+  const DeformOptions options = SmallRun();
+  ActOnWords buffer("2 of 4", [&] {
+    std::ostringstream screen;
+    ExpectInputError([&] { DeformCommand(options, screen); },
+                     {"--out=" + options.out, "another run", "wait until"});
+  });
+  std::ostream screen(&buffer);
+  EXPECT_EQ(DeformCommand(options, screen), kExitUsable);
+  const Json report = Json::parse(FileText(options.out + "/report.json"));
+  EXPECT_EQ(report["frames"].size(), 4u);
+  EXPECT_FALSE(std::filesystem::exists(options.out + "/.musclewarp.lock"));
 }
 
 TEST(DeformCommand, SignalsAreAsBeforeAfterwards) {

@@ -112,6 +112,46 @@ TEST_F(ExportOsimTest, SeveralRunsMakeOneModel) {
   EXPECT_EQ(record["muscles"]["psoas"]["samples"], 22);
 }
 
+TEST_F(ExportOsimTest, ARunHasItsModelWhereverItIsTaken) {
+  const std::string run = dir_ + "/run";
+  fs::create_directories(run + "/rest");
+  fs::rename(dir_ + "/leg.osim", run + "/rest/model.osim");
+  report_["motion"] = {{"model", "../leg.osim"},
+                       {"kept_model", "rest/model.osim"}};
+  WriteTextAtomically(run + "/report.json", report_.dump());
+  EXPECT_EQ(Run(run), kExitUsable);
+  fs::create_directories(dir_ + "/elsewhere");
+  fs::rename(run, dir_ + "/elsewhere/taken");
+  EXPECT_EQ(Run(dir_ + "/elsewhere/taken"), kExitUsable);
+  const Json record = Json::parse(ReadFile(dir_ + "/fitted.fit.json"));
+  EXPECT_EQ(record["model"], "elsewhere/taken/rest/model.osim");
+  EXPECT_EQ(record["runs"][0], "elsewhere/taken");
+}
+
+TEST_F(ExportOsimTest, TheModelOfARunMayLieBesideIt) {
+  const std::string run = dir_ + "/run";
+  fs::create_directories(run);
+  report_["motion"]["model"] = "../leg.osim";
+  WriteTextAtomically(run + "/report.json", report_.dump());
+  EXPECT_EQ(Run(run), kExitUsable);
+}
+
+TEST_F(ExportOsimTest, ModelsOfSeveralRunsAreComparedByWhatTheyHold) {
+  for (const std::string name : {"one", "two"}) {
+    const std::string run = dir_ + "/" + name;
+    fs::create_directories(run + "/rest");
+    WriteTextAtomically(run + "/rest/model.osim", kModel);
+    report_["motion"] = {{"model", "../" + name + ".osim"},
+                         {"kept_model", "rest/model.osim"}};
+    WriteTextAtomically(run + "/report.json", report_.dump());
+  }
+  const std::string both = dir_ + "/one," + dir_ + "/two";
+  EXPECT_EQ(Run(both), kExitUsable);
+  WriteTextAtomically(dir_ + "/two/rest/model.osim",
+                      kModel + std::string("<!-- other -->"));
+  ExpectInputError([&] { Run(both); }, {"two", "motion.model", "--model"});
+}
+
 TEST_F(ExportOsimTest, ErrorsAboveTheBoundAreSaid) {
   options_.fit.max_length_error = 1e-12;
   EXPECT_EQ(Run(), kExitNotUsable);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -30,6 +31,7 @@
 namespace musclewarp {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using ::testing::AllOf;
 using ::testing::Contains;
@@ -80,7 +82,7 @@ TEST_F(MotionProgram, TheMotionMayBeInTheSceneFile) {
   EXPECT_EQ(FileText(last), mesh);
   const Json report = Report();
   EXPECT_EQ(report["motion"]["coordinates"], of_file["motion"]["coordinates"]);
-  EXPECT_EQ(report["motion"]["file"], dir_ + "/scene.json");
+  EXPECT_EQ(report["motion"]["file"], "../scene.json");
   EXPECT_EQ(report["frames"][3]["time"], 0.5);
   EXPECT_EQ(report["frames"][3]["coordinates"]["knee"],
             of_file["frames"][3]["coordinates"]["knee"]);
@@ -92,6 +94,43 @@ TEST_F(MotionProgram, TheMotionMayBeInTheSceneFile) {
   EXPECT_EQ(FileText(last), mesh);
   scene_["motion"]["frames"] = 1;
   EXPECT_EQ(Run("--overwrite").exit_code, 2);
+}
+
+TEST_F(MotionProgram, ARunNamesNoFoldersOfTheMachine) {
+  const std::string below = dir_.substr(1);
+  // Paths on the command line may lead from the working folder.
+  const std::string here = fs::relative(dir_).string();
+  const std::string arguments = Arguments("--html", here + "/out") +
+                                " --scene=" + here + "/scene.json" +
+                                " --motion=" + dir_ + "/bend.mot";
+  const ProgramRun run = RunCommandLine(MUSCLEWARP_DEFORM, arguments);
+  ASSERT_EQ(run.exit_code, 0) << run.out << run.errors;
+  for (const char* file : {"/report.json", "/report.html"}) {
+    const std::string text = FileText(out() + file);
+    EXPECT_EQ(text.find(below), std::string::npos) << file;
+    EXPECT_EQ(text.find(here), std::string::npos) << file;
+  }
+  const Json report = Report();
+  EXPECT_EQ(report["prepare"]["muscles"][0]["mesh"], "../muscle.ply");
+  EXPECT_EQ(report["motion"]["model"], "../leg.osim");
+  EXPECT_EQ(report["motion"]["kept_model"], "rest/model.osim");
+  EXPECT_EQ(FileText(out() + "/rest/model.osim"), model_);
+  EXPECT_EQ(report["options"]["out"], ".");
+  // The command repeats the run, called in its folder wherever that is now.
+  fs::create_directories(dir_ + "/moved");
+  for (const auto& entry : fs::directory_iterator(dir_)) {
+    if (entry.path().filename() == "moved") continue;
+    fs::rename(entry.path(),
+               dir_ + "/moved/" + entry.path().filename().string());
+  }
+  const std::string mesh = dir_ + "/moved/out/frame_0006/muscle.ply";
+  const std::string before = FileText(mesh);
+  const std::string command = report["command"];
+  const ProgramRun again =
+      RunCommandLine("cd " + dir_ + "/moved/out && " + MUSCLEWARP_DEFORM,
+                     command.substr(command.find(' ')));
+  EXPECT_EQ(again.exit_code, 0) << again.out << again.errors;
+  EXPECT_EQ(FileText(mesh), before);
 }
 
 TEST_F(MotionProgram, FramesAreThoseOfTheirPosesWhateverCameBefore) {

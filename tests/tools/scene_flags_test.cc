@@ -188,11 +188,13 @@ TEST(SceneFlags, NoMessageNamesAStructOfTheLibrary) {
 TEST(SceneFlags, TheRecordedCommandHasTheFlagsThatWereSet) {
   const DeformOptions options =
       WithFlags({{"frames", "0:2"}, {"threads", "3"}, {"data_root", "a b"}});
+  // The report has them lead from the folder of the run (PathsInJson).
+  const std::string here = std::filesystem::current_path().string();
   EXPECT_THAT(options.command,
               AllOf(HasSubstr(" --frames=0:2"),
                     HasSubstr(" --threads=3"),
-                    HasSubstr(" --data_root='a b'"),
-                    HasSubstr(" --scene=scene.json"),
+                    HasSubstr(" --data_root='" + here + "/a b'"),
+                    HasSubstr(" --scene=" + here + "/scene.json"),
                     Not(HasSubstr("max_hole"))));
   // Neither the number of threads nor the place of files changes a result.
   EXPECT_EQ(options.result_flags, " --frames=0:2");

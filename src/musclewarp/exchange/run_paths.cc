@@ -7,8 +7,10 @@
 #include <sstream>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/input_file.h"
 #include "musclewarp/frames/frame_files.h"
 #include "musclewarp/opensim/kinematics.h"
+#include "musclewarp/report/kept_model.h"
 #include "musclewarp/scene/json_fields.h"
 
 namespace musclewarp {
@@ -157,13 +159,18 @@ void CheckContact(const std::string& dir,
                    "give runs of one contact mode");
 }
 
+// Each run has a copy of its model.
+bool AreEqual(const std::string& model, const std::string& other) {
+  return model == other || ReadFile(model) == ReadFile(other);
+}
+
 }  // namespace
 
 RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
                       const std::string& model_path,
                       const std::string& version) {
   RunPaths paths;
-  std::string recorded, contact;
+  std::string first_model, contact;
   size_t frames = 0;
   for (const std::string& dir : dirs) {
     const JsonField report = ReadReport(dir, version);
@@ -171,13 +178,13 @@ RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
         report.Has("contact") ? report.At("contact").AsString() : "";
     if (dir == dirs[0]) contact = mode;
     CheckContact(dir, mode, dirs[0], contact);
-    const JsonField model = report.At("motion").At("model");
-    if (recorded.empty()) {
-      recorded = model.AsString();
-      paths.model = ReadModel(model_path.empty() ? recorded : model_path);
-    } else if (model.AsString() != recorded && model_path.empty()) {
-      model.Fail(
-          "is " + model.AsString() + ", that of " + dirs[0] + " is " + recorded,
+    const std::string model = ModelOfRun(dir, report.At("motion"));
+    if (dir == dirs[0]) {
+      first_model = model;
+      paths.model = ReadModel(model_path.empty() ? model : model_path);
+    } else if (model_path.empty() && !AreEqual(model, first_model)) {
+      report.At("motion").At("model").Fail(
+          "is " + model + ", that of " + dirs[0] + " is " + first_model,
           "give runs of one model, or name it in --model");
     }
     AddFrames(report.At("frames"), &paths);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -18,10 +19,23 @@ namespace musclewarp {
 namespace {
 
 // `wall_ms` is the time of the whole frame so far.
-std::string TimeoutShortcoming(double reached, double wall_ms) {
+// Returns why a motion was given up before its pose, or nothing if it was not.
+// `wall_ms`: the time that it took.
+std::optional<std::string> GivenUpShortcoming(const MotionSummary& motion,
+                                              int max_stuck_steps,
+                                              double wall_ms) {
   std::ostringstream text;
-  text << "timed out after " << static_cast<int>(wall_ms / 1000) << " s, at "
-       << static_cast<int>(100 * reached)
+  if (motion.timed_out_at) {
+    text << "timed out after " << static_cast<int>(wall_ms / 1000) << " s";
+  } else if (motion.stuck_at) {
+    text << "given up, as triangles crossed for " << max_stuck_steps
+         << (max_stuck_steps == 1 ? " step" : " steps in a row");
+  } else {
+    return std::nullopt;
+  }
+  const double reached =
+      motion.timed_out_at ? *motion.timed_out_at : *motion.stuck_at;
+  text << ", at " << static_cast<int>(100 * reached)
        << " % of the motion; the remainder was computed without contact";
   return text.str();
 }
@@ -137,10 +151,10 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
   SolvedFrame result;
   result.frame = std::move(moved.frame);
   Frame& frame = result.frame;
-  if (motion.summary.timed_out_at) {
-    frame.shortcomings.insert(
-        frame.shortcomings.begin(),
-        TimeoutShortcoming(*motion.summary.timed_out_at, moved.moving_ms));
+  const auto given_up = GivenUpShortcoming(
+      motion.summary, options_.certified.max_stuck_steps, moved.moving_ms);
+  if (given_up) {
+    frame.shortcomings.insert(frame.shortcomings.begin(), *given_up);
   }
   frame.pose_steps = motion.summary.steps;
   frame.wall_ms = moved.moving_ms;

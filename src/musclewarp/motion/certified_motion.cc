@@ -181,8 +181,7 @@ void RelaxRest(const MotionContext& context,
 }
 
 bool IsTimeoutValid(double timeout_s, std::string* error) {
-  if (timeout_s >= 0 ||
-      timeout_s == CertifiedContactOptions::kTimeoutByMuscles) {
+  if (timeout_s >= 0 || timeout_s == CertifiedContactOptions::kNoClock) {
     return true;
   }
   return InvalidOption("CertifiedContactOptions::frame_timeout_s",
@@ -191,10 +190,13 @@ bool IsTimeoutValid(double timeout_s, std::string* error) {
                        error);
 }
 
-double TimeoutOf(const CertifiedContactOptions& options, size_t num_muscles) {
-  constexpr double kTimeout = 60, kTimeoutOfMuscle = 20;  // s
-  if (options.frame_timeout_s >= 0) return options.frame_timeout_s;
-  return kTimeout + kTimeoutOfMuscle * static_cast<double>(num_muscles);
+// By default the clock of the machine has no say.
+void SetEnd(const CertifiedContactOptions& options, AdvanceOptions* advance) {
+  if (options.frame_timeout_s == CertifiedContactOptions::kNoClock) {
+    advance->max_stuck_steps = options.max_stuck_steps;
+  } else {
+    advance->timeout_s = options.frame_timeout_s;
+  }
 }
 
 }  // namespace
@@ -214,6 +216,7 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
              .IsWithin("unchecked_fraction", unchecked_fraction, 1e-3, 1)
              .IsWithin("max_halvings", max_halvings, 0, 20)
              .IsAtLeast("max_returns", max_returns, 0)
+             .IsAtLeast("max_stuck_steps", max_stuck_steps, 0)
              .is_valid() &&
          IsTimeoutValid(frame_timeout_s, error) && step.IsValid(error) &&
          limits.IsValid(error) && surface.IsValid(error) &&
@@ -317,7 +320,7 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
   advance.max_settling_steps = options.max_settling_steps;
   advance.settling_tolerance = options.settling_tolerance;
   advance.on_step = options.on_step;
-  advance.timeout_s = TimeoutOf(options, scene.muscles.size());
+  SetEnd(options, &advance);
   CertifiedMotion motion;
   motion.state = before;
   AdvanceSummary advanced = AdvanceToPose(
@@ -325,6 +328,7 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
   motion.last_clean = std::move(advanced.last_clean);
   motion.summary.steps = advanced.steps;
   if (advanced.is_timed_out) motion.summary.timed_out_at = advanced.reached;
+  if (advanced.is_stuck) motion.summary.stuck_at = advanced.reached;
   motion.summary.summaries =
       InOrderOfScene(certified.order, std::move(advanced.solves));
   return motion;

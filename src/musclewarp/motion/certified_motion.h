@@ -81,12 +81,18 @@ struct CertifiedContactOptions {
   int max_settling_steps = 8;
   double settling_tolerance = 0.9;
 
-  // After this time (s) the remainder of the motion is computed without
-  // contact; 0: no limit. The step in progress is completed first. An
-  // anatomically impossible pose, as with a wrong joint centre, would take many
-  // minutes without a limit.
-  static constexpr double kTimeoutByMuscles = -1;  // 60, and 20 for each muscle
-  double frame_timeout_s = kTimeoutByMuscles;
+  // After so many steps in a row that leave crossing triangles, the remainder
+  // of the motion is computed without contact; 0: no limit. Once the solver has
+  // backtracked, they are a sixteenth of the unchecked length, 64 of them half
+  // the longest one. On the long way to an anatomically impossible pose, as
+  // with a wrong joint centre, there would be hundreds without a limit.
+  int max_stuck_steps = 64;
+
+  // The same after this time (s), in place of that number; 0: neither. The step
+  // in progress is completed first. What a frame is then depends on how fast
+  // and how busy the machine is.
+  static constexpr double kNoClock = -1;
+  double frame_timeout_s = kNoClock;
 
   // Called after every step, including those that relax the rest pose. May be
   // empty.
@@ -160,8 +166,10 @@ struct MotionSummary {
   std::vector<SolverSummary> summaries;
   int steps = 0;  // including rejected ones
 
-  // If the motion timed out, the fraction of it completed with contact.
+  // If the motion timed out or was stuck, the fraction of it completed
+  // with contact.
   std::optional<double> timed_out_at;
+  std::optional<double> stuck_at;
 };
 
 // The state after a motion, and the start of the next one.
@@ -169,7 +177,7 @@ struct CertifiedMotion {
   ContactState state;
 
   // The start of the next motion, if not `state`: the last state without
-  // crossing triangles, if `state` has some or the motion timed out.
+  // crossing triangles, if `state` has some or the motion was given up.
   std::optional<ContactState> last_clean;
   MotionSummary summary;
 };

@@ -74,8 +74,14 @@ class PoseStepper {
     return options_.timeout_s > 0 &&
            watch_.Milliseconds() > 1000 * options_.timeout_s;
   }
+  bool IsStuck() const {
+    return options_.max_stuck_steps > 0 &&
+           stuck_steps_ >= options_.max_stuck_steps;
+  }
   double at() const { return at_; }
   AdvanceSummary TakeSummary() {
+    VLOG(1) << "at most " << most_stuck_steps_
+            << " steps in a row with crossing triangles";
     summary_.solves = std::move(solves_.all);
     return std::move(summary_);
   }
@@ -112,7 +118,8 @@ class PoseStepper {
 
   // Computes the remainder of the motion without contact.
   void GiveUp() {
-    summary_.is_timed_out = true;
+    summary_.is_stuck = IsStuck();
+    summary_.is_timed_out = !summary_.is_stuck;
     summary_.reached = at_;
     if (!summary_.last_clean) summary_.last_clean = *state_;
     Accept(GoWithoutContact(context_, goal_, *state_));
@@ -132,10 +139,12 @@ class PoseStepper {
         summary_.last_clean.reset();
         LeaveWaypoint();
         GoOn(to, attempt);
+        stuck_steps_ = 0;
         return true;
       case StepRemedy::kAcceptStuck:
         if (!summary_.last_clean) summary_.last_clean = *state_;
         GoOn(to, attempt);
+        most_stuck_steps_ = std::max(most_stuck_steps_, ++stuck_steps_);
         return true;
       case StepRemedy::kShorten:
         return length_.ShortenFor(attempt->summary.push);
@@ -304,6 +313,8 @@ class PoseStepper {
   StepOptions step_;
   StepLength length_;
   double at_;
+  int stuck_steps_ = 0;  // the latest ones, accepted with crossing triangles
+  int most_stuck_steps_ = 0;
   bool is_settled_ = false;
   SettlingMuscles settling_;
   std::vector<char> is_still_;         // in the last settling step, by muscle
@@ -329,7 +340,7 @@ AdvanceSummary AdvanceToPose(const MotionContext& context,
   PoseStepper stepper(context, options, goal, at, state);
   while (!stepper.IsAtGoal()) {
     say("moving", static_cast<int>(100 * stepper.at()), 100);
-    if (stepper.IsTimedOut()) {
+    if (stepper.IsStuck() || stepper.IsTimedOut()) {
       stepper.GiveUp();
       return stepper.TakeSummary();
     }

@@ -48,6 +48,13 @@ struct AdvanceOptions {
   // that leaves fewer self-crossings.
   bool relaxes_rest = false;
 
+  // No step to the pose starts after so many in a row that were accepted though
+  // triangles cross; 0: no limit. Every accepted step brings the motion farther
+  // by the shortest length at least, and what is tried before one is bounded by
+  // the halvings, the backtracks and the reach: without a limit the motion ends
+  // all the same.
+  int max_stuck_steps = 0;
+
   // No step starts after this time, s; 0: no limit.
   double timeout_s = 0;
 
@@ -56,12 +63,15 @@ struct AdvanceOptions {
 
 // The outcome of AdvanceToPose.
 struct AdvanceSummary {
-  int steps = 0;              // including rejected ones
-  double reached = 1;         // the fraction of the motion, with contact
-  bool is_timed_out = false;  // the remainder was computed without contact
+  int steps = 0;       // including rejected ones
+  double reached = 1;  // the fraction of the motion, with contact
+
+  // Why the remainder was computed without contact, if it was.
+  bool is_timed_out = false;
+  bool is_stuck = false;
 
   // The last state without crossing triangles, if the final state has some or
-  // the motion timed out.
+  // the motion was given up.
   std::optional<ContactState> last_clean;
 
   // The solves of the last step, by muscle, in the order of contact.

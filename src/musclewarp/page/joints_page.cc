@@ -4,6 +4,7 @@
 
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/page/page_parts.h"
+#include "musclewarp/report/paths_in_json.h"
 
 namespace musclewarp {
 namespace {
@@ -51,12 +52,13 @@ std::string JointsPageHtml(const Articulation& articulation,
         bone.name, bone.mesh, step, options.max_bone_triangles, &packed));
     bones.back()["body"] = bone.body;
   }
-  const nlohmann::ordered_json json = {
+  nlohmann::ordered_json json = {
       {"name", options.name},
       {"views", ViewsOf(BodyDirections(articulation, options.axes))},
       {"joints_file", JointsJson(articulation, options.axes)},
       {"step_mm", step},
       {"bones", bones}};
+  RemoveFolders(&json);
   return PageText({kJointsPageBundle, kJointsPageBundleSize},
                   "joints",
                   json,

@@ -12,6 +12,7 @@
 #include "musclewarp/page/packed_numbers.h"
 #include "musclewarp/page/page_parts.h"
 #include "musclewarp/report/motion_tables.h"
+#include "musclewarp/report/paths_in_json.h"
 
 namespace musclewarp {
 namespace {
@@ -199,20 +200,30 @@ OrderedJson CarriedMomentArmsJson(const RecordedRun& run) {
   return {{"coordinate", name}, {"muscles", arms}};
 }
 
-// Returns "flexion" for "out/flexion/".
-std::string LastPart(const std::string& dir) {
-  const auto path = std::filesystem::absolute(dir).lexically_normal();
-  return (path.has_filename() ? path : path.parent_path()).filename().string();
+// Returns "anna/flexion" for the two last parts of "out/anna/flexion/".
+std::string LastParts(const std::string& dir, int count) {
+  auto path = std::filesystem::absolute(dir).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  std::filesystem::path last = path.filename();
+  for (int i = 1; i < count && path.has_relative_path(); ++i) {
+    path = path.parent_path();
+    last = path.filename() / last;
+  }
+  return last.generic_string();
 }
 
 // Returns the names of the runs on the page: the last parts of their folders,
-// or the whole paths if two of those are equal.
+// as many as tell them apart.
 std::vector<std::string> Labels(const std::vector<RecordedRun>& runs) {
+  constexpr int kMostParts = 8;
   std::vector<std::string> labels;
-  for (const RecordedRun& run : runs) labels.push_back(LastPart(run.dir));
-  if (std::set<std::string>(labels.begin(), labels.end()).size() <
-      labels.size()) {
-    for (std::size_t i = 0; i < runs.size(); ++i) labels[i] = runs[i].dir;
+  for (int count = 1; count <= kMostParts; ++count) {
+    labels.clear();
+    for (const RecordedRun& run : runs) {
+      labels.push_back(LastParts(run.dir, count));
+    }
+    const std::set<std::string> different(labels.begin(), labels.end());
+    if (different.size() == labels.size()) break;
   }
   return labels;
 }
@@ -274,6 +285,7 @@ PageContents PageContentsOf(const std::vector<RecordedRun>& runs,
     contents.json["runs"].push_back(
         RunJson(runs[i], labels[i], options, &packed));
   }
+  RemoveFolders(&contents.json);
   contents.numbers = packed.Base64();
   return contents;
 }

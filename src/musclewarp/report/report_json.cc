@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/report/kept_model.h"
 #include "musclewarp/report/machine.h"
+#include "musclewarp/report/paths_in_json.h"
 #include "musclewarp/report/shape_warnings.h"
 
 namespace musclewarp {
@@ -134,7 +136,7 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
 }
 
 // Where the poses come from, and in which unit each coordinate is.
-OrderedJson MotionJson(const Scene& scene) {
+OrderedJson MotionJson(const Scene& scene, bool keeps_model) {
   if (!scene.model) return nullptr;
   const Model& model = scene.model->model;
   OrderedJson coordinates = OrderedJson::array();
@@ -149,9 +151,11 @@ OrderedJson MotionJson(const Scene& scene) {
                                                    : ""},
          {"moves", std::count(moving.begin(), moving.end(), index) > 0}});
   }
-  return {{"model", model.path},
-          {"file", scene.motion_path},
-          {"coordinates", coordinates}};
+  OrderedJson json = {{"model", model.path}};
+  if (keeps_model) json["kept_model"] = kKeptModel;
+  json["file"] = scene.motion_path;
+  json["coordinates"] = coordinates;
+  return json;
 }
 
 }  // namespace
@@ -248,34 +252,37 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
   const RunTotals totals = TotalsOf(run);
   OrderedJson frames = OrderedJson::array();
   for (const FrameRecord& frame : run.frames) frames.push_back(ToJson(frame));
-  return {{"scene", run.scene->scene.name},
-          {"axes", run.scene->scene.axes},
-          {"side", run.scene->scene.side},
-          {"solver", run.solver},
-          {"contact", ToString(run.contact.kind)},
-          {"contact_options", run.contact.options},
-          {"machine", MachineJson()},
-          {"version", kVersion},
-          {"code", CodeKey()},
-          {"command", run.command},
-          {"options", run.options},
-          {"inputs_hash", run.inputs_hash},
-          {"motion", MotionJson(run.scene->scene)},
-          {"prepare", prepare},
-          {"rest", rest},
-          {"frames", frames},
-          {"warnings", ShapeWarnings(run.frames)},
-          {"summary",
-           {{"frames", totals.frames},
-            {"frames_clean", totals.frames_clean},
-            {"worst_volume_error", totals.worst_volume_error},
-            {"worst_folded_triangles", totals.worst_folded_triangles},
-            {"wall_ms_per_frame_median", totals.wall_ms_per_frame_median},
-            {"frames_planned", run.frames_planned},
-            {"finished", run.finished},
-            {"stopped",
-             run.stopped.empty() ? OrderedJson() : OrderedJson(run.stopped)},
-            {"usable", totals.usable}}}};
+  OrderedJson json = {
+      {"scene", run.scene->scene.name},
+      {"axes", run.scene->scene.axes},
+      {"side", run.scene->scene.side},
+      {"solver", run.solver},
+      {"contact", ToString(run.contact.kind)},
+      {"contact_options", run.contact.options},
+      {"machine", MachineJson()},
+      {"version", kVersion},
+      {"code", CodeKey()},
+      {"command", run.command},
+      {"options", run.options},
+      {"inputs_hash", run.inputs_hash},
+      {"motion", MotionJson(run.scene->scene, !run.dir.empty())},
+      {"prepare", prepare},
+      {"rest", rest},
+      {"frames", frames},
+      {"warnings", ShapeWarnings(run.frames)},
+      {"summary",
+       {{"frames", totals.frames},
+        {"frames_clean", totals.frames_clean},
+        {"worst_volume_error", totals.worst_volume_error},
+        {"worst_folded_triangles", totals.worst_folded_triangles},
+        {"wall_ms_per_frame_median", totals.wall_ms_per_frame_median},
+        {"frames_planned", run.frames_planned},
+        {"finished", run.finished},
+        {"stopped",
+         run.stopped.empty() ? OrderedJson() : OrderedJson(run.stopped)},
+        {"usable", totals.usable}}}};
+  if (!run.dir.empty()) MakePathsRelative(run.dir, &json);
+  return json;
 }
 
 }  // namespace musclewarp

@@ -16,8 +16,12 @@ namespace musclewarp {
 // Everything about a run that goes into report.json (docs/report.md explains
 // the keys).
 struct RunRecord {
+  // The folder of the run, from which the paths in the report lead. If empty,
+  // paths are as they were given.
+  std::string dir;
+
   std::string solver;
-  std::string command;                         // that repeats the run
+  std::string command;  // that repeats the run, called in its folder
   std::map<std::string, std::string> options;  // all flags by name
   std::string inputs_hash;  // over all input files and the options that matter
   const PreparedScene* scene = nullptr;

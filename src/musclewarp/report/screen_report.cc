@@ -82,6 +82,39 @@ std::string Treatment(const MeshPreparation& mesh) {
   return text;
 }
 
+// What the counts of crossings in the table mean for the verdict: only
+// certified contact refuses a frame for them.
+std::string CrossingsIn(const RunTotals& totals, ContactKind contact) {
+  if (contact == ContactKind::kNone) {
+    return "not tested for crossings (contact none)";
+  }
+  const std::string count =
+      std::to_string(totals.frames_clean) + " without intersection";
+  const bool is_tolerated =
+      contact == ContactKind::kPaper && totals.frames_clean < totals.frames;
+  return count + (is_tolerated ? " (contact paper does not refuse them)" : "");
+}
+
+// "15 frames", or "4 of 15 frames" of a run that was stopped.
+std::string FramesOf(const RunRecord& run) {
+  const std::string all = Counted(run.frames_planned, "frame");
+  return run.finished ? all : std::to_string(run.frames.size()) + " of " + all;
+}
+
+std::string VerdictOf(const RunRecord& run, const RunTotals& totals) {
+  if (!totals.usable) return "NOT usable";
+  return run.finished ? "usable" : "usable so far";
+}
+
+void PrintTotals(const RunRecord& run, std::ostream& out) {
+  const RunTotals totals = TotalsOf(run);
+  out << "\n"
+      << FramesOf(run) << ", " << CrossingsIn(totals, run.contact.kind)
+      << ", worst volume error " << std::scientific << totals.worst_volume_error
+      << ", median " << std::fixed << totals.wall_ms_per_frame_median
+      << " ms a frame: " << VerdictOf(run, totals) << "\n";
+}
+
 }  // namespace
 
 void PrintPreparation(const PreparedScene& scene,
@@ -150,13 +183,7 @@ void PrintFrames(const RunRecord& run, std::ostream& out) {
   }
   PrintList("not usable", Shortcomings(run), out);
   PrintList("warnings", ShapeWarnings(run.frames), out);
-  const RunTotals totals = TotalsOf(run);
-  out << "\n"
-      << totals.frames << " frames, " << totals.frames_clean
-      << " without intersection, worst volume error " << std::scientific
-      << totals.worst_volume_error << ", median " << std::fixed
-      << totals.wall_ms_per_frame_median
-      << " ms a frame: " << (totals.usable ? "usable" : "NOT usable") << "\n";
+  PrintTotals(run, out);
 }
 
 }  // namespace musclewarp

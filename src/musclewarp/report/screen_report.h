@@ -15,7 +15,7 @@ void PrintPreparation(const PreparedScene& scene,
                       std::ostream& out);
 
 // Prints a table of the frames, what those that are not usable lack, and the
-// totals of the run.
+// totals of the run: "usable" says there what it was tested for.
 void PrintFrames(const RunRecord& run, std::ostream& out);
 
 // Says which bones cross each other as they were delivered, a line for each

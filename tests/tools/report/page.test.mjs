@@ -226,6 +226,7 @@ describe("the page", () => {
     assert.equal(await frameShown(page), 8);
     // What the files say otherwise is told.
     await hasText(page, "report.json says 0");
+    await hasText(page, "yes; not tested for crossings (contact none)");
     await browser.keep(page, "verdicts");
   });
 
@@ -557,6 +558,7 @@ describe("what went wrong", () => {
     const page = await browser.openReady(
       writePage(empty, join(workDir, "empty.html")),
     );
+    await hasText(page, "so far; not tested for crossings (contact none)");
     assert.match(
       (await page.locator(".notice").allInnerTexts()).join(),
       /stopped after 0 of 15 frames: the program ended without saying why/,

@@ -1,0 +1,30 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/report/kept_model.h"
+
+#include <filesystem>
+
+#include "musclewarp/base/input_file.h"
+#include "musclewarp/base/output_file.h"
+
+namespace musclewarp {
+
+namespace fs = std::filesystem;
+
+void KeepModel(const Scene& scene, const std::string& dir) {
+  if (!scene.model || scene.model->model.path.empty()) return;
+  WriteTextAtomically((fs::path(dir) / kKeptModel).string(),
+                      ReadFile(scene.model->model.path));
+}
+
+std::string ModelOfRun(const std::string& dir, const JsonField& motion) {
+  if (motion.Has("kept_model")) {
+    const fs::path kept = fs::path(dir) / motion.At("kept_model").AsString();
+    if (fs::exists(kept)) return kept.string();
+  }
+  const std::string recorded = motion.At("model").AsString();
+  const fs::path beside = fs::path(dir) / recorded;
+  return fs::exists(beside) ? beside.string() : recorded;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,21 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace musclewarp {
+
+// Paths in report.json and its like: values and texts under the keys that may
+// hold some ("mesh", "model", "command", "warnings", ...). Names of muscles,
+// poses and so on stay as they are, whatever is in them.
+
+// Has all paths lead from `folder` on, the folder of the file.
+void MakePathsRelative(const std::string& folder, nlohmann::ordered_json* json);
+
+// Leaves only the last part of each path that leads out of that folder, for a
+// page that is mailed.
+void RemoveFolders(nlohmann::ordered_json* json);
+
+}  // namespace musclewarp

@@ -1,0 +1,77 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/report/screen_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+#include "report/records.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// A finished run of two usable frames, in which meshes cross.
+RunRecord CrossingRun(ContactKind contact) {
+  RunRecord run;
+  run.contact.kind = contact;
+  run.frames = {SomeRecord(0), SomeRecord(1)};
+  run.frames_planned = 2;
+  run.finished = true;
+  return run;
+}
+
+std::string LastLine(const RunRecord& run) {
+  std::ostringstream screen;
+  PrintFrames(run, screen);
+  std::string text = screen.str();
+  text.pop_back();
+  return text.substr(text.rfind('\n') + 1);
+}
+
+TEST(ScreenReport, SaysThatARunWithoutContactWasNotTestedForCrossings) {
+  EXPECT_THAT(LastLine(CrossingRun(ContactKind::kNone)),
+              AllOf(HasSubstr("2 frames, not tested for crossings (contact "
+                              "none), worst"),
+                    Not(HasSubstr("without intersection")),
+                    EndsWith(": usable")));
+}
+
+TEST(ScreenReport, SaysThatPaperContactToleratesCrossings) {
+  RunRecord run = CrossingRun(ContactKind::kPaper);
+  EXPECT_THAT(LastLine(run),
+              HasSubstr("2 frames, 0 without intersection (contact paper does "
+                        "not refuse them), worst"));
+  for (FrameRecord& frame : run.frames) frame.intersections = {};
+  EXPECT_THAT(LastLine(run), HasSubstr("2 frames, 2 without intersection, "));
+}
+
+TEST(ScreenReport, SaysOfCertifiedContactHowManyFramesAreClean) {
+  RunRecord run = CrossingRun(ContactKind::kCertified);
+  run.frames[0].intersections = {};
+  run.frames[1].usable = false;
+  EXPECT_THAT(LastLine(run),
+              AllOf(HasSubstr("2 frames, 1 without intersection, worst"),
+                    EndsWith(": NOT usable")));
+}
+
+TEST(ScreenReport, SaysOfAStoppedRunThatItIsUsableSoFar) {
+  RunRecord run = CrossingRun(ContactKind::kCertified);
+  run.frames_planned = 15;
+  run.finished = false;
+  EXPECT_THAT(LastLine(run),
+              AllOf(HasSubstr("2 of 15 frames, 0 without"),
+                    EndsWith(": usable so far")));
+  run.frames[1].usable = false;
+  EXPECT_THAT(LastLine(run), EndsWith(": NOT usable"));
+}
+
+}  // namespace
+}  // namespace musclewarp
