@@ -49,6 +49,11 @@ struct ContactState {
   // its vertex lies on the wrong side.
   std::vector<OwnedHalfSpaces> planes;
 
+  // By muscle: the volume that its neighbours withhold, mm^3, added up over the
+  // steps in which free vertices could not make up for it. The pressure of the
+  // muscle counts it as missing, until they yield. Empty: none.
+  std::vector<double> withheld;
+
   // The planes that bones keep against muscles. Null in the rest pose, and
   // after a pose that was reached without contact: the next step finds them
   // anew. Shared by the copies of a state.

@@ -39,6 +39,9 @@ MuscleSweep::MuscleSweep(const StepOptions& options,
                          0});
     places_.push_back({points.row(v) - targets.row(v), points.row(v)});
   }
+  if (!step.before.withheld.empty()) {
+    withheld_ = step.before.withheld[muscle];
+  }
   AddEdges(targets, stiffness);
   gradient_ = Points::Zero(count, 3);
 }
@@ -79,7 +82,7 @@ void MuscleSweep::UpdateGradient(const Points& points) {
     yield_ += gradient_.row(i).squaredNorm() / vertices_[i].full_curvature;
   }
   // The volume is a cubic form in the vertices.
-  lacking_ = surface_.volume - linear / 3 + linear;
+  lacking_ = surface_.volume - linear / 3 + linear + withheld_;
 }
 
 void MuscleSweep::SetPressure(double gain) {

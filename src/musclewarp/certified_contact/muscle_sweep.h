@@ -92,6 +92,7 @@ class MuscleSweep {
   // volume lacked there beside its part that is linear in the vertices, mm^3.
   Points gradient_;
   double lacking_ = 0;
+  double withheld_ = 0;  // ContactState::withheld, mm^3
   double yield_ = 0;  // the volume that a unit of pressure restores in a sweep
   double pressure_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include <glog/logging.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -82,6 +83,23 @@ StepResult GivenUp(double push, bool passes_bone) {
   return result;
 }
 
+// Returns the volumes that are withheld after a step. Once a volume could not
+// be restored, all that is missing adds to it, and what is too much is taken
+// off.
+std::vector<double> Withheld(const std::vector<double>& before,
+                             const RestoredVolumes& restored) {
+  std::vector<double> withheld = before;
+  withheld.resize(restored.missing.size(), 0);
+  bool is_any = false;
+  for (size_t i = 0; i < withheld.size(); ++i) {
+    if (!restored.is_limited[i] && withheld[i] == 0) continue;
+    withheld[i] = std::max(0.0, withheld[i] + restored.missing[i]);
+    is_any |= withheld[i] > 0;
+  }
+  if (!is_any) withheld.clear();
+  return withheld;
+}
+
 // Finds the separating planes and relaxes the vertices between them.
 OpenStep BeginStep(const StepOptions& options,
                    const ContactStep& step,
@@ -135,6 +153,10 @@ StepResult FinishStep(const StepOptions& options,
     RestoredVolumes restored =
         RestoreVolumes(options, step, relaxed, &open.planes);
     relaxed.points = std::move(restored.points);
+    if (round == 1) state.withheld = Withheld(step.before.withheld, restored);
+    const bool is_limited = std::any_of(restored.is_limited.begin(),
+                                        restored.is_limited.end(),
+                                        [](char limited) { return limited; });
     Defects defects =
         FindDefects(options, step, targets, relaxed.points, &open.trees);
     const double violation = open.planes.WorstViolation(relaxed.points);
@@ -145,6 +167,7 @@ StepResult FinishStep(const StepOptions& options,
             << " folded, violation " << violation << " mm";
     if (!best || IsBetter(counts, best->summary.defects)) {
       best = {{counts, round, violation, restored.worst_error}, relaxed.points};
+      best->summary.is_short_of_volume = is_limited;
     }
     const DefectCounts& left = best->summary.defects;
     if (IsDone(options, left, polishing_rounds)) {

@@ -57,6 +57,9 @@ struct StepSummary {
   // kUnsettled of vertices), so that a second step would not push them farther.
   bool is_short_of_reach = false;
 
+  // True if the restoration of a volume ended at VolumeOptions::max_move.
+  bool is_short_of_volume = false;
+
   // By muscle: whether contact pushes it by the reach.
   std::vector<char> is_pushed_far = {};
 

@@ -39,6 +39,7 @@ bool VolumeOptions::IsValid(std::string* error) const {
   return OptionCheck("VolumeOptions", error)
       .IsAbove("tolerance", tolerance, 0)
       .IsAtLeast("max_steps", max_steps, 1)
+      .IsAbove("max_move", max_move, 0)
       .IsAtLeast("smoothing_passes", smoothing_passes, 0)
       .is_valid();
 }

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "musclewarp/base/infinity.h"
+
 namespace musclewarp {
 
 // The effect of these options was measured on the flexion of the LHDL hip;
@@ -124,6 +126,13 @@ struct VolumeOptions {
   // The largest number of Newton steps. If planes hold most of a muscle, 20
   // steps leave an error of 2.5e-5 (hamstrings), 40 reach the tolerance.
   int max_steps = 40;
+
+  // The largest distance by which the restoration moves a vertex, mm. Of a
+  // muscle between others only the rim is free, from which the volume that they
+  // withhold would grow as a flap. What then is still missing is withheld
+  // (ContactState). Of the steps of a motion, which have to keep the volume, it
+  // is infinite.
+  double max_move = kInfinity;
 
   // Smoothing passes over the weights of vertices in the restoration, so that
   // no visible edge forms around vertices held by a plane or a bone.

@@ -42,21 +42,30 @@ Eigen::VectorXd SharesOf(const MuscleSurface& surface,
   return shares;
 }
 
-// Returns the remaining relative error.
-double RestoreVolume(const StepOptions& options,
-                     const MuscleSurface& surface,
-                     const AttachedPoints& attached,
-                     int muscle,
-                     const Points& unprojected,
-                     PlaneSet* planes,
-                     Points* points) {
+// The outcome for one muscle.
+struct Restoration {
+  double error = 0;    // that remains, relative
+  double missing = 0;  // before, mm^3
+  bool is_limited = false;
+};
+
+Restoration RestoreVolume(const StepOptions& options,
+                          const MuscleSurface& surface,
+                          const AttachedPoints& attached,
+                          int muscle,
+                          const Points& unprojected,
+                          PlaneSet* planes,
+                          Points* points) {
   const VolumeOptions& limits = options.volume;
   const Eigen::VectorXd shares = SharesOf(
       surface, attached, *points, unprojected, limits.smoothing_passes);
-  double error = 0;
+  Restoration restoration;
+  double error = 0, room = limits.max_move;
   for (int step = 0;; ++step) {
     error = SignedVolume(*points, surface.triangles) - surface.volume;
-    if (step == limits.max_steps ||
+    if (step == 0) restoration.missing = -error;
+    restoration.is_limited = room <= 0;
+    if (step == limits.max_steps || restoration.is_limited ||
         std::abs(error) <= limits.tolerance * surface.volume) {
       break;
     }
@@ -64,8 +73,9 @@ double RestoreVolume(const StepOptions& options,
     const Eigen::VectorXd lengths = normals.rowwise().norm();
     const double slope = shares.dot(lengths);
     if (!(slope > 0)) break;
-    const double move =
-        std::clamp(-error / slope, -options.reach, options.reach);
+    const double farthest = std::min(options.reach, room);
+    const double move = std::clamp(-error / slope, -farthest, farthest);
+    room -= std::abs(move);
     for (int v = 0; v < surface.num_vertices(); ++v) {
       if (shares[v] == 0 || lengths[v] == 0) continue;
       const RowVector3d moved =
@@ -74,7 +84,8 @@ double RestoreVolume(const StepOptions& options,
       points->row(v) = planes->Projected(muscle, v, moved);
     }
   }
-  return std::abs(error) / surface.volume;
+  restoration.error = std::abs(error) / surface.volume;
+  return restoration;
 }
 
 }  // namespace
@@ -86,18 +97,22 @@ RestoredVolumes RestoreVolumes(const StepOptions& options,
   const ScopedStage stage("volume");
   RestoredVolumes restored;
   restored.points = relaxed.points;
+  restored.missing.resize(step.num_muscles());
+  restored.is_limited.resize(step.num_muscles());
   double worst = 0;
 #pragma omp parallel for schedule(dynamic, 1) reduction(max : worst)
   for (int i = 0; i < step.num_muscles(); ++i) {
     if (step.is_still[i]) continue;
-    worst = std::max(worst,
-                     RestoreVolume(options,
-                                   step.scene.muscles[i],
-                                   step.attached[i],
-                                   i,
-                                   relaxed.unprojected[i],
-                                   planes,
-                                   &restored.points[i]));
+    const Restoration restoration = RestoreVolume(options,
+                                                  step.scene.muscles[i],
+                                                  step.attached[i],
+                                                  i,
+                                                  relaxed.unprojected[i],
+                                                  planes,
+                                                  &restored.points[i]);
+    restored.missing[i] = restoration.missing;
+    restored.is_limited[i] = restoration.is_limited;
+    worst = std::max(worst, restoration.error);
   }
   restored.worst_error = worst;
   return restored;

@@ -169,6 +169,7 @@ void RelaxRest(const MotionContext& context,
   AdvanceOptions advance;
   advance.step = options.step;
   advance.step.sweeps = options.rest_sweeps;
+  advance.step.volume.max_move = options.rest_volume_move;
   advance.reach_growth = options.reach_growth;
   advance.max_reach = options.max_reach;
   advance.max_settling_steps = options.max_rest_steps;

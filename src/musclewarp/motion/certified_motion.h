@@ -45,6 +45,7 @@ struct CertifiedContactOptions {
   // Vertices start far from equilibrium, so these steps take more sweeps.
   int max_rest_steps = 60;
   int rest_sweeps = 30;
+  double rest_volume_move = 1;  // VolumeOptions::max_move, mm
   double rest_tolerance = 0.1;
 
   // A step of the shortest length that leaves crossing triangles is retried

@@ -180,6 +180,7 @@ class PoseStepper {
 
   void SettleAt(PoseStepResult* attempt) {
     const DefectCounts defects = attempt->summary.defects;
+    const bool is_short_of_volume = attempt->summary.is_short_of_volume;
     const std::vector<double> moves =
         MovesOfMost(state_->points, attempt->state.points, kUnsettled);
     const double move = *std::max_element(moves.begin(), moves.end());
@@ -189,7 +190,7 @@ class PoseStepper {
     Accept(std::move(*attempt), stops_short);
     settling_.Add(moves, is_still_);
     const bool is_sound =
-        !defects.HasCrossings() &&
+        !defects.HasCrossings() && !is_short_of_volume &&
         (options_.relaxes_rest || defects.folded_triangles == 0);
     is_settled_ = settling_.AreSettled() && is_sound;
     if (!is_sound) settling_.MoveAll();

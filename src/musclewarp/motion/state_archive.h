@@ -82,6 +82,7 @@ MUSCLEWARP_ARCHIVE(ContactState,
                    points,
                    held,
                    planes,
+                   withheld,
                    bone_planes)
 
 MUSCLEWARP_ARCHIVE(HeldVertices, vertices, positions)
