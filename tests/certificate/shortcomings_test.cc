@@ -266,6 +266,29 @@ TEST(FrameRequirements, NameWhatIsWrong) {
   EXPECT_EQ(error, "FrameRequirements::gap is 3, allowed: 0 to 2");
 }
 
+TEST(Shortcomings, NameWhatAReconstructionHasLost) {
+  MuscleMeasures muscle;
+  muscle.name = "psoas";
+  muscle.volume_ratio = 1;
+  muscle.gone_area = 1500;
+  muscle.farthest_gone = 89;
+  muscle.lost_extent = 63;
+  muscle.lost_attachments = {"femur_r"};
+  const std::vector<std::string> found =
+      Shortcomings(FrameRequirements(), {}, {muscle});
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0],
+            "psoas: 15 cm2 of the muscle are gone, the farthest point 89 mm "
+            "away, allowed 1 cm2");
+  EXPECT_EQ(found[1],
+            "psoas: ends 63 mm short of where it was delivered, allowed 5 mm");
+  EXPECT_EQ(found[2], "psoas: is not attached to femur_r any more");
+  FrameRequirements generous;
+  generous.max_lost_area = 1500;
+  generous.max_lost_extent = 63;
+  EXPECT_EQ(Shortcomings(generous, {}, {muscle}).size(), 1u);
+}
+
 TEST(DeliveredShortcomings, NameBothTheCountsAndThePlace) {
   EXPECT_TRUE(DeliveredShortcomings({}).empty());
   const std::vector<std::string> shortcomings =

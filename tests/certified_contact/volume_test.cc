@@ -143,5 +143,28 @@ TEST(RestoreVolumes, MovesNoVertexByMoreThanTheReachInOneStep) {
               1e-9);
 }
 
+// What is then still missing is left to the pressure of the steps that follow.
+TEST(RestoreVolumes, EndsWhereAVertexHasMovedByTheLimit) {
+  constexpr double kLimit = 0.05;  // of 10 mm, 1 % is 0.1 mm
+  Squeezed squeezed(0.99);
+  squeezed.options.volume.max_move = kLimit;
+  PlaneSet none(squeezed.options, squeezed.step);
+  const RestoredVolumes restored =
+      RestoreVolumes(squeezed.options, squeezed.step, squeezed.relaxed, &none);
+  for (int i = 0; i < 2; ++i) {
+    const double volume = squeezed.group.scene.muscles[i].volume;
+    EXPECT_TRUE(restored.is_limited[i]);
+    // 0.99^3 of it is there.
+    EXPECT_NEAR(restored.missing[i] / volume, 0.0297, 1e-4);
+    EXPECT_LT((restored.points[i] - squeezed.relaxed.points[i])
+                  .rowwise()
+                  .norm()
+                  .maxCoeff(),
+              kLimit + 1e-9);
+    EXPECT_LT(squeezed.ErrorOf(i, restored.points[i]),
+              squeezed.ErrorOf(i, squeezed.relaxed.points[i]));
+  }
+}
+
 }  // namespace
 }  // namespace musclewarp

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <string>
+
+#include "support/meshes.h"
 #include "support/small_scene.h"
 
 namespace musclewarp {
@@ -23,7 +27,59 @@ RestSeparationOptions WithSmallHulls() {
   return options;
 }
 
+// A plate of 48 x 48 mm between two heights, mm.
+TriangleSoup Plate(double bottom, double top) {
+  TriangleSoup plate = LatticeBox(12, 12, 1);
+  plate.points.leftCols(2) *= 4;
+  plate.points.col(2) = bottom + (top - bottom) * plate.points.col(2).array();
+  return plate;
+}
+
+// Three layers of 2 mm: the one in the middle has a wall in common with the one
+// above and overlaps the one below by this, mm.
+Scene ThreeLayers(double overlap) {
+  Scene scene;
+  const auto add = [&](const std::string& name, const TriangleSoup& soup) {
+    SceneMuscle muscle;
+    muscle.name = name;
+    muscle.points = soup.points;
+    muscle.triangles = soup.triangles;
+    scene.muscles.push_back(muscle);
+  };
+  add("deep", Plate(overlap - 2, overlap));
+  add("middle", Plate(0, 2));
+  add("superficial", Plate(2, 4));
+  return scene;
+}
+
 }  // namespace
+
+// A muscle between two others is pushed by both, and its volume pushes them
+// back: none moves by more than what the layers share, and the gaps. Without
+// that the volume would grow out of the rim.
+TEST(SeparateMeshes, LayersBetweenOthersMoveByTheirOverlap) {
+  constexpr double kOverlap = 0.5;
+  const double kGaps = 4 * StepOptions().gap;  // two of twice the gap
+  const MeshSeparation result =
+      SeparateMeshes(ThreeLayers(kOverlap), MeshSeparationOptions(), {});
+  EXPECT_TRUE(result.frame.IsUsable()) << result.frame.FullReport();
+  for (const MuscleFrame& muscle : result.frame.muscles) {
+    EXPECT_LT(muscle.max_displacement, kOverlap + kGaps) << muscle.name;
+    EXPECT_LT(std::abs(muscle.volume_error), 1e-6) << muscle.name;
+  }
+}
+
+TEST(SeparateMeshes, MovesBeyondTheAllowanceAreShortcomings) {
+  RestSeparationOptions options = WithSmallHulls();
+  options.requirements.displacement_per_depth = 0;
+  options.requirements.displacement_allowance = 0.1;
+  const MeshSeparation result =
+      SeparateMeshes(OverlappingMeshes(), options, {});
+  EXPECT_TRUE(result.rest.reconstructed.empty());
+  ASSERT_FALSE(result.frame.shortcomings.empty());
+  EXPECT_NE(result.frame.shortcomings[0].find("mm deep without"),
+            std::string::npos);
+}
 
 TEST(SeparateMeshes, LeavesNothingThatCrosses) {
   const MeshSeparation result =

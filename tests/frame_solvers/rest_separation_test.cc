@@ -110,7 +110,7 @@ TEST(SeparateRest, RemakesAMuscleWithAnEndDeepInABone) {
               AllOf(HasSubstr("psoas could not be separated"),
                     HasSubstr("it still crossed a bone"),
                     HasSubstr("cm3 before"),
-                    HasSubstr("mm at most")));
+                    HasSubstr("mm away at most")));
 }
 
 TEST(SeparateRest, RefusesSuchASceneIfNothingMayBeMadeAnew) {

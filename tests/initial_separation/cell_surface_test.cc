@@ -70,6 +70,31 @@ TEST(CellSurface, OfAMuscleAloneIsItsOwn) {
               0.03 * kUnitBall * 1000);
 }
 
+// A tube whose walls cross each other has no inside there.
+TEST(CellSurface, BridgesAPlaceWhereTheMuscleIsPinchedOff) {
+  TriangleSoup tube = Spindle(6, 40, 4);
+  for (auto p : tube.points.rowwise()) {
+    // In the middle the left wall is on the right, and the inside outside.
+    if (std::abs(p[2]) < 3) p[0] *= -0.5;
+  }
+  ASSERT_FALSE(SelfIntersections(tube).empty());
+  const Solid muscle(tube);
+  CellSurfaceOptions options = SurfaceOptions();
+  const auto height = [&] {
+    const TriangleSoup surface = CellSurface(options, muscle.distance, {}, {});
+    const MeshDefects defects = CountDefects(surface);
+    EXPECT_TRUE(defects.IsClean())
+        << defects.border_edges << " " << defects.non_manifold_edges << " "
+        << defects.non_manifold_vertices << " " << defects.components << " "
+        << defects.degenerate_triangles << " " << defects.duplicate_points
+        << " " << defects.unreferenced_points;
+    return surface.points.col(2).maxCoeff() - surface.points.col(2).minCoeff();
+  };
+  EXPECT_LT(height(), 50);
+  options.bridge = 1.25;
+  EXPECT_GT(height(), 70);
+}
+
 TEST(CellSurface, DoesNotCrossBoneOrTheOtherMuscle) {
   const Solid left(MovedBy(Icosphere(10, 4), {-7, 0, 0}));
   const Solid right(MovedBy(Icosphere(10, 3), {7, 0, 0}));

@@ -9,6 +9,7 @@
 
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "support/input_errors.h"
 #include "support/made_images.h"
 
@@ -129,6 +130,33 @@ TEST(LabelSurface, AThinPlateKeepsItsVolume) {
   const LabelSurface surface = SurfaceOf(image, 1);
   EXPECT_TRUE(CountDefects(surface.mesh).IsClean());
   EXPECT_LT(surface.lost_volume, 0.02 * VoxelVolumeOf(image, 1));
+}
+
+// A belly of 12 voxels with a tendon of one or two voxels, as at the spacing of
+// common segmentations, and a rim that smoothing may take off.
+TEST(LabelSurface, ATendonOfOneOrTwoVoxelsIsKeptAndDoesNotCrossItself) {
+  for (const int thickness : {1, 2}) {
+    const MadeImage image =
+        MakeImage({24, 24, 80},
+                  Eigen::Matrix4d::Identity(),
+                  [&](const Eigen::Vector3d& place) {
+                    const double x = place[0] - 12, y = place[1] - 12;
+                    const bool is_belly =
+                        place[2] > 4 && place[2] < 30 && x * x + y * y < 36;
+                    // It bends by a voxel now and then.
+                    const double bend = std::floor(place[2] / 20);
+                    const bool is_tendon =
+                        place[2] >= 30 && place[2] < 74 && x >= bend &&
+                        x < bend + thickness + 1 && y >= 0 && y < thickness;
+                    return is_belly || is_tendon ? 1 : 0;
+                  });
+    const LabelSurface surface = SurfaceOf(image, 2);
+    EXPECT_TRUE(CountDefects(surface.mesh).IsClean());
+    EXPECT_TRUE(SelfIntersections(surface.mesh).empty());
+    // It ends at 73.5; the tip of one voxel is rounded off.
+    EXPECT_GT(surface.mesh.points.col(2).maxCoeff(), 71.5) << thickness;
+    EXPECT_NEAR(surface.volume / VoxelVolumeOf(image, 1), 1, 0.01);
+  }
 }
 
 TEST(LabelSurface, RefusesALabelWithoutABody) {

@@ -12,6 +12,7 @@
 #include "musclewarp/base/infinity.h"
 #include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stage_times.h"
+#include "musclewarp/frame_solvers/reconstruction_loss.h"
 #include "musclewarp/initial_separation/cell_surface.h"
 #include "musclewarp/initial_separation/grown_surface.h"
 #include "musclewarp/mesh/measures.h"
@@ -159,6 +160,62 @@ TriangleSoup EvenAndGrown(const CellSurfaceOptions& options,
   return best;
 }
 
+// Returns the area of thin parts of a muscle that are farther from a new
+// surface than separation explains, mm^2: a tendon that the samples of the
+// surface do not resolve. `spacing`: theirs, mm.
+double LostThinArea(const SolidDistance& muscle,
+                    const TriangleSoup& surface,
+                    double spacing) {
+  if (surface.triangles.rows() == 0) return 0;
+  const TriangleBvh tree(surface.points, surface.triangles);
+  const SearchableMesh& mesh = muscle.mesh();
+  double area = 0;
+#pragma omp parallel for schedule(static) reduction(+ : area)
+  for (Eigen::Index f = 0; f < mesh.triangles().rows(); ++f) {
+    const Corners corners = CornersOf(mesh.points(), mesh.triangles().row(f));
+    const Eigen::RowVector3d centre = corners.colwise().mean();
+    if (tree.IsWithin(centre, kGoneBeyond)) continue;
+    // A body that is thicker than two spacings is this deep there.
+    const Eigen::RowVector3d normal = AreaVector(corners);
+    const double twice_area = normal.norm();
+    if (twice_area == 0) continue;
+    const Eigen::RowVector3d inward = centre - spacing / twice_area * normal;
+    if (muscle.At(inward, 0) > -0.9 * spacing) area += twice_area / 2;
+  }
+  return area;
+}
+
+// Returns the surface of a muscle beside bones. While it lacks thin parts,
+// places where the mesh crosses itself are bridged, and the samples are twice
+// as fine.
+TriangleSoup SurfaceWithThinParts(const ReconstructionOptions& options,
+                                  int attempt,
+                                  int number,
+                                  const Solids& solids,
+                                  CellSurfaceOptions* surface_options) {
+  const SolidDistance& muscle = solids.muscle(number);
+  CellSurfaceOptions tried = *surface_options;
+  for (;;) {
+    *surface_options = tried;
+    TriangleSoup body = SurfaceBesideBones(options,
+                                           attempt,
+                                           muscle,
+                                           solids.MusclesBut(number),
+                                           solids.bones(),
+                                           surface_options);
+    const double lost = LostThinArea(muscle, body, tried.spacing);
+    VLOG(1) << "samples at " << tried.spacing << " mm lose " << lost / 100
+            << " cm2 of thin parts";
+    tried.spacing /= 2;
+    tried.bridge = options.bridge;
+    if (lost <= options.max_lost_thin_area ||
+        tried.spacing < options.least_spacing ||
+        !LatticeFits(muscle.mesh().bvh().box(), tried.spacing)) {
+      return body;
+    }
+  }
+}
+
 // Reconstructs the surface of a muscle from its cell among the solids.
 TriangleSoup SurfaceOf(const ReconstructionOptions& options,
                        CellSurfaceOptions surface_options,
@@ -175,12 +232,8 @@ TriangleSoup SurfaceOf(const ReconstructionOptions& options,
   CheckLatticeFits(model.name,
                    solids.muscle(number).mesh().bvh().box(),
                    surface_options.spacing);
-  TriangleSoup body = SurfaceBesideBones(options,
-                                         attempt,
-                                         solids.muscle(number),
-                                         solids.MusclesBut(number),
-                                         solids.bones(),
-                                         &surface_options);
+  const TriangleSoup body =
+      SurfaceWithThinParts(options, attempt, number, solids, &surface_options);
   // The volume before the first reconstruction. Volume that a label lost before
   // it became a mesh is not restored: it lay elsewhere.
   const SurfaceReconstruction& reconstruction = muscle.mesh.reconstruction;

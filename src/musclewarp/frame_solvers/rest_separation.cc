@@ -219,6 +219,9 @@ bool ReconstructionOptions::IsValid(std::string* error) const {
       .IsAbove("spacing_fraction", spacing_fraction, 0)
       .IsAbove("min_spacing", min_spacing, 0)
       .IsAtLeast("max_spacing", max_spacing, min_spacing)
+      .IsAtLeast("max_lost_thin_area", max_lost_thin_area, 0)
+      .IsAbove("least_spacing", least_spacing, 0)
+      .IsAtLeast("bridge", bridge, 0)
       .IsAtLeast("samples_across", samples_across, 1)
       .IsWithin("least_volume_fraction", least_volume_fraction, 0, 1)
       .is_valid();

@@ -52,6 +52,13 @@ struct ReconstructionOptions {
   double min_spacing = 0.4;
   double max_spacing = 1.5;
 
+  // While more thin parts of a muscle than this are lost, mm^2, the spacing is
+  // halved, down to `least_spacing`, mm: its mean thickness says nothing of a
+  // tendon.
+  double max_lost_thin_area = 30;
+  double least_spacing = 0.3;
+  double bridge = 1.25;  // CellSurfaceOptions::bridge from then on
+
   // The smallest number of samples across the mean thickness of a muscle,
   // unless their spacing would be less than `min_spacing`.
   double samples_across = 4;

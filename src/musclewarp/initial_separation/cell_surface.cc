@@ -5,18 +5,38 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
+#include "musclewarp/base/infinity.h"
 #include "musclewarp/base/option_check.h"
 #include "musclewarp/geometry/remeshing.h"
 #include "musclewarp/initial_separation/marching_tetrahedra.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp {
+namespace {
+
+// Returns the triangles of a mesh that cross others of it.
+TriangleBvh CrossingTriangles(const SearchableMesh& mesh) {
+  std::set<int> crossing;
+  for (const auto& [f, g] : SelfIntersections(mesh.bvh())) {
+    crossing.insert({f, g});
+  }
+  return TriangleBvh(
+      mesh.points(),
+      mesh.triangles()(std::vector<int>(crossing.begin(), crossing.end()),
+                       Eigen::all));
+}
+
+}  // namespace
+
 bool CellSurfaceOptions::IsValid(std::string* error) const {
   return OptionCheck("CellSurfaceOptions", error)
              .IsAbove("spacing", spacing, 0)
+             .IsAtLeast("bridge", bridge, 0)
              .is_valid() &&
          cell.IsValid(error);
 }
@@ -46,9 +66,25 @@ TriangleSoup CellSurface(const CellSurfaceOptions& options,
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   const MedialCell cell(options.cell, muscle, other_muscles, bones);
+  const TriangleBvh crossing = options.bridge > 0
+                                   ? CrossingTriangles(muscle.mesh())
+                                   : TriangleBvh(Points(), Triangles());
+  const double bridge = options.bridge * options.spacing;
+  Box3 box = muscle.mesh().bvh().box();
+  for (int k = 0; k < 3; ++k) {
+    box.lower[k] -= bridge;
+    box.upper[k] += bridge;
+  }
   TriangleSoup surface = MarchingTetrahedra(
-      [&](const Eigen::RowVector3d& p) { return cell.RegionDistance(p); },
-      muscle.mesh().bvh().box(),
+      [&](const Eigen::RowVector3d& p) {
+        double own = muscle.At(p, kInfinity);
+        if (crossing.num_triangles() > 0) {
+          own = std::min(own,
+                         crossing.ClosestPoint(p, kInfinity).distance - bridge);
+        }
+        return cell.RegionDistance(p, own);
+      },
+      box,
       options.spacing);
   if (surface.triangles.rows() > 0) KeepLargestBody(&surface);
   return surface;

@@ -18,6 +18,11 @@ struct CellSurfaceOptions {
   // one, so that their surfaces do not cross each other.
   double spacing = 1;
 
+  // The radius of the tubes around triangles that cross each other, which
+  // bridge places where the muscle is pinched off, in spacings, so that samples
+  // lie in them; 0: none.
+  double bridge = 0;
+
   bool IsValid(std::string* error) const;
 };
 
@@ -25,8 +30,10 @@ struct CellSurfaceOptions {
 // moving its vertices: because a bone cuts a part off, a tendon lies inside a
 // bone, or the mesh crosses itself. It is the border of the largest part of the
 // muscle that lies in its medial cell: a closed, outward oriented manifold that
-// does not cross itself, with many small triangles. Without vertices if nothing
-// of the muscle is left. Precondition (CHECKed): the options are valid.
+// does not cross itself, with many small triangles. Where the mesh crosses
+// itself its inside may be pinched off, so that a tendon is lost with all that
+// lies beyond (CellSurfaceOptions::bridge). Without vertices if nothing of the
+// muscle is left. Precondition (CHECKed): the options are valid.
 TriangleSoup CellSurface(const CellSurfaceOptions& options,
                          const SolidDistance& muscle,
                          const std::vector<const SolidDistance*>& other_muscles,

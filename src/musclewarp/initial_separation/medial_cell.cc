@@ -214,7 +214,10 @@ double MedialCell::DistanceDownTo(double depth, const RowVector3d& p) const {
 }
 
 double MedialCell::RegionDistance(const RowVector3d& p) const {
-  const double own = muscle_.At(p, kInfinity);
+  return RegionDistance(p, muscle_.At(p, kInfinity));
+}
+
+double MedialCell::RegionDistance(const RowVector3d& p, double own) const {
   // Farther outside, the own distance is enough for the sum with others.
   return own >= options_.range + options_.margin
              ? own

@@ -61,6 +61,10 @@ class MedialCell {
   // half the margin or more at every place.
   double RegionDistance(const Eigen::RowVector3d& p) const;
 
+  // The same with a distance to the muscle's surface, `own`, that is given and
+  // may be less than it is: the region then reaches farther within the cell.
+  double RegionDistance(const Eigen::RowVector3d& p, double own) const;
+
   // Returns the direction in which the signed distance falls, of unit length;
   // zero where no surface is near.
   Eigen::RowVector3d Inward(const Eigen::RowVector3d& p) const;

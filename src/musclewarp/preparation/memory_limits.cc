@@ -14,23 +14,32 @@ namespace {
 constexpr double kMostPoints = 3e8;
 constexpr double kMostPairs = 1e9;
 
+double LatticePoints(const Box3& box, double spacing) {
+  double points = 1;
+  for (int k = 0; k < 3; ++k) {
+    points *= (box.upper[k] - box.lower[k]) / spacing + 5;
+  }
+  return points;
+}
+
 }  // namespace
 
 void CheckLatticeFits(const std::string& name,
                       const Box3& box,
                       double spacing) {
-  double points = 1;
-  std::ostringstream size;
-  for (int k = 0; k < 3; ++k) {
-    const double length = box.upper[k] - box.lower[k];
-    points *= length / spacing + 5;
-    size << (k > 0 ? " x " : "") << std::round(length);
-  }
-  if (points <= kMostPoints) return;
+  if (LatticeFits(box, spacing)) return;
   std::ostringstream problem;
-  problem << "is " << size.str() << " mm large, which takes " << points
+  problem << "is ";
+  for (int k = 0; k < 3; ++k) {
+    problem << (k > 0 ? " x " : "") << std::round(box.upper[k] - box.lower[k]);
+  }
+  problem << " mm large, which takes " << LatticePoints(box, spacing)
           << " samples at " << spacing << " mm; allowed: " << kMostPoints;
   throw InputError(name, problem.str(), "check its unit, or divide it");
+}
+
+bool LatticeFits(const Box3& box, double spacing) {
+  return LatticePoints(box, spacing) <= kMostPoints;
 }
 
 void CheckContactFits(const std::vector<NamedMesh>& muscles,
