@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/scene/scene.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/geometry/view.h"
+#include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/scene/attachments_file.h"
 #include "musclewarp/scene/json_fields.h"
 #include "musclewarp/scene/model_bones.h"
@@ -330,10 +330,10 @@ void AddFiles(const JsonField& field, const std::string& root, Scene* scene) {
     scene->files.push_back(scene->motion_path);
   }
   for (const auto& muscle : scene->muscles) {
-    scene->files.push_back(muscle.mesh_path);
+    scene->files.push_back(MeshFileOf(muscle.mesh_path));
   }
   for (const auto& bone : scene->bones) {
-    scene->files.push_back(bone.mesh_path);
+    scene->files.push_back(MeshFileOf(bone.mesh_path));
   }
 }
 
@@ -373,25 +373,6 @@ Scene ReadScene(const std::string& path,
   CheckScene(scene);
   AddFiles(field, root, &scene);
   return scene;
-}
-
-std::vector<std::string> BodiesInUse(const Scene& scene) {
-  std::vector<std::string> bodies;
-  const auto add = [&](const std::string& body) {
-    if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) {
-      bodies.push_back(body);
-    }
-  };
-  for (const SceneBone& bone : scene.bones) add(bone.body);
-  for (const SceneMuscle& muscle : scene.muscles) {
-    for (const ActionLine& line : muscle.lines) {
-      for (const std::string& body : line.bodies) add(body);
-    }
-    for (const Attachment& attachment : muscle.attachments) {
-      add(attachment.body);
-    }
-  }
-  return bodies;
 }
 
 }  // namespace musclewarp
