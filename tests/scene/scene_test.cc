@@ -108,6 +108,16 @@ TEST(Scene, APartOfAMeshFileDependsOnTheFile) {
   EXPECT_THAT(scene.files, ::testing::Contains(TestTempDir() + "/m.obj"));
 }
 
+TEST(Scene, AMuscleIsOnePiece) {
+  EXPECT_NO_THROW(SceneOf(With("/muscles/0/pieces", "largest")));
+  ExpectFileRefused(With("/muscles/0/pieces", "all"),
+                    {"muscles[0].pieces",
+                     "one closed surface",
+                     "musclewarp-separate --pieces=all"});
+  ExpectFileRefused(With("/muscles/0/pieces", "both"),
+                    {"muscles[0].pieces", "\"both\"", "allowed"});
+}
+
 TEST(Scene, RefusesWhatIsNotAScene) {
   const std::string path = TestTempDir() + "/scene.json";
   EXPECT_THROW(ReadScene(path, ""), InputError);

@@ -13,6 +13,7 @@
 #include "musclewarp/scene/json_fields.h"
 #include "musclewarp/scene/model_bones.h"
 #include "musclewarp/scene/model_scene.h"
+#include "musclewarp/scene/pieces_field.h"
 #include "musclewarp/scene/poses_file.h"
 #include "musclewarp/scene/scene_checks.h"
 
@@ -90,12 +91,18 @@ Attachment ReadAttachment(const JsonField& field) {
 SceneMuscle ReadMuscle(const JsonField& field,
                        const NamedLines& named,
                        const std::string& root) {
-  field.CheckKeys(
-      {"name", "mesh", "lines", "attachments", "ends_on", "end_bodies"});
+  field.CheckKeys({"name",
+                   "mesh",
+                   "pieces",
+                   "lines",
+                   "attachments",
+                   "ends_on",
+                   "end_bodies"});
   SceneMuscle muscle;
   muscle.name = field.At("name").AsString();
   muscle.mesh_path = Resolve(field.At("mesh").AsString(), root);
   muscle.mm_per_unit = field.mm_per_unit();
+  if (field.Has("pieces")) CheckPieces(field.At("pieces"));
   if (field.Has("lines")) {
     const JsonField lines = field.At("lines");
     for (size_t i = 0; i < lines.ArraySize(); ++i) {
