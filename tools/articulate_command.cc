@@ -20,6 +20,7 @@
 #include "musclewarp/joints/bone_names.h"
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/page/joints_page.h"
 #include "musclewarp/report/paths_in_json.h"
 #include "musclewarp/scene/scene_names.h"
@@ -132,11 +133,10 @@ class ArticulateRun {
   // The meshes of the model must not replace those that it is made of.
   void CheckInputsStay() const {
     for (const std::string& file : files_) {
-      const std::string name = fs::path(file).stem().string();
       const fs::path result =
-          fs::path(options_.out) / "Geometry" / (name + ".obj");
+          fs::path(options_.out) / "Geometry" / (MeshNameOf(file) + ".obj");
       std::error_code error;
-      if (!fs::equivalent(result, file, error)) continue;
+      if (!fs::equivalent(result, MeshFileOf(file), error)) continue;
       throw InputError("--out=" + options_.out,
                        "has the input " + file + ", which would be replaced",
                        "choose another folder");
@@ -276,7 +276,7 @@ class ArticulateRun {
   // The file of a mesh as the scene names it.
   std::string SceneFile(const ArticulateMesh& mesh) const {
     if (mesh.file.empty()) return MeshOfLabel(mesh.name).generic_string();
-    return PathFrom(options_.out, mesh.file);
+    return MeshPathFrom(options_.out, mesh.file);
   }
 
   // Where the mesh of a label is written, from the folder of the results.

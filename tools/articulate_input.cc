@@ -3,7 +3,6 @@
 #include "tools/articulate_input.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <utility>
@@ -15,13 +14,12 @@
 #include "musclewarp/label_images/label_meshes.h"
 #include "musclewarp/label_images/label_table.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/scene/scene_names.h"
 #include "tools/flag_values.h"
 
 namespace musclewarp {
 namespace {
-
-namespace fs = std::filesystem;
 
 class ArticulateReader {
  public:
@@ -40,9 +38,10 @@ class ArticulateReader {
         table_[entry.name] = entry;
       }
     }
-    for (const std::string& file : meshes_) CheckNamedOnce(file, NameOf(file));
+    for (const std::string& file : meshes_)
+      CheckNamedOnce(file, MeshNameOf(file));
     for (const std::string& file : options_.muscles) {
-      CheckNamedOnce(file, NameOf(file));
+      CheckNamedOnce(file, MeshNameOf(file));
     }
     if (!images_.empty()) ReadImage();
     for (const std::string& file : meshes_) AddBoneFile(file);
@@ -51,10 +50,6 @@ class ArticulateReader {
   }
 
  private:
-  static std::string NameOf(const std::string& file) {
-    return fs::path(file).stem().string();
-  }
-
   void CheckImages() const {
     if (images_.size() > 1) {
       throw InputError(
@@ -177,7 +172,7 @@ class ArticulateReader {
 
   void AddBoneFile(const std::string& file) {
     ArticulateMesh source;
-    source.name = NameOf(file);
+    source.name = MeshNameOf(file);
     source.file = file;
     source.soup = ReadTriangleSoup(file);
     source.soup.points *= mm_per_unit_;
@@ -208,7 +203,7 @@ class ArticulateReader {
   void AddMuscleFile(const std::string& file) {
     ReadTriangleSoup(file);  // so that a bad file is found early
     ArticulateMesh source;
-    source.name = NameOf(file);
+    source.name = MeshNameOf(file);
     source.file = file;
     const auto row = table_.find(source.name);
     if (row != table_.end()) {

@@ -18,6 +18,7 @@
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/page/run_files.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/proximity/triangle_distance.h"
@@ -55,7 +56,7 @@ struct CheckedPair {
 CheckedFile CheckFile(const std::string& path, TriangleSoup soup) {
   CheckedFile file;
   file.path = path;
-  file.name = std::filesystem::path(path).stem().string();
+  file.name = MeshNameOf(path);
   file.defects = CountDefects(soup);
   file.volume = SignedVolume(soup.points, soup.triangles);
   file.is_oriented = IsConsistentlyOriented(soup.triangles);

@@ -19,6 +19,7 @@
 #include "musclewarp/exchange/run_outline.h"
 #include "musclewarp/frames/frame_files.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_path.h"
 #include "tools/frame_selection.h"
 #include "tools/output_folder.h"
 #include "tools/output_lock.h"
@@ -76,7 +77,7 @@ int ExportCrossings(const ExportRequest& request, std::ostream& screen) {
   if (request.in.empty()) {
     SearchableScene scene;
     for (const std::string& file : request.files) {
-      scene.Add(fs::path(file).stem(), ReadTriangleSoup(file), &scene.muscles);
+      scene.Add(MeshNameOf(file), ReadTriangleSoup(file), &scene.muscles);
     }
     MakeFolder(request.out);
     const OutputLock lock(request.out);

@@ -30,9 +30,9 @@ DEFINE_double(edge,
 DEFINE_string(
     pieces,
     "largest",
-    "what becomes of a label whose voxels do not all hang together by "
-    "their faces: largest (the largest piece, the others are lost) or "
-    "all (a mesh of each piece)");
+    "what becomes of a mesh file of several closed surfaces, and of a label "
+    "whose voxels do not all hang together by their faces: largest (the "
+    "largest piece, the others are lost) or all (a mesh of each piece)");
 DEFINE_double(max_loss,
               musclewarp::SeparateOptions().max_loss,
               "share of the volume of a mesh or label, as it was delivered, "
@@ -79,7 +79,8 @@ int main(int argc, char** argv) {
       "Moves the vertices of surface meshes as little as it takes for no two "
       "meshes to\ncross, while each keeps its volume. The meshes of --bone do "
       "not move. Reads .ply,\n.obj, .off, .stl, .vtk, and with VTK .vtp; "
-      "repairs the meshes; writes all of\nthem to DIR/<name>.ply.\n\n"
+      "repairs the meshes; writes all of\nthem to DIR/<name>.ply. "
+      "FILE#NAME is an object of an .obj or a solid of an ASCII\n.stl.\n\n"
       "With VTK also takes one label image (.nii, .nii.gz, .nrrd, .nhdr, .mha, "
       ".mhd): each\nlabel becomes a closed surface with the volume of its "
       "voxels, in "

@@ -12,6 +12,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/palette.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/page/run_files.h"
 #include "musclewarp/render/picture.h"
 #include "musclewarp/render/picture_texts.h"
@@ -35,7 +36,7 @@ RunFiles FilesAsRun(const std::vector<std::string>& files) {
   RunFiles run;
   run.frames.resize(1);
   for (const std::string& file : files) {
-    if (!run.frames[0].meshes.emplace(fs::path(file).stem(), file).second) {
+    if (!run.frames[0].meshes.emplace(MeshNameOf(file), file).second) {
       throw InputError(
           file, "another file has the same name", "name every part once");
     }

@@ -69,17 +69,26 @@ struct Separation {
   OrderedJson report;                      // the result as report.json has it
 };
 
-// Bones stay as they are, so that no frame says what their labels lost.
-void AddLossesOfBones(const SeparateInput& input,
-                      double max_loss,
-                      std::vector<std::string>* shortcomings) {
-  for (const LabelMesh& label : input.labels.meshes) {
-    const double loss = 1 - label.volume / label.delivered_volume;
-    if (!label.is_bone || loss <= max_loss) continue;
+// Adds what no frame says: what labels of bones, which stay as they are, and
+// files that were taken apart have lost.
+void AddLosses(const SeparateInput& input,
+               double max_loss,
+               std::vector<std::string>* shortcomings) {
+  const auto add = [&](const std::string& name, double loss, double delivered) {
+    if (!(loss > max_loss)) return;
     shortcomings->push_back(
-        label.name + ": " + NumberText(100 * loss) + " % of its volume of " +
-        NumberText(label.delivered_volume / 1000) + " cm3 is lost, allowed " +
+        name + ": " + NumberText(100 * loss) + " % of its volume of " +
+        NumberText(delivered / 1000) + " cm3 is lost, allowed " +
         NumberText(100 * max_loss) + " %");
+  };
+  for (const LabelMesh& label : input.labels.meshes) {
+    if (!label.is_bone) continue;
+    add(label.name,
+        1 - label.volume / label.delivered_volume,
+        label.delivered_volume);
+  }
+  for (const LostPieces& lost : input.lost) {
+    add(lost.name, lost.volume / lost.delivered, lost.delivered);
   }
 }
 
@@ -102,7 +111,7 @@ Separation Separate(const SeparateInput& input,
   Separation result = {
       SeparateMeshes(input.scene, separation, on_progress), {}, {}};
   MeshSeparation& meshes = result.meshes;
-  AddLossesOfBones(input, options.max_loss, &meshes.frame.shortcomings);
+  AddLosses(input, options.max_loss, &meshes.frame.shortcomings);
   for (size_t i = 0; i < meshes.frame.muscles.size(); ++i) {
     result.mean_displacements.push_back(
         (meshes.frame.muscles[i].points -

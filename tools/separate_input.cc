@@ -10,6 +10,9 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/label_images/label_image_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_path.h"
+#include "musclewarp/preparation/dropped_piece_warnings.h"
+#include "musclewarp/preparation/muscle_pieces.h"
 #include "musclewarp/scene/scene_names.h"
 
 namespace musclewarp {
@@ -26,10 +29,6 @@ struct InputMesh {
   double delivered_volume = 0;  // mm^3, of a label
 };
 
-std::string NameOf(const std::string& file) {
-  return fs::path(file).stem().string();
-}
-
 class InputReader {
  public:
   InputReader(const std::vector<std::string>& files,
@@ -41,15 +40,22 @@ class InputReader {
     // Names come before anything is read, which may take long. Those of --bone
     // may be labels if there is an image.
     if (input_.image.empty()) CheckBoneFiles();
-    for (const std::string& file : files_) {
-      if (file != input_.image) CheckNamedOnce(file, NameOf(file));
+    if (options_.pieces == PieceChoice::kLargest) {
+      for (const std::string& file : files_) {
+        if (file != input_.image) CheckNamedOnce(file, MeshNameOf(file));
+      }
     }
     if (!input_.image.empty()) ReadImage();
     for (const std::string& file : bones_left_) {
-      AddBone({NameOf(file), file, file, {}});
+      AddBone({MeshNameOf(file), file, file, {}});
     }
     for (const std::string& file : files_) {
-      if (file != input_.image) AddMuscle({NameOf(file), file, file, {}});
+      if (file == input_.image) continue;
+      if (options_.pieces == PieceChoice::kAll) {
+        AddPieces(file);
+      } else {
+        AddMuscle({MeshNameOf(file), file, file, {}});
+      }
     }
     input_.scene.name = "the files";
     return std::move(input_);
@@ -124,7 +130,7 @@ class InputReader {
   void CheckBonesAreFiles() const {
     for (const std::string& bone : bones_left_) {
       std::error_code error;
-      if (IsMeshExtension(fs::path(bone).extension().string()) ||
+      if (IsMeshExtension(fs::path(MeshFileOf(bone)).extension().string()) ||
           IsLabelImageFile(bone) || fs::exists(bone, error)) {
         continue;
       }
@@ -149,7 +155,7 @@ class InputReader {
                          "give the image without --bone, and the names of its "
                          "bones by --bone");
       }
-      CheckNamedOnce(file, NameOf(file));
+      CheckNamedOnce(file, MeshNameOf(file));
     }
   }
 
@@ -182,6 +188,41 @@ class InputReader {
     input_.scene.muscles.push_back(std::move(muscle));
   }
 
+  // Adds each piece of a file. One that is all of the file is read later, as
+  // with the other choice.
+  void AddPieces(const std::string& file) {
+    SceneMuscle whole;
+    whole.name = MeshNameOf(file);
+    whole.mesh_path = file;
+    whole.mm_per_unit = options_.mm_per_unit;
+    MusclePieces found =
+        PiecesOfMuscle(whole, RestSeparationOptionsOf(options_).prepare.repair);
+    const std::vector<DroppedPiece>& dropped = found.repairs.dropped_pieces;
+    const bool has_open =
+        std::any_of(dropped.begin(), dropped.end(), [](const auto& piece) {
+          return piece.reason == DropReason::kOpen;
+        });
+    if (found.pieces.size() == 1 && !has_open) {
+      CheckNamedOnce(file, whole.name);
+      AddMuscle({whole.name, file, file, {}});
+      return;
+    }
+    LostPieces lost = {whole.name, TotalsOf(dropped).volume, 0};
+    lost.delivered = lost.volume;
+    for (MusclePiece& piece : found.pieces) {
+      CheckNamedOnce(file, piece.name);
+      lost.delivered += piece.volume;
+      AddMuscle({piece.name, file, "", std::move(piece.mesh)});
+    }
+    input_.lost.push_back(lost);
+    std::vector<std::string>& warnings = input_.scene.warnings;
+    warnings.insert(warnings.end(), found.notes.begin(), found.notes.end());
+    for (std::string& warning :
+         DroppedPieceWarnings(whole.name, found.repairs)) {
+      warnings.push_back(std::move(warning));
+    }
+  }
+
   // Throws InputError unless a mesh has a name of its own, and its result does
   // not replace the file.
   void CheckNamedOnce(const std::string& where, const std::string& name) {
@@ -197,7 +238,7 @@ class InputReader {
     for (const std::string& format : options_.formats) {
       const fs::path result = fs::path(options_.out) / (name + "." + format);
       std::error_code error;
-      if (!fs::equivalent(result, where, error)) continue;
+      if (!fs::equivalent(result, MeshFileOf(where), error)) continue;
       throw InputError("--out=" + options_.out,
                        "has the input " + where + ", which would be replaced",
                        "choose another folder");

@@ -14,6 +14,13 @@ namespace musclewarp {
 // Converts the text of --pieces. Throws InputError that names the flag.
 PieceChoice ParsePieces(const std::string& text);
 
+// What of a mesh file became no mesh.
+struct LostPieces {
+  std::string name;      // of the file, or its part
+  double volume = 0;     // mm^3
+  double delivered = 0;  // of all that the file holds, mm^3
+};
+
 // What musclewarp-separate reads.
 struct SeparateInput {
   // The meshes are its muscles, which have no lines, and its bones. Meshes of
@@ -25,15 +32,22 @@ struct SeparateInput {
   // it. The points and triangles are in `scene` alone.
   std::string image;
   LabelMeshes labels;
+
+  // By mesh file of which each piece became a mesh; what was left out is also
+  // among the warnings of the scene.
+  std::vector<LostPieces> lost;
 };
 
 // Reads the files: meshes, and at most one label image, of which every label
-// becomes a mesh. `options.bones` names those that must not move: files, and
-// labels by their names; labels that the table calls bones are bones, too.
+// becomes a mesh. With PieceChoice::kAll each closed piece of a file that is no
+// bone becomes one (PiecesOfMuscle), in memory. `options.bones` names those
+// that must not move: files, and labels by their names; labels that the table
+// calls bones are bones, too.
 //
-// Throws InputError for files that cannot be read, two meshes of one name, a
-// name in `options.bones` that is neither a label nor a file, options for label
-// images without one, and results that would replace a file that is read.
+// Throws InputError for files that cannot be read or, with kAll, repaired, two
+// meshes of one name, a name in `options.bones` that is neither a label nor a
+// file, options for label images without one, and results that would replace a
+// file that is read.
 SeparateInput ReadSeparateInput(const std::vector<std::string>& files,
                                 const SeparateOptions& options);
 

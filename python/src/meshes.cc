@@ -49,6 +49,7 @@ constexpr char kReadMeshDoc[] =
     R"(Reads a mesh file: .ply, .obj, .off, .stl, .vtk, .vtp.
 
 Points and triangles are those of the file; polygons are split into triangles.
+"muscles.obj#gluteus" is one object of an .obj, or one solid of an ASCII .stl.
 
 Raises:
     InputError: names the file and the place in it.)";

@@ -59,7 +59,8 @@ Args:
         found on the meshes.
     end_bodies: the bodies on whose bones it ends, that of its origin and that
         of its insertion. Empty: found on the meshes.
-    path: of a mesh file, in place of points and triangles.
+    path: of a mesh file, in place of points and triangles, or of one of its
+        named parts: "muscles.obj#gluteus_medius".
     units: of the points or the file: "mm", "cm" or "m".
 Attributes:
     mesh: the Mesh as it was given, in mm; a file is read each time.
@@ -74,7 +75,8 @@ Args:
     points: (n, 3), in `units`.
     triangles: (m, 3) indices of points.
     body: the body that it moves with; by default one of its own name.
-    path: of a mesh file, in place of points and triangles.
+    path: of a mesh file, in place of points and triangles, or of one of its
+        named parts: "muscles.obj#gluteus_medius".
     units: of the points or the file: "mm", "cm" or "m".
 Attributes:
     mesh: the Mesh as it was given, in mm; a file is read each time.

@@ -107,6 +107,19 @@ def test_files_keep_all_bits(tmp_path):
         np.testing.assert_array_equal(again.triangles, TRIANGLES)
 
 
+def test_a_part_of_a_file_is_that_object_alone(tmp_path):
+    path = tmp_path / "two.obj"
+    mw.write_mesh(path, MESH)
+    alone = path.read_text()
+    path.write_text(f"o left psoas\n{alone}o other\nf 1 2 3\n")
+    part = mw.read_mesh(f"{path}#left psoas")
+    np.testing.assert_array_equal(part.points, POINTS)
+    np.testing.assert_array_equal(part.triangles, TRIANGLES)
+    assert len(mw.read_mesh(pathlib.Path(f"{path}#other")).triangles) == 1
+    with pytest.raises(mw.InputError, match="left psoas, other"):
+        mw.read_mesh(f"{path}#right psoas")
+
+
 def test_files_that_are_not_there_are_named(tmp_path):
     with pytest.raises(mw.InputError) as caught:
         mw.read_mesh(str(tmp_path / "missing.ply"))

@@ -34,6 +34,13 @@ TEST(PortablePath, LeadsFromAFolder) {
   EXPECT_EQ(PathFrom(dir, ""), "");
 }
 
+TEST(PortablePath, TextsMayNameAPartOfAFile) {
+  const std::string dir = FolderWithData();
+  EXPECT_EQ(
+      WithPathsFrom(dir + "/run", dir + "/data/bone one.ply#a b: is open"),
+      "../data/bone one.ply#a b: is open");
+}
+
 TEST(PortablePath, FromTheWorkingFolderLeadsFromTheOtherFolder) {
   const std::string dir = FolderWithData();
   const std::string given = fs::relative(dir + "/data").string();

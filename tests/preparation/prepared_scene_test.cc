@@ -6,11 +6,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/mesh_files/obj_io.h"
+#include "support/input_errors.h"
 #include "support/meshes.h"
 #include "support/prepared_small_scene.h"
 #include "support/temp_dir.h"
@@ -38,6 +42,42 @@ TEST(PrepareScene, TakesAMeshFromMemoryAsFromAFile) {
     EXPECT_EQ(a.coarse_rest, b.coarse_rest);
     EXPECT_EQ(a.fine_from_coarse, b.fine_from_coarse);
   }
+}
+
+// Both muscles of the small scene are objects of one file.
+TEST(PrepareScene, TakesAnObjectOfAFileAndRefusesToLoseOne) {
+  const PreparedScene from_memory = PreparedSmallScene();
+  Scene scene = SmallScene();
+  const std::string file = TestTempDir() + "/muscles.obj";
+  const Eigen::Index first = scene.muscles[0].triangles.rows();
+  std::istringstream lines(ObjBytes(
+      Together({scene.muscles[0].points, scene.muscles[0].triangles},
+               {scene.muscles[1].points, scene.muscles[1].triangles})));
+  std::string text;
+  Eigen::Index faces = 0;
+  for (std::string line; std::getline(lines, line); text += line + "\n") {
+    if (line[0] != 'f') continue;
+    if (faces == 0) text += "o " + scene.muscles[0].name + "\n";
+    if (faces == first) text += "o " + scene.muscles[1].name + "\n";
+    ++faces;
+  }
+  WriteTextAtomically(file, text);
+  for (SceneMuscle& muscle : scene.muscles) {
+    muscle.mesh_path = file + "#" + muscle.name;
+    muscle.points.resize(0, 3);
+    muscle.triangles.resize(0, 3);
+  }
+  const PreparedScene prepared = PreparedSmallScene(scene);
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    EXPECT_EQ(prepared.muscles[i].model.fine_rest,
+              from_memory.muscles[i].model.fine_rest);
+    EXPECT_EQ(prepared.muscles[i].mesh.path, scene.muscles[i].mesh_path);
+  }
+
+  scene.muscles[1].mesh_path = file;
+  ExpectInputError([&] { PreparedSmallScene(scene); },
+                   {"muscles.obj: has 2 objects: " + scene.muscles[0].name +
+                    ", " + scene.muscles[1].name});
 }
 
 TEST(PrepareScene, NamesAMeshInMemoryThatCannotBeRepaired) {

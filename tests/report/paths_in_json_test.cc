@@ -38,6 +38,15 @@ TEST(PathsInJson, LeadFromTheFolderOfTheFile) {
   EXPECT_EQ(report, expected);
 }
 
+TEST(PathsInJson, MayNameAPartOfAFile) {
+  const std::string dir = TestTempDir();
+  std::filesystem::create_directories(dir + "/run");
+  WriteTextAtomically(dir + "/two.obj", "");
+  OrderedJson report = {{"mesh", dir + "/two.obj#left psoas"}};
+  MakePathsRelative(dir + "/run", &report);
+  EXPECT_EQ(report["mesh"], "../two.obj#left psoas");
+}
+
 TEST(PathsInJson, ShowNoFoldersOfTheMachine) {
   OrderedJson report = ReportOn("/home/anna/data");
   RemoveFolders(&report);

@@ -102,6 +102,22 @@ TEST(Scene, PathsFollowTheDataRoot) {
   EXPECT_EQ(ReadScene(path, "/data").muscles[0].mesh_path, "/data/m.ply");
 }
 
+TEST(Scene, APartOfAMeshFileDependsOnTheFile) {
+  const Scene scene = SceneOf(With("/muscles/0/mesh", "m.obj#left psoas"));
+  EXPECT_EQ(scene.muscles[0].mesh_path, TestTempDir() + "/m.obj#left psoas");
+  EXPECT_THAT(scene.files, ::testing::Contains(TestTempDir() + "/m.obj"));
+}
+
+TEST(Scene, AMuscleIsOnePiece) {
+  EXPECT_NO_THROW(SceneOf(With("/muscles/0/pieces", "largest")));
+  ExpectFileRefused(With("/muscles/0/pieces", "all"),
+                    {"muscles[0].pieces",
+                     "one closed surface",
+                     "musclewarp-separate --pieces=all"});
+  ExpectFileRefused(With("/muscles/0/pieces", "both"),
+                    {"muscles[0].pieces", "\"both\"", "allowed"});
+}
+
 TEST(Scene, RefusesWhatIsNotAScene) {
   const std::string path = TestTempDir() + "/scene.json";
   EXPECT_THROW(ReadScene(path, ""), InputError);

@@ -38,7 +38,8 @@ size_t EndOfExistingPath(const std::string& text, size_t begin) {
     return path.find('/') != std::string::npos && fs::exists(path, error);
   };
   for (size_t end = text.size(); end > begin + 1; --end) {
-    if (end < text.size() && !IsAfter(text[end])) continue;
+    // The path of a part of a file goes on with "#" and its name.
+    if (end < text.size() && !IsAfter(text[end]) && text[end] != '#') continue;
     if (exists(end)) return end;
     if (text[end - 1] == '.' && exists(end - 1)) return end - 1;
   }

@@ -20,6 +20,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/deformer/preparation_archive.h"
+#include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
@@ -64,10 +65,12 @@ std::string KeyOf(const PreparationCacheOptions& options, const Scene& scene) {
                     scene.warnings,
                     RestPose(scene)));
   for (const SceneMuscle& muscle : scene.muscles) {
-    if (!muscle.mesh_path.empty()) hash.Add(ReadFile(muscle.mesh_path));
+    if (muscle.mesh_path.empty()) continue;
+    hash.Add(ReadFile(MeshFileOf(muscle.mesh_path)));
   }
   for (const SceneBone& bone : scene.bones) {
-    if (!bone.mesh_path.empty()) hash.Add(ReadFile(bone.mesh_path));
+    if (bone.mesh_path.empty()) continue;
+    hash.Add(ReadFile(MeshFileOf(bone.mesh_path)));
   }
   return hash.Hex();
 }

@@ -14,6 +14,7 @@
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh_files/legacy_vtk_io.h"
+#include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/mesh_files/obj_io.h"
 #include "musclewarp/mesh_files/off_io.h"
 #include "musclewarp/mesh_files/ply_io.h"
@@ -33,16 +34,25 @@ struct Format {
   const char* extension;
   TriangleSoup (*read)(const std::string& path,
                        std::string_view bytes,
-                       std::vector<std::string>* notes);
+                       std::vector<std::string>* notes,
+                       MeshParts* parts);
   std::string (*write)(const TriangleSoup& soup);
 };
 
-// For the readers that have nothing to say.
+// For the readers of formats without named parts, which have nothing to say.
 template <TriangleSoup (*kRead)(const std::string&, std::string_view)>
 TriangleSoup ReadQuietly(const std::string& path,
                          std::string_view bytes,
-                         std::vector<std::string>*) {
+                         std::vector<std::string>*,
+                         MeshParts*) {
   return kRead(path, bytes);
+}
+
+TriangleSoup ReadStlQuietly(const std::string& path,
+                            std::string_view bytes,
+                            std::vector<std::string>*,
+                            MeshParts* parts) {
+  return ReadStl(path, bytes, parts);
 }
 
 const std::vector<Format>& Formats() {
@@ -50,7 +60,7 @@ const std::vector<Format>& Formats() {
       {".ply", ReadQuietly<ReadPly>, PlyBytes},
       {".obj", ReadObj, ObjBytes},
       {".off", ReadQuietly<ReadOff>, OffBytes},
-      {".stl", ReadQuietly<ReadStl>, StlBytes},
+      {".stl", ReadStlQuietly, StlBytes},
       {".vtk", ReadQuietly<ReadLegacyVtk>, LegacyVtkBytes},
 #ifdef MUSCLEWARP_WITH_VTK
       {".vtp",
@@ -113,10 +123,17 @@ void CheckFitsStl(const std::string& path, const TriangleSoup& soup) {
 }  // namespace
 
 TriangleSoup ReadTriangleSoup(const std::string& path,
-                              std::vector<std::string>* notes) {
-  const Format& format = FormatOf(path);
+                              std::vector<std::string>* notes,
+                              MeshParts* parts) {
+  const MeshPath split = SplitMeshPath(path);
+  const Format& format = FormatOf(split.file);
   std::vector<std::string> unheard;
-  return format.read(path, ReadFile(path), notes ? notes : &unheard);
+  MeshParts found;
+  TriangleSoup soup = format.read(
+      split.file, ReadFile(split.file), notes ? notes : &unheard, &found);
+  if (split.part) KeepPart(split.file, *split.part, &soup, &found);
+  if (parts) *parts = std::move(found);
+  return soup;
 }
 
 void WriteTriangleSoup(const std::string& path, const TriangleSoup& soup) {

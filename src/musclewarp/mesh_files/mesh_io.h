@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/mesh_files/mesh_parts.h"
 
 namespace musclewarp {
 
@@ -27,14 +28,18 @@ namespace musclewarp {
 // MUSCLEWARP_WITH_VTK. An .obj file holds no counts, so one that was cut off
 // between two faces cannot be told from a whole one.
 
-// Reads a mesh. The result has at least one triangle, finite coordinates, and
-// indices in range. Throws InputError if the file is missing, empty, truncated
-// or not a mesh, if it has no face, if a coordinate is not finite, or if a face
-// names a vertex that the file does not have. The message names the line, or
-// the vertex or face. What the user has to know of how the file was read is
-// appended to `notes`, unless that is null.
+// Reads a mesh: a file, or one of its named parts (mesh_path.h), of which only
+// the points in use are kept. The result has at least one triangle, finite
+// coordinates, and indices in range. Throws InputError if the file is missing,
+// empty, truncated or not a mesh, if it has no face, if a coordinate is not
+// finite, or if a face names a vertex that the file does not have. The message
+// names the line, or the vertex or face, and for a part that is not there those
+// that are. What the user has to know of how the file was read is appended to
+// `notes`, and the named parts of what was read are set to `parts`, unless
+// these are null.
 TriangleSoup ReadTriangleSoup(const std::string& path,
-                              std::vector<std::string>* notes = nullptr);
+                              std::vector<std::string>* notes = nullptr,
+                              MeshParts* parts = nullptr);
 
 // Writes a mesh; the file appears complete or not at all. Throws InputError if
 // the folder cannot be written, the extension is not one of the above, or the

@@ -15,16 +15,18 @@
 namespace musclewarp {
 namespace {
 
+// What the format calls a group without a name.
+constexpr char kNoName[] = "default";
+
 // True for the statements of the format that do not concern points and faces.
 bool IsSkipped(std::string_view statement) {
   static const std::set<std::string_view> kSkipped = {
-      "vt",       "vn",        "vp",         "g",      "o",      "s",
-      "mg",       "usemtl",    "mtllib",     "usemap", "maplib", "l",
-      "p",        "lod",       "cstype",     "deg",    "bmat",   "step",
-      "curv",     "curv2",     "surf",       "parm",   "trim",   "hole",
-      "scrv",     "sp",        "end",        "con",    "bevel",  "c_interp",
-      "d_interp", "trace_obj", "shadow_obj", "ctech",  "stech",  "call",
-      "csh"};
+      "vt",         "vn",     "vp",     "s",        "mg",       "usemtl",
+      "mtllib",     "usemap", "maplib", "l",        "p",        "lod",
+      "cstype",     "deg",    "bmat",   "step",     "curv",     "curv2",
+      "surf",       "parm",   "trim",   "hole",     "scrv",     "sp",
+      "end",        "con",    "bevel",  "c_interp", "d_interp", "trace_obj",
+      "shadow_obj", "ctech",  "stech",  "call",     "csh"};
   return kSkipped.count(statement) > 0;
 }
 
@@ -122,16 +124,32 @@ std::int64_t CornerFromWord(const TextCursor& cursor,
   return vertex;
 }
 
+// The name in a statement such as "o left psoas # 3". Only a "#" after a blank
+// begins a comment here; others belong to names.
+std::string NameIn(std::string_view bytes, std::string_view keyword) {
+  const std::size_t begin = keyword.data() - bytes.data() + keyword.size();
+  std::string_view line = bytes.substr(begin);
+  line = line.substr(0, line.find_first_of("\r\n"));
+  for (const char* comment : {" #", "\t#"}) {
+    line = line.substr(0, line.find(comment));
+  }
+  const std::string name = PartName(line);
+  return name.empty() ? kNoName : name;
+}
+
 }  // namespace
 
 TriangleSoup ReadObj(const std::string& path,
                      std::string_view bytes,
-                     std::vector<std::string>* notes) {
+                     std::vector<std::string>* notes,
+                     MeshParts* parts) {
   TextCursor cursor(path, bytes, '#');
   SoupBuilder builder(path, 1);
   Words words;
   std::vector<std::int64_t> corners;
   UnknownStatements unknown;
+  PartCollector objects(PartCollector::Again::kStarts, kNoName);
+  PartCollector groups(PartCollector::Again::kContinues, kNoName);
   while (NextStatement(&cursor, &words)) {
     if (words.empty()) continue;
     if (words[0] == "v") {
@@ -143,12 +161,24 @@ TriangleSoup ReadObj(const std::string& path,
             CornerFromWord(cursor, words[i], builder.num_points()));
       }
       builder.AddPolygon(corners, cursor.line());
+      objects.AddFace();
+      groups.AddFace();
+    } else if (words[0] == "o") {
+      objects.Start(NameIn(bytes, words[0]));
+    } else if (words[0] == "g") {
+      groups.Start(NameIn(bytes, words[0]));
     } else if (!IsSkipped(words[0])) {
       unknown.Add(words[0]);
     }
   }
   unknown.AddNote(path, notes);
-  return builder.Build();
+  std::vector<int> face_of_triangle;
+  TriangleSoup soup = builder.Build(&face_of_triangle);
+  if (parts) {
+    *parts = objects.HasParts() ? objects.Parts("object", face_of_triangle)
+                                : groups.Parts("group", face_of_triangle);
+  }
+  return soup;
 }
 
 std::string ObjBytes(const TriangleSoup& soup) {

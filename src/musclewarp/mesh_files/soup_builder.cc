@@ -143,14 +143,16 @@ void SoupBuilder::CheckCorners() const {
   }
 }
 
-TriangleSoup SoupBuilder::Build() const {
+TriangleSoup SoupBuilder::Build(std::vector<int>* face_of_triangle) const {
   CheckCorners();
   TriangleSoup soup;
   soup.points = Eigen::Map<const Points>(points_.data(), points_.size() / 3, 3);
   std::vector<int> triangles;
   triangles.reserve(3 * faces_.size());
+  if (face_of_triangle) face_of_triangle->clear();
   std::size_t begin = 0;
-  for (const Face& face : faces_) {
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const Face& face = faces_[f];
     const PolygonCorners corners(corners_.data() + begin, face.end - begin);
     if (face.is_strip) {
       AppendStrip(corners, &triangles);
@@ -158,6 +160,9 @@ TriangleSoup SoupBuilder::Build() const {
       AppendFan(soup.points, corners, &triangles);
     }
     begin = face.end;
+    if (face_of_triangle) {
+      face_of_triangle->resize(triangles.size() / 3, static_cast<int>(f));
+    }
   }
   if (triangles.empty()) {
     throw InputError(

@@ -52,7 +52,9 @@ class SoupBuilder {
   // faces in that order. A polygon becomes a fan around the first of its
   // corners from which all triangles face the same way, so that a concave
   // polygon does not fold over; around its first corner if there is none.
-  TriangleSoup Build() const;
+  // `face_of_triangle`, unless null, is set to the face of each triangle,
+  // counted from 0.
+  TriangleSoup Build(std::vector<int>* face_of_triangle = nullptr) const;
 
  private:
   struct Face {

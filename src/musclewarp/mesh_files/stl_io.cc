@@ -42,7 +42,9 @@ class CornerMerger {
     builder_.AddPolygon(face, line);
   }
   std::int64_t num_facets() const { return builder_.num_faces(); }
-  TriangleSoup Build() const { return builder_.Build(); }
+  TriangleSoup Build(std::vector<int>* facet_of_triangle = nullptr) const {
+    return builder_.Build(facet_of_triangle);
+  }
 
  private:
   std::int64_t Index(const Eigen::Vector3d& point, std::size_t line) {
@@ -97,16 +99,22 @@ class AsciiReader {
   AsciiReader(const std::string& path, std::string_view bytes)
       : path_(path), cursor_(path, bytes), merger_(path) {}
 
-  TriangleSoup Read() {
+  TriangleSoup Read(MeshParts* parts) {
     std::string_view word;
-    std::string_view name;
-    while (cursor_.NextWord(&word)) {
+    std::string_view rest;
+    for (int number = 1; cursor_.NextWord(&word); ++number) {
       Expect("solid", word);
-      cursor_.NextLine(&name);
+      rest = {};
+      cursor_.NextLine(&rest);
+      const std::string name = PartName(rest);
+      solids_.Start(name.empty() ? "solid_" + std::to_string(number) : name);
       ReadFacets();
-      cursor_.NextLine(&name);
+      cursor_.NextLine(&rest);
     }
-    return merger_.Build();
+    std::vector<int> facet_of_triangle;
+    TriangleSoup soup = merger_.Build(&facet_of_triangle);
+    if (parts) *parts = solids_.Parts("solid", facet_of_triangle);
+    return soup;
   }
 
  private:
@@ -129,6 +137,7 @@ class AsciiReader {
       Expect("endloop", Word());
       Expect("endfacet", Word());
       merger_.AddFacet(corners, cursor_.line());
+      solids_.AddFace();
     }
   }
 
@@ -155,18 +164,22 @@ class AsciiReader {
   std::string path_;
   TextCursor cursor_;
   CornerMerger merger_;
+  PartCollector solids_{PartCollector::Again::kStarts, ""};
 };
 
 }  // namespace
 
-TriangleSoup ReadStl(const std::string& path, std::string_view bytes) {
+TriangleSoup ReadStl(const std::string& path,
+                     std::string_view bytes,
+                     MeshParts* parts) {
+  if (parts) *parts = MeshParts();
   const bool has_header = bytes.size() >= kHeaderSize;
   // The size decides first: an ASCII file would have the size of a binary one
   // only by a freak chance.
   if (has_header && bytes.size() == BinarySize(bytes)) {
     return ReadBinary(path, bytes);
   }
-  if (LooksLikeAscii(bytes)) return AsciiReader(path, bytes).Read();
+  if (LooksLikeAscii(bytes)) return AsciiReader(path, bytes).Read(parts);
   throw InputError(
       path,
       has_header ? "is truncated or not an STL file: as binary STL its header "

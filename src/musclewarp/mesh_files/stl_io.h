@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/mesh_files/mesh_parts.h"
 
 namespace musclewarp {
 
@@ -13,8 +14,11 @@ namespace musclewarp {
 // in messages only; see mesh_io.h for what all readers promise and throw. The
 // format repeats the corners of every facet: corners with identical coordinates
 // become one point, and points are in the order of their first mention. The
-// normals in the file are skipped.
-TriangleSoup ReadStl(const std::string& path, std::string_view bytes);
+// normals in the file are skipped. `parts`, unless null, is set to the solids
+// of an ASCII file; the third is called "solid_3" if it has no name.
+TriangleSoup ReadStl(const std::string& path,
+                     std::string_view bytes,
+                     MeshParts* parts = nullptr);
 
 // Returns the bytes of a binary STL file. The coordinates are rounded to float;
 // points that no triangle uses are lost. Precondition: coordinates fit the

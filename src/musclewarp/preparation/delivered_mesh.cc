@@ -8,9 +8,10 @@
 namespace musclewarp {
 
 TriangleSoup DeliveredMesh(const SceneMuscle& muscle,
-                           std::vector<std::string>* notes) {
+                           std::vector<std::string>* notes,
+                           MeshParts* parts) {
   if (muscle.mesh_path.empty()) return {muscle.points, muscle.triangles};
-  TriangleSoup soup = ReadTriangleSoup(muscle.mesh_path, notes);
+  TriangleSoup soup = ReadTriangleSoup(muscle.mesh_path, notes, parts);
   if (muscle.mm_per_unit != 1) soup.points *= muscle.mm_per_unit;
   return soup;
 }

@@ -20,8 +20,10 @@ std::string SizeText(double area, double share, double volume) {
 std::string WhyText(DropReason reason) {
   switch (reason) {
     case DropReason::kCrumb:
-    case DropReason::kSmaller:
       return ": a muscle is one closed surface";
+    case DropReason::kSmaller:
+      return ": a muscle is one closed surface (musclewarp-separate "
+             "--pieces=all makes a mesh of each piece)";
     case DropReason::kOpen:
       return ": its border is too long to be closed (--max_hole)";
     case DropReason::kFlat:

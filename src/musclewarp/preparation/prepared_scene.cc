@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
 #include <utility>
 
 #include "musclewarp/base/invalid_option.h"
@@ -16,45 +15,19 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/measures.h"
-#include "musclewarp/mesh/triangle_difference.h"
-#include "musclewarp/preparation/delivered_mesh.h"
 #include "musclewarp/preparation/dropped_piece_warnings.h"
 #include "musclewarp/preparation/exempt_areas.h"
 #include "musclewarp/preparation/muscle_interior.h"
+#include "musclewarp/preparation/repaired_meshes.h"
 #include "musclewarp/preparation/scale_warnings.h"
 #include "musclewarp/preparation/scene_lines.h"
 #include "musclewarp/preparation/soft_attachments.h"
 #include "musclewarp/preparation/surroundings.h"
-#include "musclewarp/scene/coordinate_limits.h"
 #include "musclewarp/scene/far_lines.h"
 #include "musclewarp/scene/folded_lines.h"
-#include "musclewarp/scene/length_unit.h"
 
 namespace musclewarp {
 namespace {
-
-// Repairs a mesh. Messages name a mesh without a file by `name`.
-TriangleSoup Repaired(const TriangleSoup& delivered,
-                      const std::string& name,
-                      const std::string& path,
-                      const PrepareOptions& options,
-                      MeshPreparation* preparation) {
-  CheckCoordinates(path.empty() ? name : path, delivered.points);
-  preparation->name = name;
-  preparation->path = path;
-  preparation->defects = CountDefects(delivered);
-  TriangleSoup repaired = RepairMesh(delivered,
-                                     path.empty() ? name : path,
-                                     options.repair,
-                                     &preparation->repairs);
-  preparation->delivered_volume =
-      SignedVolume(repaired.points, repaired.triangles) +
-      TotalsOf(preparation->repairs.dropped_pieces).volume;
-  if (options.remove_self_crossings) {
-    preparation->self_crossings = RemoveSelfCrossings(&repaired);
-  }
-  return repaired;
-}
 
 void AddBones(const std::vector<PreparedBone>& bones,
               Surroundings* surroundings) {
@@ -153,46 +126,6 @@ void PrepareFromMesh(const Surroundings& surroundings,
                fine,
                hull,
                prepared);
-}
-
-// Reads and repairs the mesh of a bone, of which all pieces stay.
-PreparedBone RepairBone(PrepareOptions options, const SceneBone& bone) {
-  options.repair.pieces.rule = PieceRule::kAll;
-  PreparedBone prepared;
-  const TriangleSoup delivered = DeliveredMesh(bone, &prepared.mesh.notes);
-  prepared.rest =
-      Repaired(delivered, bone.name, bone.mesh_path, options, &prepared.mesh);
-  prepared.delivered_only = TrianglesNotIn(delivered, prepared.rest);
-  prepared.body = bone.body;
-  return prepared;
-}
-
-// Reads and repairs the mesh of a muscle, and returns it.
-TriangleSoup RepairMuscle(const PrepareOptions& options,
-                          const SceneMuscle& muscle,
-                          PreparedMuscle* prepared) {
-  const std::string& where =
-      muscle.mesh_path.empty() ? muscle.name : muscle.mesh_path;
-  const TriangleSoup delivered = DeliveredMesh(muscle, &prepared->mesh.notes);
-  CheckCoordinates(where, delivered.points);
-  // Checked before the repair, whose tolerances assume the size of a muscle.
-  CheckMuscleSize(where,
-                  BoundingBoxDiagonal(delivered.points),
-                  std::nullopt,
-                  muscle.mm_per_unit);
-  TriangleSoup fine = Repaired(
-      delivered, muscle.name, muscle.mesh_path, options, &prepared->mesh);
-  CheckMuscleSize(where,
-                  BoundingBoxDiagonal(fine.points),
-                  prepared->mesh.delivered_volume,
-                  muscle.mm_per_unit);
-  if (muscle.delivered_volume > 0) {
-    prepared->mesh.delivered_volume = muscle.delivered_volume;
-  }
-  if (options.remove_slivers) {
-    prepared->mesh.slivers = RemoveSlivers(options.slivers, &fine);
-  }
-  return fine;
 }
 
 // Makes lines for the muscles that have none.

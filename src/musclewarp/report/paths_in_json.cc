@@ -6,6 +6,7 @@
 #include <set>
 
 #include "musclewarp/base/portable_path.h"
+#include "musclewarp/mesh_files/mesh_path.h"
 
 namespace musclewarp {
 namespace {
@@ -50,7 +51,7 @@ void ChangeTexts(const Change& change, Content content, OrderedJson* json) {
 
 void MakePathsRelative(const std::string& folder, OrderedJson* json) {
   const auto change = [&](Content content, const std::string& text) {
-    return content == Content::kPath ? PathFrom(folder, text)
+    return content == Content::kPath ? MeshPathFrom(folder, text)
                                      : WithPathsFrom(folder, text);
   };
   ChangeTexts(change, Content::kOther, json);

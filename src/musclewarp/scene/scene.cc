@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/scene/scene.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/geometry/view.h"
+#include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/scene/attachments_file.h"
 #include "musclewarp/scene/json_fields.h"
 #include "musclewarp/scene/model_bones.h"
 #include "musclewarp/scene/model_scene.h"
+#include "musclewarp/scene/pieces_field.h"
 #include "musclewarp/scene/poses_file.h"
 #include "musclewarp/scene/scene_checks.h"
 
@@ -90,12 +91,18 @@ Attachment ReadAttachment(const JsonField& field) {
 SceneMuscle ReadMuscle(const JsonField& field,
                        const NamedLines& named,
                        const std::string& root) {
-  field.CheckKeys(
-      {"name", "mesh", "lines", "attachments", "ends_on", "end_bodies"});
+  field.CheckKeys({"name",
+                   "mesh",
+                   "pieces",
+                   "lines",
+                   "attachments",
+                   "ends_on",
+                   "end_bodies"});
   SceneMuscle muscle;
   muscle.name = field.At("name").AsString();
   muscle.mesh_path = Resolve(field.At("mesh").AsString(), root);
   muscle.mm_per_unit = field.mm_per_unit();
+  if (field.Has("pieces")) CheckPieces(field.At("pieces"));
   if (field.Has("lines")) {
     const JsonField lines = field.At("lines");
     for (size_t i = 0; i < lines.ArraySize(); ++i) {
@@ -330,10 +337,10 @@ void AddFiles(const JsonField& field, const std::string& root, Scene* scene) {
     scene->files.push_back(scene->motion_path);
   }
   for (const auto& muscle : scene->muscles) {
-    scene->files.push_back(muscle.mesh_path);
+    scene->files.push_back(MeshFileOf(muscle.mesh_path));
   }
   for (const auto& bone : scene->bones) {
-    scene->files.push_back(bone.mesh_path);
+    scene->files.push_back(MeshFileOf(bone.mesh_path));
   }
 }
 
@@ -373,25 +380,6 @@ Scene ReadScene(const std::string& path,
   CheckScene(scene);
   AddFiles(field, root, &scene);
   return scene;
-}
-
-std::vector<std::string> BodiesInUse(const Scene& scene) {
-  std::vector<std::string> bodies;
-  const auto add = [&](const std::string& body) {
-    if (std::find(bodies.begin(), bodies.end(), body) == bodies.end()) {
-      bodies.push_back(body);
-    }
-  };
-  for (const SceneBone& bone : scene.bones) add(bone.body);
-  for (const SceneMuscle& muscle : scene.muscles) {
-    for (const ActionLine& line : muscle.lines) {
-      for (const std::string& body : line.bodies) add(body);
-    }
-    for (const Attachment& attachment : muscle.attachments) {
-      add(attachment.body);
-    }
-  }
-  return bodies;
 }
 
 }  // namespace musclewarp
