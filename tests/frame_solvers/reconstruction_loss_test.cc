@@ -65,6 +65,7 @@ TEST(LossOf, TwiceTheDepthInOthersIsNotGone) {
   const PreparedMuscle belly = Prepared(Belly(), {"pelvis", "femur"});
   EXPECT_EQ(LossOf(Delivered(30), belly).gone_area, 0);
   EXPECT_GT(LossOf(Delivered(20), belly).gone_area, 0);
+  EXPECT_NEAR(LossOf(Delivered(20), belly).lost_extent, 60 - 40, 0.1);
 }
 
 TEST(LostExtent, FollowsABentLine) {

@@ -152,7 +152,9 @@ SurfaceReconstruction LossOf(const DeliveredMuscle& delivered,
   }
   if (loss.lost_area > 0) loss.place /= loss.lost_area;
   loss.lost_extent =
-      LostExtent(before.points, model.fine_rest, LongestLine(model));
+      std::max(0.0,
+               LostExtent(before.points, model.fine_rest, LongestLine(model)) -
+                   2 * delivered.depth);
   const std::set<std::string> carriers = CarriersOf(reconstructed);
   std::set_difference(delivered.carriers.begin(),
                       delivered.carriers.end(),

@@ -28,10 +28,10 @@ DeliveredMuscle DeliveredMuscleOf(const PreparedScene& scene,
                                   const SceneMeshes& meshes,
                                   size_t muscle);
 
-// A triangle whose centre is farther than this from the reconstructed surface
-// and than twice the depth of the muscle in other meshes is gone, mm. Surfaces
-// that are separated move by less, most of them by less than a millimetre, and
-// what lies beyond a bone has to come back by about the depth.
+// Surfaces that are separated move by less than twice the depth of the muscle
+// in other meshes, as what lies beyond a bone has to come back: neither is
+// counted as lost. A triangle is gone if its centre is farther from the
+// reconstructed surface than this and that, mm.
 constexpr double kGoneBeyond = 3;
 
 // Compares the reconstructed mesh of a muscle with the delivered one: all

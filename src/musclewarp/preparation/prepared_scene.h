@@ -101,8 +101,9 @@ struct SurfaceReconstruction {
 
   // What is gone (frame_solvers/reconstruction_loss.h): the area of the
   // delivered surface that is farther from the new one than separation
-  // explains, mm^2; by how much the muscle is shorter at one end, mm; and the
-  // bodies or muscles to which it was attached and is no longer.
+  // explains, mm^2; by how much the muscle is shorter at one end than it
+  // explains, mm; and the bodies or muscles to which it was attached and is no
+  // longer.
   double gone_area = 0;
   double lost_extent = 0;
   std::vector<std::string> lost_attachments;
