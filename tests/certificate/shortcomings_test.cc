@@ -296,7 +296,7 @@ TEST(DeliveredShortcomings, NameBothTheCountsAndThePlace) {
   ASSERT_EQ(shortcomings.size(), 1u);
   EXPECT_NE(shortcomings[0].find(
                 "psoas x pelvis as it was delivered: 3 crossing triangle pairs "
-                "and 1 pieces of the bone inside, around (1.0, 2.0, 3.0)"),
+                "and 1 piece of the bone inside, around (1.0, 2.0, 3.0)"),
             std::string::npos)
       << shortcomings[0];
 }

@@ -37,6 +37,16 @@ TEST(DroppedPieceWarnings, CountCrumbsTogether) {
                   "0.01 cm3 are left out, the largest around (7.0, 0.0, 0.0)"));
 }
 
+// A ball of 0.5 mm in a muscle is in its way, however large the bone.
+TEST(DroppedPieceWarnings, NameATinyBody) {
+  EXPECT_THAT(
+      DroppedPieceWarnings(
+          "spine",
+          With({{DropReason::kCrumb, 80, 3.1, 1e-7, 0.5, {34, 0, 100}}})),
+      ElementsAre("spine: 1 crumb of 0.031 cm2, 1e-05 % of its surface, "
+                  "0.0005 cm3 is left out, around (34.0, 0.0, 100.0)"));
+}
+
 TEST(DroppedPieceWarnings, PassOverAFlap) {
   EXPECT_THAT(DroppedPieceWarnings(
                   "femur",

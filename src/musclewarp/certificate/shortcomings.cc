@@ -255,7 +255,8 @@ std::vector<std::string> DeliveredShortcomings(
                  crossing.triangle_pairs,
                  " crossing triangle pairs and ",
                  crossing.pieces_inside,
-                 " pieces of the bone inside, around ",
+                 crossing.pieces_inside == 1 ? " piece" : " pieces",
+                 " of the bone inside, around ",
                  PlaceText(crossing.place),
                  ", where the repair of the bone has left out or moved "
                  "triangles: mend the bone there, or remove them from it"));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/preparation/dropped_piece_warnings.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "musclewarp/base/place_text.h"
 
@@ -11,6 +11,15 @@ namespace {
 
 // Less is a flap or two at a non-manifold edge, which nearly all meshes have.
 constexpr double kShareWorthAWord = 1e-4;
+
+// True if a piece encloses a volume, as a flap does not, however small it is:
+// its isoperimetric quotient is that of a plate 100 times as wide as thick, or
+// more.
+bool IsBody(const DroppedPiece& piece) {
+  constexpr double kPlate = 1e-3;
+  return 36 * M_PI * piece.volume * piece.volume >
+         kPlate * std::pow(piece.area, 3);
+}
 
 std::string SizeText(double area, double share, double volume) {
   return MeasureText(area / 100) + " cm2, " + MeasureText(100 * share) +
@@ -40,10 +49,12 @@ std::vector<std::string> DroppedPieceWarnings(const std::string& name,
                                               const RepairReport& repairs) {
   std::vector<std::string> warnings;
   int crumbs = 0;
+  bool has_body = false;
   DroppedPiece all, largest;  // crumbs
   for (const DroppedPiece& piece : repairs.dropped_pieces) {
     if (piece.reason == DropReason::kCrumb) {
       ++crumbs;
+      has_body |= IsBody(piece);
       all.area += piece.area;
       all.share += piece.share;
       all.volume += piece.volume;
@@ -58,7 +69,7 @@ std::vector<std::string> DroppedPieceWarnings(const std::string& name,
                        " around " + PlaceText(piece.place) + " is left out" +
                        WhyText(piece.reason));
   }
-  if (all.share >= kShareWorthAWord) {
+  if (has_body || all.share >= kShareWorthAWord) {
     warnings.push_back(name + ": " + std::to_string(crumbs) +
                        (crumbs == 1 ? " crumb of " : " crumbs of together ") +
                        SizeText(all.area, all.share, all.volume) +

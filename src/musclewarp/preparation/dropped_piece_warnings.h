@@ -10,8 +10,8 @@
 namespace musclewarp {
 
 // Returns what the repair of a mesh has left out, a sentence for each piece
-// with its volume, share and place, and one for all crumbs. Flaps of which
-// nothing can be missed, a share below 1e-4 without volume, are passed over.
+// with its volume, share and place, and one for all crumbs. Flaps without
+// volume and with a share of the surface below 1e-4 are passed over.
 std::vector<std::string> DroppedPieceWarnings(const std::string& name,
                                               const RepairReport& repairs);
 
