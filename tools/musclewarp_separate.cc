@@ -40,18 +40,20 @@ DEFINE_double(max_loss,
 DEFINE_double(
     max_lost_area,
     musclewarp::SeparateOptions().max_lost_area,
-    "area of the surface of a mesh, mm2, that may be gone where it is "
-    "made anew, farther than 3 mm from the new surface; with more the "
-    "exit code is 1");
-DEFINE_double(
-    max_lost_extent,
-    musclewarp::SeparateOptions().max_lost_extent,
-    "length at an end of a mesh, mm, that may be gone where it is made "
-    "anew; with more the exit code is 1");
+    "area of the surface of a mesh, mm2, that may be gone where it is made "
+    "anew: "
+    "farther than 3 mm, and twice its depth in others, from the new surface; "
+    "with more the exit code is 1");
+DEFINE_double(max_lost_extent,
+              musclewarp::SeparateOptions().max_lost_extent,
+              "length at an end of a mesh, mm, beyond twice its depth in "
+              "others, that may "
+              "be gone where it is made anew; with more the exit code is 1");
 DEFINE_double(max_move,
               musclewarp::SeparateOptions().max_move,
-              "how much farther than twice its depth in others a vertex may "
-              "move, mm; with more the exit code is 1");
+              "how far a vertex may move beyond twice the depth of its mesh in "
+              "others and what those that push it add, mm; with more the exit "
+              "code is 1");
 DEFINE_double(max_hole,
               musclewarp::SeparateOptions().max_hole,
               "holes whose border is at most this long are filled when a mesh "

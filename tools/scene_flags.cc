@@ -116,22 +116,24 @@ DEFINE_double(max_torn_patch,
               "with --contact=certified: a frame is not usable if contact "
               "stretches a patch of a muscle larger than this, mm2, beyond "
               "twice its length at rest; 0: none is forbidden");
-DEFINE_double(max_loss,
-              musclewarp::DeformerSettings().max_loss,
-              "share of the volume of a muscle, as it was delivered, that may "
-              "be lost where its mesh is made anew; with more, frames are not "
-              "usable");
+DEFINE_double(
+    max_loss,
+    musclewarp::DeformerSettings().max_loss,
+    "share of the volume of a muscle, as it was delivered, that may be "
+    "lost: pieces that are left out, and what goes where its mesh is "
+    "made anew; with more frames are not usable");
 DEFINE_double(
     max_lost_area,
     musclewarp::DeformerSettings().max_lost_area,
-    "area of the surface of a muscle, mm2, that may be gone where its "
-    "mesh is made anew, farther than 3 mm from the new surface; with "
-    "more, frames are not usable");
-DEFINE_double(
-    max_lost_extent,
-    musclewarp::DeformerSettings().max_lost_extent,
-    "length at an end of a muscle, mm, that may be gone where its mesh "
-    "is made anew; with more, frames are not usable");
+    "area of the surface of a muscle, mm2, that may be gone where it is made "
+    "anew: "
+    "farther than 3 mm, and twice its depth in others, from the new surface; "
+    "with more frames are not usable");
+DEFINE_double(max_lost_extent,
+              musclewarp::DeformerSettings().max_lost_extent,
+              "length at an end of a muscle, mm, beyond twice its depth in "
+              "others, that may "
+              "be gone where it is made anew; with more frames are not usable");
 DEFINE_double(max_step_turn,
               20,
               "largest turn of a body in one step of certified contact, "

@@ -57,12 +57,13 @@ def separate(meshes: NamedMeshes,
         gap: the distance that is kept, mm, above 0 and at most 0.5.
         remake: what happens to meshes that moving vertices does not separate:
             "auto" (made anew) or "never" (InputError).
-        max_loss: the share of the volume of a mesh that may be lost where it is
-            made anew; with more the frame is not usable. So it is with
+        max_loss: the share of the volume of a mesh that may be lost: pieces that
+            are left out, and what goes where it is made anew; with more the frame is not usable. So it is with
             more than `max_lost_area` mm2 of its surface gone, or
             `max_lost_extent` mm of its length at one end.
-        max_move: how much farther than twice its depth in others a vertex
-            may move, mm; beyond, the frame is not usable.
+        max_move: how far a vertex may move beyond twice the depth of its mesh
+            in others and what those that push it add, mm; beyond, the frame
+            is not usable.
         units: of the points that are given: "mm", "cm" or "m".
         progress: a function of (stage, done, total), or a bar of tqdm.
     Returns:

@@ -280,8 +280,9 @@ TEST(Shortcomings, NameWhatAReconstructionHasLost) {
   EXPECT_EQ(found[0],
             "psoas: 15 cm2 of the muscle are gone, the farthest point 89 mm "
             "away, allowed 1 cm2");
-  EXPECT_EQ(found[1],
-            "psoas: ends 63 mm short of where it was delivered, allowed 5 mm");
+  EXPECT_EQ(
+      found[1],
+      "psoas: ends 63 mm short of where the delivered mesh ends, allowed 5 mm");
   EXPECT_EQ(found[2], "psoas: is not attached to femur_r any more");
   FrameRequirements generous;
   generous.max_lost_area = 1500;

@@ -110,8 +110,8 @@ void AddLosses(const MuscleMeasures& muscle,
     shortcomings->push_back(Sentence(muscle.name,
                                      ": ends ",
                                      muscle.lost_extent,
-                                     " mm short of where it was delivered, "
-                                     "allowed ",
+                                     " mm short of where the delivered mesh "
+                                     "ends, allowed ",
                                      requirements.max_lost_extent,
                                      " mm"));
   }
@@ -259,7 +259,7 @@ std::vector<std::string> DeliveredShortcomings(
                  " of the bone inside, around ",
                  PlaceText(crossing.place),
                  ", where the repair of the bone has left out or moved "
-                 "triangles: mend the bone there, or remove them from it"));
+                 "triangles: mend the bone there, or remove those triangles"));
   }
   return shortcomings;
 }

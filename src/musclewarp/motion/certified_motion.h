@@ -84,10 +84,11 @@ struct CertifiedContactOptions {
 
   // After so many steps in a row that leave crossing triangles, the remainder
   // of the motion is computed without contact; 0: no limit. Once the solver has
-  // backtracked, they are a sixteenth of the unchecked length, 64 of them half
-  // the longest one. On the long way to an anatomically impossible pose, as
-  // with a wrong joint centre, there would be hundreds without a limit.
-  int max_stuck_steps = 64;
+  // backtracked, they are a sixteenth of the unchecked length, 32 of them a
+  // quarter of the longest one. On the long way to an anatomically impossible
+  // pose, as with a wrong joint centre, there would be hundreds without a
+  // limit.
+  int max_stuck_steps = 32;
 
   // The same after this time (s), in place of that number; 0: neither. The step
   // in progress is completed first. What a frame is then depends on how fast

@@ -29,7 +29,7 @@ std::string SizeText(double area, double share, double volume) {
 std::string WhyText(DropReason reason) {
   switch (reason) {
     case DropReason::kCrumb:
-      return ": a muscle is one closed surface";
+      return "";
     case DropReason::kSmaller:
       return ": a muscle is one closed surface (musclewarp-separate "
              "--pieces=all makes a mesh of each piece)";
