@@ -214,7 +214,8 @@ RunTotals TotalsOf(const RunRecord& run) {
   totals.usable = !run.frames.empty();
   std::vector<double> wall_ms;
   for (const FrameRecord& frame : run.frames) {
-    totals.frames_clean += frame.intersections.IsClean();
+    totals.frames_clean +=
+        frame.intersections.IsClean() && frame.delivered_crossings.empty();
     totals.usable = totals.usable && frame.usable;
     wall_ms.push_back(frame.wall_ms);
     totals.worst_volume_error =

@@ -20,7 +20,8 @@ namespace {
 std::string OutcomeOf(const FrameRecord& frame) {
   if (!frame.shortcomings.empty()) return "NOT usable";
   const bool is_clean = frame.intersections.triangle_pairs == 0 &&
-                        frame.intersections.vertices_inside == 0;
+                        frame.intersections.vertices_inside == 0 &&
+                        frame.delivered_crossings.empty();
   return frame.stop_reason + (is_clean ? "" : ", crossing");
 }
 
