@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "support/meshes.h"
 #include "support/small_scene.h"
 
@@ -79,6 +80,63 @@ TEST(SeparateMeshes, MovesBeyondTheAllowanceAreShortcomings) {
   ASSERT_FALSE(result.frame.shortcomings.empty());
   EXPECT_NE(result.frame.shortcomings[0].find("mm deep without"),
             std::string::npos);
+}
+
+// A muscle along z and a bone of two balls, each 2 mm deep in it, and what else
+// its mesh has.
+Scene MuscleOnTwoBalls(const TriangleSoup& more) {
+  Scene scene;
+  const TriangleSoup spindle = Spindle(10, 60, 3);
+  SceneMuscle muscle;
+  muscle.name = "psoas";
+  muscle.points = spindle.points;
+  muscle.triangles = spindle.triangles;
+  scene.muscles.push_back(muscle);
+  const TriangleSoup balls = Together(
+      Together(SphereAt({16, 0, -12}, 8, 3), SphereAt({15, 0, 20}, 7, 3)),
+      more);
+  scene.bones.push_back({"foot", balls.points, balls.triangles});
+  return scene;
+}
+
+TEST(SeparateMeshes, NothingCrossesAnyPieceOfABoneAsDelivered) {
+  const Scene scene = MuscleOnTwoBalls(SphereAt({-40, 0, 0}, 6, 2));
+  const MeshSeparation result = SeparateMeshes(scene, WithSmallHulls(), {});
+  EXPECT_TRUE(result.frame.IsUsable()) << result.frame.FullReport();
+  EXPECT_EQ(result.scene.bones[0].mesh.repairs.pieces, 3);
+  EXPECT_EQ(result.scene.bones[0].delivered_only.triangles.rows(), 0);
+  const TriangleSoup delivered = {scene.bones[0].points,
+                                  scene.bones[0].triangles};
+  const TriangleSoup muscle = {result.frame.muscles[0].points,
+                               scene.muscles[0].triangles};
+  EXPECT_TRUE(IntersectMeshes(muscle, delivered).IsEmpty());
+  EXPECT_GT(result.before.triangle_pairs, 0);
+}
+
+TEST(SeparateMeshes, ACrumbOfABoneWithinAMuscleIsAShortcoming) {
+  const Scene scene = MuscleOnTwoBalls(SphereAt({0, 0, 0}, 0.2, 1));
+  const MeshSeparation result = SeparateMeshes(scene, WithSmallHulls(), {});
+  EXPECT_TRUE(result.frame.intersections.IsClean());
+  ASSERT_EQ(result.frame.delivered_crossings.size(), 1u);
+  EXPECT_EQ(result.frame.delivered_crossings[0].pieces_inside, 1);
+  EXPECT_FALSE(result.frame.IsUsable());
+  ASSERT_EQ(result.scene.warnings.size(), 1u);
+  EXPECT_NE(result.scene.warnings[0].find("foot: 1 crumb"), std::string::npos)
+      << result.scene.warnings[0];
+}
+
+TEST(SeparateMeshes, APieceThatAMuscleLosesIsAShortcoming) {
+  Scene scene = MuscleOnTwoBalls(SphereAt({-40, 0, 0}, 6, 2));
+  SceneMuscle& muscle = scene.muscles[0];
+  const TriangleSoup both =
+      Together({muscle.points, muscle.triangles}, SphereAt({0, 60, 0}, 12, 3));
+  muscle.points = both.points;
+  muscle.triangles = both.triangles;
+  const MeshSeparation result = SeparateMeshes(scene, WithSmallHulls(), {});
+  ASSERT_FALSE(result.frame.IsUsable());
+  EXPECT_NE(result.frame.shortcomings[0].find("% of its volume"),
+            std::string::npos)
+      << result.frame.shortcomings[0];
 }
 
 TEST(SeparateMeshes, LeavesNothingThatCrosses) {
