@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <string>
 
 #include "musclewarp/label_images/label_meshes.h"
 #include "musclewarp/mesh/defects.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "support/data_root.h"
 
 namespace musclewarp {
@@ -56,6 +58,21 @@ TEST_F(LabelMeshesData, AThinRingKeepsItsVolume) {
   const LabelMeshes labels =
       ExpectAllVoxelsAreHeld("sinotubular_junction.nii.gz");
   EXPECT_EQ(labels.meshes.size(), 1u);
+}
+
+// The tendon of the psoas is two voxels thick at 1.5 mm, and ends at the lesser
+// trochanter, at z = -480 on the mesh of which the image was made.
+TEST_F(LabelMeshesData, TheTendonOfThePsoasIsKept) {
+  LabelMeshOptions options;
+  options.table = (folder_ / "lhdl_hip_labels.csv").string();
+  const LabelMeshes labels =
+      ReadLabelMeshes((folder_ / "lhdl_hip_1.5mm.nii.gz").string(), options);
+  EXPECT_EQ(labels.meshes.size(), 7u);
+  for (const LabelMesh& label : labels.meshes) {
+    EXPECT_TRUE(SelfIntersections(label.mesh).empty()) << label.name;
+    if (label.name.find("psoas") == std::string::npos) continue;
+    EXPECT_NEAR(label.mesh.points.col(2).minCoeff(), -480, 3);
+  }
 }
 
 }  // namespace
