@@ -57,7 +57,7 @@ class RepairData : public ::testing::Test {
         report->fillings.holes,
         report->fillings.longest,
         report->fillings.area,
-        report->dropped_pieces.size(),
+        static_cast<int>(report->dropped_pieces.size()),
         TotalsOf(report->dropped_pieces).area,
         report->pulls.points,
         SignedVolume(soup.points, soup.triangles) / 1000,
