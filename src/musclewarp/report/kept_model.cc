@@ -3,6 +3,7 @@
 #include "musclewarp/report/kept_model.h"
 
 #include <filesystem>
+#include <system_error>
 
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
@@ -12,9 +13,15 @@ namespace musclewarp {
 namespace fs = std::filesystem;
 
 void KeepModel(const Scene& scene, const std::string& dir) {
-  if (!scene.model || scene.model->model.path.empty()) return;
+  std::error_code error;
+  if (!scene.model || !fs::exists(scene.model->model.path, error)) return;
   WriteTextAtomically((fs::path(dir) / kKeptModel).string(),
                       ReadFile(scene.model->model.path));
+}
+
+bool IsModelKept(const std::string& dir) {
+  std::error_code error;
+  return !dir.empty() && fs::exists(fs::path(dir) / kKeptModel, error);
 }
 
 std::string ModelOfRun(const std::string& dir, const JsonField& motion) {

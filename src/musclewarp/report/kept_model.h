@@ -16,8 +16,13 @@ namespace musclewarp {
 inline constexpr char kKeptModel[] = "rest/model.osim";
 
 // Copies the model of a scene, if it has one, to the folder of a run, of which
-// the rest folder is written. Throws InputError if that fails.
+// the rest folder is written. A file that is there no more, as that of a scene
+// which was read from a temporary folder, is not kept. Throws InputError if
+// copying fails.
 void KeepModel(const Scene& scene, const std::string& dir);
+
+// Returns true if the folder of a run has its model; false for an empty `dir`.
+bool IsModelKept(const std::string& dir);
 
 // Returns the path of the model of a run: the one that is kept or, of runs of
 // earlier builds, which keep none, the one that was read. `motion`: that of

@@ -266,7 +266,7 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
       {"command", run.command},
       {"options", run.options},
       {"inputs_hash", run.inputs_hash},
-      {"motion", MotionJson(run.scene->scene, !run.dir.empty())},
+      {"motion", MotionJson(run.scene->scene, IsModelKept(run.dir))},
       {"prepare", prepare},
       {"rest", rest},
       {"frames", frames},
