@@ -13,6 +13,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/place_text.h"
 #include "musclewarp/base/portable_path.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/joints/articulated_model.h"
@@ -174,9 +175,8 @@ class ArticulateRun {
   }
 
   void PrintShape(const FittedShape& shape) {
-    screen_ << "    " << shape.what << ": radius " << shape.radius
-            << " mm, spread " << std::setprecision(2) << shape.spread
-            << std::setprecision(1) << " mm, covers ";
+    screen_ << "    " << shape.what << ": radius " << FixedText(shape.radius, 1)
+            << " mm, spread " << FixedText(shape.spread, 2) << " mm, covers ";
     if (shape.kind == FittedShape::Kind::kSphere) {
       screen_ << 100 * shape.coverage << " % of its sphere\n";
     } else {

@@ -15,6 +15,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/place_text.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
@@ -155,7 +156,7 @@ OrderedJson ToJson(const CheckedPair& pair) {
 std::string VolumeText(const CheckedFile& file) {
   if (!file.is_oriented) return "-";
   std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << file.volume / 1000;
+  text << FixedText(file.volume / 1000, 2);
   return text.str();
 }
 

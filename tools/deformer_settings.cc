@@ -66,6 +66,7 @@ DeformerOptions OptionsOf(const DeformerSettings& choices) {
   options.solver = ParseSolver(choices.solver);
   SetIterationLimit(choices.max_iterations, &options.solver);
   options.cache.folder = CacheFolderOf(choices.cache);
+  options.lengths_in_mm = choices.lengths_in_mm;
   return options;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "musclewarp/deformer/deformer.h"
@@ -42,6 +43,10 @@ struct DeformerSettings {
   double max_step_move = 80;  // mm
   bool body_twist = true;
   std::string cache = "none";  // or a folder
+
+  // Which of these lengths are in mm whatever the size of the body: those that
+  // the user gave (length_options.h).
+  std::set<std::string> lengths_in_mm;
 };
 
 // Returns the options that these choices mean, but for the key of the cache,

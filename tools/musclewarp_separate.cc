@@ -61,7 +61,8 @@ DEFINE_double(max_hole,
               "their length");
 DEFINE_double(gap,
               musclewarp::SeparateOptions().gap,
-              "distance that is kept between meshes, mm; at most 0.5");
+              "distance that is kept between meshes, mm; at most 0.5; the "
+              "default follows the size of the body");
 DEFINE_string(format, "ply", "mesh files to write: ply, obj, vtp; commas");
 DEFINE_string(remake,
               "auto",
@@ -104,6 +105,7 @@ int main(int argc, char** argv) {
         options.max_move = FLAGS_max_move;
         options.max_hole = FLAGS_max_hole;
         options.gap = FLAGS_gap;
+        options.lengths_in_mm = musclewarp::LengthsGiven();
         options.remake = musclewarp::ParseRemake(FLAGS_remake);
         options.formats = musclewarp::ParseFormats(FLAGS_format);
         options.json = FLAGS_json;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/option_flags.h"
 
+#include "musclewarp/deformer/length_options.h"
+
 namespace musclewarp {
 namespace {
 
@@ -78,8 +80,6 @@ void CheckValid(const RestSeparationOptions& options) {
 }
 
 void SetGap(double gap, CertifiedContactOptions* options) {
-  // Beyond, the steps in which surfaces move would have to be longer, too.
-  constexpr double kLargestGap = 0.5;
   if (gap > kLargestGap) {
     throw InputError(
         "--gap", "is " + std::to_string(gap), "allowed: above 0, at most 0.5");

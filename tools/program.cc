@@ -13,6 +13,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/deformer/length_options.h"
 
 DECLARE_bool(help);
 DECLARE_bool(helpshort);
@@ -97,6 +98,18 @@ int RunProgram(
     std::cerr << name << ": " << error.what() << "\n";
     return kExitBadInput;
   }
+}
+
+std::set<std::string> LengthsGiven() {
+  std::set<std::string> given;
+  for (const std::string& name : LengthsThatCanBeAskedFor()) {
+    gflags::CommandLineFlagInfo flag;
+    if (gflags::GetCommandLineFlagInfo(name.c_str(), &flag) &&
+        !flag.is_default) {
+      given.insert(name);
+    }
+  }
+  return given;
 }
 
 void CheckThreads(int threads) {

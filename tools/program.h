@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,10 @@ int RunProgram(
 // to 1024: OpenMP ends the program if it cannot start as many threads as it was
 // asked for.
 void CheckThreads(int threads);
+
+// Returns the flags among LengthsThatCanBeAskedFor() (length_options.h) that
+// were given on the command line.
+std::set<std::string> LengthsGiven();
 
 // For programs that take flags only: throws InputError, naming the first
 // argument, if there is one.

@@ -16,6 +16,7 @@
 #include "musclewarp/base/portable_path.h"
 #include "tools/deformer_settings.h"
 #include "tools/flag_values.h"
+#include "tools/program.h"
 #include "tools/split.h"
 
 DEFINE_string(scene, "", "scene file (JSON)");
@@ -95,7 +96,7 @@ DEFINE_int32(auto_lines,
 DEFINE_double(gap,
               musclewarp::DeformerSettings().gap,
               "distance that certified contact keeps between surfaces, mm; at "
-              "most 0.5");
+              "most 0.5; the default follows the size of the body");
 DEFINE_int32(max_rounds,
              6,
              "rounds in which a step of certified contact resolves what still "
@@ -191,6 +192,7 @@ DeformerSettings ChoicesFromFlags() {
   choices.max_step_turn = FLAGS_max_step_turn;
   choices.max_step_move = FLAGS_max_step_move;
   choices.body_twist = FLAGS_body_twist;
+  choices.lengths_in_mm = LengthsGiven();
   return choices;
 }
 

@@ -10,12 +10,11 @@
 #include <iomanip>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <sstream>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/place_text.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/deformer/mesh_separation.h"
 #include "musclewarp/mesh_files/mesh_io.h"
@@ -36,12 +35,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
-
-std::string NumberText(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
 
 void CheckSeparateOptions(const std::vector<std::string>& files,
                           const SeparateOptions& options) {
@@ -77,9 +70,9 @@ void AddLosses(const SeparateInput& input,
   const auto add = [&](const std::string& name, double loss, double delivered) {
     if (!(loss > max_loss)) return;
     shortcomings->push_back(
-        name + ": " + NumberText(100 * loss) + " % of its volume of " +
-        NumberText(delivered / 1000) + " cm3 is lost, allowed " +
-        NumberText(100 * max_loss) + " %");
+        name + ": " + MeasureText(100 * loss) + " % of its volume of " +
+        MeasureText(delivered / 1000) + " cm3 is lost, allowed " +
+        MeasureText(100 * max_loss) + " %");
   };
   for (const LabelMesh& label : input.labels.meshes) {
     if (!label.is_bone) continue;
@@ -93,12 +86,11 @@ void AddLosses(const SeparateInput& input,
 }
 
 // Returns "contact" of the report.
-ContactReport ContactReportOf(const RestSeparationOptions& options,
-                              const RestResult& rest) {
+ContactReport ContactReportOf(double gap, const RestResult& rest) {
   ContactReport contact;
   contact.kind = ContactKind::kCertified;
   contact.name = ToString(contact.kind);
-  contact.options = {{"gap_mm", options.contact.step.gap}};
+  contact.options = {{"gap_mm", gap}};
   contact.prepare_ms = rest.wall_ms;
   contact.rest = rest.intersections;
   return contact;
@@ -107,10 +99,12 @@ ContactReport ContactReportOf(const RestSeparationOptions& options,
 Separation Separate(const SeparateInput& input,
                     const SeparateOptions& options,
                     const ProgressCallback& on_progress) {
-  const RestSeparationOptions separation = RestSeparationOptionsOf(options);
-  Separation result = {
-      SeparateMeshes(input.scene, separation, on_progress), {}, {}};
+  Separation result;
   MeshSeparation& meshes = result.meshes;
+  meshes = SeparateMeshes(input.scene,
+                          RestSeparationOptionsOf(options),
+                          on_progress,
+                          options.lengths_in_mm);
   AddLosses(input, options.max_loss, &meshes.frame.shortcomings);
   for (size_t i = 0; i < meshes.frame.muscles.size(); ++i) {
     result.mean_displacements.push_back(
@@ -122,7 +116,7 @@ Separation Separate(const SeparateInput& input,
   }
   RunRecord run;
   run.scene = &meshes.scene;
-  run.contact = ContactReportOf(separation, meshes.rest);
+  run.contact = ContactReportOf(meshes.gap, meshes.rest);
   run.rest = meshes.before;
   run.frames.push_back(RecordOf(meshes.scene, meshes.frame));
   result.report = ReportJson(run);
@@ -180,6 +174,7 @@ OrderedJson SeparationJson(const SeparateInput& input,
            input.image.empty() ? OrderedJson() : LabelImageJson(input)},
           {"machine", report.at("machine")},
           {"wall_ms", wall_ms},
+          {"body_size", report.at("body_size")},
           {"gap_mm", report.at("contact_options").at("gap_mm")},
           {"warnings", report.at("prepare").at("warnings")},
           {"before", report.at("rest").at("intersections")},
@@ -237,8 +232,8 @@ void PrintPairs(const Separation& result, int width, std::ostream& screen) {
   const auto print = [&](const PairIntersection& pair, int before, int now) {
     screen << std::left << std::setw(width) << pair.a << "  "
            << std::setw(width) << pair.b << std::right << std::setw(16)
-           << before << std::setw(10) << pair.max_depth_mm << std::setw(7)
-           << now << "\n";
+           << before << std::setw(10) << FixedText(pair.max_depth_mm, 2)
+           << std::setw(7) << now << "\n";
   };
   if (result.meshes.before.pairs.empty() && after.empty()) {
     screen << "no meshes cross\n";
@@ -263,43 +258,44 @@ void PrintPairs(const Separation& result, int width, std::ostream& screen) {
 void PrintMeshes(const Separation& result, int width, std::ostream& screen) {
   screen << "\n"
          << std::left << std::setw(width) << "mesh" << std::right
-         << "  delivered cm3    after  depth mm  largest move mm   mean mm\n"
-         << std::fixed << std::setprecision(3);
+         << "  delivered cm3    after  depth mm  largest move mm   mean mm\n";
   for (size_t i = 0; i < result.meshes.frame.muscles.size(); ++i) {
-    const PreparedMuscle& mesh = result.meshes.scene.muscles[i];
+    const MeshPreparation& mesh = result.meshes.scene.muscles[i].mesh;
     const MuscleFrame& moved = result.meshes.frame.muscles[i];
-    const SurfaceReconstruction& reconstruction = mesh.mesh.reconstruction;
-    screen << std::left << std::setw(width) << mesh.model.name << std::right
-           << std::setw(15) << mesh.mesh.delivered_volume / 1000 << std::setw(9)
-           << moved.volume_ratio * mesh.mesh.delivered_volume / 1000
-           << std::setw(10) << moved.depth_without_contact << std::setw(17)
-           << moved.max_displacement << std::setw(10)
-           << result.mean_displacements[i];
-    if (reconstruction.is_done) {
-      screen << "  made anew, " << std::setprecision(1)
-             << reconstruction.farthest << " mm off the old surface at most"
-             << std::setprecision(3);
+    const double cm3 = mesh.delivered_volume / 1000;
+    screen << std::left << std::setw(width) << mesh.name << std::right
+           << std::setw(15) << FixedText(cm3, 3) << std::setw(9)
+           << FixedText(moved.volume_ratio * cm3, 3) << std::setw(10)
+           << FixedText(moved.depth_without_contact, 3) << std::setw(17)
+           << FixedText(moved.max_displacement, 3) << std::setw(10)
+           << FixedText(result.mean_displacements[i], 3);
+    if (mesh.reconstruction.is_done) {
+      screen << "  made anew, " << FixedText(mesh.reconstruction.farthest, 1)
+             << " mm off the old surface at most";
     }
     screen << "\n";
   }
 }
 
 void PrintSeparation(const Separation& result, std::ostream& screen) {
+  const Scene& scene = result.meshes.scene.scene;
+  const Frame& frame = result.meshes.frame;
+  for (const std::string& note : scene.notes) screen << note << "\n";
   const int width = NameWidth(result.meshes.scene);
   PrintPairs(result, width, screen);
   PrintMeshes(result, width, screen);
-  const std::optional<double> gap =
-      result.meshes.frame.intersections.SmallestGap();
-  screen << std::defaultfloat << std::setprecision(4) << "\n";
+  screen << "\n";
   PrintBoneCrossings(result.meshes.scene, screen);
-  if (!result.meshes.frame.intersections.IsClean()) {
+  if (!frame.intersections.IsClean()) {
     screen << "meshes cross: there is no gap to prove\n";
-  } else if (gap) {
-    screen << "smallest gap: " << *gap << " mm (proved)\n";
+  } else if (const auto gap = frame.intersections.SmallestGap()) {
+    screen << "smallest gap: " << std::defaultfloat << std::setprecision(4)
+           << *gap << " mm (proved)\n";
   } else {
-    screen << "all gaps are above " << kMeshGapLimit << " mm (proved)\n";
+    screen << "all gaps are above "
+           << LengthText(kMeshGapLimit, scene.body_size) << " (proved)\n";
   }
-  for (const std::string& shortcoming : result.meshes.frame.shortcomings) {
+  for (const std::string& shortcoming : frame.shortcomings) {
     screen << "not usable: " << shortcoming << "\n";
   }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <ostream>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,11 @@ struct SeparateOptions {
   double max_lost_extent = FrameRequirements().max_lost_extent;  // mm
   double max_move =
       MeshSeparationOptions().requirements.displacement_allowance;  // mm
+
+  // Which of these lengths are in mm whatever the size of the body: those that
+  // the user gave (length_options.h).
+  std::set<std::string> lengths_in_mm;
+
   std::vector<std::string> formats = {"ply"};  // of the meshes written
   bool json = false;         // if true, separation.json is written, too
   int threads = 0;           // 0: as many as OpenMP chooses

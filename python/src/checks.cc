@@ -131,6 +131,17 @@ std::shared_ptr<FrameOfScene> Separate(const MeshesByName& meshes,
     throw InputError("meshes", "are none", "give at least one");
   }
   RestSeparationOptions separation;
+  // A value that is not the default was given.
+  std::set<std::string> lengths_in_mm;
+  const SeparateOptions defaults;
+  if (gap != defaults.gap) lengths_in_mm.insert("gap");
+  if (max_lost_area != defaults.max_lost_area) {
+    lengths_in_mm.insert("max_lost_area");
+  }
+  if (max_lost_extent != defaults.max_lost_extent) {
+    lengths_in_mm.insert("max_lost_extent");
+  }
+  if (max_move != defaults.max_move) lengths_in_mm.insert("max_move");
   CallWithKeywords([&] {
     SeparateOptions options;
     options.gap = gap;
@@ -144,8 +155,10 @@ std::shared_ptr<FrameOfScene> Separate(const MeshesByName& meshes,
   });
   return ComputeFree([scene = SceneOf(meshes, bones, units),
                       separation,
+                      lengths_in_mm,
                       on_progress = CallbackOf(progress)] {
-    MeshSeparation result = SeparateMeshes(scene, separation, on_progress);
+    MeshSeparation result =
+        SeparateMeshes(scene, separation, on_progress, lengths_in_mm);
     return std::make_shared<FrameOfScene>(
         FrameOfScene{std::move(result.frame), PartsOf(result.scene)});
   });

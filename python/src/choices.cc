@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "musclewarp/deformer/length_options.h"
 #include "python/src/bindings.h"
 #include "tools/deform_command.h"
 #include "tools/deformer_settings.h"
@@ -68,6 +69,7 @@ std::string KeyOf(const DeformerSettings& choices) {
   VisitChoices(&choices, [&](const std::string& name, const auto& field) {
     if (name != "cache") text << name << "=" << field << "\n";
   });
+  for (const std::string& name : choices.lengths_in_mm) text << name << "\n";
   return text.str();
 }
 
@@ -87,6 +89,9 @@ DeformerOptions OptionsFrom(const py::dict& keywords) {
   DeformerSettings choices;
   VisitChoices(&choices, [&](const char* name, auto& field) {
     if (!keywords.contains(name)) return;
+    if (LengthsThatCanBeAskedFor().count(name) > 0) {
+      choices.lengths_in_mm.insert(name);
+    }
     const py::object value = keywords[name];
     try {
       field = value.cast<std::decay_t<decltype(field)>>();

@@ -291,9 +291,9 @@ TEST(Shortcomings, NameWhatAReconstructionHasLost) {
 }
 
 TEST(DeliveredShortcomings, NameBothTheCountsAndThePlace) {
-  EXPECT_TRUE(DeliveredShortcomings({}).empty());
+  EXPECT_TRUE(DeliveredShortcomings({}, 1).empty());
   const std::vector<std::string> shortcomings =
-      DeliveredShortcomings({{"psoas", "pelvis", 3, 1, {1, 2, 3}}});
+      DeliveredShortcomings({{"psoas", "pelvis", 3, 1, {1, 2, 3}}}, 1);
   ASSERT_EQ(shortcomings.size(), 1u);
   EXPECT_NE(shortcomings[0].find(
                 "psoas x pelvis as it was delivered: 3 crossing triangle pairs "

@@ -216,7 +216,7 @@ TEST(RepairMesh, AMissingCapIsRefusedWithThePlace) {
             HasSubstr("an open border of " +
                       std::to_string(defects.border_edges) + " edges"),
             HasSubstr("mm long, around ("),
-            HasSubstr("allowed: holes of up to 30.0 mm or narrow slits")));
+            HasSubstr("allowed: holes of up to 30 mm or narrow slits")));
   RepairOptions options;
   options.holes.max_perimeter = 60;
   EXPECT_EQ(Refusal(soup, options), "");

@@ -43,6 +43,7 @@ class ChooseAttachmentsTest : public ::testing::Test {
                              FoundOn(muscle, surroundings_),
                              surroundings_.bodies(),
                              surroundings_.MusclesBeside(0),
+                             /*body_size=*/1,
                              &warnings_);
   }
 
@@ -120,6 +121,7 @@ class TipWithoutBoneTest : public ::testing::Test {
                              FoundOn(muscle_, surroundings_),
                              surroundings_.bodies(),
                              surroundings_.MusclesBeside(0),
+                             /*body_size=*/1,
                              &warnings)
         .size();
   }

@@ -35,9 +35,13 @@ TEST(LineEndsOf, AreTheMeanDistancesFromTheBones) {
   EXPECT_NEAR(ends[0].distance, 3, 1e-9);  // the pole is a vertex
   EXPECT_EQ(ends[1].body, "high");
   EXPECT_NEAR(ends[1].distance, 20, 1e-9);
-  EXPECT_THAT(FarEndWarnings("soleus", ends),
+  EXPECT_THAT(FarEndWarnings("soleus", ends, 1),
               ElementsAre(AllOf(HasSubstr("soleus ends 20 mm away from high"),
                                 HasSubstr("end_bodies"))));
+  EXPECT_THAT(FarEndWarnings("soleus", ends, 1.0 / 32),
+              ElementsAre(HasSubstr("soleus ends 0.625 mm away from high, to "
+                                    "which its lines are fixed, expected at "
+                                    "most 0.469 mm")));
 }
 
 TEST(LineEndsOf, LeaveOutBodiesWithoutBones) {

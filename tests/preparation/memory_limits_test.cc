@@ -22,7 +22,7 @@ TEST(MemoryLimits, NameALatticeThatIsTooLarge) {
       [&] {
         CheckContactFits({{"psoas", &box}}, 1.5, 1.7);
       },
-      {"psoas", "5000 x 3000 x 3000 mm", "samples", "unit"});
+      {"psoas", "3333 x 2000 x 2000 samples", "unit"});
 }
 
 TEST(MemoryLimits, NameTrianglesThatAreTooSmall) {

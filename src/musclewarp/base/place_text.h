@@ -7,12 +7,24 @@
 
 namespace musclewarp {
 
-// Returns "(x, y, z)" with a tenth of a millimetre: a place, mm, in a sentence
-// for the user.
-std::string PlaceText(const Eigen::RowVector3d& place);
+// Returns "(x, y, z)": a place in a sentence for the user, in mm with a tenth
+// of a millimetre. `place` is given in units of `body_size` mm
+// (Scene::body_size); below 1 there are more digits.
+std::string PlaceText(const Eigen::RowVector3d& place, double body_size = 1);
 
-// Returns a number with three significant digits, "26.7" or "0.00512", as
-// sentences have measures whose size is not known beforehand.
+// Returns a number with three significant digits, or all before the point,
+// "26.7", "0.00512" or "2410", as sentences have measures whose size is not
+// known beforehand.
 std::string MeasureText(double value);
+
+// Returns a number with this many digits behind the point, and more if these
+// are fewer than three significant ones: "43.6", "0.0054".
+std::string FixedText(double value, int digits);
+
+// Returns a length in units of `body_size` mm as text: "3.4 mm".
+std::string LengthText(double length, double body_size = 1);
+
+// Returns "1/32 of" or "16 times", to stand before "human size".
+std::string BodySizeText(double body_size);
 
 }  // namespace musclewarp

@@ -23,9 +23,17 @@ std::string Sentence(const Words&... words) {
 }
 
 // " around (x, y, z)", or nothing where no triangles cross.
-std::string PlaceOf(const PairIntersection& pair) {
+std::string PlaceOf(const PairIntersection& pair, double body_size) {
   if (pair.triangle_pairs == 0) return "";
-  return " around " + PlaceText(pair.place);
+  return " around " + PlaceText(pair.place, body_size);
+}
+
+// Areas and volumes in the units that sentences have.
+double SquareCentimetres(double area, double body_size) {
+  return area * std::pow(body_size, 2) / 100;
+}
+double CubicCentimetres(double volume, double body_size) {
+  return volume * std::pow(body_size, 3) / 1000;
 }
 
 // Returns a number with two digits, or with as many more as show that it is
@@ -43,20 +51,23 @@ std::string BelowText(double value, double limit) {
 }
 
 void AddNarrowGaps(const std::vector<MeshGap>& gaps,
-                   double required,
+                   const FrameRequirements& requirements,
                    std::vector<std::string>* shortcomings) {
+  const double required = requirements.gap;
+  const double body_size = requirements.body_size;
   for (const MeshGap& gap : gaps) {
     // Meshes that intersect are named for that.
     if (gap.at_most_mm == 0 || gap.at_least_mm >= required) continue;
-    shortcomings->push_back(Sentence(gap.a,
-                                     " and ",
-                                     gap.b,
-                                     " are ",
-                                     BelowText(gap.at_least_mm, required),
-                                     " mm apart, less than the gap of ",
-                                     required,
-                                     " mm, near ",
-                                     PlaceText(gap.place)));
+    shortcomings->push_back(
+        Sentence(gap.a,
+                 " and ",
+                 gap.b,
+                 " are ",
+                 BelowText(gap.at_least_mm * body_size, required * body_size),
+                 " mm apart, less than the gap of ",
+                 required * body_size,
+                 " mm, near ",
+                 PlaceText(gap.place, body_size)));
   }
 }
 
@@ -73,14 +84,15 @@ void AddShortcomingsOfShape(const MuscleMeasures& muscle,
   }
   const double loss = 1 - muscle.volume_ratio;
   if (!(loss <= requirements.max_volume_loss)) {
-    shortcomings->push_back(Sentence(muscle.name,
-                                     ": ",
-                                     100 * loss,
-                                     " % of its volume of ",
-                                     muscle.delivered_volume / 1000,
-                                     " cm3 is lost, allowed ",
-                                     100 * requirements.max_volume_loss,
-                                     " %"));
+    shortcomings->push_back(Sentence(
+        muscle.name,
+        ": ",
+        100 * loss,
+        " % of its volume of ",
+        CubicCentimetres(muscle.delivered_volume, requirements.body_size),
+        " cm3 is lost, allowed ",
+        100 * requirements.max_volume_loss,
+        " %"));
   }
   if (!(muscle.max_stretch <= requirements.max_stretch)) {
     shortcomings->push_back(Sentence(muscle.name,
@@ -95,25 +107,26 @@ void AddLosses(const MuscleMeasures& muscle,
                const FrameRequirements& requirements,
                std::vector<std::string>* shortcomings) {
   if (muscle.gone_area > requirements.max_lost_area) {
-    shortcomings->push_back(
-        Sentence(muscle.name,
-                 ": ",
-                 muscle.gone_area / 100,
-                 " cm2 of the muscle are gone, the farthest "
-                 "point ",
-                 muscle.farthest_gone,
-                 " mm away, allowed ",
-                 requirements.max_lost_area / 100,
-                 " cm2"));
+    shortcomings->push_back(Sentence(
+        muscle.name,
+        ": ",
+        SquareCentimetres(muscle.gone_area, requirements.body_size),
+        " cm2 of the muscle are gone, the farthest "
+        "point ",
+        muscle.farthest_gone * requirements.body_size,
+        " mm away, allowed ",
+        SquareCentimetres(requirements.max_lost_area, requirements.body_size),
+        " cm2"));
   }
   if (muscle.lost_extent > requirements.max_lost_extent) {
-    shortcomings->push_back(Sentence(muscle.name,
-                                     ": ends ",
-                                     muscle.lost_extent,
-                                     " mm short of where the delivered mesh "
-                                     "ends, allowed ",
-                                     requirements.max_lost_extent,
-                                     " mm"));
+    shortcomings->push_back(
+        Sentence(muscle.name,
+                 ": ends ",
+                 muscle.lost_extent * requirements.body_size,
+                 " mm short of where the delivered mesh "
+                 "ends, allowed ",
+                 requirements.max_lost_extent * requirements.body_size,
+                 " mm"));
   }
   for (const std::string& carrier : muscle.lost_attachments) {
     shortcomings->push_back(
@@ -134,14 +147,15 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
   }
   if (requirements.max_torn_patch > 0 &&
       muscle.torn_patch > requirements.max_torn_patch) {
-    shortcomings->push_back(Sentence(muscle.name,
-                                     ": ",
-                                     muscle.torn_patch / 100,
-                                     " cm2 torn by contact near ",
-                                     PlaceText(muscle.torn_place),
-                                     ", allowed ",
-                                     requirements.max_torn_patch / 100,
-                                     " cm2"));
+    shortcomings->push_back(Sentence(
+        muscle.name,
+        ": ",
+        SquareCentimetres(muscle.torn_patch, requirements.body_size),
+        " cm2 torn by contact near ",
+        PlaceText(muscle.torn_place, requirements.body_size),
+        ", allowed ",
+        SquareCentimetres(requirements.max_torn_patch, requirements.body_size),
+        " cm2"));
   }
   const auto most_folded =
       static_cast<int>(requirements.max_folded_fraction *
@@ -153,26 +167,28 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
                                      " folded triangles, allowed ",
                                      most_folded));
   }
+  const double body_size = requirements.body_size;
   const double depth = muscle.depth_without_contact;
   const double farthest = LargestDisplacement(requirements, muscle);
   if (!(muscle.max_contact_displacement <= farthest)) {
     std::ostringstream chain;
     if (muscle.pushed_by.size() > 1) {
-      chain << ", " << muscle.push_depth << " mm along the chain";
+      chain << ", " << muscle.push_depth * body_size << " mm along the chain";
       for (const std::string& name : muscle.pushed_by) {
         chain << (&name == &muscle.pushed_by.front() ? " " : ", ") << name;
       }
     }
-    shortcomings->push_back(Sentence(muscle.name,
-                                     ": moved by ",
-                                     muscle.max_contact_displacement,
-                                     " mm by contact, allowed ",
-                                     farthest,
-                                     " (",
-                                     depth,
-                                     " mm deep without",
-                                     chain.str(),
-                                     ")"));
+    shortcomings->push_back(
+        Sentence(muscle.name,
+                 ": moved by ",
+                 muscle.max_contact_displacement * body_size,
+                 " mm by contact, allowed ",
+                 farthest * body_size,
+                 " (",
+                 depth * body_size,
+                 " mm deep without",
+                 chain.str(),
+                 ")"));
   }
 }
 
@@ -229,14 +245,14 @@ std::vector<std::string> Shortcomings(
                                     ": ",
                                     pair.triangle_pairs,
                                     " crossing triangle pairs",
-                                    PlaceOf(pair),
+                                    PlaceOf(pair, requirements.body_size),
                                     ", ",
                                     pair.vertices_inside,
                                     " vertices inside, ",
-                                    pair.max_depth_mm,
+                                    pair.max_depth_mm * requirements.body_size,
                                     " mm deep"));
   }
-  AddNarrowGaps(intersections.gaps, requirements.gap, &shortcomings);
+  AddNarrowGaps(intersections.gaps, requirements, &shortcomings);
   for (const MuscleMeasures& muscle : muscles) {
     AddShortcomingsOf(muscle, requirements, &shortcomings);
   }
@@ -244,7 +260,7 @@ std::vector<std::string> Shortcomings(
 }
 
 std::vector<std::string> DeliveredShortcomings(
-    const std::vector<DeliveredCrossing>& crossings) {
+    const std::vector<DeliveredCrossing>& crossings, double body_size) {
   std::vector<std::string> shortcomings;
   for (const DeliveredCrossing& crossing : crossings) {
     shortcomings.push_back(
@@ -257,7 +273,7 @@ std::vector<std::string> DeliveredShortcomings(
                  crossing.pieces_inside,
                  crossing.pieces_inside == 1 ? " piece" : " pieces",
                  " of the bone inside, around ",
-                 PlaceText(crossing.place),
+                 PlaceText(crossing.place, body_size),
                  ", where the repair of the bone has left out or moved "
                  "triangles: mend the bone there, or remove those triangles"));
   }

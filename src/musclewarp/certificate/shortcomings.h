@@ -56,6 +56,9 @@ struct FrameRequirements {
   // keeps.
   double gap = 0;
 
+  // The unit of all lengths, mm (Scene::body_size), for the sentences.
+  double body_size = 1;
+
   bool IsValid(std::string* error) const;
 };
 
@@ -116,6 +119,6 @@ std::vector<std::string> Shortcomings(
 // Returns a sentence for each crossing with a bone as it was delivered, which
 // no certified frame has.
 std::vector<std::string> DeliveredShortcomings(
-    const std::vector<DeliveredCrossing>& crossings);
+    const std::vector<DeliveredCrossing>& crossings, double body_size);
 
 }  // namespace musclewarp

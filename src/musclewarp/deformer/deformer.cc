@@ -7,16 +7,36 @@
 #include <optional>
 #include <utility>
 
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/place_text.h"
 #include "musclewarp/base/stage_times.h"
+#include "musclewarp/certificate/scaled_intersections.h"
+#include "musclewarp/deformer/body_size.h"
+#include "musclewarp/deformer/length_options.h"
+#include "musclewarp/frames/scaled_frame.h"
+#include "musclewarp/preparation/scaled_preparation.h"
+#include "musclewarp/scene/scaled_scene.h"
 #include "musclewarp/scene/scene_checks.h"
 
 namespace musclewarp {
 namespace {
 
-// Returns the options, with the repairs that the kind of contact requires.
-DeformerOptions Completed(DeformerOptions options) {
+// Returns the options in units of the body's size, with the repairs that the
+// kind of contact requires.
+DeformerOptions Completed(DeformerOptions options, double body_size) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
+  AskInMillimetres(options.lengths_in_mm,
+                   body_size,
+                   &options.prepare,
+                   &options.frames.certified,
+                   &options.frames.requirements);
+  if (!options.IsValid(&error)) {
+    throw InputError(
+        "options",
+        error + ", in a body of " + BodySizeText(body_size) + " human size",
+        "ask for a length that suits it");
+  }
   const bool is_certified = options.frames.contact == ContactKind::kCertified;
   options.prepare.remove_self_crossings |= is_certified;
   options.prepare.remove_slivers |= is_certified;
@@ -29,6 +49,22 @@ Scene Checked(Scene scene) {
   }
   CheckScene(scene);
   return scene;
+}
+
+// Returns the same scene if it is in mm already.
+std::shared_ptr<const PreparedScene> SceneInMillimetres(
+    const std::shared_ptr<const PreparedScene>& scene) {
+  if (scene->scene.body_size == 1) return scene;
+  const auto scaled = std::make_shared<PreparedScene>(*scene);
+  ScaleLengths(scene->scene.body_size, scaled.get());
+  return scaled;
+}
+
+ContactReport ContactInMillimetres(ContactReport contact, double body_size) {
+  const auto gap = contact.options.find("gap_mm");
+  if (gap != contact.options.end()) *gap = gap->get<double>() * body_size;
+  if (contact.rest) ScaleLengths(body_size, &*contact.rest);
+  return contact;
 }
 
 }  // namespace
@@ -50,17 +86,26 @@ bool DeformerOptions::IsValid(std::string* error) const {
 }
 
 Deformer::Deformer(Scene scene, DeformerOptions options)
-    : options_(Completed(std::move(options))),
+    : Deformer(SizedScene{InBodyUnits(Checked(std::move(scene)))},
+               std::move(options)) {}
+
+Deformer::Deformer(SizedScene sized, DeformerOptions options)
+    : body_size_(sized.scene.body_size),
+      options_(Completed(std::move(options), body_size_)),
       solvers_(SolversOf(options_.solver)) {
   std::optional<StageRecording> recording;
   if (options_.record_stages) recording.emplace();
-  Preparation preparation = Prepare(Checked(std::move(scene)));
-  scene_ = std::make_unique<PreparedScene>(std::move(preparation.scene));
+  Preparation preparation = Prepare(sized.scene);
+  const auto scene =
+      std::make_shared<PreparedScene>(std::move(preparation.scene));
+  scene_ = scene;
   frame_solver_ = MakeFrameSolver(*scene_,
                                   options_.frames,
                                   std::make_shared<SceneMeshes>(*scene_),
                                   std::move(preparation.rest));
-  if (recording) scene_->stages = recording->times();
+  if (recording) scene->stages = recording->times();
+  scene_in_mm_ = SceneInMillimetres(scene_);
+  contact_ = ContactInMillimetres(frame_solver_->contact(), body_size_);
   // The first MoveTo() computes the start of the motion: with the paper's
   // contact this takes a solve.
 }
@@ -93,17 +138,39 @@ Preparation Deformer::Prepare(const Scene& scene) const {
   return preparation;
 }
 
+ScenePose Deformer::Sized(ScenePose pose) const {
+  ScaleLengths(1 / body_size_, &pose);
+  return pose;
+}
+
+Frame Deformer::InMillimetres(Frame frame) const {
+  if (body_size_ != 1) ScaleLengths(body_size_, &frame);
+  return frame;
+}
+
+const Frame& Deformer::RestFrame() {
+  if (!rest_frame_) rest_frame_ = InMillimetres(frame_solver_->RestFrame());
+  return *rest_frame_;
+}
+
 Frame Deformer::MoveTo(const ScenePose& pose) {
-  CheckPose(scene_->scene, pose);
+  CheckPose(scene_in_mm_->scene, pose);
   if (state_.IsEmpty()) Reset();
-  SolvedFrame solved = Solve(pose, &state_);
+  SolvedFrame solved = Solve(Sized(pose), &state_);
   state_ = std::move(solved.state);
-  return std::move(solved.frame);
+  return InMillimetres(std::move(solved.frame));
 }
 
 Frame Deformer::SolveAlone(const ScenePose& pose) {
-  CheckPose(scene_->scene, pose);
-  return Solve(pose, nullptr).frame;
+  CheckPose(scene_in_mm_->scene, pose);
+  return InMillimetres(Solve(Sized(pose), nullptr).frame);
+}
+
+int Deformer::ExpectedSteps(const ScenePose* from,
+                            const ScenePose& pose) const {
+  if (!from) return frame_solver_->ExpectedSteps(nullptr, Sized(pose));
+  const ScenePose sized = Sized(*from);
+  return frame_solver_->ExpectedSteps(&sized, Sized(pose));
 }
 
 SolvedFrame Deformer::Solve(const ScenePose& pose, const SceneState* before) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -30,6 +32,11 @@ struct DeformerOptions {
   ReconstructionOptions reconstruction;
 
   SolverConfiguration solver;
+
+  // Lengths among these options are those that suit people; in bodies of other
+  // size they are larger or smaller accordingly (body_size.h). Those that are
+  // named here are in mm whatever the size (length_options.h).
+  std::set<std::string> lengths_in_mm;
 
   // The cache of preparations on disk; disabled by default.
   PreparationCacheOptions cache;
@@ -64,8 +71,9 @@ RestSeparationOptions RestSeparationOptionsOf(const DeformerOptions& options);
 class Deformer {
  public:
   // Throws InputError if the scene contradicts itself, a mesh cannot be read or
-  // repaired, the rest pose cannot be made intersection-free, or the folder of
-  // the cache cannot be created. Precondition (CHECKed): the options are valid.
+  // repaired, the rest pose cannot be made intersection-free, the folder of the
+  // cache cannot be created, or a length that was asked for in mm does not suit
+  // the size of the body. Precondition (CHECKed): the options are valid.
   explicit Deformer(Scene scene, DeformerOptions options = {});
 
   // Moves the muscles from their current state to a pose. Consecutive calls
@@ -82,21 +90,19 @@ class Deformer {
 
   // Returns the frame of the scene as delivered and repaired, before any
   // contact.
-  const Frame& RestFrame() { return frame_solver_->RestFrame(); }
+  const Frame& RestFrame();
 
   // Returns the repaired meshes, the hulls and all other data that is
-  // independent of the pose.
-  const PreparedScene& scene() const { return *scene_; }
+  // independent of the pose, in mm.
+  const PreparedScene& scene() const { return *scene_in_mm_; }
 
   // Returns a description of the prepared contact.
-  const ContactReport& contact() const { return frame_solver_->contact(); }
+  const ContactReport& contact() const { return contact_; }
 
   // Returns the number of short steps to a pose from the pose `from` or, if
   // that is null, of SolveAlone(). The actual number may be smaller; the
   // estimate serves to predict the time of a frame.
-  int ExpectedSteps(const ScenePose* from, const ScenePose& pose) const {
-    return frame_solver_->ExpectedSteps(from, pose);
-  }
+  int ExpectedSteps(const ScenePose* from, const ScenePose& pose) const;
 
   // The current state of the muscles, to be restored later. set_state()
   // requires a state of the same scene and options.
@@ -104,17 +110,34 @@ class Deformer {
   void set_state(SceneState state) { state_ = std::move(state); }
 
  private:
+  // `scene`: in units of its body's size.
+  struct SizedScene {
+    Scene scene;
+  };
+  Deformer(SizedScene sized, DeformerOptions options);
+
   // Returns the prepared and separated scene, from the cache if available.
   Preparation Prepare(const Scene& scene) const;
   Preparation PrepareAnew(const Scene& scene) const;
 
+  // Return a pose in units of the body's size, and a frame in mm.
+  ScenePose Sized(ScenePose pose) const;
+  Frame InMillimetres(Frame frame) const;
+
   SolvedFrame Solve(const ScenePose& pose, const SceneState* before);
 
+  // All in units of the body's size (Scene::body_size), as is the state.
+  const double body_size_;
   const DeformerOptions options_;
   const MuscleSolvers solvers_;
-  std::unique_ptr<PreparedScene> scene_;
+  std::shared_ptr<const PreparedScene> scene_;
   std::unique_ptr<FrameSolver> frame_solver_;
   SceneState state_;
+
+  // The same for users, in mm.
+  std::shared_ptr<const PreparedScene> scene_in_mm_;
+  ContactReport contact_;
+  std::optional<Frame> rest_frame_;
 };
 
 }  // namespace musclewarp

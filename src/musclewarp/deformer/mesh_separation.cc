@@ -5,9 +5,14 @@
 #include <utility>
 #include <vector>
 
+#include "musclewarp/certificate/scaled_intersections.h"
+#include "musclewarp/deformer/body_size.h"
+#include "musclewarp/deformer/length_options.h"
 #include "musclewarp/deformer/solver_configuration.h"
 #include "musclewarp/frame_solvers/certified_frame.h"
 #include "musclewarp/frames/frame_measures.h"
+#include "musclewarp/frames/scaled_frame.h"
+#include "musclewarp/preparation/scaled_preparation.h"
 #include "musclewarp/scene/scene_checks.h"
 
 namespace musclewarp {
@@ -28,10 +33,12 @@ RestSeparationOptions MeshSeparationOptions() {
   return options;
 }
 
-MeshSeparation SeparateMeshes(const Scene& scene,
-                              const RestSeparationOptions& options,
-                              const ProgressCallback& on_progress) {
-  CheckScene(scene);
+namespace {
+
+// Returns the result in units of the body's size, of a scene in these units.
+MeshSeparation SeparateSized(const Scene& scene,
+                             const RestSeparationOptions& options,
+                             const ProgressCallback& on_progress) {
   MeshSeparation result;
   result.scene = PrepareScene(scene, options.prepare, on_progress);
   result.rest = SeparateRest(options,
@@ -53,6 +60,30 @@ MeshSeparation SeparateMeshes(const Scene& scene,
       std::vector<SolverSummary>(scene.muscles.size(), NothingToSolve()),
       &meshes);
   result.frame.index = 0;
+  return result;
+}
+
+}  // namespace
+
+MeshSeparation SeparateMeshes(const Scene& scene,
+                              const RestSeparationOptions& options,
+                              const ProgressCallback& on_progress,
+                              const std::set<std::string>& lengths_in_mm) {
+  CheckScene(scene);
+  const Scene sized = InBodyUnits(scene);
+  RestSeparationOptions sized_options = options;
+  AskInMillimetres(lengths_in_mm,
+                   sized.body_size,
+                   &sized_options.prepare,
+                   &sized_options.contact,
+                   &sized_options.requirements);
+  MeshSeparation result = SeparateSized(sized, sized_options, on_progress);
+  result.gap = sized_options.contact.step.gap * sized.body_size;
+  if (sized.body_size == 1) return result;
+  ScaleLengths(sized.body_size, &result.scene);
+  ScaleLengths(sized.body_size, &result.rest.intersections);
+  ScaleLengths(sized.body_size, &result.before);
+  ScaleLengths(sized.body_size, &result.frame);
   return result;
 }
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "musclewarp/base/progress.h"
 #include "musclewarp/frame_solvers/rest_separation.h"
 #include "musclewarp/frames/frame.h"
@@ -20,6 +23,8 @@ struct MeshSeparation {
 
   // The separated meshes, measured and judged.
   Frame frame;
+
+  double gap = 0;  // that is kept, mm
 };
 
 // Returns options for a separation without a subsequent motion: without lines
@@ -28,11 +33,14 @@ struct MeshSeparation {
 RestSeparationOptions MeshSeparationOptions();
 
 // Separates the meshes of a scene in their rest pose (SeparateRest), in which
-// lines move nothing. `on_progress` may be empty. Throws InputError if the
+// lines move nothing. Lengths among the options follow the size of the body but
+// for `lengths_in_mm` (DeformerOptions); the result is in mm, apart from the
+// state. `on_progress` may be empty. Throws InputError if the
 // scene contradicts itself, a mesh cannot be read or repaired, or the meshes
 // cannot be separated. Precondition (CHECKed): the options are valid.
 MeshSeparation SeparateMeshes(const Scene& scene,
                               const RestSeparationOptions& options,
-                              const ProgressCallback& on_progress);
+                              const ProgressCallback& on_progress,
+                              const std::set<std::string>& lengths_in_mm = {});
 
 }  // namespace musclewarp

@@ -127,8 +127,8 @@ void Judge(const PreparedScene& scene,
   }
   frame->shortcomings =
       Shortcomings(requirements, frame->intersections, measures);
-  for (std::string& shortcoming :
-       DeliveredShortcomings(frame->delivered_crossings)) {
+  for (std::string& shortcoming : DeliveredShortcomings(
+           frame->delivered_crossings, requirements.body_size)) {
     frame->shortcomings.push_back(std::move(shortcoming));
   }
 }
@@ -213,6 +213,7 @@ Frame CertifiedFrame(const PreparedScene& scene,
       scene, certified, state, requirements.touching_distance, meshes, &frame);
   FrameRequirements with_gap = requirements;
   with_gap.gap = std::max(requirements.gap, certified.options.step.gap);
+  with_gap.body_size = scene.scene.body_size;
   Judge(scene, with_gap, &frame);
   AddBoneOverlaps(scene, *meshes, &frame);
   return frame;

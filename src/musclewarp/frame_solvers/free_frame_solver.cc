@@ -77,6 +77,7 @@ std::vector<std::string> FreeFrameSolver::ShortcomingsOf(
   FrameRequirements requirements = options_.requirements;
   requirements.max_volume_error =
       std::min(requirements.max_volume_error, kMaxVolumeError);
+  requirements.body_size = scene_.scene.body_size;
   return ShapeShortcomings(requirements, measures);
 }
 

@@ -5,7 +5,7 @@
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <iomanip>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -76,14 +76,14 @@ void KeepWorst(Reasons* reasons) {
 // Returns the places of all crossings, one clause each.
 std::string Describe(const PreparedScene& scene,
                      const SceneIntersections& rest) {
+  const double body_size = scene.scene.body_size;
   std::ostringstream text;
-  text << std::fixed << std::setprecision(1);
   const char* separator = "";
   for (const PairIntersection& pair : rest.pairs) {
     if (!pair.Counts()) continue;
-    text << separator << pair.a << " crosses " << pair.b << " around ("
-         << pair.place.x() << ", " << pair.place.y() << ", " << pair.place.z()
-         << "), " << pair.max_depth_mm << " mm deep";
+    text << separator << pair.a << " crosses " << pair.b << " around "
+         << PlaceText(pair.place, body_size) << ", "
+         << LengthText(pair.max_depth_mm, body_size) << " deep";
     separator = "; ";
   }
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
@@ -111,18 +111,20 @@ std::string Text(ReconstructionReason reason) {
 }
 
 std::string Warning(const std::string& name,
-                    const SurfaceReconstruction& reconstruction) {
+                    const SurfaceReconstruction& reconstruction,
+                    double body_size) {
+  const double cm3 = std::pow(body_size, 3) / 1000;
+  const double cm2 = std::pow(body_size, 2) / 100;
   std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << name
-       << " could not be separated by moving its vertices ("
+  text << name << " could not be separated by moving its vertices ("
        << Text(reconstruction.reason) << "), so its mesh was made anew: "
-       << reconstruction.volume_before / 1000 << " cm3 before, "
-       << reconstruction.volume_after / 1000 << " cm3 after; "
-       << reconstruction.lost_area / 100
+       << MeasureText(reconstruction.volume_before * cm3) << " cm3 before, "
+       << MeasureText(reconstruction.volume_after * cm3) << " cm3 after; "
+       << MeasureText(reconstruction.lost_area * cm2)
        << " cm2 of the old surface are not part of the new one";
   if (reconstruction.lost_area > 0) {
-    text << ", around " << PlaceText(reconstruction.place) << ", "
-         << reconstruction.farthest << " mm away at most";
+    text << ", around " << PlaceText(reconstruction.place, body_size) << ", "
+         << LengthText(reconstruction.farthest, body_size) << " away at most";
   }
   return text.str();
 }
@@ -201,8 +203,8 @@ std::vector<int> ReportReconstructions(PreparedScene* scene) {
     const PreparedMuscle& muscle = scene->muscles[i];
     if (!muscle.mesh.reconstruction.is_done) continue;
     reconstructed.push_back(static_cast<int>(i));
-    scene->warnings.push_back(
-        Warning(muscle.model.name, muscle.mesh.reconstruction));
+    scene->warnings.push_back(Warning(
+        muscle.model.name, muscle.mesh.reconstruction, scene->scene.body_size));
     LOG(WARNING) << scene->warnings.back();
   }
   return reconstructed;

@@ -31,10 +31,11 @@ constexpr char kFibres[] = "fibres/";
 #ifdef MUSCLEWARP_WITH_VTK
 void WriteMuscleVtp(const PreparedMuscle& muscle,
                     const MuscleFrame& frame,
+                    double body_size,
                     const fs::path& folder) {
   const MuscleModel& model = muscle.model;
   const Eigen::VectorXd contact =
-      (frame.gaps.array() <= kContactGap).cast<double>();
+      (frame.gaps.array() <= kContactGap * body_size).cast<double>();
   const std::vector<NamedField> fields = {
       {"displacement", frame.points - model.fine_rest},
       {"area_stretch",
@@ -60,6 +61,7 @@ void WriteLinesVtp(const std::vector<Points>& lines, const fs::path& path) {
 #else
 void WriteMuscleVtp(const PreparedMuscle&,
                     const MuscleFrame&,
+                    double,
                     const fs::path&) {
   LOG(FATAL) << "this build cannot write .vtp";
 }
@@ -101,7 +103,7 @@ void WriteMuscles(const PreparedScene& scene,
                         {moved.points, muscle.model.fine_triangles});
       continue;
     }
-    WriteMuscleVtp(muscle, moved, folder);
+    WriteMuscleVtp(muscle, moved, scene.scene.body_size, folder);
     WriteLinesVtp(moved.lines, folder / (kLines + file));
     if (moved.fibres.empty()) continue;
     WriteLinesVtp(moved.fibres, folder / (kFibres + file));

@@ -10,6 +10,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/parallel_for.h"
+#include "musclewarp/base/place_text.h"
 #include "musclewarp/joints/ankle_joints.h"
 #include "musclewarp/joints/arm_joints.h"
 #include "musclewarp/joints/articulation_checks.h"
@@ -19,6 +20,7 @@
 #include "musclewarp/joints/knee_joint.h"
 #include "musclewarp/joints/patella_joint.h"
 #include "musclewarp/joints/pelvis_frame.h"
+#include "musclewarp/joints/skeleton_size.h"
 
 namespace musclewarp {
 namespace {
@@ -356,7 +358,19 @@ class Articulator {
 
 Articulation Articulate(std::vector<Bone> bones,
                         const ArticulationOptions& options) {
-  return Articulator(std::move(bones), options).Articulate();
+  const double size = SkeletonSizeOf(bones);
+  if (size == 1) return Articulator(std::move(bones), options).Articulate();
+  ArticulationOptions of_human = options;
+  for (Bone& bone : bones) bone.mesh.points /= size;
+  for (FoundJoint& joint : of_human.given) ScaleLengths(1 / size, &joint);
+  Articulation found = Articulator(std::move(bones), of_human).Articulate();
+  for (Bone& bone : found.bones) bone.mesh.points *= size;
+  for (FoundJoint& joint : found.joints) ScaleLengths(size, &joint);
+  found.notes.push_back("the bones are " + BodySizeText(size) +
+                        " human size: sentences about joints have the lengths "
+                        "of a skeleton enlarged or reduced to that of a "
+                        "person, all tables and files have those of the bones");
+  return found;
 }
 
 }  // namespace musclewarp

@@ -63,6 +63,9 @@ struct Articulation {
 // nearest bone that has a side, or by their place in the image. Bones of
 // unknown kind belong to no joint and stay fixed to their body.
 //
+// A skeleton that is far from human size (SkeletonSizeOf) is treated as one
+// that is enlarged or reduced to it, so that all lengths of the method fit.
+//
 // Throws InputError, which begins with the name of the bone, if the shape of a
 // femur contradicts its name or its place in the image, as in a mirrored image;
 // and if a joint of `options.joints` lacks its bones, or no joint has any.

@@ -12,12 +12,12 @@
 namespace musclewarp {
 
 void CheckBoneSize(const Bone& bone) {
-  constexpr double kLargest = 3000;  // mm
+  constexpr double kLargest = 1e4;  // mm
   const double diagonal = BoundingBoxDiagonal(bone.mesh.points);
   if (diagonal <= kLargest) return;
   throw InputError(
       bone.name,
-      "is " + Rounded(diagonal / 1000, 1) + " m long, allowed: 3 m",
+      "is " + Rounded(diagonal / 1000, 1) + " m long, allowed: 10 m",
       "give the unit of the files (--units)");
 }
 

@@ -5,7 +5,6 @@
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <iomanip>
 #include <sstream>
 #include <vector>
 
@@ -30,18 +29,21 @@ void PullApartUntilClear(TriangleSoup* soup, RepairReport* report) {
   }
 }
 
-void CheckTwoSided(const Flips& flips, const std::string& name) {
+void CheckTwoSided(const Flips& flips,
+                   double body_size,
+                   const std::string& name) {
   if (flips.conflicts == 0) return;
   throw InputError(name,
                    "the surface has one side only (" +
                        std::to_string(flips.conflicts) +
                        " edges contradict each other, one at " +
-                       PlaceText(flips.conflict) + ")",
+                       PlaceText(flips.conflict, body_size) + ")",
                    "cut the twisted strip out of the mesh");
 }
 
 void CheckClosed(const TriangleSoup& soup,
                  const HoleLimits& limits,
+                 double body_size,
                  const std::string& name) {
   const auto loops = FindBorderLoops(soup.triangles);
   if (loops.empty()) return;
@@ -52,14 +54,14 @@ void CheckClosed(const TriangleSoup& soup,
   Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();
   for (const int v : longest) centre += soup.points.row(v) / longest.size();
   std::ostringstream problem;
-  problem << std::fixed << std::setprecision(1) << "an open border of "
-          << longest.size() << " edges, " << LoopLength(longest, soup.points)
-          << " mm long, around " << PlaceText(centre) << " remains";
+  problem << "an open border of " << longest.size() << " edges, "
+          << LengthText(LoopLength(longest, soup.points), body_size)
+          << " long, around " << PlaceText(centre, body_size) << " remains";
   if (loops.size() > 1) problem << " and " << loops.size() - 1 << " smaller";
-  problem << "; allowed: holes of up to " << limits.max_perimeter
-          << " mm or narrow slits of any length, with up to "
-          << limits.max_edges << " edges, and any of up to "
-          << limits.face_edges << " edges";
+  problem << "; allowed: holes of up to "
+          << LengthText(limits.max_perimeter, body_size)
+          << " or narrow slits of any length, with up to " << limits.max_edges
+          << " edges, and any of up to " << limits.face_edges << " edges";
   throw InputError(name,
                    problem.str(),
                    "close the surface, or allow longer holes (--max_hole)");
@@ -123,7 +125,7 @@ TriangleSoup RepairMesh(const TriangleSoup& soup,
   report->degenerate_triangles = RemoveDegenerateTriangles(&work);
   report->duplicate_triangles = RemoveDuplicateTriangles(&work.triangles);
   const Flips flips = OrientConsistently(&work);
-  CheckTwoSided(flips, name);
+  CheckTwoSided(flips, options.body_size, name);
   report->flipped_triangles = flips.flipped;
   report->separation = SeparateAtNonManifoldEdges(&work);
   report->stitches = StitchBorders(options.stitch_tolerance, &work);
@@ -131,7 +133,7 @@ TriangleSoup RepairMesh(const TriangleSoup& soup,
   report->fillings = FillHoles(options.holes, &work);
   report->separated_vertices = SeparateAtNonManifoldVertices(&work);
   KeepSurfaces(options.pieces, &work, &report->dropped_pieces);
-  CheckClosed(work, options.holes, name);
+  CheckClosed(work, options.holes, options.body_size, name);
   // The surfaces are closed now: each is turned as a whole or not at all.
   report->flipped_triangles += OrientConsistently(&work).flipped;
   report->dropped_points = DropUnreferencedPoints(&work);

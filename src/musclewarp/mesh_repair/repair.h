@@ -24,6 +24,9 @@ struct RepairOptions {
   // The widest crack between two borders that is stitched, mm.
   double stitch_tolerance = 0.3;
 
+  // The unit of lengths, mm (Scene::body_size), for messages.
+  double body_size = 1;
+
   // Which pieces stay.
   PieceOptions pieces;
 

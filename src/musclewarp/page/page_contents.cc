@@ -20,7 +20,9 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 // The step to which gaps are rounded, mm; the largest gap is 100 steps.
-constexpr double kGapStep = kGapLimit / 100;
+double GapStepOf(const RecordedRun& run) {
+  return kGapLimit * run.body_size / 100;
+}
 
 // Of everything at rest.
 double StepOf(const RecordedRun& run) {
@@ -65,6 +67,7 @@ OrderedJson AreasJson(const std::vector<AttachedArea>& areas,
 
 OrderedJson MuscleJson(const RecordedMuscle& muscle,
                        double step,
+                       double gap_step,
                        PackedNumbers* packed) {
   std::vector<int> positions, gaps;
   std::vector<std::vector<const Points*>> lines, fibres;
@@ -72,7 +75,7 @@ OrderedJson MuscleJson(const RecordedMuscle& muscle,
     AppendRounded(muscle.points[pose], step, &positions);
     for (const double gap : muscle.gaps[pose]) {
       // Gaps are rounded away from zero, so that what is inside stays inside.
-      const double steps = gap / kGapStep;
+      const double steps = gap / gap_step;
       gaps.push_back(static_cast<int>(
           std::max(-100.0, steps < 0 ? std::floor(steps) : std::ceil(steps))));
     }
@@ -237,7 +240,7 @@ OrderedJson RunJson(const RecordedRun& run,
   for (const FrameRecord& frame : run.frames) frames.push_back(ToJson(frame));
   OrderedJson muscles = OrderedJson::array();
   for (const RecordedMuscle& muscle : run.muscles) {
-    muscles.push_back(MuscleJson(muscle, step, packed));
+    muscles.push_back(MuscleJson(muscle, step, GapStepOf(run), packed));
   }
   OrderedJson bones = OrderedJson::array();
   for (const RecordedBone& bone : run.bones) {
@@ -249,8 +252,8 @@ OrderedJson RunJson(const RecordedRun& run,
           {"report", report},
           {"frames", frames},
           {"step_mm", step},
-          {"gap_step_mm", kGapStep},
-          {"contact_gap_mm", kContactGap},
+          {"gap_step_mm", GapStepOf(run)},
+          {"contact_gap_mm", kContactGap * run.body_size},
           {"muscles", muscles},
           {"bones", bones},
           {"crossings", CrossingsJson(run, packed)},

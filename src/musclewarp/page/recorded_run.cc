@@ -141,8 +141,11 @@ class PoseReader {
   void Measure() {
     SceneIntersections found = IntersectScene(muscles_, bones_);
     for (std::size_t i = 0; i < muscles_.size(); ++i) {
-      run_->muscles[i].gaps.push_back(VertexGaps(
-          i, muscles_, bones_, found.inside_of_muscles[i], kGapLimit));
+      run_->muscles[i].gaps.push_back(VertexGaps(i,
+                                                 muscles_,
+                                                 bones_,
+                                                 found.inside_of_muscles[i],
+                                                 kGapLimit * run_->body_size));
     }
     run_->intersections.push_back(std::move(found));
   }
@@ -185,6 +188,9 @@ RecordedRun ReadRecordedRun(const std::string& dir, std::ostream& log) {
   RecordedRun run;
   run.dir = dir;
   run.report = nlohmann::ordered_json::parse(ReadFile(path));
+  if (report.Has("body_size")) {
+    run.body_size = report.At("body_size").AsNumber();
+  }
   const JsonField prepare = report.At("prepare");
   PoseReader reader(
       (fs::path(dir) / kRestFolder).string(),

@@ -28,7 +28,7 @@ struct RecordedMuscle {
   // The lines and fibres that the muscle carries.
   std::vector<MuscleLines> lines;
   // The distance of each vertex to the nearest other mesh, #V, mm: negative
-  // inside it, and at most kGapLimit.
+  // inside it, and at most kGapLimit in a human.
   std::vector<Eigen::VectorXd> gaps;
   // The same in all poses.
   std::vector<AttachedArea> attached;
@@ -45,8 +45,10 @@ struct RecordedBone {
 // A run of musclewarp-deform as its files tell it.
 struct RecordedRun {
   std::string dir;
-  // The contents of report.json.
+  // The contents of report.json, and of it Scene::body_size, which older runs
+  // do not have.
   nlohmann::ordered_json report;
+  double body_size = 1;
   // The frames whose files exist; an interrupted run has fewer than planned.
   std::vector<FrameRecord> frames;
   std::vector<RecordedMuscle> muscles;

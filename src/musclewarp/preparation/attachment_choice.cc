@@ -3,9 +3,9 @@
 #include "musclewarp/preparation/attachment_choice.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
+#include "musclewarp/base/place_text.h"
 #include "musclewarp/fibres/attachment_outline.h"
 #include "musclewarp/fibres/continued_lines.h"
 #include "musclewarp/scene/leaving_lines.h"
@@ -63,6 +63,7 @@ std::vector<Attachment> ChooseAttachments(
     const std::vector<FoundAttachment>& found,
     const std::vector<BodySurface>& bodies,
     const std::vector<const TriangleBvh*>& soft_parts,
+    double body_size,
     std::vector<std::string>* warnings) {
   warnings->clear();
   const bool finds =
@@ -80,8 +81,9 @@ std::vector<Attachment> ChooseAttachments(
     std::ostringstream text;
     text << "line " << leaving->line << " of muscle " << muscle.name
          << " leaves " << attachment.body << ", to which the muscle is attached"
-         << " where the line ends, by " << std::round(leaving->distance)
-         << " mm in pose " << leaving->pose
+         << " where the line ends, by "
+         << LengthText(leaving->distance, body_size) << " in pose "
+         << leaving->pose
          << (finds ? "; the muscle follows the line there" : "");
     warnings->push_back(text.str());
     return finds;

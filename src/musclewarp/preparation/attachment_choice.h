@@ -36,6 +36,7 @@ std::vector<Attachment> ChooseAttachments(
     const std::vector<FoundAttachment>& found,
     const std::vector<BodySurface>& bodies,
     const std::vector<const TriangleBvh*>& soft_parts,
+    double body_size,
     std::vector<std::string>* warnings);
 
 }  // namespace musclewarp

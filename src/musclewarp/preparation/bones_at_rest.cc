@@ -8,6 +8,7 @@
 #include <optional>
 #include <sstream>
 
+#include "musclewarp/base/place_text.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/scene/line_targets.h"
@@ -103,8 +104,8 @@ std::string MoveText(const Scene& scene,
                      const SearchableBone& b,
                      const BoneMove& move) {
   std::ostringstream text;
-  text.precision(3);
-  text << b.bone.name << " moves by " << move.distance << " mm against "
+  text << b.bone.name << " moves by "
+       << LengthText(move.distance, scene.body_size) << " against "
        << a.bone.name;
   if (scene.is_motion && move.pose > 0) {
     text << " between frames " << move.pose - 1 << " and " << move.pose;

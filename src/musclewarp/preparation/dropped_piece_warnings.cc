@@ -21,8 +21,10 @@ bool IsBody(const DroppedPiece& piece) {
          kPlate * std::pow(piece.area, 3);
 }
 
-std::string SizeText(double area, double share, double volume) {
-  return MeasureText(area / 100) + " cm2, " + MeasureText(100 * share) +
+std::string SizeText(const DroppedPiece& piece, double body_size) {
+  const double area = piece.area * std::pow(body_size, 2);
+  const double volume = piece.volume * std::pow(body_size, 3);
+  return MeasureText(area / 100) + " cm2, " + MeasureText(100 * piece.share) +
          " % of its surface, " + MeasureText(volume / 1000) + " cm3";
 }
 
@@ -46,7 +48,8 @@ std::string WhyText(DropReason reason) {
 }  // namespace
 
 std::vector<std::string> DroppedPieceWarnings(const std::string& name,
-                                              const RepairReport& repairs) {
+                                              const RepairReport& repairs,
+                                              double body_size) {
   std::vector<std::string> warnings;
   int crumbs = 0;
   bool has_body = false;
@@ -64,18 +67,17 @@ std::vector<std::string> DroppedPieceWarnings(const std::string& name,
     if (piece.reason == DropReason::kFlat && piece.share < kShareWorthAWord) {
       continue;
     }
-    warnings.push_back(name + ": a piece of " +
-                       SizeText(piece.area, piece.share, piece.volume) +
-                       " around " + PlaceText(piece.place) + " is left out" +
-                       WhyText(piece.reason));
+    warnings.push_back(name + ": a piece of " + SizeText(piece, body_size) +
+                       " around " + PlaceText(piece.place, body_size) +
+                       " is left out" + WhyText(piece.reason));
   }
   if (has_body || all.share >= kShareWorthAWord) {
     warnings.push_back(name + ": " + std::to_string(crumbs) +
                        (crumbs == 1 ? " crumb of " : " crumbs of together ") +
-                       SizeText(all.area, all.share, all.volume) +
+                       SizeText(all, body_size) +
                        (crumbs == 1 ? " is" : " are") + " left out" +
                        (crumbs == 1 ? ", around " : ", the largest around ") +
-                       PlaceText(largest.place));
+                       PlaceText(largest.place, body_size));
   }
   return warnings;
 }

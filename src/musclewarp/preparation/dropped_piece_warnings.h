@@ -13,6 +13,7 @@ namespace musclewarp {
 // with its volume, share and place, and one for all crumbs. Flaps without
 // volume and with a share of the surface below 1e-4 are passed over.
 std::vector<std::string> DroppedPieceWarnings(const std::string& name,
-                                              const RepairReport& repairs);
+                                              const RepairReport& repairs,
+                                              double body_size = 1);
 
 }  // namespace musclewarp

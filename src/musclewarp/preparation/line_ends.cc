@@ -6,6 +6,8 @@
 #include <sstream>
 #include <utility>
 
+#include "musclewarp/base/place_text.h"
+
 namespace musclewarp {
 
 std::vector<LineEnd> LineEndsOf(const std::vector<ActionLine>& lines,
@@ -31,15 +33,17 @@ std::vector<LineEnd> LineEndsOf(const std::vector<ActionLine>& lines,
 }
 
 std::vector<std::string> FarEndWarnings(const std::string& muscle,
-                                        const std::vector<LineEnd>& ends) {
+                                        const std::vector<LineEnd>& ends,
+                                        double body_size) {
   std::vector<std::string> warnings;
   for (const LineEnd& end : ends) {
     if (end.distance <= kFarEnd) continue;
     std::ostringstream text;
-    text.precision(3);
-    text << muscle << " ends " << end.distance << " mm away from " << end.body
-         << ", to which its lines are fixed, expected at most " << kFarEnd
-         << " mm: it was segmented too short, or ends on another body "
+    text << muscle << " ends " << LengthText(end.distance, body_size)
+         << " away from " << end.body
+         << ", to which its lines are fixed, expected at most "
+         << LengthText(kFarEnd, body_size)
+         << ": it was segmented too short, or ends on another body "
             "(\"end_bodies\" in the scene names them)";
     warnings.push_back(text.str());
   }

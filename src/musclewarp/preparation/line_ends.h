@@ -27,6 +27,7 @@ std::vector<LineEnd> LineEndsOf(const std::vector<ActionLine>& lines,
 
 // Returns a warning for each end of a muscle beyond kFarEnd.
 std::vector<std::string> FarEndWarnings(const std::string& muscle,
-                                        const std::vector<LineEnd>& ends);
+                                        const std::vector<LineEnd>& ends,
+                                        double body_size);
 
 }  // namespace musclewarp

@@ -29,12 +29,13 @@ void CheckLatticeFits(const std::string& name,
                       double spacing) {
   if (LatticeFits(box, spacing)) return;
   std::ostringstream problem;
-  problem << "is ";
+  problem << "needs ";
   for (int k = 0; k < 3; ++k) {
-    problem << (k > 0 ? " x " : "") << std::round(box.upper[k] - box.lower[k]);
+    problem << (k > 0 ? " x " : "")
+            << std::round((box.upper[k] - box.lower[k]) / spacing);
   }
-  problem << " mm large, which takes " << LatticePoints(box, spacing)
-          << " samples at " << spacing << " mm; allowed: " << kMostPoints;
+  problem << " samples, " << LatticePoints(box, spacing)
+          << " in all; allowed: " << kMostPoints;
   throw InputError(name, problem.str(), "check its unit, or divide it");
 }
 
@@ -56,9 +57,7 @@ void CheckContactFits(const std::vector<NamedMesh>& muscles,
     std::ostringstream problem;
     problem.precision(3);
     problem << "has " << mesh.triangles().rows()
-            << " triangles with edges of about "
-            << TypicalEdge(mesh.points(), mesh.triangles())
-            << " mm, of which contact would have to look at " << pairs
+            << " triangles, of which contact would have to look at " << pairs
             << " pairs; allowed: " << kMostPairs;
     throw InputError(muscle.name,
                      problem.str(),

@@ -116,6 +116,7 @@ void PrepareFromMesh(const Surroundings& surroundings,
                                          found,
                                          surroundings.bodies(),
                                          surroundings.MusclesBeside(m),
+                                         scene.body_size,
                                          &prepared->attachment_warnings);
   muscle.attachments.insert(muscle.attachments.end(), soft.begin(), soft.end());
   const TriangleSoup hull = OuterHull(fine, options.muscle.hull);
@@ -167,19 +168,21 @@ void CheckBones(PreparedScene* prepared) {
 // all of these.
 void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
   std::vector<std::string>& warnings = prepared->warnings;
+  const double body_size = prepared->scene.body_size;
   const auto add = [&](const std::vector<std::string>& more) {
     warnings.insert(warnings.end(), more.begin(), more.end());
   };
   add(prepared->scene.warnings);
   for (const PreparedBone& bone : prepared->bones) {
     add(bone.mesh.notes);
-    add(DroppedPieceWarnings(bone.mesh.name, bone.mesh.repairs));
+    add(DroppedPieceWarnings(bone.mesh.name, bone.mesh.repairs, body_size));
   }
   for (const PreparedMuscle& muscle : prepared->muscles) {
     add(muscle.mesh.notes);
-    add(DroppedPieceWarnings(muscle.model.name, muscle.mesh.repairs));
+    add(DroppedPieceWarnings(
+        muscle.model.name, muscle.mesh.repairs, body_size));
     add(muscle.attachment_warnings);
-    add(FarEndWarnings(muscle.model.name, muscle.line_ends));
+    add(FarEndWarnings(muscle.model.name, muscle.line_ends, body_size));
     if (muscle.fibres.num_lines() >= options.fibres.fibres) continue;
     warnings.push_back(muscle.model.name + " has room for " +
                        std::to_string(muscle.fibres.num_lines()) +
@@ -187,12 +190,15 @@ void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
   }
   std::vector<MeshSize> sizes;
   for (const PreparedBone& bone : prepared->bones) {
-    sizes.push_back({bone.mesh.name, BoundingBoxDiagonal(bone.rest.points)});
+    sizes.push_back(
+        {bone.mesh.name, body_size * BoundingBoxDiagonal(bone.rest.points)});
   }
   for (size_t i = 0; i < prepared->muscles.size(); ++i) {
     const MuscleModel& model = prepared->muscles[i].model;
-    sizes.push_back({model.name, BoundingBoxDiagonal(model.fine_rest)});
-    add(FarLineWarnings(prepared->scene.muscles[i], model.fine_rest));
+    sizes.push_back(
+        {model.name, body_size * BoundingBoxDiagonal(model.fine_rest)});
+    add(FarLineWarnings(
+        prepared->scene.muscles[i], model.fine_rest, body_size));
   }
   add(FoldedLineWarnings(prepared->scene));
   add(ScaleWarnings(sizes, options.scale_warning_ratio));
@@ -272,11 +278,12 @@ void RetriangulateMuscles(const PrepareOptions& options,
 }
 
 PreparedScene PrepareScene(const Scene& scene,
-                           const PrepareOptions& options,
+                           PrepareOptions options,
                            const ProgressCallback& on_progress) {
   const Stopwatch stopwatch;
   std::string error;
   CHECK(options.IsValid(&error)) << error;
+  options.repair.body_size = scene.body_size;
   PreparedScene prepared;
   prepared.scene = scene;
   prepared.bones.resize(scene.bones.size());
@@ -308,9 +315,7 @@ PreparedScene PrepareScene(const Scene& scene,
   const ScopedStage modelling("models of muscles");
   Surroundings surroundings;
   AddBones(prepared.bones, &surroundings);
-  for (const TriangleSoup& muscle : fine) {
-    surroundings.AddMuscle(muscle);
-  }
+  for (const TriangleSoup& muscle : fine) surroundings.AddMuscle(muscle);
   if (makes_lines) {
     AddLines(surroundings, options, &prepared, [&](size_t done) {
       say_progress(num_meshes + done);

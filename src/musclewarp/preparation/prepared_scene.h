@@ -219,7 +219,7 @@ void RetriangulateMuscles(const PrepareOptions& options,
 // cannot be read or repaired. `on_progress` may be empty; it is called on the
 // calling thread. Precondition (CHECKed): the options are valid.
 PreparedScene PrepareScene(const Scene& scene,
-                           const PrepareOptions& options,
+                           PrepareOptions options,
                            const ProgressCallback& on_progress = {});
 
 }  // namespace musclewarp

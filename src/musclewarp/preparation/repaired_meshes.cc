@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/preparation/repaired_meshes.h"
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -21,7 +22,8 @@ TriangleSoup Repaired(const TriangleSoup& delivered,
                       const std::string& path,
                       const PrepareOptions& options,
                       MeshPreparation* preparation) {
-  CheckCoordinates(path.empty() ? name : path, delivered.points);
+  CheckCoordinates(
+      path.empty() ? name : path, delivered.points, options.repair.body_size);
   preparation->name = name;
   preparation->path = path;
   preparation->defects = CountDefects(delivered);
@@ -59,19 +61,20 @@ TriangleSoup RepairMuscle(const PrepareOptions& options,
   MeshParts parts;
   const TriangleSoup delivered =
       DeliveredMesh(muscle, &prepared->mesh.notes, &parts);
-  CheckCoordinates(where, delivered.points);
+  const double body_size = options.repair.body_size;
+  CheckCoordinates(where, delivered.points, body_size);
   // Checked before the repair, whose tolerances assume the size of a muscle.
   CheckMuscleSize(where,
-                  BoundingBoxDiagonal(delivered.points),
+                  body_size * BoundingBoxDiagonal(delivered.points),
                   std::nullopt,
-                  muscle.mm_per_unit);
+                  body_size * muscle.mm_per_unit);
   TriangleSoup fine = Repaired(
       delivered, muscle.name, muscle.mesh_path, options, &prepared->mesh);
   CheckNoPartIsLost(where, parts, delivered, fine, prepared->mesh.repairs);
   CheckMuscleSize(where,
-                  BoundingBoxDiagonal(fine.points),
-                  prepared->mesh.delivered_volume,
-                  muscle.mm_per_unit);
+                  body_size * BoundingBoxDiagonal(fine.points),
+                  std::pow(body_size, 3) * prepared->mesh.delivered_volume,
+                  body_size * muscle.mm_per_unit);
   if (muscle.delivered_volume > 0) {
     prepared->mesh.delivered_volume = muscle.delivered_volume;
   }

@@ -1,6 +1,7 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/report/screen_report.h"
+#include "musclewarp/base/place_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -134,9 +135,8 @@ void PrintPreparation(const PreparedScene& scene,
   for (const std::string& note : scene.scene.notes) out << "  " << note << "\n";
   for (const PreparedMuscle& muscle : scene.muscles) {
     out << "  " << muscle.model.name << ": " << muscle.model.fine_rest.rows()
-        << " vertices, " << std::setprecision(1)
-        << muscle.model.rest_volume / 1000 << " cm3, hull of "
-        << muscle.model.coarse_rest.rows() << " vertices"
+        << " vertices, " << FixedText(muscle.model.rest_volume / 1000, 1)
+        << " cm3, hull of " << muscle.model.coarse_rest.rows() << " vertices"
         << (muscle.hull_encloses ? "" : " that does NOT enclose it")
         << Treatment(muscle.mesh) << "\n";
   }
@@ -166,7 +166,7 @@ void PrintFrames(const RunRecord& run, std::ostream& out) {
   const auto print_counts = [&](const SceneIntersections& counts) {
     out << std::setw(16) << counts.triangle_pairs << std::setw(8)
         << counts.vertices_inside << std::setw(10) << std::fixed
-        << std::setprecision(2) << counts.max_depth_mm;
+        << FixedText(counts.max_depth_mm, 2);
   };
   out << " rest  " << std::setw(name_width) << "" << std::setw(12 + 9 + 14 + 8)
       << "";
@@ -183,7 +183,8 @@ void PrintFrames(const RunRecord& run, std::ostream& out) {
     out << "  " << OutcomeOf(frame) << "\n";
   }
   PrintList("not usable", Shortcomings(run), out);
-  PrintList("warnings", ShapeWarnings(run.frames), out);
+  PrintList(
+      "warnings", ShapeWarnings(run.frames, run.scene->scene.body_size), out);
   PrintTotals(run, out);
 }
 

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <functional>
-#include <iomanip>
 #include <map>
-#include <sstream>
 #include <utility>
 
+#include "musclewarp/base/place_text.h"
 #include "musclewarp/frames/triangle_stretch.h"
 
 namespace musclewarp {
@@ -17,16 +16,7 @@ namespace {
 constexpr size_t kFewestFrames = 5;
 
 std::string At(const Eigen::RowVector3d& place) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << "at (" << place.x() << ", "
-       << place.y() << ", " << place.z() << ")";
-  return text.str();
-}
-
-std::string WithDigits(double value, int digits) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
-  return text.str();
+  return "at " + PlaceText(place);
 }
 
 // Returns the number of the frame with the largest value, or -1 if no value is
@@ -46,21 +36,22 @@ int Worst(const std::vector<FrameRecord>& frames,
 
 void WarnOfDrift(const std::vector<FrameRecord>& frames,
                  size_t muscle,
+                 double body_size,
                  std::vector<std::string>* warnings) {
+  const double limit = kLargestDrift * body_size;
   const size_t count = frames[0].muscles[muscle].attachments.size();
   for (size_t area = 0; area < count; ++area) {
     const auto drift_in = [&](const FrameRecord& f) -> const AttachmentDrift& {
       return f.muscles[muscle].attachments[area];
     };
-    const int worst = Worst(frames, kLargestDrift, [&](const FrameRecord& f) {
-      return drift_in(f).max;
-    });
+    const int worst = Worst(
+        frames, limit, [&](const FrameRecord& f) { return drift_in(f).max; });
     if (worst < 0) continue;
     const AttachmentDrift& drift = drift_in(frames[worst]);
     warnings->push_back(frames[worst].muscles[muscle].name + " leaves " +
                         drift.body + ", to which it is attached, by up to " +
-                        WithDigits(drift.max, 1) + " mm (" +
-                        WithDigits(drift.mean, 1) + " on average) in " +
+                        FixedText(drift.max, 1) + " mm (" +
+                        FixedText(drift.mean, 1) + " on average) in " +
                         frames[worst].name + " " + At(drift.place));
   }
 }
@@ -71,15 +62,15 @@ std::string StretchedAreas(const MuscleRecord& record) {
   const StretchMeasures& stretch = record.shape.triangles;
   if (stretch.largest == 1) return "";
   std::string text = ", 99 % of its surface to at most " +
-                     WithDigits(stretch.quantile_99, 2) + ", 99.9 % to " +
-                     WithDigits(stretch.quantile_999, 2);
+                     FixedText(stretch.quantile_99, 2) + ", 99.9 % to " +
+                     FixedText(stretch.quantile_999, 2);
   if (stretch.largest_patch == 0) return text;
-  text += "; the largest patch beyond " + WithDigits(kStretchOfPatches, 0) +
-          " has " + WithDigits(stretch.largest_patch / 100, 2) + " cm2, " +
+  text += "; the largest patch beyond " + MeasureText(kStretchOfPatches) +
+          " has " + FixedText(stretch.largest_patch / 100, 2) + " cm2, " +
           At(stretch.patch_place);
   if (record.torn_patch.area == 0) return text;
   return text + ", and the largest that contact has torn " +
-         WithDigits(record.torn_patch.area / 100, 2) + " cm2";
+         FixedText(record.torn_patch.area / 100, 2) + " cm2";
 }
 
 void WarnOfStretch(const std::vector<FrameRecord>& frames,
@@ -92,7 +83,7 @@ void WarnOfStretch(const std::vector<FrameRecord>& frames,
   if (worst < 0) return;
   const MuscleRecord& record = frames[worst].muscles[muscle];
   warnings->push_back(record.name + " is stretched to " +
-                      WithDigits(record.shape.max_stretch, 2) +
+                      FixedText(record.shape.max_stretch, 2) +
                       " times its length at rest in " + frames[worst].name +
                       " " + At(record.shape.stretch_place) +
                       StretchedAreas(record));
@@ -101,6 +92,7 @@ void WarnOfStretch(const std::vector<FrameRecord>& frames,
 // The first frame has no frame before it.
 void WarnOfJumps(const std::vector<FrameRecord>& frames,
                  size_t muscle,
+                 double body_size,
                  std::vector<std::string>* warnings) {
   if (frames.size() < kFewestFrames) return;
   const auto change_in = [&](const FrameRecord& f) {
@@ -113,15 +105,15 @@ void WarnOfJumps(const std::vector<FrameRecord>& frames,
   const auto middle = changes.begin() + changes.size() / 2;
   std::nth_element(changes.begin(), middle, changes.end());
   const double median = *middle;
-  const int worst =
-      Worst(frames, std::max(kLeastJump, kJumpRatio * median), change_in);
+  const int worst = Worst(
+      frames, std::max(kLeastJump * body_size, kJumpRatio * median), change_in);
   if (worst < 0) return;
   const MuscleRecord& record = frames[worst].muscles[muscle];
-  warnings->push_back(
-      record.name + " jumps by " + WithDigits(record.shape.max_change, 1) +
-      " mm from " + frames[worst - 1].name + " to " + frames[worst].name +
-      " (the median of its changes is " + WithDigits(median, 1) + " mm) " +
-      At(record.shape.change_place));
+  warnings->push_back(record.name + " jumps by " +
+                      FixedText(record.shape.max_change, 1) + " mm from " +
+                      frames[worst - 1].name + " to " + frames[worst].name +
+                      " (the median of its changes is " + FixedText(median, 1) +
+                      " mm) " + At(record.shape.change_place));
 }
 
 // Sentences of the worst frame of each pair of bones.
@@ -140,7 +132,7 @@ void WarnOfBones(const std::vector<FrameRecord>& frames,
   }
   for (const auto& [names, found] : worst) {
     warnings->push_back(names.first + " and " + names.second + " are " +
-                        WithDigits(found.second->depth_mm, 1) +
+                        FixedText(found.second->depth_mm, 1) +
                         " mm deep in each other in " + found.first->name + " " +
                         At(found.second->place) +
                         ": muscles between them have no room there");
@@ -149,13 +141,14 @@ void WarnOfBones(const std::vector<FrameRecord>& frames,
 
 }  // namespace
 
-std::vector<std::string> ShapeWarnings(const std::vector<FrameRecord>& frames) {
+std::vector<std::string> ShapeWarnings(const std::vector<FrameRecord>& frames,
+                                       double body_size) {
   std::vector<std::string> warnings;
   if (frames.empty()) return warnings;
   for (size_t muscle = 0; muscle < frames[0].muscles.size(); ++muscle) {
-    WarnOfDrift(frames, muscle, &warnings);
+    WarnOfDrift(frames, muscle, body_size, &warnings);
     WarnOfStretch(frames, muscle, &warnings);
-    WarnOfJumps(frames, muscle, &warnings);
+    WarnOfJumps(frames, muscle, body_size, &warnings);
   }
   WarnOfBones(frames, &warnings);
   return warnings;

@@ -10,7 +10,7 @@
 namespace musclewarp {
 
 // A muscle jumps if its largest change from frame to frame is more than so many
-// times the median of the motion, and more than so many mm.
+// times the median of the motion, and more than so many mm in a human.
 constexpr double kJumpRatio = 3;
 constexpr double kLeastJump = 1;
 
@@ -19,6 +19,8 @@ constexpr double kLeastJump = 1;
 // muscles that are stretched too far, jumps, and bones that lie in each other,
 // where frames say so (Frame::bone_overlaps). Frames may be usable
 // nevertheless. Jumps are looked for in motions of at least five frames.
-std::vector<std::string> ShapeWarnings(const std::vector<FrameRecord>& frames);
+// Limits follow the size of the body (Scene::body_size).
+std::vector<std::string> ShapeWarnings(const std::vector<FrameRecord>& frames,
+                                       double body_size = 1);
 
 }  // namespace musclewarp

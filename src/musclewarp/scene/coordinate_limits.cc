@@ -25,11 +25,14 @@ std::string PlaceText(const Eigen::RowVector3d& place) {
 
 std::string AllowedCoordinates() { return "allowed: -1e7 to 1e7 mm"; }
 
-void CheckCoordinates(const std::string& where, const Points& points) {
+void CheckCoordinates(const std::string& where,
+                      const Points& points,
+                      double body_size) {
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    if (IsAllowed(points.row(i))) continue;
+    const Eigen::RowVector3d place = body_size * points.row(i);
+    if (IsAllowed(place)) continue;
     throw InputError(where + ": point " + std::to_string(i),
-                     PlaceText(points.row(i)),
+                     PlaceText(place),
                      AllowedCoordinates());
   }
 }

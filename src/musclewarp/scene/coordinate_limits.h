@@ -22,7 +22,9 @@ std::string AllowedCoordinates();
 // Throws InputError if a coordinate of `points` (#P x 3, mm) is not finite or
 // larger than kLargestCoordinate. `where` names the file and the field; the
 // message adds the index of the point, counted from 0, and its place.
-void CheckCoordinates(const std::string& where, const Points& points);
+void CheckCoordinates(const std::string& where,
+                      const Points& points,
+                      double body_size = 1);
 
 // The same for the translation of a rigid motion (mm), and for its rotation,
 // which must be finite.

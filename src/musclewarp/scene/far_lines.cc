@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "musclewarp/base/place_text.h"
 #include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {
@@ -23,7 +24,8 @@ double DistanceToVertices(const Eigen::RowVector3d& place,
 }  // namespace
 
 std::vector<std::string> FarLineWarnings(const SceneMuscle& muscle,
-                                         const Points& points) {
+                                         const Points& points,
+                                         double body_size) {
   CHECK_GT(points.rows(), 0);
   const double diagonal = BoundingBoxDiagonal(points);
   std::vector<std::string> warnings;
@@ -38,9 +40,10 @@ std::vector<std::string> FarLineWarnings(const SceneMuscle& muscle,
     }
     if (farthest <= kFar * diagonal) continue;
     std::ostringstream text;
-    text << "point " << index << " of line " << line.name << " is " << farthest
-         << " mm away from muscle " << muscle.name << ", which is " << diagonal
-         << " mm across: are both in millimetres and in one frame?";
+    text << "point " << index << " of line " << line.name << " is "
+         << LengthText(farthest, body_size) << " away from muscle "
+         << muscle.name << ", which is " << LengthText(diagonal, body_size)
+         << " across: are both in millimetres and in one frame?";
     warnings.push_back(text.str());
   }
   return warnings;

@@ -17,6 +17,7 @@ namespace musclewarp {
 // is about four times as long. `points` are those of the mesh (#V x 3, mm, rest
 // pose); precondition (CHECKed): there is one.
 std::vector<std::string> FarLineWarnings(const SceneMuscle& muscle,
-                                         const Points& points);
+                                         const Points& points,
+                                         double body_size = 1);
 
 }  // namespace musclewarp

@@ -18,8 +18,8 @@ struct LengthUnit {
 constexpr LengthUnit kUnits[] = {
     {"mm", "millimetres", 1}, {"cm", "centimetres", 10}, {"m", "metres", 1000}};
 
-constexpr double kShortest = 1, kLongest = 5000;         // mm
-constexpr double kSmallest = 0.05, kLargest = 2e8;       // mm^3
+constexpr double kShortest = 1, kLongest = 2e4;          // mm
+constexpr double kSmallest = 0.05, kLargest = 2e10;      // mm^3
 constexpr double kLikelyShort = 10, kLikelyLong = 1000;  // mm, of people
 
 }  // namespace

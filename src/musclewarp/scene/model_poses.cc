@@ -11,6 +11,7 @@
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/opensim/guiding_path.h"
 #include "musclewarp/opensim/rest_pose.h"
+#include "musclewarp/scene/scaled_scene.h"
 
 namespace musclewarp {
 namespace {
@@ -161,6 +162,7 @@ ScenePose PoseAt(const ModelPoses& poses, const CoordinateValues& values) {
     pose.path_lengths[muscle.name] =
         PathLength(muscle, ground_from_body, values);
   }
+  if (poses.body_size != 1) ScaleLengths(1 / poses.body_size, &pose);
   return pose;
 }
 

@@ -38,6 +38,10 @@ struct ModelPoses {
   std::vector<int> muscles;
   std::vector<int> given_coordinates;
   std::vector<int> moving_coordinates;
+
+  // The unit of the lengths of poses, mm (Scene::body_size). All fields above
+  // are in mm.
+  double body_size = 1;
 };
 
 // Where a scene's meshes are on the model, as its scene file says.
@@ -68,7 +72,8 @@ ModelPoses BindModel(Model model,
 ActionLine LineOfMuscle(const ModelPoses& poses, int muscle);
 
 // Returns the bodies and lines of the scene at some values of the model's
-// coordinates (rad or m), to which couplers must have been applied.
+// coordinates (rad or m), to which couplers must have been applied. Lengths are
+// in units of `body_size`.
 ScenePose PoseAt(const ModelPoses& poses, const CoordinateValues& values);
 
 }  // namespace musclewarp

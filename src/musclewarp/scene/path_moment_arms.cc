@@ -30,7 +30,8 @@ std::map<std::string, std::map<std::string, double>> PathMomentArms(
                       scene.model->model
                           .muscles[scene.model->model.FindMuscle(line.name)],
                       poses.coordinate,
-                      pose.model_values)
+                      pose.model_values) /
+                      scene.model->body_size
                 : -(PathLengthIn(poses.after, line) -
                     PathLengthIn(poses.before, line)) /
                       (2 * PerturbedPoses::kStep);

@@ -97,6 +97,13 @@ struct Scene {
   std::string axes = "LPS";
   std::string side = "right";
 
+  // How large the body is against a human one, a power of two: 1 for humans of
+  // any size (deformer/body_size.h). Where frames are computed, lengths are in
+  // units of as many millimetres, so that all lengths of the method, which are
+  // those that suit people, have their meaning; all that is said and returned
+  // is in mm.
+  double body_size = 1;
+
   std::vector<SceneMuscle> muscles;
   std::vector<SceneBone> bones;
   std::vector<ScenePose> poses;

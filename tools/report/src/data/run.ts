@@ -99,6 +99,7 @@ export interface Run {
   folder: string;
   report: Report;
   frames: FrameRecord[];
+  gapLimit: number; // up to which gaps were looked for, mm
   contactGap: number;
   step: number;
   muscles: Muscle[];
@@ -167,6 +168,7 @@ function runFrom(json: RunJson, packed: PackedNumbers): Run {
     folder: json.folder,
     report: json.report,
     frames: json.frames,
+    gapLimit: 100 * json.gap_step_mm,
     contactGap: json.contact_gap_mm,
     step: json.step_mm,
     muscles: json.muscles.map((muscle) => muscleFrom(muscle, json, packed)),

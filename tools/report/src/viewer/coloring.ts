@@ -128,27 +128,33 @@ const stretchScale: VertexScale = {
   say: (value) => `area ${value.toFixed(2)} of that at rest`,
 };
 
-const gapScale: VertexScale = {
+const threeDigits = (value: number) => String(Number(value.toPrecision(3)));
+
+// A gap with a digit more than a hundredth of the limit has.
+const millimetres = (value: number, limit: number) =>
+  value.toFixed(Math.max(2, 2 - Math.floor(Math.log10(limit))));
+
+const gapScale = (limit: number): VertexScale => ({
   title: "gap to the nearest mesh",
   unit: "mm",
   values: (muscle, pose) => muscle.gapsAt(pose),
   // A tenth of the scale is for what is inside another mesh.
-  place: (value) => (value < 0 ? 0 : 0.1 + (0.9 * value) / 5),
+  place: (value) => (value < 0 ? 0 : 0.1 + (0.9 * value) / limit),
   color: (place) =>
     place < 0.1 ? insideColor : interpolateCividis((place - 0.1) / 0.9),
   ticks: [
     [0.05, "inside"],
-    [0.1 + 0.9 / 5, "1"],
-    [0.55, "2.5"],
-    [1, "5"],
+    [0.1 + 0.9 / 5, threeDigits(limit / 5)],
+    [0.55, threeDigits(limit / 2)],
+    [1, threeDigits(limit)],
   ],
   say: (value) =>
     value < 0
-      ? `${(-value).toFixed(2)} mm inside another mesh`
-      : value >= 5
-        ? "5 mm or more to the next mesh"
-        : `${value.toFixed(2)} mm to the next mesh`,
-};
+      ? `${millimetres(-value, limit)} mm inside another mesh`
+      : value >= limit
+        ? `${threeDigits(limit)} mm or more to the next mesh`
+        : `${millimetres(value, limit)} mm to the next mesh`,
+});
 
 function contactScale(contactGap: number): VertexScale {
   const color = (place: number) =>
@@ -215,7 +221,7 @@ export function vertexScale(
     case "stretch":
       return stretchScale;
     case "gap":
-      return gapScale;
+      return gapScale(runs[0].gapLimit);
     case "contact":
       return contactScale(runs[0].contactGap);
     case "attachment":

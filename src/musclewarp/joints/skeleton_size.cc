@@ -1,0 +1,69 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/joints/skeleton_size.h"
+
+#include <cmath>
+
+#include "musclewarp/mesh/measures.h"
+
+namespace musclewarp {
+namespace {
+
+// The diagonal of the bounding box of a bone of an adult, mm, to a tenth or so;
+// 0 for bones that tell too little.
+double UsualDiagonal(BoneKind kind) {
+  switch (kind) {
+    case BoneKind::kPelvis:
+      return 370;
+    case BoneKind::kHipBone:
+      return 280;
+    case BoneKind::kFemur:
+      return 460;
+    case BoneKind::kTibia:
+      return 370;
+    case BoneKind::kScapula:
+      return 220;
+    case BoneKind::kHumerus:
+      return 330;
+    case BoneKind::kUlna:
+      return 270;
+    case BoneKind::kRadius:
+      return 250;
+    default:
+      return 0;
+  }
+}
+
+// Of human skeletons, and of what animals are as small as, against an adult.
+constexpr double kLeastOfHuman = 0.3, kMostOfHuman = 2;
+constexpr double kLeast = 1.0 / 64;
+
+}  // namespace
+
+double SkeletonSizeOf(const std::vector<Bone>& bones) {
+  double sum = 0;
+  int count = 0;
+  for (const Bone& bone : bones) {
+    const double usual = UsualDiagonal(bone.kind);
+    if (usual == 0 || bone.mesh.points.rows() == 0) continue;
+    const double ratio = BoundingBoxDiagonal(bone.mesh.points) / usual;
+    if (!(ratio > 0) || !std::isfinite(ratio)) continue;
+    sum += std::log2(ratio);
+    ++count;
+  }
+  if (count == 0) return 1;
+  const double size = std::exp2(sum / count);
+  if (size < kLeast || (size >= kLeastOfHuman && size < kMostOfHuman)) return 1;
+  return std::exp2(std::round(std::log2(size)));
+}
+
+void ScaleLengths(double factor, FoundJoint* joint) {
+  joint->center *= factor;
+  for (FittedShape& shape : joint->shapes) {
+    shape.center *= factor;
+    shape.radius *= factor;
+    shape.spread *= factor;
+  }
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,43 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/base/place_text.h"
+
+#include <gtest/gtest.h>
+
+namespace musclewarp {
+namespace {
+
+TEST(PlaceText, HasATenthOfAMillimetreOfAHuman) {
+  EXPECT_EQ(PlaceText({1, -2.25, 300}), "(1.0, -2.2, 300.0)");
+  EXPECT_EQ(PlaceText({32, -64, 1}, 1.0 / 32), "(1.000, -2.000, 0.031)");
+  EXPECT_EQ(PlaceText({1, 2, 3}, 16), "(16.0, 32.0, 48.0)");
+}
+
+TEST(MeasureText, HasThreeDigitsOrAllBeforeThePoint) {
+  EXPECT_EQ(MeasureText(26.66), "26.7");
+  EXPECT_EQ(MeasureText(0.005123), "0.00512");
+  EXPECT_EQ(MeasureText(30), "30");
+  EXPECT_EQ(MeasureText(999.7), "1000");
+  EXPECT_EQ(MeasureText(-255012.4), "-255012");
+  EXPECT_EQ(MeasureText(0), "0");
+}
+
+TEST(FixedText, HasThreeSignificantDigitsAtLeast) {
+  EXPECT_EQ(FixedText(43.62, 1), "43.6");
+  EXPECT_EQ(FixedText(0.0054321, 1), "0.00543");
+  EXPECT_EQ(FixedText(1234.5678, 3), "1234.568");
+  EXPECT_EQ(FixedText(0, 2), "0.00");
+}
+
+TEST(LengthText, IsInMillimetres) {
+  EXPECT_EQ(LengthText(3.25), "3.25 mm");
+  EXPECT_EQ(LengthText(16, 1.0 / 32), "0.5 mm");
+}
+
+TEST(BodySizeText, IsAFractionOrATimes) {
+  EXPECT_EQ(BodySizeText(1.0 / 32), "1/32 of");
+  EXPECT_EQ(BodySizeText(16), "16 times");
+}
+
+}  // namespace
+}  // namespace musclewarp

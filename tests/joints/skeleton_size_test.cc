@@ -1,0 +1,66 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/joints/skeleton_size.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "joints/made_leg.h"
+#include "musclewarp/joints/articulation.h"
+
+namespace musclewarp {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::vector<Bone> ScaledLeg(double factor) {
+  std::vector<Bone> bones = LegOf(Side::kRight).bones;
+  for (Bone& bone : bones) bone.mesh.points *= factor;
+  return bones;
+}
+
+TEST(SkeletonSize, IsOneForPeopleOfAnySizeAndForPartsOfBones) {
+  for (const double factor : {0.6, 1.0, 1.6}) {
+    EXPECT_EQ(SkeletonSizeOf(ScaledLeg(factor)), 1) << factor;
+  }
+  EXPECT_EQ(SkeletonSizeOf({}), 1);
+}
+
+TEST(SkeletonSize, IsThePowerOfTwoByWhichASkeletonIsLarger) {
+  for (const double factor : {1.0 / 32, 1.0 / 4, 8.0}) {
+    EXPECT_EQ(SkeletonSizeOf(ScaledLeg(factor)), factor);
+  }
+}
+
+// As a mesh in metres is that was taken for one in mm.
+TEST(SkeletonSize, IsOneForWhatNoAnimalIsAsSmallAs) {
+  EXPECT_EQ(SkeletonSizeOf(ScaledLeg(1e-3)), 1);
+}
+
+TEST(SkeletonSize, AScaledSkeletonHasTheScaledJointsToTheLastBit) {
+  const Articulation human = Articulate(ScaledLeg(1), {});
+  for (const double factor : {1.0 / 32, 8.0}) {
+    const Articulation animal = Articulate(ScaledLeg(factor), {});
+    ASSERT_EQ(animal.joints.size(), human.joints.size());
+    for (size_t i = 0; i < human.joints.size(); ++i) {
+      const FoundJoint& a = human.joints[i];
+      const FoundJoint& b = animal.joints[i];
+      EXPECT_EQ(factor * a.center, b.center);
+      EXPECT_EQ(a.parent_axes, b.parent_axes);
+      EXPECT_EQ(a.child_axes, b.child_axes);
+      EXPECT_EQ(a.verdict.quality, b.verdict.quality);
+      ASSERT_EQ(a.shapes.size(), b.shapes.size());
+      for (size_t k = 0; k < a.shapes.size(); ++k) {
+        EXPECT_EQ(factor * a.shapes[k].radius, b.shapes[k].radius);
+      }
+    }
+    EXPECT_EQ(animal.bones[0].mesh.points, ScaledLeg(factor)[0].mesh.points);
+    ASSERT_FALSE(animal.notes.empty());
+    EXPECT_THAT(animal.notes.back(), HasSubstr("human size"));
+  }
+}
+
+}  // namespace
+}  // namespace musclewarp
