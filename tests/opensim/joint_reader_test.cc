@@ -130,6 +130,37 @@ TEST(JointReader, RefusesTwoCoordinatesOfOneName) {
                 {"line", "second coordinate", "\"q\""});
 }
 
+TEST(JointReader, RefusesAFunctionThatIsNotThatOfItsAxis) {
+  for (const char* function :
+       {"<LinearFunction><coefficients>1 0</coefficients></LinearFunction>",
+        "<Constant name=\"f\"><value>1</value></Constant>",
+        "<SimmSpline/>"}) {
+    std::string text = CustomModel(kIdentity);
+    const auto begin = text.find("<function>");
+    ASSERT_NE(begin, std::string::npos);
+    const auto end = text.find("</function>", begin);
+    text.replace(begin, end + 11 - begin, function);
+    ExpectRefused(text, {"line", "not named as the function of its axis"});
+  }
+}
+
+TEST(JointReader, ReadsRanges) {
+  std::string joint = Joint4("PinJoint", "q");
+  const std::string plain = "<Coordinate name=\"q\"";
+  const auto at = joint.find(plain);
+  ASSERT_NE(at, std::string::npos);
+  const auto end = joint.find('>', at);
+  ASSERT_EQ(joint[end - 1], '/');
+  joint.replace(
+      end - 1, 2, "><range>-1.5 2</range><clamped>true</clamped></Coordinate>");
+  const Model model = ReadText(Model4(joint));
+  ASSERT_TRUE(model.coordinates[0].range);
+  EXPECT_EQ((*model.coordinates[0].range)[0], -1.5);
+  EXPECT_EQ((*model.coordinates[0].range)[1], 2);
+  EXPECT_TRUE(model.coordinates[0].is_clamped);
+  EXPECT_FALSE(ReadText(PinModel()).coordinates[0].range);
+}
+
 TEST(JointReader, RefusesAxesThatAreNotComplete) {
   ExpectRefused(CustomModel(kIdentity, "0 0 0"), {"line", "no axis"});
   ExpectRefused(CustomModel("<LinearFunction><coefficients>1 2 "

@@ -43,6 +43,30 @@ TEST(ModelReader, ReadsBothVersions) {
   }
 }
 
+TEST(ModelReader, TellsCoordinatesOfOneNameApartByTheirJoints) {
+  // A further joint between ground and shank, of the same coordinates.
+  const std::string second =
+      Replaced(Joint4("BallJoint", "rx ry q"), "knee_joint", "loop");
+  const Model model =
+      ReadText(Model4(Joint4("BallJoint", "rx ry rz") + second));
+  ASSERT_EQ(model.coordinates.size(), 6u);
+  EXPECT_EQ(model.coordinates[0].name, "knee_joint/rx");
+  EXPECT_EQ(model.coordinates[2].name, "rz");
+  EXPECT_EQ(model.coordinates[3].name, "loop/rx");
+  EXPECT_EQ(model.coordinates[5].name, "q");
+  EXPECT_EQ(model.joints[2].rotations[1].coordinates[0], 4);
+}
+
+TEST(ModelReader, SaysThatOnlyOneOfTwoMusclesOfOneNameIsUsed) {
+  const std::string muscle = Muscle(
+      "m", Point4("a", "thigh", "0 0 0") + Point4("b", "shank", "0 0 0"));
+  const Model model =
+      ReadText(Model4(Joint4("PinJoint", "q"), "", muscle + muscle));
+  EXPECT_EQ(model.muscles.size(), 1u);
+  ASSERT_EQ(model.warnings.size(), 1u);
+  EXPECT_THAT(model.warnings[0], HasSubstr("further one of the name \"m\""));
+}
+
 TEST(ModelReader, WarningsOfTheXmlAreKept) {
   const Model model = ReadText(Replaced(PinModel(),
                                         "<Ground name=",

@@ -54,6 +54,23 @@ TEST(MotionColumns, CoordinatesAreFoundByNameAndByPath) {
   EXPECT_THAT(Match({"hip_r/hip_flexion_r"}).coordinates, ElementsAre(2));
 }
 
+TEST(MotionColumns, ANameThatTwoJointsHaveIsNoOnes) {
+  Model model = RightLeg();
+  for (const char* joint : {"ball_1", "ball_2"}) {
+    Coordinate coordinate;
+    coordinate.joint = joint;
+    coordinate.name = std::string(joint) + "/rx";
+    model.coordinates.push_back(coordinate);
+  }
+  const MotionColumns columns =
+      MatchColumns(model,
+                   OneRow({"rx", "/jointset/ball_2/rx/value", "knee_angle_r"}),
+                   "m.mot");
+  EXPECT_THAT(columns.coordinates, ElementsAre(-1, 5, 3));
+  EXPECT_THAT(columns.ambiguous, ElementsAre(0));
+  EXPECT_THAT(columns.others, IsEmpty());
+}
+
 TEST(MotionColumns, WhatIsNoCoordinateIsLeftOut) {
   const std::vector<std::string> labels = {
       "ground_force_vx",  // twice, as in the files of Gait2392

@@ -10,6 +10,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/xml_text.h"
+#include "musclewarp/opensim/osim_xml.h"
 
 namespace musclewarp {
 namespace {
@@ -31,36 +32,59 @@ bool IsJoint(pugi::xml_node node) {
          node.attribute("name");
 }
 
-// The path of a coordinate in a model of OpenSim 4: older joints, which are in
-// bodies, are moved to the set of joints under their names.
+pugi::xml_node JointAround(pugi::xml_node coordinate) {
+  pugi::xml_node joint = coordinate;
+  while (joint && !IsJoint(joint)) joint = joint.parent();
+  return joint;
+}
+
+// The path of a coordinate, by its name in a Model, in a model of OpenSim 4:
+// older joints, which are in bodies, are moved to the set of joints under their
+// names.
 std::string CoordinatePath(const pugi::xml_document& document,
                            const std::string& where,
                            const std::string& name) {
+  const size_t slash = name.find('/');
+  const std::string joint_name =
+      slash == std::string::npos ? "" : name.substr(0, slash);
+  const std::string last = LastName(name);
   const pugi::xml_node coordinate =
       document.find_node([&](pugi::xml_node node) {
         return std::string(node.name()) == "Coordinate" &&
-               node.attribute("name").value() == name;
+               node.attribute("name").value() == last &&
+               (joint_name.empty() ||
+                JointAround(node).attribute("name").value() == joint_name);
       });
-  pugi::xml_node joint = coordinate;
-  while (joint && !IsJoint(joint)) joint = joint.parent();
+  const pugi::xml_node joint = JointAround(coordinate);
   if (!joint) {
     throw InputError(where + ": coordinate \"" + name + "\"",
                      "is not in a joint with a name",
                      "check the model");
   }
   return std::string("/jointset/") + joint.attribute("name").value() + "/" +
-         name;
+         last;
 }
 
 pugi::xml_node PathOfMuscle(const pugi::xml_document& document,
                             const std::string& where,
                             const std::string& muscle) {
-  const pugi::xml_node path = document.find_node([&](pugi::xml_node node) {
+  pugi::xml_node path;
+  int count = 0;
+  document.find_node([&](pugi::xml_node node) {
     pugi::xml_node force = node.parent();
     if (std::string(force.name()) == "path") force = force.parent();
-    return std::string(node.name()) == kPath &&
-           force.attribute("name").value() == muscle;
+    if (std::string(node.name()) == kPath &&
+        force.attribute("name").value() == muscle && ++count == 1) {
+      path = node;
+    }
+    return false;
   });
+  if (count > 1) {
+    throw InputError(where,
+                     "has " + std::to_string(count) + " muscles named \"" +
+                         muscle + "\", and one path is for one of them",
+                     "give every muscle of the model a name of its own");
+  }
   if (path) return path;
   throw InputError(where,
                    "has no muscle \"" + muscle + "\" with a <GeometryPath>",

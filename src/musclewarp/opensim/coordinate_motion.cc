@@ -6,6 +6,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/short_list.h"
+#include "musclewarp/opensim/coordinate_ranges.h"
 #include "musclewarp/opensim/motion_columns.h"
 
 namespace musclewarp {
@@ -81,6 +82,15 @@ CoordinateMotion MotionOf(const Model& model,
   if (!columns.others.empty()) {
     motion.warnings.push_back(LeftOut(columns.others, model, path));
   }
+  for (const int column : columns.ambiguous) {
+    const std::string& label = table.labels[column];
+    motion.warnings.push_back(path + ": column \"" + label + "\" " +
+                              WhyNoCoordinate(model, label) +
+                              "; it is left out");
+    for (const std::string& name : model.CoordinatesCalled(label)) {
+      motion.ambiguous.push_back(model.FindCoordinate(name));
+    }
+  }
   motion.values.assign(table.times.size(), DefaultValues(model));
   for (size_t i = 0; i < columns.coordinates.size(); ++i) {
     const int coordinate = columns.coordinates[i];
@@ -102,6 +112,9 @@ CoordinateMotion MotionOf(const Model& model,
         "has no column that is a coordinate of " + model.path,
         "name columns after coordinates: " + KnownCoordinates(model));
   }
+  const std::vector<std::string> beyond =
+      RangeWarnings(model, motion.given, motion.values, path, in_degrees);
+  motion.warnings.insert(motion.warnings.end(), beyond.begin(), beyond.end());
   for (CoordinateValues& values : motion.values) ApplyCouplers(model, &values);
   return motion;
 }

@@ -22,6 +22,10 @@ struct CoordinateMotion {
   std::vector<int> given;
   std::vector<int> moving;
 
+  // The coordinates of several joints that have the name of a column, which
+  // does not say whose value it is: their values are not known.
+  std::vector<int> ambiguous;
+
   // What in the table was ignored or does not agree with its header.
   std::vector<std::string> warnings;
 };

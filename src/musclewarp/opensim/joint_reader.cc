@@ -28,22 +28,43 @@ const std::map<std::string, std::vector<std::string>>& AxesOfJoints() {
   return kAxes;
 }
 
+// Returns the coordinate of a joint, both by name, or -1.
+int CoordinateOfJoint(const Model& model,
+                      const std::string& joint,
+                      const std::string& name) {
+  for (size_t i = 0; i < model.coordinates.size(); ++i) {
+    const Coordinate& coordinate = model.coordinates[i];
+    if (coordinate.joint == joint && coordinate.name == name) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
 // Adds a coordinate and returns its index.
 int AddCoordinate(const OsimXml& xml,
                   pugi::xml_node node,
+                  const Joint& joint,
                   std::string name,
                   CoordinateKind kind,
                   Model* model) {
-  if (model->FindCoordinate(name) >= 0) {
+  if (CoordinateOfJoint(*model, joint.name, name) >= 0) {
     xml.Fail(node,
-             "is the second coordinate with the name \"" + name + "\"",
+             "is the second coordinate with the name \"" + name +
+                 "\" of a joint \"" + joint.name + "\"",
              "give every coordinate a name of its own");
   }
   Coordinate coordinate;
   coordinate.name = std::move(name);
+  coordinate.joint = joint.name;
   coordinate.kind = kind;
   coordinate.default_value = xml.Number(node, "default_value", 0);
   coordinate.is_locked = xml.Bool(node, "locked", false);
+  const auto range = xml.Numbers(node.child("range"));
+  if (range.size() == 2 && range[0] < range[1]) {
+    coordinate.range = {range[0], range[1]};
+  }
+  coordinate.is_clamped = xml.Bool(node, "clamped", false);
   model->coordinates.push_back(std::move(coordinate));
   return static_cast<int>(model->coordinates.size()) - 1;
 }
@@ -71,6 +92,7 @@ void AddCoupledCoordinates(const OsimXml& xml,
   for (size_t i = 0; i < elements.size(); ++i) {
     AddCoordinate(xml,
                   elements[i],
+                  joint,
                   CoordinateName(elements[i], joint, i),
                   CoordinateKind::kCoupled,
                   model);
@@ -97,6 +119,7 @@ void SetKnownAxes(const OsimXml& xml,
     axis.coordinates = {AddCoordinate(
         xml,
         element,
+        *joint,
         name,
         turns ? CoordinateKind::kRotational : CoordinateKind::kTranslational,
         model)};
@@ -113,6 +136,25 @@ bool IsIdentity(const OsimXml& xml, pugi::xml_node function) {
          coefficients[1] == 0;
 }
 
+bool EndsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() &&
+         text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+// A function that is not the property "function" would move nothing.
+void CheckNoFunctionIsNameless(const OsimXml& xml, pugi::xml_node node) {
+  for (const pugi::xml_node child : ElementsOf(node)) {
+    const std::string tag = child.name();
+    if (tag != "Constant" && !EndsWith(tag, "Function") &&
+        !EndsWith(tag, "Spline")) {
+      continue;
+    }
+    xml.Fail(child,
+             "is not named as the function of its axis",
+             "write <" + tag + " name=\"function\">, or remove it");
+  }
+}
+
 void SetAxis(const OsimXml& xml,
              pugi::xml_node node,
              bool turns,
@@ -121,7 +163,10 @@ void SetAxis(const OsimXml& xml,
              Model* model) {
   axis->axis = xml.Vector(node, "axis", Eigen::Vector3d::Zero());
   const pugi::xml_node function = FunctionElement(node, "function");
-  if (!function) return;
+  if (!function) {
+    CheckNoFunctionIsNameless(xml, node);
+    return;
+  }
   if (axis->axis.norm() == 0) {
     xml.Fail(node,
              "has a function, but no axis or one of length 0",
@@ -145,7 +190,8 @@ void SetAxis(const OsimXml& xml,
     const size_t end =
         std::min(names.find_first_of(" \t\r\n", begin), names.size());
     const std::string name = names.substr(begin, end - begin);
-    const int coordinate = model->FindCoordinate(LastName(name));
+    int coordinate = CoordinateOfJoint(*model, joint->name, LastName(name));
+    if (coordinate < 0) coordinate = model->FindCoordinate(name);
     if (coordinate < 0) {
       xml.Fail(node.child("coordinates"),
                "names \"" + name + "\", which is not a coordinate of the model",

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,9 +33,18 @@ enum class CoordinateKind {
 
 // A degree of freedom of a joint.
 struct Coordinate {
+  // A name that no other coordinate of the model has: where two joints have one
+  // of the same name, that of the joint and of the coordinate, as in
+  // "freejoint_1/rx".
   std::string name;
+
+  std::string joint;  // the name of its joint
   CoordinateKind kind = CoordinateKind::kRotational;
   double default_value = 0;
+
+  // The values that it is meant for, rad or m; none if the model does not say.
+  std::optional<std::array<double, 2>> range;
+  bool is_clamped = false;  // true if OpenSim keeps it in the range
 
   // True if the model holds the coordinate at its default value. A motion may
   // move it all the same.
@@ -157,11 +167,23 @@ struct Model {
   // constraints. Each kind is mentioned once.
   std::vector<std::string> warnings;
 
-  // Return the index of the part with a name, or -1 if there is none.
+  // Return the index of the part with a name, or -1 if there is none. A
+  // coordinate may also be named by its path, of which that of the model comes
+  // first and "value" last, as in "/jointset/knee_r/knee_angle_r/value"; and of
+  // two muscles of one name the first is found.
   int FindBody(const std::string& body) const;
   int FindCoordinate(const std::string& coordinate) const;
   int FindMuscle(const std::string& muscle) const;
+
+  // Returns the names of the coordinates that are told apart by their joints
+  // and would otherwise have this name: none or at least two.
+  std::vector<std::string> CoordinatesCalled(const std::string& name) const;
 };
+
+// Says why FindCoordinate() has none of this name, as the end of a sentence
+// that begins with it: "is not a coordinate of the model", or that joints have
+// several of the name.
+std::string WhyNoCoordinate(const Model& model, const std::string& name);
 
 // Reads a model of OpenSim 2 to 4 from an .osim file.
 //

@@ -1,6 +1,7 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
@@ -91,6 +92,19 @@ void ReadJoints(const OsimXml& xml,
   }
 }
 
+// Gives coordinates of one name in several joints, which OpenSim 4 tells apart
+// by their paths, names of their own.
+void TellCoordinatesApart(Model* model) {
+  std::map<std::string, int> count;
+  for (const Coordinate& coordinate : model->coordinates) {
+    ++count[coordinate.name];
+  }
+  for (Coordinate& coordinate : model->coordinates) {
+    if (count[coordinate.name] == 1) continue;
+    coordinate.name = coordinate.joint + "/" + coordinate.name;
+  }
+}
+
 // Checks that the way up the joints from every body ends, at the ground or at a
 // body without a joint.
 void CheckIsTree(const OsimXml& xml, const Model& model) {
@@ -118,10 +132,10 @@ std::vector<int> CoordinatesNamed(const OsimXml& xml,
       continue;
     }
     if (word.empty()) continue;
-    coordinates.push_back(model.FindCoordinate(LastName(word)));
+    coordinates.push_back(model.FindCoordinate(word));
     if (coordinates.back() < 0) {
       xml.Fail(element,
-               "names \"" + word + "\", which is not a coordinate of the model",
+               "names \"" + word + "\", which " + WhyNoCoordinate(model, word),
                "check the name");
     }
     word.clear();
@@ -209,7 +223,14 @@ void ReadMuscles(const OsimXml& xml,
   for (const pugi::xml_node force : PartsOf(node, "ForceSet", HasPath)) {
     const pugi::xml_node path = GeometryPathOf(force);
     if (!path) continue;
-    model->muscles.push_back(ReadPath(xml, frames, force, *model));
+    ModelMuscle muscle = ReadPath(xml, frames, force, *model);
+    if (model->FindMuscle(muscle.name) >= 0) {
+      model->warnings.push_back(
+          xml.Where(force) + ": is a further one of the name \"" + muscle.name +
+          "\", of which only the first is used");
+      continue;
+    }
+    model->muscles.push_back(std::move(muscle));
     if (!ObjectsOf(path, "PathWrapSet").empty()) {
       wrapped += (wrapped.empty() ? "" : ", ") + model->muscles.back().name;
     }
@@ -240,6 +261,7 @@ Model ReadModel(const std::string& path) {
   ReadBodies(xml, node, &model);
   const OffsetFrames frames(xml, model);
   ReadJoints(xml, node, frames, &model);
+  TellCoordinatesApart(&model);
   CheckIsTree(xml, model);
   AddOffsetGeometry(xml, frames, &model);
   ReadConstraints(xml, node, &model);

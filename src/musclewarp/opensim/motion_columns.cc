@@ -42,18 +42,19 @@ std::vector<std::string> SplitAt(const std::string& text, char separator) {
 }
 
 // Returns the name of the coordinate that a label stands for, in this model or
-// in another one. A path is one of a coordinate if it ends with "value", or if
-// a joint is the owner of what it leads to: that of an actuator may end with
-// the name of a coordinate, too.
+// in another one, after that of its joint if the label has it. A path is one of
+// a coordinate if it ends with "value", or if a joint is the owner of what it
+// leads to: that of an actuator may end with the name of a coordinate, too.
 std::optional<std::string> CoordinateNameIn(const std::string& label,
                                             const Model& model) {
   std::vector<std::string> parts = SplitAt(label, '/');
   if (parts.size() == 1) return label;
-  if (parts.back() == "value") {
-    parts.pop_back();
-    return parts.back();
-  }
+  const bool is_value = parts.back() == "value";
+  if (is_value) parts.pop_back();
+  if (parts.size() == 1) return parts[0];
   const std::string owner = parts[parts.size() - 2];
+  const std::string name = owner + "/" + parts.back();
+  if (is_value) return name;
   const bool is_of_joint = std::any_of(
       model.joints.begin(), model.joints.end(), [&](const Joint& joint) {
         return joint.name == owner;
@@ -61,7 +62,7 @@ std::optional<std::string> CoordinateNameIn(const std::string& label,
   const bool is_in_jointset =
       parts.size() >= 3 && parts[parts.size() - 3] == "jointset";
   if (!is_of_joint && !is_in_jointset) return std::nullopt;
-  return parts.back();
+  return name;
 }
 
 // The number of letters to change, add, remove or swap with their neighbour to
@@ -137,12 +138,17 @@ MotionColumns MatchColumns(const Model& model,
   for (size_t i = 0; i < table.labels.size(); ++i) {
     const std::string& label = table.labels[i];
     if (columns.coordinates[i] >= 0 || IsOtherState(label)) continue;
-    columns.others.push_back(label);
     const auto name = CoordinateNameIn(label, model);
+    if (name && !model.CoordinatesCalled(*name).empty()) {
+      columns.ambiguous.push_back(static_cast<int>(i));
+      continue;
+    }
+    columns.others.push_back(label);
     if (!name || table.values.col(i).isZero(0)) continue;
+    const std::string last_name = SplitAt(*name, '/').back();
     for (size_t k = 0; k < model.coordinates.size(); ++k) {
       const std::string& coordinate = model.coordinates[k].name;
-      if (has_column[k] || !IsNearlyNamed(*name, coordinate)) continue;
+      if (has_column[k] || !IsNearlyNamed(last_name, coordinate)) continue;
       throw InputError(path + ": column \"" + label + "\"",
                        "is no coordinate of " + model.path +
                            ", but is nearly named as \"" + coordinate +

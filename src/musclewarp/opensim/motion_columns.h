@@ -18,6 +18,10 @@ struct MotionColumns {
   // The labels of columns that are left out and were not to be expected: all
   // but the speeds, activations and fibre lengths of states files.
   std::vector<std::string> others;
+
+  // The columns whose label is the name of coordinates of several joints, by
+  // index: what they are for is not known.
+  std::vector<int> ambiguous;
 };
 
 // Matches the columns of a table to the coordinates of a model by name

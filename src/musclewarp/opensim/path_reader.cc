@@ -27,11 +27,11 @@ pugi::xml_node ChildOrSocket(const OsimXml& xml,
 int CoordinateOf(const OsimXml& xml,
                  pugi::xml_node element,
                  const Model& model) {
-  const std::string name = LastName(xml.Text(element));
+  const std::string name = xml.Text(element);
   const int coordinate = model.FindCoordinate(name);
   if (coordinate < 0) {
     xml.Fail(element,
-             "names \"" + name + "\", which is not a coordinate of the model",
+             "names \"" + name + "\", which " + WhyNoCoordinate(model, name),
              "check the name");
   }
   return coordinate;
@@ -127,10 +127,10 @@ void ReadLengthFunction(const OsimXml& xml,
                         ModelMuscle* muscle) {
   std::istringstream names(xml.Text(xml.Child(path, "coordinate_paths")));
   for (std::string name; names >> name;) {
-    const int coordinate = model.FindCoordinate(LastName(name));
+    const int coordinate = model.FindCoordinate(name);
     if (coordinate < 0) {
       xml.Fail(path,
-               "names \"" + name + "\", which is not a coordinate of the model",
+               "names \"" + name + "\", which " + WhyNoCoordinate(model, name),
                "check the name");
     }
     muscle->length_coordinates.push_back(coordinate);

@@ -49,7 +49,8 @@ CoordinateValues GivenRest(const Model& model,
     const int coordinate = model.FindCoordinate(name);
     if (coordinate < 0) {
       throw InputError(where + ": model_rest.coordinates",
-                       "\"" + name + "\" is no coordinate of " + model.path,
+                       "\"" + name + "\" " + WhyNoCoordinate(model, name) +
+                           ", " + model.path,
                        "check the name");
     }
     values[coordinate] = value;

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/input_error.h"
 #include "musclewarp/opensim/coordinate_motion.h"
 #include "musclewarp/opensim/storage_table.h"
 #include "musclewarp/scene/model_bones.h"
@@ -97,6 +98,27 @@ CoordinateMotion ReadMotion(const JsonField& scene,
   return RampedMotion(motion, model);
 }
 
+// Columns of a name that several joints have matter only to bodies that these
+// move.
+void CheckMotionIsKnown(const CoordinateMotion& motion,
+                        const Model& model,
+                        const std::vector<std::string>& bodies,
+                        const std::string& path) {
+  for (const int coordinate : motion.ambiguous) {
+    for (const std::string& name : bodies) {
+      const int body = model.FindBody(name);
+      if (body < 0 || !MovesBody(model, coordinate, body)) continue;
+      throw InputError(
+          path,
+          "has a column for one of the coordinates of this name, which do not "
+          "say whose they are: " +
+              model.coordinates[coordinate].name + " moves " + name,
+          "name the column by the path of its coordinate: /jointset/" +
+              model.coordinates[coordinate].name + "/value");
+    }
+  }
+}
+
 std::string TimeText(double time, int digits) {
   std::ostringstream text;
   text << std::setprecision(digits) << "t=" << time;
@@ -151,6 +173,7 @@ void AddModelPoses(const JsonField& field,
       ReadMotion(field, root, sources, model, &scene->motion_path);
   scene->warnings.insert(
       scene->warnings.end(), motion.warnings.begin(), motion.warnings.end());
+  CheckMotionIsKnown(motion, model, bodies, scene->motion_path);
   auto poses = std::make_shared<ModelPoses>(
       BindModel(std::move(model), rest, bodies, field.file(), &scene->notes));
   poses->given_coordinates = motion.given;

@@ -32,8 +32,9 @@ void CheckNames(const JsonField& coordinates, const Model& model) {
   }
   for (const auto& item : coordinates.value().items()) {
     if (model.FindCoordinate(item.key()) >= 0) continue;
-    std::string problem = "names " + Shortened(item.key()) +
-                          ", which is no coordinate of " + model.path;
+    std::string problem = "names " + Shortened(item.key()) + ", which " +
+                          WhyNoCoordinate(model, item.key()) + ", " +
+                          model.path;
     for (const std::string& name : known) {
       if (!IsNearlyNamed(item.key(), name)) continue;
       problem += ", but is nearly named as \"" + name + "\"";
