@@ -85,9 +85,7 @@ void SetGap(double gap, CertifiedContactOptions* options) {
         "--gap", "is " + std::to_string(gap), "allowed: above 0, at most 0.5");
   }
   options->step.gap = gap;
-  // Meshes that overlap are separated by twice the gap, so that the steps that
-  // follow find room.
-  options->separation.cell.margin = 2 * gap;
+  options->separation.cell.margin = kMarginByGap * gap;
 }
 
 }  // namespace musclewarp

@@ -36,7 +36,6 @@ void AskInMillimetres(const std::set<std::string>& names,
     if (names.count(name) > 0) *value /= std::pow(body_size, power);
   };
   convert("gap", 1, &contact->step.gap);
-  convert("gap", 1, &contact->separation.cell.margin);
   convert("laplacian_length", 1, &prepare->muscle.laplacian.length_scale);
   convert("max_hole", 1, &prepare->repair.holes.max_perimeter);
   convert("max_lost_area", 2, &requirements->max_lost_area);
@@ -45,6 +44,9 @@ void AskInMillimetres(const std::set<std::string>& names,
   convert("max_step_move", 1, &contact->limits.max_move);
   convert("max_torn_patch", 2, &requirements->max_torn_patch);
   convert("sample_spacing", 1, &prepare->muscle.sample_spacing);
+  if (names.count("gap") > 0) {
+    contact->separation.cell.margin = kMarginByGap * contact->step.gap;
+  }
   if (contact->step.gap > kLargestGap) {
     throw InputError(
         "--gap",

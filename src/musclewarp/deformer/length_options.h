@@ -25,6 +25,10 @@ void AskInMillimetres(const std::set<std::string>& names,
                       CertifiedContactOptions* contact,
                       FrameRequirements* requirements);
 
+// Meshes that overlap are separated by so many gaps, so that the steps that
+// follow find room.
+constexpr double kMarginByGap = 2;
+
 // The largest gap that may be kept in a body of human size, mm: beyond, the
 // steps in which surfaces move would have to be longer, too.
 constexpr double kLargestGap = 0.5;

@@ -163,6 +163,11 @@ std::string Quoted(std::string_view text) {
   return quoted + "'";
 }
 
+bool EndsWith(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() &&
+         text.substr(text.size() - end.size()) == end;
+}
+
 std::string LowerCase(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) {

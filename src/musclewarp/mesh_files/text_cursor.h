@@ -82,6 +82,9 @@ std::string Quoted(std::string_view text);
 // Returns the text with the ASCII letters in lower case, whatever the locale.
 std::string LowerCase(std::string_view text);
 
+// Returns true if a text ends with another one.
+bool EndsWith(std::string_view text, std::string_view end);
+
 // Appends a number with 17 significant digits, from which the same double is
 // read again, whatever the locale.
 void AppendReal(double value, std::string* out);

@@ -136,11 +136,6 @@ bool IsIdentity(const OsimXml& xml, pugi::xml_node function) {
          coefficients[1] == 0;
 }
 
-bool EndsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() &&
-         text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 // A function that is not the property "function" would move nothing.
 void CheckNoFunctionIsNameless(const OsimXml& xml, pugi::xml_node node) {
   for (const pugi::xml_node child : ElementsOf(node)) {

@@ -49,10 +49,10 @@ int Model::FindCoordinate(const std::string& coordinate) const {
 }
 
 std::vector<std::string> Model::CoordinatesCalled(
-    const std::string& name) const {
+    const std::string& last_name) const {
   std::vector<std::string> called;
   for (const Coordinate& coordinate : coordinates) {
-    if (coordinate.name == coordinate.joint + "/" + name) {
+    if (coordinate.name == coordinate.joint + "/" + last_name) {
       called.push_back(coordinate.name);
     }
   }

@@ -177,7 +177,8 @@ struct Model {
 
   // Returns the names of the coordinates that are told apart by their joints
   // and would otherwise have this name: none or at least two.
-  std::vector<std::string> CoordinatesCalled(const std::string& name) const;
+  std::vector<std::string> CoordinatesCalled(
+      const std::string& last_name) const;
 };
 
 // Says why FindCoordinate() has none of this name, as the end of a sentence

@@ -13,11 +13,6 @@
 namespace musclewarp {
 namespace {
 
-bool EndsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() &&
-         text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 // Returns true for columns of a states file that are not coordinates.
 bool IsOtherState(const std::string& label) {
   for (const char* end : {"/speed",
