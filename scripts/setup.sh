@@ -39,7 +39,7 @@ python_packages="
 "
 test_packages="
   libgtest-dev libgmock-dev libbenchmark-dev
-  chromium tetgen
+  chromium tetgen calculix-ccx
   python3-vtk9 python3-tqdm python3-pytest python3-meshio python3-mypy
 "
 check_packages="

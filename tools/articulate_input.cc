@@ -15,6 +15,7 @@
 #include "musclewarp/label_images/label_table.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
+#include "musclewarp/mesh_files/stated_space.h"
 #include "musclewarp/scene/scene_names.h"
 #include "tools/flag_values.h"
 
@@ -32,6 +33,7 @@ class ArticulateReader {
   }
 
   ArticulateInput Read() {
+    for (const std::string& file : meshes_) CheckIsMeshOrImage(file);
     CheckImages();
     if (!options_.labels.empty()) {
       for (const LabelEntry& entry : ReadLabelTable(options_.labels)) {
@@ -44,6 +46,7 @@ class ArticulateReader {
       CheckNamedOnce(file, MeshNameOf(file));
     }
     if (!images_.empty()) ReadImage();
+    CheckSpaces();
     for (const std::string& file : meshes_) AddBoneFile(file);
     for (const std::string& file : options_.muscles) AddMuscleFile(file);
     return std::move(input_);
@@ -58,6 +61,29 @@ class ArticulateReader {
           "join the images, or export meshes of one of them");
     }
     if (!images_.empty()) CheckLabelImagesAreRead(images_[0]);
+  }
+
+  // Bones are measured as they are, and the model names their files.
+  void CheckSpaces() const {
+    const StatedFile* first = nullptr;
+    std::vector<StatedFile> files;
+    const bool has_space = !input_.image.empty() && input_.is_oriented;
+    if (has_space) files.push_back({input_.image, "LPS"});
+    for (const auto* paths : {&meshes_, &options_.muscles}) {
+      for (const std::string& path : *paths) {
+        files.push_back({path, StatedSpace(path)});
+      }
+    }
+    for (const StatedFile& file : files) {
+      if (file.space.empty()) continue;
+      if (!first) first = &file;
+      if (file.space == first->space) continue;
+      throw InputError(file.file,
+                       "states the space " + file.space + ", and " +
+                           first->file + " " + first->space +
+                           "; allowed: one for all meshes",
+                       "export all meshes in one space");
+    }
   }
 
   void CheckNamedOnce(const std::string& where, const std::string& name) {

@@ -11,15 +11,18 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/place_text.h"
+#include "musclewarp/label_images/label_image_file.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
+#include "musclewarp/mesh_files/stated_space.h"
 #include "musclewarp/page/run_files.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/proximity/triangle_distance.h"
@@ -72,6 +75,12 @@ template <typename Visitor>
 void VisitMeshes(const std::string& path,
                  std::vector<std::string>* notes,
                  const Visitor& visit) {
+  if (IsLabelImageFile(path)) {
+    throw InputError(
+        path,
+        "is a label image; allowed here: meshes (" + MeshFormats() + ")",
+        "musclewarp-separate makes meshes of its labels");
+  }
   if (!std::filesystem::is_directory(path)) {
     visit(path, ReadTriangleSoup(path, notes));
     return;
@@ -82,6 +91,30 @@ void VisitMeshes(const std::string& path,
     visit((std::filesystem::path(path) / file_name).string(),
           ReadMeshOfFrame(frame, name));
   }
+}
+
+// Returns the files that have to be turned so that all are in one space; what
+// is done is said in `notes`.
+std::set<std::string> TurnedFiles(const std::vector<std::string>& files,
+                                  const std::vector<std::string>& bones,
+                                  std::vector<std::string>* notes) {
+  std::vector<StatedFile> stated;
+  std::set<std::string> seen;
+  for (const auto* paths : {&files, &bones}) {
+    for (const std::string& path : *paths) {
+      // Bones may be names of files that are there already.
+      if (!std::filesystem::is_regular_file(MeshFileOf(path))) continue;
+      if (!seen.insert(path).second) continue;
+      stated.push_back({path, StatedSpace(path)});
+    }
+  }
+  const CommonSpace common = FindCommonSpace(stated);
+  std::set<std::string> turned;
+  for (size_t i = 0; i < stated.size(); ++i) {
+    if (common.is_turned[i]) turned.insert(stated[i].file);
+  }
+  notes->insert(notes->end(), common.warnings.begin(), common.warnings.end());
+  return turned;
 }
 
 // Returns the smallest distance of two meshes that do not touch, mm; infinite
@@ -273,8 +306,11 @@ int CheckCommand(const std::vector<std::string>& files,
   if (options.threads > 0) omp_set_num_threads(options.threads);
   std::vector<CheckedFile> checked;
   std::vector<std::string> notes;
+  const std::set<std::string> turned =
+      TurnedFiles(files, options.bones, &notes);
   size_t width = 4;
   const auto check = [&](const std::string& path, TriangleSoup soup) {
+    if (turned.count(path) > 0) TurnToOtherSpace(&soup.points);
     soup.points *= options.mm_per_unit;
     checked.push_back(CheckFile(path, std::move(soup)));
     width = std::max(width, checked.back().name.size());

@@ -76,9 +76,12 @@ int ExportCrossings(const ExportRequest& request, std::ostream& screen) {
   size_t places = 0;
   if (request.in.empty()) {
     SearchableScene scene;
+    std::vector<std::string> notes;
     for (const std::string& file : request.files) {
-      scene.Add(MeshNameOf(file), ReadTriangleSoup(file), &scene.muscles);
+      scene.Add(
+          MeshNameOf(file), ReadTriangleSoup(file, &notes), &scene.muscles);
     }
+    for (const std::string& note : notes) screen << note << "\n";
     MakeFolder(request.out);
     const OutputLock lock(request.out);
     places = AddCrossings("meshes", scene, &files);

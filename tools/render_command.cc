@@ -208,7 +208,8 @@ std::vector<PicturePanel> ReadPanels(
     const RenderRequest& request,
     const RunFiles& run,
     const std::vector<std::string>& captions,
-    const std::map<std::string, PictureMesh>& looks) {
+    const std::map<std::string, PictureMesh>& looks,
+    std::vector<std::string>* notes) {
   std::vector<PicturePanel> panels(run.frames.size());
   bool has_fit = false;
   const std::set<std::string> muscles(run.muscles.begin(), run.muscles.end());
@@ -223,7 +224,8 @@ std::vector<PicturePanel> ReadPanels(
       const auto look = looks.find(name);
       if (look == looks.end()) continue;
       panels[i].meshes.push_back(look->second);
-      panels[i].meshes.back().surface = ReadMeshOfFrame(run.frames[i], name);
+      panels[i].meshes.back().surface =
+          ReadMeshOfFrame(run.frames[i], name, notes);
       if (request.color == "stretch" && muscles.count(name) > 0) {
         ColorByStretch(rest, name, &panels[i].meshes.back());
       }
@@ -292,8 +294,10 @@ void Render(const RenderRequest& request, std::ostream& log) {
                               request.side.empty() ? run.side : request.side);
   const std::map<std::string, PictureMesh> looks =
       Looks(request, run, &options);
+  std::vector<std::string> notes;
   const std::vector<PicturePanel> panels =
-      ReadPanels(request, run, Captions(request, run), looks);
+      ReadPanels(request, run, Captions(request, run), looks, &notes);
+  for (const std::string& note : notes) log << note << "\n";
   CheckRoom(panels, request, options);
   WritePng(request.out, DrawPicture(panels, view, options));
   log << "wrote " << request.out << "\n";

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/label_images/label_image_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
+#include "musclewarp/mesh_files/stated_space.h"
 #include "musclewarp/preparation/dropped_piece_warnings.h"
 #include "musclewarp/preparation/muscle_pieces.h"
 #include "musclewarp/scene/scene_names.h"
@@ -46,6 +48,7 @@ class InputReader {
       }
     }
     if (!input_.image.empty()) ReadImage();
+    FindSpaces();
     for (const std::string& file : bones_left_) {
       AddBone({MeshNameOf(file), file, file, {}});
     }
@@ -64,6 +67,7 @@ class InputReader {
  private:
   void FindImage() {
     for (const std::string& file : files_) {
+      CheckIsMeshOrImage(file);
       if (!IsLabelImageFile(file)) continue;
       CheckLabelImagesAreRead(file);
       if (!input_.image.empty()) {
@@ -126,6 +130,26 @@ class InputReader {
     }
   }
 
+  // Surfaces of labels are in LPS, unless the image does not say so.
+  void FindSpaces() {
+    std::vector<StatedFile> stated;
+    if (!input_.image.empty()) {
+      stated.push_back(
+          {input_.image, input_.labels.frame == "LPS" ? "LPS" : ""});
+    }
+    for (const std::string& file : files_) {
+      if (file != input_.image) stated.push_back({file, StatedSpace(file)});
+    }
+    for (const std::string& file : bones_left_) {
+      stated.push_back({file, StatedSpace(file)});
+    }
+    CommonSpace common = FindCommonSpace(stated);
+    for (size_t i = 0; i < stated.size(); ++i) {
+      if (common.is_turned[i]) turned_.insert(stated[i].file);
+    }
+    input_.scene.warnings = std::move(common.warnings);
+  }
+
   // A name that is no label has to be a file.
   void CheckBonesAreFiles() const {
     for (const std::string& bone : bones_left_) {
@@ -164,6 +188,7 @@ class InputReader {
     bone.name = mesh.name;
     bone.body = mesh.name;
     bone.mesh_path = mesh.file;
+    bone.is_turned = turned_.count(mesh.file) > 0;
     if (!mesh.file.empty()) {
       ReadTriangleSoup(mesh.file);
       bone.rest_from_file.diagonal().head<3>().setConstant(
@@ -178,6 +203,7 @@ class InputReader {
     SceneMuscle muscle;
     muscle.name = mesh.name;
     muscle.mesh_path = mesh.file;
+    muscle.is_turned = turned_.count(mesh.file) > 0;
     if (!mesh.file.empty()) {
       muscle.mm_per_unit = options_.mm_per_unit;
       ReadTriangleSoup(mesh.file);
@@ -195,6 +221,7 @@ class InputReader {
     whole.name = MeshNameOf(file);
     whole.mesh_path = file;
     whole.mm_per_unit = options_.mm_per_unit;
+    whole.is_turned = turned_.count(file) > 0;
     MusclePieces found =
         PiecesOfMuscle(whole, RestSeparationOptionsOf(options_).prepare.repair);
     const std::vector<DroppedPiece>& dropped = found.repairs.dropped_pieces;
@@ -249,6 +276,7 @@ class InputReader {
   const SeparateOptions& options_;
   std::vector<std::string> bones_left_;  // that are no labels
   std::map<std::string, std::string> where_of_name_;
+  std::set<std::string> turned_;  // files of another space than the others
   SeparateInput input_;
 };
 

@@ -50,6 +50,7 @@ constexpr char kReadMeshDoc[] =
 
 Points and triangles are those of the file; polygons are split into triangles.
 "muscles.obj#gluteus" is one object of an .obj, or one solid of an ASCII .stl.
+What of a file is skipped is a UserWarning.
 
 Raises:
     InputError: names the file and the place in it.)";
@@ -102,9 +103,16 @@ void BindMeshFunctions(py::module_* module) {
   module->def(
       "read_mesh",
       [](const std::filesystem::path& path) {
-        return ComputeFree([file = path.string()] {
-          return ToPython(ReadTriangleSoup(file));
+        std::vector<std::string> notes;
+        auto mesh = ComputeFree([&notes, file = path.string()] {
+          return ToPython(ReadTriangleSoup(file, &notes));
         });
+        for (const std::string& note : notes) {
+          if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) {
+            throw py::error_already_set();
+          }
+        }
+        return mesh;
       },
       py::arg("path"),
       kReadMeshDoc);

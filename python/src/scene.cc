@@ -7,6 +7,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/scene/scene_names.h"
+#include "musclewarp/scene/scene_space.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
 #include "python/src/call.h"
@@ -108,8 +109,10 @@ SharedScene Assemble(const SharedScene& source,
   scene->poses.clear();
   for (const SharedPose& pose : poses) scene->poses.push_back(*pose);
   scene->is_motion = is_motion;
+  scene->states_axes = source->states_axes || axes != source->axes;
   scene->axes = axes;
   scene->side = side;
+  BringIntoOneSpace(scene.get());
   return scene;
 }
 

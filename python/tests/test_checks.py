@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks of meshes: crossings, separation, repair, files."""
 import pathlib
+import warnings
 
 import numpy as np
 import pytest
@@ -105,6 +106,17 @@ def test_files_keep_all_bits(tmp_path):
         of_path = mw.read_mesh(pathlib.Path(path))
         np.testing.assert_array_equal(of_path.points, POINTS)
         np.testing.assert_array_equal(again.triangles, TRIANGLES)
+
+
+def test_what_of_a_file_is_skipped_is_a_warning(tmp_path):
+    path = tmp_path / "mesh.stl"
+    mw.write_mesh(path, MESH)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        mw.read_mesh(path)
+    path.write_bytes(path.read_bytes() + b"more")
+    with pytest.warns(UserWarning, match="the last 4 bytes were skipped"):
+        mw.read_mesh(path)
 
 
 def test_a_part_of_a_file_is_that_object_alone(tmp_path):

@@ -10,11 +10,20 @@
 namespace musclewarp {
 
 TEST(LabelImageFile, IsKnownByItsName) {
-  for (const char* name :
-       {"a.nii", "b/a.NII.GZ", "a.seg.nrrd", "a.nhdr", "a.mha", "a.MHD"}) {
+  for (const char* name : {"a.nii",
+                           "b/a.NII.GZ",
+                           "a.seg.nrrd",
+                           "a.nhdr",
+                           "a.mha",
+                           "a.MHD",
+                           "a.img",
+                           "a.HDR.gz",
+                           "a.mgz",
+                           "a.mgh"}) {
     EXPECT_TRUE(IsLabelImageFile(name)) << name;
   }
-  for (const char* name : {"a.ply", "nii", ".nrrd", "a.gz", "a.nrrd.ply", ""}) {
+  for (const char* name :
+       {"a.ply", "nii", ".nrrd", "a.gz", "a.nrrd.ply", "a.mgz.txt", ""}) {
     EXPECT_FALSE(IsLabelImageFile(name)) << name;
   }
 }

@@ -187,6 +187,56 @@ TEST(LabelImage, SlopeInterceptAndUnitsOfNiftiCount) {
   ExpectImage(path, image, kSinglePrecision);
 }
 
+TEST(LabelImage, PairsOfNiftiAreReadFromEitherFile) {
+  const std::string dir = TestTempDir();
+  const MadeImage image = ManyLabels({12, 5, 4});
+  WriteNifti(dir + "/a.img", image, NiftiForm::kSform);
+  WriteNifti(dir + "/b.img.gz", image, NiftiForm::kSform);
+  for (const char* name : {"/a.img", "/a.hdr", "/b.img.gz", "/b.hdr.gz"}) {
+    ExpectImage(dir + name, image, kSinglePrecision);
+  }
+}
+
+TEST(LabelImage, ANoteTellsOfAnotherQform) {
+  const std::string path = TestTempDir() + "/a.nii";
+  MadeImage image = ManyLabels({12, 5, 4});
+  WriteNifti(path, image, NiftiForm::kSform);
+  std::string bytes = BytesOf(path);
+  bytes[252] = 1;  // qform_code; the qform is not turned
+  WriteTextAtomically(path, bytes);
+  const LabelImage read = ReadLabelImage(path);
+  EXPECT_TRUE(read.grid.world_from_index.isApprox(image.lps_from_index,
+                                                  kSinglePrecision));
+  ASSERT_EQ(read.notes.size(), 1u);
+  EXPECT_THAT(read.notes[0], ::testing::HasSubstr("an sform and a qform"));
+}
+
+TEST(LabelImage, ValuesNextToALabelAreThatLabel) {
+  const std::string path = TestTempDir() + "/a.nii";
+  const MadeImage image = ManyLabels({12, 5, 4});
+  WriteNifti(path, image, NiftiForm::kSform);
+  const std::string bytes = BytesOf(path);
+  const auto with_scale = [&](float slope, float intercept) {
+    std::string scaled = bytes;
+    scaled.replace(112, 4, reinterpret_cast<const char*>(&slope), 4);
+    scaled.replace(116, 4, reinterpret_cast<const char*>(&intercept), 4);
+    WriteTextAtomically(path, scaled);
+  };
+  with_scale(1, -9e-4F);
+  const LabelImage read = ReadLabelImage(path);
+  EXPECT_EQ(read.labels,
+            std::vector<int>(image.labels.begin(), image.labels.end()));
+  ASSERT_EQ(read.notes.size(), 1u);
+  EXPECT_THAT(read.notes[0], ::testing::HasSubstr("240 voxels"));
+  with_scale(1, 2e-3F);
+  ExpectImageRefused(path, {"value 0.002", "scl_slope 1, scl_inter 0.002"});
+  with_scale(0.37F, 0);
+  ExpectImageRefused(path,
+                     {"voxel (1, 0, 0) has the value 0.37",
+                      "scl_slope 0.37, scl_inter 0",
+                      "set scl_slope to 1"});
+}
+
 // VTK takes a first axis of at most 9 voxels for the components of a vector.
 TEST(LabelImage, NrrdMayBeNarrow) {
   const std::string path = TestTempDir() + "/a.nrrd";

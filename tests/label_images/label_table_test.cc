@@ -50,6 +50,37 @@ TEST(LabelTable, AFirstLineMayNameTheColumns) {
       "psoas major,9,muscle,1\nfemur,9,bone,2\n");
 }
 
+TEST(LabelTable, MayBeSavedByASpreadsheet) {
+  const std::string rows =
+      "LABEL;Name;Kind\r\n1,0;\"psoas major\";MUSCLE\r\n"
+      "2.000;femur;Bone\r\n;;\r\n ; ;\r\n\"\";\"\";\r\n";
+  ExpectPsoasAndFemur(rows);
+  ExpectPsoasAndFemur("\xef\xbb\xbf" + rows);
+  ExpectPsoasAndFemur("\xef\xbb\xbfsep=;\r\n" + rows);
+  std::string little = "\xff\xfe", big = "\xfe\xff";
+  for (const char letter : rows) {
+    little += std::string{letter, '\0'};
+    big += std::string{'\0', letter};
+  }
+  ExpectPsoasAndFemur(little);
+  ExpectPsoasAndFemur(big);
+  ExpectTableRefused("label,name\n1.5,femur\n", {"line 2", "'1.5'"});
+  ExpectTableRefused("label,name\n.0,femur\n", {"line 2", "'.0'"});
+}
+
+// The first line says what separates columns.
+TEST(LabelTable, NamesMayHoldOtherSeparators) {
+  const auto name_in = [](const std::string& text) {
+    return TableOf(text)[0].name;
+  };
+  EXPECT_EQ(name_in("label;name\n1;psoas, left\n"), "psoas, left");
+  EXPECT_EQ(name_in("label,name\n1,\"psoas; left, long\"\n"),
+            "psoas; left, long");
+  EXPECT_EQ(name_in("label\tname\n1\tpsoas, left\n"), "psoas, left");
+  EXPECT_EQ(name_in("label,name\n1,\"the \"\"long\"\" one\"\n"),
+            "the \"long\" one");
+}
+
 TEST(LabelTable, ReadsColourTablesOfSlicer) {
   const std::vector<LabelEntry> entries = TableOf(
       "# Color table file\n# 3 values\n0 Background 0 0 0 0\n"

@@ -124,11 +124,12 @@ TEST(MeshParts, SolidsOfAnStlAreParts) {
   ReadStl("a.stl",
           "solid left psoas\n" + facet + "endsolid left psoas\nsolid\n" +
               facet + facet + "endsolid\n",
+          nullptr,
           &parts);
   EXPECT_EQ(parts.kind, "solid");
   EXPECT_THAT(parts.names, ElementsAre("left psoas", "solid_2"));
   EXPECT_THAT(parts.part_of, ElementsAre(0, 1, 1));
-  ReadStl("b.stl", StlBytes(UnitTetrahedron()), &parts);
+  ReadStl("b.stl", StlBytes(UnitTetrahedron()), nullptr, &parts);
   EXPECT_THAT(parts.names, IsEmpty());
 }
 

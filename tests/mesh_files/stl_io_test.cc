@@ -104,5 +104,21 @@ TEST(StlIo, NoFacetsAreRefused) {
                    {"no faces"});
 }
 
+TEST(StlIo, BytesBehindTheFacetsAreSkippedWithANote) {
+  const TriangleSoup sphere = Icosphere(100, 1);
+  const std::string bytes = StlBytes(sphere);
+  std::vector<std::string> notes;
+  const TriangleSoup plain = ReadStl("a.stl", bytes, &notes);
+  EXPECT_TRUE(notes.empty());
+  const TriangleSoup read =
+      ReadStl("a.stl", bytes + std::string(7, 'x'), &notes);
+  EXPECT_TRUE(SameBits(read, plain));
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0],
+            "a.stl: the last 7 bytes were skipped: they follow the " +
+                std::to_string(sphere.triangles.rows()) +
+                " facets that its header promises");
+}
+
 }  // namespace
 }  // namespace musclewarp

@@ -49,6 +49,19 @@ std::vector<std::string> NamesOf(const std::vector<Bone>& bones) {
   return names;
 }
 
+TEST(ReadArticulateInput, MeshesOfTwoSpacesAreRefused) {
+  const std::string dir = TestTempDir();
+  const std::string mesh = "\nv 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n";
+  WriteTextAtomically(dir + "/femur_left.obj", "# SPACE=LPS" + mesh);
+  WriteTextAtomically(dir + "/tibia_left.obj", "# SPACE=RAS" + mesh);
+  ExpectInputError(
+      [&] {
+        ReadArticulateInput({dir + "/femur_left.obj", dir + "/tibia_left.obj"},
+                            {});
+      },
+      {"tibia_left.obj", "states the space RAS", "femur_left.obj LPS"});
+}
+
 TEST(ReadArticulateInput, TakesApartWhatThereIsOnBothSides) {
   const ArticulateInput input =
       ReadLabels("label,name\n1,tibia\n2,femur_left\n3,soleus\n4,sacrum\n");

@@ -53,6 +53,23 @@ TEST(CheckProgram, FindsAKnownOverlap) {
   EXPECT_TRUE(json["files"][0]["clean"]);
 }
 
+TEST(CheckProgram, FilesOfAnotherSpaceAreTurned) {
+  const std::string dir = TestTempDir();
+  const std::string faces = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  WriteTextAtomically(
+      dir + "/a.obj",
+      "# SPACE=LPS\nv 20 30 0\nv 29 30 0\nv 20 39 0\nv 20 30 9\n" + faces);
+  WriteTextAtomically(dir + "/b.obj",
+                      "# SPACE=RAS\nv -20 -30 0\nv -29 -30 0\nv -20 -39 0\n"
+                      "v -20 -30 9\n" +
+                          faces);
+  const ProgramRun run = Check(dir + "/a.obj " + dir + "/b.obj");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("b.obj states the space RAS"),
+                    HasSubstr("1 of 1 pairs of meshes touch")));
+}
+
 TEST(CheckProgram, ReportsDefectsWithoutRepair) {
   const std::string dir = TestTempDir();
   TriangleSoup soup = Icosphere(10, 2);

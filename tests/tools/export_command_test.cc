@@ -141,6 +141,13 @@ TEST_F(Export, CrossingsOfFiles) {
   EXPECT_TRUE(fs::exists(request_.out + "/meshes_curves.obj"));
   EXPECT_THAT(FileText(request_.out + "/crossings.csv"),
               HasSubstr("\nmeshes,muscle,bone,"));
+  // What the reader of a mesh has to say comes along.
+  const std::string file = run_.dir + "/noted.obj";
+  WriteTextAtomically(file, "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\nxyz\n");
+  request_.files = {file};
+  request_.out = run_.dir + "/of_one";
+  EXPECT_EQ(Run("crossings"), kExitUsable);
+  EXPECT_THAT(screen_.str(), HasSubstr("'xyz'"));
 }
 
 TEST_F(Export, AnimationsSayTheirAxes) {

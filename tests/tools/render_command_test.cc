@@ -15,6 +15,7 @@
 #include "musclewarp/frames/bones_file.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/mesh_files/stl_io.h"
 #include "musclewarp/page/run_files.h"
 #include "musclewarp/render/picture.h"
 #include "support/meshes.h"
@@ -192,6 +193,11 @@ TEST(RenderCommand, DrawsFiles) {
   request.out = dir + "/bone.png";
   Render(request, log);
   EXPECT_NE(Bytes(request.out), all_muscles);
+  // What the reader of a mesh has to say comes along.
+  WriteTextAtomically(dir + "/femur.stl", StlBytes(Box(10, 10, 120)) + "more");
+  request.files = {dir + "/femur.stl"};
+  Render(request, log);
+  EXPECT_THAT(log.str(), HasSubstr("femur.stl: the last 4 bytes were skipped"));
 }
 
 TEST(RenderCommand, MistakesNameTheFlagAndLeaveNoPicture) {

@@ -56,7 +56,38 @@ TEST(SeparateInput, MeshFilesAreReadLater) {
   EXPECT_TRUE(input.image.empty());
 }
 
+TEST(SeparateInput, FilesOfAnotherSpaceAreTurned) {
+  const std::string dir = TestTempDir();
+  const std::string body =
+      "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\n"
+      "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  WriteTextAtomically(dir + "/a.obj", "# SPACE=LPS\n" + body);
+  WriteTextAtomically(dir + "/b.obj", "# SPACE=RAS\n" + body);
+  SeparateOptions options = OutTo(dir);
+  options.bones = {dir + "/b.obj"};
+  const SeparateInput input = ReadSeparateInput({dir + "/a.obj"}, options);
+  EXPECT_FALSE(input.scene.muscles[0].is_turned);
+  EXPECT_TRUE(input.scene.bones[0].is_turned);
+  ASSERT_EQ(input.scene.warnings.size(), 1u);
+  EXPECT_NE(input.scene.warnings[0].find("b.obj states the space RAS"),
+            std::string::npos);
+}
+
 #ifdef MUSCLEWARP_WITH_VTK
+// The surfaces of labels are in LPS.
+TEST(SeparateInput, FilesAreBroughtIntoTheSpaceOfTheImage) {
+  const std::string dir = TestTempDir(), image = dir + "/a.nrrd";
+  WriteBars(image);
+  WriteTextAtomically(dir + "/b.obj",
+                      "# SPACE=RAS\nv 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\n"
+                      "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  SeparateOptions options = OutTo(dir);
+  options.bones = {dir + "/b.obj"};
+  const SeparateInput input = ReadSeparateInput({image}, options);
+  EXPECT_EQ(input.labels.frame, "LPS");
+  EXPECT_TRUE(input.scene.bones[0].is_turned);
+}
+
 TEST(SeparateInput, LabelsAreBonesByTheTableOrByTheirNames) {
   const std::string dir = TestTempDir(), image = dir + "/a.nrrd";
   WriteBars(image);

@@ -67,9 +67,16 @@ MUSCLEWARP_ARCHIVE(SceneMuscle,
                    end_bodies,
                    mesh_path,
                    mm_per_unit,
+                   is_turned,
                    delivered_volume)
-MUSCLEWARP_ARCHIVE(
-    SceneBone, name, points, triangles, body, mesh_path, rest_from_file)
+MUSCLEWARP_ARCHIVE(SceneBone,
+                   name,
+                   points,
+                   triangles,
+                   body,
+                   mesh_path,
+                   rest_from_file,
+                   is_turned)
 MUSCLEWARP_ARCHIVE(ExemptArea, muscle, bone, vertices, triangles)
 
 // Repairs of a mesh.

@@ -1,13 +1,12 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include <Eigen/Geometry>
-#include <cstdio>
 #include <map>
 #include <vector>
 
+#include "musclewarp/exchange/abaqus_number.h"
 #include "musclewarp/exchange/element_files.h"
 #include "musclewarp/exchange/element_names.h"
-#include "musclewarp/mesh_files/text_cursor.h"
 
 namespace musclewarp {
 namespace {
@@ -38,16 +37,15 @@ class AbaqusWriter {
 
   void AppendPoint(const Eigen::RowVector3d& point) {
     for (const double x : point) {
-      text_ += ", ";
-      AppendReal(x, &text_);
+      text_ += ", " + AbaqusNumber(x);
     }
   }
 
-  // Lines of CalculiX have at most 132 characters.
+  // Lines of CalculiX have at most 132 characters, too few for six numbers with
+  // all digits.
   void AppendRounded(double x) {
-    char text[32];
-    std::snprintf(text, sizeof(text), ", %.9g", x);
-    text_ += text;
+    constexpr int kDigits = 9;
+    text_ += ", " + AbaqusNumber(x, kDigits);
   }
 
   void AppendPoints(const Points& points, int first) {
@@ -190,12 +188,11 @@ class AbaqusWriter {
         "*SURFACE INTERACTION, NAME=CONTACT\n"
         "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n10.\n";
     for (const ContactPair& pair : model_.contacts) {
-      text_ += "** " + pair.a + " and " + pair.b + " are at least ";
-      AppendReal(pair.gap_mm, &text_);
-      text_ +=
-          " mm apart\n*CONTACT PAIR, INTERACTION=CONTACT, "
-          "TYPE=SURFACE TO SURFACE\n" +
-          Name(pair.a) + "_SURFACE, " + Name(pair.b) + "_SURFACE\n";
+      text_ += "** " + pair.a + " and " + pair.b + " are at least " +
+               AbaqusNumber(pair.gap_mm) +
+               " mm apart\n*CONTACT PAIR, INTERACTION=CONTACT, "
+               "TYPE=SURFACE TO SURFACE\n" +
+               Name(pair.a) + "_SURFACE, " + Name(pair.b) + "_SURFACE\n";
     }
   }
 

@@ -12,6 +12,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -20,6 +21,9 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/label_images/meta_image_header.h"
+#include "musclewarp/label_images/mgh_image.h"
+#include "musclewarp/label_images/nifti_frame.h"
+#include "musclewarp/label_images/nifti_pair.h"
 #include "musclewarp/label_images/nrrd_voxels.h"
 #include "musclewarp/mesh_files/export_advice.h"
 #include "musclewarp/mesh_files/text_cursor.h"
@@ -33,6 +37,8 @@ namespace fs = std::filesystem;
 // What the values of a file become: slope * value + intercept.
 struct Rescale {
   double slope = 1, intercept = 0;
+
+  bool IsAny() const { return slope != 1 || intercept != 0; }
 };
 
 // The library of VTK for MetaImage prints its errors and returns as if there
@@ -69,6 +75,12 @@ void WithVtkErrors(const std::string& path, const Read& read) {
   throw InputError(path, "cannot be read: " + error, kCopyAgain);
 }
 
+bool IsMghFile(const std::string& path) {
+  const std::string extension = LowerCase(fs::path(path).extension().string());
+  return extension == ".mgh" || extension == ".mgz" ||
+         LowerCase(fs::path(path).stem().extension().string()) == ".mgh";
+}
+
 void CheckIsImageFile(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -83,27 +95,58 @@ void CheckIsImageFile(const std::string& path) {
   }
 }
 
-// Sets the labels to the values `value_of` the voxels.
+[[noreturn]] void ThrowNoLabel(const LabelImage& image,
+                               std::int64_t voxel,
+                               double value,
+                               const Rescale& rescale) {
+  const Eigen::Array3i& size = image.grid.size;
+  std::ostringstream text;
+  text << "voxel (" << voxel % size[0] << ", " << voxel / size[0] % size[1]
+       << ", " << voxel / size[0] / size[1] << ") has the value " << value;
+  if (rescale.IsAny()) {
+    text << ", as its header scales what is stored (scl_slope " << rescale.slope
+         << ", scl_inter " << rescale.intercept << ")";
+  }
+  text << "; allowed: labels, which are whole numbers from 0 to 2147483647";
+  throw InputError(
+      image.path,
+      text.str(),
+      rescale.IsAny()
+          ? "set scl_slope to 1 and scl_inter to 0, or save the label map "
+            "without scaling"
+          : "export the segmentation as a label map, not the image that it was "
+            "made on");
+}
+
+// Sets the labels to the values `value_of` the voxels. Those of a file in
+// floating point, or with a scale, may not be whole by a little.
 template <typename ValueOf>
-void SetLabels(const ValueOf& value_of, LabelImage* image) {
+void SetLabels(const ValueOf& value_of,
+               LabelImage* image,
+               const Rescale& rescale = {}) {
+  constexpr double kRounding = 1e-3;
   const std::int64_t count = image->grid.NumVoxels();
   image->labels.resize(count);
+  std::int64_t num_rounded = 0;
+  double most = 0;
   for (std::int64_t i = 0; i < count; ++i) {
     const double value = value_of(i);
-    if (!(value >= 0 && value <= std::numeric_limits<int>::max() &&
-          value == std::floor(value))) {
-      const Eigen::Array3i& size = image->grid.size;
-      std::ostringstream text;
-      text << "voxel (" << i % size[0] << ", " << i / size[0] % size[1] << ", "
-           << i / size[0] / size[1] << ") has the value " << value
-           << "; allowed: labels, which are whole numbers from 0 to 2147483647";
-      throw InputError(image->path,
-                       text.str(),
-                       "export the segmentation as a label map, not the image "
-                       "that it was made on");
+    const double label = std::round(value);
+    const double off = std::abs(value - label);
+    if (!(label >= 0 && label <= std::numeric_limits<int>::max() &&
+          off <= kRounding)) {
+      ThrowNoLabel(*image, i, value, rescale);
     }
-    image->labels[i] = static_cast<int>(value);
+    if (off > 0) ++num_rounded;
+    most = std::max(most, off);
+    image->labels[i] = static_cast<int>(label);
   }
+  if (num_rounded == 0) return;
+  std::ostringstream note;
+  note << image->path << " has " << num_rounded
+       << " voxels whose values are whole numbers but for " << most
+       << " at most: these are taken as the labels";
+  image->notes.push_back(note.str());
 }
 
 // Copies the voxels. VTK may have taken the first axis for components, which
@@ -127,7 +170,7 @@ void TakeLabels(vtkImageReader2* reader,
                values->GetComponent(i / components, i % components) +
            rescale.intercept;
   };
-  SetLabels(value_of, image);
+  SetLabels(value_of, image, rescale);
 }
 
 // What a unit of length of a NIfTI file is in mm; `unstated` if it has none.
@@ -155,30 +198,45 @@ void TakeNiftiGrid(double mm_per_unit,
   for (int axis = 0; axis < 3; ++axis) {
     grid.size[axis] = extent[2 * axis + 1] + 1;
   }
-  vtkMatrix4x4* world_from_vtk = reader->GetSFormMatrix()
-                                     ? reader->GetSFormMatrix()
-                                     : reader->GetQFormMatrix();
-  if (world_from_vtk) {
+  const auto world_from_index = [&](vtkMatrix4x4& world_from_vtk) {
+    Eigen::Matrix4d matrix;
     for (int i = 0; i < 16; ++i) {
-      grid.world_from_index(i / 4, i % 4) =
-          world_from_vtk->GetElement(i / 4, i % 4);
+      matrix(i / 4, i % 4) = world_from_vtk.GetElement(i / 4, i % 4);
     }
+    for (int axis = 0; axis < 3; ++axis) {
+      matrix.col(axis) *= reader->GetDataSpacing()[axis];
+    }
+    return matrix;
+  };
+  vtkMatrix4x4* const sform = reader->GetSFormMatrix();
+  vtkMatrix4x4* const qform = reader->GetQFormMatrix();
+  if (sform || qform) {
+    grid.world_from_index = world_from_index(sform ? *sform : *qform);
     TurnFromRas(&grid);
   } else {
     image->notes.push_back(
         image->path +
         " has neither sform nor qform: the surfaces are along the axes of the "
         "image, with the first voxel at the origin");
+    for (int axis = 0; axis < 3; ++axis) {
+      grid.world_from_index(axis, axis) = reader->GetDataSpacing()[axis];
+    }
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    grid.world_from_index.col(axis) *= reader->GetDataSpacing()[axis];
+  if (sform && qform) {
+    const std::string note = NoteOnOtherQform(image->path,
+                                              grid.size,
+                                              world_from_index(*sform),
+                                              world_from_index(*qform));
+    if (!note.empty()) image->notes.push_back(note);
   }
   grid.world_from_index.topRows<3>() *=
       NiftiUnit(*reader->GetNIFTIHeader(), mm_per_unit);
 }
 
 void ReadNifti(double mm_per_unit, LabelImage* image) {
-  const std::string& path = image->path;
+  const std::string path = IsNiftiPairFile(image->path)
+                               ? CheckedNiftiHeader(image->path)
+                               : image->path;
   vtkNew<vtkNIFTIImageReader> reader;
   reader->SetFileName(path.c_str());
   WithVtkErrors(path, [&] { reader->UpdateInformation(); });
@@ -202,16 +260,36 @@ void ReadNifti(double mm_per_unit, LabelImage* image) {
   TakeLabels(reader, rescale, image);
 }
 
+void NoteIfNotOriented(LabelImage* image) {
+  if (image->grid.is_oriented) return;
+  image->notes.push_back(image->path +
+                         " does not say where the patient's left, back and "
+                         "head are: the surfaces are in the frame of the file");
+}
+
 void ReadNrrd(double mm_per_unit, LabelImage* image) {
   const NrrdHeader header = ReadNrrdHeader(image->path, mm_per_unit);
   image->grid = header.grid;
+  NoteIfNotOriented(image);
   const NrrdVoxels voxels =
       ReadNrrdVoxels(header.source, header.grid.NumVoxels());
   SetLabels([&](std::int64_t i) { return voxels.At(i); }, image);
 }
 
+void ReadMgh(LabelImage* image) {
+  const MghImage mgh = ReadMghImage(image->path);
+  image->grid = mgh.grid;
+  if (!mgh.grid.is_oriented) {
+    image->notes.push_back(image->path +
+                           " does not say how it lies (goodRASFlag is 0): it "
+                           "is taken as coronal slices of 1 mm");
+  }
+  SetLabels([&](std::int64_t i) { return mgh.At(i); }, image);
+}
+
 void ReadMetaImage(double mm_per_unit, LabelImage* image) {
   image->grid = ReadMetaImageHeader(image->path, mm_per_unit);
+  NoteIfNotOriented(image);
   vtkNew<vtkMetaImageReader> reader;
   reader->SetFileName(image->path.c_str());
   WithVtkErrors(image->path, [&] { reader->Update(); });
@@ -229,14 +307,10 @@ LabelImage ReadLabelImage(const std::string& path, double mm_per_unit) {
     ReadNrrd(mm_per_unit, &image);
   } else if (extension == ".mha" || extension == ".mhd") {
     ReadMetaImage(mm_per_unit, &image);
+  } else if (IsMghFile(path)) {
+    ReadMgh(&image);
   } else {
     ReadNifti(mm_per_unit, &image);
-  }
-  if (!image.grid.is_oriented && image.notes.empty()) {
-    image.notes.push_back(
-        path +
-        " does not say where the patient's left, back and "
-        "head are: the surfaces are in the frame of the file");
   }
   return image;
 }

@@ -22,15 +22,16 @@ struct LabelImage {
   std::vector<std::string> notes;
 };
 
-// Reads NIfTI (.nii, .nii.gz) and MetaImage (.mha, .mhd) with the readers of
-// VTK, and NRRD (.nrrd, .nhdr; nrrd_header.h).
+// Reads NIfTI (.nii, .nii.gz, pairs of .img and .hdr) and MetaImage (.mha,
+// .mhd) with the readers of VTK, NRRD (.nrrd, .nhdr; nrrd_header.h) and images
+// of FreeSurfer (.mgz, .mgh; mgh_image.h).
 //
 // Places are in millimetres and in LPS, whatever the format has. What VTK does
 // not read of the frame is taken from the header
 // (meta_image_header.h). NIfTI files are turned from RAS; of their two
 // transforms the sform is taken if it is set, otherwise the qform, as nibabel
-// does. A file with neither is not oriented, and a note says so. Slope and
-// intercept of NIfTI are applied.
+// does, and a note says so if they differ. A file with neither is not oriented,
+// and a note says so. Slope and intercept of NIfTI are applied.
 //
 // `mm_per_unit` is the unit of files that do not state one, as MetaImage never
 // does.
@@ -39,6 +40,7 @@ struct LabelImage {
 // damaged or truncated, that has more than kMostVoxels, more than one number a
 // voxel or more than three dimensions, and for labels that are not whole
 // numbers from 0 to 2147483647 (the message has the value and the voxel).
+// Values within 1e-3 of one are that label, and a note says so.
 LabelImage ReadLabelImage(const std::string& path, double mm_per_unit = 1);
 
 }  // namespace musclewarp

@@ -9,6 +9,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
+#include "musclewarp/base/text_encoding.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 #include "musclewarp/scene/scene_names.h"
 
@@ -26,6 +27,16 @@ struct Columns {
   int bone = -1, side = -1, body = -1, origin = -1, insertion = -1;
 };
 
+// Within quotes, two of them are one.
+std::string WithSingleQuotes(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    out += text[i];
+    if (text.substr(i, 2) == "\"\"") ++i;
+  }
+  return out;
+}
+
 // The text without blanks around it, and without the quotes around that.
 std::string CellText(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r";
@@ -33,7 +44,7 @@ std::string CellText(std::string_view text) {
   if (begin == std::string_view::npos) return "";
   text = text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
   if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
-    return CellText(text.substr(1, text.size() - 2));
+    return CellText(WithSingleQuotes(text.substr(1, text.size() - 2)));
   }
   return std::string(text);
 }
@@ -88,13 +99,15 @@ class TableReader {
   explicit TableReader(const std::string& path) : path_(path) {}
 
   std::vector<LabelEntry> Read() {
-    const std::string text = ReadFile(path_);
+    const std::string text = TextWithoutMark(ReadFile(path_));
     TextCursor cursor(path_, text);
     std::string_view line;
     while (cursor.NextLine(&line)) {
       where_ = cursor.Where();
-      const std::string content = CellText(line);
-      if (!content.empty() && content[0] != '#') ReadLine(content);
+      // Spreadsheets write empty rows as separators.
+      const std::size_t begin = line.find_first_not_of(" \t\r,;\"");
+      if (begin == std::string_view::npos || line[begin] == '#') continue;
+      ReadLine(std::string(line));
     }
     if (entries_.empty()) {
       throw InputError(path_, "has no label above 0", kTableAdvice);
@@ -104,12 +117,35 @@ class TableReader {
 
  private:
   void ReadLine(const std::string& line) {
-    for (const char separator : {'\t', ',', ';'}) {
-      if (CellsOf(line, separator).size() < 2) continue;
+    if (is_first_ && TakeSeparator(line)) return;
+    for (const char separator : {separator_, '\t', ',', ';'}) {
+      if (separator == 0 || CellsOf(line, separator).size() < 2) continue;
+      separator_ = separator;
       ReadColumns(CellsOf(line, separator));
       return;
     }
     ReadWords(CellsOf(line, ' '));
+  }
+
+  // Takes the separator that a first line "sep=;" names, as Excel knows it, and
+  // returns true for such a line; or else the one that gives most columns.
+  bool TakeSeparator(const std::string& line) {
+    constexpr std::string_view kNamed = "sep=";
+    const std::string word = CellText(line);
+    if (word.size() == kNamed.size() + 1 &&
+        LowerCase(word).substr(0, kNamed.size()) == kNamed) {
+      separator_ = word.back();
+      return true;
+    }
+    if (separator_ != 0) return false;
+    std::size_t most = 1;
+    for (const char separator : {'\t', ',', ';'}) {
+      const std::size_t count = CellsOf(line, separator).size();
+      if (count <= most) continue;
+      most = count;
+      separator_ = separator;
+    }
+    return false;
   }
 
   void ReadColumns(const Cells& cells) {
@@ -199,10 +235,14 @@ class TableReader {
 
   int Label(const std::string& text) const {
     constexpr std::size_t kMostDigits = 10;
+    // Spreadsheets may write 1.0, or 1,0, for 1.
+    const std::size_t point = std::min(text.find_first_of(".,"), text.size());
+    const std::string digits = text.substr(0, point);
     const bool is_whole =
-        !text.empty() && text.size() <= kMostDigits &&
-        text.find_first_not_of("0123456789") == std::string::npos;
-    const long long label = is_whole ? std::stoll(text) : -1;
+        !digits.empty() && digits.size() <= kMostDigits &&
+        digits.find_first_not_of("0123456789") == std::string::npos &&
+        text.find_first_not_of('0', point + 1) == std::string::npos;
+    const long long label = is_whole ? std::stoll(digits) : -1;
     if (label >= 0 && label <= std::numeric_limits<int>::max()) {
       return static_cast<int>(label);
     }
@@ -233,6 +273,7 @@ class TableReader {
   std::string path_;
   std::string where_;  // the line that is being read
   bool is_first_ = true;
+  char separator_ = 0;  // of columns; 0: none yet
   Columns columns_;
   std::vector<LabelEntry> entries_;
 };

@@ -35,8 +35,10 @@ struct LabelEntry {
 // "kind" and "type" the kind, and "bone", "side", "body", "origin" and
 // "insertion" what LabelEntry has under these names; case, blanks and
 // underscores do not matter. Further columns are passed over.
-// Empty lines and those that begin with # are passed over, and so is label 0,
-// the background. Rows come in the order of the file.
+// Empty lines and rows and those that begin with # are passed over, and so is
+// label 0, the background. Rows come in the order of the file. The table may be
+// as spreadsheets save it: UTF-8 with a mark at its beginning, UTF-16 with one,
+// a first line "sep=;", quotes around cells, and labels such as 1.0.
 //
 // Throws InputError that names the file and the line, for a line of another
 // form, a label that is not a whole number from 0 to 2147483647, a name that

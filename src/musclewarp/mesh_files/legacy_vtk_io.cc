@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/mesh_files/legacy_vtk_io.h"
 
-#include <map>
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh_files/binary_scalar.h"
 #include "musclewarp/mesh_files/export_advice.h"
+#include "musclewarp/mesh_files/legacy_vtk_arrays.h"
 #include "musclewarp/mesh_files/soup_builder.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
@@ -42,7 +42,7 @@ class LegacyVtkReader {
                       std::int64_t num_corners);
   Integers ReadNamedArray(const char* name, std::int64_t size);
   void SkipField();
-  void SkipMetadata();
+  bool NextWordsBehindMetadata();
 
   // `count` numbers of one type, in either encoding.
   template <typename Use>
@@ -56,9 +56,13 @@ class LegacyVtkReader {
                           const char* what);
   std::string_view Word(const char* what);
 
-  ScalarType TypeFromName(std::string_view name) const;
+  ScalarType TypeFromName(std::string_view name) const {
+    return LegacyVtkScalarType(cursor_, name);
+  }
   std::int64_t Count(std::size_t word, std::size_t size) const;
-  [[noreturn]] void ThrowTruncated(const char* what, std::int64_t count) const;
+  [[noreturn]] void ThrowTruncated(const char* what, std::int64_t count) const {
+    ThrowLegacyVtkTruncated(cursor_, what, count);
+  }
   [[noreturn]] void ThrowDamaged(const std::string& problem) const {
     throw InputError(cursor_.Where(), problem, kCopyAgain);
   }
@@ -107,7 +111,7 @@ void LegacyVtkReader::ReadSection(const std::string& keyword) {
   } else if (keyword == "field") {
     SkipField();
   } else if (keyword == "metadata") {
-    SkipMetadata();
+    SkipLegacyVtkMetadata(&cursor_);
   } else {
     ThrowDamaged(Quoted(words_[0]) + " is not a section of polydata");
   }
@@ -189,7 +193,7 @@ void LegacyVtkReader::ReadCellArrays(const std::string& keyword,
 }
 
 Integers LegacyVtkReader::ReadNamedArray(const char* name, std::int64_t size) {
-  if (!cursor_.NextWords(&words_)) ThrowTruncated(name, size);
+  if (!NextWordsBehindMetadata()) ThrowTruncated(name, size);
   if (words_.size() != 2 || LowerCase(words_[0]) != name) {
     ThrowDamaged(Quoted(words_[0]) + " stands where '" + name +
                  "' is expected");
@@ -205,28 +209,25 @@ void LegacyVtkReader::SkipField() {
   const std::int64_t num_arrays = Count(2, 3);
   for (std::int64_t i = 0; i < num_arrays; ++i) {
     // name, number of components, number of tuples, type
-    if (!cursor_.NextWords(&words_)) ThrowTruncated("FIELD", num_arrays);
-    if (LowerCase(words_[0]) == "metadata") {
-      SkipMetadata();
-      --i;
-      continue;
-    }
+    if (!NextWordsBehindMetadata()) ThrowTruncated("FIELD", num_arrays);
+    if (words_.size() == 1 && LowerCase(words_[0]) == "null_array") continue;
     const std::int64_t components = Count(1, 4);
     const std::int64_t tuples = Count(2, 4);
-    const ScalarType type = TypeFromName(words_[3]);
     const auto left = static_cast<std::int64_t>(cursor_.bytes_left());
-    if (components > 0 && tuples > left / components) {
+    // A value takes a bit at least.
+    if (components > 0 && tuples > 8 * left / components) {
       ThrowTruncated("FIELD", tuples);
     }
-    ReadReals(components * tuples, type, "FIELD", [](double) {});
+    SkipLegacyVtkArray(words_[3], components * tuples, is_binary_, &cursor_);
   }
 }
 
-// Metadata end with an empty line.
-void LegacyVtkReader::SkipMetadata() {
-  std::string_view line;
-  while (cursor_.NextLine(&line) && !line.empty()) {
+bool LegacyVtkReader::NextWordsBehindMetadata() {
+  while (cursor_.NextWords(&words_)) {
+    if (LowerCase(words_[0]) != "metadata") return true;
+    SkipLegacyVtkMetadata(&cursor_);
   }
+  return false;
 }
 
 template <typename Use>
@@ -281,34 +282,6 @@ std::string_view LegacyVtkReader::Word(const char* what) {
   return word;
 }
 
-ScalarType LegacyVtkReader::TypeFromName(std::string_view name) const {
-  // vtkIdType is written as 32 bits whatever it is in memory.
-  static const std::map<std::string, ScalarType> kTypes = {
-      {"char", ScalarType::kInt8},
-      {"signed_char", ScalarType::kInt8},
-      {"unsigned_char", ScalarType::kUInt8},
-      {"short", ScalarType::kInt16},
-      {"unsigned_short", ScalarType::kUInt16},
-      {"int", ScalarType::kInt32},
-      {"vtkidtype", ScalarType::kInt32},
-      {"vtktypeint32", ScalarType::kInt32},
-      {"unsigned_int", ScalarType::kUInt32},
-      {"long", ScalarType::kInt64},
-      {"vtktypeint64", ScalarType::kInt64},
-      {"unsigned_long", ScalarType::kUInt64},
-      {"vtktypeuint64", ScalarType::kUInt64},
-      {"float", ScalarType::kFloat32},
-      {"double", ScalarType::kFloat64},
-  };
-  const auto found = kTypes.find(LowerCase(name));
-  if (found == kTypes.end()) {
-    ThrowDamaged(Quoted(name) +
-                 " is not a number type that is read here (float, double, "
-                 "int, long, ...)");
-  }
-  return found->second;
-}
-
 // Returns the count that is a word of the section line, which must have `size`
 // words.
 std::int64_t LegacyVtkReader::Count(std::size_t word, std::size_t size) const {
@@ -323,15 +296,6 @@ std::int64_t LegacyVtkReader::Count(std::size_t word, std::size_t size) const {
     ThrowDamaged("count " + std::to_string(count) + " must be 0 to 2^40");
   }
   return count;
-}
-
-void LegacyVtkReader::ThrowTruncated(const char* what,
-                                     std::int64_t count) const {
-  throw InputError(cursor_.Where(),
-                   std::string(what) + " promises " + std::to_string(count) +
-                       " numbers, " + std::to_string(cursor_.bytes_left()) +
-                       " bytes follow: the file is truncated",
-                   kCopyAgain);
 }
 
 }  // namespace

@@ -12,8 +12,9 @@ namespace musclewarp {
 // Reads polydata in the legacy format of VTK ("VTK File Formats", versions 1 to
 // 5, ASCII and binary). `bytes` is the whole file, `path` is used in messages
 // only; see mesh_io.h for what all readers promise and throw. Polygons and
-// triangle strips become the triangles. Vertices and lines are skipped, and
-// what follows the geometry (CELL_DATA, POINT_DATA) is not read.
+// triangle strips become the triangles. Vertices, lines, metadata and field
+// data of any type are skipped, and what follows the geometry (CELL_DATA,
+// POINT_DATA) is not read.
 //
 // The reader does not use VTK, whose own reader (9.1) reads beyond its buffers
 // when a file is truncated or a cell count is damaged.

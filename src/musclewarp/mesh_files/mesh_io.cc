@@ -48,19 +48,12 @@ TriangleSoup ReadQuietly(const std::string& path,
   return kRead(path, bytes);
 }
 
-TriangleSoup ReadStlQuietly(const std::string& path,
-                            std::string_view bytes,
-                            std::vector<std::string>*,
-                            MeshParts* parts) {
-  return ReadStl(path, bytes, parts);
-}
-
 const std::vector<Format>& Formats() {
   static const std::vector<Format> kFormats = {
       {".ply", ReadQuietly<ReadPly>, PlyBytes},
       {".obj", ReadObj, ObjBytes},
       {".off", ReadQuietly<ReadOff>, OffBytes},
-      {".stl", ReadStlQuietly, StlBytes},
+      {".stl", ReadStl, StlBytes},
       {".vtk", ReadQuietly<ReadLegacyVtk>, LegacyVtkBytes},
 #ifdef MUSCLEWARP_WITH_VTK
       {".vtp",
@@ -82,11 +75,7 @@ const Format* FindFormat(const std::string& extension) {
 const Format& FormatOf(const std::string& path) {
   const std::string extension = LowerCase(fs::path(path).extension().string());
   if (const Format* format = FindFormat(extension)) return *format;
-  std::string allowed;
-  for (const Format& format : Formats()) {
-    if (!allowed.empty()) allowed += ", ";
-    allowed += format.extension;
-  }
+  const std::string allowed = MeshFormats();
   if (extension == ".vtp") {
     throw InputError(
         path,
@@ -141,6 +130,15 @@ void WriteTriangleSoup(const std::string& path, const TriangleSoup& soup) {
   CheckIsSound(soup);
   if (format.write == StlBytes) CheckFitsStl(path, soup);
   WriteTextAtomically(path, format.write(soup));
+}
+
+std::string MeshFormats() {
+  std::string formats;
+  for (const Format& format : Formats()) {
+    if (!formats.empty()) formats += ", ";
+    formats += format.extension;
+  }
+  return formats;
 }
 
 bool IsMeshExtension(const std::string& extension) {

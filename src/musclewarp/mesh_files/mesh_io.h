@@ -51,4 +51,8 @@ void WriteTriangleSoup(const std::string& path, const TriangleSoup& soup);
 // given with or without the dot and in any case.
 bool IsMeshExtension(const std::string& extension);
 
+// Returns the extensions that this build reads, for messages: ".ply, .obj,
+// ...".
+std::string MeshFormats();
+
 }  // namespace musclewarp

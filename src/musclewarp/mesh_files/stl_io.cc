@@ -83,7 +83,8 @@ bool LooksLikeAscii(std::string_view bytes) {
 
 TriangleSoup ReadBinary(const std::string& path, std::string_view bytes) {
   CornerMerger merger(path);
-  for (std::size_t at = kHeaderSize; at < bytes.size(); at += kFacetSize) {
+  const std::size_t end = BinarySize(bytes);
+  for (std::size_t at = kHeaderSize; at < end; at += kFacetSize) {
     Eigen::Matrix3d corners;
     for (int i = 0; i < 9; ++i) {
       corners(i / 3, i % 3) =
@@ -171,6 +172,7 @@ class AsciiReader {
 
 TriangleSoup ReadStl(const std::string& path,
                      std::string_view bytes,
+                     std::vector<std::string>* notes,
                      MeshParts* parts) {
   if (parts) *parts = MeshParts();
   const bool has_header = bytes.size() >= kHeaderSize;
@@ -180,6 +182,16 @@ TriangleSoup ReadStl(const std::string& path,
     return ReadBinary(path, bytes);
   }
   if (LooksLikeAscii(bytes)) return AsciiReader(path, bytes).Read(parts);
+  if (has_header && bytes.size() > BinarySize(bytes)) {
+    const std::size_t facets = (BinarySize(bytes) - kHeaderSize) / kFacetSize;
+    const std::string note = path + ": the last " +
+                             std::to_string(bytes.size() - BinarySize(bytes)) +
+                             " bytes were skipped: they follow the " +
+                             std::to_string(facets) +
+                             " facets that its header promises";
+    if (notes) notes->push_back(note);
+    return ReadBinary(path, bytes);
+  }
   throw InputError(
       path,
       has_header ? "is truncated or not an STL file: as binary STL its header "

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/mesh_files/mesh_parts.h"
@@ -14,10 +15,12 @@ namespace musclewarp {
 // in messages only; see mesh_io.h for what all readers promise and throw. The
 // format repeats the corners of every facet: corners with identical coordinates
 // become one point, and points are in the order of their first mention. The
-// normals in the file are skipped. `parts`, unless null, is set to the solids
+// normals in the file are skipped. A binary file may have more bytes than its
+// facets take, which a note tells. `parts`, unless null, is set to the solids
 // of an ASCII file; the third is called "solid_3" if it has no name.
 TriangleSoup ReadStl(const std::string& path,
                      std::string_view bytes,
+                     std::vector<std::string>* notes = nullptr,
                      MeshParts* parts = nullptr);
 
 // Returns the bytes of a binary STL file. The coordinates are rounded to float;

@@ -135,8 +135,10 @@ FrameFiles FrameFilesIn(const std::string& folder) {
   return frame;
 }
 
-TriangleSoup ReadMeshOfFrame(const FrameFiles& frame, const std::string& name) {
-  TriangleSoup soup = ReadTriangleSoup(frame.meshes.at(name));
+TriangleSoup ReadMeshOfFrame(const FrameFiles& frame,
+                             const std::string& name,
+                             std::vector<std::string>* notes) {
+  TriangleSoup soup = ReadTriangleSoup(frame.meshes.at(name), notes);
   const auto motion = frame.bones_from_rest.find(name);
   if (motion != frame.bones_from_rest.end()) {
     soup.points = Transformed(soup.points, motion->second);

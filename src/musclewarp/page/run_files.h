@@ -56,8 +56,11 @@ FrameFiles FrameFilesIn(const std::string& folder);
 
 // Reads a mesh of a frame, where it is in the frame: to the last bit the same
 // whether its bones are written in every frame or once. Throws InputError if
-// the file is damaged. Precondition: `frame.meshes` has the name.
-TriangleSoup ReadMeshOfFrame(const FrameFiles& frame, const std::string& name);
+// the file is damaged. Remarks of the reader are appended to `notes`, unless it
+// is null. Precondition: `frame.meshes` has the name.
+TriangleSoup ReadMeshOfFrame(const FrameFiles& frame,
+                             const std::string& name,
+                             std::vector<std::string>* notes = nullptr);
 
 // Returns the frame folders (frame_0000, frame_0001, ...) of a run by number.
 std::map<int, std::string> FrameFoldersIn(const std::string& dir);

@@ -4,6 +4,7 @@
 
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/mesh_files/stated_space.h"
 
 namespace musclewarp {
 
@@ -12,6 +13,7 @@ TriangleSoup DeliveredMesh(const SceneMuscle& muscle,
                            MeshParts* parts) {
   if (muscle.mesh_path.empty()) return {muscle.points, muscle.triangles};
   TriangleSoup soup = ReadTriangleSoup(muscle.mesh_path, notes, parts);
+  if (muscle.is_turned) TurnToOtherSpace(&soup.points);
   if (muscle.mm_per_unit != 1) soup.points *= muscle.mm_per_unit;
   return soup;
 }
@@ -21,6 +23,7 @@ TriangleSoup DeliveredMesh(const SceneBone& bone,
   TriangleSoup soup = bone.mesh_path.empty()
                           ? TriangleSoup{bone.points, bone.triangles}
                           : ReadTriangleSoup(bone.mesh_path, notes);
+  if (bone.is_turned) TurnToOtherSpace(&soup.points);
   if (!bone.rest_from_file.isIdentity(0)) {
     soup.points = Transformed(soup.points, bone.rest_from_file);
   }

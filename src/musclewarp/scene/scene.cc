@@ -16,6 +16,7 @@
 #include "musclewarp/scene/pieces_field.h"
 #include "musclewarp/scene/poses_file.h"
 #include "musclewarp/scene/scene_checks.h"
+#include "musclewarp/scene/scene_space.h"
 
 namespace musclewarp {
 namespace {
@@ -232,6 +233,7 @@ bool TimesRise(const std::vector<ScenePose>& poses) {
 void ReadBodyAxes(const JsonField& field, Scene* scene) {
   if (field.Has("axes")) {
     scene->axes = field.At("axes").AsString();
+    scene->states_axes = true;
     if (!AreBodyAxes(scene->axes)) {
       field.At("axes").Fail(
           "is \"" + scene->axes + "\"",
@@ -378,6 +380,7 @@ Scene ReadScene(const std::string& path,
   }
   if (field.Has("poses_file")) KeepTargetsInUse(&scene);
   CheckScene(scene);
+  BringIntoOneSpace(&scene);
   AddFiles(field, root, &scene);
   return scene;
 }

@@ -54,6 +54,10 @@ struct SceneMuscle {
   std::string mesh_path = {};
   double mm_per_unit = 1;  // of the points in mesh_path
 
+  // Whether x and y of the points in mesh_path change their signs, because the
+  // file states another space than others do (BringIntoOneSpace).
+  bool is_turned = false;
+
   // The muscles on which it ends instead of on bones, such as a tendon with a
   // mesh of its own; none: found on the meshes. Lines that are made go on
   // through them.
@@ -79,6 +83,7 @@ struct SceneBone {
   // What puts the points of the file into the scene: scale and place of meshes
   // that a model names, the unit of those of the scene file.
   Eigen::Matrix4d rest_from_file = Eigen::Matrix4d::Identity();
+  bool is_turned = false;  // before that, as the mesh of a muscle
 };
 
 // Muscles, bones and poses. All positions are in the rest pose, in one frame,
@@ -96,6 +101,7 @@ struct Scene {
   // that "lateral" means. Only pictures of the results depend on them.
   std::string axes = "LPS";
   std::string side = "right";
+  bool states_axes = false;  // whether `axes` is more than the default
 
   // How large the body is against a human one, a power of two: 1 for humans of
   // any size (deformer/body_size.h). Where frames are computed, lengths are in

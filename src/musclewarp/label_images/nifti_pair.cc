@@ -1,0 +1,76 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/label_images/nifti_pair.h"
+
+#include <filesystem>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/label_images/unpacked_file.h"
+#include "musclewarp/mesh_files/text_cursor.h"
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of the 348 bytes of NIfTI-1 the last four are its name; NIfTI-2 has its own
+// behind its size.
+constexpr std::size_t kNiftiBytes = 348, kName1 = 344, kName2 = 4;
+
+struct PairName {
+  std::string stem;    // without extensions
+  std::string ending;  // ".img" or ".hdr" as the file has it; empty: neither
+};
+
+PairName PairNameOf(const std::string& path) {
+  fs::path name(path);
+  if (LowerCase(name.extension().string()) == ".gz") name.replace_extension();
+  const std::string ending = name.extension().string();
+  const std::string lower = LowerCase(ending);
+  if (lower != ".img" && lower != ".hdr") return {};
+  return {name.replace_extension().string(), ending};
+}
+
+// Returns the file of a pair with this ending, which the other one has in lower
+// or in upper case.
+std::string FileWithEnding(const std::string& path,
+                           const PairName& name,
+                           const std::string& lower,
+                           const std::string& upper) {
+  const bool is_upper = name.ending[1] < 'a';
+  const std::string plain = name.stem + (is_upper ? upper : lower);
+  for (const std::string& file : {plain, plain + ".gz", plain + ".GZ"}) {
+    std::error_code error;
+    if (fs::is_regular_file(file, error)) return file;
+  }
+  throw InputError(path,
+                   "is one of a pair of files, and there is no " + plain +
+                       " or " + plain + ".gz",
+                   "put both files into one folder");
+}
+
+}  // namespace
+
+bool IsNiftiPairFile(const std::string& path) {
+  return !PairNameOf(path).ending.empty();
+}
+
+std::string CheckedNiftiHeader(const std::string& path) {
+  const PairName name = PairNameOf(path);
+  FileWithEnding(path, name, ".img", ".IMG");
+  const std::string header = FileWithEnding(path, name, ".hdr", ".HDR");
+  const std::string bytes = ReadUnpacked(header, kNiftiBytes);
+  const auto has = [&](std::size_t at, const char* text) {
+    return bytes.size() == kNiftiBytes && bytes.compare(at, 3, text) == 0;
+  };
+  if (has(kName1, "ni1") || has(kName1, "n+1") || has(kName2, "ni2") ||
+      has(kName2, "n+2")) {
+    return header;
+  }
+  throw InputError(header,
+                   "is no header of NIfTI; ANALYZE 7.5, which looks the same, "
+                   "does not say where left and right are",
+                   "save the image as .nii.gz with the program that made it");
+}
+
+}  // namespace musclewarp
