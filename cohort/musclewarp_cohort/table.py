@@ -183,6 +183,42 @@ def choose(jobs, labels):
     return [job for job in jobs if job.participant in chosen]
 
 
+def _model_meshes(model, folders):
+    """The mesh files that an OpenSim model names, where they may be."""
+    try:
+        text = pathlib.Path(model).read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        return []
+    names = re.findall(r"<(?:mesh_file|geometry_file)>\s*([^<]*?)\s*<", text)
+    home = pathlib.Path(model).parent
+    places = [*folders, home, home / "Geometry"]
+    return [str(pathlib.Path(place) / name.replace("\\", "/"))
+            for name in names for place in places]
+
+
+def _scene_files(job, scene, root):
+    """The files that a scene names; those of a model are looked for."""
+    items = [item for key in ("muscles", "bones")
+             if isinstance(scene.get(key), list) for item in scene[key]]
+    # One object of a file is named as FILE#NAME.
+    named = [re.sub(r"#[^#]*$", "", item["mesh"]) for item in items
+             if item.get("mesh")]
+    named += [item["mesh"] for item in items if item.get("mesh")]
+    named += [scene[key]["path"] for key in ("poses_file", "attachments_file")
+              if key in scene]
+    motion = scene.get("motion")  # a file, or in the scene itself
+    if isinstance(motion, str) and not job.motion_file:
+        named.append(motion)
+    files = [str(root / name) for name in named]
+    model = job.model or (scene.get("model") and str(root / scene["model"]))
+    if model:
+        folders = scene.get("geometry", [])
+        folders = [folders] if isinstance(folders, str) else folders
+        files += [model,
+                  *_model_meshes(model, [root / folder for folder in folders])]
+    return files
+
+
 def input_files(job):
     """The files that a job reads and that are there: what musclewarp-deform
     refuses is found by itself."""
@@ -190,15 +226,7 @@ def input_files(job):
     root = pathlib.Path(job.data_root())
     try:
         scene = json.loads(pathlib.Path(job.scene).read_text(encoding="utf-8"))
-        named = [item.get("mesh") for key in ("muscles", "bones")
-                 for item in scene.get(key, [])]
-        named += [scene[key]["path"] for key in ("poses_file", "attachments_file")
-                  if key in scene]
-        motion = scene.get("motion")  # a file, or in the scene itself
-        named += [scene.get("model") if not job.model else None,
-                  motion if isinstance(motion, str) and not job.motion_file
-                  else None]
-        files += [str(root / name) for name in named if name]
+        files += _scene_files(job, scene, root)
     except (OSError, ValueError, TypeError, KeyError, AttributeError):
         pass
     return [file for file in dict.fromkeys(files)

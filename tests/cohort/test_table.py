@@ -138,6 +138,21 @@ class TableTest(FolderTest):
                           for name in ("s.json", "psoas.ply", "leg.osim")],
                          table.input_files(job))
 
+    def test_bones_of_the_model_and_objects_of_files_are_inputs(self):
+        names = ("leg.osim", "psoas.obj", "Geometry/femur.vtp", "more/pelvis.stl")
+        for name in names:
+            self.file(name)
+        self.file("leg.osim", "<Mesh><mesh_file> femur.vtp </mesh_file></Mesh>"
+                  "<geometry_file>pelvis.stl</geometry_file>"
+                  "<mesh_file>none.stl</mesh_file>")
+        self.file("s.json", json.dumps({
+            "muscles": [{"mesh": "psoas.obj#left"}], "bones": "model",
+            "model": "leg.osim", "geometry": "more"}))
+        self.table("s s.json - - - -")
+        job, = table.read_jobs(self.source)
+        self.assertEqual({str(self.source / name) for name in ("s.json", *names)},
+                         set(table.input_files(job)))
+
     def test_a_scene_that_cannot_be_read_is_an_input(self):
         for text in ("{", "[1]", '{"muscles": 3}', '{"muscles": [{"mesh": 1}]}'):
             self.file("a.json", text)

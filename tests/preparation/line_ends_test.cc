@@ -14,6 +14,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::SizeIs;
 
 ActionLine UprightLine(double from, double to) {
   ActionLine line;
@@ -42,6 +43,14 @@ TEST(LineEndsOf, AreTheMeanDistancesFromTheBones) {
               ElementsAre(HasSubstr("soleus ends 0.625 mm away from high, to "
                                     "which its lines are fixed, expected at "
                                     "most 0.469 mm")));
+}
+
+TEST(FarEndWarnings, SayOnceWhatIsTrueOfBothEnds) {
+  EXPECT_THAT(
+      FarEndWarnings("soleus", {{"tibia", 20}, {"tibia", 20.001}}, 1),
+      ElementsAre(HasSubstr("both ends of soleus are 20 mm away from tibia")));
+  EXPECT_THAT(FarEndWarnings("soleus", {{"tibia", 20}, {"calcn", 20}}, 1),
+              SizeIs(2));
 }
 
 TEST(LineEndsOf, LeaveOutBodiesWithoutBones) {

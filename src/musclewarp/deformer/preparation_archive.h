@@ -76,7 +76,8 @@ MUSCLEWARP_ARCHIVE(SceneBone,
                    body,
                    mesh_path,
                    rest_from_file,
-                   is_turned)
+                   is_turned,
+                   is_of_model)
 MUSCLEWARP_ARCHIVE(ExemptArea, muscle, bone, vertices, triangles)
 
 // Repairs of a mesh.
@@ -200,7 +201,7 @@ MUSCLEWARP_ARCHIVE(PreparedMuscle,
                    lines,
                    fibres,
                    fibres_ms)
-MUSCLEWARP_ARCHIVE(PreparedBone, mesh, body, rest, delivered_only)
+MUSCLEWARP_ARCHIVE(PreparedBone, mesh, body, rest, left_out, delivered_only)
 MUSCLEWARP_ARCHIVE(PairIntersection,
                    a,
                    b,

@@ -83,6 +83,18 @@ std::vector<std::vector<ActionLine>> LinesOf(const Scene& scene) {
   return lines;
 }
 
+// Returns a scene without the bones that its preparation has left out.
+Scene WithBonesOf(const PreparedScene& prepared, Scene scene) {
+  std::vector<SceneBone> bones;
+  for (SceneBone& bone : scene.bones) {
+    const bool is_next = bones.size() < prepared.bones.size() &&
+                         prepared.bones[bones.size()].mesh.name == bone.name;
+    if (is_next) bones.push_back(std::move(bone));
+  }
+  scene.bones = std::move(bones);
+  return scene;
+}
+
 // Returns true if a file starts with the header of `key` and its checksum
 // matches. Leaves the file positioned at the archived data.
 bool IsIntact(const std::string& key, std::istream* file) {
@@ -168,7 +180,7 @@ std::optional<Preparation> PreparationCache::Read(const Scene& scene) const {
     Preparation preparation;
     std::vector<std::vector<ActionLine>> lines;
     archive(preparation.scene, preparation.rest, lines);
-    preparation.scene.scene = scene;
+    preparation.scene.scene = WithBonesOf(preparation.scene, scene);
     for (size_t i = 0; i < scene.muscles.size(); ++i) {
       preparation.scene.scene.muscles[i].lines = std::move(lines.at(i));
       FactorNormalMatrix(&preparation.scene.muscles.at(i).model);

@@ -50,6 +50,7 @@ class Articulator {
 
   Articulation Articulate() {
     MeasureBones();
+    FindHipBoneCalledPelvis();
     lacks_sides_ =
         !DecideSides(options_.side, image_axes_, &bones_, &result_.notes);
     AssignBodies();
@@ -90,6 +91,29 @@ class Articulator {
     result_.notes.push_back(
         "the femora do not stand in the frame as its axes " + options_.axes +
         " say, so that the axes are not used");
+  }
+
+  // A hip bone that is called a pelvis would be taken for both.
+  void FindHipBoneCalledPelvis() {
+    SampledBone* pelvis = nullptr;
+    for (SampledBone& bone : bones_) {
+      const BoneKind kind = bone.bone.kind;
+      if (kind != BoneKind::kPelvis && kind != BoneKind::kHipBone) continue;
+      if (pelvis != nullptr) return;  // there are both halves
+      pelvis = &bone;
+    }
+    if (!pelvis || pelvis->bone.kind != BoneKind::kPelvis) return;
+    for (const SampledBone& bone : bones_) {
+      if (!bone.femur.head ||
+          !IsOneHipBone(pelvis->surface.points, bone.femur.head->sphere)) {
+        continue;
+      }
+      pelvis->bone.kind = BoneKind::kHipBone;
+      result_.notes.push_back(pelvis->bone.name +
+                              " is taken for one hip bone, as the head of " +
+                              bone.bone.name + " lies in the middle of it");
+      return;
+    }
   }
 
   // The name that a body has by the table of joints, of a bone with one.

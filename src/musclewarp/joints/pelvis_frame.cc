@@ -97,6 +97,14 @@ std::optional<Eigen::Matrix3d> PelvisAxes(const Points& points,
   return axes;
 }
 
+bool IsOneHipBone(const Points& points, const Sphere& femoral_head) {
+  // Heads of people with whole pelves are 4.2 to 4.7 radii away from the
+  // middle, those with one hip bone 2.3 (LHDL, TLEM 2).
+  constexpr double kNear = 3.1;
+  const Eigen::Vector3d middle = points.colwise().mean().transpose();
+  return (femoral_head.center - middle).norm() < kNear * femoral_head.radius;
+}
+
 Points WithMirrorImage(const Points& hip_bone,
                        Side side,
                        const Eigen::Vector3d& right) {

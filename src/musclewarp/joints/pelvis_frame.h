@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "musclewarp/joints/bone.h"
+#include "musclewarp/joints/sphere_fit.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
@@ -23,6 +24,12 @@ namespace musclewarp {
 // a plane.
 std::optional<Eigen::Matrix3d> PelvisAxes(const Points& points,
                                           const Eigen::Vector3d& across);
+
+// Returns true if a mesh that is called a pelvis is one hip bone: the centre of
+// the head of a femur, which lies to one side of a whole pelvis, is then too
+// near to the middle of the mesh. `points`: #P x 3, mm, evenly over its
+// surface.
+bool IsOneHipBone(const Points& points, const Sphere& femoral_head);
 
 // Returns the points of a hip bone and those of its mirror image, which stands
 // in for the other one: the mirror is at right angles to `right`, the right of

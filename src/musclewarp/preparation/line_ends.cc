@@ -3,7 +3,6 @@
 #include "musclewarp/preparation/line_ends.h"
 
 #include <map>
-#include <sstream>
 #include <utility>
 
 #include "musclewarp/base/place_text.h"
@@ -35,17 +34,20 @@ std::vector<LineEnd> LineEndsOf(const std::vector<ActionLine>& lines,
 std::vector<std::string> FarEndWarnings(const std::string& muscle,
                                         const std::vector<LineEnd>& ends,
                                         double body_size) {
-  std::vector<std::string> warnings;
+  // What is true of both ends of a muscle is said once.
+  std::map<std::string, int> found;
   for (const LineEnd& end : ends) {
     if (end.distance <= kFarEnd) continue;
-    std::ostringstream text;
-    text << muscle << " ends " << LengthText(end.distance, body_size)
-         << " away from " << end.body
-         << ", to which its lines are fixed, expected at most "
-         << LengthText(kFarEnd, body_size)
-         << ": it was segmented too short, or ends on another body "
-            "(\"end_bodies\" in the scene names them)";
-    warnings.push_back(text.str());
+    ++found[LengthText(end.distance, body_size) + " away from " + end.body];
+  }
+  std::vector<std::string> warnings;
+  for (const auto& [where, count] : found) {
+    warnings.push_back(
+        (count > 1 ? "both ends of " + muscle + " are " : muscle + " ends ") +
+        where + ", to which its lines are fixed, expected at most " +
+        LengthText(kFarEnd, body_size) +
+        ": it was segmented too short, or ends on another body "
+        "(\"end_bodies\" in the scene names them)");
   }
   return warnings;
 }

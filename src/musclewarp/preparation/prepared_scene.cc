@@ -129,6 +129,31 @@ void PrepareFromMesh(const Surroundings& surroundings,
                prepared);
 }
 
+// Takes the bones of which no closed surface could be made from the scene.
+void LeaveOutBones(PreparedScene* prepared) {
+  std::vector<SceneBone> bones;
+  for (size_t i = 0; i < prepared->bones.size(); ++i) {
+    SceneBone& bone = prepared->scene.bones[i];
+    const std::string& why = prepared->bones[i].left_out;
+    if (why.empty()) {
+      bones.push_back(std::move(bone));
+      continue;
+    }
+    prepared->scene.warnings.push_back(
+        bone.name + ": a mesh that the model shows" +
+        (bone.mesh_path.empty() ? "" : ", " + bone.mesh_path + ",") +
+        " is left out, and muscles may cross it: " + why);
+  }
+  prepared->scene.bones = std::move(bones);
+  const auto is_left_out = [](const PreparedBone& bone) {
+    return !bone.left_out.empty();
+  };
+  prepared->bones.erase(
+      std::remove_if(
+          prepared->bones.begin(), prepared->bones.end(), is_left_out),
+      prepared->bones.end());
+}
+
 // Makes lines for the muscles that have none.
 void AddLines(const Surroundings& surroundings,
               const PrepareOptions& options,
@@ -312,6 +337,7 @@ PreparedScene PrepareScene(const Scene& scene,
   say_progress(0);
   const ScopedStage repairing("reading and repair");
   ParallelFor(num_meshes, repair, say_progress);
+  LeaveOutBones(&prepared);
   const ScopedStage modelling("models of muscles");
   Surroundings surroundings;
   AddBones(prepared.bones, &surroundings);

@@ -167,6 +167,10 @@ struct PreparedBone {
   std::string body;
   TriangleSoup rest;  // one closed surface or several, which may cross
 
+  // Why no closed surface could be made of the mesh of a model; empty for all
+  // bones that a prepared scene has.
+  std::string left_out = {};
+
   // The triangles that were delivered and `rest` does not have: those that the
   // repair left out, moved or replaced.
   TriangleSoup delivered_only;

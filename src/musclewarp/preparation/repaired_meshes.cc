@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/triangle_difference.h"
 #include "musclewarp/preparation/delivered_mesh.h"
@@ -46,8 +47,14 @@ PreparedBone RepairBone(PrepareOptions options, const SceneBone& bone) {
   options.repair.pieces.rule = PieceRule::kAll;
   PreparedBone prepared;
   const TriangleSoup delivered = DeliveredMesh(bone, &prepared.mesh.notes);
-  prepared.rest =
-      Repaired(delivered, bone.name, bone.mesh_path, options, &prepared.mesh);
+  try {
+    prepared.rest =
+        Repaired(delivered, bone.name, bone.mesh_path, options, &prepared.mesh);
+  } catch (const InputError& error) {
+    if (!bone.is_of_model) throw;
+    prepared.left_out = error.problem();
+    return prepared;
+  }
   prepared.delivered_only = TrianglesNotIn(delivered, prepared.rest);
   prepared.body = bone.body;
   return prepared;

@@ -9,7 +9,8 @@
 namespace musclewarp {
 
 // Reads and repairs the mesh of a bone, of which all pieces stay. Throws
-// InputError for what cannot be read or repaired.
+// InputError for what cannot be read or repaired, but for a mesh of a model
+// that cannot be repaired: that has PreparedBone::left_out.
 PreparedBone RepairBone(PrepareOptions options, const SceneBone& bone);
 
 // Reads and repairs the mesh of a muscle, which is one piece, and returns it;

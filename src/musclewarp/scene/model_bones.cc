@@ -93,6 +93,7 @@ void AddBonesOfMuscles(const ModelPoses& poses,
     SceneBone bone;
     bone.name = name;
     bone.body = name;
+    bone.is_of_model = true;
     scene->bones.push_back(std::move(bone));
   }
   if (scene->bones.empty()) {

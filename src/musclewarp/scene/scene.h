@@ -83,6 +83,10 @@ struct SceneBone {
   // What puts the points of the file into the scene: scale and place of meshes
   // that a model names, the unit of those of the scene file.
   Eigen::Matrix4d rest_from_file = Eigen::Matrix4d::Identity();
+
+  // True for a mesh that a model shows and no one asked for, such as an arrow
+  // or half a skull: it is left out if no closed surface can be made of it.
+  bool is_of_model = false;
   bool is_turned = false;  // before that, as the mesh of a muscle
 };
 
