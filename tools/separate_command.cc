@@ -273,7 +273,7 @@ void PrintMeshes(const Separation& result, int width, std::ostream& screen) {
       screen << "  made anew, " << FixedText(mesh.reconstruction.farthest, 1)
              << " mm off the old surface at most";
     }
-    screen << "\n";
+    screen << FilledCavities(mesh.repairs) << "\n";
   }
 }
 

@@ -115,6 +115,8 @@ TEST(MusclePieces, WhatIsNoSurfaceIsLeftOut) {
   EXPECT_THAT(NamesOf(found), ElementsAre("muscles"));
   ASSERT_EQ(found.repairs.dropped_pieces.size(), 1u);
   EXPECT_EQ(found.repairs.dropped_pieces[0].reason, DropReason::kShell);
+  EXPECT_EQ(found.repairs.dropped_pieces[0].volume, 0);
+  EXPECT_GT(found.repairs.dropped_pieces[0].cavity, 0);
 }
 
 }  // namespace

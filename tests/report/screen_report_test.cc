@@ -36,6 +36,17 @@ std::string LastLine(const RunRecord& run) {
   return text.substr(text.rfind('\n') + 1);
 }
 
+TEST(ScreenReport, SaysWhichCavitiesAreFilled) {
+  RepairReport repairs;
+  EXPECT_EQ(FilledCavities(repairs), "");
+  repairs.dropped_pieces.resize(2);
+  for (DroppedPiece& shell : repairs.dropped_pieces) {
+    shell.reason = DropReason::kShell;
+    shell.cavity = 1050;
+  }
+  EXPECT_EQ(FilledCavities(repairs), ", cavities of 2.1 cm3 filled");
+}
+
 TEST(ScreenReport, SaysThatARunWithoutContactWasNotTestedForCrossings) {
   EXPECT_THAT(LastLine(CrossingRun(ContactKind::kNone)),
               AllOf(HasSubstr("2 frames, not tested for crossings (contact "

@@ -101,7 +101,8 @@ MUSCLEWARP_ARCHIVE(Stitches, merged_points, inserted_points, longest)
 MUSCLEWARP_ARCHIVE(
     Fillings, holes, missing_faces, triangles, points, area, longest)
 MUSCLEWARP_ARCHIVE(Pulls, points, longest)
-MUSCLEWARP_ARCHIVE(DroppedPiece, reason, triangles, area, share, volume, place)
+MUSCLEWARP_ARCHIVE(
+    DroppedPiece, reason, triangles, area, share, volume, place, cavity)
 MUSCLEWARP_ARCHIVE(RepairReport,
                    point_merges,
                    degenerate_triangles,

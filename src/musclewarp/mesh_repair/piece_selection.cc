@@ -87,14 +87,14 @@ void Drop(const MeasuredPieces& measured,
     if (!reason) continue;
     keep_piece[i] = false;
     const Piece& piece = measured.pieces[i];
-    dropped->push_back({*reason,
-                        static_cast<int>(piece.soup.triangles.rows()),
-                        piece.area,
-                        measured.area > 0 ? piece.area / measured.area : 0,
-                        *reason == DropReason::kShell
-                            ? 0
-                            : std::abs(EnclosedVolume(piece.soup)),
-                        MeanPlace(piece.soup, piece.area)});
+    DroppedPiece& gone = dropped->emplace_back();
+    gone.reason = *reason;
+    gone.triangles = static_cast<int>(piece.soup.triangles.rows());
+    gone.area = piece.area;
+    gone.share = measured.area > 0 ? piece.area / measured.area : 0;
+    (*reason == DropReason::kShell ? gone.cavity : gone.volume) =
+        std::abs(EnclosedVolume(piece.soup));
+    gone.place = MeanPlace(piece.soup, piece.area);
   }
   std::vector<bool> keep_triangle(soup->triangles.rows());
   for (size_t f = 0; f < keep_triangle.size(); ++f) {
@@ -243,6 +243,7 @@ DroppedTotals TotalsOf(const std::vector<DroppedPiece>& dropped) {
     totals.area += piece.area;
     totals.largest_area = std::max(totals.largest_area, piece.area);
     totals.volume += piece.volume;
+    totals.cavity += piece.cavity;
   }
   return totals;
 }

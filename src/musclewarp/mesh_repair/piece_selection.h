@@ -44,6 +44,10 @@ struct DroppedPiece {
 
   // The mean of its triangles by their area, mm.
   Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
+
+  // The volume of the cavity that is filled, as a shell is left out that lies
+  // within another piece, mm^3; 0 for other pieces.
+  double cavity = 0;
 };
 
 struct PieceOptions {
@@ -83,6 +87,7 @@ struct DroppedTotals {
   double area = 0;          // mm^2
   double largest_area = 0;  // of one piece, mm^2
   double volume = 0;        // mm^3
+  double cavity = 0;        // mm^3
 };
 DroppedTotals TotalsOf(const std::vector<DroppedPiece>& dropped);
 

@@ -23,7 +23,7 @@ bool IsBody(const DroppedPiece& piece) {
 
 std::string SizeText(const DroppedPiece& piece, double body_size) {
   const double area = piece.area * std::pow(body_size, 2);
-  const double volume = piece.volume * std::pow(body_size, 3);
+  const double volume = (piece.volume + piece.cavity) * std::pow(body_size, 3);
   return MeasureText(area / 100) + " cm2, " + MeasureText(100 * piece.share) +
          " % of its surface, " + MeasureText(volume / 1000) + " cm3";
 }

@@ -18,6 +18,7 @@ void ScaleLengths(double factor, RepairReport* repairs) {
   for (DroppedPiece& piece : repairs->dropped_pieces) {
     piece.area *= factor * factor;
     piece.volume *= std::pow(factor, 3);
+    piece.cavity *= std::pow(factor, 3);
     piece.place *= factor;
   }
   repairs->pulls.longest *= factor;

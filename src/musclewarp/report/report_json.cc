@@ -42,6 +42,7 @@ OrderedJson DroppedPiecesJson(const MeshPreparation& mesh) {
                     {"area_mm2", piece.area},
                     {"share", piece.share},
                     {"volume_mm3", piece.volume},
+                    {"cavity_mm3", piece.cavity},
                     {"place_mm", {place.x(), place.y(), place.z()}}});
   }
   return list;

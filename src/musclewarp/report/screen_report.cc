@@ -64,11 +64,13 @@ std::string Treatment(const MeshPreparation& mesh) {
   const std::vector<DroppedPiece>& dropped = mesh.repairs.dropped_pieces;
   const auto others =
       std::count_if(dropped.begin(), dropped.end(), [](const auto& piece) {
-        return piece.reason != DropReason::kCrumb;
+        return piece.reason != DropReason::kCrumb &&
+               piece.reason != DropReason::kShell;
       });
   if (others > 0) {
     text += ", " + Counted(static_cast<int>(others), "piece") + " left out";
   }
+  text += FilledCavities(mesh.repairs);
   const int faces = mesh.repairs.fillings.missing_faces;
   if (faces > 0) text += ", " + Counted(faces, "missing face") + " filled";
   const SelfCrossingRemoval& crossings = mesh.self_crossings;
@@ -118,6 +120,12 @@ void PrintTotals(const RunRecord& run, std::ostream& out) {
 }
 
 }  // namespace
+
+std::string FilledCavities(const RepairReport& repairs) {
+  const double volume = TotalsOf(repairs.dropped_pieces).cavity;
+  if (volume == 0) return "";
+  return ", cavities of " + MeasureText(volume / 1000) + " cm3 filled";
+}
 
 void PrintPreparation(const PreparedScene& scene,
                       const ContactReport& contact,

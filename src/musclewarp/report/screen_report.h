@@ -18,6 +18,9 @@ void PrintPreparation(const PreparedScene& scene,
 // totals of the run: "usable" says there what it was tested for.
 void PrintFrames(const RunRecord& run, std::ostream& out);
 
+// Returns ", cavities of 2.1 cm3 filled", or nothing if none were.
+std::string FilledCavities(const RepairReport& repairs);
+
 // Says which bones cross each other as they were delivered, a line for each
 // two.
 void PrintBoneCrossings(const PreparedScene& scene, std::ostream& out);
