@@ -191,8 +191,8 @@ void PrintFrames(const RunRecord& run, std::ostream& out) {
     out << "  " << OutcomeOf(frame) << "\n";
   }
   PrintList("not usable", Shortcomings(run), out);
-  PrintList(
-      "warnings", ShapeWarnings(run.frames, run.scene->scene.body_size), out);
+  const double body_size = run.scene ? run.scene->scene.body_size : 1;
+  PrintList("warnings", ShapeWarnings(run.frames, body_size), out);
   PrintTotals(run, out);
 }
 
