@@ -175,8 +175,11 @@ class ArticulateRun {
   }
 
   void PrintShape(const FittedShape& shape) {
-    screen_ << "    " << shape.what << ": radius " << FixedText(shape.radius, 1)
-            << " mm, spread " << FixedText(shape.spread, 2) << " mm, covers ";
+    screen_ << "    " << shape.what << ": radius "
+            << RoundedText(shape.radius, 1, articulation_.size)
+            << " mm, spread "
+            << RoundedText(shape.spread, 2, articulation_.size)
+            << " mm, covers ";
     if (shape.kind == FittedShape::Kind::kSphere) {
       screen_ << 100 * shape.coverage << " % of its sphere\n";
     } else {

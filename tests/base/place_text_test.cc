@@ -27,6 +27,8 @@ TEST(FixedText, HasThreeSignificantDigitsAtLeast) {
   EXPECT_EQ(FixedText(0.0054321, 1), "0.00543");
   EXPECT_EQ(FixedText(1234.5678, 3), "1234.568");
   EXPECT_EQ(FixedText(0, 2), "0.00");
+  EXPECT_EQ(FixedText(2e-14, 3), "0.000");
+  EXPECT_EQ(FixedText(0.000012345, 1), "0.000012");
 }
 
 TEST(LengthText, IsInMillimetres) {

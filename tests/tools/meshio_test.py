@@ -101,7 +101,8 @@ class Meshio(unittest.TestCase):
         cls.temporary.cleanup()
 
     def expect_same(self, a, b):
-        numpy.testing.assert_array_equal(a, b)
+        # A number of .inp has at most 20 characters, which are 14 digits or more.
+        numpy.testing.assert_allclose(a, b, rtol=1e-13, atol=0)
 
     def expect_parts(self, mesh):
         """Elements of muscles and bones by name, where they are in the run."""

@@ -31,7 +31,7 @@ TEST(RunProgram, HelpShowsTheFlagsOfTheProgramAlone) {
 
 TEST(RunProgram, HelpShowsDefaultsAsOneWritesThem) {
   EXPECT_THAT(RunCommandLine(MUSCLEWARP_DEFORM, "--help").out,
-              HasSubstr("at most 0.5 [0.1]\n"));
+              HasSubstr("follows the size of the body [0.1]\n"));
 }
 
 TEST(RunProgram, SaysItsVersion) {

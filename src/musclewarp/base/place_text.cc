@@ -10,19 +10,24 @@
 namespace musclewarp {
 namespace {
 
-// Digits behind the point that show a tenth of a millimetre of a human body.
-int DigitsOfBody(double body_size) {
-  return 1 + static_cast<int>(std::ceil(std::max(0.0, -std::log10(body_size))));
+std::string Fixed(double value, int digits) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
 }
 
 }  // namespace
 
+std::string RoundedText(double value, int digits, double body_size) {
+  const double smaller = std::max(0.0, -std::log10(body_size));
+  return Fixed(value, digits + static_cast<int>(std::ceil(smaller)));
+}
+
 std::string PlaceText(const Eigen::RowVector3d& place, double body_size) {
-  const Eigen::RowVector3d mm = body_size * place;
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(DigitsOfBody(body_size)) << "("
-       << mm.x() << ", " << mm.y() << ", " << mm.z() << ")";
-  return text.str();
+  const auto text = [&](int axis) {
+    return RoundedText(body_size * place[axis], 1, body_size);
+  };
+  return "(" + text(0) + ", " + text(1) + ", " + text(2) + ")";
 }
 
 std::string MeasureText(double value) {
@@ -34,14 +39,15 @@ std::string MeasureText(double value) {
 }
 
 std::string FixedText(double value, int digits) {
-  constexpr int kSignificant = 3, kMost = 12;
-  if (value != 0 && std::isfinite(value)) {
+  // What is smaller than the last of the further digits is rounding.
+  constexpr int kSignificant = 3, kFurther = 5;
+  if (std::isfinite(value) &&
+      std::abs(value) >= std::pow(10, -(digits + kFurther))) {
     const int first = static_cast<int>(std::floor(std::log10(std::abs(value))));
-    digits = std::max(digits, std::min(kSignificant - 1 - first, kMost));
+    digits =
+        std::max(digits, std::min(kSignificant - 1 - first, digits + kFurther));
   }
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
-  return text.str();
+  return Fixed(value, digits);
 }
 
 std::string LengthText(double length, double body_size) {

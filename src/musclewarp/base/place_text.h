@@ -12,13 +12,17 @@ namespace musclewarp {
 // (Scene::body_size); below 1 there are more digits.
 std::string PlaceText(const Eigen::RowVector3d& place, double body_size = 1);
 
+// Returns a number with this many digits behind the point, and more for a body
+// of less than human size.
+std::string RoundedText(double value, int digits, double body_size);
+
 // Returns a number with three significant digits, or all before the point,
 // "26.7", "0.00512" or "2410", as sentences have measures whose size is not
 // known beforehand.
 std::string MeasureText(double value);
 
-// Returns a number with this many digits behind the point, and more if these
-// are fewer than three significant ones: "43.6", "0.0054".
+// Returns a number with this many digits behind the point, and up to five more
+// if these are fewer than three significant ones: "43.6", "0.0054".
 std::string FixedText(double value, int digits);
 
 // Returns a length in units of `body_size` mm as text: "3.4 mm".

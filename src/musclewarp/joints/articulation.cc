@@ -388,12 +388,12 @@ Articulation Articulate(std::vector<Bone> bones,
   for (Bone& bone : bones) bone.mesh.points /= size;
   for (FoundJoint& joint : of_human.given) ScaleLengths(1 / size, &joint);
   Articulation found = Articulator(std::move(bones), of_human).Articulate();
+  found.size = size;
   for (Bone& bone : found.bones) bone.mesh.points *= size;
   for (FoundJoint& joint : found.joints) ScaleLengths(size, &joint);
   found.notes.push_back("the bones are " + BodySizeText(size) +
-                        " human size: sentences about joints have the lengths "
-                        "of a skeleton enlarged or reduced to that of a "
-                        "person, all tables and files have those of the bones");
+                        " human size: sentences about joints have lengths of "
+                        "a skeleton of that size, tables and files their own");
   return found;
 }
 

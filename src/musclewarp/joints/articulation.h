@@ -53,6 +53,9 @@ struct Articulation {
   std::vector<FoundJoint> joints;
   std::vector<Weld> welds;
 
+  // How large the skeleton is against a human one (SkeletonSizeOf).
+  double size = 1;
+
   // What the user has to know beside the verdicts, each a sentence.
   std::vector<std::string> notes;
 };

@@ -15,8 +15,8 @@ namespace {
 
 constexpr size_t kFewestFrames = 5;
 
-std::string At(const Eigen::RowVector3d& place) {
-  return "at " + PlaceText(place);
+std::string At(const Eigen::RowVector3d& place, double body_size) {
+  return "at " + PlaceText(place / body_size, body_size);
 }
 
 // Returns the number of the frame with the largest value, or -1 if no value is
@@ -50,31 +50,34 @@ void WarnOfDrift(const std::vector<FrameRecord>& frames,
     const AttachmentDrift& drift = drift_in(frames[worst]);
     warnings->push_back(frames[worst].muscles[muscle].name + " leaves " +
                         drift.body + ", to which it is attached, by up to " +
-                        FixedText(drift.max, 1) + " mm (" +
-                        FixedText(drift.mean, 1) + " on average) in " +
-                        frames[worst].name + " " + At(drift.place));
+                        RoundedText(drift.max, 1, body_size) + " mm (" +
+                        RoundedText(drift.mean, 1, body_size) +
+                        " on average) in " + frames[worst].name + " " +
+                        At(drift.place, body_size));
   }
 }
 
 // Returns how much of the surface is stretched, to follow the largest stretch;
 // nothing for records of earlier versions, which do not have it.
-std::string StretchedAreas(const MuscleRecord& record) {
+std::string StretchedAreas(const MuscleRecord& record, double body_size) {
   const StretchMeasures& stretch = record.shape.triangles;
   if (stretch.largest == 1) return "";
   std::string text = ", 99 % of its surface to at most " +
-                     FixedText(stretch.quantile_99, 2) + ", 99.9 % to " +
-                     FixedText(stretch.quantile_999, 2);
+                     RoundedText(stretch.quantile_99, 2, body_size) +
+                     ", 99.9 % to " +
+                     RoundedText(stretch.quantile_999, 2, body_size);
   if (stretch.largest_patch == 0) return text;
   text += "; the largest patch beyond " + MeasureText(kStretchOfPatches) +
-          " has " + FixedText(stretch.largest_patch / 100, 2) + " cm2, " +
-          At(stretch.patch_place);
+          " has " + RoundedText(stretch.largest_patch / 100, 2, body_size) +
+          " cm2, " + At(stretch.patch_place, body_size);
   if (record.torn_patch.area == 0) return text;
   return text + ", and the largest that contact has torn " +
-         FixedText(record.torn_patch.area / 100, 2) + " cm2";
+         RoundedText(record.torn_patch.area / 100, 2, body_size) + " cm2";
 }
 
 void WarnOfStretch(const std::vector<FrameRecord>& frames,
                    size_t muscle,
+                   double body_size,
                    std::vector<std::string>* warnings) {
   const int worst =
       Worst(frames, kStretchBeyondAnatomy, [&](const FrameRecord& f) {
@@ -83,10 +86,10 @@ void WarnOfStretch(const std::vector<FrameRecord>& frames,
   if (worst < 0) return;
   const MuscleRecord& record = frames[worst].muscles[muscle];
   warnings->push_back(record.name + " is stretched to " +
-                      FixedText(record.shape.max_stretch, 2) +
+                      RoundedText(record.shape.max_stretch, 2, body_size) +
                       " times its length at rest in " + frames[worst].name +
-                      " " + At(record.shape.stretch_place) +
-                      StretchedAreas(record));
+                      " " + At(record.shape.stretch_place, body_size) +
+                      StretchedAreas(record, body_size));
 }
 
 // The first frame has no frame before it.
@@ -110,14 +113,16 @@ void WarnOfJumps(const std::vector<FrameRecord>& frames,
   if (worst < 0) return;
   const MuscleRecord& record = frames[worst].muscles[muscle];
   warnings->push_back(record.name + " jumps by " +
-                      FixedText(record.shape.max_change, 1) + " mm from " +
-                      frames[worst - 1].name + " to " + frames[worst].name +
-                      " (the median of its changes is " + FixedText(median, 1) +
-                      " mm) " + At(record.shape.change_place));
+                      RoundedText(record.shape.max_change, 1, body_size) +
+                      " mm from " + frames[worst - 1].name + " to " +
+                      frames[worst].name + " (the median of its changes is " +
+                      RoundedText(median, 1, body_size) + " mm) " +
+                      At(record.shape.change_place, body_size));
 }
 
 // Sentences of the worst frame of each pair of bones.
 void WarnOfBones(const std::vector<FrameRecord>& frames,
+                 double body_size,
                  std::vector<std::string>* warnings) {
   std::map<std::pair<std::string, std::string>,
            std::pair<const FrameRecord*, const BoneOverlap*>>
@@ -132,9 +137,9 @@ void WarnOfBones(const std::vector<FrameRecord>& frames,
   }
   for (const auto& [names, found] : worst) {
     warnings->push_back(names.first + " and " + names.second + " are " +
-                        FixedText(found.second->depth_mm, 1) +
+                        RoundedText(found.second->depth_mm, 1, body_size) +
                         " mm deep in each other in " + found.first->name + " " +
-                        At(found.second->place) +
+                        At(found.second->place, body_size) +
                         ": muscles between them have no room there");
   }
 }
@@ -147,10 +152,10 @@ std::vector<std::string> ShapeWarnings(const std::vector<FrameRecord>& frames,
   if (frames.empty()) return warnings;
   for (size_t muscle = 0; muscle < frames[0].muscles.size(); ++muscle) {
     WarnOfDrift(frames, muscle, body_size, &warnings);
-    WarnOfStretch(frames, muscle, &warnings);
+    WarnOfStretch(frames, muscle, body_size, &warnings);
     WarnOfJumps(frames, muscle, body_size, &warnings);
   }
-  WarnOfBones(frames, &warnings);
+  WarnOfBones(frames, body_size, &warnings);
   return warnings;
 }
 

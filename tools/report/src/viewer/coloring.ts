@@ -156,7 +156,7 @@ const gapScale = (limit: number): VertexScale => ({
         : `${millimetres(value, limit)} mm to the next mesh`,
 });
 
-function contactScale(contactGap: number): VertexScale {
+function contactScale({ contactGap, gapLimit }: Run): VertexScale {
   const color = (place: number) =>
     place < 1 / 3 ? insideColor : place < 2 / 3 ? "#3b73b9" : "#c8c8c8";
   return {
@@ -170,7 +170,7 @@ function contactScale(contactGap: number): VertexScale {
       [1 / 2, `within ${contactGap} mm`],
       [5 / 6, "apart"],
     ],
-    say: gapScale.say,
+    say: gapScale(gapLimit).say,
   };
 }
 
@@ -223,7 +223,7 @@ export function vertexScale(
     case "gap":
       return gapScale(runs[0].gapLimit);
     case "contact":
-      return contactScale(runs[0].contactGap);
+      return contactScale(runs[0]);
     case "attachment":
       return attachmentScale(runs);
   }
