@@ -60,6 +60,20 @@ TEST(BringIntoOneSpace, StatedAxesDecide) {
   EXPECT_FALSE(scene.bones[0].is_turned);
 }
 
+TEST(BringIntoOneSpace, AxesThatAreNotStatedAreThoseOfTheFiles) {
+  Scene scene = MixedScene();
+  scene.bones.clear();
+  ASSERT_EQ(scene.axes, "LPS");
+  scene.states_axes = true;
+  BringIntoOneSpace(&scene);
+  EXPECT_EQ(scene.axes, "LPS");
+  scene.states_axes = false;
+  BringIntoOneSpace(&scene);
+  EXPECT_EQ(scene.axes, "RAS");
+  EXPECT_FALSE(scene.muscles[0].is_turned);
+  EXPECT_THAT(scene.notes, ElementsAre(HasSubstr("axes: RAS")));
+}
+
 TEST(BringIntoOneSpace, LeavesBonesThatAModelPlaces) {
   Scene scene = MixedScene();
   scene.bones[0].rest_from_file(0, 3) = 100;

@@ -131,6 +131,7 @@ CommonSpace FindCommonSpace(const std::vector<StatedFile>& files,
     if (!same) same = &file;
   }
   if (!reference) return common;
+  common.space = reference->space;
   if (!first[0] || !first[1]) {
     if (axes.empty() || axes == reference->space) return common;
     common.warnings.push_back(
@@ -141,6 +142,7 @@ CommonSpace FindCommonSpace(const std::vector<StatedFile>& files,
   }
   const bool is_given = axes == kLps || axes == kRas;
   const std::string space = is_given ? axes : reference->space;
+  common.space = space;
   const StatedFile& other = *first[space == kRas];
   for (size_t i = 0; i < files.size(); ++i) {
     if (files[i].space.empty() || files[i].space == space) continue;

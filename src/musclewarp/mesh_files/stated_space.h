@@ -33,6 +33,8 @@ struct StatedFile {
 
 // How files come into one space.
 struct CommonSpace {
+  std::string space;  // that of all files then; empty if none states one
+
   std::vector<bool> is_turned;  // by file: x and y have to change their signs
   std::vector<std::string> warnings;
 };

@@ -37,6 +37,11 @@ void BringIntoOneSpace(Scene* scene) {
                       scene->states_axes ? scene->axes : "",
                       scene->path.empty() ? "axes" : scene->path + ": axes");
   for (size_t i = 0; i < files.size(); ++i) *marks[i] = common.is_turned[i];
+  if (!scene->states_axes && !common.space.empty() &&
+      common.space != scene->axes) {
+    scene->axes = common.space;
+    scene->notes.push_back("axes: " + common.space + ", as the meshes state");
+  }
   std::vector<std::string>& warnings = scene->warnings;
   for (const std::string& warning : common.warnings) {
     if (std::count(warnings.begin(), warnings.end(), warning) > 0) continue;
