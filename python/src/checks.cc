@@ -153,15 +153,19 @@ std::shared_ptr<FrameOfScene> Separate(const MeshesByName& meshes,
     separation = RestSeparationOptionsOf(options);
     CheckValid(separation);
   });
-  return ComputeFree([scene = SceneOf(meshes, bones, units),
-                      separation,
-                      lengths_in_mm,
-                      on_progress = CallbackOf(progress)] {
-    MeshSeparation result =
-        SeparateMeshes(scene, separation, on_progress, lengths_in_mm);
-    return std::make_shared<FrameOfScene>(
-        FrameOfScene{std::move(result.frame), PartsOf(result.scene)});
+  std::shared_ptr<FrameOfScene> result;
+  CallWithKeywords([&] {
+    result = ComputeFree([scene = SceneOf(meshes, bones, units),
+                          separation,
+                          lengths_in_mm,
+                          on_progress = CallbackOf(progress)] {
+      MeshSeparation separated =
+          SeparateMeshes(scene, separation, on_progress, lengths_in_mm);
+      return std::make_shared<FrameOfScene>(
+          FrameOfScene{std::move(separated.frame), PartsOf(separated.scene)});
+    });
   });
+  return result;
 }
 
 }  // namespace

@@ -89,9 +89,7 @@ DeformerOptions OptionsFrom(const py::dict& keywords) {
   DeformerSettings choices;
   VisitChoices(&choices, [&](const char* name, auto& field) {
     if (!keywords.contains(name)) return;
-    if (LengthsThatCanBeAskedFor().count(name) > 0) {
-      choices.lengths_in_mm.insert(name);
-    }
+    const auto otherwise = field;
     const py::object value = keywords[name];
     try {
       field = value.cast<std::decay_t<decltype(field)>>();
@@ -99,6 +97,10 @@ DeformerOptions OptionsFrom(const py::dict& keywords) {
       throw InputError(name,
                        "is " + py::repr(value).cast<std::string>(),
                        std::string("allowed: ") + WhatIsAllowed(field));
+    }
+    // All keywords come with values; one that is not the default was given.
+    if (field != otherwise && LengthsThatCanBeAskedFor().count(name) > 0) {
+      choices.lengths_in_mm.insert(name);
     }
   });
   DeformOptions run;

@@ -54,7 +54,9 @@ using SharedState = std::shared_ptr<StateOfDeformer>;
 Self MakeFromKeywords(const SharedScene& scene,
                       const py::dict& keywords,
                       const py::object& progress) {
-  const Self self = MakeDeformer(*scene, OptionsFrom(keywords), progress);
+  Self self;
+  CallWithKeywords(
+      [&] { self = MakeDeformer(*scene, OptionsFrom(keywords), progress); });
   for (const auto& [name, value] : keywords) {
     self->keywords[name.cast<std::string>()] =
         py::str(value).cast<std::string>();

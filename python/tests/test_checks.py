@@ -56,6 +56,17 @@ def test_separates_meshes_and_keeps_their_volume():
     assert frame["psoas"].volume == pytest.approx(MESH.volume, rel=2e-8)
 
 
+def test_a_gap_follows_the_size_of_the_body_unless_it_is_given():
+    tiny = {name: mw.Mesh(mesh.points / 32, TRIANGLES)
+            for name, mesh in (("a", MESH), ("b", beside(18)))}
+    frame = mw.separate(tiny)
+    assert frame.usable, frame.shortcomings
+    assert 0.1 / 64 <= frame.smallest_gap < 0.005
+    assert mw.separate(tiny, gap=0.005).smallest_gap >= 0.005
+    with pytest.raises(mw.InputError, match="gap: is 0.2 mm, and the body is 1/64"):
+        mw.separate(tiny, gap=0.2)
+
+
 def test_separates_meshes_from_bones_that_stay():
     frame = mw.separate([MESH], bones=[beside(18)])
     assert frame.names == ["mesh_1", "bone_1"]

@@ -49,7 +49,7 @@ TEST(ImageGrid, RefusesWhatIsNoPlaceForVoxels) {
   ExpectGridRefused(grid, {"has 30000 x 30000 x 30000", "at most 5e8", "crop"});
   grid = SmallGrid();
   grid.world_from_index.col(2) *= 0.001;
-  ExpectGridRefused(grid, {"0.0005 mm apart along axis 2", "0.01 to 100 mm"});
+  ExpectGridRefused(grid, {"0.0005 mm apart along axis 2", "0.001 to 100 mm"});
   grid = SmallGrid();
   grid.world_from_index.col(2) = grid.world_from_index.col(1);
   ExpectGridRefused(grid, {"directions of its axes lie in a plane"});

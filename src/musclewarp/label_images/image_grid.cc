@@ -15,7 +15,7 @@
 namespace musclewarp {
 namespace {
 
-constexpr double kShortestStep = 0.01, kLongestStep = 100;  // mm
+constexpr double kShortestStep = 1e-3, kLongestStep = 100;  // mm
 constexpr double kFarthestVoxel = 1e7;  // mm, as for the points of meshes
 
 // The sine of the angle between steps, at least: less is no space.
@@ -63,7 +63,7 @@ void CheckGrid(const std::string& path, const ImageGrid& grid) {
     if (step >= kShortestStep && step <= kLongestStep) continue;
     std::ostringstream text;
     text << "its voxels are " << step << " mm apart along axis " << axis
-         << "; allowed: 0.01 to 100 mm";
+         << "; allowed: 0.001 to 100 mm";
     throw InputError(
         path, text.str(), "check the spacing and the units of the image");
   }
