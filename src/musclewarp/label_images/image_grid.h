@@ -39,7 +39,7 @@ struct ImageGrid {
 void TurnFromRas(ImageGrid* grid);
 
 // Throws InputError, with `path` as its place, unless every axis has at least
-// one voxel, there are at most kMostVoxels, the steps are 0.01 to 100 mm long
+// one voxel, there are at most kMostVoxels, the steps are 0.001 to 100 mm long
 // and span a space, and the image is within 1e7 mm of the origin.
 void CheckGrid(const std::string& path, const ImageGrid& grid);
 
