@@ -14,6 +14,7 @@
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/scene/path_moment_arms.h"
 #include "musclewarp/scene/scene.h"
+#include "opensim/read_models.h"
 #include "scene/transform_checks.h"
 #include "support/input_errors.h"
 #include "support/osim_models.h"
@@ -79,6 +80,36 @@ class ModelScene : public ::testing::Test {
   std::string dir_, model_, motion_;
   Json scene_;
 };
+
+// Of a model with a ball whose joint has a coordinate "knee", too.
+TEST_F(ModelScene, AColumnThatNamesTwoCoordinatesMattersWhereItIsNeeded) {
+  model_ = Replaced(model_,
+                    "<Body name=\"shank\"",
+                    "<Body name=\"ball\"/><Body name=\"shank\"");
+  model_ = Replaced(model_,
+                    "<PinJoint name=\"knee_joint\">",
+                    "<PinJoint name=\"other\"><socket_parent_frame>/ground"
+                    "</socket_parent_frame><socket_child_frame>/bodyset/ball"
+                    "</socket_child_frame><coordinates><Coordinate "
+                    "name=\"knee\"/></coordinates></PinJoint>"
+                    "<PinJoint name=\"knee_joint\">");
+  model_ = Replaced(model_,
+                    "<socket_coordinate>knee",
+                    "<socket_coordinate>/jointset/knee_joint/knee");
+  scene_["model_rest"]["coordinates"] = {{"knee_joint/knee", -20}};
+  ExpectRefused({"leg.mot",
+                 "knee_joint/knee moves shank",
+                 "/jointset/knee_joint/knee/value"});
+  motion_ = Replaced(motion_, "time knee", "time /jointset/knee_joint/knee");
+  const Scene scene = Read();
+  EXPECT_EQ(scene.poses[1].coordinates.at("knee_joint/knee"), -30);
+  // Beside a column that says all, the other one is of the ball.
+  motion_ =
+      "m\ninDegrees=yes\nendheader\n"
+      "time /jointset/knee_joint/knee knee\n0 0 5\n0.1 -30 6\n";
+  EXPECT_THAT(Read().warnings,
+              Contains(HasSubstr("column \"knee\" is the name of 2")));
+}
 
 TEST_F(ModelScene, BodiesTurnFromTheRestPoseToThePose) {
   const Scene scene = Read();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/opensim/coordinate_motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "musclewarp/base/input_error.h"
@@ -88,7 +89,11 @@ CoordinateMotion MotionOf(const Model& model,
                               WhyNoCoordinate(model, label) +
                               "; it is left out");
     for (const std::string& name : model.CoordinatesCalled(label)) {
-      motion.ambiguous.push_back(model.FindCoordinate(name));
+      const int coordinate = model.FindCoordinate(name);
+      const auto& known = columns.coordinates;
+      if (std::count(known.begin(), known.end(), coordinate) == 0) {
+        motion.ambiguous.push_back(coordinate);
+      }
     }
   }
   motion.values.assign(table.times.size(), DefaultValues(model));

@@ -23,7 +23,8 @@ struct CoordinateMotion {
   std::vector<int> moving;
 
   // The coordinates of several joints that have the name of a column, which
-  // does not say whose value it is: their values are not known.
+  // does not say whose value it is, and no column of their own: their values
+  // are not known.
   std::vector<int> ambiguous;
 
   // What in the table was ignored or does not agree with its header.
