@@ -44,16 +44,6 @@ inline OsimXml Xml(const std::string& element) {
   return OsimXml(Written("part.osim", element));
 }
 
-// Returns the text with the first `from` replaced.
-inline std::string Replaced(std::string text,
-                            const std::string& from,
-                            const std::string& to) {
-  const auto at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  if (at == std::string::npos) return text;
-  return text.replace(at, from.size(), to);
-}
-
 // A model of OpenSim 4 whose shank turns about a pin with the coordinate "q".
 inline std::string PinModel() { return Model4(Joint4("PinJoint", "q")); }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/osim_models.h"
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <sstream>
 
@@ -135,6 +137,14 @@ std::string Written(const std::string& name, const std::string& text) {
   std::filesystem::create_directories(dir);
   WriteTextAtomically(dir + "/" + name, text);
   return dir + "/" + name;
+}
+
+std::string Replaced(std::string text,
+                     const std::string& from,
+                     const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
 }  // namespace musclewarp

@@ -45,4 +45,9 @@ std::string Point4(const std::string& name,
 // Writes the text to a file of the running test and returns its path.
 std::string Written(const std::string& name, const std::string& text);
 
+// Returns a text with the first `from`, which it must have, replaced.
+std::string Replaced(std::string text,
+                     const std::string& from,
+                     const std::string& to);
+
 }  // namespace musclewarp
