@@ -180,7 +180,7 @@ TEST(LabelImage, SlopeInterceptAndUnitsOfNiftiCount) {
   }
   bytes[123] = 3;  // micrometres
   WriteTextAtomically(path, bytes);
-  ExpectImageRefused(path, {"mm apart along axis 0", "units of the image"});
+  ExpectImageRefused(path, {"mm apart along axis 2", "units of the image"});
   bytes[123] = 2;  // millimetres
   WriteTextAtomically(path, bytes);
   for (unsigned char& label : image.labels) label = 2 * label + 1;
