@@ -5,11 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "musclewarp/deformer/deformer.h"
 #include "musclewarp/deformer/mesh_separation.h"
 #include "musclewarp/scene/scaled_scene.h"
+#include "support/input_errors.h"
 #include "support/meshes.h"
 #include "support/small_scene.h"
 
@@ -120,6 +122,22 @@ TEST(BodySize, AScaledSceneGivesTheScaledFramesToTheLastBit) {
   }
 }
 
+TEST(BodySize, IsNotThatOfAMeshInAWrongUnit) {
+  DeformerOptions options = WithFewHullVertices();
+  options.lengths_in_mm = {"gap"};
+  Scene metres = Scaled(1e-3, SceneOfLegSize());
+  for (SceneMuscle& muscle : metres.muscles) muscle.mm_per_unit = 1;
+  ExpectInputError([&] { Deformer(metres, options); },
+                   {"mm across", "is it in metres?"});
+}
+
+TEST(BodySize, IsNotThatOfAMeshWithoutPlaces) {
+  Scene scene = SceneOfLegSize();
+  scene.muscles[0].points(0, 0) = std::nan("");
+  ExpectInputError([&] { Deformer(scene, WithFewHullVertices()); },
+                   {"left: point 0", "allowed"});
+}
+
 TEST(BodySize, ASceneBeyondHumanSizeSaysSo) {
   const Scene human = InBodyUnits(SceneOfLegSize());
   EXPECT_TRUE(human.notes.empty());
@@ -127,9 +145,9 @@ TEST(BodySize, ASceneBeyondHumanSizeSaysSo) {
   const Scene mouse = InBodyUnits(Scaled(1.0 / 32, SceneOfLegSize()));
   EXPECT_EQ(mouse.muscles[0].points, SceneOfLegSize().muscles[0].points);
   ASSERT_EQ(mouse.notes.size(), 1u);
-  EXPECT_THAT(mouse.notes[0], HasSubstr("are 1/32 of those for people"));
+  EXPECT_THAT(mouse.notes[0], HasSubstr("are 1/32 of human size; lengths"));
   const Scene whale = InBodyUnits(Scaled(16, SceneOfLegSize()));
-  EXPECT_THAT(whale.notes[0], HasSubstr("are 16 times those for people"));
+  EXPECT_THAT(whale.notes[0], HasSubstr("are 16 times human size; lengths"));
 }
 
 // Overlapping spheres, as large as muscles of a leg.

@@ -109,9 +109,9 @@ TEST_F(ModelScene, AColumnThatNamesTwoCoordinatesMattersWhereItIsNeeded) {
               Contains(HasSubstr("column \"knee\" is the name of 2")));
   motion_ =
       Replaced(motion_, "/jointset/knee_joint/knee", "/jointset/other/knee");
-  ExpectRefused({"leg.mot",
-                 "knee_joint/knee moves shank",
-                 "/jointset/knee_joint/knee/value"});
+  ExpectRefused(
+      {"\"knee\", which may mean knee_joint/knee, and this moves shank",
+       "/jointset/knee_joint/knee/value"});
 }
 
 TEST_F(ModelScene, BodiesTurnFromTheRestPoseToThePose) {

@@ -3,13 +3,17 @@
 #include "musclewarp/deformer/body_size.h"
 
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/place_text.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/preparation/delivered_mesh.h"
+#include "musclewarp/scene/coordinate_limits.h"
+#include "musclewarp/scene/length_unit.h"
 #include "musclewarp/scene/scaled_scene.h"
 
 namespace musclewarp {
@@ -32,8 +36,18 @@ double RoughVolume(TriangleSoup mesh) {
 double BodySizeOf(const Scene& scene) {
   std::vector<double> volumes(scene.muscles.size());
   ParallelFor(volumes.size(), [&](size_t m) {
+    const SceneMuscle& muscle = scene.muscles[m];
     std::vector<std::string> notes;  // the preparation gives them
-    volumes[m] = RoughVolume(DeliveredMesh(scene.muscles[m], &notes));
+    TriangleSoup mesh = DeliveredMesh(muscle, &notes);
+    const std::string& where =
+        muscle.mesh_path.empty() ? muscle.name : muscle.mesh_path;
+    CheckCoordinates(where, mesh.points);
+    // A mesh in a wrong unit is not a small body.
+    CheckMuscleSize(where,
+                    BoundingBoxDiagonal(mesh.points),
+                    std::nullopt,
+                    muscle.mm_per_unit);
+    volumes[m] = RoughVolume(std::move(mesh));
   });
   double sum = 0;
   int count = 0;
@@ -53,9 +67,9 @@ Scene InBodyUnits(Scene scene) {
   if (scene.body_size == 1) return scene;
   ScaleLengths(1 / scene.body_size, &scene);
   scene.notes.push_back(
-      "the muscles are far from human size: all lengths of the method that "
-      "are not asked for, such as the gap that is kept, are " +
-      BodySizeText(scene.body_size) + " those for people");
+      "the muscles are " + BodySizeText(scene.body_size) +
+      " human size; lengths that the method uses, such as the gap, are scaled "
+      "accordingly unless they are given");
   return scene;
 }
 

@@ -14,7 +14,8 @@ namespace musclewarp {
 // of the muscles of a human leg, 31 to 62 mm: 1/32 for a mouse. Scenes that
 // differ by a power of two are thus computed alike, to the last bit, unless one
 // of them is of human size and not of that of a leg. Reads the meshes of
-// muscles; throws InputError for what cannot be read.
+// muscles. Throws InputError if one cannot be read, has coordinates that are
+// not allowed, or has not the size of a muscle (CheckMuscleSize).
 double BodySizeOf(const Scene& scene);
 
 // Returns a scene, given in mm, in units of its body's size, with body_size and

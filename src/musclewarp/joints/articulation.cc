@@ -392,8 +392,8 @@ Articulation Articulate(std::vector<Bone> bones,
   for (Bone& bone : found.bones) bone.mesh.points *= size;
   for (FoundJoint& joint : found.joints) ScaleLengths(size, &joint);
   found.notes.push_back("the bones are " + BodySizeText(size) +
-                        " human size: sentences about joints have lengths as "
-                        "of human size, tables and files their own");
+                        " human size; remarks on joints give lengths at human "
+                        "size, tables and files true ones");
   return found;
 }
 

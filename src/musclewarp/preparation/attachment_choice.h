@@ -27,7 +27,8 @@ enum class AttachmentKind {
 // lines say. A line that leaves an attachment in some pose contradicts it
 // (FindLeavingLine): a detected attachment is then dropped, as the lines are
 // more reliable than the meshes; one of the scene is kept. `warnings` gets a
-// sentence per contradiction.
+// sentence per contradiction. Lengths are in units of `body_size` mm
+// (Scene::body_size).
 std::vector<Attachment> ChooseAttachments(
     AttachmentKind kind,
     const SceneMuscle& muscle,

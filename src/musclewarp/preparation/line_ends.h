@@ -25,7 +25,8 @@ constexpr double kFarEnd = 15;
 std::vector<LineEnd> LineEndsOf(const std::vector<ActionLine>& lines,
                                 const std::vector<BodySurface>& bodies);
 
-// Returns a warning for each end of a muscle beyond kFarEnd.
+// Returns a warning for each end of a muscle beyond kFarEnd, or one for both if
+// they are alike. Lengths are in units of `body_size` mm (Scene::body_size).
 std::vector<std::string> FarEndWarnings(const std::string& muscle,
                                         const std::vector<LineEnd>& ends,
                                         double body_size);

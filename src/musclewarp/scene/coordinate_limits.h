@@ -19,9 +19,10 @@ constexpr double kLargestCoordinate = 1e7;
 // "allowed: -1e7 to 1e7 mm": the advice of messages about coordinates.
 std::string AllowedCoordinates();
 
-// Throws InputError if a coordinate of `points` (#P x 3, mm) is not finite or
-// larger than kLargestCoordinate. `where` names the file and the field; the
-// message adds the index of the point, counted from 0, and its place.
+// Throws InputError if a coordinate of `points` (#P x 3, in units of
+// `body_size` mm, Scene::body_size) is not finite or larger than
+// kLargestCoordinate. `where` names the file and the field; the message adds
+// the index of the point, counted from 0, and its place.
 void CheckCoordinates(const std::string& where,
                       const Points& points,
                       double body_size = 1);

@@ -15,7 +15,8 @@ namespace musclewarp {
 // mesh, which names the farthest point (counted from 0) and its distance. A
 // tendon is not that long: that of the plantaris, the longest beside its belly,
 // is about four times as long. `points` are those of the mesh (#V x 3, mm, rest
-// pose); precondition (CHECKed): there is one.
+// pose); precondition (CHECKed): there is one. Lengths are in units of
+// `body_size` mm (Scene::body_size).
 std::vector<std::string> FarLineWarnings(const SceneMuscle& muscle,
                                          const Points& points,
                                          double body_size = 1);

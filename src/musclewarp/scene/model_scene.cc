@@ -108,13 +108,14 @@ void CheckMotionIsKnown(const CoordinateMotion& motion,
     for (const std::string& name : bodies) {
       const int body = model.FindBody(name);
       if (body < 0 || !MovesBody(model, coordinate, body)) continue;
+      const std::string& known_as = model.coordinates[coordinate].name;
       throw InputError(
           path,
-          "has a column for one of the coordinates of this name, which do not "
-          "say whose they are: " +
-              model.coordinates[coordinate].name + " moves " + name,
-          "name the column by the path of its coordinate: /jointset/" +
-              model.coordinates[coordinate].name + "/value");
+          "has a column \"" + known_as.substr(known_as.find('/') + 1) +
+              "\", which may mean " + known_as + ", and this moves " + name,
+          "name the column by the path of its coordinate: "
+          "/jointset/" +
+              known_as + "/value");
     }
   }
 }
