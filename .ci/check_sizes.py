@@ -7,7 +7,8 @@ usage: .ci/check_sizes.py
 
 Fails, and names the offenders, if among the tracked C++ files
   - a source has more than 400 lines, or a header more than 300;
-  - a function has more than 60 lines from its opening to its closing brace;
+  - a function has more than 60 lines from its opening to its closing brace,
+    but for the lists of fields of base/described.h, which are data;
   - fewer than three quarters of the sources of src, problems and tools have a
     test of the same stem: tests/**/<stem>_test.cc;
   - fewer than 35 % of the lines of the headers of src, problems and tools are
@@ -23,6 +24,7 @@ import sys
 MAX_SOURCE_LINES = 400
 MAX_HEADER_LINES = 300
 MAX_FUNCTION_LINES = 60
+LIST = " FieldsOf(Described<"
 MIN_TESTED_SHARE = 0.75
 MIN_COMMENT_SHARE = 0.35
 CODE_FOLDERS = ("src/", "problems/", "tools/")
@@ -101,7 +103,7 @@ def long_parts(texts):
         if lines > allowed:
             yield f"{path}: {lines} lines, more than {allowed}"
         for line, length, declaration in functions(text):
-            if length > MAX_FUNCTION_LINES:
+            if length > MAX_FUNCTION_LINES and LIST not in declaration:
                 yield (f"{path}:{line}: a function of {length} lines, more "
                        f"than {MAX_FUNCTION_LINES}: {declaration[:60]}")
 

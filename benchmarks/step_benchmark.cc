@@ -19,6 +19,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/report/machine.h"
 #include "step_replay.h"
@@ -105,9 +106,7 @@ double BaselineMs(const OrderedJson& baseline,
 
 std::string RatioText(double ms, double baseline_ms) {
   if (baseline_ms <= 0) return "";
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << ms / baseline_ms;
-  return text.str();
+  return RoundedText(ms / baseline_ms, 2);
 }
 
 void PrintRow(const std::string& name,

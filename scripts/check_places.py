@@ -64,6 +64,14 @@ CHANGES = {
                "(closest.on_a - closest.on_b) / distance, distance};",
                "(closest.on_a - closest.on_b) / distance, distance / 2};",
                (probes.certified,))],
+    "a new figure": [
+        Change(LIBRARY + "figures/frame_figures.h",
+               "return shortcomings.empty() &&", "return !shortcomings.empty() &&",
+               (probes.certified,)),
+        Change(LIBRARY + "frames/frame_measures.cc",
+               "frame.volume_error = volume / model.rest_volume - 1;",
+               "frame.volume_error = volume / model.rest_volume - 2;",
+               (probes.certified,))],
     "a new mesh format": [
         Change(LIBRARY + "mesh_files/off_io.cc",
                "cursor_.Real(words_[at_ + k], \"a coordinate\")",

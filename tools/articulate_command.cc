@@ -11,10 +11,11 @@
 #include <iomanip>
 #include <utility>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/base/place_text.h"
 #include "musclewarp/base/portable_path.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/joints/articulated_model.h"
 #include "musclewarp/joints/articulated_scene.h"
@@ -162,9 +163,8 @@ class ArticulateRun {
       screen_ << std::left << std::setw(12) << joint.name() << std::setw(8)
               << (joint.is_given ? "given" : ToString(joint.verdict.quality));
       if (joint.IsFound()) {
-        screen_ << joint.parent << " - " << joint.child << ", at ("
-                << joint.center.x() << ", " << joint.center.y() << ", "
-                << joint.center.z() << ")";
+        screen_ << joint.parent << " - " << joint.child << ", at "
+                << PlaceText(joint.center.transpose());
       }
       screen_ << "\n";
       for (const FittedShape& shape : joint.shapes) PrintShape(shape);
@@ -183,7 +183,7 @@ class ArticulateRun {
     if (shape.kind == FittedShape::Kind::kSphere) {
       screen_ << 100 * shape.coverage << " % of its sphere\n";
     } else {
-      screen_ << shape.angle * 180 / M_PI << " degrees\n";
+      screen_ << DegreesOf(shape.angle) << " degrees\n";
     }
   }
 

@@ -12,11 +12,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/label_images/label_image_file.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"
@@ -188,9 +187,7 @@ OrderedJson ToJson(const CheckedPair& pair) {
 // has none.
 std::string VolumeText(const CheckedFile& file) {
   if (!file.is_oriented) return "-";
-  std::ostringstream text;
-  text << FixedText(file.volume / 1000, 2);
-  return text.str();
+  return FixedText(file.volume / 1000, 2);
 }
 
 std::string DefectsText(const MeshDefects& defects) {
@@ -299,9 +296,9 @@ int CheckCommand(const std::vector<std::string>& files,
   }
   CheckThreads(options.threads);
   if (!(options.gap >= 0)) {
-    std::ostringstream value;
-    value << "is " << options.gap;
-    throw InputError("--gap", value.str(), "allowed: 0 (none) or above, mm");
+    throw InputError("--gap",
+                     "is " + NumberText(options.gap),
+                     "allowed: 0 (none) or above, mm");
   }
   if (options.threads > 0) omp_set_num_threads(options.threads);
   std::vector<CheckedFile> checked;

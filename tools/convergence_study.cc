@@ -62,13 +62,13 @@ const DiscretisationResult& ResultOf(
 std::optional<double> LargestArmDifference(const DiscretisedMuscle& muscle,
                                            const DiscretisedMuscle& finest) {
   std::optional<double> largest;
-  for (const auto& [coordinate, arms] : muscle.moment_arms) {
-    const auto found = finest.moment_arms.find(coordinate);
+  for (const auto& [line, arms] : muscle.moment_arms) {
+    const auto found = finest.moment_arms.find(line);
     if (found == finest.moment_arms.end()) continue;
-    CHECK_EQ(arms.size(), found->second.size());
-    for (size_t line = 0; line < arms.size(); ++line) {
-      largest = std::max(largest.value_or(0),
-                         std::abs(arms[line] - found->second[line]));
+    for (const auto& [coordinate, arm] : arms) {
+      const auto other = found->second.find(coordinate);
+      if (other == found->second.end()) continue;
+      largest = std::max(largest.value_or(0), std::abs(arm - other->second));
     }
   }
   return largest;

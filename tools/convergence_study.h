@@ -71,8 +71,8 @@ struct DiscretisedMuscle {
   double volume_ratio = 1;  // to the volume at rest
   StretchMeasures stretch;
 
-  // Of each line, by coordinate; none without a model (MuscleFrame).
-  std::map<std::string, std::vector<double>> moment_arms;
+  // Of lines, by coordinate; none without a model (MuscleFigures).
+  std::map<std::string, std::map<std::string, double>> moment_arms;
 };
 
 // One frame, with one discretisation.

@@ -7,23 +7,12 @@
 #include <sstream>
 
 #include "musclewarp/base/csv_field.h"
+#include "musclewarp/base/text.h"
 
 namespace musclewarp {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string NumberText(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
-std::string Fixed(double value, int decimals) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(decimals) << value;
-  return text.str();
-}
 
 std::string TitleOf(StudyKind study) {
   switch (study) {
@@ -64,7 +53,7 @@ void PrintHeader(StudyKind study, TextWidths widths, std::ostream& out) {
 
 void PrintRow(const ConvergenceRow& row, TextWidths widths, std::ostream& out) {
   const auto figure = [&](double value, int width, int decimals) {
-    out << std::setw(width) << Fixed(value, decimals);
+    out << std::setw(width) << RoundedText(value, decimals);
   };
   out << std::left << std::setw(widths.pose) << row.pose
       << std::setw(widths.muscle) << row.muscle << std::right << std::setw(8)
@@ -83,7 +72,7 @@ void PrintRow(const ConvergenceRow& row, TextWidths widths, std::ostream& out) {
   figure(row.stretch.quantile_999, 8, 3);
   figure(row.stretch.largest, 8, 3);
   out << std::setw(8)
-      << (row.moment_arm_difference ? Fixed(*row.moment_arm_difference, 3)
+      << (row.moment_arm_difference ? RoundedText(*row.moment_arm_difference, 3)
                                     : "-");
   figure(row.ms, 10, 1);
   out << std::setw(8) << (row.is_usable ? "yes" : "no")
@@ -111,8 +100,9 @@ std::string ErrorOf(const std::vector<ConvergenceRow>& rows,
   const std::string what = Describe(study, as_set->value);
   if (!as_set->failure.empty()) return what + ": could not be solved";
   if (as_set->is_finest) return what + ": the finest of the study";
-  return what + ": " + Fixed(mean, 2) + " mm on the mean, " +
-         Fixed(largest, 2) + " mm at most, from " + NumberText(finest->value);
+  return what + ": " + RoundedText(mean, 2) + " mm on the mean, " +
+         RoundedText(largest, 2) + " mm at most, from " +
+         NumberText(finest->value);
 }
 
 Json ToJson(const ConvergenceRow& row) {

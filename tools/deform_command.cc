@@ -233,7 +233,7 @@ class DeformRun {
       WriteFrame(deformer_->scene(), frame, options_.files, options_.out);
       CompareFiles(&frame);
       const std::lock_guard<std::mutex> lock(mutex_);
-      run_.frames.push_back(RecordOf(deformer_->scene(), frame));
+      run_.frames.push_back(FiguresOf(frame));
       log_->FrameDone(run_.frames.back(), deformer_->state());
       writer_.WriteNowAndThen(run_);
       progress_.FrameDone(run_.frames.back());

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/deformer_settings.h"
 
-#include <cmath>
-
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "tools/flag_values.h"
 #include "tools/option_flags.h"
@@ -43,7 +42,7 @@ void ChooseCertifiedContact(const DeformerSettings& choices,
   }
   options->frame_timeout_s = choices.frame_timeout_s;
   options->step.max_rounds = choices.max_rounds;
-  options->limits.max_turn = choices.max_step_turn * M_PI / 180;
+  options->limits.max_turn = RadiansOf(choices.max_step_turn);
   options->limits.max_move = choices.max_step_move;
 }
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/scene/length_unit.h"
 #include "tools/split.h"
@@ -152,10 +152,9 @@ double ParseUnits(const std::string& text) {
 void CheckLabelEdge(double edge) {
   constexpr double kLongest = 100;  // mm
   if (edge >= 0 && edge <= kLongest) return;
-  std::ostringstream value;
-  value << edge;
-  throw InputError(
-      "--edge", "is " + value.str(), "allowed: 0 (twice a voxel) to 100 mm");
+  throw InputError("--edge",
+                   "is " + NumberText(edge),
+                   "allowed: 0 (twice a voxel) to 100 mm");
 }
 
 }  // namespace musclewarp

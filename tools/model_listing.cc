@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <optional>
-#include <sstream>
 #include <vector>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/opensim/coordinate_motion.h"
 #include "musclewarp/opensim/geometry_files.h"
 #include "musclewarp/opensim/kinematics.h"
@@ -109,9 +109,7 @@ void PrintMuscles(const Model& model, std::ostream& screen) {
 
 std::string InUnits(double value, const Coordinate& coordinate) {
   const bool is_angle = coordinate.kind == CoordinateKind::kRotational;
-  std::ostringstream text;
-  text << std::setprecision(6) << value * (is_angle ? 180 / M_PI : 1);
-  return text.str();
+  return NumberText(value * (is_angle ? kDegreesPerRadian : 1));
 }
 
 std::string UnitOfCoordinate(const Coordinate& coordinate) {

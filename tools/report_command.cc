@@ -3,12 +3,11 @@
 #include "tools/report_command.h"
 
 #include <filesystem>
-#include <iomanip>
-#include <sstream>
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/page/page.h"
 
@@ -16,10 +15,7 @@ namespace musclewarp {
 namespace {
 
 std::string Mebibytes(std::size_t bytes) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1)
-       << static_cast<double>(bytes) / (1 << 20) << " MiB";
-  return text.str();
+  return RoundedText(static_cast<double>(bytes) / (1 << 20), 1) + " MiB";
 }
 
 }  // namespace

@@ -14,8 +14,8 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/base/place_text.h"
 #include "musclewarp/base/stopwatch.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/deformer/mesh_separation.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/report/paths_in_json.h"
@@ -118,7 +118,7 @@ Separation Separate(const SeparateInput& input,
   run.scene = &meshes.scene;
   run.contact = ContactReportOf(meshes.gap, meshes.rest);
   run.rest = meshes.before;
-  run.frames.push_back(RecordOf(meshes.scene, meshes.frame));
+  run.frames.push_back(FiguresOf(meshes.frame));
   result.report = ReportJson(run);
   return result;
 }
@@ -225,11 +225,11 @@ void PrintLabels(const SeparateInput& input, std::ostream& screen) {
 }
 
 void PrintPairs(const Separation& result, int width, std::ostream& screen) {
-  std::map<std::pair<std::string, std::string>, const PairIntersection*> after;
-  for (const PairIntersection& pair : result.meshes.frame.intersections.pairs) {
+  std::map<std::pair<std::string, std::string>, const PairFigures*> after;
+  for (const PairFigures& pair : result.meshes.frame.intersections.pairs) {
     after[{pair.a, pair.b}] = &pair;
   }
-  const auto print = [&](const PairIntersection& pair, int before, int now) {
+  const auto print = [&](const PairFigures& pair, int before, int now) {
     screen << std::left << std::setw(width) << pair.a << "  "
            << std::setw(width) << pair.b << std::right << std::setw(16)
            << before << std::setw(10) << FixedText(pair.max_depth_mm, 2)
@@ -243,7 +243,7 @@ void PrintPairs(const Separation& result, int width, std::ostream& screen) {
          << "a"
          << "  " << std::setw(width) << "b" << std::right
          << "  crossing pairs  depth mm  after\n";
-  for (const PairIntersection& pair : result.meshes.before.pairs) {
+  for (const PairFigures& pair : result.meshes.before.pairs) {
     const auto now = after.find({pair.a, pair.b});
     const bool is_left = now != after.end();
     print(pair, pair.triangle_pairs, is_left ? now->second->triangle_pairs : 0);

@@ -4,16 +4,22 @@
 
 #include <pybind11/stl.h>
 
-#include "musclewarp/report/frame_record.h"
+#include <set>
+
 #include "musclewarp/scene/scene_names.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
-#include "python/src/json.h"
+#include "python/src/figures.h"
 
 namespace musclewarp::python {
 namespace {
 
 namespace py = pybind11;
+
+// The properties that are not made of the lists of figures.
+const std::set<std::string> kOfMuscleByHand = {
+    "name", "path_lengths", "attachments", "shape"};
+const std::set<std::string> kOfFrameByHand = {"muscles"};
 
 // What help() says.
 constexpr char kMuscleFrameDoc[] =
@@ -28,21 +34,6 @@ Attributes:
     lines: the action lines as the muscle carries them, (p, 3) each, mm.
     fibres: the same of fibres.
     path_lengths: of the action lines straight through their points, mm.
-    volume: mm^3.
-    volume_ratio: of the volume to that of the mesh as it was delivered.
-    volume_error: how far the volume is off the one the solver keeps, as a
-        share of it.
-    folded_triangles: that point the wrong way.
-    self_pairs: pairs of triangles of the muscle that cross each other.
-    max_displacement: of a point from rest, mm.
-    max_contact_displacement, mean_contact_displacement: how far contact moved
-        points, mm.
-    depth_without_contact: how deep the muscle would be in others, mm.
-    torn_patch: the largest patch that contact stretches beyond twice its
-        length at rest, mm2.
-    pushed_by, push_depth: the muscles that push it, which comes last, and the
-        depth of their overlaps without contact, mm.
-    iterations, stop_reason: of the solver; "converged" if it did.
     shape: stretch, area ratios, bend (degrees), change (mm), and the quantiles
         and the largest patch (mm2) of the stretch of triangles, by name.
     attachments: how far each attachment area has left its body, mm.)";
@@ -62,22 +53,11 @@ names. A frame is a value of its own: it does not change, and may be used when
 its deformer is gone. str(frame) is a report.
 
 Attributes:
-    name, time: of the pose; s.
-    index: of the pose in its run, or -1.
-    coordinates: of the model, rad or m, by name.
-    usable: True if every solve converged and there are no shortcomings.
-    shortcomings: what a frame has to hold and this one does not, a sentence
-        each; only with certified contact.
-    crossing_pairs: of triangles of different meshes, by exact tests.
-    smallest_gap: of two meshes, mm, proved; None if all are above 2 mm.
-    intersections: all that crosses, as in docs/report.md.
     muscles, bones: lists of MuscleFrame and BoneFrame.
     names: of both.
-    worst_volume_error: the largest |volume ratio - 1| of a muscle.
-    path_moment_arms: -dl/dq of straight lines by line and coordinate, mm/rad.
-    iterations, stop_reason: of the solver, of all muscles together.
-    pose_steps: on the way from the frame before.
-    wall_ms, solve_ms, certify_ms: times.)";
+    crossing_pairs: of triangles of different meshes, by exact tests.
+    worst_volume_error: the largest size of a volume_error of a muscle.)";
+
 using SharedFrame = std::shared_ptr<FrameOfScene>;
 
 // A muscle of a frame, and a bone.
@@ -162,15 +142,15 @@ py::object Polydata(const py::object& self) {
   return py::module_::import("musclewarp._vtk").attr("polydata")(self);
 }
 
+// The numbers of a shape, and of its stretches of triangles by names of their
+// own.
 py::dict ShapeOf(const ShapeMeasures& shape) {
   py::dict dict;
-  dict["max_stretch"] = shape.max_stretch;
-  dict["max_stretch_along"] = shape.max_stretch_along;
-  dict["max_stretch_across"] = shape.max_stretch_across;
-  dict["min_area_ratio"] = shape.min_area_ratio;
-  dict["max_area_ratio"] = shape.max_area_ratio;
-  dict["max_bend_deg"] = shape.max_bend;
-  dict["max_change_mm"] = shape.max_change;
+  VisitFields(shape, [&](const auto& field, const auto& value) {
+    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>) {
+      dict[field.key] = value;
+    }
+  });
   dict["stretch_quantile_99"] = shape.triangles.quantile_99;
   dict["stretch_quantile_999"] = shape.triangles.quantile_999;
   dict["largest_triangle_stretch"] = shape.triangles.largest;
@@ -178,49 +158,43 @@ py::dict ShapeOf(const ShapeMeasures& shape) {
   return dict;
 }
 
-std::vector<py::dict> DriftsOf(const std::vector<AttachmentDrift>& drifts) {
-  std::vector<py::dict> dicts;
+// What a report says of attachments, and the same by shorter names.
+py::list DriftsOf(const std::vector<AttachmentDrift>& drifts) {
+  py::list dicts;
   for (const AttachmentDrift& drift : drifts) {
-    py::dict dict;
-    dict["body"] = drift.body;
-    dict["vertices"] = drift.vertices;
+    py::object dict = ToPython(drift);
     dict["mean_mm"] = drift.mean;
     dict["max_mm"] = drift.max;
-    dicts.push_back(dict);
+    dicts.append(dict);
   }
   return dicts;
 }
 
-// A property that is a field of MuscleFrame.
-template <typename Class, typename Value>
-void Field(Class* type, const char* name, Value MuscleFrame::*field) {
-  type->def_property_readonly(
-      name, [field](const MuscleOfFrame& m) { return m.muscle().*field; });
+// In the order of the lines; at rest there are none.
+std::vector<double> PathLengthsOf(const MuscleOfFrame& muscle) {
+  std::vector<double> lengths;
+  for (const std::string& line : muscle.part().lines) {
+    const auto length = muscle.muscle().path_lengths.find(line);
+    if (length != muscle.muscle().path_lengths.end()) {
+      lengths.push_back(length->second);
+    }
+  }
+  return lengths;
 }
 
-// The figures of a muscle.
-void BindMeasures(py::class_<MuscleOfFrame>* type) {
-  Field(type, "volume_ratio", &MuscleFrame::volume_ratio);
-  Field(type, "volume_error", &MuscleFrame::volume_error);
-  Field(type, "folded_triangles", &MuscleFrame::folded_triangles);
-  Field(type, "self_pairs", &MuscleFrame::self_pairs);
-  Field(type, "max_displacement", &MuscleFrame::max_displacement);
-  Field(
-      type, "max_contact_displacement", &MuscleFrame::max_contact_displacement);
-  Field(type,
-        "mean_contact_displacement",
-        &MuscleFrame::mean_contact_displacement);
-  Field(type, "depth_without_contact", &MuscleFrame::depth_without_contact);
-  Field(type, "pushed_by", &MuscleFrame::pushed_by);
-  Field(type, "push_depth", &MuscleFrame::push_depth);
-  Field(type, "path_lengths", &MuscleFrame::path_lengths);
-  type->def_property_readonly("torn_patch", [](const MuscleOfFrame& m) {
-    return m.muscle().torn_patch.area;
-  });
+const MuscleFigures& FiguresOfMuscle(const MuscleOfFrame& muscle) {
+  return muscle.muscle();
+}
+
+const FiguresOfFrame<MuscleFrame>& FiguresOfPose(const FrameOfScene& frame) {
+  return frame.frame;
 }
 
 void BindMuscle(py::module_* module) {
-  py::class_<MuscleOfFrame> type(*module, "MuscleFrame", kMuscleFrameDoc);
+  const std::string doc =
+      kMuscleFrameDoc + AttributeTexts<MuscleFigures>(kOfMuscleByHand);
+  py::class_<MuscleOfFrame> type(*module, "MuscleFrame", doc.c_str());
+  BindFigures(&FiguresOfMuscle, kOfMuscleByHand, &type);
   type.def_property_readonly(
           "name", [](const MuscleOfFrame& m) { return m.part().name; })
       .def_property_readonly("points",
@@ -240,18 +214,7 @@ void BindMuscle(py::module_* module) {
       .def_property_readonly(
           "fibres",
           [](const MuscleOfFrame& m) { return Views(m.muscle().fibres, m.of); })
-      .def_property_readonly("volume",
-                             [](const MuscleOfFrame& m) {
-                               return m.muscle().volume_ratio *
-                                      m.part().delivered_volume;
-                             })
-      .def_property_readonly(
-          "iterations",
-          [](const MuscleOfFrame& m) { return m.muscle().solver.iterations; })
-      .def_property_readonly("stop_reason",
-                             [](const MuscleOfFrame& m) {
-                               return ToString(m.muscle().solver.stop_reason);
-                             })
+      .def_property_readonly("path_lengths", &PathLengthsOf)
       .def_property_readonly(
           "shape",
           [](const MuscleOfFrame& m) { return ShapeOf(m.muscle().shape); })
@@ -263,7 +226,6 @@ void BindMuscle(py::module_* module) {
       .def("__repr__", [](const MuscleOfFrame& m) {
         return "<musclewarp.MuscleFrame " + m.part().name + ">";
       });
-  BindMeasures(&type);
 }
 
 void BindBone(py::module_* module) {
@@ -305,25 +267,20 @@ void BindParts(py::class_<FrameOfScene, SharedFrame>* type) {
       });
 }
 
-// A property that is a field or a method of Frame.
-template <typename Class, typename Member>
-void OfFrame(Class* type, const char* name, Member member) {
-  type->def_property_readonly(name, [member](const FrameOfScene& f) {
-    return std::invoke(member, f.frame);
-  });
-}
-
 }  // namespace
 
 std::shared_ptr<const SceneParts> PartsOf(const PreparedScene& scene) {
   const auto parts = std::make_shared<SceneParts>();
   for (const PreparedMuscle& muscle : scene.muscles) {
-    parts->muscles.push_back({muscle.model.name,
-                              muscle.model.fine_triangles,
-                              muscle.mesh.delivered_volume});
+    auto& part = parts->muscles.emplace_back();
+    part.name = muscle.model.name;
+    part.triangles = muscle.model.fine_triangles;
+    for (const ActionLine& line : muscle.model.lines) {
+      part.lines.push_back(line.name);
+    }
   }
   for (const PreparedBone& bone : scene.bones) {
-    parts->bones.push_back({bone.mesh.name, bone.rest.triangles});
+    parts->bones.push_back({bone.mesh.name, bone.rest.triangles, {}});
   }
   return parts;
 }
@@ -331,32 +288,16 @@ std::shared_ptr<const SceneParts> PartsOf(const PreparedScene& scene) {
 void BindFrames(py::module_* module) {
   BindMuscle(module);
   BindBone(module);
-  py::class_<FrameOfScene, SharedFrame> type(*module, "Frame", kFrameDoc);
+  const std::string doc =
+      kFrameDoc + AttributeTexts<FrameFigures>(kOfFrameByHand);
+  py::class_<FrameOfScene, SharedFrame> type(*module, "Frame", doc.c_str());
   BindParts(&type);
-  OfFrame(&type, "name", &Frame::name);
-  OfFrame(&type, "index", &Frame::index);
-  OfFrame(&type, "time", &Frame::time);
-  OfFrame(&type, "coordinates", &Frame::coordinates);
-  OfFrame(&type, "usable", &Frame::IsUsable);
-  OfFrame(&type, "shortcomings", &Frame::shortcomings);
-  OfFrame(&type, "iterations", &Frame::iterations);
-  OfFrame(&type, "stop_reason", &Frame::stop_reason);
-  OfFrame(&type, "worst_volume_error", &Frame::WorstVolumeError);
-  OfFrame(&type, "path_moment_arms", &Frame::path_moment_arms);
-  OfFrame(&type, "pose_steps", &Frame::pose_steps);
-  OfFrame(&type, "wall_ms", &Frame::wall_ms);
-  OfFrame(&type, "solve_ms", &Frame::solve_ms);
-  OfFrame(&type, "certify_ms", &Frame::certify_ms);
-  type.def_property_readonly("crossing_pairs",
-                             [](const FrameOfScene& f) {
-                               return f.frame.intersections.triangle_pairs;
-                             })
-      .def_property_readonly("smallest_gap",
-                             [](const FrameOfScene& f) {
-                               return f.frame.intersections.SmallestGap();
-                             })
-      .def_property_readonly("intersections", [](const FrameOfScene& f) {
-        return FromJson(ToJson(f.frame.intersections));
+  BindFigures(&FiguresOfPose, kOfFrameByHand, &type);
+  type.def_property_readonly(
+          "worst_volume_error",
+          [](const FrameOfScene& f) { return f.frame.WorstVolumeError(); })
+      .def_property_readonly("crossing_pairs", [](const FrameOfScene& f) {
+        return f.frame.intersections.triangle_pairs;
       });
 }
 

@@ -17,7 +17,7 @@ struct SceneParts {
   struct Part {
     std::string name;
     Triangles triangles;
-    double delivered_volume = 0;  // mm^3, of muscles
+    std::vector<std::string> lines;  // the names of those of a muscle
   };
   std::vector<Part> muscles;
   std::vector<Part> bones;

@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/joints/articulated_model.h"
@@ -249,7 +250,6 @@ SharedScene ArticulatedScene(const SharedArticulation& source,
 }
 
 py::dict CoordinatesFrom(const FoundJoint& joint) {
-  constexpr double kDegree = M_PI / 180;
   py::dict coordinates;
   if (!joint.IsFound()) return coordinates;
   const std::vector<double> scan = ScanCoordinates(joint);
@@ -257,8 +257,9 @@ py::dict CoordinatesFrom(const FoundJoint& joint) {
   for (size_t i = 0; i < entries.size(); ++i) {
     py::dict coordinate;
     coordinate["scan"] = scan[i];
-    coordinate["range"] = py::make_tuple(entries[i].lowest * kDegree,
-                                         entries[i].highest * kDegree);
+    coordinate["range"] =
+        py::make_tuple(entries[i].lowest * kRadiansPerDegree,
+                       entries[i].highest * kRadiansPerDegree);
     coordinates[py::str(entries[i].name)] = coordinate;
   }
   return coordinates;

@@ -55,13 +55,12 @@ SharedRun SnapshotOf(const RunOfDeformer& run) {
   return std::make_shared<RunOfDeformer>(run);
 }
 
-std::vector<FrameRecord> RecordsOf(const RunOfDeformer& run,
-                                   const PreparedScene& scene) {
-  std::vector<FrameRecord> records;
+std::vector<FrameFigures> FiguresOf(const RunOfDeformer& run) {
+  std::vector<FrameFigures> figures;
   for (const SharedFrame& frame : run.frames) {
-    records.push_back(RecordOf(scene, frame->frame));
+    figures.push_back(FiguresOf(frame->frame));
   }
-  return records;
+  return figures;
 }
 
 template <typename Numbers>
@@ -99,7 +98,7 @@ RunRecord RecordOf(const RunOfDeformer& run, Deformer* deformer) {
   record.rest = deformer->scene().as_delivered
                     ? *deformer->scene().as_delivered
                     : deformer->RestFrame().intersections;
-  record.frames = RecordsOf(run, deformer->scene());
+  record.frames = FiguresOf(run);
   record.frames_planned = static_cast<int>(run.frames.size());
   record.finished = true;
   return record;
@@ -118,8 +117,8 @@ std::shared_ptr<StorageTable> TableOf(const RunOfDeformer& run,
                                       const Function& function) {
   return SharedDeformer::Compute(
       run.deformer, [run = SnapshotOf(run), function](Deformer* deformer) {
-        return std::make_shared<StorageTable>(function(
-            RecordsOf(*run, deformer->scene()), deformer->scene().scene));
+        return std::make_shared<StorageTable>(
+            function(FiguresOf(*run), deformer->scene().scene));
       });
 }
 
@@ -142,7 +141,6 @@ void WriteFiles(const RunOfDeformer& run,
     const Frame& frame = run.frames[i]->frame;
     WriteFrame(scene, frame, files, dir);
     for (const std::string& file : FilesThatDiffer(scene, frame, files, dir)) {
-      record.frames[i].usable = false;
       record.frames[i].shortcomings.push_back(
           file + ": differs from the frame that was counted");
     }
@@ -193,7 +191,7 @@ std::string PageOfFolder(const std::string& dir) {
 }  // namespace
 
 void BindRun(py::module_* module) {
-  using Records = std::vector<FrameRecord>;
+  using Records = std::vector<FrameFigures>;
   py::class_<RunOfDeformer, SharedRun>(*module, "Run")
       .def(
           py::init([](const std::shared_ptr<SharedDeformer>& deformer) {

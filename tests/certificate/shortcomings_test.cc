@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/geometry/folded_triangles.h"
 #include "musclewarp/mesh/measures.h"
 #include "support/meshes.h"
@@ -42,13 +43,14 @@ struct Deformed {
     }
     const SceneIntersections intersections =
         IntersectScene({{"psoas", &deformed}}, named_bones);
-    MuscleMeasures measures;
+    JudgedMuscle judged;
+    MuscleFigures& measures = judged.figures;
     measures.name = "psoas";
-    measures.delivered_volume = SignedVolume(rest.points, rest.triangles);
+    judged.delivered_volume = SignedVolume(rest.points, rest.triangles);
     measures.volume_ratio =
-        SignedVolume(points, rest.triangles) / measures.delivered_volume;
+        SignedVolume(points, rest.triangles) / judged.delivered_volume;
     measures.volume_error = measures.volume_ratio - 1;
-    measures.num_triangles = static_cast<int>(rest.triangles.rows());
+    judged.num_triangles = static_cast<int>(rest.triangles.rows());
     measures.folded_triangles = static_cast<int>(
         FoldedTriangles(rest.points, points, rest.triangles).size());
     measures.self_pairs = intersections.self_pairs_of_muscles[0];
@@ -56,7 +58,7 @@ struct Deformed {
     measures.depth_without_contact = depth_without_contact;
     measures.push_depth = push_depth;
     measures.pushed_by = pushed_by;
-    return musclewarp::Shortcomings(requirements, intersections, {measures});
+    return musclewarp::Shortcomings(requirements, intersections, {judged});
   }
 };
 
@@ -93,10 +95,10 @@ TEST(Shortcomings, NameAVolumeThatIsNotKept) {
 }
 
 TEST(Shortcomings, NameAVolumeThatIsNoNumber) {
-  MuscleMeasures measures;
-  measures.name = "psoas";
-  measures.volume_ratio = measures.volume_error = std::nan("");
-  EXPECT_THAT(Shortcomings({}, {}, {measures}),
+  JudgedMuscle muscle;
+  muscle.figures.name = "psoas";
+  muscle.figures.volume_ratio = muscle.figures.volume_error = std::nan("");
+  EXPECT_THAT(Shortcomings({}, {}, {muscle}),
               ElementsAre(HasSubstr("volume off by nan"),
                           HasSubstr("nan % of its volume")));
 }
@@ -104,25 +106,25 @@ TEST(Shortcomings, NameAVolumeThatIsNoNumber) {
 // The solver keeps the volume that is left: the error is small, the loss is
 // not.
 TEST(Shortcomings, NameAVolumeThatWasLost) {
-  MuscleMeasures measures;
-  measures.name = "iliacus";
-  measures.delivered_volume = 125300;
-  measures.volume_ratio = 0.44;
-  EXPECT_THAT(Shortcomings({}, {}, {measures}),
+  JudgedMuscle muscle;
+  muscle.figures.name = "iliacus";
+  muscle.delivered_volume = 125300;
+  muscle.figures.volume_ratio = 0.44;
+  EXPECT_THAT(Shortcomings({}, {}, {muscle}),
               ElementsAre("iliacus: 56 % of its volume of 125 cm3 is lost, "
                           "allowed 6 %"));
-  EXPECT_THAT(ShapeShortcomings({}, {measures}),
+  EXPECT_THAT(ShapeShortcomings({}, {muscle}),
               ElementsAre(HasSubstr("is lost")));
-  measures.volume_ratio = 0.95;
-  EXPECT_THAT(Shortcomings({}, {}, {measures}), IsEmpty());
+  muscle.figures.volume_ratio = 0.95;
+  EXPECT_THAT(Shortcomings({}, {}, {muscle}), IsEmpty());
 }
 
 TEST(Shortcomings, NameAStretchThatMakesNoSense) {
-  MuscleMeasures measures;
-  measures.name = "psoas";
-  measures.volume_ratio = 1;
-  measures.max_stretch = 8728;
-  EXPECT_THAT(ShapeShortcomings({}, {measures}),
+  JudgedMuscle muscle;
+  muscle.figures.name = "psoas";
+  muscle.figures.volume_ratio = 1;
+  muscle.figures.shape.max_stretch = 8728;
+  EXPECT_THAT(ShapeShortcomings({}, {muscle}),
               ElementsAre("psoas: stretched to 8.73e+03 times its length, "
                           "allowed 20"));
 }
@@ -216,14 +218,13 @@ TEST(Shortcomings, TakeTheLowerBoundOfAGap) {
 }
 
 TEST(Shortcomings, NameASinglePairInWhichAMuscleCrossesItself) {
-  MuscleMeasures measures;
-  measures.name = "psoas";
-  measures.delivered_volume = 1;
-  measures.volume_ratio = 1;
-  EXPECT_THAT(Shortcomings({}, {}, {measures}), IsEmpty());
-  measures.self_pairs = 1;
-  EXPECT_THAT(Shortcomings({}, {}, {measures}),
-              ElementsAre(HasSubstr("psoas")));
+  JudgedMuscle muscle;
+  muscle.figures.name = "psoas";
+  muscle.delivered_volume = 1;
+  muscle.figures.volume_ratio = 1;
+  EXPECT_THAT(Shortcomings({}, {}, {muscle}), IsEmpty());
+  muscle.figures.self_pairs = 1;
+  EXPECT_THAT(Shortcomings({}, {}, {muscle}), ElementsAre(HasSubstr("psoas")));
 }
 
 TEST(Shortcomings, NameACrossingOnceIfAGapIsRequired) {
@@ -237,17 +238,16 @@ TEST(Shortcomings, NameACrossingOnceIfAGapIsRequired) {
 
 // A limit of zero forbids nothing: data may ask for more than a muscle bears.
 TEST(Shortcomings, TornPatchesCountIfALimitIsGiven) {
-  MuscleMeasures measures;
-  measures.name = "popliteus";
-  measures.volume_ratio = 1;
-  measures.torn_patch = 250;
-  measures.torn_place = {1, 2, 3};
+  JudgedMuscle muscle;
+  muscle.figures.name = "popliteus";
+  muscle.figures.volume_ratio = 1;
+  muscle.figures.torn_patch = {250, {1, 2, 3}};
   FrameRequirements requirements;
-  EXPECT_THAT(Shortcomings(requirements, {}, {measures}), IsEmpty());
+  EXPECT_THAT(Shortcomings(requirements, {}, {muscle}), IsEmpty());
   requirements.max_torn_patch = 250;
-  EXPECT_THAT(Shortcomings(requirements, {}, {measures}), IsEmpty());
+  EXPECT_THAT(Shortcomings(requirements, {}, {muscle}), IsEmpty());
   requirements.max_torn_patch = 100;
-  EXPECT_THAT(Shortcomings(requirements, {}, {measures}),
+  EXPECT_THAT(Shortcomings(requirements, {}, {muscle}),
               ElementsAre("popliteus: 2.5 cm2 torn by contact near "
                           "(1.0, 2.0, 3.0), allowed 1 cm2"));
 }
@@ -267,13 +267,13 @@ TEST(FrameRequirements, NameWhatIsWrong) {
 }
 
 TEST(Shortcomings, NameWhatAReconstructionHasLost) {
-  MuscleMeasures muscle;
-  muscle.name = "psoas";
-  muscle.volume_ratio = 1;
-  muscle.gone_area = 1500;
-  muscle.farthest_gone = 89;
-  muscle.lost_extent = 63;
-  muscle.lost_attachments = {"femur_r"};
+  JudgedMuscle muscle;
+  muscle.figures.name = "psoas";
+  muscle.figures.volume_ratio = 1;
+  muscle.reconstruction.gone_area = 1500;
+  muscle.reconstruction.farthest = 89;
+  muscle.reconstruction.lost_extent = 63;
+  muscle.reconstruction.lost_attachments = {"femur_r"};
   const std::vector<std::string> found =
       Shortcomings(FrameRequirements(), {}, {muscle});
   ASSERT_EQ(found.size(), 3u);

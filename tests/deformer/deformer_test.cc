@@ -5,10 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/musclewarp.h"
 #include "support/small_scene.h"
@@ -142,8 +142,8 @@ TEST(Deformer, ForetellsTheStepsToAPose) {
   const ScenePose rest = RestPose(SmallScene());
   // Short steps turn by 2.5 degrees; ends of lines, 55 mm away, move less than
   // 10 mm.
-  EXPECT_EQ(deformer.ExpectedSteps(&rest, FlexedPose(10.1 * M_PI / 180)), 5);
-  EXPECT_EQ(deformer.ExpectedSteps(nullptr, FlexedPose(2.4 * M_PI / 180)), 1);
+  EXPECT_EQ(deformer.ExpectedSteps(&rest, FlexedPose(RadiansOf(10.1))), 5);
+  EXPECT_EQ(deformer.ExpectedSteps(nullptr, FlexedPose(RadiansOf(2.4))), 1);
 }
 
 TEST(DeformerOptions, CheckAllThatIsWithin) {

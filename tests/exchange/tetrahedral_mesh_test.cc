@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "exchange/star_mesh.h"
+#include "musclewarp/base/angles.h"
 #include "musclewarp/mesh/measures.h"
 #include "support/meshes.h"
 
@@ -28,7 +29,7 @@ TetrahedralMesh OneElement(const Points& corners) {
 TEST(QualityOf, ARegularElementIsBest) {
   const ElementQuality quality = QualityOf(
       OneElement(Points{{1, 1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}}));
-  const double angle = std::acos(1.0 / 3) * 180 / M_PI;
+  const double angle = DegreesOf(std::acos(1.0 / 3));
   EXPECT_NEAR(quality.smallest_dihedral_deg, angle, 1e-10);
   EXPECT_NEAR(quality.largest_dihedral_deg, angle, 1e-10);
   EXPECT_NEAR(quality.largest_aspect, 1, kVolumeRounding);
@@ -41,7 +42,7 @@ TEST(QualityOf, ACornerOfACubeHasRightAngles) {
   const ElementQuality quality = QualityOf(OneElement(corner.points));
   EXPECT_NEAR(quality.largest_dihedral_deg, 90, 1e-10);
   EXPECT_NEAR(quality.smallest_dihedral_deg,
-              std::acos(1 / std::sqrt(3)) * 180 / M_PI,
+              DegreesOf(std::acos(1 / std::sqrt(3))),
               1e-10);
   EXPECT_NEAR(quality.volume, 1.0 / 6, kVolumeRounding);
 }

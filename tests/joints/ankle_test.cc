@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "joints/ideal_surfaces.h"
+#include "musclewarp/base/angles.h"
 #include "support/made_bones.h"
 
 namespace musclewarp {
@@ -15,7 +14,7 @@ namespace {
 // Triangles of 2 mm pass 2^2 / (8 * 20) = 0.03 mm within the dome, which over
 // its 28 mm is a sixteenth of a degree; its ends, rounded over 3 mm, and the
 // neck, which meets it in front, pull as much again.
-constexpr double kAnkleAngle = 0.2 * kDegree;
+constexpr double kAnkleAngle = RadiansOf(0.2);
 constexpr double kAnkleOffset = 0.2;  // mm
 
 TEST(FitAnkle, FindsTheAxisOfTheDomeInAnyOrientation) {
@@ -46,8 +45,8 @@ TEST(FitAnkle, CoversMoreOfTheDomeThanLooksAtTheTibia) {
   ASSERT_TRUE(fit);
   // The roof is 40 mm wide: the arc of a hollow of 23 mm is 120 degrees. The
   // dome goes on before and behind it, for half a turn and more.
-  EXPECT_GT(fit->angle, 150 * kDegree);
-  EXPECT_LT(fit->angle, 300 * kDegree);
+  EXPECT_GT(fit->angle, RadiansOf(150));
+  EXPECT_LT(fit->angle, RadiansOf(300));
 }
 
 TEST(FitAnkle, FindsNothingIfTheBonesAreApart) {

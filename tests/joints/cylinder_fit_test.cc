@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "joints/ideal_surfaces.h"
+#include "musclewarp/base/angles.h"
 
 namespace musclewarp {
 namespace {
@@ -110,15 +111,15 @@ TEST(PointsOnCylinder, AreNearAndFaceAwayFromTheAxis) {
   // 31 and 33 degrees off the radius.
   for (const double slant : {31.0, 33.0}) {
     SurfacePoints tilted = outward;
-    tilted.normals *= std::cos(slant * kDegree);
-    tilted.normals.col(2).setConstant(std::sin(slant * kDegree));
+    tilted.normals *= std::cos(RadiansOf(slant));
+    tilted.normals.col(2).setConstant(std::sin(RadiansOf(slant)));
     EXPECT_EQ(on(tilted, 20), slant < 32 ? 200 : 0);
   }
 }
 
 TEST(AngleCovered, IsThatOfTheSectorsWithPoints) {
   // A sector at each end may be covered in part.
-  constexpr double kSector = 5 * kDegree;
+  constexpr double kSector = RadiansOf(5);
   for (const double angle : {M_PI / 3, M_PI, 1.5 * M_PI}) {
     const SurfacePoints part = IdealCylinder(20, 40, angle, kManyPoints);
     for (const int seed : {1, 2, 3}) {
@@ -139,7 +140,7 @@ TEST(AngleCovered, NeedsTwoPointsInASector) {
   EXPECT_EQ(AngleCovered(Points(0, 3), Axis()), 0);
   Points points(3, 3);
   points << 10, 0.1, 0, 10, 0.2, 5, -10, 3, 0;
-  EXPECT_NEAR(AngleCovered(points, Axis()), 5 * kDegree, 1e-12);
+  EXPECT_NEAR(AngleCovered(points, Axis()), RadiansOf(5), 1e-12);
   EXPECT_EQ(AngleCovered(points.bottomRows(2), Axis()), 0);
 }
 

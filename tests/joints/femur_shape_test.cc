@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "joints/ideal_surfaces.h"
+#include "musclewarp/base/angles.h"
 #include "support/made_bones.h"
 #include "support/meshes.h"
 
@@ -16,12 +17,12 @@ namespace {
 // The shaft is straight, and every slice of it round: what is left is the
 // noise of points: 300 of them in each slice, whose mean is off by a tenth of
 // a millimetre, and 20 slices over 180 mm.
-constexpr double kShaftTolerance = 0.1 * kDegree;
+constexpr double kShaftTolerance = RadiansOf(0.1);
 
 // Left and back follow the widest direction of the lower end. It is cut level
 // although it leans by 3 degrees, which makes it
 // lopsided.
-constexpr double kSideTolerance = 0.5 * kDegree;
+constexpr double kSideTolerance = RadiansOf(0.5);
 
 double AngleOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -55,7 +56,7 @@ TEST(DirectionsOfFemur, AreThoseOfItsShaftAndItsCondyles) {
     EXPECT_EQ(directions.shaft.direction, directions.up);
     // The lowest place is on the lower condyle: its middle, 3 degrees lower
     // over 22.5 mm, and a radius below.
-    EXPECT_NEAR(directions.lowest, -20 - 37.5 * std::sin(3 * kDegree), 1);
+    EXPECT_NEAR(directions.lowest, -20 - 37.5 * std::sin(RadiansOf(3)), 1);
     // Condyles reach 34 mm back from the shaft, the front 17 mm forward.
     EXPECT_GT(directions.back_to_front, 1.9);
     EXPECT_LT(directions.back_to_front, 2.1);

@@ -14,8 +14,6 @@ namespace musclewarp {
 
 // Points that lie on surfaces exactly, with exact normals, spread at random.
 
-constexpr double kDegree = M_PI / 180;
-
 // The angle between two lines, whichever way they point, rad; precise for small
 // angles too.
 inline double AngleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "joints/ideal_surfaces.h"
+#include "musclewarp/base/angles.h"
 #include "support/made_bones.h"
 
 namespace musclewarp {
@@ -15,7 +16,7 @@ namespace {
 // Triangles of 3 mm pass 3^2 / (8 * 20) = 0.06 mm within the condyles, which
 // are 45 mm apart: a fourteenth of a degree. Their rounded edges and what joins
 // them in front pull as much again.
-constexpr double kKneeAngle = 0.2 * kDegree;
+constexpr double kKneeAngle = RadiansOf(0.2);
 constexpr double kKneeOffset = 0.2;  // mm, across the axis
 
 // Along the axis the middle is that of the points, of which a level cut leaves
@@ -46,8 +47,8 @@ TEST(FitKnee, FindsTheAxisOfTheCondylesLeftAndRight) {
     // Normals from 12 to 120 degrees are looked at; rounding of the front takes
     // some.
     for (const double angle : {fit.left_angle, fit.right_angle}) {
-      EXPECT_GT(angle, 85 * kDegree);
-      EXPECT_LE(angle, (120 - 12 + 2 * 5) * kDegree);
+      EXPECT_GT(angle, RadiansOf(85));
+      EXPECT_LE(angle, RadiansOf(120 - 12 + 2 * 5));
     }
     EXPECT_LT(fit.spread, 0.5);
     // Each condyle has 20 * (108 degrees) * (30 - 8) mm^2 without its edges.
@@ -72,7 +73,7 @@ TEST(FitKnee, FindsTheSameAxisFromDirectionsThatAreOff) {
   // As those of an image may be, by 8 degrees about each.
   for (const Eigen::Vector3d& about : {own.up, own.back, own.left}) {
     for (const double sign : {-1.0, 1.0}) {
-      const Eigen::AngleAxisd turn(sign * 8 * kDegree, about);
+      const Eigen::AngleAxisd turn(RadiansOf(sign * 8), about);
       BoneDirections directions = own;
       directions.up = turn * own.up;
       directions.back = turn * own.back;
@@ -93,7 +94,7 @@ TEST(FitKnee, HasTheHeadOfARightFemurOnItsLeft) {
     const double left =
         (femur.head - fit.cylinder.axis.point).dot(fit.cylinder.axis.direction);
     // 48 mm to the side, and 395 mm up along an axis that leans by 3 degrees.
-    EXPECT_NEAR(std::abs(left), 48 + 395 * std::sin(3 * kDegree), 8);
+    EXPECT_NEAR(std::abs(left), 48 + 395 * std::sin(RadiansOf(3)), 8);
     EXPECT_EQ(left > 0, is_right);
   }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "joints/ideal_surfaces.h"
+#include "musclewarp/base/angles.h"
 #include "musclewarp/joints/surface_points.h"
 #include "support/meshes.h"
 
@@ -43,7 +44,7 @@ TEST(FitRevolution, IsExactOnAnEllipsoid) {
 
 TEST(FitRevolution, IsExactOnAPartOfATorus) {
   ExpectExactAxis(IdealTorus(20, 8, 2 * M_PI, 400));
-  ExpectExactAxis(IdealTorus(20, 8, 100 * kDegree, 400));
+  ExpectExactAxis(IdealTorus(20, 8, RadiansOf(100), 400));
 }
 
 TEST(FitRevolution, IsExactOnACylinder) {
@@ -62,7 +63,7 @@ TEST(FitRevolution, HardlyFollowsNormalsThatPassTheAxis) {
   // Least squares would move the axis by a fifth of 15 mm. With weights of
   // 1 / sqrt(1 + d^2) a normal that passes at 5 to 15 mm counts a tenth.
   EXPECT_LT(OffsetFrom({}, fit->axis.point).norm(), 15 / 5.0 / 5);
-  EXPECT_LT(AngleBetween(fit->axis.direction, {0, 0, 1}), 2 * kDegree);
+  EXPECT_LT(AngleBetween(fit->axis.direction, {0, 0, 1}), RadiansOf(2));
 }
 
 TEST(FitRevolution, KnowsThatASphereHasNoAxis) {
@@ -77,7 +78,7 @@ TEST(FitRevolution, KnowsThatASphereHasNoAxis) {
   ASSERT_TRUE(spindle);
   EXPECT_GT(spindle->next_spread, 5 * spindle->spread);
   // The triangles of an icosphere favour no direction.
-  EXPECT_LT(AngleBetween(spindle->axis.direction, {0, 0, 1}), kDegree);
+  EXPECT_LT(AngleBetween(spindle->axis.direction, {0, 0, 1}), RadiansOf(1));
 }
 
 TEST(FitRevolution, NeedsSixPoints) {

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/frames/frame_measures.h"
 #include "musclewarp/motion/state_archive.h"
 #include "support/meshes.h"
@@ -288,7 +289,7 @@ TEST(MoveCertified, DoesNotDependOnTheLengthOfSteps) {
   const PreparedScene scene = PreparedSmallScene();
   const CertifiedScene certified = Certified(scene);
   CertifiedContactOptions options;
-  options.limits = {M_PI / 180, 10};
+  options.limits = {RadiansOf(1), 10};
   const CertifiedScene short_steps = Certified(scene, options);
   const CertifiedMotion a =
       Move(scene, certified, FlexedPose(0.3), certified.rest);

@@ -1,6 +1,7 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/opensim/coordinate_ranges.h"
+#include "musclewarp/base/angles.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,8 +12,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-constexpr double kDegree = M_PI / 180;
 
 // An elbow that is bent by -172 to 172 degrees, and a slide of -5 to 5 m.
 Model Arm() {
@@ -48,9 +47,9 @@ TEST(CoordinateRanges, AsksWhetherAMotionIsInDegrees) {
 
 TEST(CoordinateRanges, ALittleBeyondIsWorthAWordOnlyIfTheModelClamps) {
   Model arm = Arm();
-  EXPECT_THAT(WarningsAt(arm, {190 * kDegree, 6}, true), IsEmpty());
+  EXPECT_THAT(WarningsAt(arm, {RadiansOf(190), 6}, true), IsEmpty());
   arm.coordinates[0].is_clamped = true;
-  EXPECT_THAT(WarningsAt(arm, {190 * kDegree, 6}, true),
+  EXPECT_THAT(WarningsAt(arm, {RadiansOf(190), 6}, true),
               ElementsAre(HasSubstr("goes to 190 degrees, the model has -172 "
                                     "to 172 and clamps it there")));
   EXPECT_THAT(WarningsAt(arm, {3, 6}, true), IsEmpty());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/opensim/coordinate_motion.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/opensim/rest_pose.h"
@@ -41,7 +42,7 @@ TEST_F(KinematicsData, LhdlAgreesWithItsPoses) {
   ASSERT_EQ(file.poses.size(), 4u);
   for (const ScenePose& pose : file.poses) {
     CoordinateValues values = DefaultValues(model);
-    values[flexion] = pose.coordinates.at("hip_flexion_r_deg") * M_PI / 180;
+    values[flexion] = RadiansOf(pose.coordinates.at("hip_flexion_r_deg"));
     const auto frames = BodyFrames(model, values);
     const Eigen::Matrix4d pelvis_from_ground =
         Eigen::Isometry3d(frames[pelvis]).inverse().matrix();
@@ -77,7 +78,7 @@ TEST_F(KinematicsData, LhdlRestPoseIsFound) {
   EXPECT_LT(pose.angle, 1e-4);
   double squared = 0;
   for (const double value : pose.values) squared += value * value;
-  EXPECT_NEAR(std::sqrt(squared) * 180 / M_PI, 7, 0.5);
+  EXPECT_NEAR(DegreesOf(std::sqrt(squared)), 7, 0.5);
 }
 
 TEST_F(KinematicsData, LhdlMotionsHaveTheRowsOfTheirReadme) {

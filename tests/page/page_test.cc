@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "musclewarp/base/angles.h"
 #include "page/packed_text.h"
 #include "page/written_run.h"
 #include "support/input_errors.h"
@@ -72,14 +73,14 @@ TEST(Page, HasMomentArmsOfCarriedLines) {
       EXPECT_NEAR(arm, expected, 1e-12);
     }
   };
-  expect_arms(20.0 / 3);  // of SomeRecord
-  // Older runs do not have them, but lengths of 100 and 101 mm, 10 degrees
+  expect_arms(20.0 / 3);  // of SomeFigures
+  // The paper's contact has none, but lengths of 100 and 101 mm, 10 degrees
   // apart.
   for (auto& frame : written.report["frames"]) {
-    frame["muscles"][0].erase("line_moment_arms_mm");
+    frame["muscles"][0]["line_moment_arms_mm"] = Json::object();
   }
   written.WriteReport();
-  expect_arms(-1 / (10 * M_PI / 180));
+  expect_arms(-1 / RadiansOf(10));
 }
 
 TEST(Page, RunsAreNamedApart) {

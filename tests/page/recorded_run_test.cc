@@ -131,12 +131,12 @@ TEST(RecordedRun, DamagedReportsAreNamed) {
     WrittenRun bad = good;
     bad.report["frames"][1].erase(key);
     bad.WriteReport();
-    refused({"report.json: frames[1]", "'" + key + "'"});
+    refused({"report.json: frames[1]." + key + ": is missing"});
   }
   WrittenRun bad = good;
-  bad.report["frames"][0]["iterations"] = "many";
+  bad.report["frames"][0]["muscles"][0]["iterations"] = "many";
   bad.WriteReport();
-  refused({"report.json: frames[0]", "string"});
+  refused({"report.json: frames[0].muscles[0].iterations: is \"many\""});
   bad = good;
   bad.report["motion"]["coordinates"][0]["unit"] = 3;
   bad.WriteReport();

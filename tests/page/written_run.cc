@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <sstream>
 
+#include "figures/some_figures.h"
+#include "musclewarp/base/described_json.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/frames/bones_file.h"
 #include "musclewarp/frames/frame_files.h"
@@ -13,7 +15,6 @@
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/proximity/mesh_intersection.h"
-#include "report/records.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -90,7 +91,7 @@ WrittenRun WriteRun(const std::string& dir, const std::string& muscle_name) {
     const Points& muscle = run.muscle_frames[i];
     const Points& bone = run.bone_frames[i];
     WritePose(run, FrameFolder(i), muscle_name, muscle, bone);
-    FrameRecord record = SomeRecord(i);
+    FrameFigures record = SomeFigures(i);
     record.muscles[0].name = muscle_name;
     record.coordinates = {{"hip", 10.0 * i}};
     const MeshIntersection found =
@@ -99,7 +100,7 @@ WrittenRun WriteRun(const std::string& dir, const std::string& muscle_name) {
     run.pairs = static_cast<int>(found.triangle_pairs.size());
     record.intersections = {};
     record.intersections.triangle_pairs = run.pairs;
-    frames.push_back(ToJson(record));
+    frames.push_back(JsonOf(record));
   }
   run.report = {{"scene", "by hand"},
                 {"axes", "ASR"},
@@ -118,7 +119,7 @@ WrittenRun WriteRun(const std::string& dir, const std::string& muscle_name) {
                   {"warnings", nlohmann::ordered_json::array()},
                   {"muscles", {MeshReport(muscle_name)}},
                   {"bones", {MeshReport("bone")}}}},
-                {"rest", {{"intersections", ToJson(SceneIntersections{})}}},
+                {"rest", {{"intersections", JsonOf(SceneIntersections())}}},
                 {"frames", frames},
                 {"summary", {{"finished", true}, {"usable", true}}}};
   run.WriteReport();

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/phantom/scene_parts.h"
 
 namespace musclewarp::phantom {
@@ -52,9 +53,9 @@ class RandomPoses : public ::testing::Test {
   RandomMuscle muscle_;
 };
 
-double DegreesOf(const Matrix4d& transform) {
+double TurnOf(const Matrix4d& transform) {
   const double cosine = (transform.topLeftCorner<3, 3>().trace() - 1) / 2;
-  return std::acos(std::min(1.0, cosine)) * 180 / M_PI;
+  return DegreesOf(std::acos(std::min(1.0, cosine)));
 }
 
 TEST_F(RandomPoses, AreAMotionFromRestOfAtMostSixtyDegrees) {
@@ -66,7 +67,7 @@ TEST_F(RandomPoses, AreAMotionFromRestOfAtMostSixtyDegrees) {
     double last = -1;
     for (const ScenePose& pose : poses) {
       EXPECT_EQ(pose.bodies.at("upper"), Matrix4d(Matrix4d::Identity()));
-      const double degrees = DegreesOf(pose.bodies.at("lower"));
+      const double degrees = TurnOf(pose.bodies.at("lower"));
       EXPECT_GT(degrees, last);
       last = degrees;
     }

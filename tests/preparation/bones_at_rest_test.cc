@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "musclewarp/base/angles.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -30,7 +31,7 @@ struct Hip {
     pose.name = "flexion_" + std::to_string(static_cast<int>(degrees));
     const Eigen::Affine3d turn =
         Eigen::Translation3d(about) *
-        Eigen::AngleAxisd(degrees * M_PI / 180, Eigen::Vector3d::UnitX()) *
+        Eigen::AngleAxisd(RadiansOf(degrees), Eigen::Vector3d::UnitX()) *
         Eigen::Translation3d(-about);
     pose.bodies["femur"] = turn.matrix();
     scene.poses.push_back(pose);

@@ -5,11 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <filesystem>
 #include <memory>
 
-#include "report/records.h"
+#include "figures/some_figures.h"
+#include "musclewarp/base/angles.h"
 #include "support/temp_dir.h"
 
 namespace musclewarp {
@@ -67,12 +67,12 @@ Scene LegScene(const std::vector<std::string>& moving) {
   return scene;
 }
 
-std::vector<FrameRecord> Frames() {
-  std::vector<FrameRecord> frames;
+std::vector<FrameFigures> Frames() {
+  std::vector<FrameFigures> frames;
   for (int i = 0; i < 3; ++i) {
-    frames.push_back(SomeRecord(i));
+    frames.push_back(SomeFigures(i));
     frames.back().coordinates = {{"hip", 10.0 * i}, {"knee", -5.0 * i}};
-    frames.back().muscles[0].line_lengths_mm["l"] = 100 + 2 * i;
+    frames.back().muscles[0].line_lengths["l"] = 100 + 2 * i;
   }
   return frames;
 }
@@ -113,15 +113,15 @@ TEST(MotionTables, MomentArmsAreOfEveryCoordinate) {
 }
 
 TEST(MotionTables, WithoutMomentArmsLengthsAreComparedIfOneCoordinateMoves) {
-  std::vector<FrameRecord> frames = Frames();
-  for (FrameRecord& frame : frames) {
-    frame.muscles[0].line_moment_arms_mm.clear();
-    frame.muscles[0].fibre_moment_arms_mm.clear();
+  std::vector<FrameFigures> frames = Frames();
+  for (FrameFigures& frame : frames) {
+    frame.muscles[0].line_moment_arms.clear();
+    frame.muscles[0].fibre_moment_arms.clear();
   }
   const StorageTable arms = MomentArmTable(frames, LegScene({"hip"}));
   EXPECT_THAT(arms.labels, ElementsAre("l.hip", "l_path.hip", "l_path.knee"));
   // 2 mm longer for 10 degrees more.
-  EXPECT_NEAR(arms.values(1, 0), -0.002 / (10 * M_PI / 180), kRounding);
+  EXPECT_NEAR(arms.values(1, 0), -0.002 / RadiansOf(10), kRounding);
   EXPECT_THAT(FibreMomentArmTable(frames, LegScene({"hip"})).labels,
               ElementsAre("m_fibre_1.hip", "m_fibre_2.hip"));
   EXPECT_THAT(MomentArmTable(frames, LegScene({"hip", "knee"})).labels,
@@ -129,11 +129,11 @@ TEST(MotionTables, WithoutMomentArmsLengthsAreComparedIfOneCoordinateMoves) {
 }
 
 TEST(MotionTables, BlanksInNamesAndTimesThatStandAreNoTrouble) {
-  std::vector<FrameRecord> frames = Frames();
-  for (FrameRecord& frame : frames) {
+  std::vector<FrameFigures> frames = Frames();
+  for (FrameFigures& frame : frames) {
     frame.time = 0;
-    frame.muscles[0].line_lengths_mm = {{"my line", 1}, {"my_line", 2}};
-    frame.muscles[0].path_lengths_mm = {{"my line", 1}, {"my_line", 2}};
+    frame.muscles[0].line_lengths = {{"my line", 1}, {"my_line", 2}};
+    frame.muscles[0].path_lengths = {{"my line", 1}, {"my_line", 2}};
   }
   const StorageTable lengths = LengthTable(frames);
   EXPECT_THAT(

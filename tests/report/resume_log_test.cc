@@ -8,10 +8,11 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "figures/some_figures.h"
+#include "musclewarp/base/described_checks.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
-#include "report/records.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
 
@@ -65,11 +66,11 @@ TEST(ResumeLog, GivesBackWhatIsThereWithoutAGap) {
   log.StartAnew();
   SceneState state;
   EXPECT_TRUE(log.Continue({0, 5, 9}, &state).empty());
-  log.FrameDone(SomeRecord(0), SomeState(0));
-  log.FrameDone(SomeRecord(5), SomeState(5));
+  log.FrameDone(SomeFigures(0), SomeState(0));
+  log.FrameDone(SomeFigures(5), SomeState(5));
   const auto records = log.Continue({0, 5, 9}, &state);
   ASSERT_EQ(records.size(), 2u);
-  EXPECT_EQ(ToJson(records[1]), ToJson(SomeRecord(5)));
+  EXPECT_TRUE(AreEqual(records[1], SomeFigures(5)));
   ExpectStates(state, SomeState(5));
   // Frame 4 is missing between: what comes after does not count.
   EXPECT_EQ(log.Continue({0, 4, 5}, &state).size(), 1u);
@@ -87,7 +88,7 @@ TEST(ResumeLog, ForgetsWhenFinishedOrStartedAnew) {
   const std::string dir = TestTempDir();
   const ResumeLog log(dir, "hash");
   log.StartAnew();
-  log.FrameDone(SomeRecord(0), SomeState(0));
+  log.FrameDone(SomeFigures(0), SomeState(0));
   log.StartAnew();
   SceneState state;
   EXPECT_TRUE(log.Continue({0}, &state).empty());
@@ -100,7 +101,7 @@ TEST(ResumeLog, RefusesADamagedFile) {
   const std::string dir = TestTempDir();
   const ResumeLog log(dir, "hash");
   log.StartAnew();
-  log.FrameDone(SomeRecord(0), SomeState(0));
+  log.FrameDone(SomeFigures(0), SomeState(0));
   WriteTextAtomically(dir + "/.resume/frame_0000.cbor", "not cbor");
   SceneState state;
   ExpectInputError([&] { log.Continue({0}, &state); },
@@ -113,7 +114,7 @@ void ExpectRefused(const std::function<void(nlohmann::json*)>& change) {
   const std::string dir = TestTempDir();
   const ResumeLog log(dir, "hash");
   log.StartAnew();
-  log.FrameDone(SomeRecord(0), SomeState(0));
+  log.FrameDone(SomeFigures(0), SomeState(0));
   const std::string file = dir + "/.resume/frame_0000.cbor";
   auto json = nlohmann::json::from_cbor(ReadFile(file));
   change(&json);

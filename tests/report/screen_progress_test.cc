@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "report/records.h"
+#include "figures/some_figures.h"
 
 namespace musclewarp {
 namespace {
@@ -22,7 +22,7 @@ TEST(ScreenProgress, IsALineForEachFrameOffATerminal) {
   std::ostringstream out;
   ScreenProgress progress(false, &out);
   progress.StartFrames(1, {1, 1});
-  progress.FrameDone(SomeRecord(1));
+  progress.FrameDone(SomeFigures(1));
   EXPECT_THAT(out.str(), HasSubstr("frame 2 of 3: t=0.1"));
   EXPECT_THAT(out.str(), HasSubstr("9 crossing pairs"));
   EXPECT_THAT(out.str(), HasSubstr("left\n"));
@@ -33,8 +33,8 @@ TEST(ScreenProgress, RenewsOneLineOnATerminal) {
   std::ostringstream out;
   ScreenProgress progress(true, &out);
   progress.StartFrames(0, {1, 1});
-  progress.FrameDone(SomeRecord(0));
-  progress.FrameDone(SomeRecord(1));
+  progress.FrameDone(SomeFigures(0));
+  progress.FrameDone(SomeFigures(1));
   const std::string text = out.str();
   EXPECT_EQ(std::count(text.begin(), text.end(), '\r'), 2);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
@@ -45,8 +45,8 @@ TEST(ScreenProgress, SaysThatAFrameIsNotUsable) {
   std::ostringstream out;
   ScreenProgress progress(false, &out);
   progress.StartFrames(0, {1});
-  FrameRecord record = SomeRecord(0);
-  record.usable = false;
+  FrameFigures record = SomeFigures(0);
+  record.shortcomings = {"crosses a bone"};
   progress.FrameDone(record);
   EXPECT_THAT(out.str(), HasSubstr("NOT usable"));
 }
@@ -59,8 +59,8 @@ TEST(ScreenProgress, ForetellsTheTimeByTheWork) {
   ten.StartFrames(0, {1, 10});
   EXPECT_EQ(one.MillisecondsLeft(), 0);  // nothing is known yet
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  one.FrameDone(SomeRecord(0));
-  ten.FrameDone(SomeRecord(0));
+  one.FrameDone(SomeFigures(0));
+  ten.FrameDone(SomeFigures(0));
   EXPECT_GT(one.MillisecondsLeft(), 0);
   // The two clocks were read at nearly the same time.
   EXPECT_GT(ten.MillisecondsLeft(), 5 * one.MillisecondsLeft());
@@ -70,7 +70,7 @@ TEST(ScreenProgress, ClearsItsLineOfATerminal) {
   std::ostringstream out;
   ScreenProgress progress(true, &out);
   progress.StartFrames(0, {1, 1});
-  progress.FrameDone(SomeRecord(0));
+  progress.FrameDone(SomeFigures(0));
   progress.Clear();
   const std::string text = out.str();
   EXPECT_EQ(text.back(), '\r');

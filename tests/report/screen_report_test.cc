@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "report/records.h"
+#include "figures/some_figures.h"
 
 namespace musclewarp {
 namespace {
@@ -22,7 +22,7 @@ using ::testing::Not;
 RunRecord CrossingRun(ContactKind contact) {
   RunRecord run;
   run.contact.kind = contact;
-  run.frames = {SomeRecord(0), SomeRecord(1)};
+  run.frames = {SomeFigures(0), SomeFigures(1)};
   run.frames_planned = 2;
   run.finished = true;
   return run;
@@ -60,14 +60,14 @@ TEST(ScreenReport, SaysThatPaperContactToleratesCrossings) {
   EXPECT_THAT(LastLine(run),
               HasSubstr("2 frames, 0 without intersection (contact paper does "
                         "not refuse them), worst"));
-  for (FrameRecord& frame : run.frames) frame.intersections = {};
+  for (FrameFigures& frame : run.frames) frame.intersections = {};
   EXPECT_THAT(LastLine(run), HasSubstr("2 frames, 2 without intersection, "));
 }
 
 TEST(ScreenReport, SaysOfCertifiedContactHowManyFramesAreClean) {
   RunRecord run = CrossingRun(ContactKind::kCertified);
   run.frames[0].intersections = {};
-  run.frames[1].usable = false;
+  run.frames[1].shortcomings = {"crosses a bone"};
   EXPECT_THAT(LastLine(run),
               AllOf(HasSubstr("2 frames, 1 without intersection, worst"),
                     EndsWith(": NOT usable")));
@@ -80,7 +80,7 @@ TEST(ScreenReport, SaysOfAStoppedRunThatItIsUsableSoFar) {
   EXPECT_THAT(LastLine(run),
               AllOf(HasSubstr("2 of 15 frames, 0 without"),
                     EndsWith(": usable so far")));
-  run.frames[1].usable = false;
+  run.frames[1].shortcomings = {"crosses a bone"};
   EXPECT_THAT(LastLine(run), EndsWith(": NOT usable"));
 }
 

@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "figures/some_figures.h"
 #include "musclewarp/frames/triangle_stretch.h"
-#include "report/records.h"
 
 namespace musclewarp {
 namespace {
@@ -15,11 +15,11 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 // Three frames of a muscle whose second attachment leaves its body so far, mm.
-std::vector<FrameRecord> Frames(double first, double second, double third) {
-  std::vector<FrameRecord> frames;
+std::vector<FrameFigures> Frames(double first, double second, double third) {
+  std::vector<FrameFigures> frames;
   for (const double drift : {first, second, third}) {
-    FrameRecord& frame =
-        frames.emplace_back(SomeRecord(static_cast<int>(frames.size())));
+    FrameFigures& frame =
+        frames.emplace_back(SomeFigures(static_cast<int>(frames.size())));
     frame.name = "pose " + std::to_string(frames.size());
     frame.bone_overlaps.clear();
     frame.muscles[0].name = "psoas";
@@ -43,8 +43,8 @@ TEST(ShapeWarnings, OfDriftAreGivenBeyondTwoMillimetresOnly) {
 }
 
 TEST(ShapeWarnings, NameTheFrameOfTheLargestStretch) {
-  std::vector<FrameRecord> frames = Frames(0, 0, 0);
-  for (FrameRecord& frame : frames) {
+  std::vector<FrameFigures> frames = Frames(0, 0, 0);
+  for (FrameFigures& frame : frames) {
     frame.muscles[0].shape.triangles = StretchMeasures();
   }
   frames[0].muscles[0].shape.max_stretch = kStretchBeyondAnatomy;
@@ -58,7 +58,7 @@ TEST(ShapeWarnings, NameTheFrameOfTheLargestStretch) {
 }
 
 TEST(ShapeWarnings, SayHowMuchOfASurfaceIsStretched) {
-  std::vector<FrameRecord> frames = Frames(0, 0, 0);
+  std::vector<FrameFigures> frames = Frames(0, 0, 0);
   ShapeMeasures& shape = frames[1].muscles[0].shape;
   shape.max_stretch = 2.3;
   shape.stretch_place << 3, 2, 1;
@@ -78,7 +78,7 @@ TEST(ShapeWarnings, SayHowMuchOfASurfaceIsStretched) {
 }
 
 TEST(ShapeWarnings, NameTheFrameWhereBonesAreDeepest) {
-  std::vector<FrameRecord> frames = Frames(0, 0, 0);
+  std::vector<FrameFigures> frames = Frames(0, 0, 0);
   frames[1].bone_overlaps = {{"pelvis", "femur", 3.7, {1, 2, 3}},
                              {"patella", "femur", 0.5, {4, 5, 6}}};
   frames[2].bone_overlaps = {{"pelvis", "femur", 3.6, {7, 8, 9}}};
@@ -91,11 +91,11 @@ TEST(ShapeWarnings, NameTheFrameWhereBonesAreDeepest) {
 }
 
 // A motion of six frames, with the largest change of a muscle in each, mm.
-std::vector<FrameRecord> Motion(const std::vector<double>& changes) {
-  std::vector<FrameRecord> frames;
+std::vector<FrameFigures> Motion(const std::vector<double>& changes) {
+  std::vector<FrameFigures> frames;
   for (const double change : changes) {
-    FrameRecord& frame =
-        frames.emplace_back(SomeRecord(static_cast<int>(frames.size())));
+    FrameFigures& frame =
+        frames.emplace_back(SomeFigures(static_cast<int>(frames.size())));
     frame.name = "t=" + std::to_string(frames.size());
     frame.muscles[0].name = "psoas";
     frame.muscles[0].attachments.clear();

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/scene/line_targets.h"
 
 namespace musclewarp {
@@ -31,7 +32,7 @@ Scene BesideAJoint(double first, double second) {
   line.rest.col(1).setConstant(10);
   line.bodies = {"humerus", "humerus", "ulna", "ulna"};
   for (const double degrees : {first, second}) {
-    const double angle = degrees * std::acos(-1) / 180;
+    const double angle = RadiansOf(degrees);
     ScenePose& pose = scene.poses.emplace_back();
     pose.name = "closed by " + std::to_string(static_cast<int>(degrees));
     Eigen::Matrix4d& ulna = pose.bodies["ulna"];

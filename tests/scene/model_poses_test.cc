@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/scene/line_targets.h"
 #include "scene/transform_checks.h"
 #include "support/input_errors.h"
@@ -115,7 +115,7 @@ TEST(PoseAt, PointsOfAPathMoveWithTheirBodies) {
 
 TEST(PoseAt, GivesAnglesInDegreesAndValuesInRadians) {
   const ScenePose pose = PoseAt(Bound(0), {0.5});
-  EXPECT_NEAR(pose.coordinates.at("knee"), 0.5 * 180 / M_PI, 1e-12);
+  EXPECT_NEAR(pose.coordinates.at("knee"), DegreesOf(0.5), 1e-12);
   EXPECT_THAT(pose.model_values, ElementsAre(0.5));
 }
 

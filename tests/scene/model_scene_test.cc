@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/scene/path_moment_arms.h"
@@ -72,7 +72,7 @@ class ModelScene : public ::testing::Test {
   // Turned about the knee by so many degrees.
   static Eigen::Vector3d Turned(const Eigen::Vector3d& point, double degrees) {
     return kKnee +
-           Eigen::AngleAxisd(degrees * M_PI / 180, Eigen::Vector3d::UnitZ()) *
+           Eigen::AngleAxisd(RadiansOf(degrees), Eigen::Vector3d::UnitZ()) *
                (point - kKnee);
   }
 
@@ -225,7 +225,7 @@ TEST_F(ModelScene, MeshesMayBeInTheFrameOfABody) {
   // The thigh's first point, in the frame of the shank at -20 degrees.
   const Eigen::Vector3d first(20, -100, 0);
   const Eigen::Vector3d expected =
-      Eigen::AngleAxisd(20 * M_PI / 180, Eigen::Vector3d::UnitZ()) *
+      Eigen::AngleAxisd(RadiansOf(20), Eigen::Vector3d::UnitZ()) *
       (first - kKnee);
   EXPECT_LT(
       (scene.muscles[0].lines[0].rest.row(0).transpose() - expected).norm(),

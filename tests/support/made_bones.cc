@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/phantom/field.h"
 #include "musclewarp/phantom/polygonize.h"
 
@@ -18,8 +19,6 @@ using phantom::Field;
 using phantom::SmoothMax;
 using phantom::Sweep;
 using phantom::Union;
-
-constexpr double kDegree = M_PI / 180;
 
 // A cylinder along x.
 Field CylinderAlongX(double middle,
@@ -63,8 +62,8 @@ Matrix3d JointFrame(double turn, double lean) {
       .toRotationMatrix();
 }
 
-constexpr double kKneeTurn = 2 * kDegree;
-constexpr double kKneeLean = 3 * kDegree;
+constexpr double kKneeTurn = 2 * kRadiansPerDegree;
+constexpr double kKneeLean = 3 * kRadiansPerDegree;
 
 // The part of a femur at the knee, with the axis along x.
 Field Condyles() {
@@ -146,7 +145,8 @@ MadeFemur MovedBy(const Eigen::Isometry3d& motion, const MadeFemur& femur) {
 
 MadeAnkle RightAnkle(double gap, double cell) {
   constexpr double kHalfWidth = 14;
-  const Matrix3d frame = JointFrame(-12 * kDegree, 8 * kDegree);
+  const Matrix3d frame =
+      JointFrame(-12 * kRadiansPerDegree, 8 * kRadiansPerDegree);
   MadeAnkle ankle;
   ankle.axis = {Vector3d::Zero(), frame.col(0)};
   const Field dome = CylinderAlongX(0, kHalfWidth, kMadeDomeRadius, 3);

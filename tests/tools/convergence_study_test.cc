@@ -17,7 +17,7 @@ DiscretisationResult ResultWith(const Discretisation& discretisation,
   DiscretisedMuscle muscle;
   muscle.displacements = Points::Zero(4, 3);
   muscle.displacements.col(1).setConstant(move);
-  muscle.moment_arms["hip_flexion"] = {arm};
+  muscle.moment_arms["line"] = {{"hip_flexion", arm}};
   DiscretisationResult result;
   result.discretisation = discretisation;
   result.frames.resize(1);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/child_process.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
@@ -54,7 +55,7 @@ class ExportOsimTest : public ::testing::Test {
                {"summary", {{"finished", true}, {"usable", true}}},
                {"frames", Json::array()}};
     for (int degrees = -10; degrees <= 90; degrees += 10) {
-      const double q = degrees * M_PI / 180;
+      const double q = RadiansOf(degrees);
       report_["frames"].push_back(
           {{"index", 7 + report_["frames"].size()},
            {"time", 0.5 * (7 + report_["frames"].size())},
@@ -98,7 +99,7 @@ TEST_F(ExportOsimTest, ModelHasTheLengthsOfTheRun) {
   EXPECT_LE(error, 0.5);
   const Model model = ReadModel(out_());
   for (int degrees = -10; degrees <= 90; degrees += 10) {
-    const double q = degrees * M_PI / 180;
+    const double q = RadiansOf(degrees);
     const double length =
         PathLength(model.muscles[0], BodyFrames(model, {q}), {q});
     EXPECT_LE(std::abs(length - Length(q)), error + 1e-9);

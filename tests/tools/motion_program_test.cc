@@ -24,6 +24,7 @@
 #include <vtkXMLUtilities.h>
 #endif
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "support/osim_models.h"
 #include "support/temp_dir.h"
@@ -60,7 +61,7 @@ TEST_F(MotionProgram, FollowsTheMotionAndWritesItsTables) {
   // At rest the path is 110 mm. Its middle, between points at (25, 20) and
   // (25, -20) mm from the knee, is 2 sqrt(25^2 + 20^2) times the sine of half
   // the angle under which the knee sees it; the moment arm has the cosine.
-  const double half_angle = std::atan2(20, 25) + 15 * M_PI / 180;
+  const double half_angle = std::atan2(20, 25) + RadiansOf(15);
   const double between = 2 * std::hypot(25, 20) * std::sin(half_angle);
   EXPECT_NEAR(lengths.values(0, 1), 0.110, 1e-12);
   EXPECT_NEAR(lengths.values(6, 1), 1e-3 * (70 + between), 1e-9);
@@ -176,7 +177,7 @@ TEST_F(MotionProgram, MomentArmsAreExactForEveryFreeCoordinate) {
     // By a polynomial through five frames, which is exact to 1e-10 m. Solvers
     // end within 1e-8 m of the minimum.
     const auto slope = [](const Eigen::VectorXd& l) {
-      return (8 * (l[3] - l[1]) - (l[4] - l[0])) / (12 * M_PI / 180);
+      return (8 * (l[3] - l[1]) - (l[4] - l[0])) / RadiansOf(12);
     };
     const StorageTable lengths = Table("lengths");
     EXPECT_NEAR(arms.values(2, 1), -slope(lengths.values.col(0)), 1e-6);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/opensim/storage_table.h"
 #include "support/temp_dir.h"
 #include "tools/programs_data.h"
@@ -78,7 +79,6 @@ TEST_F(ProgramsDataTest, LhdlMomentArmsAreThoseOfTheirMuscles) {
     EXPECT_NE(found, table.labels.end()) << label;
     return Eigen::VectorXd(table.values.col(found - table.labels.begin()));
   };
-  constexpr double kDegree = M_PI / 180;
   for (const char* line : {"glut_max1_r",
                            "glut_max2_r",
                            "glut_max3_r",
@@ -97,7 +97,7 @@ TEST_F(ProgramsDataTest, LhdlMomentArmsAreThoseOfTheirMuscles) {
           (i == 25 && path[0] == 'p') || (i == 32 && path[0] == 'i');
       if (is_switched) continue;
       const double slope = (length[i + 1] - length[i]) / 2;
-      const double expected = -(arm[i] + arm[i + 1]) / 2 * kDegree;
+      const double expected = -(arm[i] + arm[i + 1]) / 2 * kRadiansPerDegree;
       EXPECT_NEAR(slope, expected, 0.1e-3) << line << " row " << i;
     }
   }

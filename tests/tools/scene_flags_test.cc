@@ -6,8 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
+#include "musclewarp/base/angles.h"
 #include "support/input_errors.h"
 
 namespace musclewarp {
@@ -121,7 +120,7 @@ TEST(SceneFlags, EveryFlagReachesItsOption) {
   EXPECT_EQ(certified.step.gap, 0.2);
   EXPECT_EQ(certified.separation.cell.margin, 0.4);
   EXPECT_EQ(certified.step.max_rounds, 9);
-  EXPECT_EQ(certified.limits.max_turn, M_PI / 180);
+  EXPECT_EQ(certified.limits.max_turn, RadiansOf(1));
   EXPECT_EQ(certified.limits.max_move, 5);
   EXPECT_EQ(certified.frame_timeout_s, 30);
 }

@@ -2,32 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/base/option_check.h"
 
-#include <sstream>
-
 #include "musclewarp/base/invalid_option.h"
+#include "musclewarp/base/text.h"
 
 namespace musclewarp {
-namespace {
-
-// 6 digits, without trailing zeros.
-std::string TextOf(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
-}  // namespace
 
 OptionCheck& OptionCheck::IsAbove(const std::string& field,
                                   double value,
                                   double limit) {
-  return Require(value > limit, field, value, "above " + TextOf(limit));
+  return Require(value > limit, field, value, "above " + NumberText(limit));
 }
 
 OptionCheck& OptionCheck::IsAtLeast(const std::string& field,
                                     double value,
                                     double limit) {
-  return Require(value >= limit, field, value, TextOf(limit) + " or above");
+  return Require(value >= limit, field, value, NumberText(limit) + " or above");
 }
 
 OptionCheck& OptionCheck::IsWithin(const std::string& field,
@@ -37,7 +26,7 @@ OptionCheck& OptionCheck::IsWithin(const std::string& field,
   return Require(lowest <= value && value <= highest,
                  field,
                  value,
-                 TextOf(lowest) + " to " + TextOf(highest));
+                 NumberText(lowest) + " to " + NumberText(highest));
 }
 
 OptionCheck& OptionCheck::Require(bool holds,
@@ -46,8 +35,8 @@ OptionCheck& OptionCheck::Require(bool holds,
                                   const std::string& rule) {
   if (!is_valid_ || holds) return *this;
   is_valid_ = false;
-  *error_ =
-      options_ + "::" + field + " is " + TextOf(value) + ", allowed: " + rule;
+  *error_ = options_ + "::" + field + " is " + NumberText(value) +
+            ", allowed: " + rule;
   return *this;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "musclewarp/certificate/scene_intersections.h"
+#include "musclewarp/figures/bone_findings.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/scene/exempt_area.h"
 
@@ -18,21 +19,6 @@ namespace musclewarp {
 struct DeliveredOnly {
   std::string bone;
   TriangleSoup soup;  // in the pose of the muscles, mm
-};
-
-// What a muscle has in common with the triangles of a bone that only the
-// delivered mesh has.
-struct DeliveredCrossing {
-  std::string muscle;
-  std::string bone;
-  int triangle_pairs = 0;
-
-  // Pieces of the bone that lie within the muscle.
-  int pieces_inside = 0;
-
-  // The mean of the corners of the muscle's triangles that cross, or a point of
-  // a piece inside if none do, mm.
-  Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
 };
 
 // Counts what muscles have in common with what repair took from bones, by

@@ -91,7 +91,7 @@ bool AddPair(MeshPair meshes,
              std::vector<int>* inside_of_b,
              SceneIntersections* sum) {
   const SearchableMesh &a = *meshes.a.mesh, &b = *meshes.b.mesh;
-  PairIntersection pair;
+  PairFigures pair;
   pair.triangle_pairs = static_cast<int>(meshes.triangles_of_a.size());
   pair.exempt_pairs = meshes.exempt_pairs;
   if (pair.triangle_pairs + pair.exempt_pairs == 0 &&
@@ -151,23 +151,6 @@ void AddGap(const DistanceSearch& search,
 }
 
 }  // namespace
-
-std::optional<double> SceneIntersections::SmallestGap() const {
-  std::optional<double> smallest;
-  for (const MeshGap& gap : gaps) {
-    if (!smallest || gap.at_least_mm < *smallest) smallest = gap.at_least_mm;
-  }
-  return smallest;
-}
-
-void SceneIntersections::DropLists() {
-  inside_of_muscles.clear();
-  self_pairs_of_muscles.clear();
-  for (PairIntersection& pair : pairs) {
-    pair.triangles_of_a.clear();
-    pair.triangles_of_b.clear();
-  }
-}
 
 SceneIntersections IntersectScene(const std::vector<NamedMesh>& muscles,
                                   const std::vector<NamedMesh>& bones,

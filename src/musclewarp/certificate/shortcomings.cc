@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "musclewarp/base/option_check.h"
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 
 namespace musclewarp {
 namespace {
@@ -23,7 +23,7 @@ std::string Sentence(const Words&... words) {
 }
 
 // " around (x, y, z)", or nothing where no triangles cross.
-std::string PlaceOf(const PairIntersection& pair, double body_size) {
+std::string PlaceOf(const PairFigures& pair, double body_size) {
   if (pair.triangle_pairs == 0) return "";
   return " around " + PlaceText(pair.place, body_size);
 }
@@ -41,10 +41,7 @@ double CubicCentimetres(double volume, double body_size) {
 std::string BelowText(double value, double limit) {
   std::string text;
   for (int digits = 2; digits <= 17; ++digits) {
-    std::ostringstream stream;
-    stream.precision(digits);
-    stream << value;
-    text = stream.str();
+    text = NumberText(value, digits);
     if (std::stod(text) < limit) break;
   }
   return text;
@@ -71,9 +68,10 @@ void AddNarrowGaps(const std::vector<MeshGap>& gaps,
   }
 }
 
-void AddShortcomingsOfShape(const MuscleMeasures& muscle,
+void AddShortcomingsOfShape(const JudgedMuscle& judged,
                             const FrameRequirements& requirements,
                             std::vector<std::string>* shortcomings) {
+  const MuscleFigures& muscle = judged.figures;
   const double error = std::abs(muscle.volume_error);
   if (!(error <= requirements.max_volume_error)) {
     shortcomings->push_back(Sentence(muscle.name,
@@ -89,56 +87,59 @@ void AddShortcomingsOfShape(const MuscleMeasures& muscle,
         ": ",
         100 * loss,
         " % of its volume of ",
-        CubicCentimetres(muscle.delivered_volume, requirements.body_size),
+        CubicCentimetres(judged.delivered_volume, requirements.body_size),
         " cm3 is lost, allowed ",
         100 * requirements.max_volume_loss,
         " %"));
   }
-  if (!(muscle.max_stretch <= requirements.max_stretch)) {
+  if (!(muscle.shape.max_stretch <= requirements.max_stretch)) {
     shortcomings->push_back(Sentence(muscle.name,
                                      ": stretched to ",
-                                     muscle.max_stretch,
+                                     muscle.shape.max_stretch,
                                      " times its length, allowed ",
                                      requirements.max_stretch));
   }
 }
 
-void AddLosses(const MuscleMeasures& muscle,
+void AddLosses(const JudgedMuscle& judged,
                const FrameRequirements& requirements,
                std::vector<std::string>* shortcomings) {
-  if (muscle.gone_area > requirements.max_lost_area) {
+  const std::string& name = judged.figures.name;
+  const SurfaceReconstruction& reconstruction = judged.reconstruction;
+  if (reconstruction.gone_area > requirements.max_lost_area) {
     shortcomings->push_back(Sentence(
-        muscle.name,
+        name,
         ": ",
-        SquareCentimetres(muscle.gone_area, requirements.body_size),
+        SquareCentimetres(reconstruction.gone_area, requirements.body_size),
         " cm2 of the muscle are gone, the farthest "
         "point ",
-        muscle.farthest_gone * requirements.body_size,
+        reconstruction.farthest * requirements.body_size,
         " mm away, allowed ",
         SquareCentimetres(requirements.max_lost_area, requirements.body_size),
         " cm2"));
   }
-  if (muscle.lost_extent > requirements.max_lost_extent) {
+  if (reconstruction.lost_extent > requirements.max_lost_extent) {
     shortcomings->push_back(
-        Sentence(muscle.name,
+        Sentence(name,
                  ": ends ",
-                 muscle.lost_extent * requirements.body_size,
+                 reconstruction.lost_extent * requirements.body_size,
                  " mm short of where the delivered mesh "
                  "ends, allowed ",
                  requirements.max_lost_extent * requirements.body_size,
                  " mm"));
   }
-  for (const std::string& carrier : muscle.lost_attachments) {
+  for (const std::string& carrier : reconstruction.lost_attachments) {
     shortcomings->push_back(
-        Sentence(muscle.name, ": is not attached to ", carrier, " any more"));
+        Sentence(name, ": is not attached to ", carrier, " any more"));
   }
 }
 
-void AddShortcomingsOf(const MuscleMeasures& muscle,
+void AddShortcomingsOf(const JudgedMuscle& judged,
                        const FrameRequirements& requirements,
                        std::vector<std::string>* shortcomings) {
-  AddShortcomingsOfShape(muscle, requirements, shortcomings);
-  AddLosses(muscle, requirements, shortcomings);
+  const MuscleFigures& muscle = judged.figures;
+  AddShortcomingsOfShape(judged, requirements, shortcomings);
+  AddLosses(judged, requirements, shortcomings);
   if (muscle.self_pairs > 0) {
     shortcomings->push_back(Sentence(muscle.name,
                                      ": ",
@@ -146,20 +147,20 @@ void AddShortcomingsOf(const MuscleMeasures& muscle,
                                      " self-intersecting triangle pairs"));
   }
   if (requirements.max_torn_patch > 0 &&
-      muscle.torn_patch > requirements.max_torn_patch) {
+      muscle.torn_patch.area > requirements.max_torn_patch) {
     shortcomings->push_back(Sentence(
         muscle.name,
         ": ",
-        SquareCentimetres(muscle.torn_patch, requirements.body_size),
+        SquareCentimetres(muscle.torn_patch.area, requirements.body_size),
         " cm2 torn by contact near ",
-        PlaceText(muscle.torn_place, requirements.body_size),
+        PlaceText(muscle.torn_patch.place, requirements.body_size),
         ", allowed ",
         SquareCentimetres(requirements.max_torn_patch, requirements.body_size),
         " cm2"));
   }
   const auto most_folded =
       static_cast<int>(requirements.max_folded_fraction *
-                       static_cast<double>(muscle.num_triangles));
+                       static_cast<double>(judged.num_triangles));
   if (muscle.folded_triangles > most_folded) {
     shortcomings->push_back(Sentence(muscle.name,
                                      ": ",
@@ -211,7 +212,7 @@ bool FrameRequirements::IsValid(std::string* error) const {
 }
 
 double LargestDisplacement(const FrameRequirements& requirements,
-                           const MuscleMeasures& muscle) {
+                           const MuscleFigures& muscle) {
   const double depth = muscle.depth_without_contact;
   return requirements.displacement_per_depth * depth +
          std::max(0.0, muscle.push_depth - depth) +
@@ -220,11 +221,11 @@ double LargestDisplacement(const FrameRequirements& requirements,
 
 std::vector<std::string> ShapeShortcomings(
     const FrameRequirements& requirements,
-    const std::vector<MuscleMeasures>& muscles) {
+    const std::vector<JudgedMuscle>& muscles) {
   std::string error;
   CHECK(requirements.IsValid(&error)) << error;
   std::vector<std::string> shortcomings;
-  for (const MuscleMeasures& muscle : muscles) {
+  for (const JudgedMuscle& muscle : muscles) {
     AddShortcomingsOfShape(muscle, requirements, &shortcomings);
   }
   return shortcomings;
@@ -233,11 +234,11 @@ std::vector<std::string> ShapeShortcomings(
 std::vector<std::string> Shortcomings(
     const FrameRequirements& requirements,
     const SceneIntersections& intersections,
-    const std::vector<MuscleMeasures>& muscles) {
+    const std::vector<JudgedMuscle>& muscles) {
   std::string error;
   CHECK(requirements.IsValid(&error)) << error;
   std::vector<std::string> shortcomings;
-  for (const PairIntersection& pair : intersections.pairs) {
+  for (const PairFigures& pair : intersections.pairs) {
     if (pair.triangle_pairs + pair.vertices_inside == 0) continue;  // exempt
     shortcomings.push_back(Sentence(pair.a,
                                     " x ",
@@ -253,7 +254,7 @@ std::vector<std::string> Shortcomings(
                                     " mm deep"));
   }
   AddNarrowGaps(intersections.gaps, requirements, &shortcomings);
-  for (const MuscleMeasures& muscle : muscles) {
+  for (const JudgedMuscle& muscle : muscles) {
     AddShortcomingsOf(muscle, requirements, &shortcomings);
   }
   return shortcomings;

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/certificate/delivered_crossings.h"
-#include "musclewarp/certificate/scene_intersections.h"
+#include "musclewarp/figures/frame_figures.h"
+#include "musclewarp/figures/muscle_figures.h"
+#include "musclewarp/figures/surface_reconstruction.h"
 
 namespace musclewarp {
 
@@ -62,59 +63,34 @@ struct FrameRequirements {
   bool IsValid(std::string* error) const;
 };
 
-// What is measured of one muscle in a frame, for the certificate.
-struct MuscleMeasures {
-  std::string name;
+// A muscle of a frame as it is judged: its figures, and what preparing it took.
+struct JudgedMuscle {
+  MuscleFigures figures;
   double delivered_volume = 0;  // mm^3
-  double volume_ratio = 0;      // of the volume to the delivered one
-  double volume_error = 0;      // of the solver, as a share of the volume
-  double max_stretch = 1;
-  double torn_patch = 0;                                       // mm^2
-  Eigen::RowVector3d torn_place = Eigen::RowVector3d::Zero();  // mm
-  int num_triangles = 0;
-  int folded_triangles = 0;
-
-  // What of it is gone as delivered (SurfaceReconstruction), mm^2 and mm, and
-  // what it was attached to and is no longer.
-  double gone_area = 0;
-  double farthest_gone = 0;
-  double lost_extent = 0;
-  std::vector<std::string> lost_attachments;
-
-  int self_pairs = 0;  // of its triangles that cross each other
-
-  // How far contact moved a vertex at most, and how deep the muscle is in
-  // another mesh, or another in it, without contact, mm.
-  double max_contact_displacement = 0;
-  double depth_without_contact = 0;
-
-  // The depths of the overlaps along the chain of muscles that pushes this one,
-  // added up, mm, and the names of these muscles; this one comes last.
-  double push_depth = 0;
-  std::vector<std::string> pushed_by;
+  int num_triangles = 0;        // of the fine mesh
+  SurfaceReconstruction reconstruction;
 };
 
 // Returns how far contact may move a vertex of a muscle, mm: what
 // FrameRequirements says of the depths that were measured.
 double LargestDisplacement(const FrameRequirements& requirements,
-                           const MuscleMeasures& muscle);
+                           const MuscleFigures& muscle);
 
 // Returns what muscles do not hold of the requirements by themselves, a
 // sentence each: volume and stretch. Precondition (CHECKed): the requirements
 // are valid.
 std::vector<std::string> ShapeShortcomings(
     const FrameRequirements& requirements,
-    const std::vector<MuscleMeasures>& muscles);
+    const std::vector<JudgedMuscle>& muscles);
 
 // Returns what a frame does not hold of the requirements, a sentence each:
 // triangles that cross (how many, where, how deep), vertices inside another
 // mesh, gaps, volume, stretch,
 // self-intersections, folded triangles, displacement. A frame is certified if
 // there are none. Precondition (CHECKed): the requirements are valid.
-std::vector<std::string> Shortcomings(
-    const FrameRequirements& requirements,
-    const SceneIntersections& intersections,
-    const std::vector<MuscleMeasures>& muscles);
+std::vector<std::string> Shortcomings(const FrameRequirements& requirements,
+                                      const SceneIntersections& intersections,
+                                      const std::vector<JudgedMuscle>& muscles);
 
 // Returns a sentence for each crossing with a bone as it was delivered, which
 // no certified frame has.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "musclewarp/base/parallel_for.h"
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/preparation/delivered_mesh.h"
 #include "musclewarp/scene/coordinate_limits.h"

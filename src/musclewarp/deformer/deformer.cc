@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/base/place_text.h"
 #include "musclewarp/base/stage_times.h"
-#include "musclewarp/certificate/scaled_intersections.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/deformer/body_size.h"
 #include "musclewarp/deformer/length_options.h"
+#include "musclewarp/figures/scaled_figures.h"
 #include "musclewarp/frames/scaled_frame.h"
 #include "musclewarp/preparation/scaled_preparation.h"
 #include "musclewarp/scene/scaled_scene.h"
@@ -63,7 +63,7 @@ std::shared_ptr<const PreparedScene> SceneInMillimetres(
 ContactReport ContactInMillimetres(ContactReport contact, double body_size) {
   const auto gap = contact.options.find("gap_mm");
   if (gap != contact.options.end()) *gap = gap->get<double>() * body_size;
-  if (contact.rest) ScaleLengths(body_size, &*contact.rest);
+  if (contact.rest) ScaleFigures(body_size, &*contact.rest);
   return contact;
 }
 

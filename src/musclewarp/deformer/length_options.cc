@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 
 namespace musclewarp {
 

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "musclewarp/certificate/scaled_intersections.h"
 #include "musclewarp/deformer/body_size.h"
 #include "musclewarp/deformer/length_options.h"
 #include "musclewarp/deformer/solver_configuration.h"
+#include "musclewarp/figures/scaled_figures.h"
 #include "musclewarp/frame_solvers/certified_frame.h"
 #include "musclewarp/frames/frame_measures.h"
 #include "musclewarp/frames/scaled_frame.h"
@@ -81,8 +81,8 @@ MeshSeparation SeparateMeshes(const Scene& scene,
   result.gap = sized_options.contact.step.gap * sized.body_size;
   if (sized.body_size == 1) return result;
   ScaleLengths(sized.body_size, &result.scene);
-  ScaleLengths(sized.body_size, &result.rest.intersections);
-  ScaleLengths(sized.body_size, &result.before);
+  ScaleFigures(sized.body_size, &result.rest.intersections);
+  ScaleFigures(sized.body_size, &result.before);
   ScaleLengths(sized.body_size, &result.frame);
   return result;
 }

@@ -203,7 +203,7 @@ MUSCLEWARP_ARCHIVE(PreparedMuscle,
                    fibres,
                    fibres_ms)
 MUSCLEWARP_ARCHIVE(PreparedBone, mesh, body, rest, left_out, delivered_only)
-MUSCLEWARP_ARCHIVE(PairIntersection,
+MUSCLEWARP_ARCHIVE(PairFigures,
                    a,
                    b,
                    triangle_pairs,

@@ -3,12 +3,12 @@
 #include "musclewarp/exchange/osim_file.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <pugixml.hpp>
 #include <string_view>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/base/xml_text.h"
 #include "musclewarp/opensim/osim_xml.h"
 
@@ -109,9 +109,7 @@ size_t EndOfElement(const std::string& text, size_t begin) {
 std::string Numbers(const Eigen::VectorXd& values) {
   std::string text;
   for (const double value : values) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%.17g", value);
-    text += (text.empty() ? "" : " ") + std::string(number);
+    text += (text.empty() ? "" : " ") + NumberText(value, 17);
   }
   return text;
 }

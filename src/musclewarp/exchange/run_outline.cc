@@ -4,9 +4,9 @@
 
 #include <filesystem>
 #include <map>
-#include <sstream>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/frames/frame_files.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/page/run_files.h"
@@ -102,9 +102,7 @@ RunOutline ReadRunOutline(const std::string& dir, const std::string& version) {
 
 std::string AtTime(const RunOutline& run, const OutlinedFrame& frame) {
   if (!run.has_times) return "";
-  std::ostringstream text;
-  text << ", at " << frame.pose.time << " s";
-  return text.str();
+  return ", at " + NumberText(frame.pose.time) + " s";
 }
 
 }  // namespace musclewarp

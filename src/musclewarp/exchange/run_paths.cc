@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/exchange/run_paths.h"
 
-#include <cmath>
 #include <filesystem>
 #include <sstream>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/frames/frame_files.h"
@@ -60,7 +60,7 @@ CoordinateValues ValuesOf(const JsonField& frame, const Model& model) {
     }
     const bool is_angle =
         model.coordinates[index].kind == CoordinateKind::kRotational;
-    values[index] = field.AsNumber() * (is_angle ? M_PI / 180 : 1);
+    values[index] = field.AsNumber() * (is_angle ? kRadiansPerDegree : 1);
   }
   ApplyCouplers(model, &values);
   return values;

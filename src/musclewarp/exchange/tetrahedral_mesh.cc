@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "musclewarp/base/angles.h"
+
 namespace musclewarp {
 namespace {
 
@@ -51,8 +53,7 @@ void Measure(const TetrahedronCorners& c, ElementQuality* quality) {
       longest = std::max(longest, (c.row(i) - c.row(k)).norm());
       const double size = normals[i].norm() * normals[k].norm();
       const double cosine = size > 0 ? -normals[i].dot(normals[k]) / size : 1;
-      const double angle =
-          std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / M_PI;
+      const double angle = DegreesOf(std::acos(std::clamp(cosine, -1.0, 1.0)));
       quality->smallest_dihedral_deg =
           std::min(quality->smallest_dihedral_deg, angle);
       quality->largest_dihedral_deg =

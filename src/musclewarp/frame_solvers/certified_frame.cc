@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "musclewarp/base/stage_times.h"
+#include "musclewarp/certificate/bone_overlaps.h"
 #include "musclewarp/certificate/push_chains.h"
+#include "musclewarp/frames/triangle_stretch.h"
 
 namespace musclewarp {
 namespace {
@@ -100,33 +102,16 @@ void MeasureContact(const PreparedScene& scene,
   }
 }
 
-// Returns the measures of a muscle that the certificate judges.
-MuscleMeasures MeasuresOf(const PreparedMuscle& prepared,
-                          const MuscleFrame& muscle) {
-  MuscleMeasures measures = MuscleMeasuresOf(prepared, muscle);
-  measures.num_triangles =
-      static_cast<int>(prepared.model.fine_triangles.rows());
-  measures.folded_triangles = muscle.folded_triangles;
-  measures.self_pairs = muscle.self_pairs;
-  measures.max_contact_displacement = muscle.max_contact_displacement;
-  measures.depth_without_contact = muscle.depth_without_contact;
-  measures.push_depth = muscle.push_depth;
-  measures.pushed_by = muscle.pushed_by;
-  measures.torn_patch = muscle.torn_patch.area;
-  measures.torn_place = muscle.torn_patch.place;
-  return measures;
-}
-
 // Lists the violated requirements as shortcomings of the frame.
 void Judge(const PreparedScene& scene,
            const FrameRequirements& requirements,
            Frame* frame) {
-  std::vector<MuscleMeasures> measures;
+  std::vector<JudgedMuscle> muscles;
   for (size_t i = 0; i < frame->muscles.size(); ++i) {
-    measures.push_back(MeasuresOf(scene.muscles[i], frame->muscles[i]));
+    muscles.push_back(JudgedMuscleOf(scene.muscles[i], frame->muscles[i]));
   }
   frame->shortcomings =
-      Shortcomings(requirements, frame->intersections, measures);
+      Shortcomings(requirements, frame->intersections, muscles);
   for (std::string& shortcoming : DeliveredShortcomings(
            frame->delivered_crossings, requirements.body_size)) {
     frame->shortcomings.push_back(std::move(shortcoming));
@@ -183,8 +168,7 @@ std::vector<int> MusclesDisplacedAtRest(const PreparedScene& scene,
   std::vector<int> displaced;
   for (size_t i = 0; i < rest.muscles.size(); ++i) {
     if (rest.muscles[i].max_contact_displacement >
-        LargestDisplacement(requirements,
-                            MeasuresOf(scene.muscles[i], rest.muscles[i]))) {
+        LargestDisplacement(requirements, rest.muscles[i])) {
       displaced.push_back(static_cast<int>(i));
     }
   }

@@ -70,15 +70,15 @@ SolvedFrame FreeFrameSolver::Solve(const MuscleSolvers& solvers,
 std::vector<std::string> FreeFrameSolver::ShortcomingsOf(
     const Frame& frame) const {
   constexpr double kMaxVolumeError = 1e-6;
-  std::vector<MuscleMeasures> measures;
+  std::vector<JudgedMuscle> muscles;
   for (size_t i = 0; i < frame.muscles.size(); ++i) {
-    measures.push_back(MuscleMeasuresOf(scene_.muscles[i], frame.muscles[i]));
+    muscles.push_back(JudgedMuscleOf(scene_.muscles[i], frame.muscles[i]));
   }
   FrameRequirements requirements = options_.requirements;
   requirements.max_volume_error =
       std::min(requirements.max_volume_error, kMaxVolumeError);
   requirements.body_size = scene_.scene.body_size;
-  return ShapeShortcomings(requirements, measures);
+  return ShapeShortcomings(requirements, muscles);
 }
 
 }  // namespace musclewarp

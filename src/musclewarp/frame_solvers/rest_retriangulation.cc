@@ -86,7 +86,7 @@ void LockCrossing(const Retriangulation& retriangulation,
       (*locked)[m][retriangulation.kept[m][v]] = true;
     }
   };
-  for (const PairIntersection& pair : crossings.pairs) {
+  for (const PairFigures& pair : crossings.pairs) {
     for (const int f : pair.triangles_of_a) {
       if (pair.muscle_a >= 0) lock(pair.muscle_a, f);
     }

@@ -15,8 +15,8 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/option_check.h"
 #include "musclewarp/base/parallel_for.h"
-#include "musclewarp/base/place_text.h"
 #include "musclewarp/base/stopwatch.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/frame_solvers/certified_frame.h"
 #include "musclewarp/frame_solvers/reconstructed_surfaces.h"
 #include "musclewarp/frame_solvers/reconstruction_loss.h"
@@ -33,7 +33,7 @@ using Reasons = std::map<int, ReconstructionReason>;  // by muscle
 Reasons UncleanMuscles(const ReconstructionOptions& options,
                        const RestResult& rest) {
   Reasons reasons;
-  for (const PairIntersection& pair : rest.intersections.pairs) {
+  for (const PairFigures& pair : rest.intersections.pairs) {
     if (!pair.Counts()) continue;
     for (const int muscle : {pair.muscle_a, pair.muscle_b}) {
       if (muscle < 0) continue;
@@ -79,7 +79,7 @@ std::string Describe(const PreparedScene& scene,
   const double body_size = scene.scene.body_size;
   std::ostringstream text;
   const char* separator = "";
-  for (const PairIntersection& pair : rest.pairs) {
+  for (const PairFigures& pair : rest.pairs) {
     if (!pair.Counts()) continue;
     text << separator << pair.a << " crosses " << pair.b << " around "
          << PlaceText(pair.place, body_size) << ", "

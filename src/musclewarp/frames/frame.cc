@@ -2,42 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/frames/frame.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <sstream>
 
 namespace musclewarp {
-
-int Frame::iterations() const {
-  int sum = 0;
-  for (const MuscleFrame& muscle : muscles) sum += muscle.solver.iterations;
-  return sum;
-}
-
-std::string Frame::stop_reason() const {
-  for (const MuscleFrame& muscle : muscles) {
-    if (muscle.solver.stop_reason == StopReason::kConverged) continue;
-    return ToString(muscle.solver.stop_reason) + " (" + muscle.name + ")";
-  }
-  return ToString(StopReason::kConverged);
-}
-
-bool Frame::IsUsable() const {
-  if (!shortcomings.empty()) return false;
-  for (const MuscleFrame& muscle : muscles) {
-    if (!muscle.solver.IsSolutionUsable()) return false;
-  }
-  return true;
-}
-
-double Frame::WorstVolumeError() const {
-  double worst = 0;
-  for (const MuscleFrame& muscle : muscles) {
-    worst = std::max(worst, std::abs(muscle.volume_error));
-  }
-  return worst;
-}
 
 std::string Frame::BriefReport() const {
   std::ostringstream text;

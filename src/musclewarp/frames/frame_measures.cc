@@ -2,18 +2,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/frames/frame_measures.h"
 
+#include <array>
 #include <utility>
 
 #include "musclewarp/base/stage_times.h"
+#include "musclewarp/certificate/delivered_crossings.h"
+#include "musclewarp/frames/fibre_measures.h"
 #include "musclewarp/frames/shape_measures.h"
 #include "musclewarp/geometry/folded_triangles.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/scene/path_moment_arms.h"
+#include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp {
 namespace {
+
+void AddLines(const PreparedMuscle& muscle,
+              const ScenePose& pose,
+              const Points& coarse,
+              MuscleFrame* frame) {
+  const MuscleModel& model = muscle.model;
+  frame->lines = LinesAt(muscle.lines, coarse);
+  for (size_t i = 0; i < model.lines.size(); ++i) {
+    const std::string& name = model.lines[i].name;
+    frame->line_lengths[name] = PolylineLength(frame->lines[i]);
+    frame->path_lengths[name] = PathLengthIn(pose, model.lines[i]);
+  }
+  frame->fibres = LinesAt(muscle.fibres, coarse);
+  if (frame->fibres.empty()) return;
+  for (const Points& fibre : frame->fibres) {
+    frame->fibre_lengths.push_back(PolylineLength(fibre));
+  }
+  const std::array<double, 5> fifths =
+      StretchByFifths(LinesAt(muscle.fibres, model.coarse_rest), frame->fibres);
+  frame->fibre_stretch_by_fifths.assign(fifths.begin(), fifths.end());
+}
 
 MuscleFrame FrameOf(const PreparedMuscle& muscle,
                     const SurfaceAtRest& rest,
@@ -29,6 +54,7 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
   frame.points = fine;
   const double volume = SignedVolume(frame.points, model.fine_triangles);
   frame.volume_ratio = volume / muscle.mesh.delivered_volume;
+  frame.volume = frame.volume_ratio * muscle.mesh.delivered_volume;
   frame.volume_error = volume / model.rest_volume - 1;
   frame.max_displacement =
       (frame.points - model.fine_rest).rowwise().norm().maxCoeff();
@@ -44,11 +70,7 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
                         model.fine_rest(muscle.attached.vertices, Eigen::all),
                         pose),
       frame.points);
-  frame.lines = LinesAt(muscle.lines, coarse);
-  frame.fibres = LinesAt(muscle.fibres, coarse);
-  for (const ActionLine& line : model.lines) {
-    frame.path_lengths.push_back(PathLengthIn(pose, line));
-  }
+  AddLines(muscle, pose, coarse, &frame);
   return frame;
 }
 
@@ -134,20 +156,12 @@ Frame MeasureFrame(const PreparedScene& scene,
   return frame;
 }
 
-MuscleMeasures MuscleMeasuresOf(const PreparedMuscle& muscle,
-                                const MuscleFrame& frame) {
-  MuscleMeasures measures;
-  measures.name = frame.name;
-  measures.delivered_volume = muscle.mesh.delivered_volume;
-  measures.volume_ratio = frame.volume_ratio;
-  measures.volume_error = frame.volume_error;
-  measures.max_stretch = frame.shape.max_stretch;
-  const SurfaceReconstruction& reconstruction = muscle.mesh.reconstruction;
-  measures.gone_area = reconstruction.gone_area;
-  measures.farthest_gone = reconstruction.farthest;
-  measures.lost_extent = reconstruction.lost_extent;
-  measures.lost_attachments = reconstruction.lost_attachments;
-  return measures;
+JudgedMuscle JudgedMuscleOf(const PreparedMuscle& muscle,
+                            const MuscleFigures& figures) {
+  return {figures,
+          muscle.mesh.delivered_volume,
+          static_cast<int>(muscle.model.fine_triangles.rows()),
+          muscle.mesh.reconstruction};
 }
 
 Frame RestFrame(const PreparedScene& scene,

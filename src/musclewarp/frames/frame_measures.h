@@ -33,10 +33,9 @@ Frame MeasureFrame(const PreparedScene& scene,
                    SceneMeshes* meshes,
                    const MeasureOptions& options = {});
 
-// Returns what certificate/shortcomings.h judges a muscle by where there is no
-// contact: its volume and its stretch.
-MuscleMeasures MuscleMeasuresOf(const PreparedMuscle& muscle,
-                                const MuscleFrame& frame);
+// Returns what certificate/shortcomings.h judges of a muscle.
+JudgedMuscle JudgedMuscleOf(const PreparedMuscle& muscle,
+                            const MuscleFigures& figures);
 
 // Returns the frame of a scene with every mesh where it was delivered.
 Frame RestFrame(const PreparedScene& scene,

@@ -265,9 +265,17 @@ class MomentArms {
     for (size_t c = 0; c < beside_.size(); ++c) {
       const Points& rate = muscle.held[c].coarse;
       const std::string& name = beside_[c].name;
-      frame.line_moment_arms[name] = MomentArmsOf(prepared.lines, lines, rate);
-      frame.fibre_moment_arms[name] =
-          MomentArmsOf(prepared.fibres, fibres, rate);
+      const auto of_lines = MomentArmsOf(prepared.lines, lines, rate);
+      for (size_t k = 0; k < of_lines.size(); ++k) {
+        frame.line_moment_arms[prepared.model.lines[k].name][name] =
+            of_lines[k];
+      }
+      auto of_fibres = MomentArmsOf(prepared.fibres, fibres, rate);
+      if (std::any_of(of_fibres.begin(), of_fibres.end(), [](double arm) {
+            return arm != 0;
+          })) {
+        frame.fibre_moment_arms[name] = std::move(of_fibres);
+      }
     }
   }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/frames/shape_measures.h"
 
-#include <cmath>
-
+#include "musclewarp/base/angles.h"
+#include "musclewarp/frames/triangle_stretch.h"
 #include "musclewarp/geometry/surface_deformation.h"
 
 namespace musclewarp {
@@ -34,7 +34,7 @@ ShapeMeasures MeasureShape(const SurfaceAtRest& rest,
   shape.min_area_ratio = deformation.area_ratio.minCoeff();
   shape.max_area_ratio = deformation.area_ratio.maxCoeff();
   shape.max_bend =
-      Largest(deformation.bend, points, &shape.bend_place) * 180 / M_PI;
+      DegreesOf(Largest(deformation.bend, points, &shape.bend_place));
   if (before.rows() == points.rows()) {
     shape.max_change = Largest(
         (points - before).rowwise().norm(), points, &shape.change_place);

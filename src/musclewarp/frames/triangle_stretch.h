@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "musclewarp/figures/shape_figures.h"
 #include "musclewarp/mesh/triangle.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
@@ -19,32 +20,9 @@ constexpr double kStretchOfPatches = 2;
 // (slivers) say nothing of the stretch of a surface.
 constexpr double kSliverAspect = 0.05;
 
-// How far a surface is stretched, triangle by triangle, as ratios of lengths to
-// those at rest. Triangles count by their areas at rest. A patch is a connected
-// set of triangles beyond kStretchOfPatches, which may be a single triangle:
-// where the largest stretch is large and the largest patch small, single
-// triangles are drawn out and not the muscle.
-struct StretchMeasures {
-  double mean = 1;
-  double quantile_99 = 1;   // 99 % of the area is stretched less
-  double quantile_999 = 1;  // 99.9 %
-  double largest = 1;
-  Eigen::RowVector3d largest_place = Eigen::RowVector3d::Zero();  // mm
-  double area_beyond_anatomy = 0;                                 // mm^2
-  double area_of_patches = 0;                                     // mm^2
-  double largest_patch = 0;                                       // mm^2
-  Eigen::RowVector3d patch_place = Eigen::RowVector3d::Zero();    // mm
-};
-
 // How much more than without contact a triangle has to be stretched before that
 // counts as torn by contact.
 constexpr double kStretchByContact = 0.2;
-
-// A connected part of a surface.
-struct SurfacePatch {
-  double area = 0;                                        // mm^2
-  Eigen::RowVector3d place = Eigen::RowVector3d::Zero();  // its centre, mm
-};
 
 // Returns the smallest height of a triangle as a share of its longest edge; 0
 // if its corners coincide.

@@ -9,6 +9,8 @@
 #include <limits>
 #include <optional>
 
+#include "musclewarp/base/angles.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/joints/ankle.h"
 #include "musclewarp/joints/joint_building.h"
 
@@ -102,7 +104,7 @@ void JudgeAnkle(const Limb& limb,
                 const FootDirections& foot,
                 AnkleFit* fit,
                 JointVerdict* verdict) {
-  constexpr double kLeastAngle = 60 * kDegree;
+  constexpr double kLeastAngle = RadiansOf(60);
   constexpr double kLargestSpread = 0.5;   // mm
   constexpr double kLargestRadius = 1.25;  // by that of the head
   constexpr double kLargestHeight = 0.25;  // by that of the head
@@ -116,15 +118,17 @@ void JudgeAnkle(const Limb& limb,
       fit->spread <= kLargestSpread && std::abs(above) <= height) {
     return;
   }
-  verdict->Weaken(
-      "the dome of the talus covers " + Rounded(fit->angle / kDegree, 0) +
-      " degrees of a cylinder of " + Rounded(fit->cylinder.radius, 1) +
-      " mm, is off it by " + Rounded(fit->spread, 2) +
-      " mm, and the tips of the malleoli are " + Rounded(std::abs(above), 1) +
-      " mm above or below its axis; 60 degrees or more, " + Rounded(radius, 1) +
-      ", " + Rounded(kLargestSpread, 1) + " and " + Rounded(height, 1) +
-      " mm or less are expected: a dome flattened by thick slices" +
-      (tips ? ". The height of the axis is that of the tips" : ""));
+  verdict->Weaken("the dome of the talus covers " + DegreesText(fit->angle) +
+                  " of a cylinder of " + RoundedText(fit->cylinder.radius, 1) +
+                  " mm, is off it by " + RoundedText(fit->spread, 2) +
+                  " mm, and the tips of the malleoli are " +
+                  RoundedText(std::abs(above), 1) +
+                  " mm above or below its axis; 60 degrees or more, " +
+                  RoundedText(radius, 1) + ", " +
+                  RoundedText(kLargestSpread, 1) + " and " +
+                  RoundedText(height, 1) +
+                  " mm or less are expected: a dome flattened by thick slices" +
+                  (tips ? ". The height of the axis is that of the tips" : ""));
   fit->cylinder.axis.point += above * foot.up;
 }
 
@@ -177,9 +181,9 @@ FoundJoint FindSubtalar(const Limb& limb, const FemurShape& femur) {
   constexpr double kLeastDistance = 1.4;  // by the radius of the head
   if (fit->facet_area < kLeastFacet) {
     joint.verdict.Weaken(
-        "only " + Rounded(fit->facet_area, 0) +
+        "only " + RoundedText(fit->facet_area, 0) +
         " mm2 of the talus look at the heel bone as a hollow sphere, " +
-        Rounded(kLeastFacet, 0) +
+        RoundedText(kLeastFacet, 0) +
         " mm2 or more are expected: bones too far apart, or a coarse mesh");
   }
   // The angle of the axis is uncertain by that of a centre over the distance
@@ -189,8 +193,8 @@ FoundJoint FindSubtalar(const Limb& limb, const FemurShape& femur) {
   const double least = kLeastDistance * femur.HeadRadius();
   if (distance < least) {
     joint.verdict.Weaken("the centres of both spheres are only " +
-                         Rounded(distance, 0) + " mm apart, " +
-                         Rounded(least, 0) + " mm or more are expected");
+                         RoundedText(distance, 0) + " mm apart, " +
+                         RoundedText(least, 0) + " mm or more are expected");
   }
   joint.parent_axes = AxesAlong(0, fit->axis.direction, 1, foot.up);
   joint.child_axes = joint.parent_axes;

@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <optional>
 
+#include "musclewarp/base/angles.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/joints/facing_surface.h"
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/joints/point_search.h"
@@ -85,8 +87,8 @@ FoundJoint FindShoulder(const Limb& limb) {
   if (coverage < kFailedCoverage) {
     joint.verdict.Fail(
         "no head on the humerus: the best sphere of 14 to 32 mm covers " +
-        Rounded(100 * coverage, 0) + " % of itself, " +
-        Rounded(100 * kFailedCoverage, 0) +
+        RoundedText(100 * coverage, 0) + " % of itself, " +
+        RoundedText(100 * kFailedCoverage, 0) +
         " % or more are needed; are the meshes in mm, and is the upper end of "
         "the humerus there");
     return joint;
@@ -94,14 +96,15 @@ FoundJoint FindShoulder(const Limb& limb) {
   joint.center = head->sphere.center;
   joint.shapes.push_back(ShapeOf("head of the humerus", *head));
   if (coverage < kWeakCoverage) {
-    joint.verdict.Weaken(
-        "the head covers " + Rounded(100 * coverage, 0) + " % of its sphere, " +
-        Rounded(100 * kWeakCoverage, 0) + " % or more are expected: it is cut");
+    joint.verdict.Weaken("the head covers " + RoundedText(100 * coverage, 0) +
+                         " % of its sphere, " +
+                         RoundedText(100 * kWeakCoverage, 0) +
+                         " % or more are expected: it is cut");
   }
   if (head->spread > kWeakSpread) {
     joint.verdict.Weaken("the head is off its sphere by " +
-                         Rounded(head->spread, 1) + " mm, at most " +
-                         Rounded(kWeakSpread, 1) + " mm are expected");
+                         RoundedText(head->spread, 1) + " mm, at most " +
+                         RoundedText(kWeakSpread, 1) + " mm are expected");
   }
   if (limb.image_axes) {
     joint.parent_axes = *limb.image_axes;
@@ -115,7 +118,7 @@ FoundJoint FindShoulder(const Limb& limb) {
 }
 
 FoundJoint FindElbow(const Limb& limb) {
-  constexpr double kFailedAngle = 60 * kDegree, kWeakAngle = 120 * kDegree;
+  constexpr double kFailedAngle = RadiansOf(60), kWeakAngle = RadiansOf(120);
   constexpr double kWeakSpread = 1.5;  // mm
   FoundJoint joint = StartedJoint(JointKind::kElbow, limb);
   const SurfacePoints& humerus = Needed(limb, BoneKind::kHumerus);
@@ -124,8 +127,8 @@ FoundJoint FindElbow(const Limb& limb) {
   const double angle = fit ? AngleCovered(facing.points, fit->axis) : 0;
   if (angle < kFailedAngle) {
     joint.verdict.Fail(
-        "the humerus looks at the forearm over " + Rounded(angle / kDegree, 0) +
-        " degrees, 60 or more are needed: bones from two scans, or of two "
+        "the humerus looks at the forearm over " + DegreesText(angle) +
+        ", 60 or more are needed: bones from two scans, or of two "
         "arms");
     return joint;
   }
@@ -143,13 +146,12 @@ FoundJoint FindElbow(const Limb& limb) {
   joint.shapes.back().is_on_parent = true;
   if (angle < kWeakAngle) {
     joint.verdict.Weaken("the humerus looks at the forearm over " +
-                         Rounded(angle / kDegree, 0) +
-                         " degrees, 120 or more are expected");
+                         DegreesText(angle) + ", 120 or more are expected");
   }
   if (fit->spread > kWeakSpread) {
-    joint.verdict.Weaken("normals pass the axis by " + Rounded(fit->spread, 1) +
-                         " mm, " + Rounded(kWeakSpread, 1) +
-                         " mm or less is expected");
+    joint.verdict.Weaken(
+        "normals pass the axis by " + RoundedText(fit->spread, 1) + " mm, " +
+        RoundedText(kWeakSpread, 1) + " mm or less is expected");
   }
   joint.center = axis.point;
   joint.parent_axes =

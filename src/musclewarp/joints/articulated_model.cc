@@ -8,8 +8,10 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
@@ -22,16 +24,13 @@ namespace {
 constexpr double kBoneDensity = 1.5e-6;
 constexpr double kLeastMass = 1e-3;  // kg
 
-std::string NumberText(double number) {
-  std::ostringstream text;
-  text.precision(17);
-  text << (number == 0 ? 0 : number);  // no negative zero
-  return text.str();
+std::string ExactText(double number) {
+  return NumberText(number == 0 ? 0 : number, 17);  // no negative zero
 }
 
 std::string VectorText(const Eigen::Vector3d& vector) {
-  return NumberText(vector.x()) + " " + NumberText(vector.y()) + " " +
-         NumberText(vector.z());
+  return ExactText(vector.x()) + " " + ExactText(vector.y()) + " " +
+         ExactText(vector.z());
 }
 
 void AddText(pugi::xml_node parent, const char* name, const std::string& text) {
@@ -78,8 +77,8 @@ void AddMass(const std::vector<const Bone*>& bones, pugi::xml_node node) {
   const double mass = std::max(kLeastMass, volume * kBoneDensity);
   const double radius =
       std::cbrt(3 * mass / (kBoneDensity * 4 * M_PI)) / kMillimetresPerMetre;
-  const std::string inertia = NumberText(kBall * mass * radius * radius);
-  AddText(node, "mass", NumberText(mass));
+  const std::string inertia = ExactText(kBall * mass * radius * radius);
+  AddText(node, "mass", ExactText(mass));
   AddText(node, "mass_center", VectorText(middle));
   AddText(node, "inertia", inertia + " " + inertia + " " + inertia + " 0 0 0");
 }
@@ -134,12 +133,14 @@ void AddCoordinates(const FoundJoint& joint, pugi::xml_node node) {
   const std::vector<double> values = ScanCoordinates(joint);
   for (size_t i = 0; i < entries.size(); ++i) {
     pugi::xml_node entry = AddNamed(coordinates, "Coordinate", entries[i].name);
-    AddText(entry, "default_value", NumberText(values[i]));
+    AddText(entry, "default_value", ExactText(values[i]));
     AddText(entry, "default_speed_value", "0");
     // The pose of the scan is within the range.
-    const double low = std::min(entries[i].lowest * kDegree, values[i]);
-    const double high = std::max(entries[i].highest * kDegree, values[i]);
-    AddText(entry, "range", NumberText(low) + " " + NumberText(high));
+    const double low =
+        std::min(entries[i].lowest * kRadiansPerDegree, values[i]);
+    const double high =
+        std::max(entries[i].highest * kRadiansPerDegree, values[i]);
+    AddText(entry, "range", ExactText(low) + " " + ExactText(high));
     AddText(entry, "clamped", "false");
     AddText(entry, "locked", "false");
   }
@@ -220,7 +221,7 @@ void AddJoints(const Articulation& articulation, pugi::xml_node model) {
 std::string NumbersText(const std::vector<double>& numbers) {
   std::string text;
   for (const double number : numbers) {
-    text += (text.empty() ? "" : " ") + NumberText(number);
+    text += (text.empty() ? "" : " ") + ExactText(number);
   }
   return text;
 }

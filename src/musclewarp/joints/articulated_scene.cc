@@ -5,8 +5,8 @@
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/short_list.h"
 #include "musclewarp/scene/scene_names.h"
@@ -106,7 +106,7 @@ JointMotion FirstMotion(const Articulation& articulation) {
   for (const FoundJoint& joint : articulation.joints) {
     if (!joint.IsFound() || !joint.coupling.coordinate.empty()) continue;
     const JointCoordinate entry = CoordinatesOf(joint.kind, joint.side)[0];
-    const double scan = ScanCoordinates(joint)[0] * 180 / M_PI;
+    const double scan = DegreesOf(ScanCoordinates(joint)[0]);
     motion.name = entry.name;
     motion.sweeps = {{entry.name, scan, scan + kWay}};
     break;

@@ -10,7 +10,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/parallel_for.h"
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/joints/ankle_joints.h"
 #include "musclewarp/joints/arm_joints.h"
 #include "musclewarp/joints/articulation_checks.h"
@@ -313,7 +313,7 @@ class Articulator {
       if (std::abs(r - l) <= kRadiusTolerance * std::max(r, l)) continue;
       const std::string reason =
           "the radii of the right and the left " + right->shapes[0].what +
-          " differ: " + Rounded(r, 1) + " and " + Rounded(l, 1) +
+          " differ: " + RoundedText(r, 1) + " and " + RoundedText(l, 1) +
           " mm, 10 % at most are expected";
       right->verdict.Weaken(reason);
       left->verdict.Weaken(reason);

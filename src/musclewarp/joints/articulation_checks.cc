@@ -6,6 +6,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/short_list.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/mesh/measures.h"
 
@@ -17,7 +18,7 @@ void CheckBoneSize(const Bone& bone) {
   if (diagonal <= kLargest) return;
   throw InputError(
       bone.name,
-      "is " + Rounded(diagonal / 1000, 1) + " m long, allowed: 10 m",
+      "is " + RoundedText(diagonal / 1000, 1) + " m long, allowed: 10 m",
       "give the unit of the files (--units)");
 }
 

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 
+#include "musclewarp/base/text.h"
 #include "musclewarp/joints/joint_building.h"
 
 namespace musclewarp {
@@ -28,14 +29,15 @@ void JudgeHead(const FemurShape& femur, JointVerdict* verdict) {
   constexpr double kWeakSpread = 0.8;  // mm
   const SphereFit& head = *femur.head;
   if (head.coverage < kWeakCoverage) {
-    verdict->Weaken("the head covers " + Rounded(100 * head.coverage, 0) +
-                    " % of its sphere, " + Rounded(100 * kWeakCoverage, 0) +
+    verdict->Weaken("the head covers " + RoundedText(100 * head.coverage, 0) +
+                    " % of its sphere, " + RoundedText(100 * kWeakCoverage, 0) +
                     " % or more are expected: it is cut by the image, or a "
                     "part of it is labelled as hip bone");
   }
   if (head.spread > kWeakSpread) {
-    verdict->Weaken("the head is off its sphere by " + Rounded(head.spread, 1) +
-                    " mm, at most " + Rounded(kWeakSpread, 1) +
+    verdict->Weaken("the head is off its sphere by " +
+                    RoundedText(head.spread, 1) + " mm, at most " +
+                    RoundedText(kWeakSpread, 1) +
                     " mm are expected: a deformed head, or a coarse mesh");
   }
 }
@@ -68,7 +70,7 @@ FoundJoint FindHip(const Limb& limb, const FemurShape& femur) {
   if (!femur.head) {
     joint.verdict.Fail(
         "no head on the femur: the best sphere of 14 to 32 mm covers " +
-        Rounded(100 * femur.best_coverage, 0) +
+        RoundedText(100 * femur.best_coverage, 0) +
         " % of itself, 30 to 95 % are needed; are the meshes in mm, and is the "
         "upper end of the femur there");
     return joint;
@@ -86,9 +88,9 @@ FoundJoint FindHip(const Limb& limb, const FemurShape& femur) {
                               .norm()
                               .minCoeff();
   if (distance > kLargestDistance * head.radius) {
-    joint.verdict.Fail("the hip bone is " + Rounded(distance, 0) +
+    joint.verdict.Fail("the hip bone is " + RoundedText(distance, 0) +
                        " mm away from the centre of the head, " +
-                       Rounded(kLargestDistance * head.radius, 0) +
+                       RoundedText(kLargestDistance * head.radius, 0) +
                        " mm or less are needed: bones from two scans");
   } else if (!socket) {
     joint.verdict.Weaken(
@@ -100,8 +102,8 @@ FoundJoint FindHip(const Limb& limb, const FemurShape& femur) {
     const double offset = (socket->sphere.center - head.center).norm();
     if (offset > kWeakOffset) {
       joint.verdict.Weaken(
-          "the socket is " + Rounded(offset, 1) + " mm off the head, at most " +
-          Rounded(kWeakOffset, 0) +
+          "the socket is " + RoundedText(offset, 1) +
+          " mm off the head, at most " + RoundedText(kWeakOffset, 0) +
           " mm are expected: bones from two scans, or a dislocation");
     }
   }

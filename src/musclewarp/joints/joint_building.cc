@@ -3,17 +3,8 @@
 #include "musclewarp/joints/joint_building.h"
 
 #include <Eigen/Geometry>
-#include <sstream>
 
 namespace musclewarp {
-
-std::string Rounded(double number, int digits) {
-  std::ostringstream text;
-  text.setf(std::ios::fixed);
-  text.precision(digits);
-  text << number;
-  return text.str();
-}
 
 FoundJoint StartedJoint(JointKind kind, const Limb& limb) {
   FoundJoint joint;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 #include <string>
 
 #include "musclewarp/joints/cylinder_fit.h"
@@ -14,11 +13,6 @@
 namespace musclewarp {
 
 // Parts of which joints are built.
-
-constexpr double kDegree = M_PI / 180;  // rad
-
-// Returns a number with so many digits after the point, for reasons.
-std::string Rounded(double number, int digits);
 
 // Returns a joint with the bodies of its table entry and nothing found yet.
 FoundJoint StartedJoint(JointKind kind, const Limb& limb);

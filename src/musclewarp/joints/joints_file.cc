@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/scene/json_fields.h"
 
@@ -40,7 +41,7 @@ OrderedJson ShapeJson(const FittedShape& shape, const FoundJoint& joint) {
   if (shape.kind == FittedShape::Kind::kSphere) {
     json["coverage"] = shape.coverage;
   } else {
-    json["angle_deg"] = shape.angle / kDegree;
+    json["angle_deg"] = shape.angle / kRadiansPerDegree;
   }
   return json;
 }
@@ -50,8 +51,8 @@ OrderedJson CouplingJson(const JointCoupling& coupling) {
                       {"at_deg", OrderedJson::array()},
                       {"values_deg", OrderedJson::array()}};
   for (size_t i = 0; i < coupling.at.size(); ++i) {
-    json["at_deg"].push_back(coupling.at[i] / kDegree);
-    json["values_deg"].push_back(coupling.values[i] / kDegree);
+    json["at_deg"].push_back(coupling.at[i] / kRadiansPerDegree);
+    json["values_deg"].push_back(coupling.values[i] / kRadiansPerDegree);
   }
   return json;
 }
@@ -76,7 +77,7 @@ OrderedJson JointJson(const FoundJoint& joint) {
           {{"name", entries[i].name},
            {"axis", VectorJson(joint.parent_axes * entries[i].axis)},
            {"axis_in_joint", VectorJson(entries[i].axis)},
-           {"scan_deg", values[i] / kDegree},
+           {"scan_deg", values[i] / kRadiansPerDegree},
            {"range_deg", {entries[i].lowest, entries[i].highest}}});
       if (joint.coupling.coordinate.empty()) continue;
       coordinates.back()["follows"] = CouplingJson(joint.coupling);
@@ -154,8 +155,8 @@ JointCoupling ReadCoupling(const JsonField& field) {
                 "give as many as at_deg, at least one");
   }
   for (size_t i = 0; i < at.ArraySize(); ++i) {
-    coupling.at.push_back(at.At(i).AsNumber() * kDegree);
-    coupling.values.push_back(values.At(i).AsNumber() * kDegree);
+    coupling.at.push_back(at.At(i).AsNumber() * kRadiansPerDegree);
+    coupling.values.push_back(values.At(i).AsNumber() * kRadiansPerDegree);
     if (i > 0 && coupling.at[i] <= coupling.at[i - 1]) {
       at.At(i).Fail("is not above the number before it", "sort the points");
     }

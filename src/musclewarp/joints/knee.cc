@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/joints/robust_fit.h"
 #include "musclewarp/joints/sphere_fit.h"
 #include "musclewarp/joints/vote_peaks.h"
@@ -19,11 +20,11 @@ constexpr double kLeastRadius = 0.7, kLargestRadius = 1.2;
 
 // The surface of the condyles that may roll on the tibia: its normals are so
 // far from down to back.
-constexpr double kFirstNormal = 12 * M_PI / 180;
-constexpr double kLastNormal = 120 * M_PI / 180;
+constexpr double kFirstNormal = RadiansOf(12);
+constexpr double kLastNormal = RadiansOf(120);
 
 // How far the axis may be off the widest direction of the lower end.
-constexpr double kTilt = 7 * M_PI / 180;
+constexpr double kTilt = RadiansOf(7);
 
 struct Condyles {
   SurfacePoints surface;

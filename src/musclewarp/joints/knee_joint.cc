@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "musclewarp/base/text.h"
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/joints/knee_verdict.h"
 
@@ -52,9 +53,9 @@ FoundJoint FindKnee(const Limb& limb, const FemurShape& femur) {
                          .norm()
                          .minCoeff();
   if (gap > kLargestGap * femur.HeadRadius()) {
-    joint.verdict.Fail("the tibia is " + Rounded(gap, 0) +
+    joint.verdict.Fail("the tibia is " + RoundedText(gap, 0) +
                        " mm away from the centre of the knee, " +
-                       Rounded(kLargestGap * femur.HeadRadius(), 0) +
+                       RoundedText(kLargestGap * femur.HeadRadius(), 0) +
                        " mm or less are needed: of another leg or scan");
   }
   const Eigen::Vector3d right = -knee.cylinder.axis.direction;

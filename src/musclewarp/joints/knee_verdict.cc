@@ -8,14 +8,12 @@
 #include <cmath>
 #include <string>
 
+#include "musclewarp/base/angles.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/joints/joint_building.h"
 
 namespace musclewarp {
 namespace {
-
-std::string Degrees(double angle, int digits = 0) {
-  return Rounded(angle / kDegree, digits) + " degrees";
-}
 
 // Signs that the lower end of the femur is not there, and something else was
 // taken for condyles. They need the head.
@@ -29,29 +27,29 @@ void JudgeLowerEnd(const FemurShape& femur, JointVerdict* verdict) {
   const double back_to_front = femur.directions->back_to_front;
   if (back_to_front >= kLeastBackToFront && length >= kLeastLength) return;
   verdict->Fail("no condyles: the lower end reaches back " +
-                Rounded(back_to_front, 1) +
+                RoundedText(back_to_front, 1) +
                 " times as far as forward (1.5 or more are needed) and is " +
-                Rounded(length, 1) +
+                RoundedText(length, 1) +
                 " radii of the head away from it (8 or more): a femur without "
                 "its lower end");
 }
 
 void JudgeAxis(const FemurShape& femur, JointVerdict* verdict) {
-  constexpr double kLargestTurn = 30 * kDegree;
-  constexpr double kFailedSphereAngle = 20 * kDegree;
-  constexpr double kWeakSphereAngle = 5 * kDegree;
+  constexpr double kLargestTurn = RadiansOf(30);
+  constexpr double kFailedSphereAngle = RadiansOf(20);
+  constexpr double kWeakSphereAngle = RadiansOf(5);
   const KneeFit& knee = *femur.knee;
   const double turn = std::acos(std::min(
       1.0, std::abs(knee.cylinder.axis.direction.dot(femur.directions->left))));
   if (turn > kLargestTurn) {
     verdict->Fail("no condyles: the cylinder that fits best is " +
-                  Degrees(turn) +
+                  DegreesText(turn) +
                   " off the widest direction of the lower end, 30 or less are "
                   "needed");
     return;
   }
   const std::string spheres = "spheres on both condyles give an axis that is " +
-                              Degrees(knee.sphere_angle, 1) + " off, ";
+                              DegreesText(knee.sphere_angle, 1) + " off, ";
   if (knee.sphere_angle > kFailedSphereAngle) {
     verdict->Fail(spheres + "20 or less are needed");
   } else if (knee.sphere_angle > kWeakSphereAngle) {
@@ -61,11 +59,11 @@ void JudgeAxis(const FemurShape& femur, JointVerdict* verdict) {
 }
 
 void JudgeSurface(const KneeFit& knee, JointVerdict* verdict) {
-  constexpr double kFailedAngle = 30 * kDegree, kWeakAngle = 60 * kDegree;
+  constexpr double kFailedAngle = RadiansOf(30), kWeakAngle = RadiansOf(60);
   constexpr double kWeakSpread = 1;  // mm
   const double angle = std::min(knee.left_angle, knee.right_angle);
   const std::string covered =
-      "a condyle covers " + Degrees(angle) + " of its cylinder, ";
+      "a condyle covers " + DegreesText(angle) + " of its cylinder, ";
   if (angle < kFailedAngle) {
     verdict->Fail(covered + "30 or more are needed");
   } else if (angle < kWeakAngle) {
@@ -73,7 +71,8 @@ void JudgeSurface(const KneeFit& knee, JointVerdict* verdict) {
   }
   if (knee.spread > kWeakSpread) {
     verdict->Weaken("the condyles are off their cylinder by " +
-                    Rounded(knee.spread, 1) + " mm, 1 mm or less is expected");
+                    RoundedText(knee.spread, 1) +
+                    " mm, 1 mm or less is expected");
   }
 }
 

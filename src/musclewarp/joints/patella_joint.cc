@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/angles.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/joints/robust_fit.h"
 
@@ -163,21 +165,20 @@ void CoupleToKnee(const FoundJoint& knee,
                   const Place& tip,
                   const Place& tuberosity,
                   FoundJoint* patella) {
-  constexpr double kStep = 5 * kDegree, kRangeBeyond = 15 * kDegree;
+  constexpr double kStep = RadiansOf(5), kRangeBeyond = RadiansOf(15);
   const JointCoordinate of_knee = CoordinatesOf(knee.kind, knee.side)[0];
   const double scan = ScanCoordinates(knee)[0];
-  const double low = of_knee.lowest * kDegree - kRangeBeyond;
-  const double high = of_knee.highest * kDegree + kRangeBeyond;
+  const double low = of_knee.lowest * kRadiansPerDegree - kRangeBeyond;
+  const double high = of_knee.highest * kRadiansPerDegree + kRangeBeyond;
   std::vector<std::pair<double, double>> path = {{scan, 0}};
   FollowKnee(groove, tip, tuberosity, scan, kStep, high, &path);
   const double reached = path.back().first;
   FollowKnee(groove, tip, tuberosity, scan, -kStep, low, &path);
   std::sort(path.begin(), path.end());
-  if (reached < of_knee.highest * kDegree - kStep) {
-    patella->verdict.Weaken(
-        "the ligament holds the patella back from " +
-        Rounded(reached / kDegree, 0) +
-        " degrees of the knee on: there it stays in its groove");
+  if (reached < of_knee.highest * kRadiansPerDegree - kStep) {
+    patella->verdict.Weaken("the ligament holds the patella back from " +
+                            DegreesText(reached) +
+                            " of the knee on: there it stays in its groove");
   }
   patella->coupling.coordinate = of_knee.name;
   for (const auto& [at, value] : path) {
@@ -223,9 +224,9 @@ FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
               groove->angle));
   joint.shapes.back().is_on_parent = true;
   if (groove->spread > kWeakSpread) {
-    joint.verdict.Weaken("the groove is off its circle by " +
-                         Rounded(groove->spread, 1) + " mm, " +
-                         Rounded(kWeakSpread, 1) + " mm or less are expected");
+    joint.verdict.Weaken(
+        "the groove is off its circle by " + RoundedText(groove->spread, 1) +
+        " mm, " + RoundedText(kWeakSpread, 1) + " mm or less are expected");
   }
   CoupleToKnee(knee,
                *groove,

@@ -10,7 +10,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/invalid_option.h"
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/measures.h"

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/progress.h"
 #include "musclewarp/certified_contact/offset_extension.h"
 #include "musclewarp/certified_contact/step.h"
@@ -60,7 +61,7 @@ struct CertifiedContactOptions {
   // but not below the fraction `unchecked_fraction` of the limits. A muscle
   // swept along by a bone is displaced by 11 mm with steps of 2 mm as with
   // shorter ones, and by 16 mm with steps of 3 mm (stress_sweep).
-  StepLimits limits = {20 * M_PI / 180, 80};
+  StepLimits limits = {RadiansOf(20), 80};
   double max_push = 2;
   double unchecked_fraction = 1.0 / 8;
 

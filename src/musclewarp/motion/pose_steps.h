@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
 #include <string>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
@@ -12,8 +12,8 @@ namespace musclewarp {
 // Limits on the motion of bodies and lines in one step, which keep bones from
 // passing through muscles between two steps.
 struct StepLimits {
-  double max_turn = 5 * M_PI / 180;  // of a body, rad
-  double max_move = 10;              // of a point of a line, mm
+  double max_turn = RadiansOf(5);  // of a body, rad
+  double max_move = 10;            // of a point of a line, mm
 
   bool IsValid(std::string* error) const;
 };

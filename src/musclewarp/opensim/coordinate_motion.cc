@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/short_list.h"
 #include "musclewarp/opensim/coordinate_ranges.h"
@@ -60,7 +61,7 @@ double UnitOf(const Coordinate& coordinate,
                      "\"motion_in_degrees\" in the scene, or add "
                      "\"inDegrees=yes\" or \"inDegrees=no\" to the header");
   }
-  return *in_degrees ? M_PI / 180 : 1;
+  return *in_degrees ? kRadiansPerDegree : 1;
 }
 
 }  // namespace

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/angles.h"
+#include "musclewarp/base/text.h"
 
 namespace musclewarp {
 namespace {
-
-constexpr double kDegrees = 180 / M_PI;
 
 // What rounding in files may add to a range, rad or m.
 constexpr double kSlack = 1e-3;
@@ -21,7 +20,7 @@ bool IsAngle(const Coordinate& coordinate) {
 
 // "-172 to 172": in degrees for an angle.
 std::string RangeText(const Coordinate& coordinate) {
-  const double unit = IsAngle(coordinate) ? kDegrees : 1;
+  const double unit = IsAngle(coordinate) ? kDegreesPerRadian : 1;
   return MeasureText((*coordinate.range)[0] * unit) + " to " +
          MeasureText((*coordinate.range)[1] * unit);
 }
@@ -33,7 +32,7 @@ std::string ValueText(const Coordinate& coordinate,
   switch (coordinate.kind) {
     case CoordinateKind::kRotational:
       return (in_degrees ? "" : MeasureText(value) + " rad = ") +
-             MeasureText(value * kDegrees) + " degrees";
+             MeasureText(value * kDegreesPerRadian) + " degrees";
     case CoordinateKind::kTranslational:
       return MeasureText(value) + " m";
     case CoordinateKind::kCoupled:

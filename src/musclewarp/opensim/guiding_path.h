@@ -3,9 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
 #include <vector>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/opensim/model.h"
@@ -19,8 +19,8 @@ namespace musclewarp {
 // most over half of the range. If the path is 1 mm shorter without the point,
 // that changes a moment arm by 2 mm at most. Twice as much changes the bands of
 // moment arms of the fibres of the LHDL hip by 2 per cent of their area.
-constexpr double kGuidingFadeAngle = 40 * M_PI / 180;  // rad
-constexpr double kGuidingFadeLength = 0.04;            // m
+constexpr double kGuidingFadeAngle = RadiansOf(40);  // rad
+constexpr double kGuidingFadeLength = 0.04;          // m
 
 // Returns how much of a path point guides the muscle: 1 for a point that is
 // always part of the path, 0 for a conditional one that is switched off, a half

@@ -8,6 +8,8 @@
 #include <optional>
 #include <set>
 
+#include "musclewarp/base/angles.h"
+#include "musclewarp/base/described_json.h"
 #include "musclewarp/frames/frame_files.h"
 #include "musclewarp/page/packed_numbers.h"
 #include "musclewarp/page/page_parts.h"
@@ -132,7 +134,7 @@ OrderedJson CrossingsJson(const RecordedRun& run, PackedNumbers* packed) {
   OrderedJson poses = OrderedJson::array();
   for (const SceneIntersections& intersections : run.intersections) {
     OrderedJson pairs = OrderedJson::array();
-    for (const PairIntersection& pair : intersections.pairs) {
+    for (const PairFigures& pair : intersections.pairs) {
       OrderedJson json = {{"a", pair.a},
                           {"b", pair.b},
                           {"triangle_pairs", pair.triangle_pairs},
@@ -157,8 +159,8 @@ std::optional<std::vector<double>> RecordedMomentArms(
     const std::string& line,
     const std::string& coordinate) {
   std::vector<double> arms;
-  for (const FrameRecord& frame : run.frames) {
-    const auto& lines = frame.muscles.at(muscle).line_moment_arms_mm;
+  for (const FrameFigures& frame : run.frames) {
+    const auto& lines = frame.muscles.at(muscle).line_moment_arms;
     const auto of_line = lines.find(line);
     if (of_line == lines.end()) return std::nullopt;
     const auto arm = of_line->second.find(coordinate);
@@ -180,20 +182,20 @@ OrderedJson CarriedMomentArmsJson(const RecordedRun& run) {
   }
   if (moving.size() != 1 || run.frames.size() < 2) return nullptr;
   const std::string name = moving[0].at("name");
-  const double unit = moving[0].at("unit") == "degrees" ? M_PI / 180 : 1;
+  const double unit = moving[0].at("unit") == "degrees" ? kRadiansPerDegree : 1;
   std::vector<double> values;
-  for (const FrameRecord& frame : run.frames) {
+  for (const FrameFigures& frame : run.frames) {
     const auto value = frame.coordinates.find(name);
     if (value == frame.coordinates.end()) return nullptr;
     values.push_back(unit * value->second);
   }
   OrderedJson arms;
   for (std::size_t m = 0; m < run.frames[0].muscles.size(); ++m) {
-    const MuscleRecord& muscle = run.frames[0].muscles[m];
-    for (const auto& item : muscle.line_lengths_mm) {
+    const MuscleFigures& muscle = run.frames[0].muscles[m];
+    for (const auto& item : muscle.line_lengths) {
       std::vector<double> lengths;
-      for (const FrameRecord& frame : run.frames) {
-        lengths.push_back(frame.muscles.at(m).line_lengths_mm.at(item.first));
+      for (const FrameFigures& frame : run.frames) {
+        lengths.push_back(frame.muscles.at(m).line_lengths.at(item.first));
       }
       arms[muscle.name][item.first] =
           RecordedMomentArms(run, m, item.first, name)
@@ -236,8 +238,6 @@ OrderedJson RunJson(const RecordedRun& run,
                     const PageOptions& options,
                     PackedNumbers* packed) {
   const double step = StepOf(run);
-  OrderedJson frames = OrderedJson::array();
-  for (const FrameRecord& frame : run.frames) frames.push_back(ToJson(frame));
   OrderedJson muscles = OrderedJson::array();
   for (const RecordedMuscle& muscle : run.muscles) {
     muscles.push_back(MuscleJson(muscle, step, GapStepOf(run), packed));
@@ -250,7 +250,7 @@ OrderedJson RunJson(const RecordedRun& run,
   report.erase("frames");
   return {{"folder", label},
           {"report", report},
-          {"frames", frames},
+          {"frames", JsonOf(run.frames)},
           {"step_mm", step},
           {"gap_step_mm", GapStepOf(run)},
           {"contact_gap_mm", kContactGap * run.body_size},

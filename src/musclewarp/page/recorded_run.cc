@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "musclewarp/base/described_json.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/frames/frame_files.h"
@@ -66,23 +67,27 @@ void CheckReport(const JsonField& report) {
     }
   }
   report.At("rest").At("intersections").At("triangle_pairs").AsNumber();
+  report.At("frames").ArraySize();
   report.At("summary").At("finished").AsBool();
   report.At("summary").At("usable").AsBool();
 }
 
-std::vector<FrameRecord> FrameRecordsIn(const JsonField& frames) {
-  std::vector<FrameRecord> records;
-  for (std::size_t i = 0; i < frames.ArraySize(); ++i) {
-    const JsonField frame = frames.At(i);
-    try {
-      records.push_back(FrameRecordFromJson(frame.value()));
-    } catch (const nlohmann::json::exception& error) {
-      frame.Fail("is not as musclewarp-deform writes it (" +
-                     std::string(error.what()) + ")",
-                 kRunAgain);
+// Reads the figures of the frames in report.json.
+void ReadFrames(const std::string& file,
+                const nlohmann::ordered_json& frames,
+                std::vector<FrameFigures>* figures) {
+  try {
+    ReadJson(frames, {nullptr, "frames"}, figures);
+  } catch (const InputError& error) {
+    throw InputError(file + ": " + error.where(), error.problem(), kRunAgain);
+  }
+  for (std::size_t i = 0; i < figures->size(); ++i) {
+    // Whatever the reason was, what is called not usable stays so.
+    FrameFigures& frame = (*figures)[i];
+    if (frames[i].at("usable") == false && frame.IsUsable()) {
+      frame.shortcomings.emplace_back("report.json calls it not usable");
     }
   }
-  return records;
 }
 
 // The meshes of a run, pose after pose.
@@ -198,8 +203,9 @@ RecordedRun ReadRecordedRun(const std::string& dir, std::ostream& log) {
       &run);
   AddAttachments((fs::path(dir) / kAttachmentsFile).string(), &run);
   const std::map<int, std::string> folders = FrameFoldersIn(dir);
-  std::vector<FrameRecord> records = FrameRecordsIn(report.At("frames"));
-  for (FrameRecord& record : records) {
+  std::vector<FrameFigures> records;
+  ReadFrames(path, run.report.at("frames"), &records);
+  for (FrameFigures& record : records) {
     const auto folder = folders.find(record.index);
     if (folder == folders.end()) {
       run.warnings.push_back(FrameFolder(record.index) +

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "musclewarp/certificate/scene_intersections.h"
+#include "musclewarp/figures/frame_figures.h"
 #include "musclewarp/frames/frame.h"
 #include "musclewarp/frames/lines_file.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/page/recorded_attachments.h"
-#include "musclewarp/report/frame_record.h"
 
 namespace musclewarp {
 
@@ -50,7 +50,7 @@ struct RecordedRun {
   nlohmann::ordered_json report;
   double body_size = 1;
   // The frames whose files exist; an interrupted run has fewer than planned.
-  std::vector<FrameRecord> frames;
+  std::vector<FrameFigures> frames;
   std::vector<RecordedMuscle> muscles;
   std::vector<RecordedBone> bones;
   // What crosses, counted anew on the meshes of the files, by pose.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "musclewarp/base/text.h"
+
 namespace musclewarp::phantom {
 namespace {
 
@@ -12,11 +14,9 @@ constexpr double kMetres = 1e-3;  // per mm
 constexpr char kFlexion[] = "hip_flexion_r";
 
 std::string Text(const Eigen::Vector3d& point_mm) {
-  std::ostringstream text;
-  text.precision(12);
-  text << kMetres * point_mm[0] << " " << kMetres * point_mm[1] << " "
-       << kMetres * point_mm[2];
-  return text.str();
+  return NumberText(kMetres * point_mm[0], 12) + " " +
+         NumberText(kMetres * point_mm[1], 12) + " " +
+         NumberText(kMetres * point_mm[2], 12);
 }
 
 std::string OffsetFrame(const std::string& body, const Eigen::Vector3d& at) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <vector>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/geometry/spread_points.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/phantom/polygonize.h"
@@ -113,10 +114,9 @@ double MiddleAlongX(const Field& field, double y, double z) {
 Eigen::Matrix4d RotationAbout(const Eigen::Vector3d& centre,
                               const Eigen::Vector3d& axis,
                               double degrees) {
-  constexpr double kPi = 3.14159265358979323846;
   Eigen::Affine3d turn = Eigen::Affine3d::Identity();
   turn.translate(centre);
-  turn.rotate(Eigen::AngleAxisd(degrees * kPi / 180, axis));
+  turn.rotate(Eigen::AngleAxisd(RadiansOf(degrees), axis));
   turn.translate(-centre);
   // Twelve decimals: sines differ in the last bits from library to library.
   // Adding zero makes -0 a plain 0.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/fibres/attachment_outline.h"
 #include "musclewarp/fibres/continued_lines.h"
 #include "musclewarp/scene/leaving_lines.h"

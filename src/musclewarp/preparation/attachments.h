@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/figures/shape_figures.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/scene/scene.h"
 #include "musclewarp/solver/muscle_model.h"
@@ -37,14 +38,6 @@ Points AttachedPositions(const MuscleModel& model,
                          const AttachedVertices& attached,
                          const Points& rest,
                          const ScenePose& pose);
-
-// The deviation of an attachment area from its position on its body.
-struct AttachmentDrift {
-  std::string body;  // or the soft part
-  int vertices = 0;
-  double mean = 0, max = 0;  // of the distances of its vertices, mm
-  Eigen::RowVector3d place = Eigen::RowVector3d::Zero();  // of the farthest one
-};
 
 // A drift above this, mm, is anatomically implausible.
 constexpr double kLargestDrift = 2;

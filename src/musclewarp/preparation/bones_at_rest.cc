@@ -8,7 +8,7 @@
 #include <optional>
 #include <sstream>
 
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/scene/line_targets.h"

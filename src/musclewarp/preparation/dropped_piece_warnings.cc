@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 
 namespace musclewarp {
 namespace {

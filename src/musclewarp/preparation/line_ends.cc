@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 
 namespace musclewarp {
 

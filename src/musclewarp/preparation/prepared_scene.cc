@@ -232,20 +232,6 @@ void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
 
 }  // namespace
 
-std::string ToString(ReconstructionReason reason) {
-  switch (reason) {
-    case ReconstructionReason::kCrossesBone:
-      return "crosses_bone";
-    case ReconstructionReason::kCrossesMuscle:
-      return "crosses_muscle";
-    case ReconstructionReason::kCrossesItself:
-      return "crosses_itself";
-    case ReconstructionReason::kDisplaced:
-      return "displaced";
-  }
-  LOG(FATAL) << "no such reason";
-}
-
 bool PrepareOptions::IsValid(std::string* error) const {
   if (auto_lines < 1) {
     return InvalidOption(

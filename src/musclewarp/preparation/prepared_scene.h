@@ -12,6 +12,7 @@
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/fibres/fibres.h"
+#include "musclewarp/figures/surface_reconstruction.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh_repair/repair.h"
 #include "musclewarp/mesh_repair/self_crossing_removal.h"
@@ -68,45 +69,6 @@ struct PrepareOptions {
 
   // Also checks the nested options.
   bool IsValid(std::string* error) const;
-};
-
-// The reason for the reconstruction of a muscle's mesh: the defect that moving
-// its vertices has not resolved. Worst first.
-enum class ReconstructionReason {
-  kCrossesBone,
-  kCrossesMuscle,
-  kCrossesItself,
-  kDisplaced,  // beyond the requirements on frames
-};
-
-// "crosses_bone", "crosses_muscle", "crosses_itself" or "displaced": the text
-// of reports.
-std::string ToString(ReconstructionReason reason);
-
-// The reconstruction of a muscle's mesh that could not be separated from others
-// by moving its vertices (frame_solvers/rest_separation.h).
-struct SurfaceReconstruction {
-  bool is_done = false;
-
-  // `reason` and `volume_before` are those of the first reconstruction.
-  ReconstructionReason reason = ReconstructionReason::kCrossesBone;
-  double volume_before = 0, volume_after = 0;  // mm^3
-
-  // The part of the delivered surface whose distance to the new one exceeds the
-  // edge of its triangle: its area (mm^2) and centre (mm); and the largest
-  // distance of the delivered surface to the new one (mm).
-  double lost_area = 0;
-  Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
-  double farthest = 0;
-
-  // What is gone (frame_solvers/reconstruction_loss.h): the area of the
-  // delivered surface that is farther from the new one than separation
-  // explains, mm^2; by how much the muscle is shorter at one end than it
-  // explains, mm; and the bodies or muscles to which it was attached and is no
-  // longer.
-  double gone_area = 0;
-  double lost_extent = 0;
-  std::vector<std::string> lost_attachments;
 };
 
 // The defects of a delivered mesh, and all changes to it.

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "musclewarp/certificate/scaled_intersections.h"
+#include "musclewarp/figures/scaled_figures.h"
 #include "musclewarp/scene/scaled_scene.h"
 
 namespace musclewarp {
@@ -24,23 +24,13 @@ void ScaleLengths(double factor, RepairReport* repairs) {
   repairs->pulls.longest *= factor;
 }
 
-void ScaleLengths(double factor, SurfaceReconstruction* reconstruction) {
-  reconstruction->volume_before *= std::pow(factor, 3);
-  reconstruction->volume_after *= std::pow(factor, 3);
-  reconstruction->lost_area *= factor * factor;
-  reconstruction->place *= factor;
-  reconstruction->farthest *= factor;
-  reconstruction->gone_area *= factor * factor;
-  reconstruction->lost_extent *= factor;
-}
-
 void ScaleLengths(double factor, MeshPreparation* mesh) {
   mesh->defects.border_length *= factor;
   ScaleLengths(factor, &mesh->repairs);
   mesh->self_crossings.place *= factor;
   mesh->self_crossings.farthest *= factor;
   mesh->slivers.largest_deviation *= factor;
-  ScaleLengths(factor, &mesh->reconstruction);
+  ScaleFigures(factor, &mesh->reconstruction);
   mesh->delivered_volume *= std::pow(factor, 3);
 }
 
@@ -80,7 +70,7 @@ void ScaleLengths(double factor, PreparedScene* scene) {
   for (PreparedMuscle& muscle : scene->muscles) ScaleLengths(factor, &muscle);
   for (PreparedBone& bone : scene->bones) ScaleLengths(factor, &bone);
   for (BoneCrossing& crossing : scene->bone_crossings) crossing.place *= factor;
-  if (scene->as_delivered) ScaleLengths(factor, &*scene->as_delivered);
+  if (scene->as_delivered) ScaleFigures(factor, &*scene->as_delivered);
 }
 
 }  // namespace musclewarp

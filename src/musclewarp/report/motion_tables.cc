@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/scene/perturbed_poses.h"
 
@@ -32,14 +33,14 @@ std::string WithoutBlanks(std::string label) {
 class TableBuilder {
  public:
   TableBuilder(const std::string& name,
-               const std::vector<FrameRecord>& frames) {
+               const std::vector<FrameFigures>& frames) {
     table_.name = name;
     table_.in_degrees = false;
     bool rises = true;
     for (size_t i = 0; i + 1 < frames.size(); ++i) {
       rises = rises && frames[i].time < frames[i + 1].time;
     }
-    for (const FrameRecord& frame : frames) {
+    for (const FrameFigures& frame : frames) {
       table_.times.push_back(rises ? frame.time : frame.index);
     }
   }
@@ -69,9 +70,9 @@ class TableBuilder {
 
 // One figure of every frame.
 template <typename Figure>
-Series SeriesOf(const std::vector<FrameRecord>& frames, const Figure& figure) {
+Series SeriesOf(const std::vector<FrameFigures>& frames, const Figure& figure) {
   Series series;
-  for (const FrameRecord& frame : frames) series.push_back(figure(frame));
+  for (const FrameFigures& frame : frames) series.push_back(figure(frame));
   return series;
 }
 
@@ -86,34 +87,34 @@ struct MovingCoordinate {
 };
 
 std::vector<MovingCoordinate> MovingCoordinates(
-    const std::vector<FrameRecord>& frames, const Scene& scene) {
+    const std::vector<FrameFigures>& frames, const Scene& scene) {
   std::vector<MovingCoordinate> moving;
   if (!scene.model) return moving;
   for (const int index : scene.model->moving_coordinates) {
     const Coordinate& coordinate = scene.model->model.coordinates[index];
     const double unit =
-        coordinate.kind == CoordinateKind::kRotational ? M_PI / 180 : 1;
+        coordinate.kind == CoordinateKind::kRotational ? kRadiansPerDegree : 1;
     moving.push_back(
-        {coordinate.name, SeriesOf(frames, [&](const FrameRecord& frame) {
+        {coordinate.name, SeriesOf(frames, [&](const FrameFigures& frame) {
            return unit * frame.coordinates.at(coordinate.name);
          })});
   }
   return moving;
 }
 
-Series LineLengths(const std::vector<FrameRecord>& frames,
+Series LineLengths(const std::vector<FrameFigures>& frames,
                    size_t muscle,
                    const std::string& line) {
-  return SeriesOf(frames, [&](const FrameRecord& frame) {
-    return kMetres * frame.muscles[muscle].line_lengths_mm.at(line);
+  return SeriesOf(frames, [&](const FrameFigures& frame) {
+    return kMetres * frame.muscles[muscle].line_lengths.at(line);
   });
 }
 
-Series FibreLengths(const std::vector<FrameRecord>& frames,
+Series FibreLengths(const std::vector<FrameFigures>& frames,
                     size_t muscle,
                     size_t fibre) {
-  return SeriesOf(frames, [&](const FrameRecord& frame) {
-    return kMetres * frame.muscles[muscle].fibre_lengths_mm[fibre];
+  return SeriesOf(frames, [&](const FrameFigures& frame) {
+    return kMetres * frame.muscles[muscle].fibre_lengths[fibre];
   });
 }
 
@@ -140,23 +141,23 @@ std::optional<double> ArmOfLine(const ArmsByLine& arms,
 
 // The same of a fibre. Its coordinates are those of the lines, but those by
 // which no fibre is moved are left out.
-std::optional<double> ArmOfFibre(const MuscleRecord& muscle,
+std::optional<double> ArmOfFibre(const MuscleFigures& muscle,
                                  size_t fibre,
                                  const std::string& coordinate) {
-  if (muscle.line_moment_arms_mm.empty()) return std::nullopt;
-  const auto arms = muscle.fibre_moment_arms_mm.find(coordinate);
-  return arms == muscle.fibre_moment_arms_mm.end() ? 0 : arms->second[fibre];
+  if (muscle.line_moment_arms.empty()) return std::nullopt;
+  const auto arms = muscle.fibre_moment_arms.find(coordinate);
+  return arms == muscle.fibre_moment_arms.end() ? 0 : arms->second[fibre];
 }
 
 // Adds a column of the moment arms that `arm` returns for each frame, mm. There
 // is none if a frame lacks it.
 template <typename Arm>
 bool AddArms(const std::string& label,
-             const std::vector<FrameRecord>& frames,
+             const std::vector<FrameFigures>& frames,
              const Arm& arm,
              TableBuilder* table) {
   Series series;
-  for (const FrameRecord& frame : frames) {
+  for (const FrameFigures& frame : frames) {
     const std::optional<double> value = arm(frame);
     if (!value) return false;
     series.push_back(kMetres * *value);
@@ -172,7 +173,7 @@ void AddCarriedArms(const std::string& label,
                     const Series& lengths_m,
                     const std::vector<std::string>& coordinates,
                     const std::vector<MovingCoordinate>& moving,
-                    const std::vector<FrameRecord>& frames,
+                    const std::vector<FrameFigures>& frames,
                     const Arm& arm,
                     TableBuilder* table) {
   bool has_arms = false;
@@ -180,7 +181,7 @@ void AddCarriedArms(const std::string& label,
     has_arms |= AddArms(
         label + "." + coordinate,
         frames,
-        [&](const FrameRecord& frame) { return arm(frame, coordinate); },
+        [&](const FrameFigures& frame) { return arm(frame, coordinate); },
         table);
   }
   if (has_arms || moving.size() != 1 || frames.size() < 2) return;
@@ -188,9 +189,9 @@ void AddCarriedArms(const std::string& label,
              SeriesMomentArms(lengths_m, moving[0].values));
 }
 
-const std::vector<MuscleRecord>& MusclesOf(
-    const std::vector<FrameRecord>& frames) {
-  static const std::vector<MuscleRecord> kNone;
+const std::vector<MuscleFigures>& MusclesOf(
+    const std::vector<FrameFigures>& frames) {
+  static const std::vector<MuscleFigures> kNone;
   return frames.empty() ? kNone : frames[0].muscles;
 }
 
@@ -241,45 +242,45 @@ std::vector<double> SeriesMomentArms(const std::vector<double>& lengths,
   return arms;
 }
 
-StorageTable LengthTable(const std::vector<FrameRecord>& frames) {
+StorageTable LengthTable(const std::vector<FrameFigures>& frames) {
   TableBuilder table("lengths", frames);
   const auto& muscles = MusclesOf(frames);
   for (size_t m = 0; m < muscles.size(); ++m) {
-    for (const auto& item : muscles[m].line_lengths_mm) {
+    for (const auto& item : muscles[m].line_lengths) {
       const std::string& line = item.first;
       table.Add(line, LineLengths(frames, m, line));
-      table.Add(line + "_path", SeriesOf(frames, [&](const FrameRecord& frame) {
-                  return kMetres * frame.muscles[m].path_lengths_mm.at(line);
+      table.Add(line + "_path",
+                SeriesOf(frames, [&](const FrameFigures& frame) {
+                  return kMetres * frame.muscles[m].path_lengths.at(line);
                 }));
     }
   }
   return table.Table();
 }
 
-StorageTable VolumeTable(const std::vector<FrameRecord>& frames) {
+StorageTable VolumeTable(const std::vector<FrameFigures>& frames) {
   TableBuilder table("volumes", frames);
   const auto& muscles = MusclesOf(frames);
   for (size_t m = 0; m < muscles.size(); ++m) {
-    table.Add(muscles[m].name, SeriesOf(frames, [&](const FrameRecord& frame) {
-                return kMetres * kMetres * kMetres *
-                       frame.muscles[m].volume_mm3;
+    table.Add(muscles[m].name, SeriesOf(frames, [&](const FrameFigures& frame) {
+                return kMetres * kMetres * kMetres * frame.muscles[m].volume;
               }));
   }
   return table.Table();
 }
 
-StorageTable FibreLengthTable(const std::vector<FrameRecord>& frames) {
+StorageTable FibreLengthTable(const std::vector<FrameFigures>& frames) {
   TableBuilder table("fibre_lengths", frames);
   const auto& muscles = MusclesOf(frames);
   for (size_t m = 0; m < muscles.size(); ++m) {
-    for (size_t k = 0; k < muscles[m].fibre_lengths_mm.size(); ++k) {
+    for (size_t k = 0; k < muscles[m].fibre_lengths.size(); ++k) {
       table.Add(FibreLabel(muscles[m].name, k), FibreLengths(frames, m, k));
     }
   }
   return table.Table();
 }
 
-StorageTable MomentArmTable(const std::vector<FrameRecord>& frames,
+StorageTable MomentArmTable(const std::vector<FrameFigures>& frames,
                             const Scene& scene) {
   TableBuilder table("moment_arms", frames);
   if (!scene.model) return table.Table();
@@ -287,7 +288,7 @@ StorageTable MomentArmTable(const std::vector<FrameRecord>& frames,
   const auto moving = MovingCoordinates(frames, scene);
   const auto& muscles = MusclesOf(frames);
   for (size_t m = 0; m < muscles.size(); ++m) {
-    for (const auto& item : muscles[m].line_lengths_mm) {
+    for (const auto& item : muscles[m].line_lengths) {
       const std::string& line = item.first;
       AddCarriedArms(
           line,
@@ -295,17 +296,17 @@ StorageTable MomentArmTable(const std::vector<FrameRecord>& frames,
           coordinates,
           moving,
           frames,
-          [&](const FrameRecord& frame, const std::string& coordinate) {
+          [&](const FrameFigures& frame, const std::string& coordinate) {
             return ArmOfLine(
-                frame.muscles[m].line_moment_arms_mm, line, coordinate);
+                frame.muscles[m].line_moment_arms, line, coordinate);
           },
           &table);
       for (const std::string& coordinate : coordinates) {
         AddArms(
             line + "_path." + coordinate,
             frames,
-            [&](const FrameRecord& frame) {
-              return ArmOfLine(frame.path_moment_arms_mm, line, coordinate);
+            [&](const FrameFigures& frame) {
+              return ArmOfLine(frame.path_moment_arms, line, coordinate);
             },
             &table);
       }
@@ -314,7 +315,7 @@ StorageTable MomentArmTable(const std::vector<FrameRecord>& frames,
   return table.Table();
 }
 
-StorageTable FibreMomentArmTable(const std::vector<FrameRecord>& frames,
+StorageTable FibreMomentArmTable(const std::vector<FrameFigures>& frames,
                                  const Scene& scene) {
   TableBuilder table("fibre_moment_arms", frames);
   if (!scene.model) return table.Table();
@@ -322,14 +323,14 @@ StorageTable FibreMomentArmTable(const std::vector<FrameRecord>& frames,
   const auto moving = MovingCoordinates(frames, scene);
   const auto& muscles = MusclesOf(frames);
   for (size_t m = 0; m < muscles.size(); ++m) {
-    for (size_t k = 0; k < muscles[m].fibre_lengths_mm.size(); ++k) {
+    for (size_t k = 0; k < muscles[m].fibre_lengths.size(); ++k) {
       AddCarriedArms(
           FibreLabel(muscles[m].name, k),
           FibreLengths(frames, m, k),
           coordinates,
           moving,
           frames,
-          [&](const FrameRecord& frame, const std::string& coordinate) {
+          [&](const FrameFigures& frame, const std::string& coordinate) {
             return ArmOfFibre(frame.muscles[m], k, coordinate);
           },
           &table);
@@ -346,7 +347,7 @@ std::vector<std::string> MotionTableNames() {
           "fibre_moment_arms.sto"};
 }
 
-void WriteMotionTables(const std::vector<FrameRecord>& frames,
+void WriteMotionTables(const std::vector<FrameFigures>& frames,
                        const Scene& scene,
                        const std::string& dir) {
   const StorageTable tables[] = {LengthTable(frames),

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/figures/frame_figures.h"
 #include "musclewarp/opensim/storage_table.h"
-#include "musclewarp/report/frame_record.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
@@ -18,14 +18,14 @@ namespace musclewarp {
 // Returns the lengths of action lines. Column "glut_med1_r" has the length of
 // the line as its muscle carries it, "glut_med1_r_path" the straight one
 // through its path points.
-StorageTable LengthTable(const std::vector<FrameRecord>& frames);
+StorageTable LengthTable(const std::vector<FrameFigures>& frames);
 
 // Returns the volumes of the muscles, a column for each.
-StorageTable VolumeTable(const std::vector<FrameRecord>& frames);
+StorageTable VolumeTable(const std::vector<FrameFigures>& frames);
 
 // Returns the lengths of fibres, in columns such as "psoas_major_r_fibre_1".
 // There are no columns without fibres.
-StorageTable FibreLengthTable(const std::vector<FrameRecord>& frames);
+StorageTable FibreLengthTable(const std::vector<FrameFigures>& frames);
 
 // Returns moment arms -dl/dq of action lines and of fibres, in metres for
 // angles, in columns such as "glut_med1_r.hip_flexion_r" and
@@ -36,9 +36,9 @@ StorageTable FibreLengthTable(const std::vector<FrameRecord>& frames);
 // no such derivatives: carried lines then have central differences over the
 // frames (three points, one-sided at the ends), if a single coordinate moves.
 // There are no columns without a model.
-StorageTable MomentArmTable(const std::vector<FrameRecord>& frames,
+StorageTable MomentArmTable(const std::vector<FrameFigures>& frames,
                             const Scene& scene);
-StorageTable FibreMomentArmTable(const std::vector<FrameRecord>& frames,
+StorageTable FibreMomentArmTable(const std::vector<FrameFigures>& frames,
                                  const Scene& scene);
 
 // Returns the names of the files that WriteMotionTables() may write.
@@ -46,7 +46,7 @@ std::vector<std::string> MotionTableNames();
 
 // Writes lengths.sto, volumes.sto and, where they have columns,
 // moment_arms.sto, fibre_lengths.sto and fibre_moment_arms.sto.
-void WriteMotionTables(const std::vector<FrameRecord>& frames,
+void WriteMotionTables(const std::vector<FrameFigures>& frames,
                        const Scene& scene,
                        const std::string& dir);
 

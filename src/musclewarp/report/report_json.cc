@@ -1,12 +1,12 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/report/report_json.h"
-#include "musclewarp/frames/fibre_measures.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "musclewarp/base/described_json.h"
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/frames/fibre_measures.h"
 #include "musclewarp/report/kept_model.h"
 #include "musclewarp/report/machine.h"
 #include "musclewarp/report/paths_in_json.h"
@@ -18,18 +18,8 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 // How a muscle was made anew; null if it was not.
-OrderedJson ToJson(const SurfaceReconstruction& reconstruction) {
-  if (!reconstruction.is_done) return nullptr;
-  const Eigen::RowVector3d& place = reconstruction.place;
-  return {{"reason", ToString(reconstruction.reason)},
-          {"volume_before_mm3", reconstruction.volume_before},
-          {"volume_after_mm3", reconstruction.volume_after},
-          {"lost_area_mm2", reconstruction.lost_area},
-          {"place_mm", {place.x(), place.y(), place.z()}},
-          {"farthest_mm", reconstruction.farthest},
-          {"gone_area_mm2", reconstruction.gone_area},
-          {"lost_extent_mm", reconstruction.lost_extent},
-          {"lost_attachments", reconstruction.lost_attachments}};
+OrderedJson ReconstructionJson(const SurfaceReconstruction& reconstruction) {
+  return reconstruction.is_done ? JsonOf(reconstruction) : OrderedJson();
 }
 
 // The pieces of a mesh that its repair left out.
@@ -83,27 +73,28 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
     const FibreSpread fibres =
         SpreadOf(LinesAt(muscle.fibres, muscle.model.coarse_rest));
     const bool has_named = !scene.scene.muscles[i].attachments.empty();
-    muscles.push_back({{"name", muscle.model.name},
-                       {"mesh", muscle.mesh.path},
-                       {"fine_vertices", muscle.model.fine_rest.rows()},
-                       {"coarse_vertices", muscle.model.coarse_rest.rows()},
-                       {"hull_encloses", muscle.hull_encloses},
-                       {"volume_mm3", muscle.model.rest_volume},
-                       {"delivered_volume_mm3", muscle.mesh.delivered_volume},
-                       {"skeleton_samples", muscle.model.samples.size()},
-                       {"lines", muscle.model.lines.size()},
-                       {"line_ends", LineEndsJson(muscle.line_ends)},
-                       {"fibres", muscle.fibres.num_lines()},
-                       {"fibres_ms", muscle.fibres_ms},
-                       {"shortest_fibre_mm", fibres.shortest},
-                       {"fibre_origins_spread_mm", fibres.at_origin},
-                       {"fibre_insertions_spread_mm", fibres.at_insertion},
-                       {"attachment_rows", muscle.model.attachment_of.size()},
-                       {"attachments", AttachmentsJson(muscle, !has_named)},
-                       {"dropped_pieces", DroppedPiecesJson(muscle.mesh)},
-                       {"defects", DefectsJson(muscle.mesh.defects)},
-                       {"repairs", RepairsJson(muscle.mesh)},
-                       {"remade", ToJson(muscle.mesh.reconstruction)}});
+    muscles.push_back(
+        {{"name", muscle.model.name},
+         {"mesh", muscle.mesh.path},
+         {"fine_vertices", muscle.model.fine_rest.rows()},
+         {"coarse_vertices", muscle.model.coarse_rest.rows()},
+         {"hull_encloses", muscle.hull_encloses},
+         {"volume_mm3", muscle.model.rest_volume},
+         {"delivered_volume_mm3", muscle.mesh.delivered_volume},
+         {"skeleton_samples", muscle.model.samples.size()},
+         {"lines", muscle.model.lines.size()},
+         {"line_ends", LineEndsJson(muscle.line_ends)},
+         {"fibres", muscle.fibres.num_lines()},
+         {"fibres_ms", muscle.fibres_ms},
+         {"shortest_fibre_mm", fibres.shortest},
+         {"fibre_origins_spread_mm", fibres.at_origin},
+         {"fibre_insertions_spread_mm", fibres.at_insertion},
+         {"attachment_rows", muscle.model.attachment_of.size()},
+         {"attachments", AttachmentsJson(muscle, !has_named)},
+         {"dropped_pieces", DroppedPiecesJson(muscle.mesh)},
+         {"defects", DefectsJson(muscle.mesh.defects)},
+         {"repairs", RepairsJson(muscle.mesh)},
+         {"remade", ReconstructionJson(muscle.mesh.reconstruction)}});
   }
   OrderedJson bones = OrderedJson::array();
   for (const PreparedBone& bone : scene.bones) {
@@ -132,7 +123,7 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
                       {"muscles", muscles},
                       {"bones", bones},
                       {"bone_crossings", crossings}};
-  if (!scene.stages.empty()) json["stages"] = ToJson(scene.stages);
+  if (!scene.stages.empty()) json["stages"] = JsonOf(scene.stages);
   return json;
 }
 
@@ -209,29 +200,8 @@ nlohmann::ordered_json DefectsJson(const MeshDefects& defects) {
           {"is_inside_out", defects.is_inside_out}};
 }
 
-RunTotals TotalsOf(const RunRecord& run) {
-  RunTotals totals;
-  totals.frames = static_cast<int>(run.frames.size());
-  totals.usable = !run.frames.empty();
-  std::vector<double> wall_ms;
-  for (const FrameRecord& frame : run.frames) {
-    totals.frames_clean +=
-        frame.intersections.IsClean() && frame.delivered_crossings.empty();
-    totals.usable = totals.usable && frame.usable;
-    wall_ms.push_back(frame.wall_ms);
-    totals.worst_volume_error =
-        std::max(totals.worst_volume_error, frame.WorstVolumeError());
-    for (const MuscleRecord& muscle : frame.muscles) {
-      totals.worst_folded_triangles =
-          std::max(totals.worst_folded_triangles, muscle.folded_triangles);
-    }
-  }
-  if (!wall_ms.empty()) {
-    const auto middle = wall_ms.begin() + wall_ms.size() / 2;
-    std::nth_element(wall_ms.begin(), middle, wall_ms.end());
-    totals.wall_ms_per_frame_median = *middle;
-  }
-  return totals;
+RunFigures TotalsOf(const RunRecord& run) {
+  return FiguresOf(run.frames, run.frames_planned, run.finished, run.stopped);
 }
 
 nlohmann::ordered_json MachineJson() {
@@ -243,17 +213,14 @@ nlohmann::ordered_json MachineJson() {
 
 nlohmann::ordered_json ReportJson(const RunRecord& run) {
   OrderedJson prepare = PrepareJson(*run.scene);
-  OrderedJson rest = {{"intersections", ToJson(run.rest)}};
+  OrderedJson rest = {{"intersections", JsonOf(run.rest)}};
   if (run.contact.rest) {
     prepare["contact_ms"] = run.contact.prepare_ms;
     for (const std::string& warning : run.contact.warnings) {
       prepare["warnings"].push_back(warning);
     }
-    rest["after_initial_fix"] = ToJson(*run.contact.rest);
+    rest["after_initial_fix"] = JsonOf(*run.contact.rest);
   }
-  const RunTotals totals = TotalsOf(run);
-  OrderedJson frames = OrderedJson::array();
-  for (const FrameRecord& frame : run.frames) frames.push_back(ToJson(frame));
   OrderedJson json = {
       {"scene", run.scene->scene.name},
       {"axes", run.scene->scene.axes},
@@ -271,19 +238,9 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
       {"motion", MotionJson(run.scene->scene, IsModelKept(run.dir))},
       {"prepare", prepare},
       {"rest", rest},
-      {"frames", frames},
+      {"frames", JsonOf(run.frames)},
       {"warnings", ShapeWarnings(run.frames, run.scene->scene.body_size)},
-      {"summary",
-       {{"frames", totals.frames},
-        {"frames_clean", totals.frames_clean},
-        {"worst_volume_error", totals.worst_volume_error},
-        {"worst_folded_triangles", totals.worst_folded_triangles},
-        {"wall_ms_per_frame_median", totals.wall_ms_per_frame_median},
-        {"frames_planned", run.frames_planned},
-        {"finished", run.finished},
-        {"stopped",
-         run.stopped.empty() ? OrderedJson() : OrderedJson(run.stopped)},
-        {"usable", totals.usable}}}};
+      {"summary", JsonOf(TotalsOf(run))}};
   if (!run.dir.empty()) MakePathsRelative(run.dir, &json);
   return json;
 }

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/figures/run_figures.h"
 #include "musclewarp/frame_solvers/frame_solver.h"
 #include "musclewarp/preparation/prepared_scene.h"
-#include "musclewarp/report/frame_record.h"
 
 namespace musclewarp {
 
@@ -27,24 +27,14 @@ struct RunRecord {
   const PreparedScene* scene = nullptr;
   ContactReport contact;
   SceneIntersections rest;  // of the meshes as they were delivered
-  std::vector<FrameRecord> frames;
+  std::vector<FrameFigures> frames;
   int frames_planned = 0;
   bool finished = false;  // true if all frames are there
   std::string stopped;    // why the run ended before that, or empty
 };
 
-// What the frames of a run come to: "summary" in report.json.
-struct RunTotals {
-  int frames = 0;
-  int frames_clean = 0;           // frames without an intersection
-  double worst_volume_error = 0;  // largest |volume ratio - 1|
-  int worst_folded_triangles = 0;
-  double wall_ms_per_frame_median = 0;
-  bool usable = false;
-};
-
-// Sums up the frames of a run.
-RunTotals TotalsOf(const RunRecord& run);
+// Sums up the frames of a run: "summary" in report.json.
+RunFigures TotalsOf(const RunRecord& run);
 
 // Returns "machine" of report.json, for this machine.
 nlohmann::ordered_json MachineJson();

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/described_json.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
@@ -42,19 +43,19 @@ SceneState StateFrom(const std::vector<std::uint8_t>& bytes) {
 
 // The first line of the key file. The number grows whenever a file of the log
 // gets another layout; logs before the first number had no such line.
-constexpr char kFormat[] = "musclewarp resume log 7";
+constexpr char kFormat[] = "musclewarp resume log 8";
 
 constexpr char kAdvice[] = "run without --resume, or choose another --out";
 
 // The figures and the state of a frame.
 struct LoggedFrame {
-  FrameRecord record;
+  FrameFigures record;
   SceneState state;
 };
 
 LoggedFrame LoggedFrameFromJson(const OrderedJson& json) {
   LoggedFrame frame;
-  frame.record = FrameRecordFromJson(json.at("record"));
+  ReadJson(json.at("record"), {}, &frame.record);
   frame.state = StateFrom(json.at("state").get_binary());
   return frame;
 }
@@ -95,9 +96,9 @@ std::string ResumeLog::FrameFile(int index) const {
   return (fs::path(folder_) / (FrameFolder(index) + ".cbor")).string();
 }
 
-std::vector<FrameRecord> ResumeLog::Continue(const std::vector<int>& selected,
-                                             SceneState* state) const {
-  std::vector<FrameRecord> records;
+std::vector<FrameFigures> ResumeLog::Continue(const std::vector<int>& selected,
+                                              SceneState* state) const {
+  std::vector<FrameFigures> records;
   if (!fs::exists(KeyFile())) return records;
   const std::string key = ReadFile(KeyFile());
   if (key.rfind(kFormat + std::string("\n"), 0) != 0) {
@@ -132,10 +133,10 @@ void ResumeLog::StartAnew() const {
   WriteTextAtomically(KeyFile(), KeyText());
 }
 
-void ResumeLog::FrameDone(const FrameRecord& record,
+void ResumeLog::FrameDone(const FrameFigures& record,
                           const SceneState& state) const {
   const auto bytes = OrderedJson::to_cbor(
-      OrderedJson{{"record", ToJson(record)},
+      OrderedJson{{"record", JsonOf(record)},
                   {"state", OrderedJson::binary(Archived(state))}});
   WriteTextAtomically(FrameFile(record.index),
                       std::string(bytes.begin(), bytes.end()));

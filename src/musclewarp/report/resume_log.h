@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/figures/frame_figures.h"
 #include "musclewarp/frames/scene_state.h"
-#include "musclewarp/report/frame_record.h"
 
 namespace musclewarp {
 
@@ -15,7 +15,7 @@ namespace musclewarp {
 // the state that the next frame starts from, to the last bit.
 //
 //   const ResumeLog log(dir, inputs_hash);
-//   std::vector<FrameRecord> frames = log.Continue(selected, &state);
+//   std::vector<FrameFigures> frames = log.Continue(selected, &state);
 //   if (frames.empty()) log.StartAnew();
 //   ...                              // for every frame: write its files, then
 //   log.FrameDone(record, state);
@@ -32,14 +32,14 @@ class ResumeLog {
   // of `selected` on without a gap. `state` becomes the one that was kept with
   // the last of them, if there is one. Throws InputError if DIR holds an
   // interrupted run of other input or options, or of other code of musclewarp.
-  std::vector<FrameRecord> Continue(const std::vector<int>& selected,
-                                    SceneState* state) const;
+  std::vector<FrameFigures> Continue(const std::vector<int>& selected,
+                                     SceneState* state) const;
 
   // Deletes the log of an interrupted run and begins a new one.
   void StartAnew() const;
 
   // Adds a frame. To be called once its files are complete.
-  void FrameDone(const FrameRecord& record, const SceneState& state) const;
+  void FrameDone(const FrameFigures& record, const SceneState& state) const;
 
   // Deletes the log, as the run is complete.
   void Finish() const;

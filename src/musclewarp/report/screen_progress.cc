@@ -10,6 +10,8 @@
 #include <sstream>
 #include <utility>
 
+#include "musclewarp/base/text.h"
+
 namespace musclewarp {
 namespace {
 
@@ -92,7 +94,7 @@ std::string ScreenProgress::Bar() const {
                       : "frame " + std::to_string(done + 1) + ":";
 }
 
-void ScreenProgress::FrameDone(const FrameRecord& frame) {
+void ScreenProgress::FrameDone(const FrameFigures& frame) {
   constexpr double kMemory = 0.8;
   const Lock lock(mutex_);
   stage_.clear();
@@ -107,7 +109,7 @@ void ScreenProgress::FrameDone(const FrameRecord& frame) {
        << ": " << frame.name << ", " << std::fixed << std::setprecision(0)
        << frame.wall_ms << " ms, " << frame.intersections.triangle_pairs
        << " crossing pairs";
-  if (!frame.usable) line << ", NOT usable";
+  if (!frame.IsUsable()) line << ", NOT usable";
   if (!is_last) line << ", " << RoundedTime(MillisecondsLeft()) << " left";
   Print(line.str(), is_last);
 }
@@ -127,16 +129,9 @@ void ScreenProgress::Print(const std::string& line, bool is_last) {
 
 std::string RoundedTime(double milliseconds) {
   const double seconds = milliseconds / 1000;
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(0);
-  if (seconds < 99.5) {
-    text << seconds << " s";
-  } else if (seconds < 99.5 * 60) {
-    text << seconds / 60 << " min";
-  } else {
-    text << seconds / 3600 << " h";
-  }
-  return text.str();
+  if (seconds < 99.5) return RoundedText(seconds, 0) + " s";
+  if (seconds < 99.5 * 60) return RoundedText(seconds / 60, 0) + " min";
+  return RoundedText(seconds / 3600, 0) + " h";
 }
 
 }  // namespace musclewarp

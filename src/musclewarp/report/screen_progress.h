@@ -11,7 +11,7 @@
 
 #include "musclewarp/base/progress.h"
 #include "musclewarp/base/stopwatch.h"
-#include "musclewarp/report/frame_record.h"
+#include "musclewarp/figures/frame_figures.h"
 
 namespace musclewarp {
 
@@ -41,7 +41,7 @@ class ScreenProgress {
   // is foretold by it.
   void StartFrames(int done, std::vector<double> work);
 
-  void FrameDone(const FrameRecord& frame);
+  void FrameDone(const FrameFigures& frame);
 
   // Returns the time that is left, ms, from what the last frames took for their
   // work. A frame counts 0.8 times as much as the one after it, as frames

@@ -1,7 +1,7 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/report/screen_report.h"
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +18,9 @@ namespace {
 // The last column of the table. "converged" is said of the solver alone:
 // without certified contact it may stand beside crossings, which are then
 // named, too.
-std::string OutcomeOf(const FrameRecord& frame) {
+std::string OutcomeOf(const FrameFigures& frame) {
   if (!frame.shortcomings.empty()) return "NOT usable";
-  const bool is_clean = frame.intersections.triangle_pairs == 0 &&
-                        frame.intersections.vertices_inside == 0 &&
-                        frame.delivered_crossings.empty();
-  return frame.stop_reason + (is_clean ? "" : ", crossing");
+  return frame.stop_reason() + (frame.IsClean() ? "" : ", crossing");
 }
 
 // Prints a list under a title, unless it is empty.
@@ -43,7 +40,7 @@ void PrintList(const std::string& title,
 
 std::vector<std::string> Shortcomings(const RunRecord& run) {
   std::vector<std::string> lines;
-  for (const FrameRecord& frame : run.frames) {
+  for (const FrameFigures& frame : run.frames) {
     for (const std::string& shortcoming : frame.shortcomings) {
       lines.push_back(frame.name + ": " + shortcoming);
     }
@@ -88,7 +85,7 @@ std::string Treatment(const MeshPreparation& mesh) {
 
 // What the counts of crossings in the table mean for the verdict: only
 // certified contact refuses a frame for them.
-std::string CrossingsIn(const RunTotals& totals, ContactKind contact) {
+std::string CrossingsIn(const RunFigures& totals, ContactKind contact) {
   if (contact == ContactKind::kNone) {
     return "not tested for crossings (contact none)";
   }
@@ -105,13 +102,13 @@ std::string FramesOf(const RunRecord& run) {
   return run.finished ? all : std::to_string(run.frames.size()) + " of " + all;
 }
 
-std::string VerdictOf(const RunRecord& run, const RunTotals& totals) {
+std::string VerdictOf(const RunRecord& run, const RunFigures& totals) {
   if (!totals.usable) return "NOT usable";
   return run.finished ? "usable" : "usable so far";
 }
 
 void PrintTotals(const RunRecord& run, std::ostream& out) {
-  const RunTotals totals = TotalsOf(run);
+  const RunFigures totals = TotalsOf(run);
   out << "\n"
       << FramesOf(run) << ", " << CrossingsIn(totals, run.contact.kind)
       << ", worst volume error " << std::scientific << totals.worst_volume_error
@@ -165,7 +162,7 @@ void PrintBoneCrossings(const PreparedScene& scene, std::ostream& out) {
 
 void PrintFrames(const RunRecord& run, std::ostream& out) {
   size_t name_width = 4;
-  for (const FrameRecord& frame : run.frames) {
+  for (const FrameFigures& frame : run.frames) {
     name_width = std::max(name_width, frame.name.size());
   }
   out << "\nframe  " << std::left << std::setw(name_width) << "pose"
@@ -180,13 +177,13 @@ void PrintFrames(const RunRecord& run, std::ostream& out) {
       << "";
   print_counts(run.rest);
   out << "\n";
-  for (const FrameRecord& frame : run.frames) {
+  for (const FrameFigures& frame : run.frames) {
     out << std::setw(5) << frame.index << "  " << std::left
         << std::setw(name_width) << frame.name << std::right << std::setw(12)
-        << frame.iterations << std::setw(9) << std::fixed
+        << frame.iterations() << std::setw(9) << std::fixed
         << std::setprecision(1) << frame.wall_ms << std::scientific
         << std::setw(14) << frame.WorstVolumeError() << std::setw(8)
-        << frame.FoldedTriangles();
+        << SumOf(frame.muscles, &MuscleFigures::folded_triangles);
     print_counts(frame.intersections);
     out << "  " << OutcomeOf(frame) << "\n";
   }

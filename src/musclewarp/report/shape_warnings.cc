@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/frames/triangle_stretch.h"
 
 namespace musclewarp {
@@ -21,9 +21,9 @@ std::string At(const Eigen::RowVector3d& place, double body_size) {
 
 // Returns the number of the frame with the largest value, or -1 if no value is
 // above the limit.
-int Worst(const std::vector<FrameRecord>& frames,
+int Worst(const std::vector<FrameFigures>& frames,
           double limit,
-          const std::function<double(const FrameRecord&)>& value) {
+          const std::function<double(const FrameFigures&)>& value) {
   int worst = -1;
   for (size_t f = 0; f < frames.size(); ++f) {
     const double here = value(frames[f]);
@@ -34,18 +34,18 @@ int Worst(const std::vector<FrameRecord>& frames,
   return worst;
 }
 
-void WarnOfDrift(const std::vector<FrameRecord>& frames,
+void WarnOfDrift(const std::vector<FrameFigures>& frames,
                  size_t muscle,
                  double body_size,
                  std::vector<std::string>* warnings) {
   const double limit = kLargestDrift * body_size;
   const size_t count = frames[0].muscles[muscle].attachments.size();
   for (size_t area = 0; area < count; ++area) {
-    const auto drift_in = [&](const FrameRecord& f) -> const AttachmentDrift& {
+    const auto drift_in = [&](const FrameFigures& f) -> const AttachmentDrift& {
       return f.muscles[muscle].attachments[area];
     };
     const int worst = Worst(
-        frames, limit, [&](const FrameRecord& f) { return drift_in(f).max; });
+        frames, limit, [&](const FrameFigures& f) { return drift_in(f).max; });
     if (worst < 0) continue;
     const AttachmentDrift& drift = drift_in(frames[worst]);
     warnings->push_back(frames[worst].muscles[muscle].name + " leaves " +
@@ -59,7 +59,7 @@ void WarnOfDrift(const std::vector<FrameRecord>& frames,
 
 // Returns how much of the surface is stretched, to follow the largest stretch;
 // nothing for records of earlier versions, which do not have it.
-std::string StretchedAreas(const MuscleRecord& record, double body_size) {
+std::string StretchedAreas(const MuscleFigures& record, double body_size) {
   const StretchMeasures& stretch = record.shape.triangles;
   if (stretch.largest == 1) return "";
   std::string text = ", 99 % of its surface to at most " +
@@ -75,16 +75,16 @@ std::string StretchedAreas(const MuscleRecord& record, double body_size) {
          RoundedText(record.torn_patch.area / 100, 2, body_size) + " cm2";
 }
 
-void WarnOfStretch(const std::vector<FrameRecord>& frames,
+void WarnOfStretch(const std::vector<FrameFigures>& frames,
                    size_t muscle,
                    double body_size,
                    std::vector<std::string>* warnings) {
   const int worst =
-      Worst(frames, kStretchBeyondAnatomy, [&](const FrameRecord& f) {
+      Worst(frames, kStretchBeyondAnatomy, [&](const FrameFigures& f) {
         return f.muscles[muscle].shape.max_stretch;
       });
   if (worst < 0) return;
-  const MuscleRecord& record = frames[worst].muscles[muscle];
+  const MuscleFigures& record = frames[worst].muscles[muscle];
   warnings->push_back(record.name + " is stretched to " +
                       RoundedText(record.shape.max_stretch, 2, body_size) +
                       " times its length at rest in " + frames[worst].name +
@@ -93,12 +93,12 @@ void WarnOfStretch(const std::vector<FrameRecord>& frames,
 }
 
 // The first frame has no frame before it.
-void WarnOfJumps(const std::vector<FrameRecord>& frames,
+void WarnOfJumps(const std::vector<FrameFigures>& frames,
                  size_t muscle,
                  double body_size,
                  std::vector<std::string>* warnings) {
   if (frames.size() < kFewestFrames) return;
-  const auto change_in = [&](const FrameRecord& f) {
+  const auto change_in = [&](const FrameFigures& f) {
     return &f == &frames[0] ? 0 : f.muscles[muscle].shape.max_change;
   };
   std::vector<double> changes;
@@ -111,7 +111,7 @@ void WarnOfJumps(const std::vector<FrameRecord>& frames,
   const int worst = Worst(
       frames, std::max(kLeastJump * body_size, kJumpRatio * median), change_in);
   if (worst < 0) return;
-  const MuscleRecord& record = frames[worst].muscles[muscle];
+  const MuscleFigures& record = frames[worst].muscles[muscle];
   warnings->push_back(record.name + " jumps by " +
                       RoundedText(record.shape.max_change, 1, body_size) +
                       " mm from " + frames[worst - 1].name + " to " +
@@ -121,13 +121,13 @@ void WarnOfJumps(const std::vector<FrameRecord>& frames,
 }
 
 // Sentences of the worst frame of each pair of bones.
-void WarnOfBones(const std::vector<FrameRecord>& frames,
+void WarnOfBones(const std::vector<FrameFigures>& frames,
                  double body_size,
                  std::vector<std::string>* warnings) {
   std::map<std::pair<std::string, std::string>,
-           std::pair<const FrameRecord*, const BoneOverlap*>>
+           std::pair<const FrameFigures*, const BoneOverlap*>>
       worst;
-  for (const FrameRecord& frame : frames) {
+  for (const FrameFigures& frame : frames) {
     for (const BoneOverlap& overlap : frame.bone_overlaps) {
       auto& found = worst[{overlap.a, overlap.b}];
       if (!found.second || overlap.depth_mm > found.second->depth_mm) {
@@ -146,7 +146,7 @@ void WarnOfBones(const std::vector<FrameRecord>& frames,
 
 }  // namespace
 
-std::vector<std::string> ShapeWarnings(const std::vector<FrameRecord>& frames,
+std::vector<std::string> ShapeWarnings(const std::vector<FrameFigures>& frames,
                                        double body_size) {
   std::vector<std::string> warnings;
   if (frames.empty()) return warnings;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/report/frame_record.h"
+#include "musclewarp/figures/frame_figures.h"
 
 namespace musclewarp {
 
@@ -20,7 +20,7 @@ constexpr double kLeastJump = 1;
 // where frames say so (Frame::bone_overlaps). Frames may be usable
 // nevertheless. Jumps are looked for in motions of at least five frames.
 // Limits follow the size of the body (Scene::body_size).
-std::vector<std::string> ShapeWarnings(const std::vector<FrameRecord>& frames,
+std::vector<std::string> ShapeWarnings(const std::vector<FrameFigures>& frames,
                                        double body_size = 1);
 
 }  // namespace musclewarp

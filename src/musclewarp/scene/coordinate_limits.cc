@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/scene/coordinate_limits.h"
 
-#include <sstream>
-
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/text.h"
 
 namespace musclewarp {
 namespace {
@@ -14,11 +13,10 @@ bool IsAllowed(const Eigen::RowVector3d& place) {
   return (place.array().abs() <= kLargestCoordinate).all();
 }
 
-std::string PlaceText(const Eigen::RowVector3d& place) {
-  std::ostringstream text;
-  text << "is at (" << place[0] << ", " << place[1] << ", " << place[2]
-       << ") mm";
-  return text.str();
+// "is at (2e+07, 0, 0) mm": of a place that may be far away.
+std::string WhereItIs(const Eigen::RowVector3d& place) {
+  return "is at (" + NumberText(place[0]) + ", " + NumberText(place[1]) + ", " +
+         NumberText(place[2]) + ") mm";
 }
 
 }  // namespace
@@ -32,7 +30,7 @@ void CheckCoordinates(const std::string& where,
     const Eigen::RowVector3d place = body_size * points.row(i);
     if (IsAllowed(place)) continue;
     throw InputError(where + ": point " + std::to_string(i),
-                     PlaceText(place),
+                     WhereItIs(place),
                      AllowedCoordinates());
   }
 }
@@ -43,7 +41,7 @@ void CheckCoordinates(const std::string& where,
       transform.topRightCorner<3, 1>().transpose();
   if (IsAllowed(translation) && transform.allFinite()) return;
   throw InputError(
-      where, "its frame " + PlaceText(translation), AllowedCoordinates());
+      where, "its frame " + WhereItIs(translation), AllowedCoordinates());
 }
 
 }  // namespace musclewarp

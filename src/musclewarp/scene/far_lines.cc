@@ -7,7 +7,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <sstream>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp {
 namespace {
 
-constexpr double kDegrees = 57.29577951308232;
-constexpr double kSharpestTurn = 120 / kDegrees;  // rad
+constexpr double kSharpestTurn = RadiansOf(120);  // rad
 
 // Whether a scene file may say that the line slides: its points follow bodies,
 // and the pose does not say where they are.
@@ -39,7 +39,7 @@ std::vector<std::string> FoldedLineWarnings(const Scene& scene) {
       std::ostringstream text;
       text << "line " << line.name << " of muscle " << muscle.name
            << " turns back on itself in pose " << folded->name << ", by "
-           << std::round(sharpest * kDegrees)
+           << std::round(sharpest * kDegreesPerRadian)
            << " degrees from a segment to the next, where the muscle will have "
               "folds: leave out points near the joint";
       if (CouldSlide(line, *folded)) {

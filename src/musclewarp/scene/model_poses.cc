@@ -3,10 +3,10 @@
 #include "musclewarp/scene/model_poses.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <sstream>
 #include <utility>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/opensim/guiding_path.h"
@@ -18,8 +18,8 @@ namespace {
 
 // How far apart the frames of bodies may be to count as one: roundings of the
 // model, not another pose.
-constexpr double kLargestGap = 1;                  // mm
-constexpr double kLargestTurn = 0.5 * M_PI / 180;  // rad
+constexpr double kLargestGap = 1;                // mm
+constexpr double kLargestTurn = RadiansOf(0.5);  // rad
 
 std::string AllNames(const std::vector<Body>& bodies) {
   std::string names;
@@ -65,7 +65,7 @@ CoordinateValues FoundRest(const Model& model,
                            std::vector<std::string>* notes) {
   const CoincidentPose pose = FindCoincidentPose(model, bodies);
   std::ostringstream gap;
-  gap << pose.distance << " mm and " << pose.angle * 180 / M_PI
+  gap << pose.distance << " mm and " << DegreesOf(pose.angle)
       << " degrees remain";
   if (pose.distance > kLargestGap || pose.angle > kLargestTurn) {
     throw InputError(
@@ -84,7 +84,7 @@ CoordinateValues FoundRest(const Model& model,
     const bool is_angle =
         model.coordinates[i].kind == CoordinateKind::kRotational;
     note << " " << model.coordinates[i].name << " "
-         << pose.values[i] * (is_angle ? 180 / M_PI : 1)
+         << pose.values[i] * (is_angle ? kDegreesPerRadian : 1)
          << (is_angle ? " degrees" : "");
   }
   notes->push_back(note.str());
@@ -154,7 +154,7 @@ ScenePose PoseAt(const ModelPoses& poses, const CoordinateValues& values) {
     const bool is_angle =
         model.coordinates[coordinate].kind == CoordinateKind::kRotational;
     pose.coordinates[model.coordinates[coordinate].name] =
-        values[coordinate] * (is_angle ? 180 / M_PI : 1);
+        values[coordinate] * (is_angle ? kDegreesPerRadian : 1);
   }
   for (const int index : poses.muscles) {
     const ModelMuscle& muscle = model.muscles[index];

@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/scene/model_scene.h"
 
-#include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <limits>
 #include <memory>
 #include <set>
-#include <sstream>
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/opensim/coordinate_motion.h"
 #include "musclewarp/opensim/storage_table.h"
 #include "musclewarp/scene/model_bones.h"
@@ -36,8 +35,9 @@ ModelRest ReadModelRest(const JsonField& scene, const Model& model) {
     const int index = model.FindCoordinate(item.key());
     const bool is_angle = index >= 0 && model.coordinates[index].kind ==
                                             CoordinateKind::kRotational;
-    (*rest.coordinates)[item.key()] = coordinates.At(item.key()).AsNumber() *
-                                      (in_degrees && is_angle ? M_PI / 180 : 1);
+    (*rest.coordinates)[item.key()] =
+        coordinates.At(item.key()).AsNumber() *
+        (in_degrees && is_angle ? kRadiansPerDegree : 1);
   }
   return rest;
 }
@@ -120,19 +120,13 @@ void CheckMotionIsKnown(const CoordinateMotion& motion,
   }
 }
 
-std::string TimeText(double time, int digits) {
-  std::ostringstream text;
-  text << std::setprecision(digits) << "t=" << time;
-  return text.str();
-}
-
 // Returns the name of the pose at a time, which no other pose has: with ten
 // digits, or as many as it takes.
 std::string PoseName(double time, std::set<std::string>* taken) {
   constexpr int kExact = std::numeric_limits<double>::max_digits10;
   std::string name;
   for (int digits = 10; digits <= kExact; ++digits) {
-    name = TimeText(time, digits);
+    name = "t=" + NumberText(time, digits);
     if (taken->insert(name).second) return name;
   }
   // Another time was rounded to this one.

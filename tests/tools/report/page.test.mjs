@@ -530,8 +530,10 @@ describe("what went wrong", () => {
       finished: false,
       stopped: "interrupted by SIGINT (Ctrl-C)",
     });
-    report.frames[5].usable = false;
-    report.frames[5].stop_reason = "iteration limit (psoas_major_r)";
+    const psoas = report.frames[5].muscles.find(
+      (muscle) => muscle.name === "psoas_major_r",
+    );
+    psoas.stop_reason = "iteration_limit";
     writeReport(stopped, report);
     const page = await browser.openReady(
       writePage(stopped, join(workDir, "stopped.html")),
@@ -541,7 +543,7 @@ describe("what went wrong", () => {
       notices.join("\n"),
       /stopped after 6 of 15 frames: interrupted by SIGINT/,
     );
-    assert.match(notices.join("\n"), /iteration limit \(psoas_major_r\)/);
+    assert.match(notices.join("\n"), /iteration_limit \(psoas_major_r\)/);
     await page.locator("#slider").fill("6");
     await hasText(page, "frame 6 of 6");
     assert.deepEqual(page.complaints, []);

@@ -12,7 +12,7 @@ import {
   boneShapeFrom,
   readParts,
 } from "./page_parts";
-import { FrameRecord, PairRecord, Report } from "./report";
+import { FrameFigures, PairFigures, Report } from "./report";
 
 interface PolylinesJson {
   counts: number[];
@@ -34,7 +34,7 @@ interface BoneJson extends BoneShapeJson {
   poses: number[][];
 }
 
-interface CrossingJson extends PairRecord {
+interface CrossingJson extends PairFigures {
   a_triangles: NumbersRef;
   b_triangles?: NumbersRef;
 }
@@ -49,7 +49,7 @@ export interface CarriedMomentArms {
 interface RunJson {
   folder: string;
   report: Report;
-  frames: FrameRecord[];
+  frames: FrameFigures[];
   step_mm: number;
   gap_step_mm: number;
   contact_gap_mm: number;
@@ -90,7 +90,7 @@ export interface Bone extends BoneShape {
 }
 
 // Two meshes that cross in a pose: the triangles of those that are muscles.
-export interface Crossing extends PairRecord {
+export interface Crossing extends PairFigures {
   trianglesOfA: Int32Array;
   trianglesOfB?: Int32Array;
 }
@@ -98,7 +98,7 @@ export interface Crossing extends PairRecord {
 export interface Run {
   folder: string;
   report: Report;
-  frames: FrameRecord[];
+  frames: FrameFigures[];
   gapLimit: number; // up to which gaps were looked for, mm
   contactGap: number;
   step: number;

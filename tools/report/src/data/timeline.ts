@@ -4,12 +4,12 @@
 // The moments the slider goes through: rest, then every frame that one of the
 // runs has.
 
-import { FrameRecord } from "./report";
+import { FrameFigures } from "./report";
 import { Run } from "./run";
 
 export interface Moment {
   name: string;
-  frame: FrameRecord | null; // of the first run that has it; null at rest
+  frame: FrameFigures | null; // of the first run that has it; null at rest
   poses: (number | null)[]; // by run; null where a run does not have it
 }
 

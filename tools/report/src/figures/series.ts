@@ -3,7 +3,7 @@
 
 // The figures over the motion: what is drawn in each, taken from report.json.
 
-import { FrameRecord, MuscleRecord } from "../data/report";
+import { FrameFigures, MuscleFigures } from "../data/report";
 import { Run } from "../data/run";
 import { stageColor } from "../palette";
 
@@ -24,7 +24,7 @@ export interface Figure {
   series: Series[];
 }
 
-type Value = (muscle: MuscleRecord, frame: FrameRecord) => number | undefined;
+type Value = (muscle: MuscleFigures, frame: FrameFigures) => number | undefined;
 
 // A curve for each muscle of each run.
 function byMuscle(runs: Run[], value: Value): Series[] {
@@ -46,8 +46,8 @@ function byLine(
   runs: Run[],
   value: (
     line: string,
-    muscle: MuscleRecord,
-    frame: FrameRecord,
+    muscle: MuscleFigures,
+    frame: FrameFigures,
     place: { run: Run; at: number },
   ) => number | undefined,
 ): Series[] {
@@ -69,7 +69,7 @@ function byLine(
 function ofScene(
   runs: Run[],
   name: string,
-  value: (frame: FrameRecord) => number,
+  value: (frame: FrameFigures) => number,
 ): Series[] {
   return runs.map((run, i) => ({
     name,
@@ -159,7 +159,7 @@ function byAttachment(runs: Run[]): Series[] {
 
 // What poses do to the shapes of muscles; none for runs that did not measure it.
 function shapeFigures(runs: Run[]): Figure[] {
-  const shape = (value: (muscle: MuscleRecord) => number | undefined) =>
+  const shape = (value: (muscle: MuscleFigures) => number | undefined) =>
     byMuscle(runs, value).filter(({ values }) => values.some(Number.isFinite));
   return [
     {
@@ -270,7 +270,7 @@ export function figuresOf(runs: Run[]): Figure[] {
 export interface Abscissa {
   id: string;
   label: string;
-  value(frame: FrameRecord, at: number): number;
+  value(frame: FrameFigures, at: number): number;
 }
 
 export function abscissasOf(runs: Run[]): Abscissa[] {

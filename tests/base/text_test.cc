@@ -1,8 +1,10 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace musclewarp {
 namespace {
@@ -29,6 +31,24 @@ TEST(FixedText, HasThreeSignificantDigitsAtLeast) {
   EXPECT_EQ(FixedText(0, 2), "0.00");
   EXPECT_EQ(FixedText(2e-14, 3), "0.000");
   EXPECT_EQ(FixedText(0.000012345, 1), "0.000012");
+}
+
+TEST(NumberText, HasSixDigitsOrAsManyAsAsked) {
+  EXPECT_EQ(NumberText(0.25), "0.25");
+  EXPECT_EQ(NumberText(2e7), "2e+07");
+  EXPECT_EQ(NumberText(1.0 / 3), "0.333333");
+  EXPECT_EQ(NumberText(0.1, 17), "0.10000000000000001");
+}
+
+TEST(RoundedText, HasSoManyDigitsBehindThePoint) {
+  EXPECT_EQ(RoundedText(12.345, 1), "12.3");
+  EXPECT_EQ(RoundedText(1e-9, 2), "0.00");
+  EXPECT_EQ(RoundedText(0.03125, 1, 1.0 / 32), "0.031");
+}
+
+TEST(DegreesText, IsOfAnAngleInRadians) {
+  EXPECT_EQ(DegreesText(M_PI / 3), "60 degrees");
+  EXPECT_EQ(DegreesText(0.1, 1), "5.7 degrees");
 }
 
 TEST(LengthText, IsInMillimetres) {

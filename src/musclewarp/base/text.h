@@ -12,9 +12,17 @@ namespace musclewarp {
 // (Scene::body_size); below 1 there are more digits.
 std::string PlaceText(const Eigen::RowVector3d& place, double body_size = 1);
 
-// Returns a number with this many digits behind the point, and more for a body
-// of less than human size.
-std::string RoundedText(double value, int digits, double body_size);
+// Returns a number with up to this many significant digits, without trailing
+// zeros: "0.25", "1e-07".
+std::string NumberText(double value, int digits = 6);
+
+// Returns a number with this many digits behind the point, "12.30", and more
+// for a body of less than human size (Scene::body_size).
+std::string RoundedText(double value, int digits, double body_size = 1);
+
+// Returns an angle, rad, in degrees with this many digits behind the point:
+// "12 degrees".
+std::string DegreesText(double angle, int digits = 0);
 
 // Returns a number with three significant digits, or all before the point,
 // "26.7", "0.00512" or "2410", as sentences have measures whose size is not

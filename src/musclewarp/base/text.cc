@@ -1,26 +1,33 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/base/place_text.h"
+#include "musclewarp/base/text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
-namespace musclewarp {
-namespace {
+#include "musclewarp/base/angles.h"
 
-std::string Fixed(double value, int digits) {
+namespace musclewarp {
+
+std::string NumberText(double value, int digits) {
   std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
+  text << std::setprecision(digits) << value;
   return text.str();
 }
 
-}  // namespace
-
 std::string RoundedText(double value, int digits, double body_size) {
   const double smaller = std::max(0.0, -std::log10(body_size));
-  return Fixed(value, digits + static_cast<int>(std::ceil(smaller)));
+  std::ostringstream text;
+  text << std::fixed
+       << std::setprecision(digits + static_cast<int>(std::ceil(smaller)))
+       << value;
+  return text.str();
+}
+
+std::string DegreesText(double angle, int digits) {
+  return RoundedText(angle / kRadiansPerDegree, digits) + " degrees";
 }
 
 std::string PlaceText(const Eigen::RowVector3d& place, double body_size) {
@@ -47,7 +54,7 @@ std::string FixedText(double value, int digits) {
     digits =
         std::max(digits, std::min(kSignificant - 1 - first, digits + kFurther));
   }
-  return Fixed(value, digits);
+  return RoundedText(value, digits);
 }
 
 std::string LengthText(double length, double body_size) {

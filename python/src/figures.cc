@@ -1,0 +1,39 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "python/src/figures.h"
+
+#include <regex>
+#include <sstream>
+
+namespace musclewarp::python {
+
+std::string PlainText(const std::string& text) {
+  static const std::regex kLink(R"(\[([^\]]*)\]\([^)]*\))");
+  std::string plain = std::regex_replace(text, kLink, "$1");
+  plain.erase(std::remove(plain.begin(), plain.end(), '`'), plain.end());
+  return plain;
+}
+
+std::string AttributeText(const std::string& name,
+                          const std::string& text,
+                          const std::string& unit) {
+  constexpr size_t kWidth = 79;
+  const std::string said =
+      name + ": " + PlainText(text) + (unit.empty() ? "" : ", " + unit) + ".";
+  std::istringstream words(said);
+  std::string lines = "    ";
+  size_t used = lines.size();
+  for (std::string word; words >> word;) {
+    const bool is_first = word == name + ":";
+    if (!is_first && used + 1 + word.size() > kWidth) {
+      lines += "\n        " + word;
+      used = 8 + word.size();
+    } else {
+      lines += (is_first ? "" : " ") + word;
+      used += word.size() + (is_first ? 0 : 1);
+    }
+  }
+  return lines;
+}
+
+}  // namespace musclewarp::python

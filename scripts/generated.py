@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Writes what follows from the lists of figures (src/musclewarp/figures): the
+tables of docs/report.md, the properties of python/musclewarp/_core.pyi and the
+types of the report page.
+
+  scripts/generated.py [--check] [--program=build/release/tests/figures/describe_figures]
+
+--check writes nothing and names the files that are not as they should be.
+Exit code: 0 if all are (or were written), else 1.
+"""
+
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PROGRAM = ROOT / "build/release/tests/figures/describe_figures"
+DOCS = ROOT / "docs/report.md"
+STUB = ROOT / "python/musclewarp/_core.pyi"
+TYPES = ROOT / "tools/report/src/data/figures.ts"
+
+# Properties that python/src/frames.cc makes by hand.
+BY_HAND = {"name", "path_lengths", "attachments", "shape", "muscles"}
+PYTHON = {"number": "float", "whole": "int", "bool": "bool", "text": "str",
+          "place": "List[float]"}
+TYPESCRIPT = {"number": "number", "whole": "number", "bool": "boolean",
+              "text": "string", "place": "[number, number, number]"}
+
+
+def table(fields):
+    """Returns the rows of a table of docs/report.md."""
+    lines = ["| key | unit | meaning |", "|---|---|---|"]
+    for field in fields:
+        text = field["text"][0].upper() + field["text"][1:] \
+            if field["text"][0].islower() else field["text"]
+        lines.append(f"| `{field['key']}` | {field['unit']} | {text} |")
+    return lines
+
+
+def python_type(kind):
+    if isinstance(kind, list):
+        return f"List[{python_type(kind[0])}]"
+    if isinstance(kind, dict):
+        (how, inner), = kind.items()
+        return (f"Optional[{python_type(inner)}]" if how == "or_null" else
+                f"Dict[str, {python_type(inner)}]")
+    return PYTHON.get(kind, "Dict[str, Any]")
+
+
+def properties(fields):
+    """Returns the properties of a class of the stub."""
+    lines = []
+    for field in fields:
+        # Whatever a frame is called, its own name is one of these.
+        if field["name"] in BY_HAND and field["key"] != "name":
+            continue
+        lines += ["    @property",
+                  f"    def {field['name']}(self) -> "
+                  f"{python_type(field['type'])}: ..."]
+    return lines
+
+
+def typescript_type(kind):
+    if isinstance(kind, list):
+        inner = typescript_type(kind[0])
+        return f"({inner})[]" if " " in inner else f"{inner}[]"
+    if isinstance(kind, dict):
+        (how, inner), = kind.items()
+        return (f"{typescript_type(inner)} | null" if how == "or_null" else
+                f"Record<string, {typescript_type(inner)}>")
+    return TYPESCRIPT.get(kind, kind)
+
+
+def types(structs):
+    """Returns the file of types of the report page."""
+    lines = ["// Copyright 2026 The musclewarp authors.",
+             "// SPDX-License-Identifier: Apache-2.0", "",
+             "// What report.json says of frames: docs/report.md explains it. "
+             "Written by", "// scripts/generated.py from the lists of "
+             "src/musclewarp/figures."]
+    for name, fields in structs.items():
+        lines += ["", f"export interface {name} {{"]
+        for field in fields:
+            mark = "?" if field["may_be_missing"] else ""
+            lines.append(f"  {field['key']}{mark}: "
+                         f"{typescript_type(field['type'])};")
+        lines.append("}")
+    return "\n".join(lines) + "\n"
+
+
+def between_marks(text, begin, end, made_of):
+    """Returns a text in which the lines between the marks are made anew;
+    `begin` has a group with the name of a struct."""
+    def made(match):
+        return "\n".join([match.group(1), *made_of(match.group(2)),
+                          match.group(3)])
+    new, count = re.subn(f"({begin})\n.*?({end})", made, text, flags=re.S)
+    if count == 0:
+        sys.exit(f"generated: no mark {begin}")
+    return new
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
+    arguments = parser.parse_args()
+    structs = json.loads(subprocess.run(
+        [arguments.program], check=True, capture_output=True).stdout)
+    files = {
+        DOCS: between_marks(
+            DOCS.read_text(encoding="utf-8"),
+            r"<!-- fields of (\w+) -->", "<!-- end of fields -->",
+            lambda name: ["", *table(structs[name]), ""]),
+        STUB: between_marks(
+            STUB.read_text(encoding="utf-8"),
+            r"    # Fields of (\w+)\.", r"    # End of fields\.",
+            lambda name: properties(structs[name])),
+        TYPES: types(structs),
+    }
+    stale = [path for path, text in files.items()
+             if not path.exists() or path.read_text(encoding="utf-8") != text]
+    for path in stale:
+        print(f"{path.relative_to(ROOT)}: "
+              + ("is not what scripts/generated.py writes" if arguments.check
+                 else "written"))
+        if not arguments.check:
+            path.write_text(files[path], encoding="utf-8")
+    return 1 if stale and arguments.check else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,235 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// How a struct meets the outside: by one list of its fields, each with its key,
+// unit, text and range. What is written to a file and read from it, what a
+// message or a page of the documentation says of a field, and which values are
+// allowed all follow from the list; the default is that of the struct.
+//
+//   struct SurfacePatch {
+//     double area = 0;
+//     Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
+//   };
+//   constexpr auto FieldsOf(Described<SurfacePatch>) {
+//     using S = SurfacePatch;
+//     return std::make_tuple(
+//         Field(&S::area, "area_mm2", "mm2", "its area at rest").AtLeast(0),
+//         Field(&S::place, "place_mm", "mm", "its centre"));
+//   }
+//
+// A struct with a field that is not in its list does not compile.
+// base/described_checks.h compares described structs and checks their values,
+// base/described_json.h reads and writes them.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "musclewarp/base/infinity.h"
+
+namespace musclewarp {
+
+// Says for which struct a function FieldsOf() has the list.
+template <class Struct>
+struct Described {
+  using type = Struct;
+};
+
+// When a field is in a file.
+enum class Presence {
+  kAlways,
+  kUnlessEmpty,  // not where it has no elements
+  kNullIfEmpty,  // null where it has none
+  kLater,        // always, but files of earlier builds may lack it
+};
+
+// A field of a struct. `Access` is a pointer to the member, a pointer to a
+// const member function without parameters that computes the value from
+// others, or Inner().
+template <class Access>
+struct Field {
+  static constexpr bool kIsWritten = true;
+  Access access;
+  const char* key;
+  const char* unit;  // "mm", "mm2", "mm/rad", "ms", ... or ""
+  const char* text;  // what it is, without a full stop
+  double lowest = -kInfinity;
+  double highest = kInfinity;
+  Presence presence = Presence::kAlways;
+
+  constexpr Field(Access access_,
+                  const char* key_,
+                  const char* unit_,
+                  const char* text_)
+      : access(access_), key(key_), unit(unit_), text(text_) {}
+
+  // Return the same field with another range or presence.
+  constexpr Field AtLeast(double limit) const {
+    return Within(limit, kInfinity);
+  }
+  constexpr Field Within(double from, double to) const {
+    Field field = *this;
+    field.lowest = from;
+    field.highest = to;
+    return field;
+  }
+  constexpr Field UnlessEmpty() const { return With(Presence::kUnlessEmpty); }
+  constexpr Field NullIfEmpty() const { return With(Presence::kNullIfEmpty); }
+  constexpr Field Later() const { return With(Presence::kLater); }
+  constexpr Field With(Presence other) const {
+    Field field = *this;
+    field.presence = other;
+    return field;
+  }
+};
+
+// A field that stays inside: it is neither written nor read.
+template <class Access>
+struct NotWritten {
+  static constexpr bool kIsWritten = false;
+  Access access;
+  const char* unit;
+  constexpr explicit NotWritten(Access access_, const char* unit_ = "")
+      : access(access_), unit(unit_) {}
+};
+
+// Access to a field of a field, for a key that stands beside those of the outer
+// struct in a file.
+template <class First, class Second>
+struct InnerAccess {
+  First first;
+  Second second;
+
+  template <class Struct>
+  auto& operator()(Struct& object) const {
+    return std::invoke(second, std::invoke(first, object));
+  }
+};
+template <class First, class Second>
+constexpr InnerAccess<First, Second> Inner(First first, Second second) {
+  return {first, second};
+}
+
+// Returns the name of a field in C++ and Python: its key without the unit of a
+// length, "max_step" for "max_step_mm".
+template <class Access>
+std::string NameOf(const Field<Access>& field) {
+  const std::string key = field.key;
+  for (const std::string suffix : {"_mm", "_mm2", "_mm3"}) {
+    if (key.size() > suffix.size() &&
+        key.compare(key.size() - suffix.size(), suffix.size(), suffix) == 0) {
+      return key.substr(0, key.size() - suffix.size());
+    }
+  }
+  return key;
+}
+
+template <class Access>
+inline constexpr bool kIsComputed = std::is_member_function_pointer_v<Access>;
+
+namespace described_internal {
+
+// Stands for a field of any type while fields are counted.
+struct AnyField {
+  template <class T>
+  operator T() const;  // never called
+};
+
+template <class Struct, class Indices, class = void>
+struct HasFields : std::false_type {};
+template <class Struct, std::size_t... I>
+struct HasFields<
+    Struct,
+    std::index_sequence<I...>,
+    std::void_t<decltype(Struct{(static_cast<void>(I), AnyField())...})>>
+    : std::true_type {};
+
+template <class Struct, std::size_t N = 0>
+constexpr std::size_t NumFields() {
+  if constexpr (HasFields<Struct, std::make_index_sequence<N + 1>>::value) {
+    return NumFields<Struct, N + 1>();
+  } else {
+    return N;
+  }
+}
+
+template <class Access>
+constexpr std::size_t NumOwn(const Field<Access>&) {
+  return std::is_member_object_pointer_v<Access>;
+}
+template <class Access>
+constexpr std::size_t NumOwn(const NotWritten<Access>&) {
+  return 1;
+}
+
+template <class T, class = void>
+struct IsDescribed : std::false_type {};
+template <class T>
+struct IsDescribed<T, std::void_t<decltype(FieldsOf(Described<T>()))>>
+    : std::true_type {};
+
+template <class T>
+struct IsVector : std::false_type {};
+template <class T>
+struct IsVector<std::vector<T>> : std::true_type {};
+
+template <class T>
+struct IsMap : std::false_type {};
+template <class T>
+struct IsMap<std::map<std::string, T>> : std::true_type {};
+
+template <class T>
+struct IsOptional : std::false_type {};
+template <class T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+
+}  // namespace described_internal
+
+template <class T>
+inline constexpr bool kIsDescribed = described_internal::IsDescribed<T>::value;
+template <class T>
+inline constexpr bool kIsVector = described_internal::IsVector<T>::value;
+template <class T>
+inline constexpr bool kIsMap = described_internal::IsMap<T>::value;
+
+// True for what may have no elements: lists, maps and texts.
+template <class T>
+inline constexpr bool kCanBeEmpty =
+    kIsVector<T> || kIsMap<T> || std::is_same_v<T, std::string>;
+template <class T>
+inline constexpr bool kIsOptional = described_internal::IsOptional<T>::value;
+
+// Calls `visit` with everything in the list of a struct, in its order: with
+// each Field and each NotWritten.
+template <class Struct, class Visit>
+void VisitList(const Visit& visit) {
+  constexpr auto list = FieldsOf(Described<Struct>());
+  constexpr std::size_t listed = std::apply(
+      [](const auto&... field) {
+        return (std::size_t{0} + ... + described_internal::NumOwn(field));
+      },
+      list);
+  static_assert(listed == described_internal::NumFields<Struct>(),
+                "a field of the struct is not in its list, or there twice");
+  std::apply([&](const auto&... field) { (visit(field), ...); }, list);
+}
+
+// Calls visit(field, value) with each Field of a struct and its value.
+template <class Struct, class Visit>
+void VisitFields(Struct&& object, const Visit& visit) {
+  VisitList<std::decay_t<Struct>>([&](const auto& field) {
+    if constexpr (std::decay_t<decltype(field)>::kIsWritten) {
+      visit(field, std::invoke(field.access, object));
+    }
+  });
+}
+
+}  // namespace musclewarp
