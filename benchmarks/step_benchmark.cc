@@ -21,7 +21,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/build_info/build_info.h"
-#include "musclewarp/report/machine.h"
+#include "musclewarp/run/machine.h"
 #include "step_replay.h"
 #include "tools/flag_values.h"
 #include "tools/program.h"

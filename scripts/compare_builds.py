@@ -55,6 +55,10 @@ PHANTOM_SCENES = [
     "stress_plate",
     "stress_resolution",
 ]
+# Keys of report.json that tell builds and machines apart, and ends of those that
+# are times.
+OF_THE_BUILD = {"code", "machine", "command", "options", "inputs_hash"}
+TIMES = ("_ms", "_ms_per_frame_median")
 PLY_TYPES = {"double": "d", "float": "f", "int": "i", "uchar": "B"}
 
 
@@ -145,6 +149,33 @@ def difference(before, after):
     return files, differ, largest
 
 
+def without_times(value):
+    """Returns what a report says but for times, machine and build, with the order
+    of its keys."""
+    if isinstance(value, list):
+        return [without_times(item) for item in value]
+    if not isinstance(value, dict):
+        return value
+    return [[key, without_times(item)] for key, item in value.items()
+            if key not in OF_THE_BUILD and not key.endswith(TIMES)]
+
+
+def other_differences(before, after):
+    """Returns what differs beside meshes: names of files, and "report.json"."""
+    differ = []
+    for pattern in ("frame_*/*", "rest/*", "*.sto", "*.pvd", "attachments.json"):
+        for file in sorted(before.glob(pattern)):
+            other = after / file.relative_to(before)
+            if file.is_file() and file.suffix != ".ply" and not (
+                    other.exists() and other.read_bytes() == file.read_bytes()):
+                differ.append(str(file.relative_to(before)))
+    reports = [json.loads((out / "report.json").read_text())
+               for out in (before, after)]
+    if without_times(reports[0]) != without_times(reports[1]):
+        differ.append("report.json")
+    return differ
+
+
 def times(report):
     frames = [f["solve_ms"] + f["certify_ms"] for f in report["frames"]]
     prepare = report["prepare"]
@@ -178,11 +209,11 @@ def main():
     unknown = set(only) - {name for name, _ in all_scenes}
     if unknown:
         parser.error(f"--only: no scene {', '.join(sorted(unknown))}")
-    worst = 0.0
+    worst, is_same = 0.0, True
     print(
-        "| scene | usable before, after | files | differ | by mm "
+        "| scene | usable before, after | files | differ | by mm | other files "
         "| frame ms before, after | preparation ms before, after |\n"
-        "|---|---|---|---|---|---|---|"
+        "|---|---|---|---|---|---|---|---|"
     )
     for name, flags in all_scenes:
         if only and name not in only:
@@ -199,16 +230,22 @@ def main():
         files, differ, largest = difference(
             options.out / "before" / name, options.out / "after" / name
         )
+        others = other_differences(
+            options.out / "before" / name, options.out / "after" / name
+        )
         worst = max(worst, largest)
+        is_same = is_same and not others
         by = "identical" if differ == 0 else f"{largest:.1e}"
         (frame_a, prepare_a), (frame_b, prepare_b) = map(times, reports)
         print(
             f"| {name} | {usable(reports[0])}, {usable(reports[1])} of "
             f"{len(reports[0]['frames'])} | {files} | {differ} | {by} "
+            f"| {', '.join(others) or 'identical'} "
             f"| {frame_a:.0f}, {frame_b:.0f} | {prepare_a:.0f}, {prepare_b:.0f} |",
             flush=True,
         )
-    return 0 if worst <= options.tolerance else 1
+    return 0 if worst <= options.tolerance and (
+        is_same or options.tolerance > 0) else 1
 
 
 if __name__ == "__main__":

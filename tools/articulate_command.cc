@@ -24,7 +24,7 @@
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/page/joints_page.h"
-#include "musclewarp/report/paths_in_json.h"
+#include "musclewarp/run/paths_in_json.h"
 #include "musclewarp/scene/scene_names.h"
 #include "tools/articulate_input.h"
 #include "tools/flag_values.h"

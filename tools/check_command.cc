@@ -22,10 +22,10 @@
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/mesh_files/stated_space.h"
-#include "musclewarp/page/run_files.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/proximity/triangle_distance.h"
-#include "musclewarp/report/report_json.h"
+#include "musclewarp/run/report_json.h"
+#include "musclewarp/run/run_files.h"
 #include "tools/program.h"
 
 namespace musclewarp {

@@ -9,7 +9,7 @@
 
 #include "musclewarp/base/csv_field.h"
 #include "musclewarp/build_info/build_info.h"
-#include "musclewarp/report/report_json.h"
+#include "musclewarp/run/report_json.h"
 
 namespace musclewarp {
 namespace {

@@ -15,17 +15,12 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/base/stopwatch.h"
 #include "musclewarp/build_info/build_info.h"
-#include "musclewarp/frames/frame_files.h"
-#include "musclewarp/page/recorded_attachments.h"
-#include "musclewarp/report/earlier_run.h"
-#include "musclewarp/report/kept_model.h"
-#include "musclewarp/report/motion_tables.h"
-#include "musclewarp/report/report_json.h"
-#include "musclewarp/report/resume_log.h"
 #include "musclewarp/report/screen_progress.h"
 #include "musclewarp/report/screen_report.h"
+#include "musclewarp/run/earlier_run.h"
+#include "musclewarp/run/resume_log.h"
+#include "musclewarp/run/run_writer.h"
 #include "tools/frame_selection.h"
 #include "tools/interruption.h"
 #include "tools/option_flags.h"
@@ -70,32 +65,6 @@ std::optional<EarlierRun> FinishedRun(const std::string& dir,
   return run;
 }
 
-// Keeps the report up to date while a run goes on, for a tenth of the time at
-// most: it grows with every frame.
-class ReportWriter {
- public:
-  explicit ReportWriter(std::string path) : path_(std::move(path)) {}
-
-  void Write(const RunRecord& run) {
-    const Stopwatch writing;
-    // Texts of files that are not UTF-8 may be in warnings.
-    const auto on_error = nlohmann::ordered_json::error_handler_t::replace;
-    WriteTextAtomically(path_,
-                        ReportJson(run).dump(2, ' ', false, on_error) + "\n");
-    write_ms_ = writing.Milliseconds();
-    since_.emplace();
-  }
-  void WriteNowAndThen(const RunRecord& run) {
-    constexpr double kPause = 10;  // times as long as writing took
-    if (!since_ || since_->Milliseconds() >= kPause * write_ms_) Write(run);
-  }
-
- private:
-  const std::string path_;
-  double write_ms_ = 0;
-  std::optional<Stopwatch> since_;
-};
-
 // Everything of a run but its options: what DeformCommand does, step by step.
 class DeformRun {
  public:
@@ -105,8 +74,7 @@ class DeformRun {
       : options_(options),
         lock_(lock),
         screen_(screen),
-        report_((fs::path(options.out) / "report.json").string()),
-        writer_(report_),
+        report_((fs::path(options.out) / kReportFile).string()),
         progress_(options.is_terminal, &screen) {}
 
   int Execute() {
@@ -145,10 +113,7 @@ class DeformRun {
     Start(std::move(state));
     try {
       ComputeFrames();
-      if (options_.files.HasFormat("vtp")) {
-        WritePvd(deformer_->scene(), selected_, options_.out);
-      }
-      if (scene.is_motion) WriteMotionTables(run_.frames, scene, options_.out);
+      writer_->WriteTables(run_.frames);
       run_.finished = true;
     } catch (const std::exception& error) {
       run_.stopped = error.what();
@@ -186,9 +151,8 @@ class DeformRun {
       const std::lock_guard<std::mutex> lock(mutex_);
       run_.scene = &deformer_->scene();
       run_.contact = deformer_->contact();
-      run_.rest = deformer_->scene().as_delivered
-                      ? *deformer_->scene().as_delivered
-                      : rest.intersections;
+      run_.rest = AsDelivered(deformer_->scene(), rest);
+      writer_.emplace(deformer_->scene(), options_.files, options_.out);
     }
     RemovePartialOutput(options_.out);
     if (run_.frames.empty()) {
@@ -199,10 +163,7 @@ class DeformRun {
                 << options_.out << "\n";
       }
     }
-    WriteFrame(deformer_->scene(), rest, options_.files, options_.out);
-    KeepModel(deformer_->scene().scene, options_.out);
-    WriteAttachments((fs::path(options_.out) / kAttachmentsFile).string(),
-                     AttachmentsOf(deformer_->scene()));
+    writer_->WriteRest(rest);
     if (run_.frames.empty()) return;
     screen_ << "resumed after frame " << run_.frames.size() << "\n";
     deformer_->set_state(std::move(state));
@@ -230,22 +191,12 @@ class DeformRun {
       Frame frame =
           is_motion() ? deformer_->MoveTo(pose) : deformer_->SolveAlone(pose);
       frame.index = selected_[i];
-      WriteFrame(deformer_->scene(), frame, options_.files, options_.out);
-      CompareFiles(&frame);
+      FrameFigures figures = writer_->WriteFrame(frame);
       const std::lock_guard<std::mutex> lock(mutex_);
-      run_.frames.push_back(FiguresOf(frame));
+      run_.frames.push_back(std::move(figures));
       log_->FrameDone(run_.frames.back(), deformer_->state());
-      writer_.WriteNowAndThen(run_);
+      writer_->KeepReportUpToDate(run_);
       progress_.FrameDone(run_.frames.back());
-    }
-  }
-
-  // Reads the files back, so that the counts are those of the files.
-  void CompareFiles(Frame* frame) const {
-    for (const std::string& file : FilesThatDiffer(
-             deformer_->scene(), *frame, options_.files, options_.out)) {
-      frame->shortcomings.push_back(
-          file + ": differs from the frame that was counted");
     }
   }
 
@@ -268,7 +219,7 @@ class DeformRun {
   // From then on there is nothing left for GiveUp() to save.
   void SaveReport() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    writer_.Write(run_);
+    writer_->WriteReport(run_);
     if (run_.finished) log_->Finish();
     is_saved_ = true;
   }
@@ -295,7 +246,7 @@ class DeformRun {
     run_.stopped = reason;
     SayStopped();
     try {
-      writer_.Write(run_);
+      writer_->WriteReport(run_);
     } catch (const InputError& error) {
       screen_ << error.what() << "\n";
     }
@@ -312,7 +263,7 @@ class DeformRun {
   OutputLock* lock_;  // on the folder of the results
   std::ostream& screen_;
   const std::string report_;
-  ReportWriter writer_;
+  std::optional<RunWriter> writer_;
   ScreenProgress progress_;
   std::vector<int> selected_;
   std::optional<ResumeLog> log_;

@@ -18,7 +18,7 @@
 #include "musclewarp/exchange/element_files.h"
 #include "musclewarp/exchange/mesher.h"
 #include "musclewarp/exchange/moved_mesh.h"
-#include "musclewarp/frames/frame_files.h"
+#include "musclewarp/run/frame_files.h"
 #include "tools/output_folder.h"
 #include "tools/output_lock.h"
 #include "tools/program.h"

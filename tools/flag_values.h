@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "musclewarp/deformer/deformer.h"
-#include "musclewarp/frames/frame_files.h"
+#include "musclewarp/run/frame_files.h"
 
 namespace musclewarp {
 

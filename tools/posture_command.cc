@@ -13,8 +13,8 @@
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_repair/repair.h"
-#include "musclewarp/page/run_files.h"
 #include "musclewarp/proximity/surface_comparison.h"
+#include "musclewarp/run/run_files.h"
 #include "tools/option_flags.h"
 #include "tools/output_folder.h"
 #ifdef MUSCLEWARP_WITH_VTK

@@ -13,9 +13,9 @@
 #include "musclewarp/base/palette.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
-#include "musclewarp/page/run_files.h"
 #include "musclewarp/render/picture.h"
 #include "musclewarp/render/picture_texts.h"
+#include "musclewarp/run/run_files.h"
 #include "tools/split.h"
 #include "tools/stretch_colors.h"
 

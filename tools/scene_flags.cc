@@ -232,7 +232,7 @@ std::string AbsolutePath(const std::string& path) {
 
 // Returns the value of a flag as reports have it. Paths do not depend on the
 // working folder, so that the report can have them lead from its own folder
-// (report/paths_in_json.h).
+// (run/paths_in_json.h).
 std::string AsRecorded(const std::string& name, const std::string& value) {
   static const std::set<std::string> kPaths = {
       "scene", "data_root", "out", "record_steps"};

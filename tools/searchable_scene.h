@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "musclewarp/certificate/scene_intersections.h"
-#include "musclewarp/page/recorded_pose.h"
+#include "musclewarp/run/recorded_pose.h"
 
 namespace musclewarp {
 

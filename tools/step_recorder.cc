@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/frames/frame_files.h"
+#include "musclewarp/run/frame_files.h"
 #include "tools/output_folder.h"
 
 namespace musclewarp {

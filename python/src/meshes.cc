@@ -11,7 +11,7 @@
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_repair/repair.h"
-#include "musclewarp/report/report_json.h"
+#include "musclewarp/run/report_json.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
 #include "python/src/call.h"

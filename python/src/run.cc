@@ -8,14 +8,10 @@
 
 #include "musclewarp/base/content_hash.h"
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/base/output_file.h"
-#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/page/page.h"
-#include "musclewarp/page/recorded_attachments.h"
-#include "musclewarp/report/earlier_run.h"
-#include "musclewarp/report/kept_model.h"
-#include "musclewarp/report/motion_tables.h"
-#include "musclewarp/report/report_json.h"
+#include "musclewarp/run/earlier_run.h"
+#include "musclewarp/run/motion_tables.h"
+#include "musclewarp/run/run_writer.h"
 #include "python/src/bindings.h"
 #include "python/src/choices.h"
 #include "python/src/deformer.h"
@@ -95,9 +91,7 @@ RunRecord RecordOf(const RunOfDeformer& run, Deformer* deformer) {
   record.inputs_hash = InputsHash(run, deformer->RestFrame());
   record.scene = &deformer->scene();
   record.contact = deformer->contact();
-  record.rest = deformer->scene().as_delivered
-                    ? *deformer->scene().as_delivered
-                    : deformer->RestFrame().intersections;
+  record.rest = AsDelivered(deformer->scene(), deformer->RestFrame());
   record.frames = FiguresOf(run);
   record.frames_planned = static_cast<int>(run.frames.size());
   record.finished = true;
@@ -127,34 +121,17 @@ void WriteFiles(const RunOfDeformer& run,
                 const FrameFileOptions& files,
                 const std::string& dir,
                 Deformer* deformer) {
-  const PreparedScene& scene = deformer->scene();
   RemoveEarlierRun(dir);
-  WriteFrame(scene, deformer->RestFrame(), files, dir);
-  KeepModel(scene.scene, dir);
-  WriteAttachments((fs::path(dir) / kAttachmentsFile).string(),
-                   AttachmentsOf(scene));
-  std::vector<int> indices;
+  RunWriter writer(deformer->scene(), files, dir);
+  writer.WriteRest(deformer->RestFrame());
   RunRecord record = RecordOf(run, deformer);
   record.dir = dir;
   for (size_t i = 0; i < run.frames.size(); ++i) {
     ThrowIfAbandoned();
-    const Frame& frame = run.frames[i]->frame;
-    WriteFrame(scene, frame, files, dir);
-    for (const std::string& file : FilesThatDiffer(scene, frame, files, dir)) {
-      record.frames[i].shortcomings.push_back(
-          file + ": differs from the frame that was counted");
-    }
-    indices.push_back(frame.index);
+    record.frames[i] = writer.WriteFrame(run.frames[i]->frame);
   }
-  if (files.HasFormat("vtp")) {
-    WritePvd(scene, indices, dir);
-  }
-  if (scene.scene.is_motion) {
-    WriteMotionTables(record.frames, scene.scene, dir);
-  }
-  const auto on_error = nlohmann::ordered_json::error_handler_t::replace;
-  WriteTextAtomically((fs::path(dir) / "report.json").string(),
-                      ReportJson(record).dump(2, ' ', false, on_error) + "\n");
+  writer.WriteTables(record.frames);
+  writer.WriteReport(record);
 }
 
 void Write(const RunOfDeformer& run,

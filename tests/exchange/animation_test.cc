@@ -8,7 +8,7 @@
 
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/transformed.h"
-#include "page/written_run.h"
+#include "run/written_run.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
 

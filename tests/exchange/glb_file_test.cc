@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "musclewarp/base/input_file.h"
-#include "page/written_run.h"
+#include "run/written_run.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
 

@@ -11,7 +11,7 @@
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
-#include "page/written_run.h"
+#include "run/written_run.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
 

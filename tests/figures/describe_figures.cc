@@ -1,8 +1,8 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 
-// Prints the lists of figures (src/musclewarp/figures) as JSON. Pages, types and
-// stubs are made of it (scripts/generated.py); it is not installed.
+// Prints the lists of figures (src/musclewarp/figures) as JSON. Pages, types
+// and stubs are made of it (scripts/generated.py); it is not installed.
 
 #include <iostream>
 
@@ -63,14 +63,14 @@ void Add(OrderedJson* all) {
   VisitFields(Struct(), [&](const auto& field, const auto& value) {
     OrderedJson type = TypeOf<std::decay_t<decltype(value)>>();
     if (field.presence == Presence::kNullIfEmpty) type = {{"or_null", type}};
-    fields.push_back(
-        {{"key", field.key},
-         {"name", NameOf(field)},
-         {"unit", field.unit},
-         {"text", field.text},
-         {"type", type},
-         {"may_be_missing", field.presence == Presence::kUnlessEmpty ||
-                                field.presence == Presence::kLater}});
+    fields.push_back({{"key", field.key},
+                      {"name", NameOf(field)},
+                      {"unit", field.unit},
+                      {"text", field.text},
+                      {"type", type},
+                      {"may_be_missing",
+                       field.presence == Presence::kUnlessEmpty ||
+                           field.presence == Presence::kLater}});
   });
   (*all)[NameOfStruct(Described<Struct>())] = fields;
 }

@@ -7,7 +7,8 @@
 #include <algorithm>
 
 #include "page/packed_text.h"
-#include "page/written_run.h"
+#include "page/read_quietly.h"
+#include "run/written_run.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
 

@@ -9,7 +9,8 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh_files/mesh_io.h"
-#include "page/written_run.h"
+#include "page/read_quietly.h"
+#include "run/written_run.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
 

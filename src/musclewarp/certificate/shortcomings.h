@@ -31,7 +31,7 @@ struct FrameRequirements {
 
   // The largest stretch of a muscle's surface, as a ratio of lengths: beyond it
   // no data make sense. Muscles and tendons bear far less
-  // (report/shape_warnings.h).
+  // (run/shape_warnings.h).
   double max_stretch = 20;
 
   // The largest patch of a muscle's surface that contact may tear, mm^2: beyond

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/exchange/run_outline.h"
-#include "musclewarp/page/recorded_pose.h"
+#include "musclewarp/run/recorded_pose.h"
+#include "musclewarp/run/run_outline.h"
 
 namespace musclewarp {
 

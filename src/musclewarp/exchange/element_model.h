@@ -7,8 +7,8 @@
 
 #include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/exchange/tetrahedral_mesh.h"
-#include "musclewarp/page/recorded_attachments.h"
-#include "musclewarp/page/recorded_pose.h"
+#include "musclewarp/run/attachments_file.h"
+#include "musclewarp/run/recorded_pose.h"
 
 namespace musclewarp {
 

@@ -5,8 +5,8 @@
 
 #include "musclewarp/exchange/element_files.h"
 #include "musclewarp/exchange/element_names.h"
-#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/mesh_files/text_cursor.h"
+#include "musclewarp/run/frame_files.h"
 
 namespace musclewarp {
 namespace {

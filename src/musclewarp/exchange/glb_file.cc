@@ -10,7 +10,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/palette.h"
 #include "musclewarp/exchange/glb_container.h"
-#include "musclewarp/frames/frame_files.h"
+#include "musclewarp/run/frame_files.h"
 
 namespace musclewarp {
 namespace {

@@ -8,9 +8,9 @@
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
-#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/opensim/kinematics.h"
-#include "musclewarp/report/kept_model.h"
+#include "musclewarp/run/frame_files.h"
+#include "musclewarp/run/kept_model.h"
 #include "musclewarp/scene/json_fields.h"
 
 namespace musclewarp {

@@ -4,7 +4,7 @@
 
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/page/page_parts.h"
-#include "musclewarp/report/paths_in_json.h"
+#include "musclewarp/run/paths_in_json.h"
 
 namespace musclewarp {
 namespace {

@@ -10,11 +10,11 @@
 
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/described_json.h"
-#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/page/packed_numbers.h"
 #include "musclewarp/page/page_parts.h"
-#include "musclewarp/report/motion_tables.h"
-#include "musclewarp/report/paths_in_json.h"
+#include "musclewarp/run/frame_files.h"
+#include "musclewarp/run/motion_tables.h"
+#include "musclewarp/run/paths_in_json.h"
 
 namespace musclewarp {
 namespace {

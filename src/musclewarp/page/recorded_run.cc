@@ -10,11 +10,11 @@
 #include "musclewarp/base/described_json.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
-#include "musclewarp/frames/frame_files.h"
 #include "musclewarp/geometry/view.h"
-#include "musclewarp/page/recorded_pose.h"
-#include "musclewarp/page/run_files.h"
 #include "musclewarp/proximity/mesh_intersection.h"
+#include "musclewarp/run/frame_files.h"
+#include "musclewarp/run/recorded_pose.h"
+#include "musclewarp/run/run_files.h"
 #include "musclewarp/scene/json_fields.h"
 
 namespace musclewarp {

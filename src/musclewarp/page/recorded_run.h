@@ -11,9 +11,9 @@
 #include "musclewarp/certificate/scene_intersections.h"
 #include "musclewarp/figures/frame_figures.h"
 #include "musclewarp/frames/frame.h"
-#include "musclewarp/frames/lines_file.h"
 #include "musclewarp/mesh/triangle_soup.h"
-#include "musclewarp/page/recorded_attachments.h"
+#include "musclewarp/run/attachments_file.h"
+#include "musclewarp/run/lines_file.h"
 
 namespace musclewarp {
 

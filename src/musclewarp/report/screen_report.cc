@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/report/shape_warnings.h"
+#include "musclewarp/run/shape_warnings.h"
 
 namespace musclewarp {
 

@@ -4,7 +4,7 @@
 
 #include <ostream>
 
-#include "musclewarp/report/report_json.h"
+#include "musclewarp/run/report_json.h"
 
 namespace musclewarp {
 

@@ -145,21 +145,21 @@ function carriedMomentArms(runs: Run[]): Figure[] {
 function byAttachment(runs: Run[]): Series[] {
   return runs.flatMap((run, i) =>
     (run.frames[0]?.muscles ?? []).flatMap((muscle, m) =>
-      (muscle.attachments ?? []).map(({ body }, area) => ({
+      muscle.attachments.map(({ body }, area) => ({
         name: `${muscle.name} on ${body}`,
         muscle: muscle.name,
         run: i,
         values: run.frames.map(
-          ({ muscles }) => muscles[m].attachments?.[area]?.max_drift_mm ?? NaN,
+          ({ muscles }) => muscles[m].attachments[area].max_drift_mm,
         ),
       })),
     ),
   );
 }
 
-// What poses do to the shapes of muscles; none for runs that did not measure it.
+// What poses do to the shapes of muscles.
 function shapeFigures(runs: Run[]): Figure[] {
-  const shape = (value: (muscle: MuscleFigures) => number | undefined) =>
+  const shape = (value: (muscle: MuscleFigures) => number) =>
     byMuscle(runs, value).filter(({ values }) => values.some(Number.isFinite));
   return [
     {
@@ -174,14 +174,14 @@ function shapeFigures(runs: Run[]): Figure[] {
       title: "Largest stretch",
       label: "ratio of lengths",
       note: "of a length on the surface to that at rest; beyond 1.6 it is warned of",
-      series: shape((muscle) => muscle.shape?.max_stretch),
+      series: shape((muscle) => muscle.shape.max_stretch),
     },
     {
       id: "stretch-999",
       title: "Stretch of all but a thousandth",
       label: "ratio of lengths",
       note: "99.9 % of the surface is stretched less; the largest stretch may be that of single triangles",
-      series: shape((muscle) => muscle.shape?.triangle_stretch?.quantile_999),
+      series: shape((muscle) => muscle.shape.triangle_stretch.quantile_999),
     },
     {
       id: "stretch-patch",
@@ -189,7 +189,7 @@ function shapeFigures(runs: Run[]): Figure[] {
       label: "mm²",
       note: "area at rest of connected triangles that are drawn out to more than twice a length at rest",
       series: shape(
-        (muscle) => muscle.shape?.triangle_stretch?.largest_patch_mm2,
+        (muscle) => muscle.shape.triangle_stretch.largest_patch_mm2,
       ),
     },
     {
@@ -197,7 +197,7 @@ function shapeFigures(runs: Run[]): Figure[] {
       title: "Change from frame to frame",
       label: "mm",
       note: "largest distance of a vertex from its place in the frame before; in the first frame of a motion from rest",
-      series: shape((muscle) => muscle.shape?.max_change_mm),
+      series: shape((muscle) => muscle.shape.max_change_mm),
     },
   ];
 }
@@ -209,10 +209,7 @@ export function figuresOf(runs: Run[]): Figure[] {
       title: "Volume error",
       label: "volume error",
       note: "of the fine mesh against its volume at rest; 0 is kept to the last digit",
-      series: byMuscle(
-        runs,
-        (muscle) => muscle.volume_error ?? muscle.volume_ratio - 1,
-      ),
+      series: byMuscle(runs, (muscle) => muscle.volume_error),
     },
     {
       id: "crossing-pairs",

@@ -146,9 +146,7 @@ function runSummary(run: Run): HTMLElement {
   const { report } = run;
   const clean = run.frames.filter((frame) => isClean(frame.intersections));
   const volumeErrors = run.frames.flatMap((frame) =>
-    frame.muscles.map((muscle) =>
-      Math.abs(muscle.volume_error ?? muscle.volume_ratio - 1),
-    ),
+    frame.muscles.map((muscle) => Math.abs(muscle.volume_error)),
   );
   const times = run.frames.map(({ wall_ms }) => wall_ms).sort((a, b) => a - b);
   const options = Object.entries(report.options ?? {}).map(

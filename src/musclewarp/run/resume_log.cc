@@ -1,0 +1,147 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/run/resume_log.h"
+
+#include <cereal/archives/binary.hpp>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "musclewarp/base/described_json.h"
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/input_file.h"
+#include "musclewarp/base/output_file.h"
+#include "musclewarp/build_info/build_info.h"
+#include "musclewarp/motion/state_archive.h"
+#include "musclewarp/run/frame_files.h"
+
+namespace musclewarp {
+namespace {
+
+namespace fs = std::filesystem;
+using OrderedJson = nlohmann::ordered_json;
+
+std::vector<std::uint8_t> Archived(const SceneState& state) {
+  std::ostringstream stream(std::ios::binary);
+  cereal::BinaryOutputArchive archive(stream);
+  archive(state);
+  const std::string bytes = stream.str();
+  return {bytes.begin(), bytes.end()};
+}
+
+SceneState StateFrom(const std::vector<std::uint8_t>& bytes) {
+  std::istringstream stream(std::string(bytes.begin(), bytes.end()),
+                            std::ios::binary);
+  cereal::BinaryInputArchive archive(stream);
+  SceneState state;
+  archive(state);
+  return state;
+}
+
+// The first line of the key file. The number grows whenever a file of the log
+// gets another layout; logs before the first number had no such line.
+constexpr char kFormat[] = "musclewarp resume log 8";
+
+constexpr char kAdvice[] = "run without --resume, or choose another --out";
+
+// The figures and the state of a frame.
+struct LoggedFrame {
+  FrameFigures record;
+  SceneState state;
+};
+
+LoggedFrame LoggedFrameFromJson(const OrderedJson& json) {
+  LoggedFrame frame;
+  ReadJson(json.at("record"), {}, &frame.record);
+  frame.state = StateFrom(json.at("state").get_binary());
+  return frame;
+}
+
+LoggedFrame ReadLoggedFrame(const std::string& file) {
+  const OrderedJson json =
+      OrderedJson::from_cbor(ReadFile(file), true, /*allow_exceptions=*/false);
+  if (json.is_discarded()) throw InputError(file, "is damaged", kAdvice);
+  try {
+    return LoggedFrameFromJson(json);
+  } catch (const std::exception&) {  // of JSON, cereal or memory
+    throw InputError(
+        file,
+        "does not hold what this build of musclewarp keeps of a frame",
+        kAdvice);
+  }
+}
+
+}  // namespace
+
+ResumeLog::ResumeLog(const std::string& dir, const std::string& inputs_hash)
+    : folder_((fs::path(dir) / ".resume").string()),
+      inputs_hash_(inputs_hash) {}
+
+bool ResumeLog::IsIn(const std::string& dir) {
+  return fs::exists(ResumeLog(dir, "").KeyFile());
+}
+
+std::string ResumeLog::KeyFile() const {
+  return (fs::path(folder_) / "inputs").string();
+}
+
+std::string ResumeLog::KeyText() const {
+  return kFormat + ("\n" + inputs_hash_ + "\n" + CodeKey());
+}
+
+std::string ResumeLog::FrameFile(int index) const {
+  return (fs::path(folder_) / (FrameFolder(index) + ".cbor")).string();
+}
+
+std::vector<FrameFigures> ResumeLog::Continue(const std::vector<int>& selected,
+                                              SceneState* state) const {
+  std::vector<FrameFigures> records;
+  if (!fs::exists(KeyFile())) return records;
+  const std::string key = ReadFile(KeyFile());
+  if (key.rfind(kFormat + std::string("\n"), 0) != 0) {
+    throw InputError(
+        KeyFile(), "was written by another version of musclewarp", kAdvice);
+  }
+  const std::string of_inputs = kFormat + ("\n" + inputs_hash_ + "\n");
+  if (key.rfind(of_inputs, 0) != 0) {
+    throw InputError("--resume",
+                     folder_ + " is of a run with other input or options",
+                     kAdvice);
+  }
+  if (key != KeyText()) {
+    throw InputError("--resume",
+                     folder_ + " is of a run by other code of musclewarp (" +
+                         key.substr(of_inputs.size()) + "); this is " +
+                         CodeKey(),
+                     kAdvice);
+  }
+  for (const int index : selected) {
+    if (!fs::exists(FrameFile(index))) break;
+    LoggedFrame frame = ReadLoggedFrame(FrameFile(index));
+    records.push_back(std::move(frame.record));
+    *state = std::move(frame.state);
+  }
+  return records;
+}
+
+void ResumeLog::StartAnew() const {
+  fs::remove_all(folder_);
+  fs::create_directories(folder_);
+  WriteTextAtomically(KeyFile(), KeyText());
+}
+
+void ResumeLog::FrameDone(const FrameFigures& record,
+                          const SceneState& state) const {
+  const auto bytes = OrderedJson::to_cbor(
+      OrderedJson{{"record", JsonOf(record)},
+                  {"state", OrderedJson::binary(Archived(state))}});
+  WriteTextAtomically(FrameFile(record.index),
+                      std::string(bytes.begin(), bytes.end()));
+}
+
+void ResumeLog::Finish() const { fs::remove_all(folder_); }
+
+}  // namespace musclewarp
