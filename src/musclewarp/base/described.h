@@ -139,8 +139,9 @@ namespace described_internal {
 
 // Stands for a field of any type while fields are counted.
 struct AnyField {
+  // Never called. Implicit, as it has to fit wherever a value does.
   template <class T>
-  operator T() const;  // never called
+  operator T() const;  // NOLINT(google-explicit-constructor)
 };
 
 template <class Struct, class Indices, class = void>

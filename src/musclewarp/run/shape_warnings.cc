@@ -9,6 +9,7 @@
 
 #include "musclewarp/base/text.h"
 #include "musclewarp/frames/triangle_stretch.h"
+#include "musclewarp/preparation/attachments.h"
 
 namespace musclewarp {
 namespace {
