@@ -45,6 +45,14 @@ def test_arrays_outlive_their_frame_and_frames_their_deformer():
     assert len(rubble) == 1000
 
 
+def test_knows_volumes_and_lengths_at_rest(deformer):
+    for muscle in deformer.rest_frame.muscles:
+        assert muscle.volume == pytest.approx(
+            mw.Mesh(muscle.points, muscle.triangles).volume, rel=1e-12)
+        assert all(length > 0 for length in muscle.line_lengths.values())
+        assert len(muscle.line_lengths) == len(muscle.lines)
+
+
 def test_is_a_collection_of_its_parts(deformer):
     frame = deformer.rest_frame
     assert list(frame) == frame.names == ["psoas", "iliacus", "femur"]

@@ -35,6 +35,10 @@ TEST(MeasureFrame, OfMusclesAtRestIsTheRestFrame) {
                   .maxCoeff(),
               1e-11);
     EXPECT_NEAR(frame.muscles[i].volume_ratio, 1, 1e-12);
+    EXPECT_NEAR(rest.muscles[i].volume / frame.muscles[i].volume, 1, 1e-12);
+    for (const auto& [line, length] : frame.muscles[i].line_lengths) {
+      EXPECT_NEAR(rest.muscles[i].line_lengths.at(line), length, 1e-11);
+    }
     EXPECT_EQ(frame.muscles[i].folded_triangles, 0);
     EXPECT_EQ(frame.bones[i], rest.bones[i]);
     // 1 mm to the other muscle.

@@ -19,16 +19,14 @@
 namespace musclewarp {
 namespace {
 
+// The lines and fibres that a muscle carries, and their lengths.
 void AddLines(const PreparedMuscle& muscle,
-              const ScenePose& pose,
               const Points& coarse,
               MuscleFrame* frame) {
   const MuscleModel& model = muscle.model;
   frame->lines = LinesAt(muscle.lines, coarse);
   for (size_t i = 0; i < model.lines.size(); ++i) {
-    const std::string& name = model.lines[i].name;
-    frame->line_lengths[name] = PolylineLength(frame->lines[i]);
-    frame->path_lengths[name] = PathLengthIn(pose, model.lines[i]);
+    frame->line_lengths[model.lines[i].name] = PolylineLength(frame->lines[i]);
   }
   frame->fibres = LinesAt(muscle.fibres, coarse);
   if (frame->fibres.empty()) return;
@@ -70,7 +68,10 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
                         model.fine_rest(muscle.attached.vertices, Eigen::all),
                         pose),
       frame.points);
-  AddLines(muscle, pose, coarse, &frame);
+  AddLines(muscle, coarse, &frame);
+  for (const ActionLine& line : model.lines) {
+    frame.path_lengths[line.name] = PathLengthIn(pose, line);
+  }
   return frame;
 }
 
@@ -174,8 +175,8 @@ Frame RestFrame(const PreparedScene& scene,
     at_rest.points = muscle.model.fine_rest;
     at_rest.volume_ratio =
         muscle.model.rest_volume / muscle.mesh.delivered_volume;
-    at_rest.lines = LinesAt(muscle.lines, muscle.model.coarse_rest);
-    at_rest.fibres = LinesAt(muscle.fibres, muscle.model.coarse_rest);
+    at_rest.volume = at_rest.volume_ratio * muscle.mesh.delivered_volume;
+    AddLines(muscle, muscle.model.coarse_rest, &at_rest);
     frame.muscles.push_back(std::move(at_rest));
   }
   for (const PreparedBone& bone : scene.bones) {
