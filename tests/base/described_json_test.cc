@@ -40,17 +40,17 @@ struct Odd {
 constexpr auto FieldsOf(Described<Odd>) {
   using S = Odd;
   return std::make_tuple(
-      Field(&S::number, "number", "", ""),
-      Field(&S::count, "count", "", ""),
-      Field(&S::is_so, "is_so", "", ""),
-      Field(&S::text, "text", "", ""),
-      Field(&S::colour, "colour", "", ""),
-      Field(&S::place, "place_mm", "mm", ""),
-      Field(&S::list, "list", "", ""),
-      Field(&S::optional_list, "optional_list", "", "").UnlessEmpty(),
-      Field(&S::by_name, "by_name", "", ""),
-      Field(&S::reason, "reason", "", "").NullIfEmpty(),
-      Field(&S::later, "later", "", "").Later());
+      Field(&S::number, "number"),
+      Field(&S::count, "count"),
+      Field(&S::is_so, "is_so"),
+      Field(&S::text, "text"),
+      Field(&S::colour, "colour"),
+      Field(&S::place, "place_mm", "mm"),
+      Field(&S::list, "list"),
+      Field(&S::optional_list, "optional_list").UnlessEmpty(),
+      Field(&S::by_name, "by_name"),
+      Field(&S::reason, "reason").NullIfEmpty(),
+      Field(&S::later, "later").Later());
 }
 
 Odd SomeOdd() {

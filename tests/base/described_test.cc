@@ -17,8 +17,8 @@ struct Patch {
 };
 constexpr auto FieldsOf(Described<Patch>) {
   return std::make_tuple(
-      Field(&Patch::area, "area_mm2", "mm2", "its area").AtLeast(0),
-      Field(&Patch::place, "place_mm", "mm", "its centre"));
+      Field(&Patch::area, "area_mm2", "mm2").Text("its area").AtLeast(0),
+      Field(&Patch::place, "place_mm", "mm").Text("its centre"));
 }
 
 struct Surface {
@@ -36,10 +36,10 @@ struct Surface {
 constexpr auto FieldsOf(Described<Surface>) {
   using S = Surface;
   return std::make_tuple(
-      Field(&S::name, "name", "", "of the surface"),
-      Field(&S::patches, "patches", "", "its patches"),
-      Field(&S::shares, "shares", "", "of each part").Within(0, 1),
-      Field(&S::Area, "area_mm2", "mm2", "the sum of their areas"),
+      Field(&S::name, "name").Text("of the surface"),
+      Field(&S::patches, "patches").Text("its patches"),
+      Field(&S::shares, "shares").Text("of each part").Within(0, 1),
+      Field(&S::Area, "area_mm2", "mm2").Text("the sum of their areas"),
       NotWritten(&S::hidden));
 }
 

@@ -30,6 +30,16 @@ TEST(FrameFigures, ComeBackToTheBit) {
   EXPECT_EQ(JsonOf(through_text).dump(), json.dump());
 }
 
+TEST(FrameFigures, OfLongRunsComeBack) {
+  std::vector<FrameFigures> frames(100000);
+  for (size_t i = 0; i < frames.size(); ++i) {
+    frames[i].time = 1.0 / static_cast<double>(i + 1);
+  }
+  std::vector<FrameFigures> read;
+  ReadJson(JsonOf(frames), {}, &read);
+  EXPECT_TRUE(AreEqual(read, frames));
+}
+
 TEST(FrameFigures, NameTheSmallestGap) {
   FrameFigures figures = SomeFigures(0);
   figures.intersections.gaps.erase(figures.intersections.gaps.begin());

@@ -14,8 +14,8 @@
 //   constexpr auto FieldsOf(Described<SurfacePatch>) {
 //     using S = SurfacePatch;
 //     return std::make_tuple(
-//         Field(&S::area, "area_mm2", "mm2", "its area at rest").AtLeast(0),
-//         Field(&S::place, "place_mm", "mm", "its centre"));
+//         Field(&S::area, "area_mm2", "mm2").Text("area at rest").AtLeast(0),
+//         Field(&S::place, "place_mm", "mm").Text("its centre"));
 //   }
 //
 // A struct with a field that is not in its list does not compile.
@@ -39,9 +39,7 @@ namespace musclewarp {
 
 // Says for which struct a function FieldsOf() has the list.
 template <class Struct>
-struct Described {
-  using type = Struct;
-};
+struct Described {};
 
 // When a field is in a file.
 enum class Presence {
@@ -59,19 +57,21 @@ struct Field {
   static constexpr bool kIsWritten = true;
   Access access;
   const char* key;
-  const char* unit;  // "mm", "mm2", "mm/rad", "ms", ... or ""
-  const char* text;  // what it is, without a full stop
+  const char* unit;       // "mm", "mm2", "mm/rad", "ms", ... or ""
+  const char* text = "";  // what it is, without a full stop
   double lowest = -kInfinity;
   double highest = kInfinity;
   Presence presence = Presence::kAlways;
 
-  constexpr Field(Access access_,
-                  const char* key_,
-                  const char* unit_,
-                  const char* text_)
-      : access(access_), key(key_), unit(unit_), text(text_) {}
+  constexpr Field(Access access_, const char* key_, const char* unit_ = "")
+      : access(access_), key(key_), unit(unit_) {}
 
-  // Return the same field with another range or presence.
+  // Return the same field with a text, another range or another presence.
+  constexpr Field Text(const char* what) const {
+    Field field = *this;
+    field.text = what;
+    return field;
+  }
   constexpr Field AtLeast(double limit) const {
     return Within(limit, kInfinity);
   }
@@ -231,6 +231,41 @@ void VisitFields(Struct&& object, const Visit& visit) {
       visit(field, std::invoke(field.access, object));
     }
   });
+}
+
+namespace described_internal {
+
+template <class From, class To>
+void CopyValue(const From& from, To* to) {
+  if constexpr (std::is_assignable_v<To&, const From&>) {
+    *to = from;
+  } else {
+    to->assign(from.begin(), from.end());
+  }
+}
+
+template <class A, class B, class From, class To>
+void CopyField(const A& a, const B& b, const From& from, To* to) {
+  if constexpr (std::is_member_object_pointer_v<decltype(A::access)>) {
+    CopyValue(std::invoke(a.access, from), &std::invoke(b.access, *to));
+  }
+}
+
+}  // namespace described_internal
+
+// Copies all fields of a struct to another one that has a list of the same
+// fields. Elements of lists may be converted.
+template <class From, class To>
+void CopyFields(const From& from, To* to) {
+  std::apply(
+      [&](const auto&... a) {
+        std::apply(
+            [&](const auto&... b) {
+              (described_internal::CopyField(a, b, from, to), ...);
+            },
+            FieldsOf(Described<To>()));
+      },
+      FieldsOf(Described<From>()));
 }
 
 }  // namespace musclewarp

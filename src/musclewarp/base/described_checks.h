@@ -98,9 +98,10 @@ bool IsValidAt(const FieldPath& path,
   return is_valid;
 }
 
-template <class Struct>
-bool IsValid(const Struct& object, std::string* error) {
-  return IsValidAt(FieldPath(), object, -kInfinity, kInfinity, error);
+// The same of a described struct, or of a list of them, whose place is `path`.
+template <class T>
+bool IsValid(const T& value, std::string* error, const FieldPath& path = {}) {
+  return IsValidAt(path, value, -kInfinity, kInfinity, error);
 }
 
 }  // namespace musclewarp

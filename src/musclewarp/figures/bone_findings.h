@@ -16,23 +16,19 @@ namespace musclewarp {
 struct BoneOverlap {
   std::string a;
   std::string b;
-  double depth_mm = 0;  // of the deepest vertex of one in the other
-
-  // The deepest vertex, mm.
+  double depth_mm = 0;
   Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
 };
 
 constexpr auto FieldsOf(Described<BoneOverlap>) {
   using F = BoneOverlap;
   return std::make_tuple(
-      Field(&F::a, "a", "", "a bone"),
-      Field(&F::b, "b", "", "a bone of another body"),
-      Field(&F::depth_mm,
-            "depth_mm",
-            "mm",
-            "the depth of the deepest vertex of one in the other")
+      Field(&F::a, "a").Text("a bone"),
+      Field(&F::b, "b").Text("a bone of another body"),
+      Field(&F::depth_mm, "depth_mm", "mm")
+          .Text("the depth of the deepest vertex of one in the other")
           .AtLeast(0),
-      Field(&F::place, "place_mm", "mm", "where that vertex is"));
+      Field(&F::place, "place_mm", "mm").Text("where that vertex is"));
 }
 
 // What a muscle has in common with the triangles of a bone that only the
@@ -41,8 +37,6 @@ struct DeliveredCrossing {
   std::string muscle;
   std::string bone;
   int triangle_pairs = 0;
-
-  // Pieces of the bone that lie within the muscle.
   int pieces_inside = 0;
 
   // The mean of the corners of the muscle's triangles that cross, or a point of
@@ -52,19 +46,16 @@ struct DeliveredCrossing {
 
 constexpr auto FieldsOf(Described<DeliveredCrossing>) {
   using F = DeliveredCrossing;
-  return std::make_tuple(Field(&F::muscle, "muscle", "", "the muscle"),
-                         Field(&F::bone, "bone", "", "the bone"),
-                         Field(&F::triangle_pairs,
-                               "triangle_pairs",
-                               "",
-                               "pairs of triangles that cross, by exact tests")
-                             .AtLeast(0),
-                         Field(&F::pieces_inside,
-                               "pieces_inside",
-                               "",
-                               "pieces of the bone that lie within the muscle")
-                             .AtLeast(0),
-                         Field(&F::place, "place_mm", "mm", "where to look"));
+  return std::make_tuple(
+      Field(&F::muscle, "muscle").Text("the muscle"),
+      Field(&F::bone, "bone").Text("the bone"),
+      Field(&F::triangle_pairs, "triangle_pairs")
+          .Text("pairs of triangles that cross, by exact tests")
+          .AtLeast(0),
+      Field(&F::pieces_inside, "pieces_inside")
+          .Text("pieces of the bone that lie within the muscle")
+          .AtLeast(0),
+      Field(&F::place, "place_mm", "mm").Text("where to look"));
 }
 
 }  // namespace musclewarp

@@ -19,61 +19,36 @@ namespace musclewarp {
 constexpr auto FieldsOf(Described<StageTime>) {
   using F = StageTime;
   return std::make_tuple(
-      Field(&F::name, "name", "", "the stage"),
-      Field(&F::ms,
-            "ms",
-            "ms",
-            "its time. A stage within another one counts for itself alone, so "
-            "that the times add up"),
-      Field(&F::visits, "visits", "", "how often it was entered"),
+      Field(&F::name, "name").Text("name of the stage"),
+      Field(&F::ms, "ms", "ms")
+          .Text("its time. A stage within another one counts for itself alone, "
+                "so that the times add up"),
+      Field(&F::visits, "visits").Text("how often it was entered"),
       NotWritten(&F::processor_ms),
       NotWritten(&F::work));
 }
 
-// Every number that is known of a scene in one pose. `Muscle` is MuscleFigures
-// or what has them as its base.
+// Every number that is known of a scene in one pose; the list below says what
+// each is. `Muscle` is MuscleFigures or what has them as its base.
 template <class Muscle>
 struct FiguresOfFrame {
   int index = -1;  // of the pose in its scene, or -1
   std::string name;
-  double time = 0;                            // s
-  std::map<std::string, double> coordinates;  // of the model, as it was given
-
-  double wall_ms = 0;         // for moving the scene to the pose
-  double solve_ms = 0;        // of that, in the solver
-  double certify_ms = 0;      // for intersections, gaps and folded triangles
-  double moment_arms_ms = 0;  // for all moment arms
-
-  // Where that time went, if DeformerOptions::record_stages asked for it. Short
-  // work between the stages is in none of them.
-  std::vector<StageTime> stages;
-  int pose_steps = 1;  // on the way from the frame before
-
-  // What a certified frame has to hold and this one does not, a sentence each
-  // (certificate/shortcomings.h). None of a frame without certified contact.
-  std::vector<std::string> shortcomings;
-
-  // With certified contact, the bones of different bodies that lie in each
-  // other. Looked for only if the frame is not usable or a muscle leaves a bone
-  // that it is attached to, as they may be why.
+  double time = 0;
+  std::map<std::string, double> coordinates;
+  double wall_ms = 0;
+  double solve_ms = 0;
+  double certify_ms = 0;
+  double moment_arms_ms = 0;
+  std::vector<StageTime> stages;  // with DeformerOptions::record_stages
+  int pose_steps = 1;
+  std::vector<std::string> shortcomings;  // certificate/shortcomings.h
   std::vector<BoneOverlap> bone_overlaps;
-
-  // What muscles have in common with triangles of bones as they were delivered
-  // that the repaired bones do not have; empty if there is nothing.
   std::vector<DeliveredCrossing> delivered_crossings;
-
   std::vector<Muscle> muscles;  // in the order of the scene
-
-  // -dl/dq of the straight lines, by line and coordinate, mm/rad (or mm/m).
   std::map<std::string, std::map<std::string, double>> path_moment_arms;
-
-  // False if the shape of a muscle could not be differentiated, which happens
-  // where it is no minimum.
   bool moment_arms_converged = true;
-
-  // What crosses, counted by exact tests on these very points, and the proved
-  // gaps between meshes.
-  SceneIntersections intersections;
+  SceneIntersections intersections;  // counted on these very points
 
   // True if every solve converged and there are no shortcomings.
   bool IsUsable() const {
@@ -126,93 +101,65 @@ template <class Muscle>
 constexpr auto FieldsOf(Described<FiguresOfFrame<Muscle>>) {
   using F = FiguresOfFrame<Muscle>;
   return std::make_tuple(
-      Field(&F::index, "index", "", "the number of the pose in its motion"),
-      Field(&F::name, "name", "", "the pose"),
-      Field(&F::time, "time", "s", "of the pose"),
-      Field(&F::coordinates,
-            "coordinates",
-            "",
-            "the coordinates that the motion gives, in the units of `motion`"),
-      Field(&F::wall_ms, "wall_ms", "ms", "time for moving the scene"),
-      Field(&F::solve_ms, "solve_ms", "ms", "of that, in the solver"),
-      Field(&F::certify_ms,
-            "certify_ms",
-            "ms",
-            "time for counting intersections and folded triangles and for "
-            "measuring gaps"),
-      Field(&F::moment_arms_ms,
-            "moment_arms_ms",
-            "ms",
-            "time for all moment arms of the frame, which is not part of the "
-            "other times"),
-      Field(&F::pose_steps,
-            "pose_steps",
-            "",
-            "number of solves on the way from the frame before")
+      Field(&F::index, "index").Text("the number of the pose in its motion"),
+      Field(&F::name, "name").Text("name of the pose"),
+      Field(&F::time, "time", "s").Text("time of the pose"),
+      Field(&F::coordinates, "coordinates")
+          .Text("the coordinates that the motion gives, in the units of "
+                "`motion`"),
+      Field(&F::wall_ms, "wall_ms", "ms").Text("time for moving the scene"),
+      Field(&F::solve_ms, "solve_ms", "ms")
+          .Text("the part of it that was spent in the solver"),
+      Field(&F::certify_ms, "certify_ms", "ms")
+          .Text("time for counting intersections and folded triangles and for "
+                "measuring gaps"),
+      Field(&F::moment_arms_ms, "moment_arms_ms", "ms")
+          .Text("time for all moment arms of the frame, which is not part of "
+                "the other times"),
+      Field(&F::pose_steps, "pose_steps")
+          .Text("number of solves on the way from the frame before")
           .AtLeast(0),
-      Field(&F::iterations,
-            "iterations",
-            "",
-            "the sum over the muscles (with contact they iterate together, and "
-            "each counts)"),
-      Field(&F::stop_reason,
-            "stop_reason",
-            "",
-            "`converged`, or why not and for which muscle"),
-      Field(&F::IsUsable, "usable", "", "whether the frame is usable (below)"),
-      Field(&F::shortcomings,
-            "shortcomings",
-            "",
-            "what the frame does not hold, one sentence each; empty if it "
-            "holds everything"),
-      Field(&F::bone_overlaps,
-            "bone_overlaps",
-            "",
-            "with `--contact=certified`, where the frame has shortcomings or a "
-            "muscle leaves a bone by more than 2 mm: bones of two bodies that "
-            "lie in each other. Muscles between them have no room there; the "
-            "worst of each pair is a warning"),
-      Field(&F::delivered_crossings,
-            "delivered_crossings",
-            "",
-            "what muscles have in common with triangles of a bone as it was "
-            "delivered that its repaired mesh does not have. Each entry is a "
-            "shortcoming with `--contact=certified`. `intersections` does not "
-            "count them"),
-      Field(&F::muscles, "muscles", "", "the figures of each muscle"),
-      Field(&F::path_moment_arms,
-            "path_moment_arms_mm",
-            "mm/rad",
-            "-dl/dq of straight paths by line and coordinate (mm/m for "
-            "translations), for every coordinate of "
-            "[moment_arms.sto](motion.md#files)"),
-      Field(&F::moment_arms_converged,
-            "moment_arms_converged",
-            "",
-            "false if the shape of a muscle could not be differentiated, which "
-            "happens where its solve did not converge; its moment arms then "
-            "mean nothing"),
-      Field(&F::intersections,
-            "intersections",
-            "",
-            "what crosses, muscle x muscle and muscle x bone"),
-      Field(Inner(&F::intersections, &SceneIntersections::gaps),
-            "gaps",
-            "",
-            "the pairs of two muscles, or of a muscle and a bone, that are at "
-            "most 2 mm (times `body_size`) apart. Every other pair is proved "
-            "to be farther apart. Attachment areas that may penetrate do not "
-            "count"),
-      Field(&F::SmallestGap,
-            "smallest_gap_mm",
-            "mm",
-            "the smallest `at_least_mm`; null if there are no `gaps`"),
-      Field(&F::stages,
-            "stages",
-            "",
-            "with `--profile`: where the time of the frame went, in the order "
-            "of the first visit ([performance.md](performance.md) says what "
-            "each stage does)")
+      Field(&F::iterations, "iterations")
+          .Text("the sum over the muscles (with contact they iterate together, "
+                "and each counts)"),
+      Field(&F::stop_reason, "stop_reason")
+          .Text("`converged`, or why not and for which muscle"),
+      Field(&F::IsUsable, "usable").Text("whether the frame is usable (below)"),
+      Field(&F::shortcomings, "shortcomings")
+          .Text("what the frame does not hold, one sentence each; empty if it "
+                "holds everything"),
+      Field(&F::bone_overlaps, "bone_overlaps")
+          .Text("with `--contact=certified`, where the frame has shortcomings "
+                "or a muscle leaves a bone by more than 2 mm: bones of two "
+                "bodies that lie in each other. Muscles between them have no "
+                "room there; the worst of each pair is a warning"),
+      Field(&F::delivered_crossings, "delivered_crossings")
+          .Text("what muscles have in common with triangles of a bone as it "
+                "was delivered that its repaired mesh does not have. Each "
+                "entry is a shortcoming with `--contact=certified`. "
+                "`intersections` does not count them"),
+      Field(&F::muscles, "muscles").Text("the figures of each muscle"),
+      Field(&F::path_moment_arms, "path_moment_arms_mm", "mm/rad")
+          .Text("-dl/dq of straight paths by line and coordinate (mm/m for "
+                "translations), for every coordinate of "
+                "[moment_arms.sto](motion.md#files)"),
+      Field(&F::moment_arms_converged, "moment_arms_converged")
+          .Text("false if the shape of a muscle could not be differentiated, "
+                "which happens where its solve did not converge; its moment "
+                "arms then mean nothing"),
+      Field(&F::intersections, "intersections")
+          .Text("what crosses, muscle x muscle and muscle x bone"),
+      Field(Inner(&F::intersections, &SceneIntersections::gaps), "gaps")
+          .Text("the pairs of two muscles, or of a muscle and a bone, that are "
+                "at most 2 mm (times `body_size`) apart. Every other pair is "
+                "proved to be farther apart. Attachment areas that may "
+                "penetrate do not count"),
+      Field(&F::SmallestGap, "smallest_gap_mm", "mm")
+          .Text("the smallest `at_least_mm`; null if there are no `gaps`"),
+      Field(&F::stages, "stages")
+          .Text("with `--profile`: where the time of the frame went, in the "
+                "order of the first visit ([performance.md](performance.md) "
+                "says what each stage does)")
           .UnlessEmpty());
 }
 
@@ -220,23 +167,8 @@ constexpr auto FieldsOf(Described<FiguresOfFrame<Muscle>>) {
 // histories of solves. `Frame` has FiguresOfFrame as its base.
 template <class Muscle>
 FrameFigures FiguresOf(const FiguresOfFrame<Muscle>& frame) {
-  FrameFigures figures{frame.index,
-                       frame.name,
-                       frame.time,
-                       frame.coordinates,
-                       frame.wall_ms,
-                       frame.solve_ms,
-                       frame.certify_ms,
-                       frame.moment_arms_ms,
-                       frame.stages,
-                       frame.pose_steps,
-                       frame.shortcomings,
-                       frame.bone_overlaps,
-                       frame.delivered_crossings,
-                       {frame.muscles.begin(), frame.muscles.end()},
-                       frame.path_moment_arms,
-                       frame.moment_arms_converged,
-                       frame.intersections};
+  FrameFigures figures;
+  CopyFields(frame, &figures);
   figures.intersections.DropLists();
   for (MuscleFigures& muscle : figures.muscles) muscle.solver.history.clear();
   return figures;

@@ -17,9 +17,9 @@ struct PairFigures {
   std::string a;
   std::string b;
   int triangle_pairs = 0;
-  int vertices_inside = 0;  // of a in b and of b in a
+  int vertices_inside = 0;
   double max_depth_mm = 0;
-  int exempt_pairs = 0;  // of triangles, beside triangle_pairs
+  int exempt_pairs = 0;
 
   // Where to look, mm: the mean of the corners of triangles_of_a, or a vertex
   // inside if no triangles cross.
@@ -41,28 +41,21 @@ struct PairFigures {
 constexpr auto FieldsOf(Described<PairFigures>) {
   using F = PairFigures;
   return std::make_tuple(
-      Field(&F::a, "a", "", "a muscle"),
-      Field(&F::b, "b", "", "another muscle, or a bone"),
-      Field(&F::triangle_pairs,
-            "triangle_pairs",
-            "",
-            "pairs of a triangle of each that share a point, by exact tests")
+      Field(&F::a, "a").Text("a muscle"),
+      Field(&F::b, "b").Text("another muscle, or a bone"),
+      Field(&F::triangle_pairs, "triangle_pairs")
+          .Text(
+              "pairs of a triangle of each that share a point, by exact tests")
           .AtLeast(0),
-      Field(&F::vertices_inside,
-            "vertices_inside",
-            "",
-            "vertices of one inside the other, either way")
+      Field(&F::vertices_inside, "vertices_inside")
+          .Text("vertices of one inside the other, either way")
           .AtLeast(0),
-      Field(&F::max_depth_mm,
-            "max_depth_mm",
-            "mm",
-            "the depth of the deepest of these vertices")
+      Field(&F::max_depth_mm, "max_depth_mm", "mm")
+          .Text("the depth of the deepest of these vertices")
           .AtLeast(0),
-      Field(&F::exempt_pairs,
-            "exempt_pairs",
-            "",
-            "pairs of triangles of attachment areas that may penetrate, which "
-            "the other counts leave out")
+      Field(&F::exempt_pairs, "exempt_pairs")
+          .Text("pairs of triangles of attachment areas that may penetrate, "
+                "which the other counts leave out")
           .AtLeast(0),
       NotWritten(&F::place, "mm"),
       NotWritten(&F::triangles_of_a),
@@ -95,21 +88,17 @@ struct MeshGap {
 constexpr auto FieldsOf(Described<MeshGap>) {
   using F = MeshGap;
   return std::make_tuple(
-      Field(&F::a, "a", "", "a muscle"),
-      Field(&F::b, "b", "", "another muscle, or a bone"),
-      Field(&F::at_least_mm,
-            "at_least_mm",
-            "mm",
-            "proved lower bound of the smallest distance of the two surfaces; "
-            "0 if the meshes intersect")
+      Field(&F::a, "a").Text("a muscle"),
+      Field(&F::b, "b").Text("another muscle, or a bone"),
+      Field(&F::at_least_mm, "at_least_mm", "mm")
+          .Text("proved lower bound of the smallest distance of the two "
+                "surfaces; 0 if the meshes intersect")
           .AtLeast(0),
-      Field(&F::at_most_mm,
-            "at_most_mm",
-            "mm",
-            "proved upper bound, which differs by rounding only")
+      Field(&F::at_most_mm, "at_most_mm", "mm")
+          .Text("proved upper bound, which differs by rounding only")
           .AtLeast(0),
-      Field(
-          &F::place, "place_mm", "mm", "the middle between the closest points"),
+      Field(&F::place, "place_mm", "mm")
+          .Text("the middle between the closest points"),
       NotWritten(&F::muscle_a),
       NotWritten(&F::muscle_b));
 }
@@ -120,8 +109,8 @@ struct SceneIntersections {
   int triangle_pairs = 0;
   int vertices_inside = 0;
   double max_depth_mm = 0;
-  int self_pairs = 0;    // pairs of triangles within one muscle
-  int exempt_pairs = 0;  // beside triangle_pairs
+  int self_pairs = 0;
+  int exempt_pairs = 0;
   std::vector<int> self_pairs_of_muscles;
   std::vector<PairFigures> pairs;  // those that touch, in scene order
 
@@ -149,34 +138,25 @@ struct SceneIntersections {
 constexpr auto FieldsOf(Described<SceneIntersections>) {
   using F = SceneIntersections;
   return std::make_tuple(
-      Field(&F::triangle_pairs,
-            "triangle_pairs",
-            "",
-            "pairs of triangles of two muscles, or of a muscle and a bone, "
-            "that share a point, by exact tests")
+      Field(&F::triangle_pairs, "triangle_pairs")
+          .Text("pairs of triangles of two muscles, or of a muscle and a bone, "
+                "that share a point, by exact tests")
           .AtLeast(0),
-      Field(&F::vertices_inside,
-            "vertices_inside",
-            "",
-            "vertices of one mesh inside another")
+      Field(&F::vertices_inside, "vertices_inside")
+          .Text("vertices of one mesh inside another")
           .AtLeast(0),
-      Field(&F::max_depth_mm,
-            "max_depth_mm",
-            "mm",
-            "the depth of the deepest of these vertices")
+      Field(&F::max_depth_mm, "max_depth_mm", "mm")
+          .Text("the depth of the deepest of these vertices")
           .AtLeast(0),
-      Field(&F::self_pairs,
-            "self_pairs",
-            "",
-            "pairs of triangles of the same muscle that cross each other")
+      Field(&F::self_pairs, "self_pairs")
+          .Text("pairs of triangles of the same muscle that cross each other")
           .AtLeast(0),
-      Field(&F::exempt_pairs,
-            "exempt_pairs",
-            "",
-            "pairs of triangles of attachment areas that may penetrate, which "
-            "the other counts leave out")
+      Field(&F::exempt_pairs, "exempt_pairs")
+          .Text("pairs of triangles of attachment areas that may penetrate, "
+                "which the other counts leave out")
           .AtLeast(0),
-      Field(&F::pairs, "pairs", "", "the same for every two meshes that touch"),
+      Field(&F::pairs, "pairs")
+          .Text("the same for every two meshes that touch"),
       NotWritten(&F::self_pairs_of_muscles),
       NotWritten(&F::gaps),
       NotWritten(&F::inside_of_muscles));

@@ -26,39 +26,28 @@ struct RunFigures {
 constexpr auto FieldsOf(Described<RunFigures>) {
   using F = RunFigures;
   return std::make_tuple(
-      Field(&F::frames, "frames", "", "frames that are there").AtLeast(0),
-      Field(&F::frames_clean,
-            "frames_clean",
-            "",
-            "frames in which nothing crosses")
+      Field(&F::frames, "frames").Text("frames that are there").AtLeast(0),
+      Field(&F::frames_clean, "frames_clean")
+          .Text("frames in which nothing crosses")
           .AtLeast(0),
-      Field(&F::worst_volume_error,
-            "worst_volume_error",
-            "",
-            "the largest size of a `volume_error` of a muscle in a frame")
+      Field(&F::worst_volume_error, "worst_volume_error")
+          .Text("the largest size of a `volume_error` of a muscle in a frame")
           .AtLeast(0),
-      Field(&F::worst_folded_triangles,
-            "worst_folded_triangles",
-            "",
-            "the largest `folded_triangles` of a muscle in a frame")
+      Field(&F::worst_folded_triangles, "worst_folded_triangles")
+          .Text("the largest `folded_triangles` of a muscle in a frame")
           .AtLeast(0),
-      Field(&F::wall_ms_per_frame_median,
-            "wall_ms_per_frame_median",
-            "ms",
-            "the median of `frames[].wall_ms`")
+      Field(&F::wall_ms_per_frame_median, "wall_ms_per_frame_median", "ms")
+          .Text("the median of `frames[].wall_ms`")
           .AtLeast(0),
-      Field(&F::frames_planned, "frames_planned", "", "frames of the whole run")
+      Field(&F::frames_planned, "frames_planned")
+          .Text("frames of the whole run")
           .AtLeast(0),
-      Field(&F::finished, "finished", "", "true if all frames are there"),
-      Field(&F::stopped,
-            "stopped",
-            "",
-            "why not, if the program could tell, else null")
+      Field(&F::finished, "finished").Text("true if all frames are there"),
+      Field(&F::stopped, "stopped")
+          .Text("why not, if the program could tell, else null")
           .NullIfEmpty(),
-      Field(&F::usable,
-            "usable",
-            "",
-            "true if there are frames and all of them are usable"));
+      Field(&F::usable, "usable")
+          .Text("true if there are frames and all of them are usable"));
 }
 
 // Sums up the frames of a run of `frames_planned`, which ended before the last
