@@ -19,7 +19,7 @@
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/run/frame_files.h"
-#include "musclewarp/run/run_outline.h"
+#include "musclewarp/run/run_reader.h"
 #include "tools/frame_selection.h"
 #include "tools/output_folder.h"
 #include "tools/output_lock.h"
@@ -47,15 +47,17 @@ std::vector<int> SelectedFrames(const ExportRequest& request,
                                 const RunOutline& run) {
   std::vector<ScenePose> poses;
   std::vector<int> numbers;
-  for (const OutlinedFrame& frame : run.frames) {
-    poses.push_back(frame.pose);
-    numbers.push_back(frame.index);
+  for (const RecordedFrame& frame : run.frames) {
+    ScenePose& pose = poses.emplace_back();
+    pose.name = frame.figures.name;
+    pose.time = frame.figures.time;
+    numbers.push_back(frame.figures.index);
   }
   return SelectFrames(request.frames, poses, numbers);
 }
 
 RunOutline OpenRun(const ExportRequest& request, std::ostream& screen) {
-  RunOutline run = ReadRunOutline(request.in, kVersion);
+  RunOutline run = ReadRunForExport(request.in, kVersion);
   for (const std::string& warning : run.warnings) {
     screen << "warning: " << warning << "\n";
   }
@@ -92,8 +94,8 @@ int ExportCrossings(const ExportRequest& request, std::ostream& screen) {
     MakeFolder(request.out);
     const OutputLock lock(request.out);
     for (const int i : selected) {
-      const OutlinedFrame& frame = run.frames[i];
-      const std::string label = FrameFolder(frame.index);
+      const RecordedFrame& frame = run.frames[i];
+      const std::string label = FrameFolder(frame.figures.index);
       const size_t found = AddCrossings(
           label,
           SceneOf(run.names, ReadPose(frame.folder, run.names, rest)),
@@ -118,8 +120,8 @@ int ExportAnimation(
   Animation animation = AnimationOf(run, selected);
   const auto read = animation.read;
   animation.read = [&](int i) {
-    const OutlinedFrame& frame = run.frames[selected[i]];
-    screen << FrameFolder(frame.index) << "  " << i + 1 << " of "
+    const RecordedFrame& frame = run.frames[selected[i]];
+    screen << FrameFolder(frame.figures.index) << "  " << i + 1 << " of "
            << selected.size() << AtTime(run, frame) << std::endl;
     return read(i);
   };

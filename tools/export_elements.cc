@@ -182,8 +182,8 @@ class ElementExport {
   }
 
   // Returns false if the frame failed.
-  bool ExportFrame(const OutlinedFrame& frame) {
-    const std::string label = FrameFolder(frame.index);
+  bool ExportFrame(const RecordedFrame& frame) {
+    const std::string label = FrameFolder(frame.figures.index);
     // The first frame is what others are moved from.
     const bool is_needed = options_.one_mesh && !mover_;
     if (IsThere(label) && !is_needed) {
@@ -192,7 +192,7 @@ class ElementExport {
     }
     const Stopwatch watch;
     OrderedJson record = {{"frame", label}, {"failure", nullptr}};
-    if (run_.has_times) record["time"] = frame.pose.time;
+    if (run_.has_times) record["time"] = frame.figures.time;
     try {
       Fill(frame, label, watch, &record);
     } catch (const FrameFailure& failure) {
@@ -208,7 +208,7 @@ class ElementExport {
     return record["failure"].is_null();
   }
 
-  void Fill(const OutlinedFrame& frame,
+  void Fill(const RecordedFrame& frame,
             const std::string& label,
             const Stopwatch& watch,
             OrderedJson* record) {
@@ -229,14 +229,14 @@ class ElementExport {
     Record(mesh, quality, watch, record);
     CheckQuality(quality);
     ElementModel model =
-        ElementModelOf(run_.scene + ", " + label + ", " + frame.pose.name,
+        ElementModelOf(run_.scene + ", " + label + ", " + frame.figures.name,
                        names,
                        pose,
                        attachments_,
                        found.gaps,
                        std::move(mesh));
-    model.frame = frame.index;
-    model.time = run_.has_times ? frame.pose.time : frame.index;
+    model.frame = frame.figures.index;
+    model.time = run_.has_times ? frame.figures.time : frame.figures.index;
     for (const std::string& format : formats_) {
       WriteTextAtomically(PathOf(label, format),
                           ElementWriters().at(format)(model));
@@ -286,10 +286,10 @@ class ElementExport {
     throw FrameFailure{text.str()};
   }
 
-  void Print(const OutlinedFrame& frame,
+  void Print(const RecordedFrame& frame,
              const OrderedJson& record,
              const Stopwatch& watch) const {
-    screen_ << FrameFolder(frame.index) << std::setw(13)
+    screen_ << FrameFolder(frame.figures.index) << std::setw(13)
             << record["tetrahedra"].get<int>() << std::setw(15)
             << record["points_inside"].get<int>() << std::fixed
             << std::setprecision(2) << std::setw(14)

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/run/run_outline.h"
+#include "musclewarp/run/run_reader.h"
 
 namespace musclewarp {
 

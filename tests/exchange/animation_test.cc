@@ -53,7 +53,7 @@ TEST(GltfFromAxes, MotionsAndPointsAreConvertedAlike) {
 
 TEST(AnimationOf, StartsAtZeroAndReadsFrames) {
   const WrittenRun written = WriteRun(TestTempDir());
-  const RunOutline run = ReadRunOutline(written.dir, "0");
+  const RunOutline run = ReadRunForExport(written.dir, "0");
   const Animation animation = AnimationOf(run, {0, 1});
   ASSERT_EQ(animation.times.size(), 2u);
   EXPECT_EQ(animation.times[0], 0);

@@ -101,7 +101,7 @@ class GlbFile : public ::testing::Test {
  protected:
   void SetUp() override {
     written_ = WriteRun(TestTempDir());
-    run_ = ReadRunOutline(written_.dir, "0");
+    run_ = ReadRunForExport(written_.dir, "0");
     path_ = written_.dir + "/motion.glb";
   }
 
@@ -137,8 +137,8 @@ TEST_F(GlbFile, GivesMusclesBackInEveryFrame) {
 }
 
 TEST_F(GlbFile, FramesHaveTheNumbersOfTheRun) {
-  run_.frames[0].index = 7;
-  run_.frames[1].index = 12;
+  run_.frames[0].figures.index = 7;
+  run_.frames[1].figures.index = 12;
   WriteGlb(path_, AnimationOf(run_, {0, 1}));
   const Glb glb(path_);
   EXPECT_EQ(glb.scene["meshes"][0]["extras"]["targetNames"],

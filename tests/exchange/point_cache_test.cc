@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 TEST(PointCaches, GiveEveryFrameBack) {
   const WrittenRun written = WriteRun(TestTempDir());
-  const RunOutline run = ReadRunOutline(written.dir, "0");
+  const RunOutline run = ReadRunForExport(written.dir, "0");
   const std::string dir = written.dir + "/blender";
   WritePointCaches(dir, AnimationOf(run, {0, 1}));
   const GltfConversion conversion = GltfFromAxes("ASR");
@@ -62,7 +62,8 @@ TEST(PointCaches, CountFramesAsTheRunDoes) {
   const WrittenRun written = WriteRun(TestTempDir());
   const std::string dir = written.dir + "/blender";
   const auto numbers = [&](const std::vector<int>& frames) {
-    Animation animation = AnimationOf(ReadRunOutline(written.dir, "0"), {0, 1});
+    Animation animation =
+        AnimationOf(ReadRunForExport(written.dir, "0"), {0, 1});
     animation.numbers = frames;
     animation.times.resize(frames.size());
     animation.read = [read = animation.read](int i) { return read(i % 2); };
@@ -81,7 +82,7 @@ TEST(PointCaches, CountFramesAsTheRunDoes) {
 
 TEST(PointCaches, DoNotReplaceAFolderOfOtherThings) {
   const WrittenRun written = WriteRun(TestTempDir());
-  const RunOutline run = ReadRunOutline(written.dir, "0");
+  const RunOutline run = ReadRunForExport(written.dir, "0");
   ExpectInputError(
       [&] { WritePointCaches(written.dir, AnimationOf(run, {0})); },
       {written.dir, "would be replaced", "--out"});

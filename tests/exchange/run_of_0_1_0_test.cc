@@ -12,7 +12,7 @@
 #include "musclewarp/exchange/run_paths.h"
 #include "musclewarp/page/page.h"
 #include "musclewarp/run/run_files.h"
-#include "musclewarp/run/run_outline.h"
+#include "musclewarp/run/run_reader.h"
 
 namespace musclewarp {
 namespace {
@@ -36,7 +36,7 @@ TEST(RunOf010, IsReadForThePage) {
 }
 
 TEST(RunOf010, IsReadForExports) {
-  const RunOutline run = ReadRunOutline(kRun, "0.1.0");
+  const RunOutline run = ReadRunForExport(kRun, "0.1.0");
   EXPECT_THAT(run.warnings, IsEmpty());
   EXPECT_THAT(run.names.bones, ElementsAre("pelvis", "femur_r"));
   ASSERT_THAT(run.frames, SizeIs(2));

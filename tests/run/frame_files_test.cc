@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/run/bones_file.h"
@@ -41,6 +42,18 @@ TEST(AreaStretch, IsOneWhereThereIsNoArea) {
 TEST(FrameFolder, HasFourDigits) {
   EXPECT_EQ(FrameFolder(7), "frame_0007");
   EXPECT_EQ(FrameFolder(12345), "frame_12345");
+}
+
+TEST(FrameFoldersIn, GoesByNumbers) {
+  const std::string dir = TestTempDir();
+  for (const char* name :
+       {"frame_0010", "frame_0002", "frame_", "frame_2b", "xframe_0001"}) {
+    std::filesystem::create_directories(dir + "/" + name);
+  }
+  std::ofstream(dir + "/frame_0003");  // no folder
+  EXPECT_EQ(FrameFoldersIn(dir),
+            (std::map<int, std::string>{{2, dir + "/frame_0002"},
+                                        {10, dir + "/frame_0010"}}));
 }
 
 // A muscle and a bone, which has moved and turned in the frame.

@@ -65,18 +65,6 @@ TEST(FrameFilesIn, HasBonesThatAreWrittenOnceWhereTheyAreInTheFrame) {
                    {folder + "/bones.json", "\"bone\"", "rest folder"});
 }
 
-TEST(FrameFoldersIn, GoesByNumbers) {
-  const std::string dir = TestTempDir();
-  for (const char* name :
-       {"frame_0010", "frame_0002", "frame_", "frame_2b", "xframe_0001"}) {
-    fs::create_directories(dir + "/" + name);
-  }
-  Touch(dir + "/frame_0003");  // no folder
-  EXPECT_EQ(FrameFoldersIn(dir),
-            (std::map<int, std::string>{{2, dir + "/frame_0002"},
-                                        {10, dir + "/frame_0010"}}));
-}
-
 TEST(FindRunFiles, ReadsNamesFromTheReport) {
   const WrittenRun written = WriteRun(TestTempDir());
   const RunFiles run = FindRunFiles(written.dir, "0,1");

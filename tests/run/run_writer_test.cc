@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "musclewarp/base/described_checks.h"
@@ -78,6 +79,17 @@ TEST_F(RunWriterTest, WritesWhatIsReadBackEqual) {
   RunFigures summary;
   ReadJson(report.at("summary"), {nullptr, "summary"}, &summary);
   EXPECT_TRUE(AreEqual(summary, TotalsOf(run)));
+}
+
+TEST_F(RunWriterTest, AFigureThatMakesNoSenseIsAShortcoming) {
+  frames_[0].muscles[0].volume_error = std::nan("");
+  const FrameFigures figures =
+      RunWriter(scene_, {}, dir_).WriteFrame(frames_[0]);
+  EXPECT_FALSE(figures.IsUsable());
+  ASSERT_EQ(figures.shortcomings.size(), 1u);
+  EXPECT_EQ(figures.shortcomings[0],
+            "a figure makes no sense: muscles[0].volume_error is nan, "
+            "allowed: numbers");
 }
 
 // The report is there from the first frame on, and not written for every one of

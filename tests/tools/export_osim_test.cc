@@ -12,9 +12,11 @@
 
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/child_process.h"
+#include "musclewarp/base/described_json.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/figures/frame_figures.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
@@ -49,22 +51,27 @@ class ExportOsimTest : public ::testing::Test {
   void SetUp() override {
     dir_ = TestTempDir();
     WriteTextAtomically(dir_ + "/leg.osim", kModel);
-    report_ = {{"version", kVersion},
-               {"contact", "certified"},
-               {"motion", {{"model", dir_ + "/leg.osim"}}},
-               {"summary", {{"finished", true}, {"usable", true}}},
-               {"frames", Json::array()}};
+    report_ = {
+        {"version", kVersion},
+        {"scene", "leg"},
+        {"axes", "LPS"},
+        {"inputs_hash", "0123"},
+        {"contact", "certified"},
+        {"motion", {{"model", dir_ + "/leg.osim"}}},
+        {"prepare", {{"muscles", Json::array()}, {"bones", Json::array()}}},
+        {"summary", {{"finished", true}, {"usable", true}}},
+        {"frames", Json::array()}};
     for (int degrees = -10; degrees <= 90; degrees += 10) {
       const double q = RadiansOf(degrees);
-      report_["frames"].push_back(
-          {{"index", 7 + report_["frames"].size()},
-           {"time", 0.5 * (7 + report_["frames"].size())},
-           {"coordinates", {{"flexion", degrees}}},
-           {"moment_arms_converged", true},
-           {"muscles",
-            {{{"line_lengths_mm", {{"psoas", Length(q)}, {"extra", 1}}},
-              {"line_moment_arms_mm",
-               {{"psoas", {{"flexion", -30 * std::cos(q)}}}}}}}}});
+      FrameFigures frame;
+      frame.index = 7 + static_cast<int>(report_["frames"].size());
+      frame.time = 0.5 * frame.index;
+      frame.coordinates = {{"flexion", degrees}};
+      MuscleFigures& muscle = frame.muscles.emplace_back();
+      muscle.solver = NothingToSolve();
+      muscle.line_lengths = {{"psoas", Length(q)}, {"extra", 1}};
+      muscle.line_moment_arms = {{"psoas", {{"flexion", -30 * std::cos(q)}}}};
+      report_["frames"].push_back(Json(JsonOf(frame)));
     }
   }
 

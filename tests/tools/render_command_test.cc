@@ -10,8 +10,11 @@
 #include <iterator>
 #include <sstream>
 
+#include "musclewarp/base/described_json.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/build_info/build_info.h"
+#include "musclewarp/figures/frame_figures.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/stl_io.h"
@@ -41,10 +44,23 @@ std::string WriteRun() {
     WriteTriangleSoup(frame + "/psoas_major.ply", muscle);
     WriteTriangleSoup(frame + "/femur.ply", Box(10, 10, 120));
   }
-  WriteTextAtomically(dir + "/report.json",
-                      R"({"prepare": {"muscles": [{"name": "psoas_major"}]},
-                          "frames": [{"index": 0, "name": "rest"},
-                                     {"index": 2, "name": "flexion_60"}]})");
+  std::vector<FrameFigures> frames(2);
+  frames[0].index = 0;
+  frames[0].name = "rest";
+  frames[1].index = 2;
+  frames[1].name = "flexion_60";
+  const nlohmann::ordered_json report = {
+      {"scene", "thigh"},
+      {"version", kVersion},
+      {"axes", "LPS"},
+      {"inputs_hash", "0123"},
+      {"contact", "none"},
+      {"prepare",
+       {{"muscles", {{{"name", "psoas_major"}}}},
+        {"bones", {{{"name", "femur"}}}}}},
+      {"frames", JsonOf(frames)},
+      {"summary", {{"finished", true}, {"usable", true}}}};
+  WriteTextAtomically(dir + "/report.json", report.dump());
   return dir;
 }
 

@@ -19,11 +19,11 @@ Animation AnimationOf(const RunOutline& run, const std::vector<int>& frames) {
   animation.rest = ReadRestPose(run.rest, run.names);
   std::vector<std::string> folders;
   for (size_t i = 0; i < frames.size(); ++i) {
-    const OutlinedFrame& frame = run.frames[frames[i]];
+    const RecordedFrame& frame = run.frames[frames[i]];
     folders.push_back(frame.folder);
-    animation.numbers.push_back(frame.index);
+    animation.numbers.push_back(frame.figures.index);
     animation.times.push_back(
-        run.has_times ? frame.pose.time - run.frames[frames[0]].pose.time
+        run.has_times ? frame.figures.time - run.frames[frames[0]].figures.time
                       : static_cast<double>(i));
   }
   animation.read = [folders, names = run.names, rest = animation.rest](int i) {

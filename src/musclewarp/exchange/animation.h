@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "musclewarp/run/recorded_pose.h"
-#include "musclewarp/run/run_outline.h"
+#include "musclewarp/run/run_reader.h"
 
 namespace musclewarp {
 

@@ -2,28 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/exchange/run_paths.h"
 
-#include <filesystem>
-#include <sstream>
-
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/run/frame_files.h"
 #include "musclewarp/run/kept_model.h"
-#include "musclewarp/scene/json_fields.h"
+#include "musclewarp/run/run_reader.h"
 
 namespace musclewarp {
 namespace {
 
-namespace fs = std::filesystem;
-
-JsonField ReadReport(const std::string& dir, const std::string& version) {
-  if (!fs::is_directory(dir)) {
-    throw InputError(dir, "there is no such folder", "check --in");
-  }
-  JsonField report =
-      JsonField::ParseFile((fs::path(dir) / "report.json").string());
+// Throws InputError if the report of a run says that its paths will not do.
+void CheckReport(const JsonField& report, const std::string& version) {
   if (report.At("version").AsString() != version) {
     report.At("version").Fail(
         "is " + report.At("version").AsString(),
@@ -43,108 +35,105 @@ JsonField ReadReport(const std::string& dir, const std::string& version) {
     report.At("motion").Fail("is null: the run has no OpenSim model",
                              "run a scene with \"model\" and \"motion\"");
   }
-  return report;
 }
 
-// The coordinates of a frame in the units of the model.
-CoordinateValues ValuesOf(const JsonField& frame, const Model& model) {
-  CoordinateValues values = DefaultValues(model);
-  const JsonField given = frame.At("coordinates");
-  given.CheckObject();
-  for (const auto& item : given.value().items()) {
-    const JsonField field = given.At(item.key());
-    const int index = model.FindCoordinate(item.key());
-    if (index < 0) {
-      field.Fail("is not a coordinate of the model " + model.path,
-                 "check --model");
-    }
-    const bool is_angle =
-        model.coordinates[index].kind == CoordinateKind::kRotational;
-    values[index] = field.AsNumber() * (is_angle ? kRadiansPerDegree : 1);
-  }
-  ApplyCouplers(model, &values);
-  return values;
-}
+// The frames of one run, whose report is `file`.
+class FramesOfRun {
+ public:
+  FramesOfRun(const RunOutline& run, const std::string& file, RunPaths* paths)
+      : run_(run), file_(file), paths_(*paths) {}
 
-// The coordinates must be those of the first line of the first run.
-void CheckCoordinates(const JsonField& arms,
-                      std::vector<std::string>* coordinates) {
-  arms.CheckObject();
-  std::vector<std::string> names;
-  for (const auto& item : arms.value().items()) names.push_back(item.key());
-  if (coordinates->empty()) *coordinates = names;
-  if (names.empty() || names != *coordinates) {
-    arms.Fail("has other coordinates than the first line of the first run",
-              "give runs of one scene and model");
-  }
-}
-
-void AddSample(const JsonField& muscle,
-               const std::string& line,
-               const CoordinateValues& values,
-               RunPaths* paths) {
-  PathSample sample;
-  sample.length = muscle.At("line_lengths_mm").At(line).AsNumber();
-  const JsonField all = muscle.At("line_moment_arms_mm");
-  if (!all.Has(line)) {
-    all.Fail("has no moment arms of \"" + line + "\"",
-             "use --contact=certified or none, which have them");
-  }
-  const JsonField arms = all.At(line);
-  CheckCoordinates(arms, &paths->coordinates);
-  const int count = static_cast<int>(paths->coordinates.size());
-  sample.arms.resize(count);
-  sample.coordinates.resize(count);
-  for (int k = 0; k < count; ++k) {
-    const std::string& name = paths->coordinates[k];
-    const int index = paths->model.FindCoordinate(name);
-    if (index < 0) {
-      arms.Fail("names \"" + name + "\", which is not in " + paths->model.path,
-                "check --model");
-    }
-    sample.arms[k] = arms.At(name).AsNumber();
-    sample.coordinates[k] = values[index];
-  }
-  paths->lines[line].push_back(std::move(sample));
-}
-
-// The folder of a frame and its time, as far as the report has them.
-std::string NameOfFrame(const JsonField& frame) {
-  std::ostringstream name;
-  if (frame.Has("index")) {
-    name << " (" << FrameFolder(static_cast<int>(frame.At("index").AsNumber()));
-    if (frame.Has("time")) {
-      name << ", at " << frame.At("time").AsNumber() << " s";
-    }
-    name << ")";
-  }
-  return name.str();
-}
-
-void AddFrames(const JsonField& frames, RunPaths* paths) {
-  for (size_t i = 0; i < frames.ArraySize(); ++i) {
-    const JsonField frame = frames.At(i);
-    const JsonField muscles = frame.At("muscles");
-    if (!frame.At("moment_arms_converged").AsBool()) {
-      frame.At("moment_arms_converged")
-          .Fail("is false: the moment arms of the frame" + NameOfFrame(frame) +
-                    " mean nothing",
-                "run without the frame (--frames of musclewarp-deform)");
-    }
-    const CoordinateValues values = ValuesOf(frame, paths->model);
-    for (size_t m = 0; m < muscles.ArraySize(); ++m) {
-      const JsonField lengths = muscles.At(m).At("line_lengths_mm");
-      lengths.CheckObject();
-      for (const auto& item : lengths.value().items()) {
-        if (paths->model.FindMuscle(item.key()) < 0) {
-          paths->lines_without_muscle.insert(item.key());
-        } else {
-          AddSample(muscles.At(m), item.key(), values, paths);
-        }
+  void Add() {
+    for (size_t i = 0; i < run_.frames.size(); ++i) {
+      const FrameFigures& frame = run_.frames[i].figures;
+      const std::string where = file_ + ": frames[" + std::to_string(i) + "].";
+      if (!frame.moment_arms_converged) {
+        throw InputError(
+            where + "moment_arms_converged",
+            "is false: the moment arms of the frame (" +
+                FrameFolder(frame.index) + ", at " + NumberText(frame.time) +
+                " s) mean nothing",
+            "run without the frame (--frames of musclewarp-deform)");
+      }
+      const CoordinateValues values =
+          ValuesOf(frame.coordinates, where + "coordinates");
+      for (size_t m = 0; m < frame.muscles.size(); ++m) {
+        AddMuscle(
+            frame.muscles[m],
+            values,
+            where + "muscles[" + std::to_string(m) + "].line_moment_arms_mm");
       }
     }
   }
-}
+
+ private:
+  // The coordinates of a frame in the units of the model.
+  CoordinateValues ValuesOf(const std::map<std::string, double>& given,
+                            const std::string& where) const {
+    CoordinateValues values = DefaultValues(paths_.model);
+    for (const auto& [name, value] : given) {
+      const int index = IndexOf(name, where);
+      const bool is_angle =
+          paths_.model.coordinates[index].kind == CoordinateKind::kRotational;
+      values[index] = value * (is_angle ? kRadiansPerDegree : 1);
+    }
+    ApplyCouplers(paths_.model, &values);
+    return values;
+  }
+
+  int IndexOf(const std::string& coordinate, const std::string& where) const {
+    const int index = paths_.model.FindCoordinate(coordinate);
+    if (index >= 0) return index;
+    throw InputError(where,
+                     "names \"" + coordinate +
+                         "\", which is no coordinate of " + paths_.model.path,
+                     "check --model");
+  }
+
+  void AddMuscle(const MuscleFigures& muscle,
+                 const CoordinateValues& values,
+                 const std::string& where) {
+    for (const auto& [line, length] : muscle.line_lengths) {
+      if (paths_.model.FindMuscle(line) < 0) {
+        paths_.lines_without_muscle.insert(line);
+        continue;
+      }
+      const auto arms = muscle.line_moment_arms.find(line);
+      if (arms == muscle.line_moment_arms.end()) {
+        throw InputError(where,
+                         "has no moment arms of \"" + line + "\"",
+                         "use --contact=certified or none, which have them");
+      }
+      CheckCoordinates(arms->second, where);
+      PathSample& sample = paths_.lines[line].emplace_back();
+      sample.length = length;
+      sample.arms.resize(static_cast<int>(arms->second.size()));
+      sample.coordinates.resize(sample.arms.size());
+      int k = 0;
+      for (const auto& [name, arm] : arms->second) {
+        sample.arms[k] = arm;
+        sample.coordinates[k++] = values[IndexOf(name, where)];
+      }
+    }
+  }
+
+  // The coordinates must be those of the first line of the first run.
+  void CheckCoordinates(const std::map<std::string, double>& arms,
+                        const std::string& where) {
+    std::vector<std::string> names;
+    for (const auto& item : arms) names.push_back(item.first);
+    if (paths_.coordinates.empty()) paths_.coordinates = names;
+    if (!names.empty() && names == paths_.coordinates) return;
+    throw InputError(
+        where,
+        "has other coordinates than the first line of the first run",
+        "give runs of one scene and model");
+  }
+
+  const RunOutline& run_;
+  const std::string file_;
+  RunPaths& paths_;
+};
 
 // Muscles that push each other have other paths than those that do not: one fit
 // of both would be neither.
@@ -173,11 +162,11 @@ RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
   std::string first_model, contact;
   size_t frames = 0;
   for (const std::string& dir : dirs) {
-    const JsonField report = ReadReport(dir, version);
-    const std::string mode =
-        report.Has("contact") ? report.At("contact").AsString() : "";
-    if (dir == dirs[0]) contact = mode;
-    CheckContact(dir, mode, dirs[0], contact);
+    const JsonField report = ReadReport(dir);
+    CheckReport(report, version);
+    const RunOutline run = OutlineOf(dir, report);
+    if (dir == dirs[0]) contact = run.contact;
+    CheckContact(dir, run.contact, dirs[0], contact);
     const std::string model = ModelOfRun(dir, report.At("motion"));
     if (dir == dirs[0]) {
       first_model = model;
@@ -187,8 +176,8 @@ RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
           "is " + model + ", that of " + dirs[0] + " is " + first_model,
           "give runs of one model, or name it in --model");
     }
-    AddFrames(report.At("frames"), &paths);
-    frames += report.At("frames").ArraySize();
+    FramesOfRun(run, report.file(), &paths).Add();
+    frames += run.frames.size();
     for (const auto& line : paths.lines) {
       if (line.second.size() == frames) continue;
       throw InputError(

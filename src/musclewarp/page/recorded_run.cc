@@ -3,18 +3,16 @@
 #include "musclewarp/page/recorded_run.h"
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <utility>
 
-#include "musclewarp/base/described_json.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/run/frame_files.h"
 #include "musclewarp/run/recorded_pose.h"
-#include "musclewarp/run/run_files.h"
+#include "musclewarp/run/run_reader.h"
 #include "musclewarp/scene/json_fields.h"
 
 namespace musclewarp {
@@ -22,26 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> NamesIn(const JsonField& list) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < list.ArraySize(); ++i) {
-    names.push_back(list.At(i).At("name").AsString());
-  }
-  return names;
-}
-
-// Checks the keys that the page needs. Throws InputError.
+// Checks what the page needs beside the outline. Throws InputError.
 void CheckReport(const JsonField& report) {
-  for (const char* key : {"scene",
-                          "axes",
-                          "side",
-                          "solver",
-                          "contact",
-                          "version",
-                          "command",
-                          "inputs_hash"}) {
-    report.At(key).AsString();
-  }
+  report.At("solver").AsString();
+  report.At("command").AsString();
   // Throws if the axes or the side are not valid.
   ParseView(
       "anterior", report.At("axes").AsString(), report.At("side").AsString());
@@ -67,27 +49,6 @@ void CheckReport(const JsonField& report) {
     }
   }
   report.At("rest").At("intersections").At("triangle_pairs").AsNumber();
-  report.At("frames").ArraySize();
-  report.At("summary").At("finished").AsBool();
-  report.At("summary").At("usable").AsBool();
-}
-
-// Reads the figures of the frames in report.json.
-void ReadFrames(const std::string& file,
-                const nlohmann::ordered_json& frames,
-                std::vector<FrameFigures>* figures) {
-  try {
-    ReadJson(frames, {nullptr, "frames"}, figures);
-  } catch (const InputError& error) {
-    throw InputError(file + ": " + error.where(), error.problem(), kRunAgain);
-  }
-  for (std::size_t i = 0; i < figures->size(); ++i) {
-    // Whatever the reason was, what is called not usable stays so.
-    FrameFigures& frame = (*figures)[i];
-    if (frames[i].at("usable") == false && frame.IsUsable()) {
-      frame.shortcomings.emplace_back("report.json calls it not usable");
-    }
-  }
 }
 
 // The meshes of a run, pose after pose.
@@ -184,43 +145,27 @@ void AddAttachments(const std::string& path, RecordedRun* run) {
 }  // namespace
 
 RecordedRun ReadRecordedRun(const std::string& dir, std::ostream& log) {
-  if (!fs::is_directory(dir)) {
-    throw InputError(dir, "there is no such folder", "check the name");
-  }
-  const std::string path = (fs::path(dir) / "report.json").string();
-  const JsonField report = JsonField::ParseFile(path);
+  const JsonField report = ReadReport(dir);
   CheckReport(report);
+  RunOutline outline = OutlineOf(dir, report);
+  DropMissingFrames(&outline);
   RecordedRun run;
   run.dir = dir;
-  run.report = nlohmann::ordered_json::parse(ReadFile(path));
-  if (report.Has("body_size")) {
-    run.body_size = report.At("body_size").AsNumber();
-  }
-  const JsonField prepare = report.At("prepare");
-  PoseReader reader(
-      (fs::path(dir) / kRestFolder).string(),
-      {NamesIn(prepare.At("muscles")), NamesIn(prepare.At("bones"))},
-      &run);
+  run.report = nlohmann::ordered_json::parse(ReadFile(report.file()));
+  run.body_size = outline.body_size;
+  run.warnings = outline.warnings;
+  PoseReader reader(outline.rest, outline.names, &run);
   AddAttachments((fs::path(dir) / kAttachmentsFile).string(), &run);
-  const std::map<int, std::string> folders = FrameFoldersIn(dir);
-  std::vector<FrameFigures> records;
-  ReadFrames(path, run.report.at("frames"), &records);
-  for (FrameFigures& record : records) {
-    const auto folder = folders.find(record.index);
-    if (folder == folders.end()) {
-      run.warnings.push_back(FrameFolder(record.index) +
-                             " is in report.json, its folder is missing");
-      continue;
-    }
-    reader.ReadFrame(folder->second);
-    run.frames.push_back(std::move(record));
-    if (run.intersections.back().triangle_pairs !=
-        run.frames.back().intersections.triangle_pairs) {
-      run.warnings.push_back(
-          FrameFolder(run.frames.back().index) + " has " +
-          std::to_string(run.intersections.back().triangle_pairs) +
-          " crossing pairs, report.json says " +
-          std::to_string(run.frames.back().intersections.triangle_pairs));
+  for (RecordedFrame& frame : outline.frames) {
+    reader.ReadFrame(frame.folder);
+    run.frames.push_back(std::move(frame.figures));
+    const int pairs = run.intersections.back().triangle_pairs;
+    const int reported = run.frames.back().intersections.triangle_pairs;
+    if (pairs != reported) {
+      run.warnings.push_back(FrameFolder(run.frames.back().index) + " has " +
+                             std::to_string(pairs) +
+                             " crossing pairs, report.json says " +
+                             std::to_string(reported));
     }
   }
   log << "read " << run.frames.size() << " frames of " << dir << "\n";

@@ -3,7 +3,6 @@
 #include "musclewarp/run/earlier_run.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "musclewarp/base/input_error.h"
@@ -20,24 +19,13 @@ namespace fs = std::filesystem;
 
 constexpr char kReport[] = "report.json";
 
-// Returns true for the names that FrameFolder() gives.
-bool IsFrameFolder(const std::string& name) {
-  const std::string begin = "frame_";
-  return name.size() > begin.size() && name.rfind(begin, 0) == 0 &&
-         std::all_of(name.begin() + begin.size(), name.end(), [](char c) {
-           return std::isdigit(static_cast<unsigned char>(c)) != 0;
-         });
-}
-
-std::vector<std::string> FrameFoldersIn(const std::string& dir) {
-  std::vector<std::string> folders;
-  if (!fs::is_directory(dir)) return folders;
-  for (const auto& entry : fs::directory_iterator(dir)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_directory() && IsFrameFolder(name)) folders.push_back(name);
+std::vector<std::string> NamesOfFrameFolders(const std::string& dir) {
+  std::vector<std::string> names;
+  if (!fs::is_directory(dir)) return names;
+  for (const auto& [index, folder] : FrameFoldersIn(dir)) {
+    names.push_back(FrameFolder(index));
   }
-  std::sort(folders.begin(), folders.end());
-  return folders;
+  return names;
 }
 
 // Reports of earlier versions do not say which code wrote them.
@@ -67,7 +55,7 @@ std::optional<EarlierRun> ReadEarlierRun(const std::string& dir) {
 
 void CheckNoStrangeFrames(const std::string& dir, bool overwrite) {
   if (overwrite || ResumeLog::IsIn(dir)) return;
-  const std::vector<std::string> folders = FrameFoldersIn(dir);
+  const std::vector<std::string> folders = NamesOfFrameFolders(dir);
   if (folders.empty()) return;
   const std::optional<EarlierRun> run = ReadEarlierRun(dir);
   for (const std::string& folder : folders) {
@@ -83,7 +71,7 @@ void CheckNoStrangeFrames(const std::string& dir, bool overwrite) {
 }
 
 int RemoveEarlierRun(const std::string& dir) {
-  const std::vector<std::string> frames = FrameFoldersIn(dir);
+  const std::vector<std::string> frames = NamesOfFrameFolders(dir);
   for (const std::string& folder : frames) {
     RemoveFolderAtomically((fs::path(dir) / folder).string());
   }

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
@@ -145,6 +146,32 @@ std::string FrameFolder(int index) {
   std::ostringstream name;
   name << "frame_" << std::setw(4) << std::setfill('0') << index;
   return name.str();
+}
+
+int FrameNumber(const std::string& name) {
+  constexpr char kFramePrefix[] = "frame_";
+  const std::size_t length = sizeof(kFramePrefix) - 1;
+  const std::string digits = name.substr(std::min(length, name.size()));
+  if (name.compare(0, length, kFramePrefix) != 0 || digits.empty() ||
+      digits.size() > 9 ||
+      !std::all_of(digits.begin(), digits.end(), [](unsigned char c) {
+        return std::isdigit(c);
+      })) {
+    return -1;
+  }
+  return std::stoi(digits);
+}
+
+std::map<int, std::string> FrameFoldersIn(const std::string& dir) {
+  std::map<int, std::string> folders;
+  for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
+    const std::string name = entry.path().filename().string();
+    const int number = FrameNumber(name);
+    if (FrameFolder(number) == name && entry.is_directory()) {
+      folders[number] = entry.path().string();
+    }
+  }
+  return folders;
 }
 
 Eigen::VectorXd AreaStretch(const Points& rest,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,12 @@ namespace musclewarp {
 
 // Returns the name of the folder of a frame, such as "frame_0007".
 std::string FrameFolder(int index);
+
+// Returns 12 for "frame_0012" and "frame_12", and -1 for names of another form.
+int FrameNumber(const std::string& name);
+
+// Returns the frame folders of a run by number.
+std::map<int, std::string> FrameFoldersIn(const std::string& dir);
 
 // The folder of the meshes as they were delivered and repaired.
 constexpr char kRestFolder[] = "rest";

@@ -3,7 +3,6 @@
 #include "musclewarp/run/run_files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <sstream>
 
@@ -11,14 +10,12 @@
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/run/frame_files.h"
-#include "musclewarp/scene/json_fields.h"
+#include "musclewarp/run/run_reader.h"
 
 namespace musclewarp {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr char kFramePrefix[] = "frame_";
 
 // Returns a rank, of which the lowest is best: double precision comes before
 // text, and text before float.
@@ -30,20 +27,6 @@ int Rank(const fs::path& path) {
       kOrder.begin());
 }
 
-// Returns 12 for "frame_0012", and -1 for names of another form.
-int FrameNumber(const std::string& name) {
-  const std::size_t length = sizeof(kFramePrefix) - 1;
-  const std::string digits = name.substr(std::min(length, name.size()));
-  if (name.compare(0, length, kFramePrefix) != 0 || digits.empty() ||
-      digits.size() > 9 ||
-      !std::all_of(digits.begin(), digits.end(), [](unsigned char c) {
-        return std::isdigit(c);
-      })) {
-    return -1;
-  }
-  return std::stoi(digits);
-}
-
 std::vector<int> ParseFrames(const std::string& text,
                              const std::string& dir,
                              const std::map<int, std::string>& folders) {
@@ -51,7 +34,7 @@ std::vector<int> ParseFrames(const std::string& text,
   std::vector<int> numbers;
   std::istringstream in(text);
   for (std::string word; std::getline(in, word, ',');) {
-    const int number = word == "last" ? last : FrameNumber(kFramePrefix + word);
+    const int number = word == "last" ? last : FrameNumber("frame_" + word);
     if (folders.count(number) == 0) {
       throw InputError("--frames",
                        "'" + word + "' is not a frame of " + dir,
@@ -65,26 +48,6 @@ std::vector<int> ParseFrames(const std::string& text,
     throw InputError("--frames", "names no frame", "use for example 0,last");
   }
   return numbers;
-}
-
-// Reads the names of the muscles, and those of the frames by index.
-void ReadReport(const std::string& path,
-                RunFiles* run,
-                std::map<int, std::string>* frame_names) {
-  const JsonField report = JsonField::ParseFile(path);
-  const JsonField muscles = report.At("prepare").At("muscles");
-  for (std::size_t i = 0; i < muscles.ArraySize(); ++i) {
-    run->muscles.push_back(muscles.At(i).At("name").AsString());
-  }
-  const JsonField frames = report.At("frames");
-  for (std::size_t i = 0; i < frames.ArraySize(); ++i) {
-    const JsonField frame = frames.At(i);
-    const int index = static_cast<int>(frame.At("index").AsNumber());
-    (*frame_names)[index] = frame.At("name").AsString();
-  }
-  if (report.Has("axes")) run->axes = report.At("axes").AsString();
-  if (report.Has("side")) run->side = report.At("side").AsString();
-  run->has_report = true;
 }
 
 }  // namespace
@@ -146,25 +109,22 @@ TriangleSoup ReadMeshOfFrame(const FrameFiles& frame,
   return soup;
 }
 
-std::map<int, std::string> FrameFoldersIn(const std::string& dir) {
-  std::map<int, std::string> folders;
-  for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
-    const int number = FrameNumber(entry.path().filename().string());
-    if (number >= 0 && entry.is_directory()) {
-      folders[number] = entry.path().string();
-    }
-  }
-  return folders;
-}
-
 RunFiles FindRunFiles(const std::string& dir, const std::string& frames) {
   if (!fs::is_directory(dir)) {
     throw InputError(dir, "there is no such folder", "check --in");
   }
   RunFiles run;
   std::map<int, std::string> names;
-  const std::string report = (fs::path(dir) / "report.json").string();
-  if (fs::exists(report)) ReadReport(report, &run, &names);
+  if (fs::exists(fs::path(dir) / "report.json")) {
+    const RunOutline outline = OutlineOf(dir, ReadReport(dir));
+    for (const RecordedFrame& frame : outline.frames) {
+      names[frame.figures.index] = frame.figures.name;
+    }
+    run.has_report = true;
+    run.muscles = outline.names.muscles;
+    run.axes = outline.axes;
+    if (!outline.side.empty()) run.side = outline.side;
+  }
   const std::map<int, std::string> folders = FrameFoldersIn(dir);
   if (folders.empty()) {
     run.frames.push_back(FrameFilesIn(dir));

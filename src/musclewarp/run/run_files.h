@@ -62,9 +62,6 @@ TriangleSoup ReadMeshOfFrame(const FrameFiles& frame,
                              const std::string& name,
                              std::vector<std::string>* notes = nullptr);
 
-// Returns the frame folders (frame_0000, frame_0001, ...) of a run by number.
-std::map<int, std::string> FrameFoldersIn(const std::string& dir);
-
 // Finds the frames of a run. `frames` selects them, in its order: numbers or
 // "last", separated by commas. A folder without frame folders is taken as a
 // single frame. Throws InputError that names what is missing: the folder, its

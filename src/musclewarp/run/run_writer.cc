@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "musclewarp/base/described_checks.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/run/attachments_file.h"
 #include "musclewarp/run/kept_model.h"
@@ -38,6 +39,10 @@ FrameFigures RunWriter::WriteFrame(const Frame& frame) const {
        FilesThatDiffer(*scene_, frame, files_, dir_)) {
     figures.shortcomings.push_back(file +
                                    ": differs from the frame that was counted");
+  }
+  std::string error;
+  if (!IsValid(figures, &error)) {
+    figures.shortcomings.push_back("a figure makes no sense: " + error);
   }
   return figures;
 }

@@ -45,7 +45,8 @@ class RunWriter {
 
   // Writes a frame, reads its files back and returns its figures. A file that
   // differs from the frame is a shortcoming of it, so that the counts of the
-  // figures are those of the files.
+  // figures are those of the files; so is a figure that is no number or out of
+  // its range.
   FrameFigures WriteFrame(const Frame& frame) const;
 
   // Writes what follows from all frames: the tables of a motion, and the
