@@ -21,11 +21,9 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/program/program.h"
 #include "musclewarp/run/machine.h"
 #include "step_replay.h"
-#include "tools/flag_values.h"
-#include "tools/program.h"
-#include "tools/scene_flags.h"
 
 DEFINE_string(solver, "ceres", "ceres or reference");
 DEFINE_int32(repeats, 5, "how often a step is taken; the median counts");

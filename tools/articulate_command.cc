@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/articulate_command.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -15,6 +13,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/portable_path.h"
+#include "musclewarp/base/setting_names.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/joints/articulated_model.h"
@@ -24,14 +23,13 @@
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/page/joints_page.h"
+#include "musclewarp/program/program.h"
+#include "musclewarp/run/output_folder.h"
+#include "musclewarp/run/output_lock.h"
 #include "musclewarp/run/paths_in_json.h"
 #include "musclewarp/scene/scene_names.h"
+#include "musclewarp/settings/checked_settings.h"
 #include "tools/articulate_input.h"
-#include "tools/flag_values.h"
-#include "tools/output_folder.h"
-#include "tools/output_lock.h"
-#include "tools/program.h"
-#include "tools/split.h"
 
 namespace musclewarp {
 namespace {
@@ -85,17 +83,6 @@ JointMotion ParseMotion(const std::vector<std::string>& entries) {
   return motion;
 }
 
-JointKind ParseJoint(const std::string& text) {
-  std::string known;
-  for (const JointKind kind : AllJointKinds()) {
-    if (ToString(kind) == text) return kind;
-    known += (known.empty() ? "" : ", ") + ToString(kind);
-  }
-  throw InputError("--joints",
-                   "has " + QuotedName(text) + ", which is no joint",
-                   "allowed: " + known);
-}
-
 class ArticulateRun {
  public:
   ArticulateRun(const std::vector<std::string>& files,
@@ -105,17 +92,17 @@ class ArticulateRun {
 
   int Execute() {
     CheckWritable(options_.out);
-    CheckThreads(options_.threads);
+    CheckSettings<ThreadSettings>(options_);
     if (files_.empty()) {
       throw InputError("files",
                        "none given",
                        "name the meshes of the bones, or a label image");
     }
-    CheckLabelEdge(options_.edge);
+    CheckSettings<LabelSettings>(options_);
     CheckInputsStay();
-    ArticulationOptions joints = ArticulationOptionsOf(options_);
-    const JointMotion motion = ParseMotion(options_.motion);
-    if (options_.threads > 0) omp_set_num_threads(options_.threads);
+    ArticulationOptions joints = OptionsOf<ArticulationSettings>(options_);
+    const JointMotion motion = ParseMotion(Split(options_.motion, ','));
+    UseThreads(options_);
     const OutputLock lock(options_.out);
     input_ = ReadArticulateInput(files_, options_);
     // A label image says itself where its axes point.
@@ -154,7 +141,7 @@ class ArticulateRun {
   }
 
   void PrintNotes(const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) screen_ << note << "\n";
+    for (const std::string& note : notes) screen_ << WithFlags(note) << "\n";
   }
 
   void PrintJoints() {
@@ -201,7 +188,7 @@ class ArticulateRun {
     const std::string name = NameOfRun();
     WriteArticulatedModel(articulation_, name, (out / "model.osim").string());
     nlohmann::ordered_json joints = JointsJson(articulation_, axes);
-    MakePathsRelative(options_.out, &joints);
+    AdaptTexts(options_.out, &joints);
     WriteJson("joints.json", joints);
     if (options_.html) WritePage(name, axes);
     if (of_scene_.sweeps.empty()) return;
@@ -303,34 +290,6 @@ class ArticulateRun {
 };
 
 }  // namespace
-
-ArticulationOptions ArticulationOptionsOf(const ArticulateOptions& options) {
-  ArticulationOptions parsed;
-  for (const std::string& joint : options.joints) {
-    parsed.joints.push_back(ParseJoint(joint));
-  }
-  if (options.side != "both") {
-    parsed.side = ParseSide(options.side);
-    if (!parsed.side) {
-      throw InputError(
-          "--side=" + options.side, "is no side", "allowed: right, left, both");
-    }
-  }
-  if (options.zero != "anatomy" && options.zero != "scan") {
-    throw InputError(
-        "--zero=" + options.zero, "is no pose", "allowed: anatomy, scan");
-  }
-  if (options.zero == "scan") parsed.zero = ZeroPose::kScan;
-  parsed.axes = options.axes == "none" ? "" : options.axes;
-  if (!parsed.axes.empty() && !AreBodyAxes(parsed.axes)) {
-    throw InputError("--axes=" + options.axes,
-                     "does not say where +x, +y and +z point",
-                     "allowed: one letter each out of L or R, A or P, S or I, "
-                     "such as LPS, or none");
-  }
-  if (!options.given.empty()) parsed.given = ReadJoints(options.given);
-  return parsed;
-}
 
 int ArticulateCommand(const std::vector<std::string>& files,
                       const ArticulateOptions& options,

@@ -6,49 +6,43 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/joints/articulation.h"
+#include "musclewarp/settings/articulation_settings.h"
+#include "musclewarp/settings/label_settings.h"
+#include "musclewarp/settings/thread_settings.h"
 
 namespace musclewarp {
 
-// What musclewarp-articulate is asked for beside its files; the fields are its
-// flags.
-struct ArticulateOptions {
-  std::string out;  // folder for the results
-
-  // Meshes of muscles, which the scene has beside the bones, and labels of an
-  // image that are bones although neither the table nor their names say so.
-  std::vector<std::string> muscles;
-  std::vector<std::string> bones;
-
-  // The table of the labels (label_table.h), and the length of the edges of
-  // their surfaces, mm; 0: twice the edge of a voxel.
-  std::string labels;
-  double edge = 0;
-
-  // "right", "left" or "both"; the names of joints, none: all; "anatomy" or
-  // "scan"; see ArticulationOptions.
-  std::string side = "both";
-  std::vector<std::string> joints;
-  std::string zero = "anatomy";
-  std::string axes = "LPS";  // "none" if they are not known
-
-  // A file of joints that replace those found (joints_file.h).
-  std::string given;
-
-  // Coordinates that move together: "hip_flexion_r:-10:60:15" goes from -10 to
-  // 60 degrees in 15 frames. Without any there is a motion for each coordinate,
-  // through its range, and the scene moves the first one by 30 degrees.
-  std::vector<std::string> motion;
-
-  // Of the mesh files, and of a label image that does not state its own.
-  std::string units = "mm";
-  int threads = 0;    // 0: as many as OpenMP chooses
-  bool html = false;  // also write joints.html, a page to look at
+// The settings of musclewarp-articulate beside those of labels and joints.
+struct SkeletonSettings {
+  std::string out;
+  std::string muscles;
+  std::string motion;
+  bool html = false;
 };
 
-// Returns the options of the library, with the joints of `options.given` read.
-// Throws InputError that names the flag.
-ArticulationOptions ArticulationOptionsOf(const ArticulateOptions& options);
+constexpr auto FieldsOf(Described<SkeletonSettings>) {
+  using S = SkeletonSettings;
+  return std::make_tuple(
+      Field(&S::out, "out")
+          .Text("folder for the model, the scene and the report")
+          .Path(),
+      Field(&S::muscles, "muscles")
+          .Text("meshes of muscles for the scene; commas"),
+      Field(&S::motion, "motion")
+          .Text("coordinates that move together, in degrees: "
+                "hip_flexion_r:-10:60:15 goes from -10 to 60 in 15 frames; "
+                "commas; without it a motion of each coordinate is written, "
+                "and the scene moves the first one by 30 degrees"),
+      Field(&S::html, "html")
+          .Text("also write joints.html, the bones and joints as one page to "
+                "look at"));
+}
+
+// What musclewarp-articulate is asked for beside its files.
+struct ArticulateOptions : ArticulationSettings,
+                           LabelSettings,
+                           SkeletonSettings,
+                           ThreadSettings {};
 
 // Finds the joints of a skeleton on its bones, and writes what
 // musclewarp-deform needs to move it: out/model.osim with its meshes in

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/joints/bone_names.h"
 #include "musclewarp/joints/bone_sides.h"
 #include "musclewarp/label_images/label_image_file.h"
@@ -17,7 +18,6 @@
 #include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/mesh_files/stated_space.h"
 #include "musclewarp/scene/scene_names.h"
-#include "tools/flag_values.h"
 
 namespace musclewarp {
 namespace {
@@ -26,7 +26,10 @@ class ArticulateReader {
  public:
   ArticulateReader(const std::vector<std::string>& files,
                    const ArticulateOptions& options)
-      : options_(options), mm_per_unit_(ParseUnits(options.units)) {
+      : options_(options),
+        labels_(OptionsOf<LabelSettings>(options)),
+        named_bones_(Split(options.bone, ',')),
+        muscle_files_(Split(options.muscles, ',')) {
     for (const std::string& file : files) {
       (IsLabelImageFile(file) ? images_ : meshes_).push_back(file);
     }
@@ -42,13 +45,13 @@ class ArticulateReader {
     }
     for (const std::string& file : meshes_)
       CheckNamedOnce(file, MeshNameOf(file));
-    for (const std::string& file : options_.muscles) {
+    for (const std::string& file : muscle_files_) {
       CheckNamedOnce(file, MeshNameOf(file));
     }
     if (!images_.empty()) ReadImage();
     CheckSpaces();
     for (const std::string& file : meshes_) AddBoneFile(file);
-    for (const std::string& file : options_.muscles) AddMuscleFile(file);
+    for (const std::string& file : muscle_files_) AddMuscleFile(file);
     return std::move(input_);
   }
 
@@ -69,7 +72,7 @@ class ArticulateReader {
     std::vector<StatedFile> files;
     const bool has_space = !input_.image.empty() && input_.is_oriented;
     if (has_space) files.push_back({input_.image, "LPS"});
-    for (const auto* paths : {&meshes_, &options_.muscles}) {
+    for (const auto* paths : {&meshes_, &muscle_files_}) {
       for (const std::string& path : *paths) {
         files.push_back({path, StatedSpace(path)});
       }
@@ -98,7 +101,7 @@ class ArticulateReader {
   }
 
   bool IsNamedBone(const std::string& name) const {
-    return std::count(options_.bones.begin(), options_.bones.end(), name) > 0;
+    return std::count(named_bones_.begin(), named_bones_.end(), name) > 0;
   }
 
   bool IsBone(const LabelEntry& entry) const {
@@ -147,10 +150,7 @@ class ArticulateReader {
 
   void ReadImage() {
     input_.image = images_[0];
-    LabelMeshOptions options;
-    options.table = options_.labels;
-    options.edge_length = options_.edge;
-    options.mm_per_unit = mm_per_unit_;
+    LabelMeshOptions options = labels_;
     options.pieces_of = [this](const LabelEntry& entry) {
       return PiecesOf(entry);
     };
@@ -181,7 +181,7 @@ class ArticulateReader {
   }
 
   void CheckBonesAreLabels(const LabelMeshes& labels) const {
-    for (const std::string& bone : options_.bones) {
+    for (const std::string& bone : named_bones_) {
       std::string names;
       bool is_label = false;
       for (const LabelMesh& mesh : labels.meshes) {
@@ -201,7 +201,7 @@ class ArticulateReader {
     source.name = MeshNameOf(file);
     source.file = file;
     source.soup = ReadTriangleSoup(file);
-    source.soup.points *= mm_per_unit_;
+    source.soup.points *= labels_.mm_per_unit;
     LabelEntry entry;
     entry.name = source.name;
     const auto row = table_.find(source.name);
@@ -240,7 +240,8 @@ class ArticulateReader {
   }
 
   const ArticulateOptions& options_;
-  const double mm_per_unit_;
+  const LabelMeshOptions labels_;
+  const std::vector<std::string> named_bones_, muscle_files_;
   std::vector<std::string> images_, meshes_;
   std::map<std::string, LabelEntry> table_;  // by name
   std::map<std::string, std::string> where_of_name_;

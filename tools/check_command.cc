@@ -22,11 +22,12 @@
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/mesh_files/stated_space.h"
+#include "musclewarp/program/program.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/proximity/triangle_distance.h"
 #include "musclewarp/run/report_json.h"
 #include "musclewarp/run/run_files.h"
-#include "tools/program.h"
+#include "musclewarp/settings/checked_settings.h"
 
 namespace musclewarp {
 namespace {
@@ -291,29 +292,23 @@ void PrintBonePairs(const std::vector<CheckedPair>& pairs,
 int CheckCommand(const std::vector<std::string>& files,
                  const CheckOptions& options,
                  std::ostream& screen) {
-  if (files.empty() && options.bones.empty()) {
+  if (files.empty() && options.bone.empty()) {
     throw InputError("files", "none given", "name at least one mesh file");
   }
-  CheckThreads(options.threads);
-  if (!(options.gap >= 0)) {
-    throw InputError("--gap",
-                     "is " + NumberText(options.gap),
-                     "allowed: 0 (none) or above, mm");
-  }
-  if (options.threads > 0) omp_set_num_threads(options.threads);
+  CheckSettings(options);
+  UseThreads(options);
+  std::vector<std::string> bones = Split(options.bone, ',');
   std::vector<CheckedFile> checked;
   std::vector<std::string> notes;
-  const std::set<std::string> turned =
-      TurnedFiles(files, options.bones, &notes);
+  const std::set<std::string> turned = TurnedFiles(files, bones, &notes);
   size_t width = 4;
   const auto check = [&](const std::string& path, TriangleSoup soup) {
     if (turned.count(path) > 0) TurnToOtherSpace(&soup.points);
-    soup.points *= options.mm_per_unit;
+    soup.points *= options.MmPerUnit();
     checked.push_back(CheckFile(path, std::move(soup)));
     width = std::max(width, checked.back().name.size());
   };
   for (const std::string& path : files) VisitMeshes(path, &notes, check);
-  std::vector<std::string> bones = options.bones;
   for (CheckedFile& file : checked) {
     const auto named =
         std::find_if(bones.begin(), bones.end(), [&](const std::string& bone) {

@@ -6,21 +6,37 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/settings/label_settings.h"
+#include "musclewarp/settings/thread_settings.h"
+
 namespace musclewarp {
 
 // What musclewarp-check is asked for beside the files; the fields are its
 // flags.
-struct CheckOptions {
-  std::string json;            // file to write the figures to; empty: none
-  bool require_clean = false;  // crossing meshes make the result not usable
-  double gap = 0;  // mm; meshes nearer than that make it not usable either
-  double mm_per_unit = 1;  // of the files
-
-  // Which meshes are bones, and may cross each other: names of files among
-  // those given, without their extension, or more files.
-  std::vector<std::string> bones;
-  int threads = 0;  // 0: as many as OpenMP chooses
+// What musclewarp-check is asked for beside its files.
+struct CheckOptions : UnitSettings, ThreadSettings {
+  std::string json;
+  bool require_clean = false;
+  double gap = 0;
+  std::string bone;
 };
+
+constexpr auto FieldsOf(Described<CheckOptions>) {
+  using S = CheckOptions;
+  return std::make_tuple(
+      Field(&S::json, "json").Text("file to write all figures to").Path(),
+      Field(&S::require_clean, "require_clean")
+          .Text("exit with 1 if any two meshes cross or contain each other"),
+      Field(&S::gap, "gap", "mm")
+          .Text("exit with 1 if any two meshes are nearer to each other")
+          .AtLeast(0),
+      Field(&S::bone, "bone")
+          .Text("which meshes are bones, commas: names of the files given, "
+                "without extension, or more files; that two bones cross, or "
+                "are near each other, does not change the exit code"),
+      Inherited<UnitSettings>(),
+      Inherited<ThreadSettings>());
+}
 
 // Reports on mesh files as they are, without repair: size, defects, volume and
 // self-intersections of each, and for every two of them the triangle pairs that

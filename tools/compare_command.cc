@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/compare_command.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -12,14 +10,14 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/deformer/deformer.h"
+#include "musclewarp/program/program.h"
 #include "musclewarp/report/screen_report.h"
-#include "tools/comparison.h"
-#include "tools/flag_values.h"
-#include "tools/frame_selection.h"
-#include "tools/output_folder.h"
-#include "tools/program.h"
-#include "tools/split.h"
+#include "musclewarp/run/output_folder.h"
+#include "musclewarp/scene/frame_selection.h"
+#include "musclewarp/settings/checked_settings.h"
+#include "musclewarp/studies/comparison.h"
 
 namespace musclewarp {
 namespace {
@@ -181,7 +179,10 @@ std::vector<SolverConfiguration> ParseConfigurations(const std::string& text) {
 std::vector<ContactKind> ParseContacts(const std::string& text) {
   std::vector<ContactKind> contacts;
   for (const std::string& word : Split(text, ',')) {
-    contacts.push_back(ParseContact(word));
+    CheckChoice("contact", word, "none, paper, certified");
+    contacts.push_back(Named(
+        word,
+        {ContactKind::kNone, ContactKind::kPaper, ContactKind::kCertified}));
   }
   if (contacts.empty()) {
     throw InputError("--contact",
@@ -194,14 +195,10 @@ std::vector<ContactKind> ParseContacts(const std::string& text) {
 int CompareCommand(const CompareOptions& options, std::ostream& screen) {
   const DeformOptions& deform = options.deform;
   CheckSceneOptions(deform);
-  if (options.repeat < 1) {
-    throw InputError("--repeat",
-                     "is " + std::to_string(options.repeat),
-                     "allowed: 1 or above");
-  }
+  CheckNumber("repeat", options.repeat, {1});
   if (!deform.out.empty()) CheckWritable(deform.out);
-  if (deform.threads > 0) omp_set_num_threads(deform.threads);
-  const Scene scene = ReadScene(deform.scene, deform.data_root, deform.model);
+  UseThreads(deform);
+  const Scene scene = ReadScene(deform.scene, deform.data_root, deform.sources);
   const std::vector<int> selected = SelectFrames(deform.frames, scene.poses);
   PrepareOptions prepare = deform.deformer.prepare;
   prepare.remove_self_crossings = prepare.remove_slivers =

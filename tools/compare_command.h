@@ -7,9 +7,40 @@
 #include <vector>
 
 #include "musclewarp/deformer/solver_configuration.h"
+#include "musclewarp/settings/deformer_settings.h"
 #include "tools/deform_command.h"
 
 namespace musclewarp {
+
+// The settings of a comparison of solvers beside those of the scene.
+struct CompareSettings {
+  std::string configurations = "all";
+  std::string contact = "none";
+  std::string out;
+  int repeat = 1;
+};
+
+constexpr auto FieldsOf(Described<CompareSettings>) {
+  using S = CompareSettings;
+  return std::make_tuple(
+      Field(&S::configurations, "configurations")
+          .Text("solvers to compare: all, or names with commas: reference, "
+                "ceres (whitened unknowns), and plain blocks with "
+                "ceres_dense_cholesky, ceres_sparse_cholesky, ceres_cgnr, "
+                "ceres_dogleg"),
+      Field(&S::contact, "contact")
+          .Text("none, paper, certified, or several with commas"),
+      Field(&S::out, "out")
+          .Text("folder for comparison.csv, comparison.json and history.csv, "
+                "for convergence.csv and convergence.json, or for posture.json "
+                "and posture.vtp; without it the table is only printed")
+          .Path()
+          .Changes(Effect::kNothing),
+      Field(&S::repeat, "repeat")
+          .Text("number of runs of each, of which the median time is given")
+          .AtLeast(1)
+          .Changes(Effect::kNothing));
+}
 
 struct CompareOptions {
   // Scene, frames, preparation and contact; its solver and formats are not

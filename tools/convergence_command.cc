@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/convergence_command.h"
 
-#include <omp.h>
-
 #include <charconv>
 #include <filesystem>
 #include <functional>
@@ -12,18 +10,17 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/stopwatch.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/program/program.h"
 #include "musclewarp/report/screen_report.h"
+#include "musclewarp/run/output_folder.h"
 #include "musclewarp/run/paths_in_json.h"
 #include "musclewarp/run/report_json.h"
-#include "tools/convergence_run.h"
-#include "tools/convergence_table.h"
-#include "tools/flag_values.h"
-#include "tools/frame_selection.h"
-#include "tools/mesh_density.h"
-#include "tools/output_folder.h"
-#include "tools/program.h"
-#include "tools/split.h"
+#include "musclewarp/scene/frame_selection.h"
+#include "musclewarp/studies/convergence_run.h"
+#include "musclewarp/studies/convergence_table.h"
+#include "musclewarp/studies/mesh_density.h"
 
 namespace musclewarp {
 namespace {
@@ -139,7 +136,7 @@ void WriteStudies(const DeformOptions& options,
                         {"density", as_set.density}}},
                       {"rows", ConvergenceJson(rows)}};
   MakeFolder(options.out);
-  MakePathsRelative(options.out, &json);
+  AdaptTexts(options.out, &json);
   const std::filesystem::path out = options.out;
   WriteTextAtomically((out / "convergence.csv").string(), ConvergenceCsv(rows));
   WriteTextAtomically(
@@ -149,37 +146,34 @@ void WriteStudies(const DeformOptions& options,
 
 }  // namespace
 
-std::vector<int> ParseConvergenceVertices(const std::string& text) {
-  const auto is_allowed = [](int number) {
+StudyValues StudyValuesOf(const ConvergenceSettings& settings) {
+  const auto is_hull = [](int number) {
     OuterHullOptions options;
     options.coarse_vertices = number;
     std::string error;
     return options.IsValid(&error);
   };
-  return ParseNumbers<int>("--convergence_vertices",
-                           text,
-                           is_allowed,
-                           "whole numbers from 20 to 5000, with commas");
-}
-
-std::vector<double> ParseConvergenceSpacing(const std::string& text) {
-  const auto is_allowed = [](double number) {
+  const auto is_spacing = [](double number) {
     MuscleModelOptions options;
     options.sample_spacing = number;
     std::string error;
     return options.IsValid(&error);
   };
-  return ParseNumbers<double>("--convergence_spacing",
-                              text,
-                              is_allowed,
-                              "0.01 mm or above, with commas");
-}
-
-std::vector<double> ParseConvergenceDensity(const std::string& text) {
-  return ParseNumbers<double>("--convergence_density",
-                              text,
-                              IsDensity,
-                              "0.25, 1, 4 and 16, with commas");
+  StudyValues values;
+  values.vertices =
+      ParseNumbers<int>("--convergence_vertices",
+                        settings.convergence_vertices,
+                        is_hull,
+                        "whole numbers from 20 to 5000, with commas");
+  values.spacings = ParseNumbers<double>("--convergence_spacing",
+                                         settings.convergence_spacing,
+                                         is_spacing,
+                                         "0.01 mm or above, with commas");
+  values.densities = ParseNumbers<double>("--convergence_density",
+                                          settings.convergence_density,
+                                          IsDensity,
+                                          "0.25, 1, 4 and 16, with commas");
+  return values;
 }
 
 ContactKind ParseConvergenceContact(const std::string& text) {
@@ -195,8 +189,8 @@ int ConvergenceCommand(const ConvergenceOptions& options,
   const DeformOptions& deform = options.deform;
   CheckOptions(options);
   if (!deform.out.empty()) CheckWritable(deform.out);
-  if (deform.threads > 0) omp_set_num_threads(deform.threads);
-  const Scene scene = ReadScene(deform.scene, deform.data_root, deform.model);
+  UseThreads(deform);
+  const Scene scene = ReadScene(deform.scene, deform.data_root, deform.sources);
   const std::vector<int> selected = SelectFrames(deform.frames, scene.poses);
   const DeformerOptions deformer = CompletedOptions(deform.deformer);
   const PreparedScene base = PrepareScene(scene, deformer.prepare);

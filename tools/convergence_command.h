@@ -6,10 +6,38 @@
 #include <string>
 #include <vector>
 
-#include "tools/convergence_study.h"
+#include "musclewarp/base/described.h"
+#include "musclewarp/studies/convergence_study.h"
 #include "tools/deform_command.h"
 
 namespace musclewarp {
+
+// The settings of a study of discretisations beside those of the scene.
+struct ConvergenceSettings {
+  bool convergence = false;
+  std::string convergence_vertices = "100,200,300,600,1200,2400";
+  std::string convergence_spacing = "2.5,5,10,20,40";
+  std::string convergence_density = "0.25,1,4";
+};
+
+constexpr auto FieldsOf(Described<ConvergenceSettings>) {
+  using S = ConvergenceSettings;
+  return std::make_tuple(
+      Field(&S::convergence, "convergence")
+          .Text("compare discretisations instead of solvers: how far shapes "
+                "are from those of the finest; with {contact}=none or "
+                "certified"),
+      Field(&S::convergence_vertices, "convergence_vertices")
+          .Text("with {convergence}, approximate numbers of vertices of hulls "
+                "to compare; empty: hulls are not studied"),
+      Field(&S::convergence_spacing, "convergence_spacing", "mm")
+          .Text("with {convergence}, distances of samples along a line to "
+                "compare; empty: samples are not studied"),
+      Field(&S::convergence_density, "convergence_density")
+          .Text("with {convergence}, numbers of triangles of muscle meshes to "
+                "compare, as multiples of what they have: 0.25, 1, 4 and 16; "
+                "empty: they are not studied"));
+}
 
 struct ConvergenceOptions {
   // Scene, frames, preparation, contact and solver; its formats are not used.
@@ -17,11 +45,10 @@ struct ConvergenceOptions {
   StudyValues values;
 };
 
-// Return the values of a flag: numbers with commas, in any order; an empty text
-// has none. Throw InputError that names the flag and what is allowed.
-std::vector<int> ParseConvergenceVertices(const std::string& text);
-std::vector<double> ParseConvergenceSpacing(const std::string& text);
-std::vector<double> ParseConvergenceDensity(const std::string& text);
+// Returns the values of the studies: numbers with commas, in any order; an
+// empty text has none. Throws InputError that names the setting and what is
+// allowed.
+StudyValues StudyValuesOf(const ConvergenceSettings& settings);
 
 // Returns the contact of a study. Throws InputError, naming --contact, unless
 // it is none or certified.

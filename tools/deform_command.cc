@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/deform_command.h"
 
-#include <omp.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,19 +15,19 @@
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/program/interruption.h"
+#include "musclewarp/program/program.h"
 #include "musclewarp/report/screen_progress.h"
 #include "musclewarp/report/screen_report.h"
 #include "musclewarp/run/earlier_run.h"
+#include "musclewarp/run/output_folder.h"
+#include "musclewarp/run/output_lock.h"
 #include "musclewarp/run/resume_log.h"
 #include "musclewarp/run/run_writer.h"
-#include "tools/frame_selection.h"
-#include "tools/interruption.h"
-#include "tools/option_flags.h"
-#include "tools/output_folder.h"
-#include "tools/output_lock.h"
-#include "tools/program.h"
+#include "musclewarp/run/step_recorder.h"
+#include "musclewarp/scene/frame_selection.h"
+#include "musclewarp/settings/checked_settings.h"
 #include "tools/report_command.h"
-#include "tools/step_recorder.h"
 
 namespace musclewarp {
 namespace {
@@ -81,7 +80,7 @@ class DeformRun {
     const InterruptionScope interruption(
         [this](const std::string& reason) { GiveUp(reason); });
     const Scene scene =
-        ReadScene(options_.scene, options_.data_root, options_.model);
+        ReadScene(options_.scene, options_.data_root, options_.sources);
     selected_ = SelectFrames(options_.frames, scene.poses);
     run_.dir = options_.out;
     run_.solver = options_.deformer.solver.name;
@@ -209,7 +208,7 @@ class DeformRun {
       screen_ << "report: " << report_ << "\n";
       if (options_.html) WriteRunPage(options_.out, screen_);
     } catch (const InputError& error) {
-      screen_ << error.what() << "\n";
+      screen_ << error.WithFlags() << "\n";
       return kExitNotUsable;
     }
     return run_.finished && TotalsOf(run_).usable ? kExitUsable
@@ -248,7 +247,7 @@ class DeformRun {
     try {
       writer_->WriteReport(run_);
     } catch (const InputError& error) {
-      screen_ << error.what() << "\n";
+      screen_ << error.WithFlags() << "\n";
     }
     screen_ << std::flush;
     lock_->Release();
@@ -277,17 +276,20 @@ class DeformRun {
 }  // namespace
 
 void CheckSceneOptions(const DeformOptions& options) {
-  CheckValid(options);
+  std::string error;
+  if (!options.deformer.IsValid(&error)) {
+    throw InputError("options", error, "see --help");
+  }
   if (options.scene.empty()) {
     throw InputError("--scene", "is missing", "give a scene file");
   }
-  CheckThreads(options.threads);
+  CheckSettings<ThreadSettings>(options);
 }
 
 int DeformCommand(const DeformOptions& options, std::ostream& screen) {
   CheckSceneOptions(options);
   CheckWritable(options.out);
-  if (options.threads > 0) omp_set_num_threads(options.threads);
+  UseThreads(options);
   OutputLock lock(options.out);
   return DeformRun(options, &lock, screen).Execute();
 }

@@ -9,27 +9,60 @@
 
 #include "musclewarp/deformer/deformer.h"
 #include "musclewarp/run/frame_files.h"
+#include "musclewarp/settings/deformer_settings.h"
+#include "musclewarp/settings/scene_settings.h"
+#include "musclewarp/settings/thread_settings.h"
 
 namespace musclewarp {
 
-// What musclewarp-deform is asked for; most fields are its flags.
-struct DeformOptions {
-  std::string scene;
-  std::string data_root;  // empty: the folder of the scene
+// The settings of a run of musclewarp-deform beside those of the scene, the
+// deformer and the files.
+struct RunSettings {
   std::string out;
-  DeformerOptions deformer;
-  std::string frames = "all";  // see SelectFrames
-  FrameFileOptions files;
-  ModelSources model;  // what is not as the scene has it
-  int threads = 0;     // 0: as many as OpenMP chooses
+  bool html = false;
   bool resume = false;
-  bool overwrite = false;    // if true, frames of unknown runs are removed
-  bool html = false;         // if true, report.html is written, too
+  bool overwrite = false;
+  bool profile = false;
+  std::string record_steps;
+};
+
+constexpr auto FieldsOf(Described<RunSettings>) {
+  using S = RunSettings;
+  return std::make_tuple(
+      Field(&S::out, "out")
+          .Text("folder for the frames and report.json")
+          .Path()
+          .Changes(Effect::kNothing),
+      Field(&S::html, "html")
+          .Text("also write report.html, the run as one page to look at")
+          .Changes(Effect::kNothing),
+      Field(&S::resume, "resume")
+          .Text("continue an interrupted run of the same input in {out}")
+          .Changes(Effect::kNothing),
+      Field(&S::overwrite, "overwrite")
+          .Text("remove frames in {out} that belong to no run that report.json "
+                "there names; without it they are refused")
+          .Changes(Effect::kNothing),
+      Field(&S::profile, "profile")
+          .Text("write the times of the stages of each frame to report.json "
+                "and the page")
+          .Changes(Effect::kNothing),
+      Field(&S::record_steps, "record_steps")
+          .Text("folder to which the steps of certified contact are written, "
+                "for step_benchmark (benchmarks/README.md); the preparation is "
+                "kept there, too, unless {cache} names another folder")
+          .Path()
+          .Changes(Effect::kNothing));
+}
+
+// What musclewarp-deform is asked for.
+struct DeformOptions : SceneSettings, RunSettings, ThreadSettings {
+  DeformerOptions deformer;
+  FrameFileOptions files;
+  ModelSources sources;      // what is not as the scene has it
   bool is_terminal = false;  // true if the screen is a terminal
 
-  // The folder to which every step of certified contact is written
-  // (StepRecorder), or empty, and the flags that are written with them.
-  std::string record_steps;
+  // The flags that are written with recorded steps (StepRecorder).
   std::string step_flags;
 
   // For the record: the flags that make a difference to the result, the command

@@ -10,22 +10,23 @@
 #include <map>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/exchange/animation.h"
 #include "musclewarp/exchange/crossing_files.h"
 #include "musclewarp/exchange/crossing_places.h"
 #include "musclewarp/exchange/glb_file.h"
 #include "musclewarp/exchange/point_cache.h"
+#include "musclewarp/exchange/searchable_scene.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
+#include "musclewarp/program/program.h"
 #include "musclewarp/run/frame_files.h"
+#include "musclewarp/run/output_folder.h"
+#include "musclewarp/run/output_lock.h"
 #include "musclewarp/run/run_reader.h"
-#include "tools/frame_selection.h"
-#include "tools/output_folder.h"
-#include "tools/output_lock.h"
-#include "tools/program.h"
-#include "tools/searchable_scene.h"
-#include "tools/split.h"
+#include "musclewarp/scene/frame_selection.h"
+#include "musclewarp/settings/checked_settings.h"
 
 namespace musclewarp {
 namespace {
@@ -205,7 +206,7 @@ void CheckRequest(const ExportRequest& request) {
   if (request.out.empty()) {
     throw InputError("--out", "is missing", "name what is to be written");
   }
-  CheckThreads(request.threads);
+  CheckSettings(request);
 }
 
 }  // namespace
@@ -220,7 +221,7 @@ std::string ExportFormats() {
 int ExportCommand(const ExportRequest& request, std::ostream& screen) {
   const std::vector<std::string> formats = FormatsOf(request);
   CheckRequest(request);
-  if (request.threads > 0) omp_set_num_threads(request.threads);
+  UseThreads(request);
   const auto exporter = Exporters().find(formats[0]);
   if (exporter != Exporters().end()) return exporter->second(request, screen);
   const RunOutline run = OpenRun(request, screen);

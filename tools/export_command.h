@@ -9,22 +9,47 @@
 #include "tools/export_elements.h"
 #include "tools/export_osim.h"
 
+#include "musclewarp/settings/thread_settings.h"
+
 namespace musclewarp {
 
 // What musclewarp-export is asked for; the fields are its flags.
-struct ExportRequest {
-  std::string in;                  // a folder written by musclewarp-deform;
-                                   // for osim several, with commas
-  std::vector<std::string> files;  // mesh files instead; for crossings only
-  std::string out;                 // a file or folder, as the format has it
-  // One of ExportFormats(); of those for finite elements several, with commas.
+struct ExportRequest : ThreadSettings {
+  std::string in;
+  std::string out;
   std::string format;
-  std::string frames = "all";       // see SelectFrames in frame_selection.h
-  std::string mesh_format = "ply";  // of crossings: ply, obj or vtp
-  int threads = 0;                  // 0: as many as OpenMP chooses
+  std::string frames = "all";  // see SelectFrames in frame_selection.h
+  std::string mesh_format = "ply";
+  std::vector<std::string> files;  // meshes, instead of a run; for crossings
   ElementOptions elements;
   OsimExportOptions osim;
 };
+
+constexpr auto FieldsOf(Described<ExportRequest>) {
+  using S = ExportRequest;
+  return std::make_tuple(
+      Field(&S::in, "in")
+          .Text("folder written by musclewarp-deform; for osim several with "
+                "commas")
+          .Path(),
+      Field(&S::out, "out")
+          .Text("the file (glb, osim) or the folder (else) to write")
+          .Path(),
+      Field(&S::format, "format")
+          .Text("crossings: places where meshes cross; glb: glTF 2.0; pc2: "
+                ".obj and point caches for Blender; osim: the OpenSim model "
+                "with path functions; inp, feb, msh and with VTK vtu: finite "
+                "elements, several with commas"),
+      Field(&S::frames, "frames")
+          .Text("which frames: all, last, N, FIRST:LAST, FIRST:LAST:STEP; "
+                "FIRST and LAST may be times (0.1s)"),
+      Field(&S::mesh_format, "mesh_format")
+          .Text("of crossings: ply, obj, and with VTK vtp"),
+      Inherited<ThreadSettings>(),
+      NotWritten(&S::files),
+      NotWritten(&S::elements),
+      NotWritten(&S::osim));
+}
 
 // The values of --format in this build, separated by commas.
 std::string ExportFormats();

@@ -18,11 +18,12 @@
 #include "musclewarp/exchange/element_files.h"
 #include "musclewarp/exchange/mesher.h"
 #include "musclewarp/exchange/moved_mesh.h"
+#include "musclewarp/exchange/searchable_scene.h"
+#include "musclewarp/program/program.h"
 #include "musclewarp/run/frame_files.h"
-#include "tools/output_folder.h"
-#include "tools/output_lock.h"
-#include "tools/program.h"
-#include "tools/searchable_scene.h"
+#include "musclewarp/run/output_folder.h"
+#include "musclewarp/run/output_lock.h"
+#include "musclewarp/settings/checked_settings.h"
 
 namespace musclewarp {
 namespace {
@@ -44,16 +45,7 @@ const std::map<std::string, ElementWriter>& ElementWriters() {
 }
 
 MesherOptions MesherOf(const ElementOptions& options) {
-  if (!(options.mesher_timeout_s > 0)) {
-    throw InputError("--mesher_timeout_s",
-                     "is " + std::to_string(options.mesher_timeout_s),
-                     "allowed: above 0, s");
-  }
-  if (!(options.min_dihedral_deg >= 0 && options.min_dihedral_deg < 70)) {
-    throw InputError("--min_dihedral_deg",
-                     "is " + std::to_string(options.min_dihedral_deg),
-                     "allowed: 0 to 70; a regular tetrahedron has 70.5");
-  }
+  CheckSettings(options);
   MesherOptions mesher = FindMesher(options.mesher);
   mesher.timeout_s = options.mesher_timeout_s;
   return mesher;

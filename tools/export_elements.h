@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/described.h"
 #include "musclewarp/run/run_reader.h"
 
 namespace musclewarp {
@@ -14,12 +15,34 @@ namespace musclewarp {
 // musclewarp-export.
 struct ElementOptions {
   std::string mesher = "tetgen";  // see FindMesher
-  double mesher_timeout_s = 600;  // for each frame
-  double min_dihedral_deg = 0;    // frames with a smaller angle fail
-  bool bones = true;              // as rigid surfaces
-  bool one_mesh = false;          // that of the first frame, moved
-  bool resume = false;            // keep the frames that are there
+  double mesher_timeout_s = 600;
+  double min_dihedral_deg = 0;
+  bool bones = true;
+  bool one_mesh = false;
+  bool resume = false;
 };
+
+constexpr auto FieldsOf(Described<ElementOptions>) {
+  using S = ElementOptions;
+  return std::make_tuple(
+      Field(&S::mesher, "mesher")
+          .Text("the program that makes tetrahedra: tetgen, gmsh, or the path "
+                "of one"),
+      Field(&S::mesher_timeout_s, "mesher_timeout_s", "s")
+          .Text("a frame that takes longer fails")
+          .Above(0),
+      Field(&S::min_dihedral_deg, "min_dihedral_deg", "degrees")
+          .Text("frames with a smaller angle between faces fail; that of a "
+                "regular tetrahedron is 70.5")
+          .Within(0, 70),
+      Field(&S::bones, "bones")
+          .Text("bones as rigid surfaces beside the tetrahedra"),
+      Field(&S::one_mesh, "one_mesh")
+          .Text("the tetrahedra of the first frame, moved to the others"),
+      Field(&S::resume, "resume")
+          .Text("keep the tetrahedra of frames that are there from a run with "
+                "the same flags"));
+}
 
 // The formats for finite elements in this build.
 const std::vector<std::string>& ElementFormats();

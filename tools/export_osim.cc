@@ -10,11 +10,12 @@
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/portable_path.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/exchange/osim_file.h"
 #include "musclewarp/exchange/run_paths.h"
-#include "tools/program.h"
-#include "tools/split.h"
+#include "musclewarp/program/program.h"
+#include "musclewarp/settings/checked_settings.h"
 
 namespace musclewarp {
 namespace {
@@ -28,11 +29,7 @@ void CheckFlags(const std::string& out, const OsimExportOptions& options) {
                      "is not an .osim file",
                      "use for example --out=model.osim");
   }
-  if (!(options.fit.max_length_error > 0) || !(options.fit.max_arm_error > 0)) {
-    throw InputError("--max_length_error_mm, --max_arm_error_mm",
-                     "are not both positive",
-                     "give bounds above 0");
-  }
+  CheckSettings(options);
 }
 
 // The model as delivered must not be lost.

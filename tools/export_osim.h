@@ -5,14 +5,31 @@
 #include <ostream>
 #include <string>
 
+#include "musclewarp/base/described.h"
 #include "musclewarp/exchange/path_fit.h"
 
 namespace musclewarp {
 
 struct OsimExportOptions {
-  std::string model;  // the .osim; empty: that of the run
+  std::string model;
   PathFitOptions fit;
 };
+
+constexpr auto FieldsOf(Described<OsimExportOptions>) {
+  using S = OsimExportOptions;
+  using P = PathFitOptions;
+  return std::make_tuple(
+      Field(&S::model, "model")
+          .Text("of osim: the model, in place of the one that the run keeps")
+          .Path(),
+      Field(Inner(&S::fit, &P::max_length_error), "max_length_error_mm", "mm")
+          .Text("of osim: exit code 1 if a length is fitted worse")
+          .Above(0),
+      Field(Inner(&S::fit, &P::max_arm_error), "max_arm_error_mm", "mm")
+          .Text("of osim: exit code 1 if a moment arm is fitted worse")
+          .Above(0),
+      NotWritten(&S::fit));
+}
 
 // Writes the OpenSim model of runs (folders with commas between) with the paths
 // of their lines as functions, and the errors of the fit beside it in .fit.json

@@ -6,15 +6,34 @@
 #include <iosfwd>
 #include <string>
 
+#include "musclewarp/base/described.h"
+
 namespace musclewarp {
 
 // What musclewarp-phantom is asked for; the fields are its flags.
 struct PhantomRequest {
-  std::string out;            // the folder to write to, made if needed
+  std::string out;
   std::string scene = "hip";  // one of PhantomSceneNames()
-  uint32_t seed = 1;    // of defects and bumps, and of all in a random scene
-  int num_muscles = 0;  // of a random scene; 0: drawn from the seed
+  uint32_t seed = 1;
+  int num_muscles = 0;
 };
+
+constexpr auto FieldsOf(Described<PhantomRequest>) {
+  using S = PhantomRequest;
+  return std::make_tuple(
+      Field(&S::out, "out").Text("folder to write to; made if need be").Path(),
+      Field(&S::scene, "scene")
+          .Text("which scene: hip, or one that is hard on contact: "
+                "stress_attachment, stress_edge, stress_plate, "
+                "stress_resolution, stress_sheet, stress_sweep, or random, an "
+                "anatomy that is drawn from the seed"),
+      Field(&S::seed, "seed")
+          .Text("places of the planted defects and bumps of the surfaces; in "
+                "the scene random everything"),
+      Field(&S::num_muscles, "num_muscles")
+          .Text("number of muscles of the scene random, 2 to 32; 0: drawn from "
+                "the seed, 2 to 20"));
+}
 
 // Writes the scene and says on `log` what its meshes are and which defects they
 // have. Throws InputError that names the flag or the file.

@@ -14,9 +14,9 @@
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_repair/repair.h"
 #include "musclewarp/proximity/surface_comparison.h"
+#include "musclewarp/run/output_folder.h"
 #include "musclewarp/run/run_files.h"
-#include "tools/option_flags.h"
-#include "tools/output_folder.h"
+#include "musclewarp/settings/checked_settings.h"
 #ifdef MUSCLEWARP_WITH_VTK
 #include "musclewarp/mesh_files/vtp_writer.h"
 #endif
@@ -32,6 +32,7 @@ using OrderedJson = nlohmann::ordered_json;
 constexpr double kLargestVolumeRatio = 100;
 
 void CheckOptions(const PostureOptions& options) {
+  CheckSettings<PostureSettings>(options);
   if (options.posture.empty()) {
     throw InputError("--posture",
                      "is missing",
@@ -51,15 +52,6 @@ void CheckOptions(const PostureOptions& options) {
   if (options.mesh.empty() && options.muscle.empty()) {
     throw InputError("--muscle", "is missing", "name a muscle of --in");
   }
-  if (!(options.spacing >= 0)) {
-    throw InputError(
-        "--posture_spacing",
-        "is " + std::to_string(options.spacing) + ", allowed: 0 or above",
-        "leave it out for the diagonal over 300");
-  }
-  DeformOptions repair;
-  repair.deformer.prepare.repair = options.repair;
-  CheckValid(repair);
 }
 
 // The mesh that is compared with the posture.
@@ -214,10 +206,10 @@ int PostureCommand(const PostureOptions& options, std::ostream& screen) {
                                           options.posture,
                                           options.repair,
                                           nullptr);
-  CheckSpacing(file, muscle, options.spacing);
-  CheckSpacing(options.posture, posture, options.spacing);
+  CheckSpacing(file, muscle, options.posture_spacing);
+  CheckSpacing(options.posture, posture, options.posture_spacing);
   SurfaceComparisonOptions comparison;
-  comparison.spacing = options.spacing;
+  comparison.spacing = options.posture_spacing;
   const SurfaceComparison found = CompareSurfaces(muscle, posture, comparison);
   screen << file << " against " << options.posture << "\n\n";
   Print(found, screen);

@@ -5,24 +5,49 @@
 #include <ostream>
 #include <string>
 
+#include "musclewarp/base/described.h"
 #include "musclewarp/mesh_repair/repair.h"
+#include "musclewarp/proximity/surface_comparison.h"
 
 namespace musclewarp {
 
-struct PostureOptions {
-  // The mesh of a muscle as it was segmented in a posture.
+// The settings of a comparison with a segmented posture.
+struct PostureSettings {
   std::string posture;
-
-  // What is compared with it: a mesh file, or else a muscle in a frame of a run
-  // of musclewarp-deform ("last", a number, or empty for the last).
   std::string mesh;
   std::string in;
   std::string frame;
   std::string muscle;
+  double posture_spacing = SurfaceComparisonOptions().spacing;
+};
 
+constexpr auto FieldsOf(Described<PostureSettings>) {
+  using S = PostureSettings;
+  return std::make_tuple(
+      Field(&S::posture, "posture")
+          .Text("mesh of a muscle as segmented in a posture, with which "
+                "{mesh}, or {muscle} in a {frame} of {in}, is compared")
+          .Path(),
+      Field(&S::mesh, "mesh")
+          .Text("with {posture}, mesh file to compare")
+          .Path(),
+      Field(&S::in, "in")
+          .Text("with {posture}, folder of a run of musclewarp-deform")
+          .Path(),
+      Field(&S::frame, "frame")
+          .Text("with {posture}, frame of {in}, last or a number; without it "
+                "the last"),
+      Field(&S::muscle, "muscle")
+          .Text("with {posture}, muscle of {in} to compare"),
+      Field(&S::posture_spacing, "posture_spacing", "mm")
+          .Text("with {posture}, largest distance of the places of a surface "
+                "that are compared; 0: the diagonal over 300")
+          .AtLeast(0));
+}
+
+struct PostureOptions : PostureSettings {
   std::string out;  // folder for posture.json and the coloured mesh, or empty
-  double spacing = 0;  // SurfaceComparisonOptions::spacing, mm
-  RepairOptions repair = {};
+  RepairOptions repair;
 };
 
 // Compares a muscle in a frame with a mesh of the same muscle that was

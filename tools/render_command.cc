@@ -11,13 +11,14 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/palette.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/render/picture.h"
 #include "musclewarp/render/picture_texts.h"
+#include "musclewarp/render/stretch_colors.h"
 #include "musclewarp/run/run_files.h"
-#include "tools/split.h"
-#include "tools/stretch_colors.h"
+#include "musclewarp/settings/checked_settings.h"
 
 namespace musclewarp {
 namespace {
@@ -241,11 +242,7 @@ std::vector<PicturePanel> ReadPanels(
 }
 
 void CheckColor(const RenderRequest& request) {
-  if (request.color != "muscle" && request.color != "stretch") {
-    throw InputError("--color",
-                     "there is no colour by '" + request.color + "'",
-                     "use muscle or stretch");
-  }
+  CheckSettings(request);
   if (request.color == "stretch" && request.in.empty()) {
     throw InputError("--color",
                      "mesh files alone do not tell how far they are stretched",

@@ -6,41 +6,73 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/described.h"
+
 namespace musclewarp {
 
 // What musclewarp-render is asked for; the fields are its flags.
 struct RenderRequest {
-  // A folder written by musclewarp-deform, or any folder of meshes.
   std::string in;
-  // Mesh files, instead of `in`.
-  std::vector<std::string> files;
-  // The picture, .png.
   std::string out;
-  // Frames of `in` from left to right: numbers or "last", with commas.
   std::string frames = "0";
-  // Texts below the frames, with commas; "auto" takes the names of the frames
-  // from report.json if there is more than one frame, "" is none.
   std::string captions = "auto";
-  // See ParseView in musclewarp/geometry/view.h.
   std::string view = "anterior";
-  std::string axes;  // empty: as the run says, else LPS
-  std::string side;  // the same, else right
-  // Width x height of the whole picture, pixels.
+  std::string axes;
+  std::string side;
   std::string size = "1200x1000";
-  // Names with commas: what is a bone if there is no report.json; what is left
-  // out; what the picture is made to hold (empty: all).
   std::string bones;
   std::string hide;
-  std::string fit;
-  // name:opacity with commas.
   std::string fade;
-  // What the colours of muscles tell: "muscle", which it is, or "stretch", how
-  // far each triangle is stretched; that needs a run, which has them at rest.
+  std::string fit;
   std::string color = "muscle";
-  // Names the muscles below the picture, or what the colours tell.
   bool legend = true;
   bool outlines = true;
+  std::vector<std::string> files;  // meshes, instead of those in `in`
 };
+
+constexpr auto FieldsOf(Described<RenderRequest>) {
+  using S = RenderRequest;
+  return std::make_tuple(
+      Field(&S::in, "in")
+          .Text("folder written by musclewarp-deform, or any folder of meshes")
+          .Path(),
+      Field(&S::out, "out").Text("the picture, a .png file").Path(),
+      Field(&S::frames, "frames")
+          .Text("frames of {in}, side by side: numbers or 'last', with commas"),
+      Field(&S::captions, "captions")
+          .Text("texts below the frames, with commas; auto: the names in "
+                "report.json if there are several frames"),
+      Field(&S::view, "view")
+          .Text("from where: anterior, posterior, lateral, medial, left, "
+                "right, superior, inferior, or a direction towards the viewer "
+                "in the axes of the meshes, x,y,z or x,y,z;upx,upy,upz"),
+      Field(&S::axes, "axes")
+          .Text("where +x, +y, +z of the meshes point in the body, a letter "
+                "each out of L R A P S I: LPS for CT, MRI and BodyParts3D, ASR "
+                "for OpenSim; default: as the run says, else LPS"),
+      Field(&S::side, "side")
+          .Text("side of the body that lateral and medial mean; default: as "
+                "the run says, else right"),
+      Field(&S::size, "size").Text("width and height of the picture, pixels"),
+      Field(&S::bones, "bones")
+          .Text("names of the bones, with commas, where no report.json tells"),
+      Field(&S::hide, "hide").Text("names of meshes to leave out, with commas"),
+      Field(&S::fade, "fade")
+          .Text("meshes to see through, as name:opacity, with commas; opacity "
+                "from 0 to 1"),
+      Field(&S::fit, "fit")
+          .Text("names of meshes the picture is made to hold, with commas; "
+                "without it all"),
+      Field(&S::color, "color")
+          .Text("what the colours of muscles tell: muscle (which it is) or "
+                "stretch (how far each triangle is stretched against rest, for "
+                "a run of musclewarp-deform)")
+          .OneOf("muscle, stretch"),
+      Field(&S::legend, "legend")
+          .Text("name the muscles below the picture, or what the colours tell"),
+      Field(&S::outlines, "outlines").Text("draw dark outlines"),
+      NotWritten(&S::files));
+}
 
 // Draws the picture and says on `log` what was written. Throws InputError that
 // names the flag or the file; nothing is written then.

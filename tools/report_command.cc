@@ -10,6 +10,7 @@
 #include "musclewarp/base/text.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/page/page.h"
+#include "musclewarp/settings/checked_settings.h"
 
 namespace musclewarp {
 namespace {
@@ -30,11 +31,7 @@ void WriteReport(const ReportRequest& request, std::ostream& log) {
                      "'" + request.out + "' is not a .html file",
                      "use --out=report.html");
   }
-  if (request.page.max_bone_triangles < 100) {
-    throw InputError("--bone_triangles",
-                     "is " + std::to_string(request.page.max_bone_triangles),
-                     "allowed: 100 or above");
-  }
+  CheckSettings(request);
   // Throws, before the work, if a flag is not what it should be.
   ParseView("anterior",
             request.page.axes.empty() ? "LPS" : request.page.axes,

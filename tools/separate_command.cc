@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/separate_command.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
@@ -14,20 +12,20 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/setting_names.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/deformer/mesh_separation.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/program/interruption.h"
+#include "musclewarp/program/program.h"
 #include "musclewarp/report/screen_progress.h"
 #include "musclewarp/report/screen_report.h"
+#include "musclewarp/run/output_folder.h"
+#include "musclewarp/run/output_lock.h"
 #include "musclewarp/run/paths_in_json.h"
 #include "musclewarp/run/report_json.h"
-#include "tools/flag_values.h"
-#include "tools/interruption.h"
-#include "tools/option_flags.h"
-#include "tools/output_folder.h"
-#include "tools/output_lock.h"
-#include "tools/program.h"
+#include "musclewarp/settings/checked_settings.h"
 #include "tools/separate_input.h"
 
 namespace musclewarp {
@@ -42,17 +40,18 @@ void CheckSeparateOptions(const std::vector<std::string>& files,
     throw InputError(
         "files", "none given", "name at least one mesh file, or a label image");
   }
-  for (const std::string& bone : options.bones) {
+  for (const std::string& bone : Split(options.bone, ',')) {
     if (!bone.empty()) continue;
     throw InputError("--bone",
                      "has a comma without a name before it",
                      "allowed: mesh files and names of labels with commas "
                      "between them");
   }
-  CheckLabelEdge(options.edge);
-  CheckThreads(options.threads);
+  OptionsOf<LabelSettings>(options);
+  OptionsOf<FormatSettings>(options);
+  OptionsOf<SeparationSettings>(options);
+  CheckSettings<ThreadSettings>(options);
   CheckWritable(options.out);
-  CheckValid(RestSeparationOptionsOf(options));
 }
 
 // The result, and what is said of it.
@@ -102,9 +101,9 @@ Separation Separate(const SeparateInput& input,
   Separation result;
   MeshSeparation& meshes = result.meshes;
   meshes = SeparateMeshes(input.scene,
-                          RestSeparationOptionsOf(options),
+                          OptionsOf<SeparationSettings>(options),
                           on_progress,
-                          options.lengths_in_mm);
+                          LengthsInMillimetres<SeparationSettings>(options));
   AddLosses(input, options.max_loss, &meshes.frame.shortcomings);
   for (size_t i = 0; i < meshes.frame.muscles.size(); ++i) {
     result.mean_displacements.push_back(
@@ -190,7 +189,7 @@ OrderedJson SeparationJson(const SeparateInput& input,
 }
 
 void WriteMeshes(const Separation& result, const SeparateOptions& options) {
-  for (const std::string& format : options.formats) {
+  for (const std::string& format : OptionsOf<FormatSettings>(options)) {
     const auto path = [&](const std::string& name) {
       return (fs::path(options.out) / (name + "." + format)).string();
     };
@@ -220,7 +219,9 @@ void PrintLabels(const SeparateInput& input, std::ostream& screen) {
   screen << input.image << ": " << input.labels.meshes.size()
          << " labels became meshes, in mm, frame " << input.labels.frame
          << "\n";
-  for (const std::string& note : input.labels.notes) screen << note << "\n";
+  for (const std::string& note : input.labels.notes) {
+    screen << WithFlags(note) << "\n";
+  }
   screen << "\n";
 }
 
@@ -280,7 +281,9 @@ void PrintMeshes(const Separation& result, int width, std::ostream& screen) {
 void PrintSeparation(const Separation& result, std::ostream& screen) {
   const Scene& scene = result.meshes.scene.scene;
   const Frame& frame = result.meshes.frame;
-  for (const std::string& note : scene.notes) screen << note << "\n";
+  for (const std::string& note : scene.notes) {
+    screen << WithFlags(note) << "\n";
+  }
   const int width = NameWidth(result.meshes.scene);
   PrintPairs(result, width, screen);
   PrintMeshes(result, width, screen);
@@ -349,7 +352,7 @@ class SeparateRun {
     WriteMeshes(result, options_);
     if (!options_.json) return;
     OrderedJson json = SeparationJson(input, result, wall_ms);
-    MakePathsRelative(options_.out, &json);
+    AdaptTexts(options_.out, &json);
     WriteTextAtomically(
         (fs::path(options_.out) / "separation.json").string(),
         json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
@@ -372,23 +375,11 @@ class SeparateRun {
 
 }  // namespace
 
-RestSeparationOptions RestSeparationOptionsOf(const SeparateOptions& options) {
-  RestSeparationOptions separation = MeshSeparationOptions();
-  SetGap(options.gap, &separation.contact);
-  separation.prepare.repair.holes.max_perimeter = options.max_hole;
-  separation.requirements.displacement_allowance = options.max_move;
-  separation.requirements.max_volume_loss = options.max_loss;
-  separation.requirements.max_lost_area = options.max_lost_area;
-  separation.requirements.max_lost_extent = options.max_lost_extent;
-  separation.reconstruction.kind = options.remake;
-  return separation;
-}
-
 int SeparateCommand(const std::vector<std::string>& files,
                     const SeparateOptions& options,
                     std::ostream& screen) {
   CheckSeparateOptions(files, options);
-  if (options.threads > 0) omp_set_num_threads(options.threads);
+  UseThreads(options);
   OutputLock lock(options.out);
   return SeparateRun(files, options, &lock, screen).Execute();
 }

@@ -3,63 +3,38 @@
 #pragma once
 
 #include <ostream>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "musclewarp/deformer/mesh_separation.h"
-#include "musclewarp/frame_solvers/rest_separation.h"
-#include "musclewarp/label_images/label_meshes.h"
+#include "musclewarp/settings/file_settings.h"
+#include "musclewarp/settings/label_settings.h"
+#include "musclewarp/settings/separation_settings.h"
+#include "musclewarp/settings/thread_settings.h"
 
 namespace musclewarp {
 
-// What musclewarp-separate is asked for beside the files that may move; the
-// fields are its flags.
-struct SeparateOptions {
-  std::string out;  // folder for the results
-
-  // Meshes that must not move: files, and names of labels.
-  std::vector<std::string> bones;
-
-  // The unit of the files, in mm, and of label images that do not state theirs.
-  double mm_per_unit = 1;
-
-  // For a label image: the table of its labels, empty if every label is taken
-  // (label_table.h), and the length of the edges of its surfaces, mm, at most
-  // 100; 0: twice the edge of a voxel.
-  std::string labels;
-  double edge = 0;
-  PieceChoice pieces = PieceChoice::kLargest;
-
-  // The longest border of a hole that is filled whatever its shape, mm.
-  double max_hole = HoleLimits().max_perimeter;
-
-  double gap = StepOptions().gap;  // mm, that meshes keep at least
-
-  // What happens to meshes that cannot be separated by moving their vertices.
-  ReconstructionKind remake = ReconstructionKind::kAuto;
-
-  // The share of the volume of a mesh or label, as it was delivered, that may
-  // be lost; with more the result is not usable.
-  double max_loss = FrameRequirements().max_volume_loss;
-  double max_lost_area = FrameRequirements().max_lost_area;      // mm^2
-  double max_lost_extent = FrameRequirements().max_lost_extent;  // mm
-  double max_move =
-      MeshSeparationOptions().requirements.displacement_allowance;  // mm
-
-  // Which of these lengths are in mm whatever the size of the body: those that
-  // the user gave (length_options.h).
-  std::set<std::string> lengths_in_mm;
-
-  std::vector<std::string> formats = {"ply"};  // of the meshes written
-  bool json = false;         // if true, separation.json is written, too
-  int threads = 0;           // 0: as many as OpenMP chooses
-  bool is_terminal = false;  // true if the screen is a terminal
+// The settings of the files that musclewarp-separate writes.
+struct SeparationFiles : FormatSettings {
+  std::string out;
+  bool json = false;
 };
 
-// Returns the options of the library. The gap is checked as SetGap does,
-// nothing else is.
-RestSeparationOptions RestSeparationOptionsOf(const SeparateOptions& options);
+constexpr auto FieldsOf(Described<SeparationFiles>) {
+  using S = SeparationFiles;
+  return std::make_tuple(
+      Field(&S::out, "out").Text("folder for the separated meshes").Path(),
+      Inherited<FormatSettings>(),
+      Field(&S::json, "json")
+          .Text("also write DIR/separation.json, with all figures"));
+}
+
+// What musclewarp-separate is asked for beside the files that may move.
+struct SeparateOptions : SeparationSettings,
+                         LabelSettings,
+                         SeparationFiles,
+                         ThreadSettings {
+  bool is_terminal = false;  // true if the screen is a terminal
+};
 
 // Moves the vertices of meshes as little as it takes for no two of them to
 // cross and for each to keep its volume (SeparateRest): the meshes are the

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/label_images/label_image_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
@@ -35,14 +36,17 @@ class InputReader {
  public:
   InputReader(const std::vector<std::string>& files,
               const SeparateOptions& options)
-      : files_(files), options_(options), bones_left_(options.bones) {}
+      : files_(files),
+        options_(options),
+        labels_(OptionsOf<LabelSettings>(options)),
+        bones_left_(Split(options.bone, ',')) {}
 
   SeparateInput Read() {
     FindImage();
     // Names come before anything is read, which may take long. Those of --bone
     // may be labels if there is an image.
     if (input_.image.empty()) CheckBoneFiles();
-    if (options_.pieces == PieceChoice::kLargest) {
+    if (labels_.pieces == PieceChoice::kLargest) {
       for (const std::string& file : files_) {
         if (file != input_.image) CheckNamedOnce(file, MeshNameOf(file));
       }
@@ -54,7 +58,7 @@ class InputReader {
     }
     for (const std::string& file : files_) {
       if (file == input_.image) continue;
-      if (options_.pieces == PieceChoice::kAll) {
+      if (labels_.pieces == PieceChoice::kAll) {
         AddPieces(file);
       } else {
         AddMuscle({MeshNameOf(file), file, file, {}});
@@ -94,12 +98,7 @@ class InputReader {
   }
 
   void ReadImage() {
-    LabelMeshOptions options;
-    options.table = options_.labels;
-    options.edge_length = options_.edge;
-    options.pieces = options_.pieces;
-    options.mm_per_unit = options_.mm_per_unit;
-    input_.labels = ReadLabelMeshes(input_.image, options);
+    input_.labels = ReadLabelMeshes(input_.image, labels_);
     std::vector<InputMesh> muscles;
     for (LabelMesh& label : input_.labels.meshes) {
       InputMesh mesh = {label.name,
@@ -191,8 +190,7 @@ class InputReader {
     bone.is_turned = turned_.count(mesh.file) > 0;
     if (!mesh.file.empty()) {
       ReadTriangleSoup(mesh.file);
-      bone.rest_from_file.diagonal().head<3>().setConstant(
-          options_.mm_per_unit);
+      bone.rest_from_file.diagonal().head<3>().setConstant(labels_.mm_per_unit);
     }
     bone.points = std::move(mesh.soup.points);
     bone.triangles = std::move(mesh.soup.triangles);
@@ -205,7 +203,7 @@ class InputReader {
     muscle.mesh_path = mesh.file;
     muscle.is_turned = turned_.count(mesh.file) > 0;
     if (!mesh.file.empty()) {
-      muscle.mm_per_unit = options_.mm_per_unit;
+      muscle.mm_per_unit = labels_.mm_per_unit;
       ReadTriangleSoup(mesh.file);
     }
     muscle.delivered_volume = mesh.delivered_volume;
@@ -220,10 +218,10 @@ class InputReader {
     SceneMuscle whole;
     whole.name = MeshNameOf(file);
     whole.mesh_path = file;
-    whole.mm_per_unit = options_.mm_per_unit;
+    whole.mm_per_unit = labels_.mm_per_unit;
     whole.is_turned = turned_.count(file) > 0;
-    MusclePieces found =
-        PiecesOfMuscle(whole, RestSeparationOptionsOf(options_).prepare.repair);
+    MusclePieces found = PiecesOfMuscle(
+        whole, OptionsOf<SeparationSettings>(options_).prepare.repair);
     const std::vector<DroppedPiece>& dropped = found.repairs.dropped_pieces;
     const bool has_open =
         std::any_of(dropped.begin(), dropped.end(), [](const auto& piece) {
@@ -262,7 +260,7 @@ class InputReader {
           "meshes are named by their files without extension, and by the table "
           "of labels; rename one");
     }
-    for (const std::string& format : options_.formats) {
+    for (const std::string& format : OptionsOf<FormatSettings>(options_)) {
       const fs::path result = fs::path(options_.out) / (name + "." + format);
       std::error_code error;
       if (!fs::equivalent(result, MeshFileOf(where), error)) continue;
@@ -274,6 +272,7 @@ class InputReader {
 
   const std::vector<std::string>& files_;
   const SeparateOptions& options_;
+  LabelMeshOptions labels_;
   std::vector<std::string> bones_left_;  // that are no labels
   std::map<std::string, std::string> where_of_name_;
   std::set<std::string> turned_;  // files of another space than the others
@@ -281,13 +280,6 @@ class InputReader {
 };
 
 }  // namespace
-
-PieceChoice ParsePieces(const std::string& text) {
-  if (text == "largest") return PieceChoice::kLargest;
-  if (text == "all") return PieceChoice::kAll;
-  throw InputError(
-      "--pieces=" + text, "is not a choice of pieces", "allowed: largest, all");
-}
 
 SeparateInput ReadSeparateInput(const std::vector<std::string>& files,
                                 const SeparateOptions& options) {

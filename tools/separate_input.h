@@ -11,9 +11,6 @@
 
 namespace musclewarp {
 
-// Converts the text of --pieces. Throws InputError that names the flag.
-PieceChoice ParsePieces(const std::string& text);
-
 // What of a mesh file became no mesh.
 struct LostPieces {
   std::string name;      // of the file, or its part

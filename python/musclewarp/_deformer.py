@@ -10,8 +10,10 @@ from musclewarp import _core
 from musclewarp._page import Page, page
 from musclewarp._progress import Progress, as_function
 from musclewarp._scene import Scene
+from musclewarp._settings import documented, settings_among
 
 
+@documented("DeformerSettings")
 class Deformer(_core.Deformer):
     """Deforms the muscles of a scene: the whole of musclewarp in one class.
 
@@ -28,13 +30,9 @@ class Deformer(_core.Deformer):
         scene: a Scene; it is copied.
         progress: a function of (stage, done, total), which may raise to stop
             the computation, or a bar of tqdm.
+        {settings}
 
-        cache: a folder in which the preparation of the scene is kept, so that
-            another deformer of an equal scene with equal keywords is made in a
-            fraction of the time; or "none".
-
-    The other keywords are the flags of musclewarp-deform, in the units of these
-    flags; `musclewarp-deform --help` explains them.
+    The settings are the flags of musclewarp-deform (docs/settings.md).
 
     Raises:
         InputError: the scene contradicts itself, a mesh cannot be repaired, the
@@ -46,43 +44,11 @@ class Deformer(_core.Deformer):
                  scene: Scene,
                  *,
                  progress: Progress = None,
-                 contact: str = "certified",
-                 gap: float = 0.1,
-                 solver: str = "ceres",
-                 attachments: str = "auto",
-                 auto_lines: int = 3,
-                 fibres: int = 0,
-                 remake: str = "auto",
-                 max_loss: float = 0.06,
-                 max_lost_area: float = 100.0,
-                 max_lost_extent: float = 5.0,
-                 max_torn_patch: float = 0.0,
-                 max_hole: float = 30.0,
-                 coarse_vertices: int = 200,
-                 laplacian: str = "area",
-                 laplacian_length: float = 0.0,
-                 lines: str = "tendon",
-                 sample_spacing: float = 10.0,
-                 skeleton_weight: float = 1.0,
-                 attachment_weight: float = 8.0,
-                 bending_weight: float = 2.0,
-                 body_twist: bool = True,
-                 max_rounds: int = 6,
-                 max_step_turn: float = 20.0,
-                 max_step_move: float = 80.0,
-                 frame_timeout_s: float = -1.0,
-                 max_iterations: int = 500,
-                 contact_level: str = "coarse",
-                 bone_coarse_vertices: int = 1000,
-                 seed: int = 1,
-                 cache: Union[str, "os.PathLike[str]"] = "none") -> None:
-        choices = {
-            name: value
-            for name, value in locals().items()
-            if name not in ("self", "scene", "progress", "__class__")
-        }
-        choices["cache"] = os.fspath(cache)
-        super().__init__(scene._assembled(), choices, as_function(progress))
+                 # Settings of DeformerSettings.
+                 # End of settings.
+                 ) -> None:
+        settings = settings_among("DeformerSettings", locals())
+        super().__init__(scene._assembled(), settings, as_function(progress))
 
 
 class Run(_core.Run):
@@ -140,7 +106,7 @@ def run(scene: Scene,
         poses: Optional[Iterable[_core.Pose]] = None,
         *,
         progress: Progress = None,
-        **choices: Any) -> Run:
+        **settings: Any) -> Run:
     """Deforms a scene in all its poses, as musclewarp-deform does.
 
     Args:
@@ -148,10 +114,10 @@ def run(scene: Scene,
         poses: in place of those of the scene.
         progress: as of Deformer; also called with "frames", how many are done
             and how many there are.
-        choices: the other keywords of Deformer.
+        settings: the other keywords of Deformer.
     """
     function = as_function(progress)
-    deformer = Deformer(scene, progress=function, **choices)
+    deformer = Deformer(scene, progress=function, **settings)
     result = Run(deformer)
     todo = list(scene.poses if poses is None else poses)
     solve = deformer.move_to if scene.is_motion else deformer.solve_alone

@@ -5,6 +5,7 @@ from typing import Any, Dict, Iterable, List, Mapping, Tuple, Union
 
 from musclewarp import _core
 from musclewarp._progress import Progress, as_function
+from musclewarp._settings import documented, settings_among
 
 NamedMeshes = Union[Mapping[str, Any], Iterable[Any]]
 
@@ -33,15 +34,12 @@ def repair(mesh: Any,
     return _core.repair(mesh, max_hole, stitch_tolerance, name)
 
 
+@documented("SeparationSettings")
 def separate(meshes: NamedMeshes,
              bones: NamedMeshes = (),
              *,
-             gap: float = 0.1,
-             remake: str = "auto",
-             max_loss: float = 0.06,
-             max_lost_area: float = 100.0,
-             max_lost_extent: float = 5.0,
-             max_move: float = 5.0,
+             # Settings of SeparationSettings.
+             # End of settings.
              units: str = "mm",
              progress: Progress = None) -> _core.Frame:
     """Moves vertices as little as it takes for no two meshes to cross.
@@ -54,16 +52,7 @@ def separate(meshes: NamedMeshes,
             called mesh_1, mesh_2, ...
         bones: the same; they do not move, and are not tested with each other.
             Without names they are called bone_1, bone_2, ...
-        gap: the distance that is kept, mm, above 0 and at most 0.5.
-        remake: what happens to meshes that moving vertices does not separate:
-            "auto" (made anew) or "never" (InputError).
-        max_loss: the share of the volume of a mesh that may be lost: pieces that
-            are left out, and what goes where it is made anew; with more the frame is not usable. So it is with
-            more than `max_lost_area` mm2 of its surface gone, or
-            `max_lost_extent` mm of its length at one end.
-        max_move: how far a vertex may move beyond twice the depth of its mesh
-            in others and what those that push it add, mm; beyond, the frame
-            is not usable.
+        {settings}
         units: of the points that are given: "mm", "cm" or "m".
         progress: a function of (stage, done, total), or a bar of tqdm.
     Returns:
@@ -71,10 +60,9 @@ def separate(meshes: NamedMeshes,
     Raises:
         InputError: a mesh is bad, or the meshes cannot be separated.
     """
-    return _core.separate(_named(meshes, "mesh"), _named(bones, "bone"), gap,
-                          remake, max_loss, max_lost_area, max_lost_extent,
-                          max_move, units,
-                          as_function(progress))
+    settings = settings_among("SeparationSettings", locals())
+    return _core.separate(_named(meshes, "mesh"), _named(bones, "bone"),
+                          settings, units, as_function(progress))
 
 
 def _named(meshes: NamedMeshes, kind: str) -> List[Tuple[str, Any]]:

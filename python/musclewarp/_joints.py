@@ -11,6 +11,7 @@ from typing import (Any, Dict, Iterable, List, Mapping, Optional, Sequence,
 from musclewarp import _core
 from musclewarp._errors import InputError
 from musclewarp._scene import Scene, scene_of
+from musclewarp._settings import documented, settings_among
 
 _Path = Union[str, "os.PathLike[str]"]
 
@@ -98,14 +99,12 @@ class Articulation:
         return f"<musclewarp.Articulation: {joints}>"
 
 
+@documented("ArticulationSettings")
 def articulate(bones: Mapping[str, Any],
                *,
-               side: str = "both",
-               joints: Sequence[str] = (),
-               zero: str = "anatomy",
-               axes: Optional[str] = "LPS",
                units: str = "mm",
-               given: Union[_Path, Mapping[str, Any], None] = None
+               # Settings of ArticulationSettings.
+               # End of settings.
                ) -> Articulation:
     """Finds the joints of a skeleton on the shapes of its bones.
 
@@ -122,18 +121,12 @@ def articulate(bones: Mapping[str, Any],
             names belong to no joint. A mesh is a Mesh, a pair (points,
             triangles), anything that has points and triangles, or the path of a
             mesh file.
-        side: "right", "left" or "both": where joints are found, and of which
-            bones are that nothing else says the side of.
-        joints: those to find: "hip", "knee", "patella", "ankle", "subtalar",
-            "shoulder", "elbow", "forearm". Empty: all that have their bones.
-        zero: the pose in which coordinates are 0: "anatomy" (the frames of both
-            bones are parallel) or "scan".
-        axes: where +x, +y and +z point, one letter each out of L(eft) or
-            R(ight), A(nterior) or P(osterior), S(uperior) or I(nferior). None:
-            not known.
         units: of the meshes: "mm", "cm" or "m". All results are in mm.
-        given: joints that replace those found: the path of a joints.json, or
-            the same as a dict, such as a corrected Articulation.report().
+        {settings}
+
+    `joints` may be a list of names, `axes` None, and `given` also what a file
+    has, as a dict, such as a corrected Articulation.report().
+
     Raises:
         InputError: a mesh is bad, a joint that was asked for lacks its bones,
             no joint has any, or the shape of a femur contradicts its side, as
@@ -142,17 +135,15 @@ def articulate(bones: Mapping[str, Any],
     if not isinstance(bones, Mapping):
         raise InputError("bones", f"is no dict, but {type(bones).__name__}",
                          "give meshes by the names of bones")
-    if isinstance(joints, str):
-        joints = [joints]
-    file, text = "", ""
+    settings = settings_among("ArticulationSettings", locals())
+    if axes is None:
+        settings["axes"] = "none"
+    text = ""
     if isinstance(given, Mapping):
         text = json.dumps(given)
-    elif given is not None:
-        file = os.fspath(given)
+        settings["given"] = ""
     return Articulation(
-        _core.articulate(list(bones.items()), side, list(joints), zero,
-                         "none" if axes is None else axes, units, file,
-                         text), units)
+        _core.articulate(list(bones.items()), settings, units, text), units)
 
 
 def _sweeps(

@@ -8,6 +8,7 @@ namespace musclewarp::python {
 
 // Each adds one concept to the module.
 void BindErrors(pybind11::module_* module);
+void BindSettings(pybind11::module_* module);
 void BindLog(pybind11::module_* module);
 void BindMeshes(pybind11::module_* module);
 void BindSceneParts(pybind11::module_* module);

@@ -6,14 +6,12 @@
 #include "musclewarp/deformer/mesh_separation.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/scene/scene_names.h"
+#include "musclewarp/settings/separation_settings.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
-#include "python/src/choices.h"
 #include "python/src/deformer.h"
 #include "python/src/meshes.h"
-#include "tools/flag_values.h"
-#include "tools/option_flags.h"
-#include "tools/separate_command.h"
+#include "python/src/settings.h"
 
 namespace musclewarp::python {
 namespace {
@@ -119,53 +117,22 @@ Scene SceneOf(const MeshesByName& meshes,
 
 std::shared_ptr<FrameOfScene> Separate(const MeshesByName& meshes,
                                        const MeshesByName& bones,
-                                       double gap,
-                                       const std::string& remake,
-                                       double max_loss,
-                                       double max_lost_area,
-                                       double max_lost_extent,
-                                       double max_move,
+                                       const py::dict& keywords,
                                        const std::string& units,
                                        const py::object& progress) {
   if (meshes.empty()) {
     throw InputError("meshes", "are none", "give at least one");
   }
-  RestSeparationOptions separation;
-  // A value that is not the default was given.
-  std::set<std::string> lengths_in_mm;
-  const SeparateOptions defaults;
-  if (gap != defaults.gap) lengths_in_mm.insert("gap");
-  if (max_lost_area != defaults.max_lost_area) {
-    lengths_in_mm.insert("max_lost_area");
-  }
-  if (max_lost_extent != defaults.max_lost_extent) {
-    lengths_in_mm.insert("max_lost_extent");
-  }
-  if (max_move != defaults.max_move) lengths_in_mm.insert("max_move");
-  CallWithKeywords([&] {
-    SeparateOptions options;
-    options.gap = gap;
-    options.remake = ParseRemake(remake);
-    options.max_loss = max_loss;
-    options.max_lost_area = max_lost_area;
-    options.max_lost_extent = max_lost_extent;
-    options.max_move = max_move;
-    separation = RestSeparationOptionsOf(options);
-    CheckValid(separation);
+  const auto settings = SettingsFrom<SeparationSettings>(keywords);
+  return ComputeFree([scene = SceneOf(meshes, bones, units),
+                      options = OptionsOf(settings),
+                      lengths_in_mm = LengthsInMillimetres(settings),
+                      on_progress = CallbackOf(progress)] {
+    MeshSeparation separated =
+        SeparateMeshes(scene, options, on_progress, lengths_in_mm);
+    return std::make_shared<FrameOfScene>(
+        FrameOfScene{std::move(separated.frame), PartsOf(separated.scene)});
   });
-  std::shared_ptr<FrameOfScene> result;
-  CallWithKeywords([&] {
-    result = ComputeFree([scene = SceneOf(meshes, bones, units),
-                          separation,
-                          lengths_in_mm,
-                          on_progress = CallbackOf(progress)] {
-      MeshSeparation separated =
-          SeparateMeshes(scene, separation, on_progress, lengths_in_mm);
-      return std::make_shared<FrameOfScene>(
-          FrameOfScene{std::move(separated.frame), PartsOf(separated.scene)});
-    });
-  });
-  return result;
 }
 
 }  // namespace
@@ -200,12 +167,7 @@ void BindChecks(py::module_* module) {
               &Separate,
               py::arg("meshes"),
               py::arg("bones"),
-              py::arg("gap"),
-              py::arg("remake"),
-              py::arg("max_loss"),
-              py::arg("max_lost_area"),
-              py::arg("max_lost_extent"),
-              py::arg("max_move"),
+              py::arg("settings"),
               py::arg("units"),
               py::arg("progress"));
 }

@@ -5,8 +5,10 @@
 #include <pybind11/stl.h>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/setting_names.h"
 #include "python/src/bindings.h"
-#include "python/src/choices.h"
+#include "musclewarp/settings/deformer_settings.h"
+#include "python/src/settings.h"
 
 namespace musclewarp::python {
 namespace {
@@ -54,9 +56,8 @@ using SharedState = std::shared_ptr<StateOfDeformer>;
 Self MakeFromKeywords(const SharedScene& scene,
                       const py::dict& keywords,
                       const py::object& progress) {
-  Self self;
-  CallWithKeywords(
-      [&] { self = MakeDeformer(*scene, OptionsFrom(keywords), progress); });
+  const Self self = MakeDeformer(
+      *scene, OptionsOf(SettingsFrom<DeformerSettings>(keywords)), progress);
   for (const auto& [name, value] : keywords) {
     self->keywords[name.cast<std::string>()] =
         py::str(value).cast<std::string>();
@@ -95,11 +96,15 @@ int ExpectedSteps(const Self& self,
 void BindWhatIsKnown(py::class_<SharedDeformer, Self>* type) {
   type->def_property_readonly(
           "warnings",
-          [](const Self& self) { return self->deformer->scene().warnings; },
+          [](const Self& self) {
+            return WithFieldNames(self->deformer->scene().warnings);
+          },
           "What is likely wrong with the scene, a sentence each.")
       .def_property_readonly(
           "notes",
-          [](const Self& self) { return self->deformer->scene().scene.notes; },
+          [](const Self& self) {
+            return WithFieldNames(self->deformer->scene().scene.notes);
+          },
           "What was found while the scene was read, a sentence each.")
       .def_property_readonly(
           "contact",
@@ -140,7 +145,6 @@ std::shared_ptr<SharedDeformer> MakeDeformer(Scene scene,
 }
 
 void BindDeformer(py::module_* module) {
-  module->def("default_choices", &DefaultChoices);
   py::class_<StateOfDeformer, SharedState>(*module, "State", kStateDoc);
   py::class_<SharedDeformer, Self> type(*module, "Deformer");
   type.def(py::init(&MakeFromKeywords),

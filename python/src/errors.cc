@@ -1,6 +1,7 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/setting_names.h"
 
 #include "python/src/bindings.h"
 
@@ -12,8 +13,9 @@ namespace py = pybind11;
 void RaiseInputError(const InputError& error) {
   const py::object type =
       py::module_::import("musclewarp._errors").attr("InputError");
-  const py::object raised =
-      type(error.where(), error.problem(), error.advice());
+  const py::object raised = type(WithFieldNames(error.where()),
+                                 WithFieldNames(error.problem()),
+                                 WithFieldNames(error.advice()));
   PyErr_SetObject(type.ptr(), raised.ptr());
 }
 

@@ -5,23 +5,26 @@
 #include <regex>
 #include <sstream>
 
+#include "musclewarp/base/setting_names.h"
+
 namespace musclewarp::python {
 
 std::string PlainText(const std::string& text) {
   static const std::regex kLink(R"(\[([^\]]*)\]\([^)]*\))");
-  std::string plain = std::regex_replace(text, kLink, "$1");
+  std::string plain = std::regex_replace(WithFieldNames(text), kLink, "$1");
   plain.erase(std::remove(plain.begin(), plain.end(), '`'), plain.end());
   return plain;
 }
 
 std::string AttributeText(const std::string& name,
                           const std::string& text,
-                          const std::string& unit) {
+                          const std::string& unit,
+                          int indent) {
   constexpr size_t kWidth = 79;
   const std::string said =
       name + ": " + PlainText(text) + (unit.empty() ? "" : ", " + unit) + ".";
   std::istringstream words(said);
-  std::string lines = "    ";
+  std::string lines(indent, ' ');
   size_t used = lines.size();
   for (std::string word; words >> word;) {
     const bool is_first = word == name + ":";

@@ -24,7 +24,8 @@ std::string PlainText(const std::string& text);
 // Returns "name: text, unit", indented and wrapped as in docstrings.
 std::string AttributeText(const std::string& name,
                           const std::string& text,
-                          const std::string& unit);
+                          const std::string& unit,
+                          int indent = 4);
 
 // Returns numbers as such, and all else as json.loads() makes it of what a
 // report says.

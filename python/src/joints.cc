@@ -11,6 +11,7 @@
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/setting_names.h"
 #include "musclewarp/joints/articulated_model.h"
 #include "musclewarp/joints/articulated_scene.h"
 #include "musclewarp/joints/articulation.h"
@@ -21,11 +22,11 @@
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
 #include "python/src/call.h"
-#include "python/src/choices.h"
 #include "python/src/json.h"
 #include "python/src/meshes.h"
+#include "musclewarp/settings/articulation_settings.h"
 #include "python/src/scene.h"
-#include "tools/articulate_command.h"
+#include "python/src/settings.h"
 
 namespace musclewarp::python {
 namespace {
@@ -111,26 +112,14 @@ std::vector<Bone> BonesFrom(const MeshesByName& meshes,
   return bones;
 }
 
-// `given` is the path of a file of joints, `given_text` what may be in one;
-// either may be empty.
+// `given_text` is what a file of joints may have, in place of the setting
+// `given`, or empty.
 SharedArticulation FindJoints(const MeshesByName& meshes,
-                              const std::string& side,
-                              const std::vector<std::string>& joints,
-                              const std::string& zero,
-                              const std::string& axes,
+                              const py::dict& keywords,
                               const std::string& units,
-                              const std::string& given,
                               const std::string& given_text) {
-  ArticulationOptions options;
-  CallWithKeywords([&] {
-    ArticulateOptions flags;
-    flags.side = side;
-    flags.joints = joints;
-    flags.zero = zero;
-    flags.axes = axes;
-    flags.given = given;
-    options = ArticulationOptionsOf(flags);
-  });
+  ArticulationOptions options =
+      OptionsOf(SettingsFrom<ArticulationSettings>(keywords));
   if (!given_text.empty()) {
     options.given = ReadJoints(JsonField::Parse(given_text, "given"));
   }
@@ -313,7 +302,7 @@ void BindJoints(py::module_* module) {
                              })
       .def_property_readonly("notes",
                              [](const ArticulationSource& source) {
-                               return source.articulation.notes;
+                               return WithFieldNames(source.articulation.notes);
                              })
       .def("report",
            [](const ArticulationSource& source) {
@@ -340,12 +329,8 @@ void BindJoints(py::module_* module) {
   module->def("articulate",
               &FindJoints,
               py::arg("bones"),
-              py::arg("side"),
-              py::arg("joints"),
-              py::arg("zero"),
-              py::arg("axes"),
+              py::arg("settings"),
               py::arg("units"),
-              py::arg("given"),
               py::arg("given_text"));
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/setting_names.h"
 #include "python/src/bindings.h"
 
 namespace musclewarp::python {
@@ -28,7 +29,7 @@ class Lines : public google::LogSink {
             const char* message,
             size_t length) override {
     const std::lock_guard<std::mutex> lock(mutex_);
-    lines_.emplace_back(severity, std::string(message, length));
+    lines_.emplace_back(severity, WithFieldNames(std::string(message, length)));
   }
 
   std::vector<std::pair<google::LogSeverity, std::string>> Take() {

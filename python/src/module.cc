@@ -3,10 +3,10 @@
 #include <pybind11/pybind11.h>
 
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/settings/checked_settings.h"
+#include "musclewarp/settings/thread_settings.h"
 #include "python/src/bindings.h"
 #include "python/src/call.h"
-#include "python/src/choices.h"
-#include "tools/program.h"
 
 // The part of the Python package that is C++: python/musclewarp/__init__.py
 // says what of it is for users.
@@ -14,6 +14,7 @@ PYBIND11_MODULE(_core, module) {
   using namespace musclewarp::python;  // NOLINT(google-build-using-namespace)
   BindErrors(&module);
   BindLog(&module);
+  BindSettings(&module);
   BindMeshes(&module);
   BindOpenSim(&module);
   BindSceneParts(&module);
@@ -28,7 +29,7 @@ PYBIND11_MODULE(_core, module) {
   module.def(
       "set_threads",
       [](int threads) {
-        CallWithKeywords([=] { musclewarp::CheckThreads(threads); });
+        musclewarp::CheckSettings(musclewarp::ThreadSettings{threads});
         SetThreads(threads);
       },
       pybind11::arg("threads"),

@@ -11,14 +11,13 @@
 #include "musclewarp/page/page.h"
 #include "musclewarp/run/earlier_run.h"
 #include "musclewarp/run/motion_tables.h"
+#include "musclewarp/run/output_folder.h"
+#include "musclewarp/run/output_lock.h"
 #include "musclewarp/run/run_writer.h"
 #include "python/src/bindings.h"
-#include "python/src/choices.h"
+#include "musclewarp/settings/file_settings.h"
 #include "python/src/deformer.h"
 #include "python/src/json.h"
-#include "tools/flag_values.h"
-#include "tools/output_folder.h"
-#include "tools/output_lock.h"
 
 namespace musclewarp::python {
 namespace {
@@ -142,20 +141,21 @@ void Write(const RunOfDeformer& run,
   if (run.frames.empty()) {
     throw InputError("run", "has no frames", "append frames first");
   }
-  CallWithKeywords([&] {
-    const FrameFileOptions files = ParseFrameFiles(format, bones);
-    CheckWritable(dir);
-    SharedDeformer::Compute(
-        run.deformer,
-        [run = SnapshotOf(run), files, dir, overwrite](Deformer* deformer) {
-          // Held by the thread that writes, even if nobody waits for it.
-          const OutputLock lock(dir);
-          CheckNoStrangeFrames(dir, overwrite);
-          MakeFolder(dir);
-          WriteFiles(*run, files, dir, deformer);
-          return true;
-        });
-  });
+  FileSettings settings;
+  settings.format = format;
+  settings.bones = bones;
+  const FrameFileOptions files = OptionsOf(settings);
+  CheckWritable(dir);
+  SharedDeformer::Compute(
+      run.deformer,
+      [run = SnapshotOf(run), files, dir, overwrite](Deformer* deformer) {
+        // Held by the thread that writes, even if nobody waits for it.
+        const OutputLock lock(dir);
+        CheckNoStrangeFrames(dir, overwrite);
+        MakeFolder(dir);
+        WriteFiles(*run, files, dir, deformer);
+        return true;
+      });
 }
 
 std::string PageOfFolder(const std::string& dir) {
@@ -189,9 +189,9 @@ void BindRun(py::module_* module) {
       .def("write",
            &Write,
            py::arg("out"),
-           py::arg("format") = "ply",
+           py::arg("format") = FileSettings().format,
            py::arg("overwrite") = false,
-           py::arg("bones") = ToString(FrameFileOptions().bones))
+           py::arg("bones") = FileSettings().bones)
       .def_property_readonly("lengths",
                              [](const RunOfDeformer& run) {
                                return TableOf(

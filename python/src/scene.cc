@@ -11,7 +11,7 @@
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
 #include "python/src/call.h"
-#include "tools/demo_scene.h"
+#include "musclewarp/phantom/demo_scene.h"
 
 namespace musclewarp::python {
 namespace {

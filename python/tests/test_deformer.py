@@ -118,7 +118,7 @@ def test_keywords_are_those_of_the_library_with_its_defaults():
         for name, parameter in parameters.items()
         if name not in ("scene", "progress")
     }
-    assert keywords == _core.default_choices()
+    assert keywords == _core.default_settings["DeformerSettings"]
 
 
 @pytest.mark.parametrize("pose, words", [

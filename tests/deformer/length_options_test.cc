@@ -50,7 +50,7 @@ TEST(LengthOptions, AGapThatIsLargeForTheBodyIsRefused) {
   options.lengths_in_mm = {"gap"};
   ExpectInputError(
       [&] { Deformer(scene, options); },
-      {"--gap", "is 0.1 mm", "is 1/32 of human size", "at most 0.0156"});
+      {"gap", "is 0.1 mm", "is 1/32 of human size", "at most 0.0156"});
 }
 
 }  // namespace

@@ -66,9 +66,9 @@ TEST(FillWithTetrahedra, TetgenDoesNotFillSurfacesThatCross) {
 
 TEST(FindMesher, WhatIsMissingIsNamed) {
   ExpectInputError([] { FindMesher("/no/such/tetgen"); },
-                   {"--mesher=/no/such/tetgen", "apt-get install tetgen"});
+                   {"mesher=/no/such/tetgen", "apt-get install tetgen"});
   ExpectInputError([] { FindMesher("netgen"); },
-                   {"--mesher=netgen", "neither TetGen nor Gmsh"});
+                   {"mesher=netgen", "neither TetGen nor Gmsh"});
 }
 
 TEST(FillWithTetrahedra, SaysHowTheMesherFailed) {

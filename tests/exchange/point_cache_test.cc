@@ -85,7 +85,7 @@ TEST(PointCaches, DoNotReplaceAFolderOfOtherThings) {
   const RunOutline run = ReadRunForExport(written.dir, "0");
   ExpectInputError(
       [&] { WritePointCaches(written.dir, AnimationOf(run, {0})); },
-      {written.dir, "would be replaced", "--out"});
+      {written.dir, "would be replaced", "out"});
   EXPECT_TRUE(fs::exists(written.dir + "/report.json"));
   ExpectInputError(
       [&] {

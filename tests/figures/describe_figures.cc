@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "musclewarp/base/described_json.h"
+#include "musclewarp/base/setting_names.h"
 #include "musclewarp/figures/run_figures.h"
 #include "musclewarp/figures/surface_reconstruction.h"
 
@@ -66,7 +67,7 @@ void Add(OrderedJson* all) {
     fields.push_back({{"key", field.key},
                       {"name", NameOf(field)},
                       {"unit", field.unit},
-                      {"text", field.text},
+                      {"text", WithFlags(field.text)},
                       {"type", type},
                       {"may_be_missing",
                        field.presence == Presence::kUnlessEmpty ||

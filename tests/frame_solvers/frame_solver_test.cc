@@ -75,7 +75,6 @@ TEST(FrameSolver, CertifiedFramesKeepTheGap) {
   const PreparedScene scene = PreparedSmallScene();
   FrameSolverOptions options;
   options.certified.step.gap = 0.2;
-  options.certified.separation.cell.margin = 0.4;
   const auto solver = SolverFor(scene, options);
   const MuscleSolvers solvers = ReferenceSolvers();
   SceneState state = solver->StartOfMotion(solvers);

@@ -117,7 +117,7 @@ TEST(SeparateRest, RefusesSuchASceneIfNothingMayBeMadeAnew) {
   PreparedScene scene = PreparedSmallScene(SceneWithAnEndInABone());
   const Points before = scene.muscles[0].model.fine_rest;
   ExpectInputError([&] { Separate(ReconstructionKind::kNever, &scene); },
-                   {"psoas crosses femur", "--remake=auto", "mm deep"});
+                   {"psoas crosses femur", "remake=auto", "mm deep"});
   EXPECT_EQ(scene.muscles[0].model.fine_rest, before);
 }
 

@@ -73,15 +73,15 @@ TEST(View, VectorsAreMadePerpendicular) {
 
 TEST(View, MistakesNameTheFlag) {
   using ::testing::HasSubstr;
-  EXPECT_THAT(ErrorOf("front", "LPS", "right"), HasSubstr("--view: 'front'"));
-  EXPECT_THAT(ErrorOf("1,2", "LPS", "right"), HasSubstr("--view"));
-  EXPECT_THAT(ErrorOf("0,0,0", "LPS", "right"), HasSubstr("--view"));
-  EXPECT_THAT(ErrorOf("1,0,0 ", "LPS", "right"), HasSubstr("--view"));
+  EXPECT_THAT(ErrorOf("front", "LPS", "right"), HasSubstr("view: 'front'"));
+  EXPECT_THAT(ErrorOf("1,2", "LPS", "right"), HasSubstr("view"));
+  EXPECT_THAT(ErrorOf("0,0,0", "LPS", "right"), HasSubstr("view"));
+  EXPECT_THAT(ErrorOf("1,0,0 ", "LPS", "right"), HasSubstr("view"));
   EXPECT_THAT(ErrorOf("0,0,1", "LPS", "right"), HasSubstr("upward"));
-  EXPECT_THAT(ErrorOf("anterior", "LPR", "right"), HasSubstr("--axes: 'LPR'"));
-  EXPECT_THAT(ErrorOf("anterior", "LPSS", "right"), HasSubstr("--axes"));
-  EXPECT_THAT(ErrorOf("anterior", "XYZ", "right"), HasSubstr("--axes"));
-  EXPECT_THAT(ErrorOf("lateral", "LPS", "both"), HasSubstr("--side: 'both'"));
+  EXPECT_THAT(ErrorOf("anterior", "LPR", "right"), HasSubstr("axes: 'LPR'"));
+  EXPECT_THAT(ErrorOf("anterior", "LPSS", "right"), HasSubstr("axes"));
+  EXPECT_THAT(ErrorOf("anterior", "XYZ", "right"), HasSubstr("axes"));
+  EXPECT_THAT(ErrorOf("lateral", "LPS", "both"), HasSubstr("side: 'both'"));
 }
 
 }  // namespace

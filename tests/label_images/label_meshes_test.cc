@@ -185,7 +185,7 @@ TEST(LabelMeshes, RefusesImagesAndTablesThatDoNotFit) {
   ExpectInputError([&] { ReadLabelMeshes(WriteImage(dir, crumb), {}); },
                    {"image.nrrd: label 4 (label_4) has 1 voxels",
                     "allowed: at least 64",
-                    "--labels=TABLE"});
+                    "labels=TABLE"});
 }
 
 TEST(LabelMeshes, AllTinyLabelsAreNamedAtOnce) {
@@ -199,7 +199,7 @@ TEST(LabelMeshes, AllTinyLabelsAreNamedAtOnce) {
                    {"image.nrrd: 3 labels: 11 (label_11), 12 (label_12), 13 "
                     "(label_13)",
                     "none has more than 13 voxels",
-                    "--labels=TABLE"});
+                    "labels=TABLE"});
   // What it says to do.
   LabelMeshOptions options;
   options.table = dir + "/table.csv";

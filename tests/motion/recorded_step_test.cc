@@ -86,7 +86,7 @@ TEST_F(RecordedStepTest, RefusesOtherFilesAndDamagedOnes) {
   const std::string path = TestTempDir() + "/step";
   WriteTextAtomically(path, "solid cube\n");
   ExpectInputError([&] { ReadRecordedStep(path); },
-                   {path, "no recorded step", "--record_steps"});
+                   {path, "no recorded step", "record_steps"});
   WriteRecordedStep(path, steps_[0]);
   std::string bytes = ReadFile(path);
   bytes[bytes.size() / 2] ^= 1;

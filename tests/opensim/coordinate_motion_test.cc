@@ -92,7 +92,7 @@ TEST(CoordinateMotion, RefusesTablesThatDoNotFit) {
 TEST(CoordinateMotion, SomethingHasToSayWhetherAnglesAreInDegrees) {
   StorageTable table = Table({"knee"}, {{90}});
   table.in_degrees.reset();
-  ExpectMotionRefused(table, {"--motion_in_degrees", "inDegrees=yes"});
+  ExpectMotionRefused(table, {"motion_in_degrees", "inDegrees=yes"});
   EXPECT_EQ(MotionOf(Leg(), table, "m.mot", true).values[0][0], M_PI / 2);
   EXPECT_EQ(MotionOf(Leg(), table, "m.mot", false).values[0][0], 90);
   // Lengths have no such choice.

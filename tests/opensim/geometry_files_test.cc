@@ -70,7 +70,7 @@ TEST_F(GeometryFiles, SaysWhereItLooked) {
       {"leg.osim",
        "femur.vtp",
        dir_ + "/Models/Leg, " + dir_ + "/given, " + dir_ + "/Geometry",
-       "--geometry"});
+       "geometry"});
 }
 
 }  // namespace

@@ -144,8 +144,7 @@ TEST(PageContents, OptionsAreNamedWhenRefused) {
   const RecordedRun run = ReadQuietly(WriteRun(TestTempDir()).dir);
   PageOptions options;
   options.side = "middle";
-  ExpectInputError([&] { PageContentsOf({run}, options); },
-                   {"--side", "middle"});
+  ExpectInputError([&] { PageContentsOf({run}, options); }, {"side", "middle"});
 }
 
 }  // namespace

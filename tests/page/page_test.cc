@@ -59,7 +59,7 @@ TEST(Page, ViewsFollowTheAxesOfTheScene) {
   options.side = "right";
   EXPECT_EQ(lateral(options), Json({-1.0, 0.0, 0.0}));
   options.axes = "LPP";
-  ExpectInputError([&] { lateral(options); }, {"--axes", "LPP"});
+  ExpectInputError([&] { lateral(options); }, {"axes", "LPP"});
 }
 
 TEST(Page, HasMomentArmsOfCarriedLines) {

@@ -162,7 +162,7 @@ TEST(RandomScene, WithoutANumberItIsDrawn) {
 TEST(RandomScene, AnotherNumberOfMusclesIsAnError) {
   for (const int number : {-1, 1, 33}) {
     ExpectInputError([&] { MakeRandomScene(1, number); },
-                     {"--num_muscles", "is " + std::to_string(number), "32"});
+                     {"num_muscles", "is " + std::to_string(number), "32"});
   }
 }
 

@@ -44,7 +44,7 @@ TEST(LostParts, TheNamesAndHowToNameOneAreSaid) {
       },
       {"m.obj: has 2 objects: medius, minimus; a muscle is one closed surface",
        "\"m.obj#medius\"",
-       "--pieces=all"});
+       "pieces=all"});
 }
 
 TEST(LostParts, PartsOfOneNameHaveToBeRenamed) {

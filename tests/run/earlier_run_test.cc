@@ -74,7 +74,7 @@ TEST(EarlierRun, FramesThatNoReportNamesAreRefused) {
   const std::string dir = RunFolder();
   fs::create_directories(dir + "/frame_0003");
   ExpectInputError([&] { CheckNoStrangeFrames(dir, false); },
-                   {dir, "frame_0003", "--overwrite"});
+                   {dir, "frame_0003", "overwrite"});
   EXPECT_NO_THROW(CheckNoStrangeFrames(dir, true));
   // Those of a run that was interrupted are known.
   ResumeLog(dir, "hash").StartAnew();

@@ -30,7 +30,7 @@ TEST(PathsInJson, LeadFromTheFolderOfTheFile) {
   std::filesystem::create_directories(dir + "/run");
   WriteTextAtomically(dir + "/data/bone.ply", "");
   OrderedJson report = ReportOn(dir + "/data");
-  MakePathsRelative(dir + "/run", &report);
+  AdaptTexts(dir + "/run", &report);
   OrderedJson expected = ReportOn("../data");
   // Names are no paths, whatever they are.
   expected["prepare"]["bones"][0]["name"] = dir + "/data";
@@ -43,8 +43,16 @@ TEST(PathsInJson, MayNameAPartOfAFile) {
   std::filesystem::create_directories(dir + "/run");
   WriteTextAtomically(dir + "/two.obj", "");
   OrderedJson report = {{"mesh", dir + "/two.obj#left psoas"}};
-  MakePathsRelative(dir + "/run", &report);
+  AdaptTexts(dir + "/run", &report);
   EXPECT_EQ(report["mesh"], "../two.obj#left psoas");
+}
+
+TEST(PathsInJson, NameSettingsAsFlagsInTextsAlone) {
+  OrderedJson report = {{"notes", {"a: is open ({max_hole})"}},
+                        {"name", "{max_hole}"}};
+  AdaptTexts(TestTempDir(), &report);
+  EXPECT_EQ(report["notes"][0], "a: is open (--max_hole)");
+  EXPECT_EQ(report["name"], "{max_hole}");
 }
 
 TEST(PathsInJson, ShowNoFoldersOfTheMachine) {

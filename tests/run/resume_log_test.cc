@@ -105,7 +105,7 @@ TEST(ResumeLog, RefusesADamagedFile) {
   WriteTextAtomically(dir + "/.resume/frame_0000.cbor", "not cbor");
   SceneState state;
   ExpectInputError([&] { log.Continue({0}, &state); },
-                   {"frame_0000.cbor", "damaged", "without --resume"});
+                   {"frame_0000.cbor", "damaged", "without resume"});
 }
 
 // Expects that a log is refused once `change` has been done to the JSON of its
@@ -123,7 +123,7 @@ void ExpectRefused(const std::function<void(nlohmann::json*)>& change) {
   SceneState state;
   ExpectInputError(
       [&] { log.Continue({0}, &state); },
-      {"frame_0000.cbor", "this build", "run without --resume", "--out"});
+      {"frame_0000.cbor", "this build", "run without resume", "out"});
 }
 
 TEST(ResumeLog, RefusesFramesOfAnotherLayout) {
@@ -150,7 +150,7 @@ TEST(ResumeLog, RefusesLogsWithoutItsVersion) {
   SceneState state;
   ExpectInputError(
       [&] { log.Continue({0}, &state); },
-      {".resume/inputs", "another version", "run without --resume", "--out"});
+      {".resume/inputs", "another version", "run without resume", "out"});
 }
 
 }  // namespace

@@ -106,13 +106,12 @@ TEST(FindRunFiles, MissingFramesAreNamed) {
   Touch(dir + "/frame_0002/a.ply");
   Touch(dir + "/frame_0005/a.ply");
   ExpectInputError([&] { FindRunFiles(dir, "2,3"); },
-                   {"--frames", "'3' is not a frame", "from 2 to 5"});
-  ExpectInputError([&] { FindRunFiles(dir, "first"); },
-                   {"--frames", "'first'"});
+                   {"frames", "'3' is not a frame", "from 2 to 5"});
+  ExpectInputError([&] { FindRunFiles(dir, "first"); }, {"frames", "'first'"});
   ExpectInputError([&] { FindRunFiles(dir, ""); },
-                   {"--frames", "names no frame"});
+                   {"frames", "names no frame"});
   ExpectInputError([&] { FindRunFiles(dir + "/none", "0"); },
-                   {dir + "/none", "--in"});
+                   {dir + "/none", "in"});
 }
 
 }  // namespace

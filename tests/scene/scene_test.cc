@@ -113,7 +113,7 @@ TEST(Scene, AMuscleIsOnePiece) {
   ExpectFileRefused(With("/muscles/0/pieces", "all"),
                     {"muscles[0].pieces",
                      "one closed surface",
-                     "musclewarp-separate --pieces=all"});
+                     "separation with pieces=all"});
   ExpectFileRefused(With("/muscles/0/pieces", "both"),
                     {"muscles[0].pieces", "\"both\"", "allowed"});
 }

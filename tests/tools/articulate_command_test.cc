@@ -13,10 +13,10 @@
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/program/program.h"
 #include "musclewarp/scene/scene.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
-#include "tools/program.h"
 
 namespace musclewarp {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/comparison.h"
+#include "musclewarp/studies/comparison.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,14 +1,14 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/convergence_measures.h"
+#include "musclewarp/studies/convergence_measures.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
 #include "musclewarp/mesh/triangle.h"
+#include "musclewarp/studies/mesh_density.h"
 #include "support/meshes.h"
-#include "tools/mesh_density.h"
 
 namespace musclewarp {
 

@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/convergence_study.h"
+#include "musclewarp/studies/convergence_study.h"
 
 #include <gtest/gtest.h>
 

@@ -14,10 +14,10 @@
 
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/program/program.h"
 #include "support/input_errors.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
-#include "tools/program.h"
 #include "tools/run_program.h"
 
 namespace musclewarp {

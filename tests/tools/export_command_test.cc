@@ -13,12 +13,12 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/program/program.h"
 #include "musclewarp/run/attachments_file.h"
 #include "run/written_run.h"
 #include "support/input_errors.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
-#include "tools/program.h"
 #include "tools/run_program.h"
 
 namespace musclewarp {

@@ -18,9 +18,9 @@
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/figures/frame_figures.h"
 #include "musclewarp/opensim/kinematics.h"
+#include "musclewarp/program/program.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
-#include "tools/program.h"
 #include "tools/run_program.h"
 
 namespace musclewarp {

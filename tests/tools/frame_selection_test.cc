@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/frame_selection.h"
+#include "musclewarp/scene/frame_selection.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/mesh_density.h"
+#include "musclewarp/studies/mesh_density.h"
 
 #include <gtest/gtest.h>
 

@@ -19,11 +19,11 @@
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/stl_io.h"
 #include "musclewarp/render/picture.h"
+#include "musclewarp/render/stretch_colors.h"
 #include "musclewarp/run/bones_file.h"
 #include "musclewarp/run/run_files.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
-#include "tools/stretch_colors.h"
 
 namespace musclewarp {
 namespace {

@@ -13,9 +13,9 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/program/program.h"
 #include "support/made_images.h"
 #include "support/temp_dir.h"
-#include "tools/program.h"
 #include "tools/run_program.h"
 
 namespace musclewarp {

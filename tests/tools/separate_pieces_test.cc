@@ -10,9 +10,9 @@
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/obj_io.h"
+#include "musclewarp/program/program.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
-#include "tools/program.h"
 #include "tools/run_program.h"
 
 // Mesh files of several closed surfaces or named parts.

@@ -33,7 +33,7 @@
 #include <utility>
 #include <vector>
 
-#include "musclewarp/base/infinity.h"
+#include "musclewarp/base/value_range.h"
 
 namespace musclewarp {
 
@@ -49,6 +49,13 @@ enum class Presence {
   kLater,        // always, but files of earlier builds may lack it
 };
 
+// What depends on a setting.
+enum class Effect {
+  kResults,  // what is computed
+  kFiles,    // which of the results are written, and how
+  kNothing,  // how long it takes, or where files are
+};
+
 // A field of a struct. `Access` is a pointer to the member, a pointer to a
 // const member function without parameters that computes the value from
 // others, or Inner().
@@ -59,9 +66,11 @@ struct Field {
   const char* key;
   const char* unit;       // "mm", "mm2", "mm/rad", "ms", ... or ""
   const char* text = "";  // what it is, without a full stop
-  double lowest = -kInfinity;
-  double highest = kInfinity;
+  ValueRange range;
+  const char* choices = "";  // of a text, the allowed ones: "auto, never"
+  bool is_path = false;      // true for a text that names a file or folder
   Presence presence = Presence::kAlways;
+  Effect effect = Effect::kResults;
 
   constexpr Field(Access access_, const char* key_, const char* unit_ = "")
       : access(access_), key(key_), unit(unit_) {}
@@ -76,9 +85,32 @@ struct Field {
     return Within(limit, kInfinity);
   }
   constexpr Field Within(double from, double to) const {
+    return With({from, to, /*is_open=*/false, range.exception});
+  }
+  constexpr Field Above(double limit, double highest = kInfinity) const {
+    return With({limit, highest, /*is_open=*/true, range.exception});
+  }
+  constexpr Field Or(double value) const {
+    return With({range.lowest, range.highest, range.is_open, value});
+  }
+  constexpr Field With(ValueRange other) const {
     Field field = *this;
-    field.lowest = from;
-    field.highest = to;
+    field.range = other;
+    return field;
+  }
+  constexpr Field OneOf(const char* names) const {
+    Field field = *this;
+    field.choices = names;
+    return field;
+  }
+  constexpr Field Path() const {
+    Field field = *this;
+    field.is_path = true;
+    return field;
+  }
+  constexpr Field Changes(Effect what) const {
+    Field field = *this;
+    field.effect = what;
     return field;
   }
   constexpr Field UnlessEmpty() const { return With(Presence::kUnlessEmpty); }
@@ -100,6 +132,10 @@ struct NotWritten {
   constexpr explicit NotWritten(Access access_, const char* unit_ = "")
       : access(access_), unit(unit_) {}
 };
+
+// The fields of a base, in the list of a struct that adds to them.
+template <class Struct>
+struct Inherited {};
 
 // Access to a field of a field, for a key that stands beside those of the outer
 // struct in a file.
@@ -171,6 +207,11 @@ constexpr std::size_t NumOwn(const NotWritten<Access>&) {
   return 1;
 }
 
+template <class Base>
+constexpr std::size_t NumOwn(const Inherited<Base>&) {
+  return 1;
+}
+
 template <class T, class = void>
 struct IsDescribed : std::false_type {};
 template <class T>
@@ -208,8 +249,24 @@ inline constexpr bool kCanBeEmpty =
 template <class T>
 inline constexpr bool kIsOptional = described_internal::IsOptional<T>::value;
 
+template <class Struct, class Visit>
+void VisitList(const Visit& visit);
+
+namespace described_internal {
+
+template <class Entry, class Visit>
+void VisitEntry(const Entry& entry, const Visit& visit) {
+  visit(entry);
+}
+template <class Base, class Visit>
+void VisitEntry(const Inherited<Base>& /*entry*/, const Visit& visit) {
+  VisitList<Base>(visit);
+}
+
+}  // namespace described_internal
+
 // Calls `visit` with everything in the list of a struct, in its order: with
-// each Field and each NotWritten.
+// each Field and each NotWritten, those of its bases included.
 template <class Struct, class Visit>
 void VisitList(const Visit& visit) {
   constexpr auto list = FieldsOf(Described<Struct>());
@@ -220,7 +277,11 @@ void VisitList(const Visit& visit) {
       list);
   static_assert(listed == described_internal::NumFields<Struct>(),
                 "a field of the struct is not in its list, or there twice");
-  std::apply([&](const auto&... field) { (visit(field), ...); }, list);
+  std::apply(
+      [&](const auto&... entry) {
+        (described_internal::VisitEntry(entry, visit), ...);
+      },
+      list);
 }
 
 // Calls visit(field, value) with each Field of a struct and its value.

@@ -5,7 +5,6 @@
 // Comparison of described structs (base/described.h), and checks of their
 // values.
 
-#include <cmath>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -56,19 +55,16 @@ struct FieldPath {
 template <class T>
 bool IsValidAt(const FieldPath& path,
                const T& value,
-               double lowest,
-               double highest,
+               const ValueRange& range,
                std::string* error) {
   bool is_valid = true;
   const auto check = [&](const FieldPath& inner, const auto& element) {
-    is_valid = is_valid && IsValidAt(inner, element, lowest, highest, error);
+    is_valid = is_valid && IsValidAt(inner, element, range, error);
   };
   if constexpr (kIsDescribed<T>) {
     VisitFields(value, [&](const auto& field, const auto& inner) {
       is_valid =
-          is_valid &&
-          IsValidAt(
-              {&path, field.key}, inner, field.lowest, field.highest, error);
+          is_valid && IsValidAt({&path, field.key}, inner, field.range, error);
     });
   } else if constexpr (kIsVector<T>) {
     for (std::size_t i = 0; i < value.size(); ++i) {
@@ -81,17 +77,9 @@ bool IsValidAt(const FieldPath& path,
   } else if constexpr (std::is_same_v<T, Eigen::RowVector3d>) {
     for (int k = 0; k < 3; ++k) check({&path, "", k}, value[k]);
   } else if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
-    const auto number = static_cast<double>(value);
-    if (number >= lowest && number <= highest) return true;
+    if (range.Contains(static_cast<double>(value))) return true;
     std::ostringstream message;
-    message << path.Text() << " is " << value << ", allowed: ";
-    if (std::isinf(lowest) && std::isinf(highest)) {
-      message << "numbers";
-    } else if (std::isinf(highest)) {
-      message << lowest << " or above";
-    } else {
-      message << lowest << " to " << highest;
-    }
+    message << path.Text() << " is " << value << ", allowed: " << range.Text();
     *error = message.str();
     return false;
   }
@@ -101,7 +89,7 @@ bool IsValidAt(const FieldPath& path,
 // The same of a described struct, or of a list of them, whose place is `path`.
 template <class T>
 bool IsValid(const T& value, std::string* error, const FieldPath& path = {}) {
-  return IsValidAt(path, value, -kInfinity, kInfinity, error);
+  return IsValidAt(path, value, {}, error);
 }
 
 }  // namespace musclewarp

@@ -8,8 +8,8 @@
 
 namespace musclewarp {
 
-// Reports bad input: a file, a field of a scene, or a flag. The programs print
-// what() and exit with code 2; no output has been written by then.
+// Reports bad input: a file, a field of a scene, or a setting. The programs
+// print the message and exit with code 2; no output has been written by then.
 //
 //   throw InputError("muscle.ply",
 //                    "face 12 names vertex 900, the file has 800 vertices",
@@ -26,10 +26,14 @@ class InputError : public std::runtime_error {
              const std::string& problem,
              const std::string& advice);
 
-  // The parts of the message, for those who show them apart.
+  // The parts of the message. They name settings in braces
+  // (base/setting_names.h), which what() does as the fields of C++.
   const std::string& where() const { return *where_; }
   const std::string& problem() const { return *problem_; }
   const std::string& advice() const { return *advice_; }
+
+  // Returns the whole message with settings named as flags.
+  std::string WithFlags() const;
 
  private:
   // Shared, as an exception must not throw while it is copied.

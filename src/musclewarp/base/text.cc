@@ -66,4 +66,13 @@ std::string BodySizeText(double body_size) {
                        : MeasureText(body_size) + " times";
 }
 
+std::vector<std::string> Split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
 }  // namespace musclewarp

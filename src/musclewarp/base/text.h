@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 namespace musclewarp {
 
@@ -38,5 +39,10 @@ std::string LengthText(double length, double body_size = 1);
 
 // Returns "1/32 of" or "16 times", to stand before "human size".
 std::string BodySizeText(double body_size);
+
+// Returns the parts of a text between separators, in their order. Parts may be
+// empty, but not the last: "a,,b" has three parts, "a," has one, and an empty
+// text has none.
+std::vector<std::string> Split(const std::string& text, char separator);
 
 }  // namespace musclewarp

@@ -12,6 +12,10 @@ namespace musclewarp {
 // docs/method.md, "Numbers that steer contact", has the figures and the
 // command.
 
+// The largest gap that may be kept in a body of human size, mm: beyond, the
+// steps in which surfaces move would have to be longer, too.
+constexpr double kLargestGap = 0.5;
+
 // Options of the search for separating planes between two triangles, or a
 // triangle and a bone (separating_planes.h, bone_planes.h).
 struct PlaneSearchOptions {

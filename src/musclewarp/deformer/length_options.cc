@@ -11,29 +11,14 @@
 
 namespace musclewarp {
 
-const std::set<std::string>& LengthsThatCanBeAskedFor() {
-  static const std::set<std::string> kNames = {"gap",
-                                               "laplacian_length",
-                                               "max_hole",
-                                               "max_lost_area",
-                                               "max_lost_extent",
-                                               "max_move",
-                                               "max_step_move",
-                                               "max_torn_patch",
-                                               "sample_spacing"};
-  return kNames;
-}
-
 void AskInMillimetres(const std::set<std::string>& names,
                       double body_size,
                       PrepareOptions* prepare,
                       CertifiedContactOptions* contact,
                       FrameRequirements* requirements) {
-  for (const std::string& name : names) {
-    CHECK_EQ(LengthsThatCanBeAskedFor().count(name), 1U) << name;
-  }
+  std::set<std::string> left = names;
   const auto convert = [&](const char* name, int power, double* value) {
-    if (names.count(name) > 0) *value /= std::pow(body_size, power);
+    if (left.erase(name) > 0) *value /= std::pow(body_size, power);
   };
   convert("gap", 1, &contact->step.gap);
   convert("laplacian_length", 1, &prepare->muscle.laplacian.length_scale);
@@ -44,12 +29,10 @@ void AskInMillimetres(const std::set<std::string>& names,
   convert("max_step_move", 1, &contact->limits.max_move);
   convert("max_torn_patch", 2, &requirements->max_torn_patch);
   convert("sample_spacing", 1, &prepare->muscle.sample_spacing);
-  if (names.count("gap") > 0) {
-    contact->separation.cell.margin = kMarginByGap * contact->step.gap;
-  }
+  CHECK(left.empty()) << *left.begin() << " is no length among the options";
   if (contact->step.gap > kLargestGap) {
     throw InputError(
-        "--gap",
+        "{gap}",
         "is " + LengthText(contact->step.gap, body_size) +
             ", and the body is " + BodySizeText(body_size) + " human size",
         "allowed: above 0, at most " + MeasureText(kLargestGap * body_size));

@@ -13,24 +13,14 @@ namespace musclewarp {
 
 // Lengths and areas among options are those that suit people, and follow the
 // size of the body (Scene::body_size), but for those that a user asks for in mm
-// of the scene. These can be asked for, by the names of their flags.
-const std::set<std::string>& LengthsThatCanBeAskedFor();
-
-// Converts options that are asked for in mm (or mm^2) to units of the body.
-// Throws InputError for a gap beyond kLargestGap of the body. Precondition
-// (CHECKed): the names are among LengthsThatCanBeAskedFor().
+// of the scene. This converts the latter, which `names` has by the names of
+// their settings (settings/deformer_settings.h), from mm (or mm^2) to units of
+// the body. Throws InputError for a gap beyond kLargestGap of the body.
+// Precondition (CHECKed): each name is that of a length among the options.
 void AskInMillimetres(const std::set<std::string>& names,
                       double body_size,
                       PrepareOptions* prepare,
                       CertifiedContactOptions* contact,
                       FrameRequirements* requirements);
-
-// Meshes that overlap are separated by so many gaps, so that the steps that
-// follow find room.
-constexpr double kMarginByGap = 2;
-
-// The largest gap that may be kept in a body of human size, mm: beyond, the
-// steps in which surfaces move would have to be longer, too.
-constexpr double kLargestGap = 0.5;
 
 }  // namespace musclewarp

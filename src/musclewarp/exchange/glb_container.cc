@@ -99,7 +99,7 @@ void GlbArrays::WriteGlb(const std::string& path,
                      "would have " + std::to_string(total >> 20) +
                          " MB, which is more than the 4096 MB that the format "
                          "allows",
-                     "export fewer frames, for example with --frames=0:100:2");
+                     "export fewer frames, for example with {frames}=0:100:2");
   }
   std::string head;
   AppendNumber(kMagic, &head);

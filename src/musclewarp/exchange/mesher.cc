@@ -87,7 +87,7 @@ MesherOptions FindMesher(const std::string& mesher) {
   const std::string name = fs::path(mesher).filename().string();
   const bool is_gmsh = name.rfind("gmsh", 0) == 0;
   if (!is_gmsh && name.rfind("tetgen", 0) != 0) {
-    throw InputError("--mesher=" + mesher,
+    throw InputError("{mesher}=" + mesher,
                      "is neither TetGen nor Gmsh",
                      "allowed: tetgen, gmsh, or the path of one of them");
   }
@@ -95,7 +95,7 @@ MesherOptions FindMesher(const std::string& mesher) {
       is_gmsh ? MesherOptions::Kind::kGmsh : MesherOptions::Kind::kTetgen;
   options.program = FindProgram(mesher);
   if (options.program.empty()) {
-    throw InputError("--mesher=" + mesher,
+    throw InputError("{mesher}=" + mesher,
                      "there is no such program",
                      "install it (on Debian: apt-get install " +
                          std::string(is_gmsh ? "gmsh" : "tetgen") +

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 void CheckReplaceable(const std::string& dir) {
   if (!fs::exists(dir)) return;
   if (!fs::is_directory(dir)) {
-    throw InputError(dir, "is no folder", "name another one in --out");
+    throw InputError(dir, "is no folder", "name another one in {out}");
   }
   for (const fs::directory_entry& entry : fs::directory_iterator(dir)) {
     const fs::path extension = entry.path().extension();
@@ -28,7 +28,7 @@ void CheckReplaceable(const std::string& dir) {
     throw InputError(dir,
                      "holds " + entry.path().filename().string() +
                          ", and would be replaced as a whole",
-                     "name a new folder in --out");
+                     "name a new folder in {out}");
   }
 }
 

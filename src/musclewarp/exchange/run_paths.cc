@@ -23,12 +23,12 @@ void CheckReport(const JsonField& report, const std::string& version) {
   }
   const JsonField summary = report.At("summary");
   if (!summary.At("finished").AsBool()) {
-    summary.At("finished").Fail("is false", "finish the run with --resume");
+    summary.At("finished").Fail("is false", "finish the run with {resume}");
   }
   if (!summary.At("usable").AsBool()) {
     summary.At("usable").Fail(
         "is false: lengths of such a run mean little",
-        "see the shortcomings of its frames, or choose others with --frames "
+        "see the shortcomings of its frames, or choose others with {frames} "
         "of musclewarp-deform");
   }
   if (report.At("motion").value().is_null()) {
@@ -53,7 +53,7 @@ class FramesOfRun {
             "is false: the moment arms of the frame (" +
                 FrameFolder(frame.index) + ", at " + NumberText(frame.time) +
                 " s) mean nothing",
-            "run without the frame (--frames of musclewarp-deform)");
+            "run without the frame ({frames} of musclewarp-deform)");
       }
       const CoordinateValues values =
           ValuesOf(frame.coordinates, where + "coordinates");
@@ -87,7 +87,7 @@ class FramesOfRun {
     throw InputError(where,
                      "names \"" + coordinate +
                          "\", which is no coordinate of " + paths_.model.path,
-                     "check --model");
+                     "check {model}");
   }
 
   void AddMuscle(const MuscleFigures& muscle,
@@ -102,7 +102,7 @@ class FramesOfRun {
       if (arms == muscle.line_moment_arms.end()) {
         throw InputError(where,
                          "has no moment arms of \"" + line + "\"",
-                         "use --contact=certified or none, which have them");
+                         "use {contact}=certified or none, which have them");
       }
       CheckCoordinates(arms->second, where);
       PathSample& sample = paths_.lines[line].emplace_back();
@@ -143,8 +143,8 @@ void CheckContact(const std::string& dir,
                   const std::string& first_contact) {
   if (contact == first_contact) return;
   throw InputError(dir,
-                   "was made with --contact=" + contact + ", " + first_dir +
-                       " with --contact=" + first_contact,
+                   "was made with {contact}=" + contact + ", " + first_dir +
+                       " with {contact}=" + first_contact,
                    "give runs of one contact mode");
 }
 
@@ -174,7 +174,7 @@ RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
     } else if (model_path.empty() && !AreEqual(model, first_model)) {
       report.At("motion").At("model").Fail(
           "is " + model + ", that of " + dirs[0] + " is " + first_model,
-          "give runs of one model, or name it in --model");
+          "give runs of one model, or name it in {model}");
     }
     FramesOfRun(run, report.file(), &paths).Add();
     frames += run.frames.size();
@@ -187,9 +187,9 @@ RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
     }
   }
   if (paths.lines.empty()) {
-    throw InputError(dirs.empty() ? "--in" : dirs[0],
+    throw InputError(dirs.empty() ? "{in}" : dirs[0],
                      "has no line that is a muscle of " + paths.model.path,
-                     "check --model and the \"lines\" of the scene");
+                     "check {model} and the \"lines\" of the scene");
   }
   return paths;
 }

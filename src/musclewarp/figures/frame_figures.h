@@ -129,14 +129,14 @@ constexpr auto FieldsOf(Described<FiguresOfFrame<Muscle>>) {
           .Text("what the frame does not hold, one sentence each; empty if it "
                 "holds everything"),
       Field(&F::bone_overlaps, "bone_overlaps")
-          .Text("with `--contact=certified`, where the frame has shortcomings "
+          .Text("with `{contact}=certified`, where the frame has shortcomings "
                 "or a muscle leaves a bone by more than 2 mm: bones of two "
                 "bodies that lie in each other. Muscles between them have no "
                 "room there; the worst of each pair is a warning"),
       Field(&F::delivered_crossings, "delivered_crossings")
           .Text("what muscles have in common with triangles of a bone as it "
                 "was delivered that its repaired mesh does not have. Each "
-                "entry is a shortcoming with `--contact=certified`. "
+                "entry is a shortcoming with `{contact}=certified`. "
                 "`intersections` does not count them"),
       Field(&F::muscles, "muscles").Text("the figures of each muscle"),
       Field(&F::path_moment_arms, "path_moment_arms_mm", "mm/rad")
@@ -157,7 +157,7 @@ constexpr auto FieldsOf(Described<FiguresOfFrame<Muscle>>) {
       Field(&F::SmallestGap, "smallest_gap_mm", "mm")
           .Text("the smallest `at_least_mm`; null if there are no `gaps`"),
       Field(&F::stages, "stages")
-          .Text("with `--profile`: where the time of the frame went, in the "
+          .Text("with `{profile}`: where the time of the frame went, in the "
                 "order of the first visit ([performance.md](performance.md) "
                 "says what each stage does)")
           .UnlessEmpty());

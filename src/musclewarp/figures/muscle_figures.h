@@ -74,19 +74,19 @@ constexpr auto FieldsOf(Described<MuscleFigures>) {
           .Text("pairs of triangles of this muscle that cross each other")
           .AtLeast(0),
       Field(&F::max_contact_displacement, "max_contact_displacement_mm", "mm")
-          .Text("with `--contact=certified`: how far contact moved a fine "
+          .Text("with `{contact}=certified`: how far contact moved a fine "
                 "vertex from the shape without contact, at most")
           .AtLeast(0),
       Field(&F::mean_contact_displacement, "mean_contact_displacement_mm", "mm")
           .Text("the same on average")
           .AtLeast(0),
       Field(&F::depth_without_contact, "depth_without_contact_mm", "mm")
-          .Text("with `--contact=certified`: in the shapes without contact, "
+          .Text("with `{contact}=certified`: in the shapes without contact, "
                 "depth of the deepest vertex of this muscle in another mesh, "
                 "or of another mesh in this muscle")
           .AtLeast(0),
       Field(Inner(&F::torn_patch, &SurfacePatch::area), "torn_patch_mm2", "mm2")
-          .Text("with `--contact=certified`: area at rest of the largest patch "
+          .Text("with `{contact}=certified`: area at rest of the largest patch "
                 "of the surface that contact has torn: triangles stretched "
                 "beyond 2, and by 0.2 more than without contact")
           .AtLeast(0),
@@ -96,7 +96,7 @@ constexpr auto FieldsOf(Described<MuscleFigures>) {
           .Text("the centre of that patch"),
       Field(&F::push_depth, "push_depth_mm", "mm")
           .Text(
-              "with `--contact=certified`: the depths without contact along "
+              "with `{contact}=certified`: the depths without contact along "
               "the chain of muscles that may push this one farthest, added up")
           .AtLeast(0),
       Field(&F::pushed_by, "pushed_by")
@@ -126,9 +126,9 @@ constexpr auto FieldsOf(Described<MuscleFigures>) {
           .Text("lengths of the straight paths through the path points in this "
                 "pose, by name"),
       Field(&F::fibre_lengths, "fibre_lengths_mm", "mm")
-          .Text("with `--fibres`: lengths of the fibres"),
+          .Text("with `{fibres}`: lengths of the fibres"),
       Field(&F::fibre_stretch_by_fifths, "fibre_stretch_by_fifths")
-          .Text("with `--fibres`: by which factor each fifth of the length, "
+          .Text("with `{fibres}`: by which factor each fifth of the length, "
                 "from the origin on, is longer than at rest, the mean over the "
                 "fibres"),
       Field(&F::line_moment_arms, "line_moment_arms_mm", "mm/rad")
@@ -136,9 +136,9 @@ constexpr auto FieldsOf(Described<MuscleFigures>) {
                 "coordinate (mm/m for translations): [exact "
                 "derivatives](method.md#moment-arms-solvershape_derivativeh-"
                 "framesmoment_armsh) of `line_lengths_mm`. Empty without a "
-                "model, and with `--contact=paper`"),
+                "model, and with `{contact}=paper`"),
       Field(&F::fibre_moment_arms, "fibre_moment_arms_mm", "mm/rad")
-          .Text("with `--fibres`: the same, a list for each coordinate. A "
+          .Text("with `{fibres}`: the same, a list for each coordinate. A "
                 "coordinate that changes no fibre is left out"),
       NotWritten(&F::solver),
       NotWritten(&F::torn_patch));

@@ -120,7 +120,7 @@ constexpr auto FieldsOf(Described<AttachmentDrift>) {
           .AtLeast(0),
       Field(&F::mean, "mean_drift_mm", "mm")
           .Text("the mean distance of its vertices from where the body has "
-                "them; with `--contact=certified` from where they were at rest "
+                "them; with `{contact}=certified` from where they were at rest "
                 "once nothing crossed"),
       Field(&F::max, "max_drift_mm", "mm")
           .Text("the largest of these distances"),

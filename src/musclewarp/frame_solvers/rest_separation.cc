@@ -161,7 +161,7 @@ void Reconstruct(const RestSeparationOptions& options,
   }
   std::vector<TriangleSoup> surfaces =
       ReconstructedSurfaces(options.reconstruction,
-                            options.contact.separation.cell,
+                            options.contact.SeparationByGap().cell,
                             muscles,
                             attempt,
                             *scene);
@@ -267,7 +267,7 @@ RestResult SeparateRest(const RestSeparationOptions& options,
           scene->scene.name,
           "the meshes cannot be separated in the rest pose: " +
               Describe(*scene, result.intersections),
-          is_never ? "let their surfaces be made anew (--remake=auto), or "
+          is_never ? "let their surfaces be made anew ({remake}=auto), or "
                      "correct the meshes there"
                    : "correct the meshes there");
     }

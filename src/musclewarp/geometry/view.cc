@@ -47,7 +47,7 @@ Matrix3d BodyFromMesh(const std::string& axes) {
 // Returns the same for the value of a flag, after checking it.
 Matrix3d CheckedBodyFromMesh(const std::string& axes) {
   if (!AreBodyAxes(axes)) {
-    throw InputError("--axes",
+    throw InputError("{axes}",
                      "'" + axes + "' does not name three different directions",
                      "give one letter for +x, +y and +z out of L or R, A or P, "
                      "S or I, such as LPS");
@@ -64,7 +64,7 @@ bool ParseVector(const std::string& text, Vector3d* vector) {
 }
 
 [[noreturn]] void FailView(const std::string& name) {
-  throw InputError("--view",
+  throw InputError("{view}",
                    "'" + name + "' is not a view",
                    "use anterior, posterior, lateral, medial, left, right, "
                    "superior, inferior, or x,y,z or x,y,z;upx,upy,upz");
@@ -82,7 +82,7 @@ View ViewFromVectors(const std::string& text, const Vector3d& superior) {
   view.up -= view.up.dot(view.toward_viewer) * view.toward_viewer;
   // Below this the two are parallel up to rounding.
   if (view.up.norm() < 1e-6) {
-    throw InputError("--view",
+    throw InputError("{view}",
                      "'" + text + "' looks along its upward direction",
                      "give another one after a semicolon: x,y,z;upx,upy,upz");
   }
@@ -93,7 +93,7 @@ View ViewFromVectors(const std::string& text, const Vector3d& superior) {
 char SideLetter(const std::string& side) {
   if (side == "right") return 'R';
   if (side == "left") return 'L';
-  throw InputError("--side",
+  throw InputError("{side}",
                    "'" + side + "' is not a side of the body",
                    "use right or left");
 }

@@ -19,7 +19,7 @@ void CheckBoneSize(const Bone& bone) {
   throw InputError(
       bone.name,
       "is " + RoundedText(diagonal / 1000, 1) + " m long, allowed: 10 m",
-      "give the unit of the files (--units)");
+      "give the unit of the files ({units})");
 }
 
 void CheckJointsAreThere(const ArticulationOptions& options,
@@ -46,7 +46,7 @@ void CheckJointsAreThere(const ArticulationOptions& options,
   throw InputError("joints",
                    "none" + side + " has its bones among " + ShortList(names),
                    lacks_sides
-                       ? "give their sides by --side or by their names, such "
+                       ? "give their sides by {side} or by their names, such "
                          "as femur_r, as nothing else tells them"
                        : "name the meshes as bones (docs/joints.md), or give "
                          "a table with a column \"bone\"");

@@ -218,7 +218,7 @@ bool DecideSides(const std::optional<Side>& otherwise,
                        ", by its place in the image");
     } else {
       notes->push_back(bone.bone.name +
-                       ": of no joint, as nothing tells its side; --side or a "
+                       ": of no joint, as nothing tells its side; {side} or a "
                        "column \"side\" does");
       bone.bone.kind = BoneKind::kOther;
       all_have_sides = false;

@@ -14,7 +14,6 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/short_list.h"
-#include "musclewarp/label_images/label_image.h"
 #include "musclewarp/label_images/label_regions.h"
 #include "musclewarp/label_images/label_surface.h"
 #include "musclewarp/scene/scene_names.h"
@@ -47,7 +46,7 @@ std::vector<LabelEntry> EntriesOf(const LabelImage& image, const Boxes& boxes) {
         "has " + std::to_string(boxes.size()) +
             " different values above 0; allowed: at most 1000 labels",
         "export the segmentation as a label map, or name the labels that are "
-        "meant by --labels");
+        "meant by {labels}");
   }
   std::vector<LabelEntry> entries;
   std::set<std::string> names;
@@ -64,7 +63,7 @@ std::vector<LabelEntry> EntriesOf(const LabelImage& image, const Boxes& boxes) {
       throw InputError(
           where,
           "has the name " + QuotedName(entry.name) + ", as another label has",
-          "name the labels by --labels");
+          "name the labels by {labels}");
     }
     entries.push_back(entry);
   }
@@ -220,7 +219,7 @@ class MeshesOfLabel {
         text +=
             ", each of fewer than " + std::to_string(kFewestVoxels) + " voxels";
       } else if (!options_.pieces_of) {
-        text += "; --pieces=all makes a mesh of each";
+        text += "; {pieces}=all makes a mesh of each";
       }
     }
     Note(entry_.name, text);
@@ -265,7 +264,7 @@ class MeshesOfLabel {
 };
 
 constexpr char kLeaveOut[] =
-    "leave them out by --labels=TABLE, a table of the other labels (lines such "
+    "leave them out by {labels}=TABLE, a table of the other labels (lines such "
     "as 3,femur,bone), or remove them from the image";
 
 // Throws InputError that names all labels that are too small for a surface,
@@ -336,11 +335,15 @@ void ThrowRefused(const LabelImage& image,
 
 LabelMeshes ReadLabelMeshes(const std::string& path,
                             const LabelMeshOptions& options) {
-  const LabelImage image = ReadLabelImage(path, options.mm_per_unit);
+  return MeshesOfLabels(ReadLabelImage(path, options.mm_per_unit), options);
+}
+
+LabelMeshes MeshesOfLabels(const LabelImage& image,
+                           const LabelMeshOptions& options) {
   const Boxes boxes = BoxesOfLabels(image);
   if (boxes.empty()) {
     throw InputError(
-        path, "has no label above 0", "export the label map again");
+        image.path, "has no label above 0", "export the label map again");
   }
   LabelMeshes result;
   result.frame = image.grid.is_oriented ? "LPS" : "of the file";
@@ -368,6 +371,11 @@ LabelMeshes ReadLabelMeshes(const std::string& path,
 #else
 LabelMeshes ReadLabelMeshes(const std::string& path, const LabelMeshOptions&) {
   CheckLabelImagesAreRead(path);
+  return {};
+}
+
+LabelMeshes MeshesOfLabels(const LabelImage& image, const LabelMeshOptions&) {
+  CheckLabelImagesAreRead(image.path);
   return {};
 }
 #endif

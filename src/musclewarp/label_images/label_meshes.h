@@ -74,4 +74,8 @@ struct LabelMeshOptions {
 LabelMeshes ReadLabelMeshes(const std::string& path,
                             const LabelMeshOptions& options);
 
+// Returns the same of an image in memory.
+LabelMeshes MeshesOfLabels(const LabelImage& image,
+                           const LabelMeshOptions& options);
+
 }  // namespace musclewarp

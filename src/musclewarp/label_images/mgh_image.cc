@@ -55,7 +55,7 @@ ScalarType TypeOf(const std::string& path, int type) {
                        "has voxels of type " + std::to_string(type) +
                            "; allowed: 0 (uchar), 1 (int), 3 (float), 4 "
                            "(short), 10 (ushort)",
-                       "convert it by mri_convert --out_data_type int");
+                       "convert it by mri_convert to whole numbers (int)");
   }
 }
 

@@ -64,7 +64,7 @@ void CheckClosed(const TriangleSoup& soup,
           << " edges, and any of up to " << limits.face_edges << " edges";
   throw InputError(name,
                    problem.str(),
-                   "close the surface, or allow longer holes (--max_hole)");
+                   "close the surface, or allow longer holes ({max_hole})");
 }
 
 void CheckClean(const TriangleSoup& soup, const std::string& name) {

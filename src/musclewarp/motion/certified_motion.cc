@@ -204,6 +204,7 @@ void SetEnd(const CertifiedContactOptions& options, AdvanceOptions* advance) {
 
 bool CertifiedContactOptions::IsValid(std::string* error) const {
   return OptionCheck("CertifiedContactOptions", error)
+             .IsAbove("margin_in_gaps", margin_in_gaps, 0)
              .IsAbove("samples_per_coarse_vertex", samples_per_coarse_vertex, 0)
              .IsAtLeast("coarse_weight", coarse_weight, 0)
              .IsAtLeast("max_rest_steps", max_rest_steps, 0)
@@ -222,6 +223,12 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
          IsTimeoutValid(frame_timeout_s, error) && step.IsValid(error) &&
          limits.IsValid(error) && surface.IsValid(error) &&
          separation.IsValid(error);
+}
+
+InitialSeparationOptions CertifiedContactOptions::SeparationByGap() const {
+  InitialSeparationOptions by_gap = separation;
+  by_gap.cell.margin = margin_in_gaps * step.gap;
+  return by_gap;
 }
 
 CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
@@ -246,7 +253,7 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
       SeparateInitially(muscles,
                         bones,
                         exempt,
-                        options.separation,
+                        options.SeparationByGap(),
                         [&](int round, int /*crossing_pairs*/) {
                           if (on_progress)
                             on_progress({"separating", round, 0});

@@ -29,6 +29,14 @@ struct CertifiedContactOptions {
   InitialSeparationOptions separation;
   StepOptions step;
 
+  // Meshes that overlap are separated by so many gaps, so that the steps that
+  // follow find room. This gives the margin of medial cells, whatever
+  // `separation` has.
+  double margin_in_gaps = 2;
+
+  // Returns the options of the separation with that margin.
+  InitialSeparationOptions SeparationByGap() const;
+
   // The coarse solve with contact rows: the number of sampled fine vertices per
   // coarse vertex, of which those near a plane get a row, and the weight of a
   // row relative to a Laplacian row. The offsets of fine vertices resolve any

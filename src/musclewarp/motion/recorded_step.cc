@@ -20,7 +20,7 @@ namespace {
 constexpr char kMagic[] = "musclewarp step 3\n";
 
 constexpr char kAdvice[] =
-    "record it again with musclewarp-deform --record_steps";
+    "record it again with musclewarp-deform {record_steps}";
 
 std::string StepChecksum(const std::string& bytes) {
   ContentHash hash;

@@ -57,7 +57,7 @@ double UnitOf(const Coordinate& coordinate,
   if (!in_degrees) {
     throw InputError(path,
                      "does not say whether angles are in degrees",
-                     "give --motion_in_degrees=yes or no, set "
+                     "give {motion_in_degrees}=yes or no, set "
                      "\"motion_in_degrees\" in the scene, or add "
                      "\"inDegrees=yes\" or \"inDegrees=no\" to the header");
   }

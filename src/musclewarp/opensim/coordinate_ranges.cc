@@ -46,7 +46,7 @@ std::string Question(const Coordinate& coordinate, bool in_degrees) {
     return ": is the motion in mm?";
   }
   if (IsAngle(coordinate) && !in_degrees) {
-    return ": is the motion in degrees? (--motion_in_degrees=yes)";
+    return ": is the motion in degrees? ({motion_in_degrees}=yes)";
   }
   return ": is the motion right?";
 }

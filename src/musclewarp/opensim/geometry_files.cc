@@ -79,7 +79,7 @@ std::string GeometryFile(const Model& model,
   throw InputError(model.path,
                    "names the geometry file \"" + geometry.file +
                        "\", which is in none of the folders " + list,
-                   "give its folder with --geometry or \"geometry\" in the "
+                   "give its folder with {geometry} or \"geometry\" in the "
                    "scene, put it beside the model, or give the bone a "
                    "\"mesh\"");
 }

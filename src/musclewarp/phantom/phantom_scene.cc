@@ -28,10 +28,10 @@ PhantomScene MakePhantomScene(const std::string& name,
                               int num_muscles) {
   if (name == kRandom) return MakeRandomScene(seed, num_muscles);
   if (num_muscles != 0) {
-    throw InputError("--num_muscles",
+    throw InputError("{num_muscles}",
                      "is " + std::to_string(num_muscles) +
                          ", but the scene \"" + name + "\" is not drawn",
-                     "leave --num_muscles out, or choose --scene=random");
+                     "leave {num_muscles} out, or choose {scene}=random");
   }
   if (name == "hip") return MakeHipScene(seed);
   const std::vector<std::string> stress = StressSceneNames();
@@ -42,7 +42,7 @@ PhantomScene MakePhantomScene(const std::string& name,
   for (const std::string& other : PhantomSceneNames()) {
     known += (known.empty() ? "" : ", ") + other;
   }
-  throw InputError("--scene",
+  throw InputError("{scene}",
                    "there is no scene \"" + name + "\"",
                    "choose one of: " + known);
 }

@@ -76,7 +76,7 @@ PhantomScene Assemble(std::vector<RandomBone> bones,
 PhantomScene MakeRandomScene(uint32_t seed, int num_muscles) {
   if (num_muscles != 0 && (num_muscles < kFewestRandomMuscles ||
                            num_muscles > kMostRandomMuscles)) {
-    throw InputError("--num_muscles",
+    throw InputError("{num_muscles}",
                      "is " + std::to_string(num_muscles),
                      "choose 0 (drawn from the seed) or a number from " +
                          std::to_string(kFewestRandomMuscles) + " to " +

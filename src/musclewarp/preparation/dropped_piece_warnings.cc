@@ -33,10 +33,10 @@ std::string WhyText(DropReason reason) {
     case DropReason::kCrumb:
       return "";
     case DropReason::kSmaller:
-      return ": a muscle is one closed surface (musclewarp-separate "
-             "--pieces=all makes a mesh of each piece)";
+      return ": a muscle is one closed surface (separation with "
+             "{pieces}=all makes a mesh of each piece)";
     case DropReason::kOpen:
-      return ": its border is too long to be closed (--max_hole)";
+      return ": its border is too long to be closed ({max_hole})";
     case DropReason::kFlat:
       return ": it encloses no volume";
     case DropReason::kShell:

@@ -75,7 +75,7 @@ void CheckNoPartIsLost(const std::string& path,
           "; a muscle is one closed surface, and one of them would be lost",
       (can_be_named ? "name the one that is meant, such as \"" + one + "\""
                     : std::string("give each a name of its own in the file")) +
-          "; musclewarp-separate --pieces=all makes a mesh of each");
+          "; separation with {pieces}=all makes a mesh of each");
 }
 
 }  // namespace musclewarp

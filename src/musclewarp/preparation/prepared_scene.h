@@ -58,14 +58,7 @@ struct PrepareOptions {
   // as their units probably differ.
   double scale_warning_ratio = 100;
 
-  // No fibres, and an attachment weight of 8. With weight 1, coarse meshes
-  // deviate from attachments by up to 11 mm (thigh, flexion by 45 degrees),
-  // which the offsets of fine vertices have to make up; with 8 by at most 4 mm,
-  // unless a tendon blocks the attachment.
-  PrepareOptions() {
-    fibres.fibres = 0;
-    muscle.attachment_weight = 8;
-  }
+  PrepareOptions() { fibres.fibres = 0; }
 
   // Also checks the nested options.
   bool IsValid(std::string* error) const;

@@ -1,6 +1,7 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/report/screen_report.h"
+#include "musclewarp/base/setting_names.h"
 #include "musclewarp/base/text.h"
 
 #include <algorithm>
@@ -137,7 +138,9 @@ void PrintPreparation(const PreparedScene& scene,
         << contact.prepare_ms << " ms";
   }
   out << "\n";
-  for (const std::string& note : scene.scene.notes) out << "  " << note << "\n";
+  for (const std::string& note : scene.scene.notes) {
+    out << "  " << WithFlags(note) << "\n";
+  }
   for (const PreparedMuscle& muscle : scene.muscles) {
     out << "  " << muscle.model.name << ": " << muscle.model.fine_rest.rows()
         << " vertices, " << FixedText(muscle.model.rest_volume / 1000, 1)

@@ -66,7 +66,7 @@ void CheckNoStrangeFrames(const std::string& dir, bool overwrite) {
         dir,
         "has " + folder + ", which no " + kReport + " there names: it is of " +
             "another run, and would be taken for a frame of this one",
-        "choose another folder, or give --overwrite to remove it");
+        "choose another folder, or give {overwrite} to remove it");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "musclewarp/base/portable_path.h"
+#include "musclewarp/base/setting_names.h"
 #include "musclewarp/mesh_files/mesh_path.h"
 
 namespace musclewarp {
@@ -49,10 +50,10 @@ void ChangeTexts(const Change& change, Content content, OrderedJson* json) {
 
 }  // namespace
 
-void MakePathsRelative(const std::string& folder, OrderedJson* json) {
+void AdaptTexts(const std::string& folder, OrderedJson* json) {
   const auto change = [&](Content content, const std::string& text) {
     return content == Content::kPath ? MeshPathFrom(folder, text)
-                                     : WithPathsFrom(folder, text);
+                                     : WithFlags(WithPathsFrom(folder, text));
   };
   ChangeTexts(change, Content::kOther, json);
 }

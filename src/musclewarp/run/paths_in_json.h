@@ -11,8 +11,9 @@ namespace musclewarp {
 // hold some ("mesh", "model", "command", "warnings", ...). Names of muscles,
 // poses and so on stay as they are, whatever is in them.
 
-// Has all paths lead from `folder` on, the folder of the file.
-void MakePathsRelative(const std::string& folder, nlohmann::ordered_json* json);
+// Adapts the texts of a file in `folder`: all paths lead from that folder, and
+// settings are named by their flags (base/setting_names.h).
+void AdaptTexts(const std::string& folder, nlohmann::ordered_json* json);
 
 // Leaves only the last part of each path that leads out of that folder, for a
 // page that is mailed.

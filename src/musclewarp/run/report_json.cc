@@ -241,7 +241,7 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
       {"frames", JsonOf(run.frames)},
       {"warnings", ShapeWarnings(run.frames, run.scene->scene.body_size)},
       {"summary", JsonOf(TotalsOf(run))}};
-  if (!run.dir.empty()) MakePathsRelative(run.dir, &json);
+  if (!run.dir.empty()) AdaptTexts(run.dir, &json);
   return json;
 }
 

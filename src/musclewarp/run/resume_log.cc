@@ -45,7 +45,7 @@ SceneState StateFrom(const std::vector<std::uint8_t>& bytes) {
 // gets another layout; logs before the first number had no such line.
 constexpr char kFormat[] = "musclewarp resume log 8";
 
-constexpr char kAdvice[] = "run without --resume, or choose another --out";
+constexpr char kAdvice[] = "run without {resume}, or choose another {out}";
 
 // The figures and the state of a frame.
 struct LoggedFrame {
@@ -107,12 +107,12 @@ std::vector<FrameFigures> ResumeLog::Continue(const std::vector<int>& selected,
   }
   const std::string of_inputs = kFormat + ("\n" + inputs_hash_ + "\n");
   if (key.rfind(of_inputs, 0) != 0) {
-    throw InputError("--resume",
+    throw InputError("{resume}",
                      folder_ + " is of a run with other input or options",
                      kAdvice);
   }
   if (key != KeyText()) {
-    throw InputError("--resume",
+    throw InputError("{resume}",
                      folder_ + " is of a run by other code of musclewarp (" +
                          key.substr(of_inputs.size()) + "); this is " +
                          CodeKey(),

@@ -36,7 +36,7 @@ std::vector<int> ParseFrames(const std::string& text,
   for (std::string word; std::getline(in, word, ',');) {
     const int number = word == "last" ? last : FrameNumber("frame_" + word);
     if (folders.count(number) == 0) {
-      throw InputError("--frames",
+      throw InputError("{frames}",
                        "'" + word + "' is not a frame of " + dir,
                        "use 'last' or numbers from " +
                            std::to_string(folders.begin()->first) + " to " +
@@ -45,7 +45,7 @@ std::vector<int> ParseFrames(const std::string& text,
     numbers.push_back(number);
   }
   if (numbers.empty()) {
-    throw InputError("--frames", "names no frame", "use for example 0,last");
+    throw InputError("{frames}", "names no frame", "use for example 0,last");
   }
   return numbers;
 }
@@ -111,7 +111,7 @@ TriangleSoup ReadMeshOfFrame(const FrameFiles& frame,
 
 RunFiles FindRunFiles(const std::string& dir, const std::string& frames) {
   if (!fs::is_directory(dir)) {
-    throw InputError(dir, "there is no such folder", "check --in");
+    throw InputError(dir, "there is no such folder", "check {in}");
   }
   RunFiles run;
   std::map<int, std::string> names;

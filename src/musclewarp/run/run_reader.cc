@@ -123,7 +123,7 @@ RunOutline ReadRunForExport(const std::string& dir,
   DropMissingFrames(&run);
   if (run.frames.empty()) {
     throw InputError(
-        dir, "the run has no frame", "run musclewarp-deform --resume first");
+        dir, "the run has no frame", "run musclewarp-deform {resume} first");
   }
   return run;
 }

@@ -1,0 +1,98 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gflags/gflags.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "musclewarp/base/described.h"
+#include "musclewarp/base/setting_names.h"
+#include "musclewarp/base/text.h"
+#include "musclewarp/settings/checked_settings.h"
+
+namespace musclewarp {
+
+// A flag of this program, a field of a described struct.
+struct ProgramFlag {
+  std::string name;
+  std::string help;
+  std::string value;  // what is to be given: TEXT, PATH or NUMBER; "" a switch
+  std::string default_value;
+  bool is_path = false;
+  Effect effect = Effect::kResults;
+};
+
+// The flags of this program, in the order in which they were registered.
+std::vector<ProgramFlag>& ProgramFlags();
+
+// Makes the fields of `settings` flags of this program, but those in
+// `without`. A field holds the value of its flag, and its default is the value
+// that it has now. To be called before RunProgram(), which parses the flags;
+// `settings` must outlive it. The types of fields are bool, int, unsigned,
+// double and std::string.
+template <class Settings>
+void RegisterFlags(Settings* settings,
+                   const std::set<std::string>& without = {}) {
+  VisitFields(*settings, [&](const auto& field, auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if (without.count(field.key) > 0) return;
+    // gflags keeps pointers to all of these.
+    auto* default_value = new Value(value);
+    auto* help = new std::string(WithFlags(HelpOf(field)));
+    gflags::FlagRegisterer(field.key, help->c_str(), "", &value, default_value);
+    ProgramFlag flag = {field.key, *help};
+    flag.is_path = field.is_path;
+    flag.effect = field.effect;
+    if constexpr (std::is_same_v<Value, std::string>) {
+      flag.value = field.is_path ? "PATH" : "TEXT";
+      flag.default_value = value;
+    } else if constexpr (std::is_same_v<Value, bool>) {
+      flag.default_value = value ? "true" : "false";
+    } else {
+      flag.value = "NUMBER";
+      flag.default_value = NumberText(value);
+    }
+    ProgramFlags().push_back(flag);
+  });
+}
+
+// Returns true if a flag of this program was given.
+bool IsGiven(const std::string& flag);
+
+// Returns the names of the flags that were given.
+std::set<std::string> GivenFlags();
+
+// Returns the name of the program and the flags that were given but for those
+// in `without`: "musclewarp-deform --gap=0.2". Paths do not depend on the
+// working folder, so that the report can have them lead from its own folder
+// (run/paths_in_json.h).
+std::string CommandLine(const std::set<std::string>& without);
+
+// Returns those of the given flags that change the results or the files of a
+// run, in the same form: two runs of equal input with equal texts have equal
+// files.
+std::string ResultFlagsText();
+
+// Returns the values of all flags, as reports have them.
+std::map<std::string, std::string> AllFlagValues();
+
+// Returns the given flags of a struct but for those in `without`, one a line,
+// for --flagfile. Paths do not depend on the working folder.
+template <class Settings>
+std::string FlagFileOf(const Settings& settings,
+                       const std::set<std::string>& without) {
+  std::string lines;
+  VisitFields(settings, [&](const auto& field, const auto& /*value*/) {
+    if (without.count(field.key) > 0 || !IsGiven(field.key)) return;
+    lines += "--" + std::string(field.key) + "=" +
+             AllFlagValues().at(field.key) + "\n";
+  });
+  return lines;
+}
+
+}  // namespace musclewarp

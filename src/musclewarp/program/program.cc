@@ -1,0 +1,129 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/program/program.h"
+
+#include <gflags/gflags.h>
+#include <glog/logging.h>
+#include <omp.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/setting_names.h"
+#include "musclewarp/build_info/build_info.h"
+#include "musclewarp/program/flags.h"
+#include "musclewarp/settings/checked_settings.h"
+
+DECLARE_bool(help);
+DECLARE_bool(helpshort);
+DECLARE_bool(version);
+
+namespace GFLAGS_NAMESPACE {
+// gflags calls this after it has printed what is wrong with a flag. The library
+// exports it, but does not declare it in a header.
+extern void (*gflags_exitfunc)(int);
+}  // namespace GFLAGS_NAMESPACE
+
+namespace musclewarp {
+namespace {
+
+// Flags of the libraries underneath (glog, gflags) are left out: a user of the
+// program has no use for them.
+void PrintHelp(const std::string& usage) {
+  std::cout << "usage: " << usage
+            << WithFlags("\n\nFlags ({flagfile}=F reads them from a file):\n");
+  for (const ProgramFlag& flag : ProgramFlags()) {
+    std::cout << "  --" << flag.name << (flag.value.empty() ? "" : "=")
+              << flag.value << "\n      " << flag.help;
+    if (!flag.default_value.empty()) {
+      std::cout << " [" << flag.default_value << "]";
+    }
+    std::cout << "\n";
+  }
+}
+
+// Has OpenMP threads sleep while they wait for each other, after some thousand
+// instructions, unless the user has set OMP_WAIT_POLICY. By default they spin
+// for milliseconds, which costs several times as much as it saves on a machine
+// that is busy otherwise; sleeping at once costs a twentieth of a frame.
+//
+// The program executes itself again because there is no other way: OpenMP takes
+// its wait policy from the environment alone (no routine sets it), and libgomp
+// reads the environment when it is loaded, before any code of the program runs.
+// If execv fails, the program goes on with the default.
+void WaitPassively(char** argv) {
+  if (std::getenv("OMP_WAIT_POLICY")) return;
+  setenv("OMP_WAIT_POLICY", "passive", /*overwrite=*/1);
+  setenv("GOMP_SPINCOUNT", "1000", /*overwrite=*/0);
+  execv("/proc/self/exe", argv);
+}
+
+// Prints log messages to the screen, with settings named as flags.
+class ScreenLog : public google::LogSink {
+ public:
+  void send(google::LogSeverity severity,
+            const char* /*full_filename*/,
+            const char* /*base_filename*/,
+            int /*line*/,
+            const google::LogMessageTime& /*time*/,
+            const char* message,
+            size_t length) override {
+    if (severity == google::GLOG_FATAL) return;  // glog prints it itself
+    std::cerr << WithFlags(std::string(message, length)) + "\n";
+  }
+};
+
+void LogToScreen(const char* program) {
+  for (int severity = 0; severity < google::NUM_SEVERITIES; ++severity) {
+    google::SetLogDestination(severity, "");  // no log files
+  }
+  FLAGS_stderrthreshold = google::GLOG_FATAL;
+  google::InitGoogleLogging(program);
+  // Never destroyed: something may be logged while the process ends.
+  google::AddLogSink(new ScreenLog);
+}
+
+}  // namespace
+
+int RunProgram(
+    int argc,
+    char** argv,
+    const std::string& usage,
+    const std::function<int(const std::vector<std::string>&)>& command) {
+  WaitPassively(argv);
+  const std::string name = std::filesystem::path(argv[0]).filename().string();
+  LogToScreen(argv[0]);
+  gflags::SetVersionString(VersionText());
+  GFLAGS_NAMESPACE::gflags_exitfunc = [](int) { std::exit(kExitBadInput); };
+  gflags::ParseCommandLineNonHelpFlags(&argc, &argv, /*remove_flags=*/true);
+  if (FLAGS_help || FLAGS_helpshort) {
+    PrintHelp(usage);
+    return kExitUsable;
+  }
+  if (FLAGS_version) {
+    std::cout << name << " " << VersionText() << "\n";
+    return kExitUsable;
+  }
+  try {
+    return command(std::vector<std::string>(argv + 1, argv + argc));
+  } catch (const InputError& error) {
+    std::cerr << name << ": " << error.WithFlags() << "\n";
+    return kExitBadInput;
+  }
+}
+
+void UseThreads(const ThreadSettings& settings) {
+  CheckSettings<ThreadSettings>(settings);
+  if (settings.threads > 0) omp_set_num_threads(settings.threads);
+}
+
+void RefuseArguments(const std::vector<std::string>& arguments) {
+  if (arguments.empty()) return;
+  throw InputError(arguments[0], "is not a flag", "see {help}");
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,42 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/run/output_folder.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "musclewarp/base/input_error.h"
+
+namespace musclewarp {
+
+namespace fs = std::filesystem;
+
+void CheckWritable(const std::string& dir) {
+  if (dir.empty()) {
+    throw InputError("{out}", "is missing", "give the folder for the results");
+  }
+  fs::path existing = fs::absolute(dir);
+  std::error_code error;
+  while (!fs::exists(existing, error) && existing.has_relative_path()) {
+    existing = existing.parent_path();
+  }
+  if (!fs::is_directory(existing, error) ||
+      access(existing.c_str(), W_OK | X_OK) != 0) {
+    throw InputError("{out}=" + dir,
+                     existing.string() + " is not a folder that can be written",
+                     "choose another folder");
+  }
+}
+
+void MakeFolder(const std::string& dir) {
+  std::error_code error;
+  fs::create_directories(dir, error);
+  if (error) {
+    throw InputError("{out}=" + dir,
+                     "cannot be made (" + error.message() + ")",
+                     "choose another folder");
+  }
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,104 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// Settings are what users choose: described structs (base/described.h) whose
+// fields are flags of the programs and keywords of Python under one name, with
+// texts, units and ranges from one list. Each has a function OptionsOf() that
+// returns the options of the library they mean.
+
+#include <glog/logging.h>
+
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <string>
+#include <type_traits>
+
+#include "musclewarp/base/described.h"
+#include "musclewarp/base/input_error.h"
+
+namespace musclewarp {
+
+// Throws InputError, naming the setting, unless `value` is one of `choices`,
+// "auto, never", of which there may be none.
+void CheckChoice(const char* name,
+                 const std::string& value,
+                 const std::string& choices);
+
+// Throws InputError, naming the setting, unless `value` is finite and in its
+// range.
+void CheckNumber(const char* name, double value, const ValueRange& range);
+
+// Throws InputError for the first setting whose value is not allowed by the
+// list.
+template <class Settings>
+void CheckSettings(const Settings& settings) {
+  VisitFields(settings, [](const auto& field, const auto& value) {
+    using Value = std::decay_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, std::string>) {
+      CheckChoice(field.key, value, field.choices);
+    } else if constexpr (!std::is_same_v<Value, bool>) {
+      CheckNumber(field.key, value, field.range);
+    }
+  });
+}
+
+// Returns what a user has to know of a setting: its text, unit and range.
+template <class Access>
+std::string HelpOf(const Field<Access>& field) {
+  const bool has_range =
+      std::isfinite(field.range.lowest) || std::isfinite(field.range.highest);
+  const std::string unit = field.unit;
+  const std::string range = has_range ? field.range.Text() : "";
+  const std::string limits =
+      unit + (unit.empty() || range.empty() ? "" : "; ") + range;
+  return field.text + (limits.empty() ? "" : " (" + limits + ")");
+}
+
+// Returns the names of lengths and areas that are in mm of the scene rather
+// than in units of the body's size: those in `given`, which the user set, and
+// those that differ from their default.
+template <class Settings>
+std::set<std::string> LengthsInMillimetres(const Settings& settings) {
+  const Settings defaults;
+  std::set<std::string> names;
+  VisitFields(settings, [&](const auto& field, const auto& value) {
+    const std::string unit = field.unit;
+    const bool is_length = unit == "mm" || unit == "mm2";
+    if (is_length && (settings.given.count(field.key) > 0 ||
+                      value != std::invoke(field.access, defaults))) {
+      names.insert(field.key);
+    }
+  });
+  return names;
+}
+
+// Returns a text that two settings share only if they lead to equal results.
+template <class Settings>
+std::string KeyOf(const Settings& settings) {
+  std::ostringstream key;
+  key.precision(std::numeric_limits<double>::max_digits10);
+  VisitFields(settings, [&](const auto& field, const auto& value) {
+    if (field.effect != Effect::kResults) return;
+    key << field.key << "=" << value << "\n";
+  });
+  for (const std::string& name : LengthsInMillimetres(settings)) {
+    key << name << " in mm\n";
+  }
+  return key.str();
+}
+
+// Returns the value with a name. Precondition (CHECKed): there is one.
+template <class Enum>
+Enum Named(const std::string& name, std::initializer_list<Enum> values) {
+  for (const Enum value : values) {
+    if (ToString(value) == name) return value;
+  }
+  LOG(FATAL) << "no value \"" << name << "\"";
+}
+
+}  // namespace musclewarp
