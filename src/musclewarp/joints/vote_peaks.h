@@ -9,12 +9,6 @@
 
 namespace musclewarp {
 
-// Votes for the centre of a sphere or a circle count as votes for one centre if
-// they are at most so far from it, by the radius; and the steps between the
-// radii that are tried, mm.
-constexpr double kVoteTolerance = 0.15;
-constexpr double kRadiusStep = 1;
-
 // A place at which many votes meet, as those for the centre of a sphere do.
 struct VotePeak {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  // mm
