@@ -21,8 +21,8 @@ SurfacePoints AcrossAxis(const SurfacePoints& surface, const Axis& axis) {
   });
 }
 
-// Cylinders to start from: their axes in several directions at right angles to
-// where the dome looks, as far below it as its radius may be.
+// Returns cylinders to start from. Their axes lie one radius below the middle
+// of the dome, in several directions at right angles to its mean normal.
 std::vector<Cylinder> StartsFor(const SurfacePoints& dome,
                                 const Eigen::Vector3d& up) {
   constexpr int kDirections = kJointSearch.talus.dome_directions;
@@ -30,6 +30,7 @@ std::vector<Cylinder> StartsFor(const SurfacePoints& dome,
   const Eigen::Vector3d first = up.unitOrthogonal();
   const Eigen::Vector3d second = up.cross(first);
   std::vector<Cylinder> starts;
+  // From a small dome to a flattened one, mm.
   for (const double radius : {14.0, 20.0, 28.0}) {
     for (int i = 0; i < kDirections; ++i) {
       const double angle = M_PI * i / kDirections;
@@ -41,7 +42,7 @@ std::vector<Cylinder> StartsFor(const SurfacePoints& dome,
   return starts;
 }
 
-// Fits a cylinder to what lies near it.
+// Fits a cylinder to the points near it.
 std::optional<AnkleFit> Refined(const SurfacePoints& dome, Cylinder cylinder) {
   constexpr int kRounds = kJointSearch.fit.fit_rounds;
   SurfacePoints near;
@@ -66,8 +67,8 @@ std::optional<AnkleFit> Refined(const SurfacePoints& dome, Cylinder cylinder) {
   return fit;
 }
 
-// The points of a talus that go on from those of its dome which look at the
-// tibia, before and behind them.
+// Returns the whole dome of a talus: the part that faces the tibia, and its
+// continuation before and behind it.
 SurfacePoints WholeDome(const SurfacePoints& talus,
                         const SurfacePoints& dome,
                         const Cylinder& cylinder,
@@ -89,7 +90,7 @@ SurfacePoints WholeDome(const SurfacePoints& talus,
 
 std::optional<AnkleFit> FitAnkle(const SurfacePoints& talus,
                                  const SurfacePoints& tibia) {
-  // The facets beside the dome look to opposite sides, which cancels out.
+  // The normals of the facets beside the dome are opposite and cancel out.
   const SurfacePoints facing = FacingSurface(talus, tibia);
   if (facing.size() == 0) return std::nullopt;
   const Eigen::Vector3d up =

@@ -18,7 +18,7 @@
 namespace musclewarp {
 namespace {
 
-// Forward and up at the ankle, as the bones of the foot have it.
+// The directions forward and up at an ankle, by the bones of the foot.
 struct FootDirections {
   Eigen::Vector3d forward, up;
 };
@@ -52,7 +52,7 @@ FootDirections DirectionsOfFoot(const Limb& limb,
   return directions;
 }
 
-// The bone that carries the tibia: the talus, or the foot in one mesh.
+// Returns the bone below the tibia: the talus, or a foot in one mesh.
 const SurfacePoints& TalusOf(const Limb& limb) {
   const SurfacePoints* talus = limb.Find(BoneKind::kTalus);
   if (talus == nullptr) talus = limb.Find(BoneKind::kFoot);
@@ -67,8 +67,9 @@ std::optional<SubtalarFit> SubtalarOf(const Limb& limb) {
   return FitSubtalar(*talus, *foot);
 }
 
-// The middle of the tips of both malleoli: of the lowest points of tibia and
-// fibula on either side. None without a fibula, whose tip is the lower one.
+// Returns the middle between the tips of both malleoli, the lowest points of
+// tibia and fibula on either side; none without a fibula, which has the lower
+// tip.
 std::optional<Eigen::Vector3d> MiddleOfTips(const Limb& limb,
                                             const FootDirections& foot,
                                             const Eigen::Vector3d& middle) {
@@ -98,8 +99,8 @@ std::optional<Eigen::Vector3d> MiddleOfTips(const Limb& limb,
   return (inner + outer) / 2;
 }
 
-// Signs that the dome does not tell the height of the axis; it is then that of
-// the tips of the malleoli.
+// Judges the fit of the dome. Where it is weak, the axis is moved to the height
+// of the tips of the malleoli.
 void JudgeAnkle(const Limb& limb,
                 const FemurShape& femur,
                 const FootDirections& foot,

@@ -11,6 +11,7 @@
 #include "musclewarp/joints/facing_surface.h"
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/joints/joint_limits.h"
+#include "musclewarp/joints/joint_search.h"
 #include "musclewarp/joints/point_search.h"
 #include "musclewarp/joints/revolution_fit.h"
 

@@ -26,41 +26,30 @@ constexpr auto FieldsOf(Described<KneeSearch>) {
   using F = KneeSearch;
   return std::make_tuple(
       Field(&F::least_condyle, "least_condyle", "radii")
-          .Text("radius of posterior condyles: BodyParts3D has 0.9")
-          .AtLeast(0),
-      Field(&F::largest_condyle, "largest_condyle", "radii")
-          .Text("the same")
-          .AtLeast(0),
+          .Text("radius of posterior condyles: BodyParts3D has 0.9"),
+      Field(&F::largest_condyle, "largest_condyle", "radii").Text("the same"),
       Field(&F::condyle_height, "condyle_height", "radii")
           .Text("condyles are looked for up to this height above the lowest "
-                "point: nearly twice their largest radius")
-          .AtLeast(0),
+                "point: nearly twice their largest radius"),
       Field(&F::first_normal, "first_normal", "degrees")
           .Text("from down to back, of the surface that rolls on the tibia: "
-                "what is before is flatter")
-          .Within(0, 180),
+                "what is before is flatter"),
       Field(&F::last_normal, "last_normal", "degrees")
-          .Text("the same: what is above belongs to the shaft")
-          .Within(0, 180),
+          .Text("the same: what is above belongs to the shaft"),
       Field(&F::condyle_slant, "condyle_slant", "cosine")
           .Text("largest part of a normal to left or right: the sides of "
-                "condyles look outwards")
-          .Within(0, 1),
+                "condyles look outwards"),
       Field(&F::start_tilt, "start_tilt", "degrees")
           .Text("directions of starts are so far off the widest direction of "
-                "the lower end, as the axis may be")
-          .AtLeast(0),
+                "the lower end, as the axis may be"),
       Field(&F::starts, "starts")
           .Text("how many are fitted: the best one alone was 8 and 15 degrees "
-                "off in 2 of 39 runs")
-          .AtLeast(1),
+                "off in 2 of 39 runs"),
       Field(&F::condyle_reach, "condyle_reach", "mm")
           .Text("points so near to the cylinder belong to it in the last "
-                "rounds; not measured")
-          .AtLeast(0),
+                "rounds; not measured"),
       Field(&F::ankle_part, "ankle_part", "of the length")
-          .Text("lowest part of a tibia, whose middle is that of the ankle")
-          .Within(0, 1));
+          .Text("lowest part of a tibia, whose middle is that of the ankle"));
 }
 
 // The dome, head and facet of a talus.
@@ -82,38 +71,29 @@ constexpr auto FieldsOf(Described<TalusSearch>) {
   return std::make_tuple(
       Field(&F::dome_slant, "dome_slant", "cosine")
           .Text("largest part of a normal along the axis of the dome: its "
-                "sides look at the malleoli")
-          .Within(0, 1),
+                "sides look at the malleoli"),
       Field(&F::dome_up, "dome_up", "cosine")
-          .Text("least part of a normal of the dome upwards: within 60 degrees")
-          .Within(0, 1),
+          .Text(
+              "least part of a normal of the dome upwards: within 60 degrees"),
       Field(&F::whole_dome_up, "whole_dome_up", "cosine")
-          .Text("the dome ends 75 degrees before and behind its top")
-          .Within(0, 1),
+          .Text("the dome ends 75 degrees before and behind its top"),
       Field(&F::dome_directions, "dome_directions")
-          .Text("of axes that start a fit, in half a turn: every 15 degrees")
-          .AtLeast(1),
+          .Text("of axes that start a fit, in half a turn: every 15 degrees"),
       Field(&F::dome_first_reach, "dome_first_reach", "mm")
           .Text("points so near to a start are fitted: starts have radii of "
-                "14, 20 and 28 mm")
-          .AtLeast(0),
+                "14, 20 and 28 mm"),
       Field(&F::least_talus_head, "least_talus_head", "mm")
-          .Text("radius of the head of the talus: BodyParts3D has 16 mm")
-          .AtLeast(1),
+          .Text("radius of the head of the talus: BodyParts3D has 16 mm"),
       Field(&F::largest_talus_head, "largest_talus_head", "mm")
-          .Text("largest radius; not measured")
-          .AtLeast(1),
+          .Text("largest radius; not measured"),
       Field(&F::least_facet, "least_facet", "mm")
           .Text("radius of its facet above the heel bone: BodyParts3D has "
-                "15 mm")
-          .AtLeast(1),
+                "15 mm"),
       Field(&F::largest_facet, "largest_facet", "mm")
-          .Text("largest radius; not measured")
-          .AtLeast(1),
+          .Text("largest radius; not measured"),
       Field(&F::highest_outer_tip, "highest_outer_tip", "mm")
           .Text("of the outer malleolus above the inner one, than which it is "
-                "lower: else the fibula is not there")
-          .AtLeast(0));
+                "lower: else the fibula is not there"));
 }
 
 // The groove of the femur in which the patella glides, seen along the axis of
@@ -137,42 +117,31 @@ constexpr auto FieldsOf(Described<PatellaSearch>) {
   return std::make_tuple(
       Field(&F::half_strip, "half_strip", "mm")
           .Text("the groove reaches so far to both sides of the middle of the "
-                "patella: its floor only; not measured")
-          .AtLeast(0),
+                "patella: its floor only; not measured"),
       Field(&F::groove_slant, "groove_slant", "cosine")
-          .Text("largest part of a normal to the side: within 60 degrees")
-          .Within(0, 1),
+          .Text("largest part of a normal to the side: within 60 degrees"),
       Field(&F::groove_forward, "groove_forward", "cosine")
           .Text("least part of a normal forward: the underside of the condyles "
-                "looks down")
-          .Within(0, 1),
+                "looks down"),
       Field(&F::groove_above, "groove_above", "mm")
           .Text("it reaches so far above the axis of the knee, as the condyles "
-                "do")
-          .AtLeast(0),
+                "do"),
       Field(&F::groove_below, "groove_below", "mm")
-          .Text("and so far below it, beyond the largest condyles")
-          .AtLeast(0),
+          .Text("and so far below it, beyond the largest condyles"),
       Field(&F::groove_radius, "groove_radius", "mm")
-          .Text("that starts the fit; the result does not depend on it")
-          .AtLeast(1),
+          .Text("that starts the fit; the result does not depend on it"),
       Field(&F::groove_points, "groove_points")
-          .Text("a fit needs so many: 58 mm2 of the strip; not measured")
-          .AtLeast(3),
+          .Text("a fit needs so many: 58 mm2 of the strip; not measured"),
       Field(&F::tuberosity_from, "tuberosity_from", "mm")
           .Text("the tuberosity begins so far below the axis of the knee, "
-                "under the plateau")
-          .AtLeast(0),
+                "under the plateau"),
       Field(&F::tuberosity_to, "tuberosity_to", "mm")
-          .Text("and ends so far below it; not measured")
-          .AtLeast(0),
+          .Text("and ends so far below it; not measured"),
       Field(&F::knee_step, "knee_step", "degrees")
           .Text("the angle of the patella is computed every so many degrees of "
-                "the knee; between them it is linear")
-          .Within(1, 45),
+                "the knee; between them it is linear"),
       Field(&F::beyond_range, "beyond_range", "degrees")
-          .Text("and so far beyond its range, for motions that leave it")
-          .AtLeast(0));
+          .Text("and so far beyond its range, for motions that leave it"));
 }
 
 }  // namespace musclewarp

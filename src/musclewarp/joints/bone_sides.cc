@@ -82,8 +82,8 @@ void CheckFemur(const SampledBone& bone,
   }
 }
 
-// The least distance of a bone from others, at most `most` (mm): some hundred
-// points of it are enough to tell legs apart.
+// Returns the least distance of a bone from others, at most `most` (mm), by
+// some 300 of its points, which are enough to tell legs apart.
 double DistanceFrom(const PointSearch& others,
                     const Points& points_of_others,
                     const SampledBone& bone,
@@ -168,7 +168,7 @@ Eigen::Matrix3d DirectionsOfAxes(const std::string& axes) {
 
 bool AgreeWithImage(const std::vector<SampledBone>& bones,
                     const Eigen::Matrix3d& image_axes) {
-  const double least = std::sqrt(0.5);
+  const double least = std::sqrt(0.5);  // 45 degrees
   for (const SampledBone& bone : bones) {
     if (!bone.femur.ShapeSide()) continue;
     const BoneDirections& directions = *bone.femur.directions;

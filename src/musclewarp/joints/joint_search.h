@@ -19,29 +19,24 @@ constexpr auto FieldsOf(Described<SurfaceSampling>) {
   return std::make_tuple(
       Field(&F::spacing, "spacing", "mm")
           .Text("between neighbouring points; on vertices the knee of "
-                "BodyParts3D was 12 degrees off, on points it is 2")
-          .AtLeast(0),
+                "BodyParts3D was 12 degrees off, on points it is 2"),
       Field(&F::normal_radius, "normal_radius", "mm")
           .Text("normals are averaged over this: about two points, and a voxel "
-                "of most images")
-          .AtLeast(0),
+                "of most images"),
       Field(&F::stray_fraction, "stray_fraction", "of the area")
-          .Text("smaller pieces are left out: crumbs of a segmentation")
-          .Within(0, 1));
+          .Text("smaller pieces are left out: crumbs of a segmentation"));
 }
 
 constexpr auto FieldsOf(Described<FacingLimits>) {
   using F = FacingLimits;
   return std::make_tuple(
       Field(&F::reach, "reach", "mm")
-          .Text("to the other bone: cartilage keeps bones 2 to 5 mm apart")
-          .AtLeast(0),
+          .Text("to the other bone: cartilage keeps bones 2 to 5 mm apart"),
       Field(&F::least_cosine, "least_cosine", "cosine")
-          .Text("of the normal and the direction to the other bone: 46 degrees")
-          .Within(0, 1),
+          .Text(
+              "of the normal and the direction to the other bone: 46 degrees"),
       Field(&F::least_opposition, "least_opposition", "cosine")
-          .Text("of both normals: within 60 degrees of opposite")
-          .Within(0, 1));
+          .Text("of both normals: within 60 degrees of opposite"));
 }
 
 // What belongs together in a body.
@@ -61,35 +56,27 @@ constexpr auto FieldsOf(Described<BodySearch>) {
   return std::make_tuple(
       Field(&F::second_triangle, "second_triangle", "of the area")
           .Text("the second largest triangle of a pelvis may be the front one "
-                "if it is so large: wide or damaged pelves; not measured")
-          .Within(0, 1),
+                "if it is so large: wide or damaged pelves; not measured"),
       Field(&F::one_hip_bone, "one_hip_bone", "radii")
           .Text("the head is nearer to the middle of one hip bone, and farther "
-                "from that of a pelvis: 2.3, and 4.2 to 4.7 (LHDL, TLEM2)")
-          .AtLeast(0),
+                "from that of a pelvis: 2.3, and 4.2 to 4.7 (LHDL, TLEM2)"),
       Field(&F::end_part, "end_part", "of the length")
           .Text("farthest part of an ulna, whose middle is that of its head: "
-                "about 10 mm; not measured")
-          .Within(0, 1),
+                "about 10 mm; not measured"),
       Field(&F::nearby, "nearby", "mm")
           .Text(
               "neighbouring bones of one limb are nearer to each other; those "
-              "of two limbs are not compared beyond")
-          .AtLeast(0),
+              "of two limbs are not compared beyond"),
       Field(&F::off_middle, "off_middle", "mm")
           .Text("a bone nearer to the middle of the body has no side by its "
-                "place, as the middle is not exact")
-          .AtLeast(0),
+                "place, as the middle is not exact"),
       Field(&F::least_human, "least_human", "adults")
-          .Text("size of the smallest human skeleton: a newborn child")
-          .AtLeast(0),
+          .Text("size of the smallest human skeleton: a newborn child"),
       Field(&F::largest_human, "largest_human", "adults")
-          .Text("size that no human skeleton has")
-          .AtLeast(0),
+          .Text("size that no human skeleton has"),
       Field(&F::least_size, "least_size", "adults")
           .Text("size of the smallest animal: smaller bones are in another "
-                "unit")
-          .AtLeast(0));
+                "unit"));
 }
 
 // The numbers of all searches.

@@ -61,7 +61,8 @@ struct Start {
   double score = 0;
 };
 
-// Circles that both condyles vote for in the plane across one direction.
+// Adds the circles for which both condyles vote in the plane across a
+// direction.
 void AddStarts(const Condyles& condyles,
                const Eigen::Vector3d& direction,
                double radius,
@@ -116,7 +117,7 @@ std::vector<Start> BestStarts(const Condyles& condyles,
   return starts;
 }
 
-// The points of one condyle on a cylinder, left or right.
+// Returns the points of the left or the right condyle that lie on a cylinder.
 SurfacePoints OneOf(const Condyles& condyles,
                     const Cylinder& cylinder,
                     double tolerance,
@@ -127,7 +128,8 @@ SurfacePoints OneOf(const Condyles& condyles,
   return PointsOn(side, cylinder, tolerance);
 }
 
-// The angle between the axis and the centres of a sphere on each condyle.
+// Returns the angle between the axis and the line through the centres of
+// spheres fitted to both condyles, rad.
 double SphereAngle(const SurfacePoints& left,
                    const SurfacePoints& right,
                    const Cylinder& cylinder) {
@@ -145,7 +147,8 @@ double SphereAngle(const SurfacePoints& left,
   return std::acos(std::min(1.0, std::abs(way.dot(cylinder.axis.direction))));
 }
 
-// Fits a cylinder to both condyles with the same weight, to what lies near it.
+// Fits a cylinder to the points near it, with the same weight for both
+// condyles.
 std::optional<KneeFit> Refined(const Condyles& condyles, Cylinder cylinder) {
   constexpr int kRounds = kJointSearch.fit.fit_rounds;
   KneeFit fit;

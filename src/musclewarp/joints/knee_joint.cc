@@ -15,7 +15,7 @@
 namespace musclewarp {
 namespace {
 
-// The middle of the lower end of a tibia, which is that of the ankle.
+// Returns the middle of the lower end of a tibia, where the ankle is.
 Eigen::Vector3d LowerEndOf(const SurfacePoints& tibia,
                            const Eigen::Vector3d& knee) {
   Eigen::VectorXd distance =

@@ -13,8 +13,8 @@
 namespace musclewarp {
 namespace {
 
-// Signs that the lower end of the femur is not there, and something else was
-// taken for condyles. They need the head.
+// Judges whether the lower end of the femur is missing and another surface was
+// taken for condyles. This needs the head.
 void JudgeLowerEnd(const FemurShape& femur, JointVerdict* verdict) {
   if (!femur.head) return;
   const double length =

@@ -5,6 +5,7 @@
 // The signs of the joints of a leg (joint_sign.h). Sources name the bones of
 // benchmarks/joint_accuracy.md: LHDL (CT), TLEM2 (MRI) and BodyParts3D.
 
+#include "musclewarp/joints/bone_search.h"
 #include "musclewarp/joints/joint_sign.h"
 
 namespace musclewarp {
@@ -98,9 +99,9 @@ struct KneeLimits {
               "no condyles: the lower end reaches back {value} times as "
               "far as forward ({limit} or more are needed) and is {value2} "
               "radii of the head away from it ({limit2} or more): {cause}")
-          .From("a femur without its lower end",
-                "upper parts of the femora of LHDL, TLEM2 and BodyParts3D "
-                "fail, whole and lower parts do not");
+          .From(
+              "a femur without its lower end",
+              "whole femora of all three persons pass, their upper parts fail");
   JointSign length = Below({}, 8).Digits(1).From("the same", "the same");
   JointSign turn =
       Above({}, 30)
@@ -202,7 +203,7 @@ struct PatellaLimits {
                 "grooves of LHDL and TLEM2 have 0.6 to 1.3 mm; patellae have "
                 "no reference");
   JointSign held_back =
-      Above(5)
+      Above(PatellaSearch().knee_step)
           .Weak(
               "the ligament holds the patella back from {reached} of the knee "
               "on: there it stays in its groove")

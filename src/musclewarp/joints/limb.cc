@@ -25,7 +25,7 @@ std::optional<SphereFit> FindHead(const SurfacePoints& femur) {
   return is_better ? smooth : head;
 }
 
-// A shaft of a piece of bone along a direction that is known otherwise.
+// Returns the shaft of a piece of a bone along a known direction.
 Axis ShaftAlong(const SurfacePoints& bone, const Eigen::Vector3d& up) {
   const Eigen::VectorXd height = bone.points * up;
   const double low = height.minCoeff(), high = height.maxCoeff();
@@ -35,7 +35,8 @@ Axis ShaftAlong(const SurfacePoints& bone, const Eigen::Vector3d& up) {
   return {upper.points.colwise().mean().transpose(), up};
 }
 
-// The product of the widths of the third of a bone at one end, mm^2.
+// Returns the product of both widths of a bone in the third of its length at
+// one end, mm^2.
 double SectionOf(const SurfacePoints& bone, const Eigen::Vector3d& end) {
   const Eigen::VectorXd height = bone.points * end;
   const double low = height.minCoeff(), high = height.maxCoeff();
@@ -51,10 +52,10 @@ double SectionOf(const SurfacePoints& bone, const Eigen::Vector3d& end) {
   return section;
 }
 
-// Shafts that a piece of a femur may have, upwards: along each of the
-// directions in which it spreads, as the widest of a short piece is across.
-// The upper third of a femur's lower piece is at most half as wide as its lower
-// third, by the product of its widths.
+// Returns the possible shafts of a piece of a femur, upwards, along each of its
+// principal directions: the longest direction of a short piece may lie across.
+// The upper third of a lower piece is slimmer than its lower third
+// (HeadSearch::largest_section).
 std::vector<Axis> PossibleShafts(const SurfacePoints& femur) {
   const Eigen::RowVector3d middle = femur.points.colwise().mean();
   const Points centered = femur.points.rowwise() - middle;
@@ -75,8 +76,8 @@ std::vector<Axis> PossibleShafts(const SurfacePoints& femur) {
   return shafts;
 }
 
-// Takes the knee with the most surface on a cylinder, of those that nothing
-// speaks against.
+// Adds the knee with the most surface on a cylinder, preferably one whose
+// verdict is not failed.
 void AddKneeWithoutHead(const SurfacePoints& femur,
                         const std::optional<Eigen::Vector3d>& up,
                         FemurShape* shape) {

@@ -37,7 +37,7 @@ struct Limb {
   }
 };
 
-// What the shape of a femur tells.
+// What was measured on the shape of a femur.
 struct FemurShape {
   std::optional<SphereFit> head;  // none without one, or too little of one
   double best_coverage = 0;       // of the best sphere, a head or not

@@ -104,7 +104,7 @@ std::optional<Circle> FitCircle(const Points& points) {
   return circle;
 }
 
-// The point of the tibia that is farthest before its axis, below the joint.
+// Returns the tuberosity: the foremost point of the tibia below the joint.
 std::optional<Eigen::Vector3d> TuberosityOf(const SurfacePoints& tibia,
                                             const KneePlane& plane) {
   const PatellaSearch& search = kJointSearch.patella;
@@ -142,7 +142,7 @@ void FollowKnee(const Circle& groove,
                 double step,
                 double last,
                 std::vector<std::pair<double, double>>* path) {
-  constexpr int kIterations = 30;  // of Newton, which needs some five
+  constexpr int kIterations = 30;  // of Newton's method
   const double length = (tip - tuberosity).norm();
   double angle = 0;
   for (double knee = scan + step; (last - knee) * step >= 0; knee += step) {
@@ -152,18 +152,19 @@ void FollowKnee(const Circle& groove,
     };
     for (int i = 0; i < kIterations; ++i) {
       constexpr double kBeside = 1e-6;  // rad, for the slope by differences
+      constexpr double kLargest = 0.1;  // rad: the knee turns by 0.09 a step
       const double slope =
           (stretch(angle + kBeside) - stretch(angle - kBeside)) / (2 * kBeside);
       if (std::abs(slope) < 1) return;  // mm by rad: the ligament is in line
-      angle -= std::clamp(stretch(angle) / slope, -0.1, 0.1);
+      angle -= std::clamp(stretch(angle) / slope, -kLargest, kLargest);
     }
-    if (std::abs(stretch(angle)) > 1e-6) return;
+    if (std::abs(stretch(angle)) > 1e-6) return;  // mm: it did not converge
     path->emplace_back(knee, angle);
   }
 }
 
-// Lets the coordinate of the patella follow that of the knee, over a little
-// more than its range.
+// Couples the coordinate of the patella to that of the knee, over slightly more
+// than its range.
 void CoupleToKnee(const FoundJoint& knee,
                   const Circle& groove,
                   const Place& tip,

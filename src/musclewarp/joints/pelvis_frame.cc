@@ -40,9 +40,9 @@ HullTriangle TriangleOf(std::array<Eigen::Vector3d, 3> corners) {
           (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2};
 }
 
-// The triangles of a hull of points that lie in one plane, as where an image
-// ends, would depend on where CGAL has them in memory. So all are moved a
-// little, each in its own way, by a sequence of low discrepancy.
+// Coplanar points, as at the border of an image, have a hull whose triangles
+// depend on memory addresses in CGAL. All points are therefore perturbed
+// slightly, by a low-discrepancy sequence.
 std::vector<HullTriangle> TrianglesOfHull(const Points& points) {
   constexpr double kMost = 1e-6;  // mm, far below what a frame shows
   const Eigen::RowVector3d step(

@@ -10,8 +10,8 @@
 namespace musclewarp {
 namespace {
 
-// The diagonal of the bounding box of a bone of an adult, mm, to a tenth or so;
-// 0 for bones that tell too little.
+// Returns the approximate diagonal of the bounding box of an adult's bone, mm;
+// 0 for bones that say too little about the size.
 double UsualDiagonal(BoneKind kind) {
   switch (kind) {
     case BoneKind::kPelvis:

@@ -51,7 +51,7 @@ SurfacePoints PointsOn(const SurfacePoints& surface,
   });
 }
 
-// Fits a sphere to what lies near it, which is chosen anew from the fit.
+// Fits a sphere to the points near it, which are selected again after each fit.
 std::optional<SphereFit> Refined(const SurfacePoints& surface,
                                  Sphere sphere,
                                  const SphereSearch& search) {

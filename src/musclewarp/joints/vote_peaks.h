@@ -15,9 +15,9 @@ struct VotePeak {
   int votes = 0;  // at most the radius of the search away
 };
 
-// Returns the places with the most of `votes` (#P x 3, mm) within `radius`, the
-// one with the most first, at most `most` of them and no two nearer to each
-// other than the radius. Places are moved to the mean of the votes around them.
+// Returns up to `most` places with the largest numbers of `votes` (#P x 3, mm)
+// within `radius`, in descending order and at least one radius apart. Each
+// place is moved to the mean of the votes around it.
 std::vector<VotePeak> FindVotePeaks(const Points& votes,
                                     double radius,
                                     int most);
