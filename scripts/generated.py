@@ -3,9 +3,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes what follows from the lists of figures (src/musclewarp/figures): the
 tables of docs/report.md, the properties of python/musclewarp/_core.pyi and the
-types of the report page.
+types of the report page; and the table of verdicts of docs/joints.md, which
+follows from src/musclewarp/joints/joint_limits.h.
 
   scripts/generated.py [--check] [--program=build/release/tests/figures/describe_figures]
+                       [--joints_program=build/release/tests/joints/describe_joint_limits]
 
 --check writes nothing and names the files that are not as they should be.
 Exit code: 0 if all are (or were written), else 1.
@@ -20,7 +22,9 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = ROOT / "build/release/tests/figures/describe_figures"
+JOINTS_PROGRAM = ROOT / "build/release/tests/joints/describe_joint_limits"
 DOCS = ROOT / "docs/report.md"
+JOINTS = ROOT / "docs/joints.md"
 STUB = ROOT / "python/musclewarp/_core.pyi"
 TYPES = ROOT / "tools/report/src/data/figures.ts"
 
@@ -39,6 +43,29 @@ def table(fields):
         text = field["text"][0].upper() + field["text"][1:] \
             if field["text"][0].islower() else field["text"]
         lines.append(f"| `{field['key']}` | {field['unit']} | {text} |")
+    return lines
+
+
+def limit_cell(sign, limit):
+    """Returns "below 45 %", or "yes" for a sign without a measure."""
+    if limit is None or sign["beyond"] == "yes":
+        return "" if limit is None else "yes"
+    return f"{sign['beyond']} {limit:g} {sign['unit']}"
+
+
+def verdicts(joints):
+    """Returns the rows of the table of verdicts of docs/joints.md."""
+    lines = ["| joint | sign | weak | failed | usual cause | limits rest on |",
+             "|---|---|---|---|---|---|"]
+    for joint, signs in joints.items():
+        for i, sign in enumerate(signs):
+            cells = ["" if i else joint, sign["text"],
+                     limit_cell(sign, sign["weak"]),
+                     limit_cell(sign, sign["failed"]), sign["cause"],
+                     sign["source"]]
+            lines.append(
+                "|" + "|".join(f" {cell} " if cell else " " for cell in cells)
+                + "|")
     return lines
 
 
@@ -105,15 +132,22 @@ def between_marks(text, begin, end, made_of):
     return new
 
 
+def printed(program):
+    """Returns the JSON that a program prints."""
+    return json.loads(subprocess.run(
+        [program], check=True, capture_output=True).stdout)
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
+    parser.add_argument("--joints_program", type=pathlib.Path,
+                        default=JOINTS_PROGRAM)
     arguments = parser.parse_args()
-    structs = json.loads(subprocess.run(
-        [arguments.program], check=True, capture_output=True).stdout)
+    structs = printed(arguments.program)
     files = {
         DOCS: between_marks(
             DOCS.read_text(encoding="utf-8"),
@@ -125,6 +159,14 @@ def main():
             lambda name: properties(structs[name])),
         TYPES: types(structs),
     }
+    if arguments.joints_program.exists():
+        files[JOINTS] = between_marks(
+            JOINTS.read_text(encoding="utf-8"),
+            r"<!-- signs of (\w+) -->", "<!-- end of signs -->",
+            lambda _: ["", *verdicts(printed(arguments.joints_program)), ""])
+    else:
+        print(f"{JOINTS.relative_to(ROOT)}: left as it is, as "
+              f"{arguments.joints_program.name} is not built")
     stale = [path for path, text in files.items()
              if not path.exists() or path.read_text(encoding="utf-8") != text]
     for path in stale:

@@ -8,28 +8,29 @@
 #include <vector>
 
 #include "musclewarp/joints/facing_surface.h"
+#include "musclewarp/joints/joint_search.h"
 #include "musclewarp/joints/robust_fit.h"
 
 namespace musclewarp {
 namespace {
 
 SurfacePoints AcrossAxis(const SurfacePoints& surface, const Axis& axis) {
-  constexpr double kLargestSlant = 0.4;  // of normals along the axis
   return Filtered(surface, [&](int row) {
     return std::abs(surface.normals.row(row).dot(axis.direction)) <=
-           kLargestSlant;
+           kJointSearch.talus.dome_slant;
   });
 }
 
-// Cylinders to start from: their axes in several directions at right angles to
-// where the dome looks, as far below it as its radius may be.
+// Returns cylinders to start from. Their axes lie one radius below the middle
+// of the dome, in several directions at right angles to its mean normal.
 std::vector<Cylinder> StartsFor(const SurfacePoints& dome,
                                 const Eigen::Vector3d& up) {
-  constexpr int kDirections = 12;  // in half a turn
+  constexpr int kDirections = kJointSearch.talus.dome_directions;
   const Eigen::Vector3d middle = dome.points.colwise().mean().transpose();
   const Eigen::Vector3d first = up.unitOrthogonal();
   const Eigen::Vector3d second = up.cross(first);
   std::vector<Cylinder> starts;
+  // From a small dome to a flattened one, mm.
   for (const double radius : {14.0, 20.0, 28.0}) {
     for (int i = 0; i < kDirections; ++i) {
       const double angle = M_PI * i / kDirections;
@@ -41,17 +42,20 @@ std::vector<Cylinder> StartsFor(const SurfacePoints& dome,
   return starts;
 }
 
-// Fits a cylinder to what lies near it.
+// Fits a cylinder to the points near it.
 std::optional<AnkleFit> Refined(const SurfacePoints& dome, Cylinder cylinder) {
-  constexpr int kRounds = 6;
-  constexpr int kFewestPoints = 30;
+  constexpr int kRounds = kJointSearch.fit.fit_rounds;
   SurfacePoints near;
   for (int round = 0; round < kRounds; ++round) {
-    const double tolerance = std::max(1.5, 6.0 / (1 + round));
+    const double tolerance =
+        std::max(kJointSearch.fit.sphere_reach,
+                 kJointSearch.talus.dome_first_reach / (1 + round));
     near = PointsOn(AcrossAxis(dome, cylinder.axis), cylinder, tolerance);
-    if (near.size() < kFewestPoints) return std::nullopt;
-    cylinder = FitCylinder(
-        near.points, Eigen::VectorXd::Ones(near.size()), cylinder, kLossScale);
+    if (near.size() < kJointSearch.fit.fewest_points) return std::nullopt;
+    cylinder = FitCylinder(near.points,
+                           Eigen::VectorXd::Ones(near.size()),
+                           cylinder,
+                           kJointSearch.fit.loss_scale);
   }
   AnkleFit fit;
   fit.cylinder = cylinder;
@@ -63,15 +67,14 @@ std::optional<AnkleFit> Refined(const SurfacePoints& dome, Cylinder cylinder) {
   return fit;
 }
 
-// The points of a talus that go on from those of its dome which look at the
-// tibia, before and behind them.
+// Returns the whole dome of a talus: the part that faces the tibia, and its
+// continuation before and behind it.
 SurfacePoints WholeDome(const SurfacePoints& talus,
                         const SurfacePoints& dome,
                         const Cylinder& cylinder,
                         const Eigen::Vector3d& up) {
-  // The dome of a talus ends 75 degrees before and behind its top.
-  constexpr double kLeastUp = 0.26;
-  const SurfacePoints near = PointsOn(dome, cylinder, 1.5);
+  const SurfacePoints near =
+      PointsOn(dome, cylinder, kJointSearch.fit.sphere_reach);
   const Eigen::VectorXd along = near.points * cylinder.axis.direction;
   const double low = along.minCoeff(), high = along.maxCoeff();
   return Filtered(talus, [&](int row) {
@@ -79,7 +82,7 @@ SurfacePoints WholeDome(const SurfacePoints& talus,
     const double place = point.dot(cylinder.axis.direction);
     const Eigen::Vector3d offset = OffsetFrom(cylinder.axis, point);
     return place >= low && place <= high &&
-           offset.dot(up) >= kLeastUp * offset.norm();
+           offset.dot(up) >= kJointSearch.talus.whole_dome_up * offset.norm();
   });
 }
 
@@ -87,14 +90,13 @@ SurfacePoints WholeDome(const SurfacePoints& talus,
 
 std::optional<AnkleFit> FitAnkle(const SurfacePoints& talus,
                                  const SurfacePoints& tibia) {
-  // The facets beside the dome look to opposite sides, which cancels out.
-  constexpr double kLeastUp = 0.5;
+  // The normals of the facets beside the dome are opposite and cancel out.
   const SurfacePoints facing = FacingSurface(talus, tibia);
   if (facing.size() == 0) return std::nullopt;
   const Eigen::Vector3d up =
       facing.normals.colwise().sum().transpose().normalized();
   const SurfacePoints dome = Filtered(facing, [&](int row) {
-    return facing.normals.row(row).dot(up) >= kLeastUp;
+    return facing.normals.row(row).dot(up) >= kJointSearch.talus.dome_up;
   });
   if (dome.size() == 0) return std::nullopt;
   std::optional<AnkleFit> best;
@@ -108,11 +110,12 @@ std::optional<AnkleFit> FitAnkle(const SurfacePoints& talus,
 
 std::optional<SubtalarFit> FitSubtalar(const SurfacePoints& talus,
                                        const SurfacePoints& foot) {
+  const TalusSearch& search = kJointSearch.talus;
   const SurfacePoints facing = FacingSurface(talus, foot);
-  const std::optional<SphereFit> head =
-      FindSphere(facing, {/*min_radius=*/8, /*max_radius=*/30, false});
+  const std::optional<SphereFit> head = FindSphere(
+      facing, {search.least_talus_head, search.largest_talus_head, false});
   const std::optional<SphereFit> facet =
-      FindSphere(facing, {/*min_radius=*/10, /*max_radius=*/45, true});
+      FindSphere(facing, {search.least_facet, search.largest_facet, true});
   if (!head || !facet) return std::nullopt;
   SubtalarFit fit;
   fit.head = *head;

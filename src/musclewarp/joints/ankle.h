@@ -18,14 +18,15 @@ struct AnkleFit {
   int points = 0;
 };
 
-// Finds the axis of an ankle: a cylinder on the dome of the talus, which looks
-// at the tibia. The facets on both sides of the dome look at the malleoli; the
-// dome is a part of the same surface of revolution, whose axis starts the fit.
-// Nothing is returned if the talus does not look at the tibia.
+// Finds the axis of an ankle: fits a cylinder to the dome of the talus, the
+// part of it that faces the tibia, from starts in several directions. Returns
+// the fit with the most points, extended to the whole dome, or nothing if the
+// talus does not face the tibia.
 std::optional<AnkleFit> FitAnkle(const SurfacePoints& talus,
                                  const SurfacePoints& tibia);
 
-// The two spheres of a talus on whose line of centres the foot turns.
+// The two spheres of a talus. The foot turns about the line through their
+// centres.
 struct SubtalarFit {
   SphereFit head;         // looks at the navicular
   SphereFit facet;        // hollow, looks at the heel bone

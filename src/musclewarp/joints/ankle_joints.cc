@@ -10,14 +10,15 @@
 #include <optional>
 
 #include "musclewarp/base/angles.h"
-#include "musclewarp/base/text.h"
 #include "musclewarp/joints/ankle.h"
 #include "musclewarp/joints/joint_building.h"
+#include "musclewarp/joints/joint_limits.h"
+#include "musclewarp/joints/joint_search.h"
 
 namespace musclewarp {
 namespace {
 
-// Forward and up at the ankle, as the bones of the foot have it.
+// The directions forward and up at an ankle, by the bones of the foot.
 struct FootDirections {
   Eigen::Vector3d forward, up;
 };
@@ -51,7 +52,7 @@ FootDirections DirectionsOfFoot(const Limb& limb,
   return directions;
 }
 
-// The bone that carries the tibia: the talus, or the foot in one mesh.
+// Returns the bone below the tibia: the talus, or a foot in one mesh.
 const SurfacePoints& TalusOf(const Limb& limb) {
   const SurfacePoints* talus = limb.Find(BoneKind::kTalus);
   if (talus == nullptr) talus = limb.Find(BoneKind::kFoot);
@@ -66,12 +67,12 @@ std::optional<SubtalarFit> SubtalarOf(const Limb& limb) {
   return FitSubtalar(*talus, *foot);
 }
 
-// The middle of the tips of both malleoli: of the lowest points of tibia and
-// fibula on either side. None without a fibula, whose tip is the lower one.
+// Returns the middle between the tips of both malleoli, the lowest points of
+// tibia and fibula on either side; none without a fibula, which has the lower
+// tip.
 std::optional<Eigen::Vector3d> MiddleOfTips(const Limb& limb,
                                             const FootDirections& foot,
                                             const Eigen::Vector3d& middle) {
-  constexpr double kHighest = 5;  // mm, of the outer tip above the inner one
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const Eigen::Vector3d right = foot.forward.cross(foot.up);
   const Eigen::Vector3d outward =
@@ -91,44 +92,34 @@ std::optional<Eigen::Vector3d> MiddleOfTips(const Limb& limb,
       (is_outer ? outer : inner) = point;
     }
   }
-  if (inner_height == kNone || outer_height > inner_height + kHighest) {
+  if (inner_height == kNone ||
+      outer_height > inner_height + kJointSearch.talus.highest_outer_tip) {
     return std::nullopt;
   }
   return (inner + outer) / 2;
 }
 
-// Signs that the dome does not tell the height of the axis; it is then that of
-// the tips of the malleoli.
+// Judges the fit of the dome. Where it is weak, the axis is moved to the height
+// of the tips of the malleoli.
 void JudgeAnkle(const Limb& limb,
                 const FemurShape& femur,
                 const FootDirections& foot,
                 AnkleFit* fit,
                 JointVerdict* verdict) {
-  constexpr double kLeastAngle = RadiansOf(60);
-  constexpr double kLargestSpread = 0.5;   // mm
-  constexpr double kLargestRadius = 1.25;  // by that of the head
-  constexpr double kLargestHeight = 0.25;  // by that of the head
-  const double radius = kLargestRadius * femur.HeadRadius();
-  const double height = kLargestHeight * femur.HeadRadius();
+  const AnkleLimits& limits = kJointLimits.ankle;
   const std::optional<Eigen::Vector3d> tips =
       MiddleOfTips(limb, foot, fit->cylinder.axis.point);
   const double above =
       tips ? (*tips - fit->cylinder.axis.point).dot(foot.up) : 0;
-  if (fit->angle >= kLeastAngle && fit->cylinder.radius <= radius &&
-      fit->spread <= kLargestSpread && std::abs(above) <= height) {
-    return;
-  }
-  verdict->Weaken("the dome of the talus covers " + DegreesText(fit->angle) +
-                  " of a cylinder of " + RoundedText(fit->cylinder.radius, 1) +
-                  " mm, is off it by " + RoundedText(fit->spread, 2) +
-                  " mm, and the tips of the malleoli are " +
-                  RoundedText(std::abs(above), 1) +
-                  " mm above or below its axis; 60 degrees or more, " +
-                  RoundedText(radius, 1) + ", " +
-                  RoundedText(kLargestSpread, 1) + " and " +
-                  RoundedText(height, 1) +
-                  " mm or less are expected: a dome flattened by thick slices" +
-                  (tips ? ". The height of the axis is that of the tips" : ""));
+  const double head = femur.HeadRadius();
+  const JointQuality quality = Judge(
+      {{limits.angle, DegreesOf(fit->angle)},
+       {limits.radius, fit->cylinder.radius, head},
+       {limits.spread, fit->spread},
+       {limits.height, std::abs(above), head}},
+      verdict,
+      {{"height", tips ? ". The height of the axis is that of the tips" : ""}});
+  if (quality == JointQuality::kGood) return;
   fit->cylinder.axis.point += above * foot.up;
 }
 
@@ -141,9 +132,7 @@ FoundJoint FindAnkle(const Limb& limb, const FemurShape& femur) {
   CHECK(tibia != nullptr);
   std::optional<AnkleFit> fit = FitAnkle(talus, *tibia);
   if (!fit) {
-    joint.verdict.Fail(
-        "no part of the talus looks at the tibia within 6 mm: "
-        "bones from two scans, or of two legs");
+    Judge({{kJointLimits.ankle.not_facing}}, &joint.verdict);
     return joint;
   }
   const FootDirections foot =
@@ -165,10 +154,7 @@ FoundJoint FindSubtalar(const Limb& limb, const FemurShape& femur) {
   CHECK(limb.Find(BoneKind::kTalus) != nullptr);
   const std::optional<SubtalarFit> fit = SubtalarOf(limb);
   if (!fit) {
-    joint.verdict.Fail(
-        "no spheres fit the head of the talus and its facet above the heel "
-        "bone: the navicular or the heel bone is not there, or a bone is of "
-        "another scan");
+    Judge({{kJointLimits.subtalar.no_spheres}}, &joint.verdict);
     return joint;
   }
   const FootDirections foot =
@@ -177,25 +163,11 @@ FoundJoint FindSubtalar(const Limb& limb, const FemurShape& femur) {
   joint.shapes.push_back(ShapeOf("head of the talus", fit->head));
   joint.shapes.push_back(ShapeOf("facet above the heel bone", fit->facet));
   for (FittedShape& shape : joint.shapes) shape.is_on_parent = true;
-  constexpr double kLeastFacet = 250;     // mm^2
-  constexpr double kLeastDistance = 1.4;  // by the radius of the head
-  if (fit->facet_area < kLeastFacet) {
-    joint.verdict.Weaken(
-        "only " + RoundedText(fit->facet_area, 0) +
-        " mm2 of the talus look at the heel bone as a hollow sphere, " +
-        RoundedText(kLeastFacet, 0) +
-        " mm2 or more are expected: bones too far apart, or a coarse mesh");
-  }
-  // The angle of the axis is uncertain by that of a centre over the distance
-  // between both.
+  Judge({{kJointLimits.subtalar.facet, fit->facet_area}}, &joint.verdict);
   const double distance =
       (fit->head.sphere.center - fit->facet.sphere.center).norm();
-  const double least = kLeastDistance * femur.HeadRadius();
-  if (distance < least) {
-    joint.verdict.Weaken("the centres of both spheres are only " +
-                         RoundedText(distance, 0) + " mm apart, " +
-                         RoundedText(least, 0) + " mm or more are expected");
-  }
+  Judge({{kJointLimits.subtalar.distance, distance, femur.HeadRadius()}},
+        &joint.verdict);
   joint.parent_axes = AxesAlong(0, fit->axis.direction, 1, foot.up);
   joint.child_axes = joint.parent_axes;
   return joint;

@@ -8,9 +8,10 @@
 #include <optional>
 
 #include "musclewarp/base/angles.h"
-#include "musclewarp/base/text.h"
 #include "musclewarp/joints/facing_surface.h"
 #include "musclewarp/joints/joint_building.h"
+#include "musclewarp/joints/joint_limits.h"
+#include "musclewarp/joints/joint_search.h"
 #include "musclewarp/joints/point_search.h"
 #include "musclewarp/joints/revolution_fit.h"
 
@@ -30,12 +31,11 @@ Eigen::Vector3d MiddleOf(const SurfacePoints& surface) {
 // The middle of the end of a long bone that is farther from a place.
 Eigen::Vector3d FarEndOf(const SurfacePoints& bone,
                          const Eigen::Vector3d& place) {
-  constexpr double kLastPart = 0.04;  // of the distance
   const Eigen::VectorXd distance =
       (bone.points.rowwise() - place.transpose()).rowwise().norm();
   const double farthest = distance.maxCoeff();
   return MiddleOf(Filtered(bone, [&](int row) {
-    return distance[row] >= (1 - kLastPart) * farthest;
+    return distance[row] >= (1 - kJointSearch.body.end_part) * farthest;
   }));
 }
 
@@ -77,82 +77,50 @@ FittedShape AxisShape(const std::string& what, const Axis& axis) {
 }  // namespace
 
 FoundJoint FindShoulder(const Limb& limb) {
-  // The head of a humerus is half a ball; a whole one covers 0.42.
-  constexpr double kFailedCoverage = 0.27, kWeakCoverage = 0.35;
-  constexpr double kWeakSpread = 0.8;  // mm
+  const ShoulderLimits& limits = kJointLimits.shoulder;
   FoundJoint joint = StartedJoint(JointKind::kShoulder, limb);
   const std::optional<SphereFit> head =
       FindSphere(Needed(limb, BoneKind::kHumerus), {});
-  const double coverage = head ? head->coverage : 0;
-  if (coverage < kFailedCoverage) {
-    joint.verdict.Fail(
-        "no head on the humerus: the best sphere of 14 to 32 mm covers " +
-        RoundedText(100 * coverage, 0) + " % of itself, " +
-        RoundedText(100 * kFailedCoverage, 0) +
-        " % or more are needed; are the meshes in mm, and is the upper end of "
-        "the humerus there");
+  const double coverage = head ? 100 * head->coverage : 0;
+  if (Judge({{limits.coverage, coverage}}, &joint.verdict) ==
+      JointQuality::kFailed) {
     return joint;
   }
   joint.center = head->sphere.center;
   joint.shapes.push_back(ShapeOf("head of the humerus", *head));
-  if (coverage < kWeakCoverage) {
-    joint.verdict.Weaken("the head covers " + RoundedText(100 * coverage, 0) +
-                         " % of its sphere, " +
-                         RoundedText(100 * kWeakCoverage, 0) +
-                         " % or more are expected: it is cut");
-  }
-  if (head->spread > kWeakSpread) {
-    joint.verdict.Weaken("the head is off its sphere by " +
-                         RoundedText(head->spread, 1) + " mm, at most " +
-                         RoundedText(kWeakSpread, 1) + " mm are expected");
-  }
+  Judge({{limits.spread, head->spread}}, &joint.verdict);
   if (limb.image_axes) {
     joint.parent_axes = *limb.image_axes;
   } else {
-    joint.verdict.Weaken(
-        "the axes of the image are not known: those of the file are taken for "
-        "forward, up and right");
+    Judge({{limits.no_axes}}, &joint.verdict);
   }
   joint.child_axes = joint.parent_axes;
   return joint;
 }
 
 FoundJoint FindElbow(const Limb& limb) {
-  constexpr double kFailedAngle = RadiansOf(60), kWeakAngle = RadiansOf(120);
-  constexpr double kWeakSpread = 1.5;  // mm
+  const ElbowLimits& limits = kJointLimits.elbow;
   FoundJoint joint = StartedJoint(JointKind::kElbow, limb);
   const SurfacePoints& humerus = Needed(limb, BoneKind::kHumerus);
   const SurfacePoints facing = ElbowSurface(limb);
   const std::optional<RevolutionFit> fit = FitRevolution(facing);
-  const double angle = fit ? AngleCovered(facing.points, fit->axis) : 0;
-  if (angle < kFailedAngle) {
-    joint.verdict.Fail(
-        "the humerus looks at the forearm over " + DegreesText(angle) +
-        ", 60 or more are needed: bones from two scans, or of two "
-        "arms");
+  const double angle =
+      fit ? DegreesOf(AngleCovered(facing.points, fit->axis)) : 0;
+  const JointQuality quality = QualityOf({limits.angle, angle});
+  if (quality == JointQuality::kFailed) {
+    Judge({{limits.angle, angle}}, &joint.verdict);
     return joint;
   }
   Axis axis = fit->axis;
   const std::optional<Eigen::Vector3d> right = RightAtElbow(limb);
   if (right && axis.direction.dot(*right) < 0) axis.direction *= -1;
-  if (!right) {
-    joint.verdict.Weaken(
-        "neither a radius nor the image tells where the right is: flexion may "
-        "go backwards");
-  }
+  if (!right) Judge({{limits.no_right}}, &joint.verdict);
   joint.shapes.push_back(AxisShape("trochlea and capitulum", axis));
   joint.shapes.back().spread = fit->spread;
-  joint.shapes.back().angle = angle;
+  joint.shapes.back().angle = AngleCovered(facing.points, fit->axis);
   joint.shapes.back().is_on_parent = true;
-  if (angle < kWeakAngle) {
-    joint.verdict.Weaken("the humerus looks at the forearm over " +
-                         DegreesText(angle) + ", 120 or more are expected");
-  }
-  if (fit->spread > kWeakSpread) {
-    joint.verdict.Weaken(
-        "normals pass the axis by " + RoundedText(fit->spread, 1) + " mm, " +
-        RoundedText(kWeakSpread, 1) + " mm or less is expected");
-  }
+  Judge({{limits.angle, angle}}, &joint.verdict);
+  Judge({{limits.spread, fit->spread}}, &joint.verdict);
   joint.center = axis.point;
   joint.parent_axes =
       AxesAlong(2, axis.direction, 1, MiddleOf(humerus) - axis.point);
@@ -166,10 +134,9 @@ FoundJoint FindForearm(const Limb& limb) {
   const SurfacePoints& ulna = Needed(limb, BoneKind::kUlna);
   const SurfacePoints& radius = Needed(limb, BoneKind::kRadius);
   const SurfacePoints fovea = FacingSurface(radius, humerus);
-  if (fovea.size() < 10) {
-    joint.verdict.Fail(
-        "the head of the radius does not look at the humerus within 6 mm: "
-        "bones from two scans, or cut");
+  const auto facing = static_cast<double>(fovea.size());
+  if (Judge({{kJointLimits.forearm.not_facing, facing}}, &joint.verdict) ==
+      JointQuality::kFailed) {
     return joint;
   }
   const Eigen::Vector3d elbow = MiddleOf(fovea);

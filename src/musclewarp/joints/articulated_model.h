@@ -14,9 +14,9 @@ namespace musclewarp {
 // The frame of every body is the frame of the image, and both frames of a joint
 // sit at its centre: in the pose of the scan, which the defaults of the
 // coordinates are, the frames of all bodies coincide with the ground. Joints
-// are CustomJoints; those that failed and bones of no joint are WeldJoints.
-// A comment before each joint has its verdict. The mesh of a bone is
-// <name>.obj, looked for in the folder Geometry beside the model, in mm.
+// are CustomJoints; failed joints and bones of no joint become WeldJoints. A
+// comment before each joint has its verdict. The mesh of a bone is <name>.obj,
+// looked for in the folder Geometry beside the model, in mm.
 //
 // Masses come from the volumes of the bones; they are no data for dynamics,
 // and a comment says so.

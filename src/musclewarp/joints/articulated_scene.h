@@ -11,13 +11,13 @@
 
 namespace musclewarp {
 
-// A way of a coordinate from one value to another, degrees.
+// The motion of a coordinate from one value to another, degrees.
 struct CoordinateSweep {
   std::string coordinate;
   double from = 0, to = 0;
 };
 
-// Coordinates that move together, in so many frames at equal distances.
+// Coordinates that move together, in a number of equally spaced frames.
 struct JointMotion {
   std::string name;
   int frames = 15;
@@ -27,7 +27,7 @@ struct JointMotion {
 // The most frames that a motion may have.
 constexpr int kMostMotionFrames = 100000;
 
-// Returns the names of the coordinates of all joints that were found, but for
+// Returns the names of the coordinates of all joints that were found, without
 // those that follow others.
 std::vector<std::string> CoordinateNames(const Articulation& articulation);
 
@@ -59,7 +59,7 @@ struct SceneMeshFile {
   std::string origin = {}, insertion = {};
 };
 
-// What a scene of an articulation has beside its bones.
+// The parts of a scene beside the bones of its articulation.
 struct ArticulatedSceneParts {
   std::string name;
   std::string units = "mm";  // of the mesh files

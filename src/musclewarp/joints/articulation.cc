@@ -17,6 +17,7 @@
 #include "musclewarp/joints/bone_sides.h"
 #include "musclewarp/joints/hip_joint.h"
 #include "musclewarp/joints/joint_building.h"
+#include "musclewarp/joints/joint_limits.h"
 #include "musclewarp/joints/knee_joint.h"
 #include "musclewarp/joints/patella_joint.h"
 #include "musclewarp/joints/pelvis_frame.h"
@@ -207,11 +208,9 @@ class Articulator {
         return limb.Find(kind) != nullptr;
       });
     };
-    const bool has_pelvis = has({BoneKind::kPelvis, BoneKind::kHipBone});
     const bool has_femur = has({BoneKind::kFemur});
     const bool has_tibia = has({BoneKind::kTibia});
-    const bool has_talus = has({BoneKind::kTalus});
-    if (has_pelvis && has_femur) {
+    if (has({BoneKind::kPelvis, BoneKind::kHipBone}) && has_femur) {
       Add(JointKind::kHip, side, [&] { return FindHip(limb, *femur); });
     }
     if (has_femur && has_tibia) {
@@ -223,7 +222,7 @@ class Articulator {
     if (has_tibia && has({BoneKind::kTalus, BoneKind::kFoot})) {
       Add(JointKind::kAnkle, side, [&] { return FindAnkle(limb, *femur); });
     }
-    if (has_tibia && has_talus && has({BoneKind::kFoot})) {
+    if (has_tibia && has({BoneKind::kTalus}) && has({BoneKind::kFoot})) {
       Add(JointKind::kSubtalar, side, [&] {
         return FindSubtalar(limb, *femur);
       });
@@ -303,20 +302,21 @@ class Articulator {
 
   // Left and right of one person are alike.
   void CompareSides() {
-    constexpr double kRadiusTolerance = 0.1;
     for (const JointKind kind : AllJointKinds()) {
       FoundJoint* right = JointOf(kind, Side::kRight);
       FoundJoint* left = JointOf(kind, Side::kLeft);
       if (right == nullptr || left == nullptr) continue;
       if (right->shapes.empty() || left->shapes.empty()) continue;
       const double r = right->shapes[0].radius, l = left->shapes[0].radius;
-      if (std::abs(r - l) <= kRadiusTolerance * std::max(r, l)) continue;
-      const std::string reason =
-          "the radii of the right and the left " + right->shapes[0].what +
-          " differ: " + RoundedText(r, 1) + " and " + RoundedText(l, 1) +
-          " mm, 10 % at most are expected";
-      right->verdict.Weaken(reason);
-      left->verdict.Weaken(reason);
+      const double percent =
+          r == l ? 0 : 100 * std::abs(r - l) / std::max(r, l);
+      const std::map<std::string, std::string> words = {
+          {"shape", right->shapes[0].what},
+          {"right", RoundedText(r, 1)},
+          {"left", RoundedText(l, 1)}};
+      for (FoundJoint* joint : {right, left}) {
+        Judge({{kJointLimits.sides.radius, percent}}, &joint->verdict, words);
+      }
     }
   }
 
@@ -346,8 +346,8 @@ class Articulator {
     }
   }
 
-  // The body that would carry a bone if all joints were there, of those that
-  // are: a tibia without a knee is fixed to the femur.
+  // The body that carries a bone by the table of joints, past those that are
+  // not there: a tibia without a knee is fixed to the femur.
   std::string CarrierByTable(const Bone& bone) const {
     const Side side = bone.side.value_or(Side::kRight);
     if (bone.kind == BoneKind::kPatella) {

@@ -21,8 +21,8 @@ struct ArticulationOptions {
   // The joints to find; empty: all for which there are bones.
   std::vector<JointKind> joints;
 
-  // The side on which joints are found, and of which bones are that nothing
-  // else says the side of; none: both sides.
+  // The side on which joints are found, which is also the side of bones whose
+  // side nothing else tells; none: both sides.
   std::optional<Side> side;
 
   ZeroPose zero = ZeroPose::kAnatomy;
@@ -53,10 +53,10 @@ struct Articulation {
   std::vector<FoundJoint> joints;
   std::vector<Weld> welds;
 
-  // How large the skeleton is against a human one (SkeletonSizeOf).
+  // The size of the skeleton relative to a human one (SkeletonSizeOf).
   double size = 1;
 
-  // What the user has to know beside the verdicts, each a sentence.
+  // Notes for the user beside the verdicts, a sentence each.
   std::vector<std::string> notes;
 };
 
@@ -66,8 +66,8 @@ struct Articulation {
 // nearest bone that has a side, or by their place in the image. Bones of
 // unknown kind belong to no joint and stay fixed to their body.
 //
-// A skeleton that is far from human size (SkeletonSizeOf) is treated as one
-// that is enlarged or reduced to it, so that all lengths of the method fit.
+// A skeleton far from human size (SkeletonSizeOf) is scaled to it while its
+// joints are found, so that all lengths of the method apply.
 //
 // Throws InputError, which begins with the name of the bone, if the shape of a
 // femur contradicts its name or its place in the image, as in a mirrored image;

@@ -13,7 +13,7 @@
 namespace musclewarp {
 
 void CheckBoneSize(const Bone& bone) {
-  constexpr double kLargest = 1e4;  // mm
+  constexpr double kLargest = 1e4;  // mm: no bone of any animal is so long
   const double diagonal = BoundingBoxDiagonal(bone.mesh.points);
   if (diagonal <= kLargest) return;
   throw InputError(

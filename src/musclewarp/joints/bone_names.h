@@ -10,7 +10,7 @@
 
 namespace musclewarp {
 
-// What a name says of a bone.
+// The kind and side of a bone, by its name.
 struct NamedBone {
   // False for a name that is not known as that of a bone.
   bool is_known = false;
@@ -38,10 +38,10 @@ std::optional<Side> ParseSide(const std::string& text);
 // to change, at most three.
 std::vector<std::string> NearestBoneNames(const std::string& name);
 
-// Returns a bone of which the name tells what it is.
+// Returns a bone whose kind and side follow from its name.
 Bone BoneOfName(const std::string& name, TriangleSoup mesh);
 
-// What a user has to know of a bone whose name is not known.
+// Returns the note for the user on a bone whose name is not known.
 std::string NoteOnUnknownBone(const std::string& name);
 
 }  // namespace musclewarp

@@ -9,16 +9,11 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/short_list.h"
+#include "musclewarp/joints/joint_search.h"
 #include "musclewarp/joints/point_search.h"
 
 namespace musclewarp {
 namespace {
-
-// Bones of one limb are nearer to each other than this, mm.
-constexpr double kNearby = 60;
-
-// A bone that lies less to one side of the middle tells nothing, mm.
-constexpr double kOffMiddle = 10;
 
 constexpr char kMirrored[] =
     "a mirrored image is the usual cause; correct the side, or mirror the "
@@ -61,7 +56,7 @@ std::optional<Side> SideByPlace(
     const std::optional<Eigen::Vector3d>& middle) {
   if (!image_axes || !middle) return std::nullopt;
   const double right = (place - *middle).dot(image_axes->col(2));
-  if (std::abs(right) < kOffMiddle) return std::nullopt;
+  if (std::abs(right) < kJointSearch.body.off_middle) return std::nullopt;
   return right > 0 ? Side::kRight : Side::kLeft;
 }
 
@@ -87,8 +82,8 @@ void CheckFemur(const SampledBone& bone,
   }
 }
 
-// The least distance of a bone from others, at most `most` (mm): some hundred
-// points of it are enough to tell legs apart.
+// Returns the least distance of a bone from others, at most `most` (mm), by
+// some 300 of its points, which are enough to tell legs apart.
 double DistanceFrom(const PointSearch& others,
                     const Points& points_of_others,
                     const SampledBone& bone,
@@ -106,7 +101,7 @@ double DistanceFrom(const PointSearch& others,
 // of all first, so that sides spread along a limb.
 void SpreadSides(std::vector<SampledBone>* bones,
                  std::vector<std::string>* names) {
-  std::vector<double> distance(bones->size(), kNearby);
+  std::vector<double> distance(bones->size(), kJointSearch.body.nearby);
   std::vector<std::optional<Side>> side(bones->size());
   const auto is_waiting = [&](const SampledBone& bone) {
     return HasSide(bone.bone.kind) && !bone.bone.side &&
@@ -173,7 +168,7 @@ Eigen::Matrix3d DirectionsOfAxes(const std::string& axes) {
 
 bool AgreeWithImage(const std::vector<SampledBone>& bones,
                     const Eigen::Matrix3d& image_axes) {
-  const double least = std::sqrt(0.5);
+  const double least = std::sqrt(0.5);  // 45 degrees
   for (const SampledBone& bone : bones) {
     if (!bone.femur.ShapeSide()) continue;
     const BoneDirections& directions = *bone.femur.directions;

@@ -12,30 +12,31 @@
 
 namespace musclewarp {
 
-// A bone with what its shape tells.
+// A bone, points on its surface, and what was measured on it.
 struct SampledBone {
   Bone bone;
   SurfacePoints surface;
   FemurShape femur;  // of a femur only
 };
 
-// True for bones that there are on both sides of the body.
+// Returns true for bones that exist on both sides of the body.
 bool HasSide(BoneKind kind);
 
-// Returns where forward, up and right are in a frame with such axes ("LPS"), in
-// columns. Precondition (CHECKed): the axes are valid, as those of a scene.
+// Returns the directions forward, up and right, in columns, in a frame with the
+// given axes ("LPS"). Precondition (CHECKed): the axes are valid, as those of a
+// scene.
 Eigen::Matrix3d DirectionsOfAxes(const std::string& axes);
 
-// Returns true if the femora stand in the frame as its axes say, within 45
-// degrees, or if there is none that tells.
+// Returns false if a femur contradicts the axes of the image: if its upward or
+// backward direction is off by more than 45 degrees.
 bool AgreeWithImage(const std::vector<SampledBone>& bones,
                     const Eigen::Matrix3d& image_axes);
 
-// Gives a side to every bone of a kind that has one: by its shape if it is a
-// femur without a side, by `otherwise`, by the nearest bone that has one, and
-// by its place in the image. Adds a note for each bone that gets its side by
-// its place, or gets none; that becomes BoneKind::kOther. Returns false if
-// there is such a bone.
+// Assigns a side to every bone that exists on both sides of the body and has
+// none yet: by the shape of a femur, by `otherwise`, by the nearest bone with a
+// side, and by its place in the image, in this order. Adds a note for each bone
+// whose side does not follow from its name or `otherwise`. Bones that get no
+// side become BoneKind::kOther; returns false if there are any.
 //
 // Throws InputError, which begins with the name of the bone, if the side of a
 // femur by its shape is not the one by its name, or by its place in the image.

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "musclewarp/joints/joint_search.h"
 #include "musclewarp/joints/robust_fit.h"
 
 namespace musclewarp {
@@ -73,19 +74,19 @@ Cylinder FitCylinder(const Points& points,
 SurfacePoints PointsOn(const SurfacePoints& surface,
                        const Cylinder& cylinder,
                        double tolerance) {
-  constexpr double kLeastCosine = 0.85;
   return Filtered(surface, [&](int row) {
     const Eigen::Vector3d offset =
         OffsetFrom(cylinder.axis, surface.points.row(row).transpose());
     const double distance = offset.norm();
     return std::abs(distance - cylinder.radius) <= tolerance &&
-           surface.normals.row(row).dot(offset) >= kLeastCosine * distance;
+           surface.normals.row(row).dot(offset) >=
+               kJointSearch.fit.least_normal * distance;
   });
 }
 
 double AngleCovered(const Points& points, const Axis& axis) {
-  constexpr int kSectors = 72;
-  constexpr int kFewestPoints = 2;
+  constexpr int kSectors = 72;      // of 5 degrees
+  constexpr int kFewestPoints = 2;  // a single one may be off the surface
   const Eigen::Matrix3d local_from_world = TurnToZ(axis.direction);
   std::array<int, kSectors> counts = {};
   for (int i = 0; i < points.rows(); ++i) {

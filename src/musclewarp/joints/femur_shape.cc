@@ -8,6 +8,8 @@
 #include <cmath>
 #include <vector>
 
+#include "musclewarp/joints/joint_search.h"
+
 namespace musclewarp {
 namespace {
 
@@ -31,8 +33,9 @@ Eigen::Vector3d WidestDirection(const Points& points,
 }  // namespace
 
 Axis ShaftOf(const SurfacePoints& bone, const Eigen::Vector3d& up) {
-  constexpr int kSlices = 20;
-  constexpr double kFrom = 0.3, kTo = 0.7;
+  constexpr int kSlices = 20;  // 9 mm of a femur
+  constexpr double kFrom = kJointSearch.head.shaft_from;
+  constexpr double kTo = kJointSearch.head.shaft_to;
   Axis shaft;
   shaft.direction = LongestDirection(bone.points);
   shaft.point = bone.points.colwise().mean().transpose();
@@ -67,8 +70,7 @@ Axis ShaftOf(const SurfacePoints& bone, const Eigen::Vector3d& up) {
 BoneDirections DirectionsOfFemur(const SurfacePoints& femur,
                                  const Axis& shaft,
                                  double head_radius) {
-  // Of a head of 23 mm the lower end has 35 mm.
-  const double end_height = 35 * head_radius / 23;
+  const double end_height = kJointSearch.head.end_height * head_radius;
   BoneDirections directions;
   directions.shaft = shaft;
   directions.up = directions.shaft.direction;

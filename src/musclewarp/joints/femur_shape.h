@@ -8,16 +8,15 @@
 
 namespace musclewarp {
 
-// The directions of a long bone, of unit length and at right angles, as far as
-// its shape alone tells them.
+// Orthonormal directions of a long bone, found on its shape alone.
 struct BoneDirections {
   Axis shaft;          // upwards
   Eigen::Vector3d up;  // of the shaft
   Eigen::Vector3d back;
   Eigen::Vector3d left;  // back x up, the left of the body
 
-  // How far the lower end reaches back from the line of the shaft, by how far
-  // it reaches forward.
+  // The distance by which the lower end extends back from the line of the
+  // shaft, divided by the distance by which it extends forward.
   double back_to_front = 0;
 
   // The lowest place of the bone: its height along `up` from the origin, mm.
@@ -28,10 +27,10 @@ struct BoneDirections {
 // 30 and 70 % of its length, upwards if `up` has a positive component along it.
 Axis ShaftOf(const SurfacePoints& bone, const Eigen::Vector3d& up);
 
-// Tells the directions of a femur of which the line of the shaft is known,
-// upwards: left and right are along the widest direction of the lower end, and
-// back is the side on which the condyles reach farther from the shaft.
-// `head_radius` (mm) scales what counts as the lower end.
+// Returns the directions of a femur with a known shaft, which points upwards:
+// left and right are along the widest direction of the lower end, and back is
+// the side on which the condyles extend farther from the shaft. `head_radius`
+// (mm) scales the height of the lower end.
 BoneDirections DirectionsOfFemur(const SurfacePoints& femur,
                                  const Axis& shaft,
                                  double head_radius);

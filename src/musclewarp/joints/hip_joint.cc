@@ -7,8 +7,9 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "musclewarp/base/text.h"
 #include "musclewarp/joints/joint_building.h"
+#include "musclewarp/joints/joint_limits.h"
+#include "musclewarp/joints/joint_search.h"
 
 namespace musclewarp {
 namespace {
@@ -16,30 +17,14 @@ namespace {
 // The hollow sphere in the hip bone about the head of the femur.
 std::optional<SphereFit> FindSocket(const SurfacePoints& hip_bone,
                                     const Sphere& head) {
-  constexpr double kReach = 1.6;  // by the radius of the head
   const SurfacePoints near = Filtered(hip_bone, [&](int row) {
     return (hip_bone.points.row(row).transpose() - head.center).norm() <=
-           kReach * head.radius;
+           kJointSearch.head.largest_socket * head.radius;
   });
-  return FindSphere(near, {0.8 * head.radius, kReach * head.radius, true});
-}
-
-void JudgeHead(const FemurShape& femur, JointVerdict* verdict) {
-  constexpr double kWeakCoverage = 0.45;
-  constexpr double kWeakSpread = 0.8;  // mm
-  const SphereFit& head = *femur.head;
-  if (head.coverage < kWeakCoverage) {
-    verdict->Weaken("the head covers " + RoundedText(100 * head.coverage, 0) +
-                    " % of its sphere, " + RoundedText(100 * kWeakCoverage, 0) +
-                    " % or more are expected: it is cut by the image, or a "
-                    "part of it is labelled as hip bone");
-  }
-  if (head.spread > kWeakSpread) {
-    verdict->Weaken("the head is off its sphere by " +
-                    RoundedText(head.spread, 1) + " mm, at most " +
-                    RoundedText(kWeakSpread, 1) +
-                    " mm are expected: a deformed head, or a coarse mesh");
-  }
+  return FindSphere(near,
+                    {kJointSearch.head.least_socket * head.radius,
+                     kJointSearch.head.largest_socket * head.radius,
+                     true});
 }
 
 void SetHipAxes(const Limb& limb, const FemurShape& femur, FoundJoint* joint) {
@@ -55,30 +40,22 @@ void SetHipAxes(const Limb& limb, const FemurShape& femur, FoundJoint* joint) {
                                       : *limb.image_axes;
     joint->child_axes = joint->parent_axes;
   } else {
-    joint->verdict.Weaken(
-        "neither bones nor image say where forward and up are: the axes are "
-        "those of the file");
+    Judge({{kJointLimits.hip.no_axes}}, &joint->verdict);
   }
 }
 
 }  // namespace
 
 FoundJoint FindHip(const Limb& limb, const FemurShape& femur) {
-  constexpr double kWeakOffset = 3;         // mm, of the socket
-  constexpr double kLargestDistance = 1.6;  // by the radius of the head
+  const HipLimits& limits = kJointLimits.hip;
   FoundJoint joint = StartedJoint(JointKind::kHip, limb);
-  if (!femur.head) {
-    joint.verdict.Fail(
-        "no head on the femur: the best sphere of 14 to 32 mm covers " +
-        RoundedText(100 * femur.best_coverage, 0) +
-        " % of itself, 30 to 95 % are needed; are the meshes in mm, and is the "
-        "upper end of the femur there");
-    return joint;
-  }
+  const double coverage = 100 * femur.best_coverage;
+  Judge({{limits.coverage, coverage}, {limits.ball, coverage}}, &joint.verdict);
+  if (!femur.head) return joint;
   const Sphere& head = femur.head->sphere;
   joint.center = head.center;
   joint.shapes.push_back(ShapeOf("head of the femur", *femur.head));
-  JudgeHead(femur, &joint.verdict);
+  Judge({{limits.spread, femur.head->spread}}, &joint.verdict);
   const SurfacePoints* hip_bone = limb.Find(BoneKind::kHipBone);
   if (hip_bone == nullptr) hip_bone = limb.Find(BoneKind::kPelvis);
   CHECK(hip_bone != nullptr);
@@ -87,25 +64,15 @@ FoundJoint FindHip(const Limb& limb, const FemurShape& femur) {
                               .rowwise()
                               .norm()
                               .minCoeff();
-  if (distance > kLargestDistance * head.radius) {
-    joint.verdict.Fail("the hip bone is " + RoundedText(distance, 0) +
-                       " mm away from the centre of the head, " +
-                       RoundedText(kLargestDistance * head.radius, 0) +
-                       " mm or less are needed: bones from two scans");
-  } else if (!socket) {
-    joint.verdict.Weaken(
-        "no socket was found about the head of the femur: bones from two "
-        "scans, or a hip bone that is cut");
-  } else {
+  const bool is_apart = Judge({{limits.distance, distance, head.radius}},
+                              &joint.verdict) == JointQuality::kFailed;
+  if (!is_apart && !socket) {
+    Judge({{limits.no_socket}}, &joint.verdict);
+  } else if (!is_apart) {
     joint.shapes.push_back(ShapeOf("socket of the hip bone", *socket));
     joint.shapes.back().is_on_parent = true;
     const double offset = (socket->sphere.center - head.center).norm();
-    if (offset > kWeakOffset) {
-      joint.verdict.Weaken(
-          "the socket is " + RoundedText(offset, 1) +
-          " mm off the head, at most " + RoundedText(kWeakOffset, 0) +
-          " mm are expected: bones from two scans, or a dislocation");
-    }
+    Judge({{limits.offset, offset}}, &joint.verdict);
   }
   SetHipAxes(limb, femur, &joint);
   return joint;

@@ -41,8 +41,6 @@ FittedShape ShapeOf(const std::string& what,
   return shape;
 }
 
-// Axes in columns of which one is given and another is as near as it can be to
-// a direction.
 Eigen::Matrix3d AxesAlong(int exact,
                           const Eigen::Vector3d& exact_axis,
                           int near,

@@ -12,21 +12,22 @@
 
 namespace musclewarp {
 
-// Parts of which joints are built.
+// Helpers of the functions that find joints.
 
 // Returns a joint with the bodies of its table entry and nothing found yet.
 FoundJoint StartedJoint(JointKind kind, const Limb& limb);
 
-// Return a fit as it is reported. The angle is that which is covered, rad.
+// Return the description of a fit for the report. `angle` is the angle that the
+// surface covers about the axis, rad.
 FittedShape ShapeOf(const std::string& what, const SphereFit& fit);
 FittedShape ShapeOf(const std::string& what,
                     const Cylinder& cylinder,
                     double spread,
                     double angle);
 
-// Returns right-handed axes in columns, of which column `exact` is along one
-// direction, and column `near` as near as it can be to another one.
-// Precondition: the directions are not parallel.
+// Returns right-handed orthonormal axes in columns: column `exact` is along one
+// direction, column `near` as close as possible to another one. Precondition:
+// the directions are not parallel.
 Eigen::Matrix3d AxesAlong(int exact,
                           const Eigen::Vector3d& exact_direction,
                           int near,

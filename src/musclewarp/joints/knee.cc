@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "musclewarp/base/angles.h"
+#include "musclewarp/joints/joint_search.h"
 #include "musclewarp/joints/robust_fit.h"
 #include "musclewarp/joints/sphere_fit.h"
 #include "musclewarp/joints/vote_peaks.h"
@@ -15,16 +16,7 @@
 namespace musclewarp {
 namespace {
 
-// Radii of posterior condyles, by that of the head.
-constexpr double kLeastRadius = 0.7, kLargestRadius = 1.2;
-
-// The surface of the condyles that may roll on the tibia: its normals are so
-// far from down to back.
-constexpr double kFirstNormal = RadiansOf(12);
-constexpr double kLastNormal = RadiansOf(120);
-
-// How far the axis may be off the widest direction of the lower end.
-constexpr double kTilt = RadiansOf(7);
+constexpr const KneeSearch& kKneeSearch = kJointSearch.knee;
 
 struct Condyles {
   SurfacePoints surface;
@@ -39,10 +31,9 @@ struct Condyles {
 Condyles CondylesOf(const SurfacePoints& femur,
                     const BoneDirections& directions,
                     double head_radius) {
-  constexpr double kHeight = 2.2;  // of the condyles, by the radius of the head
-  constexpr double kLargestSlant = 0.7;  // of normals to left or right
   const Eigen::VectorXd height = femur.points * directions.up;
-  const double top = directions.lowest + kHeight * head_radius;
+  const double top =
+      directions.lowest + kKneeSearch.condyle_height * head_radius;
   const SurfacePoints end =
       Filtered(femur, [&](int row) { return height[row] <= top; });
   Condyles condyles;
@@ -58,8 +49,9 @@ Condyles CondylesOf(const SurfacePoints& femur,
     const Eigen::Vector3d normal = end.normals.row(row).transpose();
     const double angle =
         std::atan2(normal.dot(directions.back), -normal.dot(directions.up));
-    return angle >= kFirstNormal && angle <= kLastNormal &&
-           std::abs(normal.dot(directions.left)) <= kLargestSlant;
+    return angle >= RadiansOf(kKneeSearch.first_normal) &&
+           angle <= RadiansOf(kKneeSearch.last_normal) &&
+           std::abs(normal.dot(directions.left)) <= kKneeSearch.condyle_slant;
   });
   return condyles;
 }
@@ -69,12 +61,12 @@ struct Start {
   double score = 0;
 };
 
-// Circles that both condyles vote for in the plane across one direction.
+// Adds the circles for which both condyles vote in the plane across a
+// direction.
 void AddStarts(const Condyles& condyles,
                const Eigen::Vector3d& direction,
                double radius,
                std::vector<Start>* starts) {
-  constexpr int kPeaks = 5;
   const SurfacePoints& surface = condyles.surface;
   const Eigen::Matrix3d flat =
       Eigen::Matrix3d::Identity() - direction * direction.transpose();
@@ -85,11 +77,13 @@ void AddStarts(const Condyles& condyles,
       condyles.middle.transpose();
   const Points in_plane = votes * flat;
   for (const VotePeak& peak :
-       FindVotePeaks(in_plane, kVoteTolerance * radius, kPeaks)) {
+       FindVotePeaks(in_plane,
+                     kJointSearch.fit.vote_tolerance * radius,
+                     kJointSearch.fit.peaks_of_circle)) {
     int left = 0, right = 0;
     for (int i = 0; i < surface.size(); ++i) {
       const double distance = (in_plane.row(i).transpose() - peak.place).norm();
-      if (distance > kVoteTolerance * radius) continue;
+      if (distance > kJointSearch.fit.vote_tolerance * radius) continue;
       ++(condyles.IsLeft(i) ? left : right);
     }
     // A larger circle has more surface for the same angle.
@@ -101,7 +95,8 @@ void AddStarts(const Condyles& condyles,
 std::vector<Start> BestStarts(const Condyles& condyles,
                               const BoneDirections& directions,
                               double head_radius) {
-  constexpr size_t kStarts = 10;
+  constexpr size_t kStarts = kKneeSearch.starts;
+  constexpr double kTilt = RadiansOf(kKneeSearch.start_tilt);
   std::vector<Start> starts;
   for (const auto& [about_up, about_back] :
        {std::pair(0, 0), {-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
@@ -109,9 +104,9 @@ std::vector<Start> BestStarts(const Condyles& condyles,
         Eigen::AngleAxisd(about_up * kTilt, directions.up) *
         (Eigen::AngleAxisd(about_back * kTilt, directions.back) *
          directions.left);
-    for (double radius = kLeastRadius * head_radius;
-         radius <= kLargestRadius * head_radius;
-         radius += kRadiusStep) {
+    for (double radius = kKneeSearch.least_condyle * head_radius;
+         radius <= kKneeSearch.largest_condyle * head_radius;
+         radius += kJointSearch.fit.radius_step) {
       AddStarts(condyles, direction, radius, &starts);
     }
   }
@@ -122,7 +117,7 @@ std::vector<Start> BestStarts(const Condyles& condyles,
   return starts;
 }
 
-// The points of one condyle on a cylinder, left or right.
+// Returns the points of the left or the right condyle that lie on a cylinder.
 SurfacePoints OneOf(const Condyles& condyles,
                     const Cylinder& cylinder,
                     double tolerance,
@@ -133,7 +128,8 @@ SurfacePoints OneOf(const Condyles& condyles,
   return PointsOn(side, cylinder, tolerance);
 }
 
-// The angle between the axis and the centres of a sphere on each condyle.
+// Returns the angle between the axis and the line through the centres of
+// spheres fitted to both condyles, rad.
 double SphereAngle(const SurfacePoints& left,
                    const SurfacePoints& right,
                    const Cylinder& cylinder) {
@@ -142,32 +138,36 @@ double SphereAngle(const SurfacePoints& left,
   for (const SurfacePoints* condyle : {&left, &right}) {
     const Eigen::Vector3d mean = condyle->points.colwise().mean().transpose();
     const Eigen::Vector3d foot = mean - OffsetFrom(cylinder.axis, mean);
-    centers[next++] =
-        FitSphere(condyle->points, {foot, cylinder.radius}, kLossScale).center;
+    centers[next++] = FitSphere(condyle->points,
+                                {foot, cylinder.radius},
+                                kJointSearch.fit.loss_scale)
+                          .center;
   }
   const Eigen::Vector3d way = (centers[0] - centers[1]).normalized();
   return std::acos(std::min(1.0, std::abs(way.dot(cylinder.axis.direction))));
 }
 
-// Fits a cylinder to both condyles with the same weight, to what lies near it.
+// Fits a cylinder to the points near it, with the same weight for both
+// condyles.
 std::optional<KneeFit> Refined(const Condyles& condyles, Cylinder cylinder) {
-  constexpr int kRounds = 6;
-  constexpr int kFewestPoints = 30;
+  constexpr int kRounds = kJointSearch.fit.fit_rounds;
   KneeFit fit;
   for (int round = 0; round < kRounds; ++round) {
-    const double tolerance =
-        std::max(2.0, kVoteTolerance * cylinder.radius / (1 + round));
+    const double tolerance = std::max(
+        kKneeSearch.condyle_reach,
+        kJointSearch.fit.vote_tolerance * cylinder.radius / (1 + round));
     const SurfacePoints left = OneOf(condyles, cylinder, tolerance, true);
     const SurfacePoints right = OneOf(condyles, cylinder, tolerance, false);
     fit.points = std::min(left.size(), right.size());
-    if (fit.points < kFewestPoints) return std::nullopt;
+    if (fit.points < kJointSearch.fit.fewest_points) return std::nullopt;
     Points both(left.size() + right.size(), 3);
     both << left.points, right.points;
     Eigen::VectorXd weights(both.rows());
     weights << Eigen::VectorXd::Constant(left.size(),
                                          1 / std::sqrt(left.size())),
         Eigen::VectorXd::Constant(right.size(), 1 / std::sqrt(right.size()));
-    cylinder = FitCylinder(both, weights, cylinder, kLossScale);
+    cylinder =
+        FitCylinder(both, weights, cylinder, kJointSearch.fit.loss_scale);
     if (cylinder.axis.direction.dot(condyles.left) < 0) {
       cylinder.axis.direction = -cylinder.axis.direction;
     }
@@ -201,8 +201,9 @@ std::optional<KneeFit> FitKnee(const SurfacePoints& femur,
   }
   std::optional<KneeFit> best;
   for (const auto& fit : fits) {
-    if (!fit || fit->cylinder.radius < kLeastRadius * head_radius ||
-        fit->cylinder.radius > kLargestRadius * head_radius) {
+    if (!fit ||
+        fit->cylinder.radius < kKneeSearch.least_condyle * head_radius ||
+        fit->cylinder.radius > kKneeSearch.largest_condyle * head_radius) {
       continue;
     }
     if (!best || fit->points > best->points) best = fit;

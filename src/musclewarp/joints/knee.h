@@ -30,13 +30,14 @@ struct KneeFit {
 
 // Finds the axis of a knee: one cylinder for both posterior condyles (Kai et
 // al. 2014, doi 10.1016/j.jbiomech.2013.12.013; Renault et al. 2018, doi
-// 10.1016/j.jbiomech.2018.08.028). Circles are voted for in several directions
-// about left and right, from the points of both condyles alike; the best start
-// fits of cylinders, of which the one with the most surface on both condyles is
-// taken. Nothing is returned if no fit has points on both.
+// 10.1016/j.jbiomech.2018.08.028). The points of both condyles vote for circles
+// in planes across several directions close to left-right. The best circles
+// start cylinder fits. Returns the fit with the most surface on both condyles,
+// or nothing if no fit has points on both.
 //
-// `directions` are those of the femur, as they are or as an image gives them;
-// `head_radius` (mm) is that of its head, or 23 if it is not known.
+// `directions` are those of the femur, from its shape or from the image;
+// `head_radius` (mm) is the radius of its head, or the usual one if it has
+// none.
 std::optional<KneeFit> FitKnee(const SurfacePoints& femur,
                                const BoneDirections& directions,
                                double head_radius);

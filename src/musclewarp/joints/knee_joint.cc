@@ -7,22 +7,22 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "musclewarp/base/text.h"
 #include "musclewarp/joints/joint_building.h"
+#include "musclewarp/joints/joint_limits.h"
+#include "musclewarp/joints/joint_search.h"
 #include "musclewarp/joints/knee_verdict.h"
 
 namespace musclewarp {
 namespace {
 
-// The middle of the lower end of a tibia, which is that of the ankle.
+// Returns the middle of the lower end of a tibia, where the ankle is.
 Eigen::Vector3d LowerEndOf(const SurfacePoints& tibia,
                            const Eigen::Vector3d& knee) {
-  constexpr double kLastPart = 0.05;  // of the length
   Eigen::VectorXd distance =
       (tibia.points.rowwise() - knee.transpose()).rowwise().norm();
   const double farthest = distance.maxCoeff();
   const SurfacePoints end = Filtered(tibia, [&](int row) {
-    return distance[row] >= (1 - kLastPart) * farthest;
+    return distance[row] >= (1 - kJointSearch.knee.ankle_part) * farthest;
   });
   return end.points.colwise().mean().transpose();
 }
@@ -34,9 +34,7 @@ FoundJoint FindKnee(const Limb& limb, const FemurShape& femur) {
   const SurfacePoints* tibia = limb.Find(BoneKind::kTibia);
   CHECK(tibia != nullptr);
   if (!femur.knee) {
-    joint.verdict.Fail(
-        "no cylinder fits two condyles of the femur: its lower "
-        "end is not there, or the meshes are not in mm");
+    Judge({{kJointLimits.knee.no_cylinder}}, &joint.verdict);
     return joint;
   }
   const KneeFit& knee = *femur.knee;
@@ -47,17 +45,11 @@ FoundJoint FindKnee(const Limb& limb, const FemurShape& femur) {
                                  std::min(knee.left_angle, knee.right_angle)));
   joint.shapes.back().is_on_parent = true;
   joint.verdict = JudgeKnee(femur);
-  constexpr double kLargestGap = 2;  // by the radius of the head
   const double gap = (tibia->points.rowwise() - joint.center.transpose())
                          .rowwise()
                          .norm()
                          .minCoeff();
-  if (gap > kLargestGap * femur.HeadRadius()) {
-    joint.verdict.Fail("the tibia is " + RoundedText(gap, 0) +
-                       " mm away from the centre of the knee, " +
-                       RoundedText(kLargestGap * femur.HeadRadius(), 0) +
-                       " mm or less are needed: of another leg or scan");
-  }
+  Judge({{kJointLimits.knee.gap, gap, femur.HeadRadius()}}, &joint.verdict);
   const Eigen::Vector3d right = -knee.cylinder.axis.direction;
   const Eigen::Vector3d up_of_femur =
       femur.head ? Eigen::Vector3d(femur.head->sphere.center - joint.center)

@@ -7,8 +7,8 @@
 
 namespace musclewarp {
 
-// Judges the knee of a femur by the signs of docs/joints.md: the condyles that
-// a cylinder was fitted to may be none, as on the upper part of a femur.
+// Judges the knee of a femur by KneeLimits. The surface to which the cylinder
+// was fitted may not be condyles at all, as on the upper part of a femur.
 // Precondition (CHECKed): a knee was fitted.
 JointVerdict JudgeKnee(const FemurShape& femur);
 

@@ -6,45 +6,37 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "musclewarp/joints/joint_limits.h"
 #include "musclewarp/joints/knee_verdict.h"
 
 namespace musclewarp {
 namespace {
 
-// A sphere that covers less is not the head of a femur. The next best place of
-// the bone covers up to 0.24, a head without its medial third 0.33 to 0.37.
-constexpr double kLeastHeadCoverage = 0.3;
-
-// A sphere that covers more is a ball without a neck, and no femur.
-constexpr double kMostHeadCoverage = 0.95;
-
-// On coarse voxels normals see the steps between them. Those of a head are
-// averaged over this distance as well, mm; this makes the head of 3 mm voxels
-// cover 0.55 in place of 0.25, and the next best place no more than before.
-constexpr double kCoarseNormals = 5;
-constexpr double kUncertainCoverage = 0.5;
-
-// The sphere that covers most of itself.
+// Returns the sphere that covers most of itself. On coarse voxels normals see
+// the steps between them, so that those of an uncertain head are averaged.
 std::optional<SphereFit> FindHead(const SurfacePoints& femur) {
   std::optional<SphereFit> head = FindSphere(femur, {});
-  if (head && head->coverage >= kUncertainCoverage) return head;
-  const std::optional<SphereFit> smooth =
-      FindSphere(WithAveragedNormals(femur, kCoarseNormals), {});
+  if (head && 100 * head->coverage >= kJointSearch.head.uncertain_coverage) {
+    return head;
+  }
+  const std::optional<SphereFit> smooth = FindSphere(
+      WithAveragedNormals(femur, kJointSearch.head.coarse_normals), {});
   const bool is_better = smooth && (!head || smooth->coverage > head->coverage);
   return is_better ? smooth : head;
 }
 
-// A shaft of a piece of bone along a direction that is known otherwise.
+// Returns the shaft of a piece of a bone along a known direction.
 Axis ShaftAlong(const SurfacePoints& bone, const Eigen::Vector3d& up) {
-  constexpr double kFrom = 0.5;  // of the height, above the condyles
   const Eigen::VectorXd height = bone.points * up;
   const double low = height.minCoeff(), high = height.maxCoeff();
-  const SurfacePoints upper = Filtered(
-      bone, [&](int row) { return height[row] >= low + kFrom * (high - low); });
+  const SurfacePoints upper = Filtered(bone, [&](int row) {
+    return height[row] >= low + kJointSearch.head.piece_from * (high - low);
+  });
   return {upper.points.colwise().mean().transpose(), up};
 }
 
-// The product of the widths of the third of a bone at one end, mm^2.
+// Returns the product of both widths of a bone in the third of its length at
+// one end, mm^2.
 double SectionOf(const SurfacePoints& bone, const Eigen::Vector3d& end) {
   const Eigen::VectorXd height = bone.points * end;
   const double low = height.minCoeff(), high = height.maxCoeff();
@@ -60,12 +52,11 @@ double SectionOf(const SurfacePoints& bone, const Eigen::Vector3d& end) {
   return section;
 }
 
-// Shafts that a piece of a femur may have, upwards: along each of the
-// directions in which it spreads, as the widest of a short piece is across.
-// The upper third of a femur's lower piece is at most half as wide as its lower
-// third, by the product of its widths.
+// Returns the possible shafts of a piece of a femur, upwards, along each of its
+// principal directions: the longest direction of a short piece may lie across.
+// The upper third of a lower piece is slimmer than its lower third
+// (HeadSearch::largest_section).
 std::vector<Axis> PossibleShafts(const SurfacePoints& femur) {
-  constexpr double kLargestSection = 0.5;
   const Eigen::RowVector3d middle = femur.points.colwise().mean();
   const Points centered = femur.points.rowwise() - middle;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
@@ -75,7 +66,8 @@ std::vector<Axis> PossibleShafts(const SurfacePoints& femur) {
     const Eigen::Vector3d direction = solver.eigenvectors().col(column);
     for (const double sign : {1.0, -1.0}) {
       const Eigen::Vector3d up = sign * direction;
-      if (SectionOf(femur, up) > kLargestSection * SectionOf(femur, -up)) {
+      if (SectionOf(femur, up) >
+          kJointSearch.head.largest_section * SectionOf(femur, -up)) {
         continue;
       }
       shafts.push_back(ShaftAlong(femur, up));
@@ -84,8 +76,8 @@ std::vector<Axis> PossibleShafts(const SurfacePoints& femur) {
   return shafts;
 }
 
-// Takes the knee with the most surface on a cylinder, of those that nothing
-// speaks against.
+// Adds the knee with the most surface on a cylinder, preferably one whose
+// verdict is not failed.
 void AddKneeWithoutHead(const SurfacePoints& femur,
                         const std::optional<Eigen::Vector3d>& up,
                         FemurShape* shape) {
@@ -95,8 +87,9 @@ void AddKneeWithoutHead(const SurfacePoints& femur,
   int best = -1;
   for (const Axis& shaft : shafts) {
     FemurShape candidate = *shape;
-    candidate.directions = DirectionsOfFemur(femur, shaft, kUsualHeadRadius);
-    candidate.knee = FitKnee(femur, *candidate.directions, kUsualHeadRadius);
+    const double radius = kJointSearch.head.usual_head_radius;
+    candidate.directions = DirectionsOfFemur(femur, shaft, radius);
+    candidate.knee = FitKnee(femur, *candidate.directions, radius);
     if (!candidate.knee) continue;
     const int points = candidate.HasKnee() ? candidate.knee->points : 0;
     if (points <= best) continue;
@@ -114,8 +107,10 @@ FemurShape ShapeOfFemur(const SurfacePoints& femur,
   if (femur.size() == 0) return shape;
   shape.head = FindHead(femur);
   if (shape.head) shape.best_coverage = shape.head->coverage;
-  if (shape.best_coverage < kLeastHeadCoverage ||
-      shape.best_coverage > kMostHeadCoverage) {
+  const double coverage = 100 * shape.best_coverage;
+  if (QualityOf({kJointLimits.hip.coverage, coverage}) ==
+          JointQuality::kFailed ||
+      QualityOf({kJointLimits.hip.ball, coverage}) == JointQuality::kFailed) {
     shape.head.reset();
     AddKneeWithoutHead(femur, up, &shape);
     return shape;

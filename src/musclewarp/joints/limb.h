@@ -8,6 +8,7 @@
 
 #include "musclewarp/joints/bone.h"
 #include "musclewarp/joints/femur_shape.h"
+#include "musclewarp/joints/joint_search.h"
 #include "musclewarp/joints/knee.h"
 #include "musclewarp/joints/sphere_fit.h"
 
@@ -36,10 +37,7 @@ struct Limb {
   }
 };
 
-// The radius of the head of a femur where it is not known, mm.
-constexpr double kUsualHeadRadius = 23;
-
-// What the shape of a femur tells.
+// What was measured on the shape of a femur.
 struct FemurShape {
   std::optional<SphereFit> head;  // none without one, or too little of one
   double best_coverage = 0;       // of the best sphere, a head or not
@@ -50,7 +48,7 @@ struct FemurShape {
   bool is_up_known = true;  // false for a piece that nothing tells the ends of
 
   double HeadRadius() const {
-    return head ? head->sphere.radius : kUsualHeadRadius;
+    return head ? head->sphere.radius : kJointSearch.head.usual_head_radius;
   }
 
   // True for a knee that does not fail (knee_verdict.h).

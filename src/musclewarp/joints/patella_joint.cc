@@ -14,6 +14,8 @@
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/joints/joint_building.h"
+#include "musclewarp/joints/joint_limits.h"
+#include "musclewarp/joints/joint_search.h"
 #include "musclewarp/joints/robust_fit.h"
 
 namespace musclewarp {
@@ -59,8 +61,7 @@ struct CircleModel {
 Points GrooveIn(const SurfacePoints& femur,
                 const KneePlane& plane,
                 const Eigen::Vector3d& patella) {
-  constexpr double kHalfStrip = 4;  // mm
-  constexpr double kLargestSlant = 0.5;
+  const PatellaSearch& search = kJointSearch.patella;
   const double middle = plane.Local(patella).z();
   Points groove(femur.size(), 3);
   int count = 0;
@@ -68,11 +69,12 @@ Points GrooveIn(const SurfacePoints& femur,
     const Eigen::Vector3d point = plane.Local(femur.points.row(i).transpose());
     const Eigen::Vector3d normal =
         plane.axes.transpose() * femur.normals.row(i).transpose();
-    const bool is_before = point.x() > 0 && normal.x() > 0.2;
-    // The groove is as high as the condyles reach above the axis.
-    const bool is_low = point.y() > -40 && point.y() < 25;
-    if (!is_before || !is_low || std::abs(point.z() - middle) > kHalfStrip ||
-        std::abs(normal.z()) > kLargestSlant) {
+    const bool is_before = point.x() > 0 && normal.x() > search.groove_forward;
+    const bool is_low =
+        point.y() > -search.groove_below && point.y() < search.groove_above;
+    if (!is_before || !is_low ||
+        std::abs(point.z() - middle) > search.half_strip ||
+        std::abs(normal.z()) > search.groove_slant) {
       continue;
     }
     groove.row(count++) = Eigen::RowVector3d(point.x(), point.y(), 0);
@@ -82,13 +84,12 @@ Points GrooveIn(const SurfacePoints& femur,
 }
 
 std::optional<Circle> FitCircle(const Points& points) {
-  constexpr int kFewestPoints = 40;
-  if (points.rows() < kFewestPoints) return std::nullopt;
+  if (points.rows() < kJointSearch.patella.groove_points) return std::nullopt;
   const Eigen::Vector3d fitted =
-      FitToPoints(CircleModel{kLossScale},
+      FitToPoints(CircleModel{kJointSearch.fit.loss_scale},
                   points,
                   Eigen::VectorXd::Ones(points.rows()),
-                  Eigen::Vector3d(0, 0, 25));
+                  Eigen::Vector3d(0, 0, kJointSearch.patella.groove_radius));
   Circle circle = {fitted.head<2>(), std::abs(fitted[2]), 0, 0};
   const Eigen::ArrayXd off =
       (points.leftCols<2>().rowwise() - circle.center.transpose())
@@ -103,15 +104,18 @@ std::optional<Circle> FitCircle(const Points& points) {
   return circle;
 }
 
-// The point of the tibia that is farthest before its axis, below the joint.
+// Returns the tuberosity: the foremost point of the tibia below the joint.
 std::optional<Eigen::Vector3d> TuberosityOf(const SurfacePoints& tibia,
                                             const KneePlane& plane) {
-  constexpr double kTop = -30, kBottom = -80;  // mm below the axis
+  const PatellaSearch& search = kJointSearch.patella;
   std::optional<Eigen::Vector3d> farthest;
   for (int i = 0; i < tibia.size(); ++i) {
     const Eigen::Vector3d point = tibia.points.row(i).transpose();
     const Eigen::Vector3d local = plane.Local(point);
-    if (local.y() > kTop || local.y() < kBottom) continue;
+    if (-local.y() < search.tuberosity_from ||
+        -local.y() > search.tuberosity_to) {
+      continue;
+    }
     if (farthest && local.x() <= plane.Local(*farthest).x()) continue;
     farthest = point;
   }
@@ -138,7 +142,7 @@ void FollowKnee(const Circle& groove,
                 double step,
                 double last,
                 std::vector<std::pair<double, double>>* path) {
-  constexpr int kIterations = 30;
+  constexpr int kIterations = 30;  // of Newton's method
   const double length = (tip - tuberosity).norm();
   double angle = 0;
   for (double knee = scan + step; (last - knee) * step >= 0; knee += step) {
@@ -147,39 +151,40 @@ void FollowKnee(const Circle& groove,
       return (Flexed(tip, groove.center, at) - end).norm() - length;
     };
     for (int i = 0; i < kIterations; ++i) {
-      constexpr double kBeside = 1e-6;
+      constexpr double kBeside = 1e-6;  // rad, for the slope by differences
+      constexpr double kLargest = 0.1;  // rad: the knee turns by 0.09 a step
       const double slope =
           (stretch(angle + kBeside) - stretch(angle - kBeside)) / (2 * kBeside);
       if (std::abs(slope) < 1) return;  // mm by rad: the ligament is in line
-      angle -= std::clamp(stretch(angle) / slope, -0.1, 0.1);
+      angle -= std::clamp(stretch(angle) / slope, -kLargest, kLargest);
     }
-    if (std::abs(stretch(angle)) > 1e-6) return;
+    if (std::abs(stretch(angle)) > 1e-6) return;  // mm: it did not converge
     path->emplace_back(knee, angle);
   }
 }
 
-// Lets the coordinate of the patella follow that of the knee, over a little
-// more than its range.
+// Couples the coordinate of the patella to that of the knee, over slightly more
+// than its range.
 void CoupleToKnee(const FoundJoint& knee,
                   const Circle& groove,
                   const Place& tip,
                   const Place& tuberosity,
                   FoundJoint* patella) {
-  constexpr double kStep = RadiansOf(5), kRangeBeyond = RadiansOf(15);
+  constexpr double kStep = RadiansOf(kJointSearch.patella.knee_step);
+  constexpr double kBeyond = RadiansOf(kJointSearch.patella.beyond_range);
   const JointCoordinate of_knee = CoordinatesOf(knee.kind, knee.side)[0];
   const double scan = ScanCoordinates(knee)[0];
-  const double low = of_knee.lowest * kRadiansPerDegree - kRangeBeyond;
-  const double high = of_knee.highest * kRadiansPerDegree + kRangeBeyond;
+  const double low = of_knee.lowest * kRadiansPerDegree - kBeyond;
+  const double high = of_knee.highest * kRadiansPerDegree + kBeyond;
   std::vector<std::pair<double, double>> path = {{scan, 0}};
   FollowKnee(groove, tip, tuberosity, scan, kStep, high, &path);
   const double reached = path.back().first;
   FollowKnee(groove, tip, tuberosity, scan, -kStep, low, &path);
   std::sort(path.begin(), path.end());
-  if (reached < of_knee.highest * kRadiansPerDegree - kStep) {
-    patella->verdict.Weaken("the ligament holds the patella back from " +
-                            DegreesText(reached) +
-                            " of the knee on: there it stays in its groove");
-  }
+  Judge(
+      {{kJointLimits.patella.held_back, of_knee.highest - DegreesOf(reached)}},
+      &patella->verdict,
+      {{"reached", DegreesText(reached)}});
   patella->coupling.coordinate = of_knee.name;
   for (const auto& [at, value] : path) {
     patella->coupling.at.push_back(at);
@@ -190,14 +195,14 @@ void CoupleToKnee(const FoundJoint& knee,
 }  // namespace
 
 FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
-  constexpr double kWeakSpread = 1.5;  // mm
+  const PatellaLimits& limits = kJointLimits.patella;
   FoundJoint joint = StartedJoint(JointKind::kPatella, limb);
   const SurfacePoints* femur = limb.Find(BoneKind::kFemur);
   const SurfacePoints* tibia = limb.Find(BoneKind::kTibia);
   const SurfacePoints* patella = limb.Find(BoneKind::kPatella);
   CHECK(femur != nullptr && tibia != nullptr && patella != nullptr);
   if (!knee.IsFound()) {
-    joint.verdict.Fail("the knee that the patella follows was not found");
+    Judge({{limits.no_knee}}, &joint.verdict);
     return joint;
   }
   const KneePlane plane = {knee.center, knee.parent_axes};
@@ -206,9 +211,7 @@ FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
       FitCircle(GrooveIn(*femur, plane, middle));
   const std::optional<Eigen::Vector3d> tuberosity = TuberosityOf(*tibia, plane);
   if (!groove || !tuberosity || plane.Local(middle).x() <= 0) {
-    joint.verdict.Fail(
-        "the groove of the femur or the tuberosity of the tibia was not found "
-        "behind and below the patella");
+    Judge({{limits.no_groove}}, &joint.verdict);
     return joint;
   }
   joint.center =
@@ -223,11 +226,7 @@ FoundJoint FindPatella(const Limb& limb, const FoundJoint& knee) {
               groove->spread,
               groove->angle));
   joint.shapes.back().is_on_parent = true;
-  if (groove->spread > kWeakSpread) {
-    joint.verdict.Weaken(
-        "the groove is off its circle by " + RoundedText(groove->spread, 1) +
-        " mm, " + RoundedText(kWeakSpread, 1) + " mm or less are expected");
-  }
+  Judge({{limits.spread, groove->spread}}, &joint.verdict);
   CoupleToKnee(knee,
                *groove,
                plane.InPlane(LowestOf(*patella, plane)),

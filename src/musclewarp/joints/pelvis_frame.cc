@@ -11,6 +11,8 @@
 #include <array>
 #include <vector>
 
+#include "musclewarp/joints/joint_search.h"
+
 namespace musclewarp {
 namespace {
 
@@ -38,11 +40,11 @@ HullTriangle TriangleOf(std::array<Eigen::Vector3d, 3> corners) {
           (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2};
 }
 
-// The triangles of a hull of points that lie in one plane, as where an image
-// ends, would depend on where CGAL has them in memory. So all are moved a
-// little, each in its own way, by a sequence of low discrepancy.
+// Coplanar points, as at the border of an image, have a hull whose triangles
+// depend on memory addresses in CGAL. All points are therefore perturbed
+// slightly, by a low-discrepancy sequence.
 std::vector<HullTriangle> TrianglesOfHull(const Points& points) {
-  constexpr double kMost = 1e-6;  // mm
+  constexpr double kMost = 1e-6;  // mm, far below what a frame shows
   const Eigen::RowVector3d step(
       0.8191725133961645, 0.6710436067037893, 0.5497004779019703);
   std::vector<HullKernel::Point_3> corners;
@@ -71,7 +73,6 @@ std::vector<HullTriangle> TrianglesOfHull(const Points& points) {
 
 std::optional<Eigen::Matrix3d> PelvisAxes(const Points& points,
                                           const Eigen::Vector3d& across) {
-  constexpr double kNearlyAsLarge = 0.95;
   std::vector<HullTriangle> triangles = TrianglesOfHull(points);
   if (triangles.size() < 4) return std::nullopt;
   std::sort(triangles.begin(), triangles.end(), [](auto& a, auto& b) {
@@ -80,9 +81,9 @@ std::optional<Eigen::Matrix3d> PelvisAxes(const Points& points,
   const auto along = [&](const HullTriangle& triangle) {
     return std::abs(triangle.LongSide().normalized().dot(across));
   };
-  const bool is_second =
-      triangles[1].area > kNearlyAsLarge * triangles[0].area &&
-      along(triangles[1]) > along(triangles[0]);
+  const bool is_second = triangles[1].area > kJointSearch.body.second_triangle *
+                                                 triangles[0].area &&
+                         along(triangles[1]) > along(triangles[0]);
   const HullTriangle& front = triangles[is_second ? 1 : 0];
   const Eigen::Vector3d middle = points.colwise().mean().transpose();
   const Eigen::Vector3d spines = (front.corners[0] + front.corners[1]) / 2;
@@ -98,11 +99,9 @@ std::optional<Eigen::Matrix3d> PelvisAxes(const Points& points,
 }
 
 bool IsOneHipBone(const Points& points, const Sphere& femoral_head) {
-  // Heads of people with whole pelves are 4.2 to 4.7 radii away from the
-  // middle, those with one hip bone 2.3 (LHDL, TLEM 2).
-  constexpr double kNear = 3.1;
   const Eigen::Vector3d middle = points.colwise().mean().transpose();
-  return (femoral_head.center - middle).norm() < kNear * femoral_head.radius;
+  return (femoral_head.center - middle).norm() <
+         kJointSearch.body.one_hip_bone * femoral_head.radius;
 }
 
 Points WithMirrorImage(const Points& hip_bone,

@@ -10,8 +10,8 @@
 namespace musclewarp {
 namespace {
 
-// What a query of nanoflann finds. Its own types for this have other names in
-// other versions of the library; what it calls is the same in all of them.
+// The result set of a nanoflann query. The result sets of the library have
+// different names in different versions, but the same interface.
 template <typename Index>
 class WithinRadius {
  public:

@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "musclewarp/joints/joint_search.h"
+
 namespace musclewarp {
 namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
-
-// Where normals that pass the axis begin to count less, mm.
-constexpr double kPassScale = 1;
 
 // The lines (u, v) that minimise x^T m x under |u| = 1, and the next best: v
 // follows from u, so that u is an eigenvector of a Schur complement.
@@ -39,7 +38,7 @@ BestLines LinesOf(const Matrix6d& m) {
 }  // namespace
 
 std::optional<RevolutionFit> FitRevolution(const SurfacePoints& surface) {
-  constexpr int kRounds = 8;
+  constexpr int kRounds = 8;  // of weights
   if (surface.size() < 6) return std::nullopt;
   const Eigen::RowVector3d mean = surface.points.colwise().mean();
   Eigen::Matrix<double, Eigen::Dynamic, 6> normals(surface.size(), 6);
@@ -52,7 +51,7 @@ std::optional<RevolutionFit> FitRevolution(const SurfacePoints& surface) {
   for (int round = 0; round < kRounds; ++round) {
     lines = LinesOf(normals.transpose() * weights.asDiagonal() * normals);
     const Eigen::ArrayXd passes = normals * lines.first;
-    weights = (1 + (passes / kPassScale).square()).rsqrt();
+    weights = (1 + (passes / kJointSearch.fit.pass_scale).square()).rsqrt();
   }
   RevolutionFit fit;
   const double total = weights.sum();

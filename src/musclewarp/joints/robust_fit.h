@@ -11,10 +11,6 @@
 
 namespace musclewarp {
 
-// Where the residuals of points on bones begin to count less, mm: half of the
-// spread of a head on which a fit is good.
-constexpr double kLossScale = 0.4;
-
 // Returns a number with the sign of a distance whose square is rho(distance),
 // where rho is that of Ceres' SoftLOneLoss: quadratic below about `scale`,
 // linear far beyond. It is differentiable everywhere, so that least squares of

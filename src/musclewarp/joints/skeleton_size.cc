@@ -4,13 +4,14 @@
 
 #include <cmath>
 
+#include "musclewarp/joints/joint_search.h"
 #include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {
 namespace {
 
-// The diagonal of the bounding box of a bone of an adult, mm, to a tenth or so;
-// 0 for bones that tell too little.
+// Returns the approximate diagonal of the bounding box of an adult's bone, mm;
+// 0 for bones that say too little about the size.
 double UsualDiagonal(BoneKind kind) {
   switch (kind) {
     case BoneKind::kPelvis:
@@ -34,10 +35,6 @@ double UsualDiagonal(BoneKind kind) {
   }
 }
 
-// Of human skeletons, and of what animals are as small as, against an adult.
-constexpr double kLeastOfHuman = 0.3, kMostOfHuman = 2;
-constexpr double kLeast = 1.0 / 64;
-
 }  // namespace
 
 double SkeletonSizeOf(const std::vector<Bone>& bones) {
@@ -53,7 +50,10 @@ double SkeletonSizeOf(const std::vector<Bone>& bones) {
   }
   if (count == 0) return 1;
   const double size = std::exp2(sum / count);
-  if (size < kLeast || (size >= kLeastOfHuman && size < kMostOfHuman)) return 1;
+  const BodySearch& search = kJointSearch.body;
+  const bool is_human =
+      size >= search.least_human && size < search.largest_human;
+  if (size < search.least_size || is_human) return 1;
   return std::exp2(std::round(std::log2(size)));
 }
 

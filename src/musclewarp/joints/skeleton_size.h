@@ -9,11 +9,11 @@
 
 namespace musclewarp {
 
-// Returns how large a skeleton is against a human one, by the lengths of its
-// long and flat bones: 1 for that of a person of any size, cut or not, and else
-// the power of two by which it is nearest to that of an adult: 1/32 for a
-// mouse. 1 also where nothing can be told, and for what no animal is as small
-// as, so that meshes in metres are noticed.
+// Returns the size of a skeleton relative to a human one, by the lengths of its
+// long and flat bones: 1 for a person of any size, cut or not; else the nearest
+// power of two of its ratio to an adult, such as 1/32 for a mouse. Returns 1
+// also if no bone tells the size, and for skeletons smaller than any animal, so
+// that meshes in metres are noticed.
 double SkeletonSizeOf(const std::vector<Bone>& bones);
 
 // Multiplies the lengths of a joint and of its shapes. Sentences stay.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "musclewarp/joints/joint_search.h"
 #include "musclewarp/joints/robust_fit.h"
 #include "musclewarp/joints/vote_peaks.h"
 
@@ -39,31 +40,31 @@ SurfacePoints PointsOn(const SurfacePoints& surface,
                        const Sphere& sphere,
                        double tolerance,
                        bool is_hollow) {
-  constexpr double kLeastCosine = 0.85;
   const double sign = is_hollow ? -1 : 1;
   return Filtered(surface, [&](int row) {
     const Eigen::Vector3d way =
         surface.points.row(row).transpose() - sphere.center;
     const double distance = way.norm();
     return std::abs(distance - sphere.radius) <= tolerance &&
-           sign * surface.normals.row(row).dot(way) >= kLeastCosine * distance;
+           sign * surface.normals.row(row).dot(way) >=
+               kJointSearch.fit.least_normal * distance;
   });
 }
 
-// Fits a sphere to what lies near it, which is chosen anew from the fit.
+// Fits a sphere to the points near it, which are selected again after each fit.
 std::optional<SphereFit> Refined(const SurfacePoints& surface,
                                  Sphere sphere,
                                  const SphereSearch& search) {
-  constexpr int kFewestPoints = 30;
-  constexpr int kRounds = 6;
+  constexpr int kRounds = kJointSearch.fit.fit_rounds;
   SphereFit fit;
   for (int round = 0; round < kRounds; ++round) {
     const double tolerance =
-        std::max(1.5, kVoteTolerance * sphere.radius / (1 + round));
+        std::max(kJointSearch.fit.sphere_reach,
+                 kJointSearch.fit.vote_tolerance * sphere.radius / (1 + round));
     const SurfacePoints near =
         PointsOn(surface, sphere, tolerance, search.is_hollow);
-    if (near.size() < kFewestPoints) return std::nullopt;
-    sphere = FitSphere(near.points, sphere, kLossScale);
+    if (near.size() < kJointSearch.fit.fewest_points) return std::nullopt;
+    sphere = FitSphere(near.points, sphere, kJointSearch.fit.loss_scale);
     fit.points = near.size();
     fit.spread = std::sqrt(
         ((near.points.rowwise() - sphere.center.transpose()).rowwise().norm() -
@@ -79,7 +80,7 @@ std::optional<SphereFit> Refined(const SurfacePoints& surface,
   const Points votes = VotesFor(surface, sphere.radius, search.is_hollow);
   const int count =
       ((votes.rowwise() - sphere.center.transpose()).rowwise().norm().array() <=
-       kVoteTolerance * sphere.radius)
+       kJointSearch.fit.vote_tolerance * sphere.radius)
           .count();
   fit.coverage =
       count * surface.area / (4 * M_PI * sphere.radius * sphere.radius);
@@ -102,9 +103,10 @@ Sphere FitSphere(const Points& points, const Sphere& start, double scale) {
 
 std::optional<SphereFit> FindSphere(const SurfacePoints& surface,
                                     const SphereSearch& search) {
-  constexpr int kPeaksPerRadius = 3;
+  constexpr int kPeaksPerRadius = kJointSearch.fit.peaks_of_sphere;
   std::vector<double> radii;
-  for (double r = search.min_radius; r <= search.max_radius; r += kRadiusStep) {
+  for (double r = search.min_radius; r <= search.max_radius;
+       r += kJointSearch.fit.radius_step) {
     radii.push_back(r);
   }
   std::vector<std::optional<SphereFit>> best_of_radius(radii.size());
@@ -112,7 +114,9 @@ std::optional<SphereFit> FindSphere(const SurfacePoints& surface,
   for (size_t i = 0; i < radii.size(); ++i) {
     const Points votes = VotesFor(surface, radii[i], search.is_hollow);
     for (const VotePeak& peak :
-         FindVotePeaks(votes, kVoteTolerance * radii[i], kPeaksPerRadius)) {
+         FindVotePeaks(votes,
+                       kJointSearch.fit.vote_tolerance * radii[i],
+                       kPeaksPerRadius)) {
       const auto fit = Refined(surface, {peak.place, radii[i]}, search);
       std::optional<SphereFit>& best = best_of_radius[i];
       if (fit && (!best || fit->coverage > best->coverage)) best = fit;

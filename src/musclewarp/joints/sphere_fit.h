@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "musclewarp/joints/joint_search.h"
 #include "musclewarp/joints/surface_points.h"
 
 namespace musclewarp {
@@ -18,8 +19,8 @@ struct Sphere {
 struct SphereFit {
   Sphere sphere;
 
-  // The share of the sphere that the surface covers. 0.7 to 0.9 for the whole
-  // head of a femur, up to 0.35 for the next best place of the bone.
+  // The share of the sphere that the surface covers. 0.58 to 0.64 for the
+  // whole head of a femur, up to 0.24 for the next best place of the bone.
   double coverage = 0;
 
   // Root mean square distance of the points from the sphere, mm, and their
@@ -30,7 +31,8 @@ struct SphereFit {
 
 // What FindSphere looks for.
 struct SphereSearch {
-  double min_radius = 14, max_radius = 32;  // mm
+  double min_radius = kJointSearch.head.least_head_radius;    // mm
+  double max_radius = kJointSearch.head.largest_head_radius;  // mm
 
   // True for a socket, whose surface faces the centre of the sphere.
   bool is_hollow = false;

@@ -69,9 +69,9 @@ TriangleSoup OuterSurface(TriangleSoup surface, double stray_fraction) {
   return Joined(outer);
 }
 
-// Points at equal distances of area along the triangles, spread within each by
-// a sequence of low discrepancy (the R2 sequence of Roberts, "The unreasonable
-// effectiveness of quasirandom sequences", 2018).
+// Returns points at equal steps of area along the list of triangles, placed
+// within each triangle by a low-discrepancy sequence (the R2 sequence of
+// Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018).
 SurfacePoints SpreadByArea(const TriangleSoup& surface, double spacing) {
   constexpr double kFirstStep = 0.7548776662466927;
   constexpr double kSecondStep = 0.5698402909980532;
@@ -109,8 +109,8 @@ SurfacePoints SpreadByArea(const TriangleSoup& surface, double spacing) {
   return spread;
 }
 
-// The mean of the normals around each point, of those that face the same way:
-// behind a thin wall they do not.
+// Returns the mean of the normals around each point, without those that face
+// the other way, as behind a thin wall.
 Points AveragedNormals(const SurfacePoints& spread, double radius) {
   const PointSearch search(spread.points);
   Points averaged(spread.size(), 3);

@@ -19,10 +19,11 @@ struct SurfacePoints {
   int size() const { return static_cast<int>(points.rows()); }
 };
 
+// How points are spread (joint_search.h says why).
 struct SurfaceSampling {
-  double spacing = 1.2;          // mm between neighbouring points
-  double normal_radius = 2.5;    // mm, over which normals are averaged
-  double stray_fraction = 0.01;  // of the area; smaller pieces are left out
+  double spacing = 1.2;        // mm
+  double normal_radius = 2.5;  // mm
+  double stray_fraction = 0.01;
 };
 
 // Returns points spread over a surface by area, whatever its triangulation.

@@ -49,7 +49,7 @@ VotePeak ClimbFrom(Eigen::Vector3d place,
                    const Points& votes,
                    const PointSearch& search,
                    double radius) {
-  constexpr int kMaxMoves = 10;
+  constexpr int kMaxMoves = 10;  // mean shift slows down at the top
   VotePeak peak;
   for (int move = 0; move < kMaxMoves; ++move) {
     const std::vector<int> near = search.Within(place, radius);

@@ -9,21 +9,15 @@
 
 namespace musclewarp {
 
-// Votes for the centre of a sphere or a circle count as votes for one centre if
-// they are at most so far from it, by the radius; and the steps between the
-// radii that are tried, mm.
-constexpr double kVoteTolerance = 0.15;
-constexpr double kRadiusStep = 1;
-
 // A place at which many votes meet, as those for the centre of a sphere do.
 struct VotePeak {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  // mm
   int votes = 0;  // at most the radius of the search away
 };
 
-// Returns the places with the most of `votes` (#P x 3, mm) within `radius`, the
-// one with the most first, at most `most` of them and no two nearer to each
-// other than the radius. Places are moved to the mean of the votes around them.
+// Returns up to `most` places with the largest numbers of `votes` (#P x 3, mm)
+// within `radius`, in descending order and at least one radius apart. Each
+// place is moved to the mean of the votes around it.
 std::vector<VotePeak> FindVotePeaks(const Points& votes,
                                     double radius,
                                     int most);
