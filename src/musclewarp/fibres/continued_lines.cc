@@ -128,7 +128,8 @@ RowVector3d PointAt(const Points& line, double along) {
   return PointsAtShares(line, Eigen::VectorXd::Constant(1, share)).row(0);
 }
 
-// Returns the direction of a line over kChord around a place (mm along it).
+// Returns the direction of the chord of length kChord around a position on a
+// line (mm along it).
 RowVector3d DirectionAt(const Points& line, double along) {
   return (PointAt(line, along + kChord / 2) - PointAt(line, along - kChord / 2))
       .normalized();

@@ -19,7 +19,8 @@ constexpr double kEqual = 1e-9;
 
 // Returns true if a point is inside a closed mesh or on it. Several triangles
 // may meet at the closest point, which may be a vertex; the one whose normal is
-// most nearly parallel to the way to the point, in either direction, decides.
+// most nearly parallel to the direction to the point, or to its opposite,
+// decides.
 bool IsInside(const TriangleBvh& mesh,
               const RowVector3d& point,
               double distance) {

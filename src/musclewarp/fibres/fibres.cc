@@ -106,7 +106,7 @@ Points WayToTip(const VoxelGrid& grid,
 }
 
 // Returns the concatenation of polylines.
-Points Together(const std::vector<Points>& lines) {
+Points Concatenated(const std::vector<Points>& lines) {
   Eigen::Index count = 0;
   for (const Points& line : lines) count += line.rows();
   Points together(count, 3);
@@ -151,7 +151,7 @@ struct CourseOptions {
   bool reaches_tips;
 };
 
-// Returns courses from origin to insertion.
+// Returns fibres or lines from the origin to the insertion.
 Courses FindCourses(const TriangleSoup& muscle,
                     const std::vector<BodySurface>& bodies,
                     const KnownEnds& known,
@@ -182,7 +182,7 @@ Courses FindCourses(const TriangleSoup& muscle,
     Points line = StreamLine(flow, seeds.row(i));
     if (line.rows() < 2) continue;
     if (options.reaches_tips) {
-      line = Together(
+      line = Concatenated(
           {WayToTip(grid, line.row(0), to_insertion).colwise().reverse(),
            line,
            WayToTip(grid, line.row(line.rows() - 1), to_origin)});

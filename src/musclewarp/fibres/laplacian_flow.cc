@@ -20,7 +20,7 @@ using Cell = VoxelGrid::Cell;
 
 // Returns the voxel beyond face `side` (0: lower, 1: upper) along axis k, or -1
 // if there is none.
-int Beyond(const VoxelGrid& grid, int voxel, int k, int side) {
+int VoxelBeyond(const VoxelGrid& grid, int voxel, int k, int side) {
   Cell cell = grid.cells[voxel];
   cell[k] += side == 0 ? -1 : 1;
   return grid.At(cell);
@@ -29,8 +29,8 @@ int Beyond(const VoxelGrid& grid, int voxel, int k, int side) {
 // Returns the flow along axis k through the lower and the upper face of a
 // voxel.
 std::array<double, 2> FaceFlow(const LaplacianFlow& flow, int voxel, int k) {
-  const int below = Beyond(*flow.grid, voxel, k, 0);
-  const int above = Beyond(*flow.grid, voxel, k, 1);
+  const int below = VoxelBeyond(*flow.grid, voxel, k, 0);
+  const int above = VoxelBeyond(*flow.grid, voxel, k, 1);
   return {below < 0 ? -flow.outflow[voxel]
                     : flow.potential[voxel] - flow.potential[below],
           above < 0 ? flow.outflow[voxel]
@@ -110,7 +110,7 @@ std::vector<Eigen::RowVector3d> Trace(const LaplacianFlow& flow,
                      grid.size * Eigen::RowVector3d(cell[0] + at[0],
                                                     cell[1] + at[1],
                                                     cell[2] + at[2]));
-    voxel = Beyond(grid, voxel, axis, first.side);
+    voxel = VoxelBeyond(grid, voxel, axis, first.side);
     if (voxel < 0) break;  // through the surface
     at[axis] = 1 - first.side;
   }
@@ -123,7 +123,7 @@ template <typename Visit>
 void ForEachFace(const LaplacianFlow& flow, const Visit& visit) {
   for (int v = 0; v < flow.grid->num_voxels(); ++v) {
     for (int k = 0; k < 3; ++k) {
-      const int above = Beyond(*flow.grid, v, k, 1);
+      const int above = VoxelBeyond(*flow.grid, v, k, 1);
       if (above < 0) continue;
       const bool rises = flow.potential[v] <= flow.potential[above];
       visit(rises ? v : above, rises ? above : v, k);
@@ -206,7 +206,9 @@ Points Thinned(const Points& points, Eigen::Index most) {
 int NumOuterFaces(const VoxelGrid& grid, int voxel) {
   int faces = 0;
   for (int k = 0; k < 3; ++k) {
-    for (const int side : {0, 1}) faces += Beyond(grid, voxel, k, side) < 0;
+    for (const int side : {0, 1}) {
+      faces += VoxelBeyond(grid, voxel, k, side) < 0;
+    }
   }
   return faces;
 }
@@ -245,7 +247,7 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> FlowMatrix(const VoxelGrid& grid) {
     double diagonal = 0;
     for (int k = 0; k < 3; ++k) {
       for (const int side : {0, 1}) {
-        const int neighbour = Beyond(grid, v, k, side);
+        const int neighbour = VoxelBeyond(grid, v, k, side);
         if (neighbour < 0) continue;
         ++diagonal;
         matrix.insert(v, neighbour) = -1;

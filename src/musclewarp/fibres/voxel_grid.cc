@@ -234,7 +234,7 @@ VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted) {
   // The number of voxels across the mean thickness of a sheet, and the largest
   // factor by which this may increase the number of voxels.
   constexpr double kAcross = 3;
-  constexpr double kMost = 8;
+  constexpr double kMaxIncrease = 8;
   const double volume = SignedVolume(mesh.points, mesh.triangles);
   CHECK_GT(volume, 0);
   const double thickness =
@@ -242,7 +242,7 @@ VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted) {
   VoxelGrid grid;
   grid.size =
       std::max(std::min(std::cbrt(volume / wanted), thickness / kAcross),
-               std::cbrt(volume / (kMost * wanted)));
+               std::cbrt(volume / (kMaxIncrease * wanted)));
   const Eigen::RowVector3d lower = mesh.points.colwise().minCoeff();
   const Eigen::RowVector3d upper = mesh.points.colwise().maxCoeff();
   // These shares are not round numbers, so that columns do not meet edges of

@@ -18,9 +18,9 @@ class GrowingBody;
 //
 //   growth(p) = max(0, t - d(p) / 3),
 //
-// where d(p) is the distance to the cuts (mm). It grows only within its medial
-// cell, and only where no bone or other muscle is in the way. A body without
-// cuts, which lost volume only by sampling, grows uniformly.
+// where d(p) is the distance to the cuts (mm). The body grows only within its
+// medial cell, and only where no bone or other muscle is in the way. A body
+// without cuts, which lost volume only by sampling, grows uniformly.
 //
 //   SurfaceGrowth growth(options, body, muscle, others, bones, volume);
 //   const TriangleSoup surface = growth.UpTo(volume);

@@ -9,7 +9,7 @@
 
 namespace musclewarp {
 
-// The signed distance to a closed surface, mm: negative inside. At most
+// The signed distance to a closed surface, mm: negative inside. For most
 // positions, cached samples show without a search that the position is far from
 // the surface, or on which side it is.
 //

@@ -27,14 +27,14 @@ std::string OutcomeOf(const FrameFigures& frame) {
 void PrintList(const std::string& title,
                const std::vector<std::string>& lines,
                std::ostream& out) {
-  constexpr size_t kMost = 12;  // the rest is in report.json
+  constexpr size_t kMaxLines = 12;  // the rest is in report.json
   if (lines.empty()) return;
   out << "\n" << title << ":\n";
-  for (size_t i = 0; i < std::min(kMost, lines.size()); ++i) {
+  for (size_t i = 0; i < std::min(kMaxLines, lines.size()); ++i) {
     out << "  " << lines[i] << "\n";
   }
-  if (lines.size() > kMost) {
-    out << "  ... and " << lines.size() - kMost << " more in report.json\n";
+  if (lines.size() > kMaxLines) {
+    out << "  ... and " << lines.size() - kMaxLines << " more in report.json\n";
   }
 }
 

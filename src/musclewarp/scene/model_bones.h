@@ -18,9 +18,9 @@ bool AreBonesOfModel(const JsonField& scene);
 // attachments, so that its bodies are unknown.
 void CheckMusclesTellBodies(const JsonField& field, const Scene& scene);
 
-// Adds a bone without a mesh for each body in `bodies`, which the lines and
-// attachments of the muscles name, to which the model attaches meshes. Throws
-// InputError at `field` ("bones") if there is none.
+// Adds a bone without a mesh for each of `bodies`, the bodies of the muscles'
+// lines and attachments, to which the model attaches meshes. Throws InputError
+// at `field` ("bones") if there is none.
 void AddBonesOfMuscles(const ModelPoses& poses,
                        const std::vector<std::string>& bodies,
                        const JsonField& field,

@@ -82,9 +82,9 @@ struct SceneBone {
   Triangles triangles;    // #F x 3
   std::string body = {};  // that it moves with; empty: named like the bone
   std::string mesh_path = {};
-  // The transform (mm) from the points of the file to the scene: the scale and
-  // placement of a mesh that a model names, the unit of one that the scene file
-  // names.
+  // The transform from the points of the file to the scene (mm): the scale and
+  // placement of a mesh that a model names, or the unit of a mesh that the
+  // scene file names.
   Eigen::Matrix4d rest_from_file = Eigen::Matrix4d::Identity();
 
   // True for a mesh that the model displays but the scene does not list, such

@@ -27,8 +27,7 @@ namespace musclewarp {
 // Throws InputError naming the scene file, if there is one, and the part.
 void CheckScene(const Scene& scene);
 
-// Applies those of the above checks that concern a pose to a pose, which need
-// not be one of the scene.
+// Checks a pose in the same way. It need not be one of the scene's poses.
 void CheckPose(const Scene& scene, const ScenePose& pose);
 
 }  // namespace musclewarp
