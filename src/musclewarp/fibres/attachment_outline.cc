@@ -14,7 +14,7 @@ namespace {
 using Eigen::RowVector2d;
 using Eigen::RowVector3d;
 
-// A closed polygon, seen along its mean normal.
+// A closed polygon, projected along its mean normal.
 class FlatOutline {
  public:
   explicit FlatOutline(const Points& points)
@@ -36,9 +36,9 @@ class FlatOutline {
     corners_ = (points.rowwise() - center_) * axes_;
   }
 
-  // Returns whether the outline goes round a point, any number of times. What
-  // is farther from its plane than a circle of its area has as radius is on
-  // another side of the body.
+  // Returns true if the outline encloses a point at least once. Points farther
+  // from its plane than the radius of a circle of the same area are not
+  // enclosed: they are on another side of the muscle.
   bool GoesRound(const RowVector3d& point) const {
     if (!is_flat_ || std::abs((point - center_).dot(normal_)) > depth_) {
       return false;
@@ -55,7 +55,7 @@ class FlatOutline {
 
  private:
   RowVector3d center_, normal_;
-  double depth_ = 0;  // mm
+  double depth_ = 0;  // the radius of a circle of the same area, mm
   bool is_flat_ = false;
   Eigen::Matrix<double, 3, 2> axes_;
   Eigen::Matrix<double, Eigen::Dynamic, 2> corners_;

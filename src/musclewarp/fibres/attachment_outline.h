@@ -10,17 +10,19 @@
 
 namespace musclewarp {
 
-// A radius that covers the points of an attachment themselves, mm.
+// An attachment radius that covers only the attachment's own points, mm.
 constexpr double kPointsAlone = 1e-6;
 
-// Returns an attachment whose points go round its area as one that has the area
-// itself: its points are the vertices of the muscle, within kPointsAlone, that
-// are at most attachment.radius away from the outline, and those inside of it
-// that are at most so far away from the bones of the body. Inside is told along
-// the mean normal of the outline, for which its points are in order. Where it
-// crosses itself, what it goes round counts; what lies as far from its plane as
-// it is wide does not. If there are no such vertices, the attachment is
-// returned as it is.
+// Returns an attachment that covers the area within the outline of the given
+// one. Its points are the vertices of the muscle that are at most
+// attachment.radius away from the points of the outline, and those inside the
+// outline that are at most this distance from the bones of the body; its radius
+// is kPointsAlone. The points of the outline must be in order; vertices are
+// inside if the outline encloses them as seen along its mean normal, in either
+// direction of rotation where it crosses itself. Vertices farther from the
+// plane of the outline than the radius of a circle of the same area are not
+// inside. If there are no such vertices, the attachment is returned unchanged.
+// Positions are in mm, in the rest pose.
 Attachment FilledOutline(const Attachment& attachment,
                          const TriangleSoup& muscle,
                          const std::vector<BodySurface>& bodies);

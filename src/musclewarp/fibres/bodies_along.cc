@@ -27,7 +27,7 @@ std::vector<std::string> BodiesAlong(const Points& line,
   double least = kInfinity;
   for (const BodySurface& between : bodies) {
     const Eigen::VectorXd to_between = distances_to(between.body);
-    // Points below i follow the origin, those from k on the insertion.
+    // Points before i follow the origin, points from k on the insertion.
     for (int i = 1; i < count; ++i) {
       for (int k = i; k < count; ++k) {
         const double sum = to_origin.head(i).sum() +

@@ -10,9 +10,9 @@
 
 namespace musclewarp {
 
-// Returns which bodies guide the points of a line (#P x 3, mm, at rest), #P:
-// first `origin`, then perhaps one between, then `insertion`. The sum of the
-// distances of the points from their bodies is as small as it can be.
+// Returns the body that guides each point of a line (#P x 3, mm, at rest), #P:
+// first `origin`, then optionally one intermediate body, then `insertion`. The
+// sum of the distances between points and their bodies is minimal.
 std::vector<std::string> BodiesAlong(const Points& line,
                                      const std::string& origin,
                                      const std::string& insertion,

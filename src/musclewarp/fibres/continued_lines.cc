@@ -19,14 +19,14 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// A muscle touches another soft part where it is at most so far away, mm.
+// Points at most this far from another soft part touch it, mm.
 constexpr double kTouching = 1;
-// A tip lies on another soft part that is at most so far away, mm: parts that
-// belong together may have a gap between them, such as a voxel of the image.
+// A tip at most this far from another soft part lies on it, mm: there may be a
+// gap, such as a voxel of the image, between parts that belong together.
 constexpr double kNearTip = 3;
-// The length over which the direction of a line is taken, mm.
+// The length of the chord that gives the direction of a line, mm.
 constexpr double kChord = 30;
-// How sharply a line may turn where it enters another part: the cosine.
+// The cosine of the largest turn of a line where it enters another part.
 constexpr double kSharpestTurn = 0.5;
 
 Eigen::Index NumTouching(const Points& points,
@@ -38,7 +38,7 @@ Eigen::Index NumTouching(const Points& points,
   return count;
 }
 
-// Returns the mean area across a part, mm^2.
+// Returns the mean cross-sectional area of a part, mm^2.
 double MeanSection(const SoftPart& part) {
   double length = 0;
   for (const ActionLine& line : part.lines) {
@@ -48,11 +48,11 @@ double MeanSection(const SoftPart& part) {
   return part.volume / length;
 }
 
-// Returns the part that is nearest to the tip of an end of part `own`, of those
-// that are thinner and at most kNearTip away; -1 if there is none. Of several
-// in which the tip lies it is the one that the most points of the end touch.
-// Two muscles whose bone is missing may lie on each other as well, but a tendon
-// is thinner than the muscles that end on it.
+// Returns the thinner part that is nearest to the tip of an end of part `own`,
+// at most kNearTip away, or -1 if there is none. If the tip is inside several,
+// returns the part that the most points of the end touch. Muscles whose bone is
+// missing may lie on each other too, but a tendon is thinner than the muscles
+// that end on it.
 int PartAtTip(const SoftPartEnd& end,
               int own,
               const std::vector<SoftPart>& parts) {
@@ -81,7 +81,7 @@ double DistanceFrom(const SoftPart& part, const Points& points) {
   return sum / static_cast<double>(points.rows());
 }
 
-// For each part that the scene names, the end nearest to it lies on it.
+// For each part that the scene names, lets the nearest end lie on it.
 void SetNamedEnds(const std::vector<SoftPart>& parts, SoftPart* part) {
   for (const int other : *part->ends_on) {
     const auto nearest =
@@ -104,9 +104,9 @@ bool EndsOn(const SoftPart& part, int other) {
       });
 }
 
-// Returns the end of a part in which one of its lines (#P x 3) ends: that which
-// is nearest to the last point of the line, and nearer to it than to the first
-// one. Null if there is none.
+// Returns the end of a part at the last point of one of its lines (#P x 3): the
+// end nearest to that point, if it is nearer to it than to the first point.
+// Null if there is none.
 const SoftPartEnd* EndOfLine(const SoftPart& part, const Points& line) {
   const SoftPartEnd* nearest = nullptr;
   double least = kInfinity;
@@ -122,27 +122,28 @@ const SoftPartEnd* EndOfLine(const SoftPart& part, const Points& line) {
   return nearest;
 }
 
-// Returns the point at a distance (mm) along a line, at most at its ends.
+// Returns the point at a distance (mm) along a line, clamped to its ends.
 RowVector3d PointAt(const Points& line, double along) {
   const double share = std::clamp(along / PolylineLength(line), 0.0, 1.0);
   return PointsAtShares(line, Eigen::VectorXd::Constant(1, share)).row(0);
 }
 
-// Returns the direction of a line over kChord around a place (mm along it).
+// Returns the direction of the chord of length kChord around a position on a
+// line (mm along it).
 RowVector3d DirectionAt(const Points& line, double along) {
   return (PointAt(line, along + kChord / 2) - PointAt(line, along - kChord / 2))
       .normalized();
 }
 
-// A place on one of the lines of a part.
+// A point on one of the lines of a part.
 struct PlaceOnLine {
   Points line;       // #P x 3, in the direction in which it is followed
   double along = 0;  // mm from its beginning
-  double distance = kInfinity;  // of the point looked for, mm
+  double distance = kInfinity;  // from the query point, mm
 };
 
-// Returns the place on the lines of a part that is nearest to a point. A line
-// is turned round if it runs against `direction` there.
+// Returns the nearest point to `point` on the lines of a part. The line is
+// reversed if it runs against `direction` there.
 PlaceOnLine NearestPlace(const SoftPart& part,
                          const RowVector3d& point,
                          const RowVector3d& direction) {
@@ -164,15 +165,16 @@ PlaceOnLine NearestPlace(const SoftPart& part,
   return nearest;
 }
 
-// How a line goes on beyond its muscle.
+// The continuation of a line beyond its muscle.
 struct Continuation {
   Points points;  // mm, at distances of about `spacing`
   std::string body;
   std::set<int> through;
 };
 
-// Returns how a line of parts[from] goes on from its end `point`, in which it
-// has the given direction, through the part `to`. Nothing if it finds no bone.
+// Returns the continuation of a line of parts[from] through the part `to`, from
+// the end `point` and the direction of the line there. Nothing if it reaches no
+// bone.
 std::optional<Continuation> FindContinuation(
     int from,
     int to,
@@ -191,7 +193,7 @@ std::optional<Continuation> FindContinuation(
         DirectionAt(place.line, place.along).dot(heading) < kSharpestTurn) {
       return std::nullopt;
     }
-    // The way across to the line is not to be a corner.
+    // Begin farther along, so that the crossing to the line makes no corner.
     const double length = PolylineLength(place.line);
     const double begin = place.along + std::max(place.distance, spacing / 2);
     const double left = length - begin;
@@ -218,9 +220,9 @@ std::optional<Continuation> FindContinuation(
   return std::nullopt;
 }
 
-// Continues a line over its last point, if that is an end on another part. A
-// way that comes back to the body of the other end is none that a muscle has,
-// unless the scene says so.
+// Continues a line beyond its last point, if that is at an end on another part.
+// A line that returns to the body of its other end is anatomically wrong,
+// unless the scene names the parts on which the muscle ends.
 void ContinueOverLast(int part,
                       const std::vector<SoftPart>& parts,
                       double spacing,

@@ -18,10 +18,10 @@ namespace musclewarp {
 
 // An end of a soft part.
 struct SoftPartEnd {
-  Points points;  // #P x 3, mm: of the surface
+  Points points;  // of the surface, #P x 3, mm
   std::string body;
   bool is_on_bones = true;
-  Eigen::RowVector3d tip = Eigen::RowVector3d::Zero();  // if it is not, mm
+  Eigen::RowVector3d tip = Eigen::RowVector3d::Zero();  // mm, if not on bones
 
   // The index of the soft part on which the end lies instead of on bones, or
   // -1 if there is none.
@@ -30,52 +30,54 @@ struct SoftPartEnd {
   Eigen::RowVector3d Middle() const { return points.colwise().mean(); }
 };
 
-// A muscle, or a tendon that has a mesh of its own, among those of a scene. All
-// positions are those of the rest pose.
+// A muscle of a scene, or a tendon with its own mesh. All positions are in the
+// rest pose, mm.
 struct SoftPart {
   const TriangleBvh* surface = nullptr;  // must outlive this object
   double volume = 0;                     // mm^3
   std::vector<ActionLine> lines;         // from end to end
   std::vector<SoftPartEnd> ends;
 
-  // The indices of the parts on which it ends, if the scene says so.
+  // The indices of the parts on which it ends, if the scene names them.
   std::optional<std::vector<int>> ends_on;
 };
 
-// Returns the ends of a muscle: the attachments that the scene names, and those
-// that were found (FindAttachments) if it does not name two.
+// Returns the ends of a muscle: the attachments that the scene names and, if
+// they are fewer than two, also those that were detected (FindAttachments).
 std::vector<SoftPartEnd> EndsOf(const SceneMuscle& muscle,
                                 const std::vector<FoundAttachment>& found);
 
-// Returns true if at least half of the points of a muscle's tip (#P x 3) lie in
-// one of the soft parts, or at most 1 mm away.
+// Returns true if at least half of the points of a muscle's tip (#P x 3, mm)
+// are inside one of the soft parts or at most 1 mm away.
 bool LiesOnSoftPart(const Points& tip,
                     const std::vector<const TriangleBvh*>& soft_parts);
 
-// Finds on which soft parts ends without bones lie, unless the scene says it:
-// on the part nearest to their tip, of those that are thinner and at most 3 mm
-// away. Where a part ends on another, the end without bones of that lies on it
-// in turn, as the upper end of a tendon does on a muscle.
+// Finds the soft parts on which ends without bones lie, unless the scene names
+// them: the thinner part that is nearest to the tip of the end, at most 3 mm
+// away. Where one part ends on another, an end of the latter without bones also
+// lies on the former, as the upper end of a tendon does on its muscle.
 void FindSoftEnds(std::vector<SoftPart>* parts);
 
-// Lines that go on beyond the ends of their muscle. The numbers are indices of
-// other parts, ascending.
+// The lines of a muscle, continued beyond its ends, and the indices of the
+// parts through which they continue, ascending.
 struct ContinuedLines {
   std::vector<ActionLine> lines;
   std::vector<int> through;
 
-  // Those on which the muscle itself ends, and to which it is to be attached.
-  // Of two that end on each other the thinner one carries the other.
+  // The parts on which the muscle itself ends, and to which it is to be
+  // attached, ascending. Of two parts that end on each other, the thinner one
+  // carries the other.
   std::vector<int> tied_to;
 };
 
-// Returns the lines of parts[part], which slide, each continued over the ends
+// Returns the sliding lines of parts[part], continued over those of its ends
 // that lie on other parts: along the nearest line of such a part, away from the
-// muscle, to an end on bones, perhaps through further parts. A tendon between
-// muscle and bone then keeps its length (LineRule::kTendon), and the muscle
-// bears what both have to be stretched. A line that would have to turn back, or
-// to turn by more than 60 degrees, or that finds no bone, or one of the body at
-// its other end although the scene does not ask for it, stays as it is.
+// muscle, and perhaps through further parts, to an end on bones. A tendon
+// between the muscle and the bone then keeps its length (LineRule::kTendon),
+// and the muscle takes up the stretch of both. A line is not continued if it
+// would turn by more than 60 degrees, if it reaches no bone, or if it returns
+// to the body at its other end although the scene does not name the parts on
+// which the muscle ends.
 ContinuedLines ContinueLines(int part,
                              const std::vector<SoftPart>& parts,
                              const std::vector<BodySurface>& bodies);

@@ -14,13 +14,13 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// Triangles are equally near if their squared distances differ by less than
-// this share.
+// Squared distances that differ by less than this share are equal.
 constexpr double kEqual = 1e-9;
 
-// Returns true if a point is inside a closed mesh or on it. Of the triangles
-// that meet at the closest point, which may be a corner, the one that faces the
-// point most squarely, be it with its back, tells the side.
+// Returns true if a point is inside a closed mesh or on it. Several triangles
+// may meet at the closest point, which may be a vertex; the one whose normal is
+// most nearly parallel to the direction to the point, or to its opposite,
+// decides.
 bool IsInside(const TriangleBvh& mesh,
               const RowVector3d& point,
               double distance) {

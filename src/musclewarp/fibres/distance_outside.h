@@ -9,8 +9,8 @@
 
 namespace musclewarp {
 
-// Returns the distance from a point to the nearest of several closed meshes,
-// mm: zero inside of one, infinity if there is none.
+// Returns the distance (mm) from a point to the nearest of several closed
+// meshes: zero inside a mesh, infinity if there are none.
 double DistanceOutside(const std::vector<const TriangleBvh*>& meshes,
                        const Eigen::RowVector3d& point);
 

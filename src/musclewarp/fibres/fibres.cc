@@ -19,7 +19,7 @@
 namespace musclewarp {
 namespace {
 
-// Smooths out the steps that voxels leave in a course, and keeps its ends.
+// Smooths out the steps of the voxels in a line. Its ends stay fixed.
 void Smooth(int rounds, Points* line) {
   for (int round = 0; round < rounds; ++round) {
     const Points before = *line;
@@ -30,8 +30,8 @@ void Smooth(int rounds, Points* line) {
   }
 }
 
-// Returns a point between one outside of the muscle and one in it that is
-// inside, as near to the former as bisection finds.
+// Returns a point inside the muscle between the point `out` outside and the
+// point `in` inside, as near to `out` as bisection reaches.
 Eigen::RowVector3d InsideBetween(const InsideTest& inside,
                                  Eigen::RowVector3d out,
                                  Eigen::RowVector3d in) {
@@ -43,10 +43,10 @@ Eigen::RowVector3d InsideBetween(const InsideTest& inside,
   return in;
 }
 
-// Corners of voxels stick out of the surface, and smoothing may cut a bend. So
-// points outside are moved towards the centre of their voxel until they are
-// inside. Where the muscle is thinner than a voxel, points of fibres are moved
-// along the fibre, and those of lines, which reach the tips, to the surface.
+// Moves points outside the muscle towards the centre of their voxel until they
+// are inside: voxels extend beyond the surface, and smoothing may cut a bend.
+// Where the muscle is thinner than a voxel, points of fibres move along the
+// fibre, and points of lines, which extend to the tips, move to the surface.
 void PullInside(const VoxelGrid& grid,
                 const InsideTest& inside,
                 const TriangleBvh& surface,
@@ -73,21 +73,24 @@ void PullInside(const VoxelGrid& grid,
   pull(last, last - 1);
 }
 
-// Returns the way from a place in the muscle to where the distance (#V) from
-// its other end is largest, without going back: the centres of voxels, in steps
-// of at most two cells, so that no bump of the surface ends it.
+// Returns a path from `start` to the tip at which the distance (one per voxel,
+// mm) from the other end of the muscle is largest. The distance increases along
+// it. The path consists of voxel centres in steps of at most two cells, so that
+// it does not stop at a bump of the surface.
 Points WayToTip(const VoxelGrid& grid,
                 const Eigen::RowVector3d& start,
                 const Eigen::VectorXd& distance) {
   constexpr int kStep = 2;
-  constexpr double kLongest = 1.2;  // a way in the voxels over a straight line
+  constexpr double kLongest =
+      1.2;  // ratio of path length in voxels to straight distance
   std::vector<Eigen::RowVector3d> way;
   for (int here = grid.Nearest(start), next = -1; here >= 0; here = next) {
     next = -1;
     double most = distance[here];
     for (const int voxel : grid.Around(here, kStep)) {
       const double apart = (grid.Center(voxel) - grid.Center(here)).norm();
-      // What is near but far to go to is another part of the muscle.
+      // A voxel that is near but a long way off through the muscle is in
+      // another part of it.
       if (distance[voxel] <= most ||
           distance[voxel] - distance[here] > kLongest * apart) {
         continue;
@@ -102,8 +105,8 @@ Points WayToTip(const VoxelGrid& grid,
   return points;
 }
 
-// One polyline after the other.
-Points Together(const std::vector<Points>& lines) {
+// Returns the concatenation of polylines.
+Points Concatenated(const std::vector<Points>& lines) {
   Eigen::Index count = 0;
   for (const Points& line : lines) count += line.rows();
   Points together(count, 3);
@@ -115,8 +118,9 @@ Points Together(const std::vector<Points>& lines) {
   return together;
 }
 
-// Drops courses that are shorter than a tenth of the median: where two ends
-// come near each other they would count as fibres without moment arms.
+// Drops fibres that are shorter than a tenth of the median: where the two ends
+// are close to each other, short lines would count as fibres without moment
+// arms.
 void DropShort(std::vector<Points>* lines) {
   constexpr double kShortest = 0.1;  // of the median
   std::vector<double> lengths;
@@ -143,19 +147,18 @@ struct CourseOptions {
   int points;  // of each course
   int voxels;
 
-  // If true, a course does not stop where it enters an end of the muscle but
-  // goes on to the tip.
+  // If true, a course continues through the ends of the muscle to the tips.
   bool reaches_tips;
 };
 
-// Returns courses from origin to insertion.
+// Returns fibres or lines from the origin to the insertion.
 Courses FindCourses(const TriangleSoup& muscle,
                     const std::vector<BodySurface>& bodies,
                     const KnownEnds& known,
                     const CourseOptions& options) {
-  constexpr int kFine = 4;  // points smoothed for one that is kept
+  constexpr int kFine = 4;  // points during smoothing per final point
   constexpr int kRounds = 4;
-  constexpr int kFewest = 20;  // voxels that a course can run through
+  constexpr int kFewest = 20;  // voxels of a muscle that is not too thin
   const VoxelGrid grid = Voxelize(muscle, options.voxels);
   Courses courses;
   if (grid.num_voxels() < kFewest) return courses;
@@ -179,7 +182,7 @@ Courses FindCourses(const TriangleSoup& muscle,
     Points line = StreamLine(flow, seeds.row(i));
     if (line.rows() < 2) continue;
     if (options.reaches_tips) {
-      line = Together(
+      line = Concatenated(
           {WayToTip(grid, line.row(0), to_insertion).colwise().reverse(),
            line,
            WayToTip(grid, line.row(line.rows() - 1), to_origin)});

@@ -15,12 +15,12 @@
 namespace musclewarp {
 namespace {
 
-// On how many voxels ends are found, as for fibres.
+// The number of voxels on which ends are found, as for fibres.
 constexpr int kVoxels = 6000;
-// Of an end without a bone, what is attached reaches so far from its tip, as a
-// share of the length of the muscle.
+// The length of the attached part at an end without a bone, as a share of the
+// length of the muscle.
 constexpr double kTipShare = 0.1;
-// The vertices whose nearest voxel is one of `voxels`, which are ascending.
+// Returns the vertices whose nearest voxel is one of `voxels` (ascending).
 std::vector<int> VerticesAt(const std::vector<int>& voxels,
                             const VoxelGrid& grid,
                             const Points& points) {
@@ -34,7 +34,8 @@ std::vector<int> VerticesAt(const std::vector<int>& voxels,
   return vertices;
 }
 
-// The largest set of `vertices` that edges connect, in rising order.
+// Returns the largest subset of `vertices` that is connected by edges, in
+// ascending order.
 std::vector<int> LargestConnected(const std::vector<int>& vertices,
                                   const TriangleSoup& muscle) {
   std::vector<char> is_chosen(muscle.points.rows(), false);
@@ -56,8 +57,8 @@ std::vector<int> LargestConnected(const std::vector<int>& vertices,
   return largest;
 }
 
-// The part of the vertices that lies on the bones of a body, or in them. Empty
-// if no bone is near.
+// Returns the vertices that lie on or inside the bones of a body. Empty if no
+// bone is near.
 std::vector<int> OnBones(const BodySurface& body,
                          const std::vector<int>& vertices,
                          const Points& points) {

@@ -20,7 +20,7 @@ using Cell = VoxelGrid::Cell;
 
 // Returns the voxel beyond face `side` (0: lower, 1: upper) along axis k, or -1
 // if there is none.
-int Beyond(const VoxelGrid& grid, int voxel, int k, int side) {
+int VoxelBeyond(const VoxelGrid& grid, int voxel, int k, int side) {
   Cell cell = grid.cells[voxel];
   cell[k] += side == 0 ? -1 : 1;
   return grid.At(cell);
@@ -29,22 +29,22 @@ int Beyond(const VoxelGrid& grid, int voxel, int k, int side) {
 // Returns the flow along axis k through the lower and the upper face of a
 // voxel.
 std::array<double, 2> FaceFlow(const LaplacianFlow& flow, int voxel, int k) {
-  const int below = Beyond(*flow.grid, voxel, k, 0);
-  const int above = Beyond(*flow.grid, voxel, k, 1);
+  const int below = VoxelBeyond(*flow.grid, voxel, k, 0);
+  const int above = VoxelBeyond(*flow.grid, voxel, k, 1);
   return {below < 0 ? -flow.outflow[voxel]
                     : flow.potential[voxel] - flow.potential[below],
           above < 0 ? flow.outflow[voxel]
                     : flow.potential[above] - flow.potential[voxel]};
 }
 
-// When and by which side a point leaves a voxel along one axis. The time is
-// infinite if it does not leave.
+// The time and side at which a point leaves a voxel along one axis. The time is
+// infinite if the point does not leave.
 struct Exit {
   double time = std::numeric_limits<double>::infinity();
   int side = 0;
 };
 
-// Returns the exit of a point at `at` (0 to 1), with a velocity that is linear
+// Returns the exit of a point at `at` (0 to 1) if the velocity is linear
 // between the faces.
 Exit ExitAlong(const std::array<double, 2>& face, double at) {
   const double slope = face[1] - face[0];
@@ -52,7 +52,7 @@ Exit ExitAlong(const std::array<double, 2>& face, double at) {
   Exit exit;
   if (velocity == 0) return exit;
   exit.side = velocity > 0 ? 1 : 0;
-  // A face through which nothing flows in this direction is never reached.
+  // A face without flow in this direction is never reached.
   const double at_face = face[exit.side];
   if (at_face * velocity <= 0) return exit;
   const double way = (exit.side == 1 ? 1 : 0) - at;
@@ -72,8 +72,8 @@ double MovedAlong(const std::array<double, 2>& face, double at, double time) {
   return std::clamp(at + moved, 0.0, 1.0);
 }
 
-// Follows the flow from a point (direction 1), or goes against it (-1), up to
-// the surface of an end. The point itself is not part of the result.
+// Follows the flow from a point, downstream (direction 1) or upstream (-1), to
+// the surface of an end. The result does not contain the point itself.
 std::vector<Eigen::RowVector3d> Trace(const LaplacianFlow& flow,
                                       const Eigen::RowVector3d& start,
                                       int direction) {
@@ -86,7 +86,7 @@ std::vector<Eigen::RowVector3d> Trace(const LaplacianFlow& flow,
   for (int k = 0; k < 3; ++k) {
     at[k] = (start[k] - grid.origin[k]) / grid.size - first_cell[k];
   }
-  // The potential rises at every step, so that no voxel is passed twice.
+  // The potential changes monotonically, so that no voxel is passed twice.
   for (int steps = 0; steps < grid.num_voxels(); ++steps) {
     std::array<double, 2> faces[3];
     Exit first;
@@ -110,7 +110,7 @@ std::vector<Eigen::RowVector3d> Trace(const LaplacianFlow& flow,
                      grid.size * Eigen::RowVector3d(cell[0] + at[0],
                                                     cell[1] + at[1],
                                                     cell[2] + at[2]));
-    voxel = Beyond(grid, voxel, axis, first.side);
+    voxel = VoxelBeyond(grid, voxel, axis, first.side);
     if (voxel < 0) break;  // through the surface
     at[axis] = 1 - first.side;
   }
@@ -123,7 +123,7 @@ template <typename Visit>
 void ForEachFace(const LaplacianFlow& flow, const Visit& visit) {
   for (int v = 0; v < flow.grid->num_voxels(); ++v) {
     for (int k = 0; k < 3; ++k) {
-      const int above = Beyond(*flow.grid, v, k, 1);
+      const int above = VoxelBeyond(*flow.grid, v, k, 1);
       if (above < 0) continue;
       const bool rises = flow.potential[v] <= flow.potential[above];
       visit(rises ? v : above, rises ? above : v, k);
@@ -131,10 +131,10 @@ void ForEachFace(const LaplacianFlow& flow, const Visit& visit) {
   }
 }
 
-// Returns the potential of the section on which seeds are spread. At ends that
-// run along the muscle, a part of the flow is yet to come in or has gone out,
-// so that it is the widest section of those that nearly all of the flow passes:
-// the one that crosses most faces.
+// Returns the potential of the section on which seeds are spread: the section
+// that crosses the most faces, among those through which nearly all of the flow
+// passes. At ends that run along the muscle, a part of the flow has not yet
+// entered or has already left.
 double WidestLevel(const LaplacianFlow& flow) {
   constexpr int kLevels = 64;
   constexpr double kNearlyAll = 0.95;
@@ -144,7 +144,7 @@ double WidestLevel(const LaplacianFlow& flow) {
     return std::clamp(
         static_cast<int>(std::ceil(potential * kLevels - 0.5)), 0, kLevels);
   };
-  // Changes from level to level, then their sums.
+  // First the changes from level to level, then their cumulative sums.
   ForEachFace(flow, [&](int low, int high, int) {
     const int first = level_above(flow.potential[low]);
     const int last = level_above(flow.potential[high]);
@@ -165,9 +165,8 @@ double WidestLevel(const LaplacianFlow& flow) {
   return (widest + 0.5) / kLevels;
 }
 
-// Returns points at which the potential has a given value. Where it has it
-// between the centres of two voxels, there are four points on the section
-// around that place.
+// Returns points on the section with a given potential: four around each place
+// where the potential has this value between the centres of two voxels.
 Points SectionPoints(const LaplacianFlow& flow, double level) {
   constexpr double kAside = 0.25;  // of a voxel
   std::vector<Eigen::RowVector3d> points;
@@ -193,7 +192,7 @@ Points SectionPoints(const LaplacianFlow& flow, double level) {
   return all;
 }
 
-// Returns at most `most` of the points, evenly chosen from their order.
+// Returns at most `most` of the points, at even intervals in their order.
 Points Thinned(const Points& points, Eigen::Index most) {
   if (points.rows() <= most) return points;
   Points thinned(most, 3);
@@ -207,7 +206,9 @@ Points Thinned(const Points& points, Eigen::Index most) {
 int NumOuterFaces(const VoxelGrid& grid, int voxel) {
   int faces = 0;
   for (int k = 0; k < 3; ++k) {
-    for (const int side : {0, 1}) faces += Beyond(grid, voxel, k, side) < 0;
+    for (const int side : {0, 1}) {
+      faces += VoxelBeyond(grid, voxel, k, side) < 0;
+    }
   }
   return faces;
 }
@@ -218,12 +219,12 @@ int NumOuterFaces(const VoxelGrid& grid, const std::vector<int>& voxels) {
   return faces;
 }
 
-// Lets `total` flow out evenly through the surface of an end.
+// Sets a uniform outflow, in sum `total`, through the surface of an end.
 void SetOutflow(const VoxelGrid& grid,
                 std::vector<int> end,
                 double total,
                 Eigen::VectorXd* outflow) {
-  // The voxels are connected and some are at the surface, so that it is found.
+  // This ends, since the voxels are connected and some are at the surface.
   for (int reach = 1; NumOuterFaces(grid, end) == 0; ++reach) {
     const std::vector<int> inside = end;
     for (const int voxel : inside) {
@@ -236,8 +237,8 @@ void SetOutflow(const VoxelGrid& grid,
   for (const int voxel : end) (*outflow)[voxel] = each;
 }
 
-// Returns the matrix of the flow out of all voxels into their neighbours,
-// against the potential.
+// Returns the matrix that maps a potential to the net flow into each voxel from
+// its neighbours.
 Eigen::SparseMatrix<double, Eigen::RowMajor> FlowMatrix(const VoxelGrid& grid) {
   const int count = grid.num_voxels();
   Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(count, count);
@@ -246,7 +247,7 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> FlowMatrix(const VoxelGrid& grid) {
     double diagonal = 0;
     for (int k = 0; k < 3; ++k) {
       for (const int side : {0, 1}) {
-        const int neighbour = Beyond(grid, v, k, side);
+        const int neighbour = VoxelBeyond(grid, v, k, side);
         if (neighbour < 0) continue;
         ++diagonal;
         matrix.insert(v, neighbour) = -1;
@@ -258,8 +259,8 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> FlowMatrix(const VoxelGrid& grid) {
   return matrix;
 }
 
-// Returns a potential that is about that of a flow of 1 between two sets: it
-// rises along a muscle of even sections.
+// Returns an approximate potential for a unit flow between two sets, as in a
+// muscle of constant cross section.
 Eigen::VectorXd GuessPotential(const VoxelGrid& grid,
                                const std::vector<int>& origin,
                                const std::vector<int>& insertion) {
@@ -290,13 +291,13 @@ LaplacianFlow SolveFlow(const VoxelGrid& grid,
   for (int v = 0; v < count; ++v) {
     source[v] = NumOuterFaces(grid, v) * flow.outflow[v];
   }
-  source.array() -= source.mean();  // what rounding leaves
-  // The potential is known up to a constant, of which conjugate gradients keep
-  // that of the guess.
+  source.array() -= source.mean();  // rounding errors
+  // The potential is defined up to a constant; conjugate gradients keep that of
+  // the guess.
   Eigen::ConjugateGradient<Eigen::SparseMatrix<double, Eigen::RowMajor>,
                            Eigen::Lower | Eigen::Upper>
       solver;
-  // The flow is the difference of neighbours, about 1e-2 of the potential.
+  // The flow is the difference between neighbours, about 1e-2 of the potential.
   solver.setTolerance(1e-6);
   const auto matrix = FlowMatrix(grid);
   solver.compute(matrix);
@@ -321,15 +322,15 @@ Points StreamLine(const LaplacianFlow& flow, const Eigen::RowVector3d& point) {
 
 Points SpreadOverSection(const LaplacianFlow& flow, int count) {
   constexpr int kRounds = 8;
-  constexpr int kCandidates = 400;  // at most, or so many for a point:
+  constexpr int kCandidates = 400;  // at most, or kShare for each point
   constexpr int kShare = 8;
   const Points candidates = Thinned(SectionPoints(flow, WidestLevel(flow)),
                                     std::max(kCandidates, kShare * count));
   const Eigen::Index size = candidates.rows();
   const Eigen::Index chosen = std::min<Eigen::Index>(count, size);
   if (chosen <= 0) return Points(0, 3);
-  // Begin with points far from each other, then move each to the centre of its
-  // share.
+  // Start with points that are far from each other, then move each to the
+  // centre of its share.
   Points centers(chosen, 3);
   Eigen::VectorXd nearest = (candidates.rowwise() - candidates.colwise().mean())
                                 .rowwise()
@@ -358,8 +359,8 @@ Points SpreadOverSection(const LaplacianFlow& flow, int count) {
       if (shares[c] > 0) centers.row(c) = sums.row(c) / shares[c];
     }
   }
-  // The centre of a bent share may be outside, but the nearest candidate is
-  // not.
+  // The centre of a curved share may be outside the muscle; the nearest
+  // candidate is not.
   std::vector<char> is_taken(size, 0);
   for (Eigen::Index c = 0; c < chosen; ++c) {
     Eigen::Index best = -1;

@@ -19,15 +19,16 @@ namespace {
 // If a tip of the muscle is farther from all areas than this share of the
 // muscle's length, its bone is missing.
 constexpr double kLoneEnd = 0.3;
-// The same if a line of the muscle ends at the tip, too, which says that no
-// area in between is the end of the muscle.
+// The corresponding share if a line of the muscle also ends at the tip, which
+// indicates that no area in between is the end of the muscle.
 constexpr double kLoneLineEnd = 0.1;
-// Of an area, the part is kept whose distance from the other area is at least
-// this share of the largest such distance. The same holds for a lone tip.
+// Only the part of an area is kept whose distance from the other area is at
+// least this share of the largest such distance; likewise for a lone tip.
 constexpr double kEndShare = 0.7;
 
-// What is farther from the bones of the other end than this share of the
-// muscle's length belongs to an end, too: origins that run along a muscle.
+// The part of an area that is farther from the bones of the other end than this
+// share of the muscle's length belongs to the end too, for origins that run
+// along a muscle.
 constexpr double kClearShare = 0.2;
 
 void SortUnique(std::vector<int>* voxels) {
@@ -41,7 +42,7 @@ Points RowsOf(const Points& points, const std::vector<int>& rows) {
   return chosen;
 }
 
-// Returns the voxels nearest to points of the surface.
+// Returns the voxels nearest to points of the surface, ascending.
 std::vector<int> VoxelsAt(const VoxelGrid& grid, const Points& points) {
   std::vector<int> voxels;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
@@ -60,7 +61,8 @@ double Median(const Eigen::VectorXd& values, const std::vector<int>& at) {
   return *middle;
 }
 
-// Returns the voxels whose distance is at least kEndShare of the largest.
+// Returns those of `voxels` whose distance is at least kEndShare of the
+// largest.
 std::vector<int> FarPart(const Eigen::VectorXd& distances,
                          const std::vector<int>& voxels) {
   double farthest = 0;
@@ -81,8 +83,8 @@ const BodySurface* SurfaceNamed(const std::vector<BodySurface>& bodies,
   return nullptr;
 }
 
-// Returns the voxels of an area that are far from the other end of the muscle,
-// as FarPart has it, or farther than `clear` (mm) from the bones of its body.
+// Returns the voxels of an area that are far from the other end of the muscle
+// (FarPart), or farther than `clear` (mm) from the bones of the other body.
 std::vector<int> FarOrClearPart(const VoxelGrid& grid,
                                 const Eigen::VectorXd& distances,
                                 const BodySurface* other,
@@ -122,7 +124,7 @@ std::vector<MuscleEnd> GivenAreas(const TriangleSoup& muscle,
   std::vector<MuscleEnd> areas;
   for (const Attachment& attachment : attachments) {
     const std::vector<int> vertices = VerticesInArea(attachment, muscle.points);
-    // If no vertex is in the area, its own points stand for it.
+    // If no vertex is in the area, its own points are used.
     Points points = attachment.points;
     if (!vertices.empty()) points = RowsOf(muscle.points, vertices);
     std::vector<int> voxels = VoxelsAt(grid, points);
@@ -164,14 +166,14 @@ std::pair<int, int> Tips(const VoxelGrid& grid) {
   return {static_cast<int>(first), static_cast<int>(second)};
 }
 
-// Returns the body of a line that ends within a distance of a tip, as
-// `from_tip` of voxels has it, or nothing.
+// Returns the body of a line that ends within `distance` of a tip, measured by
+// `from_tip` (one distance per voxel), or nothing.
 std::optional<std::string> BodyOfLineAt(const VoxelGrid& grid,
                                         const std::vector<ActionLine>& lines,
                                         const Eigen::VectorXd& from_tip,
                                         double distance) {
   for (const ActionLine& line : lines) {
-    if (line.bodies.empty()) continue;  // the poses say where it goes
+    if (line.bodies.empty()) continue;  // its poses give target points
     for (const Eigen::Index end : {Eigen::Index{0}, line.rest.rows() - 1}) {
       const int voxel = grid.Nearest(line.rest.row(end));
       if (voxel >= 0 && from_tip[voxel] <= distance) return line.bodies[end];
@@ -180,7 +182,7 @@ std::optional<std::string> BodyOfLineAt(const VoxelGrid& grid,
   return std::nullopt;
 }
 
-// Adds the tips of the muscle as areas to which no area is near.
+// Adds each tip of the muscle that is far from all areas as an area.
 void AddLoneEnds(const VoxelGrid& grid,
                  const std::vector<BodySurface>& bodies,
                  const std::vector<ActionLine>& lines,
@@ -239,8 +241,8 @@ double BodySurface::Distance(const Eigen::RowVector3d& point) const {
 
 namespace {
 
-// Returns which two areas are farthest apart. `distances` are those of all
-// voxels from each.
+// Returns the two areas that are farthest apart. `distances` has the distances
+// of all voxels from each area.
 std::pair<size_t, size_t> FarthestApart(
     const std::vector<MuscleEnd>& areas,
     const std::vector<Eigen::VectorXd>& distances) {
@@ -258,7 +260,7 @@ std::pair<size_t, size_t> FarthestApart(
   return farthest;
 }
 
-// Areas of two bodies may share voxels, which then belong to neither end.
+// Removes voxels that both ends share, as areas of two bodies may.
 void DropSharedVoxels(MuscleEnds* ends) {
   std::vector<int> shared;
   std::set_intersection(ends->origin.voxels.begin(),
@@ -354,8 +356,7 @@ MuscleEnds FindMuscleEnds(const TriangleSoup& muscle,
     ends.origin.voxels = {first};
     ends.insertion.voxels = {second};
   }
-  // Which end is the origin depends on the order of bodies in the scene, not on
-  // that of the areas.
+  // The order of bodies in the scene decides which end is the origin.
   const auto rank = [&](const std::string& body) {
     size_t i = 0;
     while (i < bodies.size() && bodies[i].body != body) ++i;

@@ -9,10 +9,10 @@
 
 namespace musclewarp {
 
-// Returns for each cell of the grid whether a triangle passes through it. The
-// cells of a part of the mesh that is thinner than a voxel are among these and
-// are connected over faces, even if none of their centres is inside.
-// Precondition: the mesh lies within the cells.
+// Returns, for each cell of the grid, whether a triangle passes through it.
+// Where the mesh is thinner than a voxel, these cells cover it and are
+// connected over faces, even if none of their centres is inside. Precondition:
+// the mesh lies within the grid.
 std::vector<char> SurfaceCells(const TriangleSoup& mesh, const VoxelGrid& grid);
 
 }  // namespace musclewarp

@@ -16,7 +16,7 @@
 namespace musclewarp {
 namespace {
 
-// Returns twice the signed area of the triangle p, a, b as seen along z.
+// Returns twice the signed area of the triangle p, a, b, projected along z.
 double Side(const Eigen::RowVector3d& a,
             const Eigen::RowVector3d& b,
             double x,
@@ -61,8 +61,8 @@ std::vector<std::vector<double>> Crossings(const TriangleSoup& mesh,
 }
 
 // Finds the cells whose centres are inside, by parity along the columns. A
-// column whose line meets an edge, counted twice or not at all, has an odd
-// number of crossings and is left out.
+// column whose line meets an edge, which may be counted twice or not at all, is
+// left out if its number of crossings is odd.
 std::vector<char> InsideCells(const TriangleSoup& mesh, const VoxelGrid& grid) {
   std::vector<char> inside(grid.index_of.size(), 0);
   auto crossings = Crossings(mesh, grid);
@@ -84,8 +84,8 @@ std::vector<char> InsideCells(const TriangleSoup& mesh, const VoxelGrid& grid) {
   return inside;
 }
 
-// The numbers of the six neighbours of a cell. The outermost layer of cells is
-// empty, so that all exist for a cell that is not.
+// Returns the numbers of the six neighbours of a cell. All exist for a cell
+// that is not empty, since the outermost layer of cells is empty.
 std::array<int, 6> NeighboursOf(const VoxelGrid& grid, int cell) {
   const int row = grid.counts[0];
   const int layer = grid.counts[0] * grid.counts[1];
@@ -93,15 +93,15 @@ std::array<int, 6> NeighboursOf(const VoxelGrid& grid, int cell) {
       cell - 1, cell + 1, cell - row, cell + row, cell - layer, cell + layer};
 }
 
-// Cells in the order in which they are reached from the first ones, and for
-// each the place in this order of the one before; -1 for the first ones.
+// Cells in the order in which a flood reaches them from the first ones, and for
+// each the index of its predecessor in this order; -1 for the first ones.
 struct Reached {
   std::vector<int> cells;
   std::vector<int> before;
 };
 
-// Goes on over faces from `first` through the cells in which one can be, and
-// marks those that are reached.
+// Floods the open cells from `first` over faces, and marks those that are
+// reached.
 Reached Flood(const VoxelGrid& grid,
               std::vector<int> first,
               const std::vector<char>& is_open,
@@ -121,7 +121,7 @@ Reached Flood(const VoxelGrid& grid,
   return reached;
 }
 
-// The largest set of cells that is connected over faces.
+// Returns the largest set of inside cells that is connected over faces.
 std::vector<int> LargestPiece(const VoxelGrid& grid,
                               const std::vector<char>& inside) {
   std::vector<char> is_reached(inside.size(), 0);
@@ -137,7 +137,7 @@ std::vector<int> LargestPiece(const VoxelGrid& grid,
 
 // Adds the parts of the mesh that are thinner than a voxel: the cells inside or
 // on the surface that are more than kThick cells away from the piece, and the
-// shortest ways to them. Nearer cells are the rim of the piece.
+// shortest paths to them. Nearer cells are the rim of the piece.
 std::vector<int> WithThinParts(const VoxelGrid& grid,
                                std::vector<int> piece,
                                const std::vector<char>& inside,
@@ -232,9 +232,9 @@ int VoxelGrid::Nearest(const Eigen::RowVector3d& point) const {
 
 VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted) {
   // The number of voxels across the mean thickness of a sheet, and the largest
-  // factor by which there may be more voxels because of it.
+  // factor by which this may increase the number of voxels.
   constexpr double kAcross = 3;
-  constexpr double kMost = 8;
+  constexpr double kMaxIncrease = 8;
   const double volume = SignedVolume(mesh.points, mesh.triangles);
   CHECK_GT(volume, 0);
   const double thickness =
@@ -242,11 +242,11 @@ VoxelGrid Voxelize(const TriangleSoup& mesh, int wanted) {
   VoxelGrid grid;
   grid.size =
       std::max(std::min(std::cbrt(volume / wanted), thickness / kAcross),
-               std::cbrt(volume / (kMost * wanted)));
+               std::cbrt(volume / (kMaxIncrease * wanted)));
   const Eigen::RowVector3d lower = mesh.points.colwise().minCoeff();
   const Eigen::RowVector3d upper = mesh.points.colwise().maxCoeff();
-  // These shares are not round, so that columns do not meet edges of regular
-  // meshes.
+  // These shares are not round numbers, so that columns do not meet edges of
+  // regular meshes.
   const Eigen::RowVector3d shift(0.9271, 0.8817, 0.9043);
   grid.origin = lower - grid.size * (shift + Eigen::RowVector3d::Ones());
   for (int k = 0; k < 3; ++k) {
@@ -273,9 +273,10 @@ Points Centers(const VoxelGrid& grid) {
 
 Eigen::VectorXd DistancesWithin(const VoxelGrid& grid,
                                 const std::vector<int>& sources) {
-  // Steps to the 26 neighbours count 3, 4 or 5 thirds of an edge (Borgefors,
-  // "Distance Transformations in Digital Images", 1986). Since these are whole
-  // numbers, the queue is a ring of lists, one for each distance that occurs.
+  // Steps to the 26 neighbours have lengths of 3, 4 or 5 thirds of an edge
+  // (Borgefors, "Distance Transformations in Digital Images", 1986). Since
+  // distances are integers, the queue is a ring of lists, one for each distance
+  // that occurs.
   constexpr int kUnit = 3;
   constexpr int kLongest = 5;
   constexpr int kUnknown = std::numeric_limits<int>::max();

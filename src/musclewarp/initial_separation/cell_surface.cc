@@ -19,7 +19,7 @@
 namespace musclewarp {
 namespace {
 
-// Returns the triangles of a mesh that cross others of it.
+// Returns the triangles of a mesh that cross other triangles of the mesh.
 TriangleBvh CrossingTriangles(const SearchableMesh& mesh) {
   std::set<int> crossing;
   for (const auto& [f, g] : SelfIntersections(mesh.bvh())) {
@@ -97,7 +97,7 @@ TriangleSoup WithEvenTriangles(const TriangleSoup& surface,
   constexpr double kMaxLoss = 0.05;  // of the volume
   const double least =
       (1 - kMaxLoss) * SignedVolume(surface.points, surface.triangles);
-  // Triangles that are kept have to be the smaller ones.
+  // New triangles must be larger than those that are kept.
   const double shortest = 2 * TypicalEdge(surface.points, surface.triangles);
   for (;; edge_length /= 2) {
     TriangleSoup even = RemeshedWithoutCrossings(surface, edge_length);

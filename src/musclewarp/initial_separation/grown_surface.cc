@@ -21,26 +21,26 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// How much less a body grows by the distance to where it was cut.
+// The decrease of the growth per distance from the cut.
 constexpr double kDecline = 1.0 / 3;
 
-// A body grows by no more than this, mm, and by no more than so many times the
-// thickness of what was cut off, on the mean.
+// The largest growth, mm, and the largest ratio of growth to the mean thickness
+// of the part that was cut off.
 constexpr double kLongestReach = 30;
 constexpr double kReachPerThickness = 6;
 
-// With the decline above, keeps the function of a grown body from changing by
-// more than the way between two places.
+// Scales the function of a grown body so that its Lipschitz constant is at most
+// 1, in spite of kDecline.
 constexpr double kSlope = 1 / (1 + kDecline);
 
-// The growth is looked for with samples at this many spacings, and the volume
-// found to this share of it, in at most so many steps.
+// The spacing, in multiples, with which the search for the growth begins, the
+// relative accuracy of the volume, and the largest number of steps.
 constexpr double kCoarser = 2;
 constexpr double kAccuracy = 2e-3;
 constexpr int kMostSteps = 14;
 
-// Returns the triangles of a body that lie deeper in the muscle than `depth`,
-// mm: where it was cut.
+// Returns the triangles of a body that lie more than `depth` (mm) inside the
+// muscle: its cuts.
 Triangles CutTriangles(const TriangleSoup& body,
                        const SolidDistance& muscle,
                        double depth) {
@@ -53,7 +53,7 @@ Triangles CutTriangles(const TriangleSoup& body,
   return body.triangles(cut, Eigen::all);
 }
 
-// Returns true if the straight way from `a` to `b` meets a triangle.
+// Returns true if the segment from `a` to `b` meets a triangle.
 bool SegmentMeets(const RowVector3d& a,
                   const RowVector3d& b,
                   const TriangleBvh& tree) {
@@ -106,7 +106,7 @@ class GrowingBody {
 
   const TriangleSoup& body() const { return body_; }
 
-  // Returns the body after it has grown by `t`, mm, as its largest part.
+  // Returns the largest part of the body after it has grown by `t`, mm.
   TriangleSoup GrownBy(double t, double spacing) const {
     Box3 box = mesh_.bvh().box();
     for (int k = 0; k < 3; ++k) {
@@ -115,7 +115,7 @@ class GrowingBody {
     }
     TriangleSoup grown = MarchingTetrahedra(
         [&](const RowVector3d& p) {
-          // Beyond two samples nothing depends on the values.
+          // Values more than two samples from the boundary do not matter.
           return Region(p, t, /*border=*/2 * spacing);
         },
         box,
@@ -125,30 +125,31 @@ class GrowingBody {
   }
 
  private:
-  // A cell that knows of all that can be reached.
+  // Extends the range of the cell, so that it includes all bones and muscles
+  // that the growth can reach.
   static MedialCellOptions CellWithin(MedialCellOptions cell, double reach) {
     cell.range = std::max(cell.range, reach + 2 * cell.margin);
     return cell;
   }
 
-  // What the growth at a place depends on.
+  // The quantities that determine the growth at a position, mm.
   struct Measures {
     double own = 0;        // the signed distance to the body, at most `limit_`
-    double to_cut = 0;     // the distance to where it was cut
-    bool is_near = false;  // the others are known
+    double to_cut = 0;     // the distance to the cuts
+    bool is_near = false;  // the fields below are known
     double cell = 0;       // the signed distance to the cell
     bool is_blocked = false;
   };
 
-  // Negative in the grown body. Within `border` of its border it is nowhere
-  // below the signed distance to the cell, so that bodies which grow beside
-  // each other do not cross.
+  // Returns a function that is negative in the grown body. Within `border` of
+  // the boundary it is nowhere below the signed distance to the cell, so that
+  // bodies that grow next to each other do not cross.
   double Region(const RowVector3d& p, double t, double border) const {
     Shard& shard = ShardOf(p);
     Measures at = Known(p, &shard);
     const double growth = std::max(0.0, t - kDecline * at.to_cut);
     const double grown = kSlope * (at.own - growth);
-    // The body itself lies in its cell.
+    // The body itself lies within its cell.
     if (grown >= border || at.own <= -border) return grown;
     if (!at.is_near) {
       MeasureNear(p, &at);
@@ -159,7 +160,7 @@ class GrowingBody {
     return region < 0 && at.is_blocked ? blocked_ : region;
   }
 
-  // The same places are asked for again with every growth that is tried.
+  // Every growth that is tried evaluates the same positions.
   using Key = std::array<double, 3>;
   static Key KeyOf(const RowVector3d& p) { return {p[0], p[1], p[2]}; }
   struct HashOfKey {
@@ -175,8 +176,8 @@ class GrowingBody {
     return shards_[HashOfKey()(KeyOf(p)) % shards_.size()];
   }
 
-  // Returns what is known of a place, at least its distances to the body and to
-  // where it was cut.
+  // Returns the known quantities at a position, at least its distances to the
+  // body and to the cuts.
   Measures Known(const RowVector3d& p, Shard* shard) const {
     {
       const std::lock_guard<std::mutex> lock(shard->mutex);
@@ -202,8 +203,8 @@ class GrowingBody {
     at->is_blocked = at->cell < 0 && at->own > 0 && IsBlocked(p);
   }
 
-  // True if a bone or another muscle lies between a place and the body: there
-  // the body would grow through it, or round it.
+  // Returns true if a bone or another muscle lies between a position and the
+  // body: the body would grow through it or around it.
   bool IsBlocked(const RowVector3d& p) const {
     const RowVector3d on_body = mesh_.bvh().ClosestPoint(p, kInfinity).point;
     return std::any_of(
@@ -222,21 +223,21 @@ class GrowingBody {
   double limit_;                              // of distances to the body, mm
   double blocked_;
 
-  // Several, so that threads do not wait for each other.
+  // Several shards, so that threads do not wait for each other.
   mutable std::array<Shard, 64> shards_;
 };
 
 namespace {
 
-// A growth, mm, and the body after it.
+// A growth, mm, and the resulting body.
 struct Growth {
   double t = 0;
   TriangleSoup body;
 };
 
-// Returns the growth that gives a body a volume, or the reach if that is too
-// little: by false position between a growth that is too small and one that is
-// too large, beginning with `t`. `left` is the volume without growth.
+// Returns the growth with which a body has a volume (mm^3), or `reach` if that
+// is not enough, by false position, beginning with `t`. `left` is the volume
+// without growth.
 Growth GrowthFor(const GrowingBody& body,
                  double left,
                  double volume,
@@ -299,7 +300,7 @@ TriangleSoup SurfaceGrowth::UpTo(double volume) {
   const TriangleSoup& body = body_->body();
   if (left_ >= volume) return body;
   if (last_ == 0) {
-    // Coarser samples cut corners: they tell where to begin.
+    // Coarser samples cut corners: they only give the initial growth.
     const double coarse = kCoarser * spacing_;
     last_ = GrowthFor(*body_, left_, volume, coarse, reach_, spacing_).t;
   }

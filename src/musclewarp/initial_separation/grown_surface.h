@@ -11,25 +11,25 @@ namespace musclewarp {
 
 class GrowingBody;
 
-// A body of a muscle that lost a part of its volume to bones or other muscles,
-// and grows: what was cut off comes back on the free sides, next to where it
-// was. `body` is what CellSurface() has left; where it was cut its surface lies
-// within the muscle. It grows by
+// The surface of a muscle that has lost a part of its volume to bones or other
+// muscles. It grows on its free sides, next to where it was cut. `body` is the
+// result of CellSurface(); at its cuts, the surface of the body lies within the
+// muscle. It grows by
 //
 //   growth(p) = max(0, t - d(p) / 3),
 //
-// d(p) being the distance to where it was cut (mm), as far as its medial cell
-// reaches and no bone or other muscle is in the way. A body that was cut
-// nowhere, and lost its volume to the samples of its surface, grows evenly.
+// where d(p) is the distance to the cuts (mm). The body grows only within its
+// medial cell, and only where no bone or other muscle is in the way. A body
+// without cuts, which lost volume only by sampling, grows uniformly.
 //
 //   SurfaceGrowth growth(options, body, muscle, others, bones, volume);
 //   const TriangleSoup surface = growth.UpTo(volume);
 //
-// The distances that a growth asks for are kept for the next one.
+// Distances are cached and reused by later calls of UpTo().
 class SurfaceGrowth {
  public:
-  // `volume`: that which the muscle has lost a part of, mm^3; it bounds t.
-  // `muscle`, `others` and `bones` must outlive the growth. Preconditions
+  // `volume`: the volume of the muscle before its loss, mm^3; it bounds t.
+  // `muscle`, `others` and `bones` must outlive this object. Preconditions
   // (CHECKed): the options are valid, the body has triangles.
   SurfaceGrowth(const CellSurfaceOptions& options,
                 const TriangleSoup& body,
@@ -39,13 +39,13 @@ class SurfaceGrowth {
                 double volume);
   ~SurfaceGrowth();
 
-  // Returns the body with the least t that gives it `volume` (mm^3), or as much
-  // of it as it can grow to. The surface is as that of CellSurface().
+  // Returns the body with the smallest t that gives it `volume` (mm^3), or
+  // grown as far as it can. The surface has the properties of CellSurface().
   TriangleSoup UpTo(double volume);
 
  private:
   double spacing_;   // mm
-  double left_;      // the volume without growth, mm^3
+  double left_;      // volume without growth, mm^3
   double reach_;     // the largest t, mm
   double last_ = 0;  // t of the last growth, mm
   std::unique_ptr<GrowingBody> body_;

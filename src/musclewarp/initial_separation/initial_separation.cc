@@ -24,7 +24,7 @@ RowVector3d UnitNormal(const Corners& t) {
   return norm > 0 ? RowVector3d(n / norm) : RowVector3d::Zero();
 }
 
-// Directions in which the vertices of a muscle should go.
+// The directions in which the vertices of a muscle are pushed.
 struct Pushes {
   Points sum;
   Eigen::VectorXd count;
@@ -39,10 +39,10 @@ struct Crossing {
   size_t muscle;
   int triangle;
   Corners other;
-  bool is_counted;  // once for each pair of triangles
+  bool is_counted;  // true once for each pair of triangles
 };
 
-// The muscles while they are separated.
+// The state of the muscles during their separation.
 class Separator {
  public:
   Separator(const std::vector<const SearchableMesh*>& muscles,
@@ -58,7 +58,7 @@ class Separator {
     }
   }
 
-  // Brings the vertices of the muscles into their medial cells.
+  // Moves the vertices of the muscles into their medial cells.
   void EnterCells() {
     std::vector<const SolidDistance*> bones;
     for (const SolidDistance& bone : bone_distances_) bones.push_back(&bone);
@@ -88,7 +88,7 @@ class Separator {
   }
 
   // Finds the triangles of muscles that cross others. Pairs of meshes that have
-  // not moved since the last time are not looked at again.
+  // not moved since the last search are not tested again.
   std::vector<Crossing> FindCrossings() {
     const size_t num_muscles = muscles_.size();
     for (size_t i = 0; i < num_muscles; ++i) {
@@ -113,8 +113,7 @@ class Separator {
     return crossings;
   }
 
-  // True if in no pair of meshes that cross they have become much fewer in the
-  // last rounds.
+  // Returns true if every pair of meshes that cross is idle (idle_rounds).
   bool IsIdle() const {
     return std::all_of(found_.begin(), found_.end(), [&](const auto& item) {
       const PairOfMeshes& pair = item.second;
@@ -122,7 +121,8 @@ class Separator {
     });
   }
 
-  // Returns in which directions the vertices of crossing triangles should go.
+  // Returns the directions in which the vertices of crossing triangles are
+  // pushed.
   std::vector<Pushes> PushesFor(const std::vector<Crossing>& crossings) const {
     std::vector<Pushes> pushes;
     for (const Points& points : points_) pushes.emplace_back(points.rows());
@@ -133,7 +133,7 @@ class Separator {
     return pushes;
   }
 
-  // Moves pushed vertices by a step, and those near them along with them.
+  // Moves pushed vertices by a step, and nearby vertices along with them.
   void Apply(const Pushes& pushes, size_t muscle) {
     Points& points = points_[muscle];
     std::vector<int> pushed;
@@ -167,11 +167,11 @@ class Separator {
  private:
   struct PairOfMeshes {
     std::vector<Crossing> crossings;
-    std::vector<int> fewest;  // so far, by round
+    std::vector<int> fewest;  // the fewest crossings so far, by round
   };
 
-  // A pair that crosses again after it was apart is idle, too: the others push
-  // it back and forth.
+  // A pair that crosses again after it was separated is idle too: other meshes
+  // push it back and forth.
   bool IsPairIdle(const std::vector<int>& fewest) const {
     const size_t window = options_.idle_rounds;
     return fewest.size() > window &&
@@ -200,8 +200,8 @@ class Separator {
     return crossings;
   }
 
-  // By muscle, #V x 3: the way into the medial cell from the vertices of
-  // crossing triangles.
+  // Returns, by muscle, the unit directions into the medial cell at the
+  // vertices of crossing triangles, #V x 3; zero at other vertices.
   std::vector<Points> WaysInward(const std::vector<Crossing>& crossings) const {
     std::vector<Points> inward;
     std::vector<std::vector<char>> is_needed;
@@ -254,10 +254,10 @@ class Separator {
   std::vector<Points> points_;
   std::vector<TriangleBvh> trees_;
 
-  // By muscle: whether it has moved since crossings were looked for.
+  // By muscle: whether it has moved since the last search for crossings.
   std::vector<char> has_moved_;
 
-  // By numbers, bones after muscles.
+  // By the indices of the two meshes, with bones after muscles.
   std::map<std::pair<size_t, size_t>, PairOfMeshes> found_;
 };
 

@@ -14,13 +14,13 @@ namespace {
 using Eigen::RowVector3d;
 using Place = DistanceSamples::Place;
 
-// Collects the triangles in the tetrahedra, with one vertex for each edge that
-// the border meets.
+// Collects the triangles in the tetrahedra, with one vertex for each lattice
+// edge that the boundary crosses.
 class Border {
  public:
   explicit Border(const DistanceSamples& samples) : samples_(samples) {}
 
-  // `corners`: indices of samples, positively oriented.
+  // `corners`: indices of the samples at the corners, positively oriented.
   void AddTetrahedron(const std::array<std::int64_t, 4>& corners) {
     std::array<int, 4> inside, outside;
     int num_inside = 0, num_outside = 0;
@@ -35,9 +35,9 @@ class Border {
     const auto vertex = [&](int i, int o) {
       return VertexOn(corners[inside[i]], corners[outside[o]]);
     };
-    // The vertices go round the border. Seen from outside they do so
-    // counterclockwise if inside and outside corners, in this order, are an
-    // even permutation of a positively oriented tetrahedron.
+    // The vertices go round the polygon. Their order is counterclockwise as
+    // seen from outside if the inside corners followed by the outside corners
+    // are an even permutation of a positively oriented tetrahedron.
     std::array<int, 4> order;
     std::copy_n(inside.begin(), num_inside, order.begin());
     std::copy_n(outside.begin(), num_outside, order.begin() + num_inside);
@@ -88,8 +88,9 @@ class Border {
     const auto [place, is_new] = vertices_.try_emplace(
         low * 8 + Direction(low, high), static_cast<int>(points_.size()));
     if (is_new) {
-      // Away from the ends, so that no triangle is without area. All shares
-      // shrink alike: surfaces that meet the edge in different points still do.
+      // The vertex keeps away from the ends of the edge, so that no triangle
+      // has zero area. All shares shrink alike, so that surfaces that meet the
+      // edge in different points still do so.
       constexpr double kEdgeMargin = 0.02;
       const double a = samples_.value(inside), b = samples_.value(outside);
       const double share = kEdgeMargin + (1 - 2 * kEdgeMargin) * a / (a - b);
@@ -119,7 +120,7 @@ class Border {
   std::vector<Eigen::RowVector3i> triangles_;
 };
 
-// True if the border passes between the corners of a cell.
+// Returns true if the boundary passes between the corners of a cell.
 bool IsCrossed(const DistanceSamples& samples, const Place& lowest) {
   int inside = 0;
   for (int corner = 0; corner < 8; ++corner) {

@@ -8,15 +8,15 @@
 
 namespace musclewarp {
 
-// Returns the border of the region where a function is negative, as closed,
-// outward oriented surfaces that do not cross themselves, one or several.
+// Returns the boundary of the region in which a function is negative: one or
+// several closed, outward oriented surfaces that do not cross themselves (mm).
 //
-// The function is sampled at the multiples of `spacing` (mm) in the box, and is
-// taken as linear in the six tetrahedra of every cell between them. So two
-// regions that are sampled with the same spacing, and whose functions add up to
-// something positive everywhere, have surfaces that do not cross, however
-// coarse the sampling is. Parts thinner than the spacing may be lost. The
-// function is called from several threads.
+// The function is sampled at the multiples of `spacing` (mm) in the box, and
+// interpolated linearly in six tetrahedra per lattice cell. Hence the surfaces
+// of two regions with the same spacing do not cross if the sum of the two
+// functions is positive everywhere, however coarse the sampling is. Parts
+// thinner than the spacing may be lost. The function is called from several
+// threads.
 //
 // Preconditions: the spacing is above zero (CHECKed), and the function is
 // positive outside the box.

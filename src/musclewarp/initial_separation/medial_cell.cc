@@ -21,13 +21,14 @@ using Eigen::RowVector3d;
 
 }  // namespace
 
-// Voxels by their centres; x runs fastest.
+// A grid of voxels, represented by their centres; x changes fastest.
 struct MedialCell::VoxelGrid {
   RowVector3d origin;
   double voxel_size;
   std::array<int, 3> size;
 
-  // By voxel: the signed distance of its centre to the cell, or above zero.
+  // By voxel: the signed distance of its centre to the cell, or a positive
+  // number if it is more than a voxel outside the muscle.
   std::vector<double> distance;
 
   // By voxel: the nearest voxel of the main part, or -1.
@@ -62,7 +63,7 @@ struct MedialCell::VoxelGrid {
     }
     return (at[2] * size[1] + at[1]) * size[0] + at[0];
   }
-  // Calls visit(index, place) for the voxels beside one.
+  // Calls visit(index, place) for each neighbour of a voxel.
   template <typename Visit>
   void ForEachNeighbour(int index, const Visit& visit) const {
     std::array<int, 3> at = PlaceOf(index);
@@ -81,8 +82,8 @@ struct MedialCell::VoxelGrid {
     }
   }
 
-  // The voxels of the largest part of those that are free, in which two
-  // neighbours belong together if are_connected(i, j).
+  // Returns the largest connected set of free voxels, in ascending order, where
+  // two neighbours are connected if are_connected(i, j).
   template <typename IsFree, typename AreConnected>
   std::vector<int> LargestPart(const IsFree& is_free,
                                const AreConnected& are_connected) const {
@@ -110,8 +111,8 @@ struct MedialCell::VoxelGrid {
     return largest;
   }
 
-  // Fills in `nearest` from the voxels `part`, outwards, until it is known of
-  // the voxels `wanted`.
+  // Sets `nearest`, outwards from the voxels `part`, until it is known for all
+  // voxels in `wanted`.
   void SpreadFrom(const std::vector<int>& part, std::set<int> wanted) {
     using Entry = std::pair<double, int>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
@@ -196,7 +197,7 @@ double MedialCell::DistanceDownTo(double depth, const RowVector3d& p) const {
     const double limit = std::min(options_.range, depth + margin / 2);
     distance = std::max(distance, margin / 2 - bone->At(p, limit));
   }
-  // Deep in the muscle, only what reaches as deep can bound the cell.
+  // Deep in the muscle, only muscles that extend as deep bound the cell.
   const double limit = std::clamp(
       muscle_.UpperBound(p) + margin + 2 * depth, 0.0, options_.range);
   double own = 0;
@@ -218,7 +219,8 @@ double MedialCell::RegionDistance(const RowVector3d& p) const {
 }
 
 double MedialCell::RegionDistance(const RowVector3d& p, double own) const {
-  // Farther outside, the own distance is enough for the sum with others.
+  // Farther outside, the muscle's own distance makes the sum with other muscles
+  // large enough.
   return own >= options_.range + options_.margin
              ? own
              : std::max(own, SignedDistance(p));
@@ -241,7 +243,7 @@ bool MedialCell::IsPathFree(const RowVector3d& a,
                             const RowVector3d& b,
                             double distance_b) const {
   const double length = (b - a).norm();
-  // The signed distance grows by no more than the way.
+  // The signed distance grows at most by the length of the path.
   if (distance_a + distance_b <= -length || length < options_.thinnest_wall) {
     return true;
   }
@@ -253,11 +255,10 @@ bool MedialCell::IsPathFree(const RowVector3d& a,
 
 MedialCell::VoxelGrid MedialCell::SampledVoxels() const {
   VoxelGrid grid(muscle_.mesh().bvh().box(), options_.voxel_size);
-  // Parts of the muscle thinner than a voxel are connected by the voxels beside
-  // them.
+  // Voxels next to the muscle connect parts of it thinner than a voxel.
   grid.distance.assign(grid.count(), 1);
   const double voxel = grid.voxel_size;
-  // The path between two neighbours is free if one is deeper than its length.
+  // The path to a neighbour is free if the voxel is deeper than its length.
   const double depth = 1.01 * voxel;
 #pragma omp parallel for schedule(dynamic, 256)
   for (int i = 0; i < grid.count(); ++i) {
@@ -286,7 +287,7 @@ void MedialCell::FindMainPart(const Points& points, VoxelGrid* grid) const {
 RowVector3d MedialCell::Border(const RowVector3d& q,
                                double distance_q,
                                const RowVector3d& p) const {
-  // Sphere tracing: the signed distance tells how far the path is free.
+  // Sphere tracing: the path is free for the length of the signed distance.
   constexpr double kTolerance = 1e-4;  // mm
   const double way = (p - q).norm();
   double at = 0;

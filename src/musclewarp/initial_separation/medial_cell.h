@@ -12,70 +12,70 @@
 namespace musclewarp {
 
 struct MedialCellOptions {
-  // Kept between two cells, and from bones, half of it by each side, mm. Twice
-  // StepOptions::gap, so that the steps that follow find room.
+  // The distance kept between two cells, mm; each cell keeps half of it from
+  // bones. Twice StepOptions::gap, so that the subsequent steps have room.
   double margin = 0.2;
 
-  // The size of the voxels that tell which parts of a cell are connected, mm.
-  // With larger voxels a scene is prepared faster, but muscles are moved
-  // farther.
+  // The size of the voxels for the connectivity of a cell, mm. Larger voxels
+  // make the preparation of a scene faster, but move muscles farther.
   double voxel_size = 1.5;
 
   // Surfaces farther away than this do not bound the cell, mm.
   double range = 3;
 
-  // A straight path between two voxels is tested down to pieces of this length,
-  // mm: plates thinner than that may be passed through. A plate of 0.25 mm is
-  // found (tests/certified_contact/medial_cell_test.cc).
+  // Straight paths between voxels are tested down to segments of this length,
+  // mm; they may pass through thinner plates. A plate of 0.25 mm is found
+  // (tests/initial_separation/medial_cell_test.cc).
   double thinnest_wall = 0.2;
 
   bool IsValid(std::string* error) const;
 };
 
-// The part of space that belongs to a muscle where meshes overlap as they are
-// delivered: everything that is outside all bones and deeper in this muscle
-// than in any other. Between two muscles that overlap, their cells meet at the
-// common medial surface, so that both can come to lie on it without pushing
-// each other to and fro. What a thin bone cuts off from the largest connected
-// part does not belong to the cell: the muscle stays on the side of its bulk.
+// The part of space that belongs to a muscle where delivered meshes overlap:
+// all points that are outside all bones and deeper in this muscle than in any
+// other. The cells of two overlapping muscles meet at their common medial
+// surface, so that both can come to lie on it without pushing each other back
+// and forth. A part that a thin bone cuts off from the largest connected part
+// does not belong to the cell: the muscle stays on the side of its bulk.
 //
 //   const MedialCell cell(options, psoas, {&iliacus}, {&femur, &pelvis});
 //   const Points apart = cell.Project(psoas.mesh().points());
 class MedialCell {
  public:
-  // Keeps references to all of them. Precondition (CHECKed): the options are
+  // Keeps references to all surfaces. Precondition (CHECKed): the options are
   // valid.
   MedialCell(const MedialCellOptions& options,
              const SolidDistance& muscle,
              std::vector<const SolidDistance*> other_muscles,
              std::vector<const SolidDistance*> bones);
 
-  // Returns the signed distance of a point to the cell, mm: above zero, how far
-  // it is beyond the surface of a bone or a medial surface; below zero, how far
-  // it is from them, at most the range. The muscle's own surface does not bound
-  // the cell. It changes by no more than the way between two points.
+  // Returns the signed distance of a point to the cell, mm: positive by its
+  // distance beyond the surface of a bone or a medial surface, negative by its
+  // distance from them, which is cut off at the range. The muscle's own surface
+  // does not bound the cell. The Lipschitz constant of this function is 1.
   double SignedDistance(const Eigen::RowVector3d& p) const;
 
-  // The same, with the muscle's own surface as a bound of the cell too: the
-  // region that the muscle may fill. The functions of two muscles add up to
-  // half the margin or more at every place.
+  // Returns the signed distance to the region that the muscle may fill: the
+  // cell, also bounded by the muscle's own surface. At every point, the sum of
+  // these functions of two muscles is at least half the margin.
   double RegionDistance(const Eigen::RowVector3d& p) const;
 
-  // The same with a distance to the muscle's surface, `own`, that is given and
-  // may be less than it is: the region then reaches farther within the cell.
+  // Returns the same with `own` as the distance to the muscle's surface, which
+  // may be less than the true one: the region then extends farther within the
+  // cell.
   double RegionDistance(const Eigen::RowVector3d& p, double own) const;
 
-  // Returns the direction in which the signed distance falls, of unit length;
-  // zero where no surface is near.
+  // Returns the unit vector along which the signed distance decreases; zero
+  // where no surface is near.
   Eigen::RowVector3d Inward(const Eigen::RowVector3d& p) const;
 
-  // Returns the vertices of the muscle (#V x 3, mm, in the places of its mesh),
-  // of which those outside the cell, or in a part that is cut off, are moved to
-  // its border near them.
+  // Returns the vertices of the muscle (#V x 3, mm, at the positions of its
+  // mesh). Vertices outside the cell, or in a part that is cut off, are moved
+  // to the boundary of the cell nearby.
   Points Project(const Points& points) const;
 
-  // The same for several muscles. It takes less time than one after the other,
-  // as work that cannot be divided is done for several of them at once.
+  // Projects the vertices of several muscles. This is faster than one call for
+  // each, since work that cannot be divided runs for several muscles at once.
   // Precondition (CHECKed): there are points for every cell.
   static std::vector<Points> Project(
       const std::vector<const MedialCell*>& cells,
@@ -84,29 +84,29 @@ class MedialCell {
  private:
   struct VoxelGrid;
 
-  // Returns the signed distance, or -depth where it is below that, which takes
-  // less time the less depth is asked for.
+  // Returns the signed distance, or -depth where it is below that. A smaller
+  // depth takes less time.
   double DistanceDownTo(double depth, const Eigen::RowVector3d& p) const;
 
-  // Returns voxels over the muscle with their signed distances to the cell, as
-  // far as they say whether the paths between neighbours are free.
+  // Returns voxels that cover the muscle with their signed distances to the
+  // cell, down to the depth at which paths to neighbours are certainly free.
   VoxelGrid SampledVoxels() const;
 
-  // Finds for the voxel of each point the nearest one in the largest connected
-  // part.
+  // Finds, for the voxel of each point, the nearest voxel in the largest
+  // connected part.
   void FindMainPart(const Points& points, VoxelGrid* grid) const;
 
   Points Project(const Points& points, const VoxelGrid& grid) const;
 
-  // True if the straight path between two points in the cell stays in it; the
-  // signed distances are those of the points.
+  // Returns true if the segment between two points in the cell stays in it.
+  // `distance_a` and `distance_b` are the signed distances of the points.
   bool IsPathFree(const Eigen::RowVector3d& a,
                   double distance_a,
                   const Eigen::RowVector3d& b,
                   double distance_b) const;
 
-  // Returns the point where the path from `q`, in the cell, towards `p` meets
-  // its border.
+  // Returns the point where the segment from `q`, in the cell, towards `p`
+  // meets the boundary of the cell.
   Eigen::RowVector3d Border(const Eigen::RowVector3d& q,
                             double distance_q,
                             const Eigen::RowVector3d& p) const;

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::RowVector3d;
 
-// Of the samples, mm.
+// The spacing of the samples, mm.
 constexpr double kSpacing = 3;
 
 double SearchedDistance(const SearchableMesh& mesh, const RowVector3d& p) {
@@ -20,8 +20,8 @@ double SearchedDistance(const SearchableMesh& mesh, const RowVector3d& p) {
                                                                     : distance;
 }
 
-// True if a sample is the distance itself. It is less than the distance in
-// magnitude elsewhere.
+// Returns true if a sample is the exact distance. Other samples are smaller in
+// magnitude than the distance.
 bool IsExact(double sample) { return std::abs(sample) <= 2 * kSpacing; }
 
 }  // namespace
@@ -38,14 +38,14 @@ double SolidDistance::At(const RowVector3d& p, double limit) const {
   double farthest = kInfinity;
   const std::int64_t nearest = samples_.NearestTo(p);
   if (nearest >= 0) {
-    // A way shorter than the distance does not reach the surface.
+    // A path shorter than the distance does not reach the surface.
     const double sample = samples_.value(nearest);
     const double way = (p - samples_.Position(nearest)).norm();
     if (sample - way >= limit) return limit;
     is_known = way < std::abs(sample);
     is_inside = sample < 0;
-    // The surface is no farther than it is from the sample, if that is exact.
-    // More than rounding is added, so that the nearest triangle is found.
+    // An exact sample bounds the distance to the surface from above. A margin
+    // above rounding ensures that the nearest triangle is found.
     if (IsExact(sample)) {
       farthest = (std::abs(sample) + way) * (1 + 1e-9) + 1e-9;
     }

@@ -9,24 +9,24 @@
 
 namespace musclewarp {
 
-// The signed distance to a closed surface, mm: negative inside. Samples of it
-// tell for most places, without a search, that they are far from the surface,
-// or on which side of it they are.
+// The signed distance to a closed surface, mm: negative inside. For most
+// positions, cached samples show without a search that the position is far from
+// the surface, or on which side it is.
 //
 //   const SolidDistance distance(femur);
 //   if (distance.At(p, /*limit=*/3) < 0) ...  // p is inside
 class SolidDistance {
  public:
-  // Samples the distance to a mesh where that is asked for. Keeps a reference:
-  // the mesh must neither move nor go away.
+  // Samples the distance to a mesh on demand. Keeps a reference: the mesh must
+  // neither move nor be destroyed.
   explicit SolidDistance(const SearchableMesh& mesh);
 
-  // Returns the signed distance of a place. Places farther outside than the
-  // limit have the limit; inside it is always exact.
+  // Returns the signed distance of a position, cut off at `limit` (mm) outside;
+  // inside it is always exact.
   double At(const Eigen::RowVector3d& p, double limit) const;
 
-  // Returns an upper bound of the signed distance that needs no search;
-  // infinity where the samples tell nothing.
+  // Returns an upper bound of the signed distance without a search; infinity
+  // where the samples give none.
   double UpperBound(const Eigen::RowVector3d& p) const;
 
   const SearchableMesh& mesh() const { return mesh_; }

@@ -18,7 +18,7 @@ namespace {
 constexpr double kShortestStep = 1e-3, kLongestStep = 100;  // mm
 constexpr double kFarthestVoxel = 1e7;  // mm, as for the points of meshes
 
-// The sine of the angle between steps, at least: less is no space.
+// The smallest sine of the angle between steps that span a space.
 constexpr double kLeastSpan = 1e-3;
 
 std::string SizeText(const ImageGrid& grid) {
@@ -50,7 +50,7 @@ void CheckGrid(const std::string& path, const ImageGrid& grid) {
                          "along each axis",
                      kCopyAgain);
   }
-  // As real numbers, whose product does not overflow.
+  // The product of doubles does not overflow.
   if (grid.size.cast<double>().prod() > static_cast<double>(kMostVoxels)) {
     throw InputError(
         path,

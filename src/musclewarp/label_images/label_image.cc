@@ -34,15 +34,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the values of a file become: slope * value + intercept.
+// The transformation of the values of a file: slope * value + intercept.
 struct Rescale {
   double slope = 1, intercept = 0;
 
   bool IsAny() const { return slope != 1 || intercept != 0; }
 };
 
-// The library of VTK for MetaImage prints its errors and returns as if there
-// were none. As long as this lives, they are kept.
+// Keeps messages that are printed to std::cerr during its lifetime. VTK's
+// library for MetaImage prints errors there, and returns as if there were none.
 class StandardErrorCatcher {
  public:
   StandardErrorCatcher() : previous_(std::cerr.rdbuf(text_.rdbuf())) {}
@@ -59,7 +59,7 @@ class StandardErrorCatcher {
   std::streambuf* previous_;
 };
 
-// Lets VTK do `read` and throws InputError if it complains.
+// Calls `read` and throws InputError if VTK reports an error.
 template <typename Read>
 void WithVtkErrors(const std::string& path, const Read& read) {
   std::string error;
@@ -118,8 +118,8 @@ void CheckIsImageFile(const std::string& path) {
             "made on");
 }
 
-// Sets the labels to the values `value_of` the voxels. Those of a file in
-// floating point, or with a scale, may not be whole by a little.
+// Sets the labels to the values of the voxels. Values in floating point, or
+// with a scale, may deviate slightly from integers.
 template <typename ValueOf>
 void SetLabels(const ValueOf& value_of,
                LabelImage* image,
@@ -149,8 +149,8 @@ void SetLabels(const ValueOf& value_of,
   image->notes.push_back(note.str());
 }
 
-// Copies the voxels. VTK may have taken the first axis for components, which
-// does not change their order.
+// Copies the voxels. VTK may have interpreted the first axis as components,
+// which does not change their order.
 void TakeLabels(vtkImageReader2* reader,
                 const Rescale& rescale,
                 LabelImage* image) {
@@ -173,7 +173,7 @@ void TakeLabels(vtkImageReader2* reader,
   SetLabels(value_of, image, rescale);
 }
 
-// What a unit of length of a NIfTI file is in mm; `unstated` if it has none.
+// Returns the unit of length of a NIfTI file in mm; `unstated` if it has none.
 double NiftiUnit(const vtkNIFTIImageHeader& header, double unstated) {
   constexpr int kLengthMask = 7, kMetre = 1, kMillimetre = 2, kMicrometre = 3;
   const int unit =

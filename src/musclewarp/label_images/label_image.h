@@ -9,8 +9,8 @@
 
 namespace musclewarp {
 
-// An image whose voxels hold whole numbers, the labels of what is there; 0 is
-// the background.
+// An image whose voxels are integers, the labels of structures; 0 is the
+// background.
 struct LabelImage {
   std::string path;
   ImageGrid grid;
@@ -18,7 +18,7 @@ struct LabelImage {
   // The label of voxel (i, j, k), >= 0, is at (k * size[1] + j) * size[0] + i.
   std::vector<int> labels;
 
-  // What the user has to know of how the file was read.
+  // Remarks for the user about the reading of the file.
   std::vector<std::string> notes;
 };
 
@@ -26,21 +26,21 @@ struct LabelImage {
 // .mhd) with the readers of VTK, NRRD (.nrrd, .nhdr; nrrd_header.h) and images
 // of FreeSurfer (.mgz, .mgh; mgh_image.h).
 //
-// Places are in millimetres and in LPS, whatever the format has. What VTK does
-// not read of the frame is taken from the header
-// (meta_image_header.h). NIfTI files are turned from RAS; of their two
-// transforms the sform is taken if it is set, otherwise the qform, as nibabel
-// does, and a note says so if they differ. A file with neither is not oriented,
-// and a note says so. Slope and intercept of NIfTI are applied.
+// Positions are in millimetres and in LPS, regardless of the format. The parts
+// of the frame that VTK does not read are taken from the header
+// (meta_image_header.h). NIfTI files are converted from RAS; of their two
+// transforms the sform is used if it is set, otherwise the qform, as in
+// nibabel, and a note reports a difference between them. A file with neither is
+// not oriented, which a note reports. Slope and intercept of NIfTI are applied.
 //
-// `mm_per_unit` is the unit of files that do not state one, as MetaImage never
-// does.
+// `mm_per_unit` is the unit of files that state none, as MetaImage files never
+// do.
 //
-// Throws InputError, which names the file, for one that is missing, empty,
-// damaged or truncated, that has more than kMostVoxels, more than one number a
-// voxel or more than three dimensions, and for labels that are not whole
-// numbers from 0 to 2147483647 (the message has the value and the voxel).
-// Values within 1e-3 of one are that label, and a note says so.
+// Throws InputError, which names the file, if it is missing, empty, damaged or
+// truncated, has more than kMostVoxels, several numbers per voxel or more than
+// three dimensions, or has labels that are not integers from 0 to 2147483647
+// (the message has the value and the voxel). Values within 1e-3 of an integer
+// are rounded, which a note reports.
 LabelImage ReadLabelImage(const std::string& path, double mm_per_unit = 1);
 
 }  // namespace musclewarp

@@ -37,7 +37,7 @@ bool IsLabelImageFile(const std::string& path) {
 void CheckIsMeshOrImage(const std::string& path) {
   const std::string extension =
       std::filesystem::path(MeshFileOf(path)).extension().string();
-  // Its reader says what .vtp needs.
+  // The reader of .vtp files states their requirements.
   const bool is_mesh =
       IsMeshExtension(extension) || LowerCase(extension) == ".vtp";
   if (is_mesh || IsLabelImageFile(path)) return;

@@ -6,16 +6,16 @@
 
 namespace musclewarp {
 
-// True if a file is a label image by its name: .nii, .nii.gz, .img or .hdr
-// (.gz), .nrrd (with it .seg.nrrd), .nhdr, .mha, .mhd, .mgz or .mgh, in any
-// case. Nothing is read.
+// Returns true if the name of a file is that of a label image: .nii, .nii.gz,
+// .img or .hdr (.gz), .nrrd (including .seg.nrrd), .nhdr, .mha, .mhd, .mgz or
+// .mgh, in upper or lower case. Does not read the file.
 bool IsLabelImageFile(const std::string& path);
 
-// Throws InputError that lists the formats of both unless a file is a mesh
-// (mesh_io.h) or a label image by its name.
+// Throws InputError, listing the formats of both, unless the name of a file is
+// that of a mesh (mesh_io.h) or of a label image.
 void CheckIsMeshOrImage(const std::string& path);
 
-// Throws InputError, with the place `path`, if this build reads no label images
+// Throws InputError, naming `path`, if this build cannot read label images
 // because it was built without VTK.
 void CheckLabelImagesAreRead(const std::string& path);
 

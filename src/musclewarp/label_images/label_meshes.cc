@@ -24,21 +24,22 @@ namespace musclewarp {
 #ifdef MUSCLEWARP_WITH_VTK
 namespace {
 
-// More without a table is no segmentation, but an image.
+// An image with more labels, and without a table, is not a segmentation.
 constexpr std::size_t kMostLabels = 1000;
 
-// The edges of triangles, in edges of a cube with the volume of a voxel.
+// The default edge length of triangles, in edges of a cube with the volume of a
+// voxel.
 constexpr double kEdgesOfVoxel = 2;
 
-// Larger boxes take more memory than machines have: some 20 bytes a voxel.
+// Larger boxes take too much memory: about 20 bytes per voxel.
 constexpr double kMostBoxVoxels = 3e8;
 
-// A smaller share of a label that is lost is not worth a note.
+// Losses of a smaller share of a label are not reported.
 constexpr double kLostWorthANote = 0.02;
 
 using Boxes = std::map<int, LabelBox>;
 
-// Returns a row for every label of the image, for want of a table.
+// Returns a row for every label of the image, which replaces the table.
 std::vector<LabelEntry> EntriesOf(const LabelImage& image, const Boxes& boxes) {
   if (boxes.size() > kMostLabels) {
     throw InputError(
@@ -82,8 +83,8 @@ std::string LabelsText(const std::vector<LabelEntry>& entries,
                                  "s: " + ShortList(texts);
 }
 
-// Returns the rows of the table whose labels the image has, by label. What one
-// of them has and the other has not goes to `notes`.
+// Returns the rows of the table whose labels occur in the image, by label. Adds
+// labels that occur in only one of them to `notes`.
 std::vector<LabelEntry> EntriesInBoth(const LabelImage& image,
                                       const Boxes& boxes,
                                       const std::string& table,
@@ -126,8 +127,8 @@ std::string Cm3(double volume) {
   return text.str();
 }
 
-// Makes the meshes of a label, and says what is left out, filled or taken
-// apart.
+// Makes the meshes of a label, with notes on pieces that are left out or
+// separated and on cavities that are filled.
 class MeshesOfLabel {
  public:
   MeshesOfLabel(const LabelImage& image,
@@ -140,7 +141,7 @@ class MeshesOfLabel {
         voxel_(image.grid.VoxelVolume()),
         notes_(notes) {}
 
-  // How many voxels the largest piece has, with its cavities.
+  // Returns the number of voxels of the largest piece, including cavities.
   std::int64_t LargestPiece(const LabelBox& box) const {
     CheckBoxFits(box);
     return PiecesOfLabel(image_, entry_.label, box).regions[0].voxels;
@@ -167,7 +168,7 @@ class MeshesOfLabel {
                                    : entry_.name + "_" + std::to_string(i + 1);
       meshes.push_back(MeshOf(pieces.regions[i], name));
     }
-    // What is no mesh of its own is missing from the largest.
+    // Voxels of pieces that do not become meshes count as lost by the largest.
     meshes[0].delivered_volume += static_cast<double>(left_out) * voxel_;
     return meshes;
   }
@@ -178,7 +179,7 @@ class MeshesOfLabel {
                       text);
   }
 
-  // The place in messages.
+  // Returns the place that messages name.
   std::string Where(const std::string& name) const {
     return image_.path + ": label " + std::to_string(entry_.label) + " (" +
            name + ")";
@@ -267,8 +268,7 @@ constexpr char kLeaveOut[] =
     "leave them out by {labels}=TABLE, a table of the other labels (lines such "
     "as 3,femur,bone), or remove them from the image";
 
-// Throws InputError that names all labels that are too small for a surface,
-// rather than the first one.
+// Throws InputError that names all labels that are too small for a surface.
 void CheckAreLargeEnough(const LabelImage& image,
                          const Boxes& boxes,
                          const std::vector<LabelEntry>& entries) {
@@ -294,7 +294,7 @@ void CheckAreLargeEnough(const LabelImage& image,
                    kLeaveOut);
 }
 
-// Names the segments of the file (.seg.nrrd) that have no voxels.
+// Adds a note about the segments of the file (.seg.nrrd) without voxels.
 void NoteEmptySegments(const LabelImage& image,
                        const Boxes& boxes,
                        std::vector<std::string>* notes) {
@@ -312,7 +312,7 @@ void NoteEmptySegments(const LabelImage& image,
                    ", but without voxels: " + LabelsText(empty, "segment"));
 }
 
-// Throws InputError for the labels of which no surface could be made.
+// Throws InputError for the labels for which no surface could be made.
 void ThrowRefused(const LabelImage& image,
                   const std::vector<InputError>& refused) {
   if (refused.empty()) return;

@@ -19,38 +19,38 @@ struct LabelMesh {
   LabelEntry entry;      // the row of the table, or what stands in for it
   TriangleSoup mesh;     // mm, closed, outward oriented, one piece
 
-  // Of the voxels from which the mesh was made, with cavities but without the
-  // pieces that were left out, and of the mesh, mm^3.
+  // The volumes (mm^3) of the voxels from which the mesh was made, including
+  // cavities but not the pieces that were left out, and of the mesh.
   double voxel_volume = 0;
   double volume = 0;
 
-  // Of the same voxels and of those that were left out, mm^3: what the mesh
-  // would hold if nothing were lost.
+  // The volume of the same voxels and of those that were left out, mm^3: the
+  // volume that the mesh would have if nothing were lost.
   double delivered_volume = 0;
 };
 
-// What becomes of a label with several pieces (label_regions.h).
+// The treatment of a label with several pieces (label_regions.h).
 enum class PieceChoice {
   kLargest,  // the largest becomes a mesh; the others are left out
   kAll,      // each becomes a mesh: "femur_1", "femur_2", the largest first
 };
 
-// What a label image and a table give.
+// The result of ReadLabelMeshes().
 struct LabelMeshes {
   std::vector<LabelMesh> meshes;  // by label
 
   // The frame of the points: "LPS" (+x left, +y back, +z head), or "of the
-  // file" if it does not say.
+  // file" if the file does not state it.
   std::string frame;
 
-  // What was left out, filled or not found, each a sentence for the user.
+  // Sentences for the user about parts that were left out, filled or not found.
   std::vector<std::string> notes;
 };
 
 struct LabelMeshOptions {
-  // The table of labels (label_table.h). Labels that it does not have are left
-  // out. Empty: every label but 0 is taken, under the name that the file has
-  // for it (.seg.nrrd) or else as "label_<number>".
+  // The path of the table of labels (label_table.h). Labels that it does not
+  // contain are left out. Empty: all labels except 0 are used, with their names
+  // in the file (.seg.nrrd) or else "label_<number>".
   std::string table;
 
   // The length of the edges of triangles, mm; 0: twice the edge of a cube with
@@ -59,7 +59,7 @@ struct LabelMeshOptions {
 
   PieceChoice pieces = PieceChoice::kLargest;
 
-  // Returns the choice for one label; empty: `pieces` is that of all.
+  // Returns the choice for a label; if empty, `pieces` applies to all.
   std::function<PieceChoice(const LabelEntry&)> pieces_of;
   double mm_per_unit = 1;  // of an image that does not state its unit
 };
@@ -67,10 +67,10 @@ struct LabelMeshOptions {
 // Reads a label image (label_image.h) and makes a mesh of each label, with
 // cavities filled (label_regions.h, label_surface.h).
 //
-// Throws InputError for what these refuse, for an image in which no label of
-// the table occurs, or only 0, or more than 1000 different labels without a
-// table, and in a build without VTK. Precondition: IsLabelImageFile(path); the
-// edge length is not negative.
+// Throws InputError as these do, for an image that has none of the labels of
+// the table, only label 0, or more than 1000 different labels without a table,
+// and in a build without VTK. Preconditions: IsLabelImageFile(path); the edge
+// length is not negative.
 LabelMeshes ReadLabelMeshes(const std::string& path,
                             const LabelMeshOptions& options);
 

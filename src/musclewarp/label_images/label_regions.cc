@@ -8,10 +8,10 @@
 namespace musclewarp {
 namespace {
 
-// What is known of a voxel. From kFirstPiece on it is the piece that it is of.
+// The state of a voxel. Values from kFirstPiece on are its piece.
 enum Mark : int { kBackground, kOfLabel, kOutside, kFirstPiece };
 
-// Voxels in a box, and what is known of them.
+// The states of the voxels in a box.
 struct Marks {
   explicit Marks(const Eigen::Array3i& box_size)
       : size(box_size),
@@ -30,8 +30,8 @@ struct Marks {
   std::vector<int> marks;
 };
 
-// Gives the voxels that have the mark `from`, and to which a way through faces
-// leads from `seed`, the mark `to`. Returns their box.
+// Changes the mark `from` to `to` for all voxels that are connected to `seed`
+// through faces of voxels with that mark. Returns their box.
 LabelBox Flood(std::int64_t seed, int from, int to, Marks* marks) {
   const Eigen::Array3i& size = marks->size;
   std::vector<std::int64_t> front = {seed};
@@ -76,14 +76,14 @@ Marks MarksOfLabel(const LabelImage& image, int label, const LabelBox& box) {
   return marks;
 }
 
-// A piece among the voxels of a label, and its mark.
+// A piece of a label, with its mark and box.
 struct Piece {
   int mark = kFirstPiece;
   LabelBox box;
 };
 
 // Returns the region of a piece, with a margin and without cavities. `first` is
-// the place of the voxels in the image.
+// the index of the first of `voxels` in the image.
 LabelRegion RegionOf(const Marks& voxels,
                      const Piece& piece,
                      const Eigen::Array3i& first) {
@@ -118,7 +118,7 @@ std::map<int, LabelBox> BoxesOfLabels(const LabelImage& image) {
   std::map<int, LabelBox> boxes;
   const Eigen::Array3i& size = image.grid.size;
   std::int64_t at = 0;
-  // Labels come in rows, so that the last box is most often the next one.
+  // Labels come in runs, so that the next voxel usually has the same box.
   int last_label = 0;
   LabelBox* last = nullptr;
   for (int k = 0; k < size[2]; ++k) {
@@ -160,7 +160,7 @@ LabelPieces PiecesOfLabel(const LabelImage& image,
         return a.box.voxels > b.box.voxels;
       });
   for (const Piece& piece : pieces) {
-    // With its cavities: a thin bark may hold much.
+    // Cavities count: a thin shell may enclose many voxels.
     LabelRegion region = RegionOf(marks, piece, box.lowest);
     if (region.voxels < kFewestVoxels && !result.regions.empty()) {
       ++result.small_pieces;

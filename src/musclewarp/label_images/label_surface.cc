@@ -32,24 +32,24 @@ namespace {
 
 constexpr double kSmoothing = 0.7;  // standard deviation, voxels
 
-// The Gaussian ends there: 3e-5 of it lies beyond.
+// The Gaussian is cut off there: 3e-5 of it lies beyond.
 constexpr double kSmoothingReach = 4;  // standard deviations
 
-// The levels that are tried. Beyond them the surface is more than a voxel off.
+// The range of levels. Beyond it the surface is more than a voxel off.
 constexpr double kLowestLevel = 0.15, kHighestLevel = 0.85;
 constexpr int kLevelSteps = 12;
 constexpr double kVolumeAccuracy = 2e-4;
 
-// How far the voxels of thin parts are raised above the level: a tendon of one
-// voxel, beside which the smoothed region has a value of 0.1, then becomes 0.8
-// voxels thick.
+// The amount by which the voxels of thin parts are raised above the level: a
+// tendon of one voxel, next to which the smoothed region has the value 0.1,
+// then becomes 0.8 voxels thick.
 constexpr double kRaised = 0.25;
 
-// A larger share of a region that is lost makes it a failure.
+// The largest share of a region that may be lost.
 constexpr double kMostLost = 0.5;
 
-// The steps that bring the volume back after the triangles were made even.
-// Each leaves a few per cent of the error.
+// The steps that restore the volume after remeshing. Each leaves a few per cent
+// of the error.
 constexpr int kVolumeSteps = 3;
 
 // Returns the smoothed region: 1 deep inside, 0 far outside.
@@ -70,8 +70,8 @@ vtkSmartPointer<vtkImageData> Smoothed(const LabelRegion& region) {
   return smooth->GetOutput();
 }
 
-// Returns where an image has a level, outward oriented, in steps of voxels from
-// the first voxel of the region.
+// Returns the level set of an image, outward oriented, in voxels from the first
+// voxel of the region.
 TriangleSoup LevelSet(vtkImageData* image, double level) {
   vtkNew<vtkFlyingEdges3D> edges;
   edges->SetInputData(image);
@@ -107,8 +107,8 @@ struct Level {
   TriangleSoup soup;
 };
 
-// Returns the level set that has the volume of the voxels, as nearly as levels
-// allow. A higher level has a smaller volume.
+// Returns the level set with the volume of the voxels, as nearly as levels
+// permit. A higher level has a smaller volume.
 Level LevelWithVolume(vtkImageData* image, double volume) {
   double low = kLowestLevel, high = kHighestLevel;
   Level level;
@@ -123,7 +123,8 @@ Level LevelWithVolume(vtkImageData* image, double volume) {
   return level;
 }
 
-// The same with thin parts, whose voxels are raised above the level.
+// Returns the level set with this volume that includes thin parts, whose voxels
+// are raised above the level.
 TriangleSoup LevelSetWithThinParts(const LabelRegion& region) {
   const double volume = static_cast<double>(region.voxels);
   const vtkSmartPointer<vtkImageData> image = Smoothed(region);
@@ -140,8 +141,8 @@ TriangleSoup LevelSetWithThinParts(const LabelRegion& region) {
   return LevelWithVolume(image, volume).soup;
 }
 
-// Moves all vertices along their normals by the same distance, until the mesh
-// has a volume.
+// Moves all vertices along their normals by a common distance, so that the mesh
+// has the given volume.
 void RestoreVolume(double volume, TriangleSoup* soup) {
   for (int step = 0; step < kVolumeSteps; ++step) {
     Points normals = Points::Zero(soup->points.rows(), 3);

@@ -14,9 +14,9 @@ namespace musclewarp {
 struct LabelSurface {
   TriangleSoup mesh;  // mm, closed, outward oriented, one piece
 
-  // The volume of the mesh, and what of the region it lacks, mm^3: parts that
-  // are so thin, or hang on the rest by so little, that the smoothed surface
-  // does not hold them.
+  // The volume of the mesh, and the volume of the region that it lacks, mm^3:
+  // parts that are too thin, or too thinly connected, for the smoothed surface
+  // to include them.
   double volume = 0;
   double lost_volume = 0;
 };
@@ -24,23 +24,22 @@ struct LabelSurface {
 // Returns the surface of a region in the frame of the image, with triangles
 // whose edges are about `edge_length` mm long.
 //
-// The region is smoothed by a Gaussian of 0.7 voxels along each axis, which
-// takes the stairs off, and the surface is where the smoothed region has a
-// certain level (vtkImageGaussianSmooth, vtkFlyingEdges3D). Smoothing moves the
-// level 0.5 inward where the surface is round; the level is therefore chosen
-// such that the volume is that of the voxels. The usual pair of
-// vtkDiscreteFlyingEdges3D and vtkWindowedSincPolyDataFilter cuts edges: on a
-// flat muscle (the subscapularis at 1 mm) it loses 1.2 % of the volume. And a
-// level of a smooth function does not cross itself.
+// The region is smoothed by a Gaussian with a standard deviation of 0.7 voxels
+// along each axis, which removes the staircase, and the surface is a level set
+// of the smoothed region (vtkImageGaussianSmooth, vtkFlyingEdges3D). Smoothing
+// moves the level 0.5 inward where the surface is convex; the level is
+// therefore chosen so that the volume is that of the voxels. The usual pair of
+// vtkDiscreteFlyingEdges3D and vtkWindowedSincPolyDataFilter cuts edges: it
+// loses 1.2 % of the volume of a flat muscle (the subscapularis at 1 mm).
+// Moreover, a level set of a smooth function does not cross itself.
 //
-// The triangles are then made even (RemeshedWithoutCrossings), and the vertices
-// moved along their normals, all by the same small distance, to where the
-// volume is that from before. Where a part is not thicker than an edge, as a
-// tendon of two voxels, it keeps the small triangles of the level, so that none
-// cross.
+// The triangles are then made uniform (RemeshedWithoutCrossings), and all
+// vertices move along their normals by the same small distance, which restores
+// the volume. A part that is no thicker than an edge, such as a tendon of two
+// voxels, keeps the small triangles of the level set, so that none cross.
 //
-// Throws InputError with `where` as its place for a region with fewer than
-// kFewestVoxels, and one that is so thin that half of it is lost. Precondition
+// Throws InputError, naming `where`, for a region with fewer than kFewestVoxels
+// voxels, and for one that is so thin that half of it is lost. Precondition
 // (CHECKed): the edge length is above zero.
 LabelSurface SurfaceOfRegion(const std::string& where,
                              const LabelRegion& region,

@@ -21,13 +21,13 @@ using Cells = std::vector<std::string>;
 constexpr char kTableAdvice[] =
     "write lines such as 3,femur,bone (docs/separate.md)";
 
-// The places of the columns in a line; -1 for one that is not there.
+// The indices of the columns in a line; -1 for a column that is missing.
 struct Columns {
   int label = 0, name = 1, kind = 2;
   int bone = -1, side = -1, body = -1, origin = -1, insertion = -1;
 };
 
-// Within quotes, two of them are one.
+// Returns a text from within quotes, in which two quotes stand for one.
 std::string WithSingleQuotes(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -37,7 +37,8 @@ std::string WithSingleQuotes(std::string_view text) {
   return out;
 }
 
-// The text without blanks around it, and without the quotes around that.
+// Returns a text without surrounding blanks, and without the quotes within
+// these.
 std::string CellText(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r";
   const std::size_t begin = text.find_first_not_of(kBlanks);
@@ -49,7 +50,7 @@ std::string CellText(std::string_view text) {
   return std::string(text);
 }
 
-// Splits a line. Separators within quotes are text.
+// Splits a line at separators, except those within quotes.
 Cells CellsOf(std::string_view line, char separator) {
   Cells cells;
   std::string cell;
@@ -78,7 +79,7 @@ bool AreNumbers(const Cells& cells, std::size_t begin, std::size_t end) {
   return std::all_of(cells.begin() + begin, cells.begin() + end, IsNumber);
 }
 
-// The name of a column, as it is compared.
+// Returns the name of a column in the form used for comparison.
 std::string ColumnName(const std::string& cell) {
   std::string name;
   for (const char letter : LowerCase(cell)) {
@@ -127,8 +128,9 @@ class TableReader {
     ReadWords(CellsOf(line, ' '));
   }
 
-  // Takes the separator that a first line "sep=;" names, as Excel knows it, and
-  // returns true for such a line; or else the one that gives most columns.
+  // Sets the separator that a first line "sep=;" names, a convention of Excel,
+  // and returns true for such a line. Otherwise sets the separator that results
+  // in the most columns.
   bool TakeSeparator(const std::string& line) {
     constexpr std::string_view kNamed = "sep=";
     const std::string word = CellText(line);

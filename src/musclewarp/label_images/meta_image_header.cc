@@ -17,12 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A header of a few kilobytes; more is another file.
+// A header has a few kilobytes; a file with more lines is not a MetaImage.
 constexpr int kMostHeaderLines = 1000;
 
 struct MetaText {
   std::map<std::string, std::string> fields;
-  std::uint64_t data_from = 0;  // the byte behind the header
+  std::uint64_t data_from = 0;  // the first byte after the header
 };
 
 std::string WithoutBlanks(const std::string& text) {
@@ -51,7 +51,7 @@ MetaText ReadMetaText(const std::string& path) {
                    kCopyAgain);
 }
 
-// The first of several names of a field that is there, or "".
+// Returns the field with the first of several names that exists, or "".
 std::string FieldOf(const MetaText& text,
                     const std::initializer_list<const char*>& names) {
   for (const char* name : names) {
@@ -122,8 +122,8 @@ void SetMetaSteps(const std::string& path,
   grid->is_oriented = true;
 }
 
-// Compressed data have their size in the header, unless they are in a file of
-// their own.
+// Checks the size of the data. The header states the size of compressed data,
+// unless they are in a separate file.
 void CheckData(const std::string& path,
                const MetaText& text,
                std::uint64_t bytes) {

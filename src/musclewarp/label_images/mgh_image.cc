@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::size_t kHeaderBytes = 284;
 
-// The places of numbers in the header, in bytes.
+// The offsets of numbers in the header, in bytes.
 constexpr int kVersion = 0, kSizes = 4, kFrames = 16, kType = 20;
 constexpr int kHasFrame = 28, kSpacing = 30, kDirections = 42, kCentre = 78;
 
-// Numbers in the header.
+// Reads numbers in the header.
 class MghHeader {
  public:
   explicit MghHeader(const std::string& bytes) : bytes_(bytes) {}
@@ -59,8 +59,8 @@ ScalarType TypeOf(const std::string& path, int type) {
   }
 }
 
-// The centre of FreeSurfer is that of voxel (size / 2), which for even sizes is
-// half a voxel beyond the middle.
+// Returns the grid. The centre in FreeSurfer is the centre of voxel (size / 2),
+// which for even sizes is half a voxel beyond the middle.
 ImageGrid GridOf(const MghHeader& header) {
   ImageGrid grid;
   for (int axis = 0; axis < 3; ++axis) {
@@ -90,7 +90,7 @@ ImageGrid GridOf(const MghHeader& header) {
 MghImage ReadMghImage(const std::string& path) {
   const std::string start = ReadUnpacked(path, kHeaderBytes);
   const MghHeader header(start);
-  // Its higher bytes say what the image is for.
+  // The higher bytes of the version state the intent of the image.
   constexpr int kVersionMask = 0xff;
   if (start.size() < kHeaderBytes ||
       (header.At<std::int32_t>(kVersion) & kVersionMask) != 1) {

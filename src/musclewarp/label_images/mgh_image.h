@@ -24,11 +24,11 @@ struct MghImage {
   }
 };
 
-// Reads an image. One that does not say how it lies is taken as FreeSurfer
-// takes it: coronal slices of 1 mm with the origin in the middle; its grid is
-// not oriented. Throws InputError, which names the file, for one that is no
-// such image, is truncated, has several points of time, or a type of numbers
-// that FreeSurfer does not write, and for what CheckGrid refuses.
+// Reads an image. An image without a frame has coronal slices of 1 mm with the
+// origin in the middle, as in FreeSurfer, and its grid is not oriented. Throws
+// InputError, which names the file, if it is not such an image, is truncated,
+// has several time points, or a number type that FreeSurfer does not write, and
+// as CheckGrid does.
 MghImage ReadMghImage(const std::string& path);
 
 }  // namespace musclewarp

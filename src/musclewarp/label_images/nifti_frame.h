@@ -7,10 +7,10 @@
 
 namespace musclewarp {
 
-// Compares the two transforms of a NIfTI file, which take the index of a voxel
-// to its place in RAS, at the corners of an image of `size` voxels. Returns a
-// sentence about the file if they differ by more than 0.1 voxels at one of
-// them, and "" if not.
+// Compares the two transforms of a NIfTI file, from the index of a voxel to its
+// position in RAS, at the corners of an image of `size` voxels. Returns a
+// sentence about the file if they differ by more than 0.1 voxels at any corner,
+// and "" otherwise.
 std::string NoteOnOtherQform(const std::string& path,
                              const Eigen::Array3i& size,
                              const Eigen::Matrix4d& sform,

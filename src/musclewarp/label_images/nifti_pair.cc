@@ -13,13 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of the 348 bytes of NIfTI-1 the last four are its name; NIfTI-2 has its own
-// behind its size.
+// The format is named in the last four of the 348 header bytes of NIfTI-1, and
+// after the header size in NIfTI-2.
 constexpr std::size_t kNiftiBytes = 348, kName1 = 344, kName2 = 4;
 
 struct PairName {
-  std::string stem;    // without extensions
-  std::string ending;  // ".img" or ".hdr" as the file has it; empty: neither
+  std::string stem;  // without extensions
+  std::string
+      ending;  // ".img" or ".hdr" in the case of the file; empty: neither
 };
 
 PairName PairNameOf(const std::string& path) {
@@ -31,8 +32,8 @@ PairName PairNameOf(const std::string& path) {
   return {name.replace_extension().string(), ending};
 }
 
-// Returns the file of a pair with this ending, which the other one has in lower
-// or in upper case.
+// Returns the file of a pair with this ending, in lower or upper case like the
+// ending of the given file.
 std::string FileWithEnding(const std::string& path,
                            const PairName& name,
                            const std::string& lower,

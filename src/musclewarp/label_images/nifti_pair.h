@@ -6,13 +6,13 @@
 
 namespace musclewarp {
 
-// True if a file is one of a pair by its name: the header (.hdr) or the voxels
-// (.img), packed (.gz) or not, in any case.
+// Returns true if the name of a file is that of one of a pair: the header
+// (.hdr) or the voxels (.img), compressed (.gz) or not, in upper or lower case.
 bool IsNiftiPairFile(const std::string& path);
 
 // Returns the path of the header of a pair, given either of its files. Throws
 // InputError if one of them is missing, and for ANALYZE 7.5, whose header has
-// the same size: it does not say where left and right are.
+// the same size but does not distinguish left from right.
 std::string CheckedNiftiHeader(const std::string& path);
 
 }  // namespace musclewarp

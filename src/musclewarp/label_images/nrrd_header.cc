@@ -41,7 +41,7 @@ struct NrrdAxis {
   double size = 0;
   std::string kind;
 
-  // None: it does not lead through space. A spacing is along x.
+  // None: the axis is not spatial. A spacing is along x.
   std::optional<Eigen::Vector3d> step;
 
   bool IsSpace() const {
@@ -126,8 +126,8 @@ void SetSteps(const std::string& path,
   }
 }
 
-// Leaves the three axes of space. Those that are left out have one voxel: they
-// do not lead through space, or are one too many.
+// Keeps the three spatial axes. Other axes, which must have one voxel, are
+// removed: those without a direction in space, and surplus ones.
 void KeepSpace(const std::string& path, std::vector<NrrdAxis>* axes) {
   const auto leave_out = [&](const auto& is_meant) {
     for (std::size_t i = axes->size(); i-- > 0;) {
@@ -160,7 +160,7 @@ void KeepSpace(const std::string& path, std::vector<NrrdAxis>* axes) {
       kOneLayer);
 }
 
-// What a unit of the file is in mm; `unstated` if it does not say.
+// Returns the unit of the file in mm; `unstated` if it states none.
 double MillimetresOf(const std::string& path,
                      const NrrdText& text,
                      double unstated) {
@@ -180,7 +180,7 @@ double MillimetresOf(const std::string& path,
                    "save the image in mm");
 }
 
-// Where the voxels are, in the frame of the file.
+// Returns the grid in the frame of the file.
 ImageGrid GridOf(const std::string& path,
                  const NrrdText& text,
                  double mm_per_unit) {
@@ -289,7 +289,7 @@ NrrdEncoding EncodingOf(const std::string& path, const NrrdText& text) {
                    "save the image again, compressed by gzip or raw");
 }
 
-// The number of bytes or lines that are skipped; 0 if the field is not there.
+// Returns the number of bytes or lines to skip; 0 if the field is missing.
 std::int64_t SkipOf(const std::string& path,
                     const NrrdText& text,
                     const std::string& name,
@@ -306,14 +306,14 @@ std::int64_t SkipOf(const std::string& path,
                    kCopyAgain);
 }
 
-// Where the data are: behind the header, or in files beside it.
+// Returns the location of the data: after the header, or in other files.
 NrrdSource SourceOf(const std::string& path, const NrrdText& text) {
   NrrdSource source;
   source.type = TypeOf(path, Required(path, text, "type"));
   source.encoding = EncodingOf(path, text);
   if (LowerCase(text.Find("endian")) == "big") source.order = ByteOrder::kBig;
   source.line_skip = SkipOf(path, text, "line skip", 0);
-  // -1 is for what precedes raw data in a file, whatever its size.
+  // -1 skips everything before raw data, regardless of its size.
   const bool is_raw = source.encoding == NrrdEncoding::kRaw;
   source.byte_skip = SkipOf(path, text, "byte skip", is_raw ? -1 : 0);
   for (const std::string& name : text.data_files) {

@@ -45,8 +45,8 @@ NumberInName FindNumber(const std::string& name) {
   return number;
 }
 
-// "slice%03d.raw MIN MAX STEP", behind which there may be a dimension. Returns
-// no names for what is no pattern.
+// Returns the names for a pattern "slice%03d.raw MIN MAX STEP", which a
+// dimension may follow, or no names if the text is not a pattern.
 std::vector<std::string> NamesOfPattern(const std::string& path,
                                         const std::string& text) {
   std::istringstream words(text);
@@ -90,7 +90,7 @@ bool IsList(const std::string& text) {
   return text.substr(0, text.find(' ')) == "LIST";
 }
 
-// Sorts the names of the files of the data out.
+// Sets the names of the data files, unless they are a list.
 void TakeDataFiles(const std::string& path, NrrdText* text) {
   const std::string files = text->Find("data file");
   if (files.empty() || IsList(files)) return;

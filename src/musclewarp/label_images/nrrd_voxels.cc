@@ -43,7 +43,7 @@ std::string_view WithoutLines(const std::string& file,
   return bytes;
 }
 
-// Unpacks at most `most` bytes. A gzip file may have several members.
+// Decompresses at most `most` bytes. A gzip file may have several members.
 class Unpacker {
  public:
   explicit Unpacker(std::string_view packed) : packed_(packed) {
@@ -92,7 +92,7 @@ class Unpacker {
   z_stream stream_ = {};
 };
 
-// Appends `count` numbers of a text, as double in the order of this machine.
+// Appends `count` numbers of a text as doubles in native byte order.
 void AppendNumbers(const std::string& file,
                    std::string_view text,
                    std::int64_t count,
@@ -121,7 +121,7 @@ void AppendNumbers(const std::string& file,
   }
 }
 
-// Appends the values of one of the files.
+// Appends the values in one of the files.
 void AppendFile(const NrrdSource& source,
                 const std::string& file,
                 std::int64_t count,

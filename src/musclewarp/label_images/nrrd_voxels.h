@@ -9,7 +9,7 @@
 
 namespace musclewarp {
 
-// The values of the voxels of an NRRD file, in its order.
+// The values of the voxels of an NRRD file, in the order of the file.
 struct NrrdVoxels {
   std::string bytes;
   ScalarType type = ScalarType::kUInt8;
@@ -20,9 +20,9 @@ struct NrrdVoxels {
   }
 };
 
-// Reads and unpacks `count` values, for which the files must exist. Throws
-// InputError, which names the file, if it ends early, is damaged, or has text
-// that is no number.
+// Reads and decompresses `count` values. Throws InputError, which names the
+// file, if it is truncated or damaged, or has text that is not a number.
+// Precondition: the files exist.
 NrrdVoxels ReadNrrdVoxels(const NrrdSource& source, std::int64_t count);
 
 }  // namespace musclewarp

@@ -8,19 +8,19 @@
 namespace musclewarp {
 namespace {
 
-// Parts of the region that reach farther than this from what is inside the
+// Parts of the region that extend farther than this from the voxels inside the
 // surface, in steps through faces of voxels, are cut off.
 constexpr int kRimVoxels = 2;
 
-// Ways through faces among the voxels of a region. A region has a margin of
-// voxels on all sides that are not in it, so that steps stay within the box.
+// Paths through faces among the voxels of a region. A region has a margin of
+// outside voxels on all sides, so that steps stay within the box.
 class Ways {
  public:
   explicit Ways(const LabelRegion& region)
       : strides_{
             1, region.size[0], std::int64_t{region.size[0]} * region.size[1]} {}
 
-  // Calls visit(voxel) for the voxels beside one.
+  // Calls visit(voxel) for the neighbours of a voxel.
   template <typename Visit>
   void ForEachBeside(std::int64_t voxel, const Visit& visit) const {
     for (const std::int64_t stride : strides_) {
@@ -29,9 +29,8 @@ class Ways {
     }
   }
 
-  // Returns the voxels that hang together with `seed` among those for which
-  // take(voxel) is true. It is asked once for each, and has to say no from then
-  // on.
+  // Returns the voxels connected to `seed` among those for which take(voxel) is
+  // true. take() must return false for a voxel after it has returned true.
   template <typename Take>
   std::vector<std::int64_t> PartWith(std::int64_t seed,
                                      const Take& take) const {
@@ -99,7 +98,8 @@ std::vector<std::int64_t> VoxelsCutOff(const LabelRegion& region,
     if (takes) steps[at] = kUnreached;
     return takes;
   };
-  // From the far end: whatever hangs together with it outside the main part.
+  // Starting at the farthest voxel, take each connected part outside the main
+  // part.
   for (auto at = front.rbegin(); at != front.rend(); ++at) {
     if (steps[*at] <= kRimVoxels) continue;
     steps[*at] = kUnreached;

@@ -9,13 +9,12 @@
 
 namespace musclewarp {
 
-// Returns the voxels of thin parts that the surface of a smoothed region at a
-// level would cut off, ascending: a tendon of one or two voxels, for example,
-// with all that lies beyond it. `smoothed` has a value for each voxel of the
-// region, and voxels above the level are inside the surface. The largest part
-// that hangs together inside it stays; what is left of the region goes on from
-// there, and a part of it is cut off if it reaches farther than two voxels.
-// Rims that smoothing takes off are not.
+// Returns the voxels of thin parts that the level set of a smoothed region
+// would cut off, ascending: for example a tendon of one or two voxels, with
+// everything beyond it. `smoothed` has a value for each voxel of the region;
+// voxels above the level are inside the surface. The largest connected part
+// inside is kept. Any other part of the region is cut off if it extends more
+// than two voxels from the kept part; the rims that smoothing removes do not.
 std::vector<std::int64_t> VoxelsCutOff(const LabelRegion& region,
                                        const float* smoothed,
                                        double level);

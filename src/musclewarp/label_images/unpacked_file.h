@@ -7,9 +7,9 @@
 
 namespace musclewarp {
 
-// Returns the first `most` bytes of a file, or all if it has fewer, unpacked if
-// they are packed by gzip, whatever the file is called. Throws InputError if it
-// is missing or empty, or if its gzip data are damaged.
+// Returns the first `most` bytes of a file, or all if it has fewer,
+// decompressed if the content is gzip data, regardless of the file name. Throws
+// InputError if the file is missing or empty, or if its gzip data are damaged.
 std::string ReadUnpacked(const std::string& path, std::uint64_t most);
 
 }  // namespace musclewarp

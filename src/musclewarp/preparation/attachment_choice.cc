@@ -14,12 +14,12 @@
 namespace musclewarp {
 namespace {
 
-// A line goes on beyond the tip of its muscle if it does by more than this
-// share of the part that the muscle covers.
+// A line continues beyond the tip of its muscle if the part beyond it is longer
+// than this share of the part that the muscle covers.
 constexpr double kBeyondShare = 0.1;
 
-// Returns true if a line goes on beyond the tip of a muscle (#P x 3), to what
-// the muscle pulls on.
+// Returns true if a line continues beyond the tip of a muscle (#P x 3), to the
+// structure on which the muscle pulls.
 bool GoesOnBeyond(const ActionLine& line,
                   const Points& tip,
                   const Points& muscle) {
@@ -32,8 +32,9 @@ bool GoesOnBeyond(const ActionLine& line,
   return part.length - part.end > beyond;
 }
 
-// Returns what was found to be held by bones. A tip without a bone is not if it
-// lies on another soft part, or if a line of the muscle goes on beyond it.
+// Returns the detected attachments to bodies. A tip without a bone is omitted
+// if it lies on another soft part, or if a line of the muscle continues beyond
+// it.
 std::vector<Attachment> HeldAreas(
     const std::vector<FoundAttachment>& found,
     const std::vector<ActionLine>& lines,

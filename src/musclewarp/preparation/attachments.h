@@ -13,9 +13,9 @@
 namespace musclewarp {
 
 // The fine vertices of a muscle within its attachment areas, which move with
-// bodies. In overlapping areas, the first one applies.
+// bodies. Where areas overlap, the first one applies.
 struct AttachedVertices {
-  std::vector<int> vertices;    // in rising order
+  std::vector<int> vertices;    // ascending
   std::vector<int> attachment;  // index of the attachment of each
 };
 

@@ -35,7 +35,7 @@ struct SearchableBone {
   TriangleBvh tree;
 };
 
-Points SomeOf(const Points& points) {
+Points SampleOf(const Points& points) {
   const Eigen::Index step =
       std::max<Eigen::Index>(1, points.rows() / kVertices);
   Points some((points.rows() + step - 1) / step, 3);
@@ -148,7 +148,7 @@ std::vector<std::string> BoneMoveWarnings(
   std::deque<SearchableBone> searchable;
   for (const BoneAtRest& bone : bones) {
     searchable.push_back({bone,
-                          SomeOf(bone.mesh.points),
+                          SampleOf(bone.mesh.points),
                           TriangleBvh(bone.mesh.points, bone.mesh.triangles)});
   }
   std::vector<std::string> warnings;

@@ -9,12 +9,13 @@
 namespace musclewarp {
 namespace {
 
-// Less is a flap or two at a non-manifold edge, which nearly all meshes have.
+// Smaller shares are single flaps at non-manifold edges, which nearly all
+// meshes have.
 constexpr double kShareWorthAWord = 1e-4;
 
-// True if a piece encloses a volume, as a flap does not, however small it is:
-// its isoperimetric quotient is that of a plate 100 times as wide as thick, or
-// more.
+// Returns true if a piece, however small, encloses a volume, unlike a flap: if
+// its isoperimetric quotient is above that of a plate about 100 times as wide
+// as thick.
 bool IsBody(const DroppedPiece& piece) {
   constexpr double kPlate = 1e-3;
   return 36 * M_PI * piece.volume * piece.volume >

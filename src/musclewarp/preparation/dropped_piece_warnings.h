@@ -9,10 +9,10 @@
 
 namespace musclewarp {
 
-// Returns what the repair of a mesh has left out, a sentence for each piece
-// with its volume, share and place, and one for all crumbs. Flaps without
-// volume and with a share of the surface below 1e-4 are passed over. Lengths
-// are in units of `body_size` mm (Scene::body_size).
+// Returns a sentence for each piece that the repair of a mesh has left out,
+// with its volume, share and position, and one sentence for all crumbs. Flaps
+// without volume and with a share of the surface below 1e-4 are ignored.
+// Lengths are in units of `body_size` mm (Scene::body_size).
 std::vector<std::string> DroppedPieceWarnings(const std::string& name,
                                               const RepairReport& repairs,
                                               double body_size = 1);

@@ -34,7 +34,7 @@ std::vector<LineEnd> LineEndsOf(const std::vector<ActionLine>& lines,
 std::vector<std::string> FarEndWarnings(const std::string& muscle,
                                         const std::vector<LineEnd>& ends,
                                         double body_size) {
-  // What is true of both ends of a muscle is said once.
+  // A warning that applies to both ends of a muscle is given once.
   std::map<std::string, int> found;
   for (const LineEnd& end : ends) {
     if (end.distance <= kFarEnd) continue;

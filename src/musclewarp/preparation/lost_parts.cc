@@ -28,8 +28,8 @@ bool IsClosed(const TriangleSoup& mesh) {
   return true;
 }
 
-// True if no triangle of a part is left. A part without area has nothing to
-// lose, and a crumb has only if it is a body: flaps and scraps have borders.
+// Returns true if no triangle of a part remains. A part without area cannot be
+// lost, and a crumb only if it is closed: flaps and scraps are not.
 bool IsLost(const TriangleSoup& part,
             const TriangleSoup& repaired,
             bool may_be_crumb) {

@@ -10,11 +10,12 @@
 
 namespace musclewarp {
 
-// Throws InputError if a file holds several named parts, such as the objects of
-// an .obj, and the repair of a muscle, which is one closed surface, has left
-// out a whole one: the names, and how to name one. Parts that together are one
-// surface, such as its materials, lose nothing. `path` is that of the muscle,
-// `delivered` its mesh before repair.
+// Throws InputError if a file contains several named parts, such as the objects
+// of an .obj, and the repair of a muscle, which is one closed surface, has left
+// out a complete part. The message lists the names and explains how to select
+// one. Parts that together form one surface, such as its materials, lose
+// nothing. `path` is the file of the muscle, `delivered` its mesh before
+// repair, `repaired` its mesh afterwards.
 void CheckNoPartIsLost(const std::string& path,
                        const MeshParts& parts,
                        const TriangleSoup& delivered,

@@ -51,7 +51,7 @@ void CheckContactFits(const std::vector<NamedMesh>& muscles,
     CheckLatticeFits(muscle.name, mesh.bvh().box(), voxel_size);
     const auto triangles = static_cast<double>(mesh.triangles().rows());
     const double area = SurfaceArea(mesh.points(), mesh.triangles());
-    // The triangles in a circle around each one.
+    // The expected number of triangles within `reach` of each triangle.
     const double pairs = triangles * M_PI * reach * reach * triangles / area;
     if (pairs <= kMostPairs) continue;
     std::ostringstream problem;

@@ -14,13 +14,13 @@ namespace musclewarp {
 // has more than 3e8 points, which take 2.4 GB of memory.
 void CheckLatticeFits(const std::string& name, const Box3& box, double spacing);
 
-// Returns true if such a lattice fits.
+// Returns true if CheckLatticeFits accepts such a lattice.
 bool LatticeFits(const Box3& box, double spacing);
 
 // Throws InputError, naming the mesh, if the lattice of medial cells, with
-// `voxel_size` mm, does not fit (CheckLatticeFits), or if the triangles of a
-// muscle are so small that more than 1e9 pairs lie within `reach` mm of each
-// other.
+// voxels of `voxel_size` mm, does not fit (CheckLatticeFits), or if the
+// triangles of a muscle are so small that more than 1e9 pairs lie within
+// `reach` mm of each other.
 void CheckContactFits(const std::vector<NamedMesh>& muscles,
                       double voxel_size,
                       double reach);

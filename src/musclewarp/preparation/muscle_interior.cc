@@ -14,8 +14,8 @@
 namespace musclewarp {
 namespace {
 
-// The number of fibres that resist bending: enough to have some in every part
-// of a fan, and few, as each row is dense.
+// The number of fibres that resist bending: enough for every part of a fan, but
+// few, because their rows are dense.
 constexpr int kBendingFibres = 33;
 
 void AddBeyond(const Points& points, double weight, InsidePoints* inside) {

@@ -13,30 +13,30 @@
 
 namespace musclewarp {
 
-// Returns where the fibres of a muscle begin and end: in its attachments, if
-// the scene names them, else in areas found on the mesh `fine`, which may be
-// larger than those that are held (EndExtent::kClearOfOther).
+// Returns the ends of the fibres of a muscle: its attachments, if the scene
+// names them, or else areas detected on the mesh `fine`, which may be larger
+// than the attachments (EndExtent::kClearOfOther).
 KnownEnds EndsOfFibres(const TriangleSoup& fine,
                        const std::vector<BodySurface>& bodies,
                        const SceneMuscle& muscle,
                        bool names_attachments);
 
-// Returns what a model needs to know of the inside of a muscle: the centres of
-// voxels, also of the meshes `beyond`, through which its lines go on; and the
-// fibres that resist bending, which do not depend on how many fibres the
-// options ask for.
+// Returns the data that a model needs about the interior of a muscle: the
+// centres of its voxels, those of the meshes `beyond`, through which its lines
+// continue, and the fibres that resist bending, whose number does not depend on
+// the options.
 MuscleInterior InteriorOf(const TriangleSoup& muscle,
                           const std::vector<BodySurface>& bodies,
                           const KnownEnds& ends,
                           const std::vector<const TriangleSoup*>& beyond,
                           const FibreOptions& options);
 
-// Returns the action lines of a muscle as its hull carries them, sampled at
-// distances of `spacing`, mm, along the muscle (SamplesAlong).
+// Returns the action lines of a muscle embedded in its hull, sampled at
+// intervals of `spacing` (mm) along the muscle (SamplesAlong).
 EmbeddedLines CarryActionLines(const MuscleModel& model, double spacing);
 
-// Returns how much of the surface of a muscle lies on the bones of each body
-// (VerticesNearBones), mm^2, without bodies on which nothing lies.
+// Returns the surface area of a muscle that lies on the bones of each body
+// (VerticesNearBones), mm^2. Bodies without such an area are omitted.
 std::map<std::string, double> AreaOnBones(
     const TriangleSoup& muscle, const std::vector<BodySurface>& bodies);
 

@@ -24,8 +24,8 @@ bool ShareTriangles(const TriangleSoup& piece, const TriangleSoup& part) {
          TrianglesNotIn(piece, part).triangles.rows() < piece.triangles.rows();
 }
 
-// Returns the name of the parts that each piece is of, or nothing unless each
-// piece is of one name.
+// Returns the part name of each piece, or nothing if a piece has no name or
+// several.
 std::optional<std::vector<std::string>> NamesByParts(
     const std::vector<MusclePiece>& pieces,
     const TriangleSoup& delivered,
@@ -45,7 +45,7 @@ std::optional<std::vector<std::string>> NamesByParts(
   return names;
 }
 
-// Numbers the pieces of one name, in order.
+// Names the pieces, and numbers those of the same name in order.
 void NamePieces(const std::vector<std::string>& names,
                 std::vector<MusclePiece>* pieces) {
   std::map<std::string, int> used;

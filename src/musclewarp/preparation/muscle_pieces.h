@@ -21,20 +21,21 @@ struct MusclePiece {
 // A mesh taken apart.
 struct MusclePieces {
   std::vector<MusclePiece> pieces;  // the largest volume first
-  RepairReport repairs;             // with what was left out
+  RepairReport repairs;             // with the pieces left out
 
-  // What the reader had to say, for the user.
+  // Remarks of the reader for the user.
   std::vector<std::string> notes;
 };
 
-// Reads and repairs the mesh of a muscle with PieceRule::kAll, and takes it
-// apart. Pieces are called by the named parts of the file (mesh_parts.h) that
-// they are: "gluteus_medius", or where several are of one name "gluteus_1",
-// "gluteus_2", the largest first. Where there are no such names, or a piece is
-// of several, they are called by the muscle in the same way.
+// Reads the mesh of a muscle, repairs it with PieceRule::kAll, and splits it
+// into its pieces. Pieces are named after the named parts of the file
+// (mesh_parts.h) that contain them: "gluteus_medius", or "gluteus_1",
+// "gluteus_2", largest first, if several have the same name. If the file has no
+// names, or a piece belongs to parts of different names, all pieces are named
+// after the muscle in the same way.
 //
-// Throws InputError for what ReadTriangleSoup, CheckMuscleSize and RepairMesh
-// refuse. Precondition (CHECKed): the options are valid.
+// Throws InputError as ReadTriangleSoup, CheckMuscleSize and RepairMesh do.
+// Precondition (CHECKed): the options are valid.
 MusclePieces PiecesOfMuscle(const SceneMuscle& muscle, RepairOptions options);
 
 }  // namespace musclewarp

@@ -47,9 +47,9 @@ Surroundings SurroundingsOf(const PreparedScene& scene) {
   return surroundings;
 }
 
-// Prepares all data that depends on the mesh of a muscle and is not kept:
-// `muscle` has the attachments, which the scene names or which were found, and
-// `hull` is the coarse mesh.
+// Prepares all data that depends on the mesh of a muscle, except its hull and
+// attachments: `hull` is the coarse mesh, and `muscle` has the attachments of
+// the scene or the detected ones.
 void PrepareModel(const Surroundings& surroundings,
                   const PrepareOptions& options,
                   const SceneMuscle& muscle,
@@ -129,7 +129,7 @@ void PrepareFromMesh(const Surroundings& surroundings,
                prepared);
 }
 
-// Takes the bones of which no closed surface could be made from the scene.
+// Removes the bones that could not be repaired from the scene.
 void LeaveOutBones(PreparedScene* prepared) {
   std::vector<SceneBone> bones;
   for (size_t i = 0; i < prepared->bones.size(); ++i) {
@@ -190,7 +190,7 @@ void CheckBones(PreparedScene* prepared) {
 }
 
 // Adds the findings of the preparation to the warnings of the scene, and logs
-// all of these.
+// all warnings.
 void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
   std::vector<std::string>& warnings = prepared->warnings;
   const double body_size = prepared->scene.body_size;

@@ -39,7 +39,7 @@ struct PrepareOptions {
   // If false, meshes keep their triangles.
   bool remove_self_crossings = false;
 
-  // The same for sliver triangles of muscle meshes.
+  // If true, RemoveSlivers() removes sliver triangles of muscle meshes.
   bool remove_slivers = false;
   SliverLimits slivers;
 
@@ -92,18 +92,19 @@ struct PreparedMuscle {
   MuscleModel model;
   AttachedVertices attached;
 
-  // By body: how much of the surface lies on its bones (VerticesNearBones),
-  // mm^2. An attachment that was found is a part of that.
+  // The surface area that lies on the bones of each body (VerticesNearBones),
+  // mm^2. Detected attachments are parts of it.
   std::map<std::string, double> area_on_bones;
 
-  // The indices of the other muscles through which its lines go on to bones
-  // (ContinueLines), as those of a muscle that ends on a tendon do.
+  // The indices of the other muscles through which its lines continue to bones
+  // (ContinueLines), such as a tendon on which the muscle ends.
   std::vector<int> lines_through;
 
-  // The indices of those on which it ends itself, and to which it is attached.
+  // The indices of those muscles on which it ends itself, and to which it is
+  // attached.
   std::vector<int> tied_to;
 
-  // The ends of lines that were made; none of lines that the scene has.
+  // The ends of its lines if they were made; empty for lines of the scene.
   std::vector<LineEnd> line_ends;
 
   // One sentence per line that contradicts an attachment.
@@ -113,7 +114,7 @@ struct PreparedMuscle {
   bool hull_encloses = false;
   EmbeddedLines lines;   // the action lines, at the skeleton samples
   EmbeddedLines fibres;  // empty by default
-  double fibres_ms = 0;  // to make them
+  double fibres_ms = 0;  // time to make the fibres
 };
 
 // A bone in the rest pose.
@@ -122,12 +123,12 @@ struct PreparedBone {
   std::string body;
   TriangleSoup rest;  // one closed surface or several, which may cross
 
-  // Why no closed surface could be made of the mesh of a model; empty for all
-  // bones that a prepared scene has.
+  // Why the mesh of a model could not be repaired to a closed surface; empty
+  // for all bones of a prepared scene.
   std::string left_out = {};
 
-  // The triangles that were delivered and `rest` does not have: those that the
-  // repair left out, moved or replaced.
+  // The delivered triangles that are missing from `rest`, because the repair
+  // left out, moved or replaced them.
   TriangleSoup delivered_only;
 };
 
@@ -163,12 +164,12 @@ void ReplaceMuscleMeshes(const PrepareOptions& options,
                          PreparedScene* prepared);
 
 // Replaces the meshes of muscles of a prepared scene, given by index, by other
-// triangulations of the same surfaces, or of nearly the same, and prepares what
-// follows from them. Hulls, lines and attachments are kept, so that nothing but
-// the density of the meshes, and `options.muscle` apart from the hull, changes.
-// Hulls need not enclose meshes that lie farther out than those before
-// (PreparedMuscle::hull_encloses). Preconditions: there is a mesh for every
-// index (CHECKed), and every mesh is a closed manifold.
+// triangulations of the same or nearly the same surfaces, and prepares the data
+// that depend on them. Hulls, lines and attachments are kept, so that nothing
+// changes except the density of the meshes and the effect of `options.muscle`
+// apart from the hull. Hulls may fail to enclose meshes that extend farther out
+// than the previous ones (PreparedMuscle::hull_encloses). Preconditions: there
+// is a mesh for every index (CHECKed), and every mesh is a closed manifold.
 void RetriangulateMuscles(const PrepareOptions& options,
                           const std::vector<int>& muscles,
                           const std::vector<TriangleSoup>& meshes,

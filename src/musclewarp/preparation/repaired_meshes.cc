@@ -70,7 +70,7 @@ TriangleSoup RepairMuscle(const PrepareOptions& options,
       DeliveredMesh(muscle, &prepared->mesh.notes, &parts);
   const double body_size = options.repair.body_size;
   CheckCoordinates(where, delivered.points, body_size);
-  // Checked before the repair, whose tolerances assume the size of a muscle.
+  // This precedes the repair, whose tolerances assume the size of a muscle.
   CheckMuscleSize(where,
                   body_size * BoundingBoxDiagonal(delivered.points),
                   std::nullopt,

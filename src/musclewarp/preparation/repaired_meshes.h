@@ -8,15 +8,15 @@
 
 namespace musclewarp {
 
-// Reads and repairs the mesh of a bone, of which all pieces stay. Throws
-// InputError for what cannot be read or repaired, but for a mesh of a model
-// that cannot be repaired: that has PreparedBone::left_out.
+// Reads and repairs the mesh of a bone; all its pieces are kept. Throws
+// InputError if it cannot be read or repaired, but a mesh of a model that
+// cannot be repaired sets PreparedBone::left_out instead.
 PreparedBone RepairBone(PrepareOptions options, const SceneBone& bone);
 
-// Reads and repairs the mesh of a muscle, which is one piece, and returns it;
-// what was done to it is set in `prepared`. Throws InputError for what cannot
-// be read or repaired, has not the size of a muscle, or would lose a named part
-// of its file (CheckNoPartIsLost).
+// Reads, repairs and returns the mesh of a muscle, which is one piece, and
+// records all changes to it in `prepared`. Throws InputError if it cannot be
+// read or repaired, does not have the size of a muscle (CheckMuscleSize), or
+// would lose a named part of its file (CheckNoPartIsLost).
 TriangleSoup RepairMuscle(const PrepareOptions& options,
                           const SceneMuscle& muscle,
                           PreparedMuscle* prepared);

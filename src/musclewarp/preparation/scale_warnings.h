@@ -12,9 +12,9 @@ struct MeshSize {
   double diagonal;  // of its bounding box, mm
 };
 
-// Returns a sentence for each two meshes whose sizes differ by more than the
-// factor `ratio`. This detects mixed units: a mesh in metres among others in
-// millimetres is a thousand times too small.
+// Returns a sentence for each pair of meshes whose sizes differ by more than
+// the factor `ratio`. This detects mixed units: a mesh in metres among others
+// in millimetres is a thousand times too small.
 std::vector<std::string> ScaleWarnings(const std::vector<MeshSize>& sizes,
                                        double ratio);
 

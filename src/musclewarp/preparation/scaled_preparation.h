@@ -6,11 +6,11 @@
 
 namespace musclewarp {
 
-// Multiplies all lengths of a prepared scene by a factor above 0, areas and
-// volumes by its powers: meshes, hulls, lines, attachments and what is known of
-// repairs. The rows of energies are left as they are, as only solvers use them:
-// a scaled model must not be solved for. Sentences stay, too. A power of two is
-// exact.
+// Multiplies all lengths of a prepared scene by a factor above 0, areas by its
+// square and volumes by its cube: in meshes, hulls, lines, attachments and
+// records of repairs. The rows of energies do not change, as only solvers use
+// them: a scaled model must not be solved. Sentences do not change either.
+// Scaling by a power of two is exact.
 void ScaleLengths(double factor, PreparedScene* scene);
 
 }  // namespace musclewarp

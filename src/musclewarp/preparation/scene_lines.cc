@@ -12,7 +12,8 @@
 namespace musclewarp {
 namespace {
 
-// Returns the indices of the muscles that the scene says a muscle ends on.
+// Returns the indices of the muscles on which a muscle ends according to the
+// scene.
 std::optional<std::vector<int>> NamedEnds(const SceneMuscle& muscle,
                                           const Scene& scene) {
   if (!muscle.ends_on) return std::nullopt;
@@ -28,8 +29,8 @@ std::optional<std::vector<int>> NamedEnds(const SceneMuscle& muscle,
   return ends_on;
 }
 
-// Lets lines that were made end on two different bodies, as the scene says,
-// where both ends are nearest to the same one.
+// Lets lines that were made end on the two bodies that the scene names, if both
+// ends are nearest to the same body.
 void PutEndsOnBodies(const std::vector<BodySurface>& bodies,
                      std::vector<ActionLine>* lines) {
   if (bodies.size() != 2) return;

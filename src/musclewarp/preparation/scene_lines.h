@@ -17,9 +17,9 @@ bool LacksLines(const Scene& scene);
 // Makes `lines_each` lines for each muscle of a scene that has none (MakeLines)
 // and continues them through the soft parts on which these muscles end
 // (ContinueLines). `surroundings` has the repaired meshes of the scene. Returns
-// the continued lines of each muscle, none of one that has its own. `on_done`
-// is called on the calling thread with the number of muscles that are done, and
-// may be empty. Throws InputError as MakeLines does.
+// the continued lines of each muscle, and none for muscles with lines of their
+// own. `on_done`, which may be empty, is called on the calling thread with the
+// number of finished muscles. Throws InputError as MakeLines does.
 std::vector<ContinuedLines> MakeSceneLines(
     const Surroundings& surroundings,
     int lines_each,

@@ -11,10 +11,10 @@
 
 namespace musclewarp {
 
-// The meshes of a scene with what measures of its frames need: search trees for
-// counting intersections, which are built once, in the rest pose, and refitted
-// to the points of each frame in a fraction of the time, and the surfaces at
-// rest.
+// The meshes of a scene with the data needed to measure its frames: search
+// trees for counting intersections, which are built once in the rest pose and
+// refitted to the points of each frame in a fraction of the time, and the
+// surfaces at rest.
 class SceneMeshes {
  public:
   // Copies the meshes in their rest pose.

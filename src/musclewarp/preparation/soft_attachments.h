@@ -13,18 +13,19 @@
 
 namespace musclewarp {
 
-// Returns where a muscle is attached to the soft part `name` on which it ends:
-// what of the end nearest to the surface of that part, out of those that were
-// found (FindAttachments), lies on the surface or in it, as on bones. The end
-// is removed from `found`, so that no bone holds it. Nothing if there is no
-// end. Positions are those of the rest pose, mm.
+// Returns the attachment of a muscle to the soft part `name`, on which it ends:
+// the part of a detected end (FindAttachments) that lies on or inside
+// `surface`, the surface of the soft part, with the tolerance for bones
+// (kAreaDepth). The end nearest to the surface is chosen, and removed from
+// `found`, so that no bone holds it. Returns nothing if there is no end.
+// Positions are in the rest pose, mm.
 std::optional<Attachment> TakeSoftAttachment(
     const TriangleBvh& surface,
     const std::string& name,
     std::vector<FoundAttachment>* found);
 
-// Gives the muscles of a scene what carries their attachments to soft parts.
-// To be called whenever models have been prepared.
+// Sets the carriers of the attachments to soft parts of all muscles. Must be
+// called whenever models have been prepared.
 void AddSoftCarriers(PreparedScene* scene);
 
 }  // namespace musclewarp

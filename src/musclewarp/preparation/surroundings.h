@@ -34,7 +34,7 @@ class Surroundings {
     return *muscles_[muscle];
   }
 
-  // Returns all muscles except that with the index `muscle`.
+  // Returns all muscles except the one with the index `muscle`.
   std::vector<const TriangleBvh*> MusclesBeside(int muscle) const;
 
  private:

@@ -120,7 +120,7 @@ void ScreenProgress::Print(const std::string& line, bool is_last) {
     *out_ << line << "\n" << std::flush;
     return;
   }
-  // Blanks over the rest of a longer line before.
+  // Blanks overwrite the rest of a longer previous line.
   const size_t rest = length_ > line.size() ? length_ - line.size() : 0;
   *out_ << "\r" << line << std::string(rest, ' ') << (is_last ? "\n" : "")
         << std::flush;

@@ -15,9 +15,9 @@
 
 namespace musclewarp {
 
-// Says on the screen how far a run has come. On a terminal that is one line
-// which renews itself; elsewhere a line for each frame, and one every ten
-// seconds while nothing else is printed, also while a long computation says
+// Prints the progress of a run. On a terminal this is a single line that is
+// overwritten; elsewhere it is a line for each frame, and a line every ten
+// seconds if nothing else is printed, even if a long computation reports
 // nothing.
 //
 //   ScreenProgress progress(is_terminal, &std::cout);
@@ -30,22 +30,24 @@ class ScreenProgress {
   ScreenProgress(bool is_terminal, std::ostream* out);
   ~ScreenProgress();
 
-  // To be called from within a long computation.
+  // Prints a progress report, unless the last output is recent. Long
+  // computations call this.
   void Say(const Progress& progress);
 
-  // Ends what Say() began, and clears the line of a terminal, for other output.
+  // Ends the progress report, and clears the line of a terminal, for other
+  // output.
   void Clear();
 
-  // Begins to count frames, of which `done` are there already. `work` is what
-  // each of the others is expected to take, in any unit: the time that is left
-  // is foretold by it.
+  // Starts to count frames after the `done` frames that exist already. `work`
+  // is the expected effort for each remaining frame, in any unit; the estimate
+  // of the remaining time is based on it.
   void StartFrames(int done, std::vector<double> work);
 
   void FrameDone(const FrameFigures& frame);
 
-  // Returns the time that is left, ms, from what the last frames took for their
-  // work. A frame counts 0.8 times as much as the one after it, as frames
-  // differ and the next ones are like the last.
+  // Returns the estimated remaining time, ms, from the time per work of recent
+  // frames. Each frame has 0.8 times the weight of the next one, because frames
+  // differ and the next frames resemble the latest.
   double MillisecondsLeft() const;
 
  private:
@@ -53,8 +55,8 @@ class ScreenProgress {
   std::string Bar() const;
   void Print(const std::string& line, bool is_last);
 
-  // On a thread of its own: repeats what was said last, with the time since the
-  // frame began, whenever nothing was printed for a while.
+  // Runs on a separate thread: repeats the last progress report, with the time
+  // since the frame began, if nothing has been printed for a while.
   void SayThatItGoesOn();
 
   bool is_terminal_;
@@ -62,7 +64,7 @@ class ScreenProgress {
   mutable std::mutex mutex_;  // of everything below
   std::condition_variable ended_;
   bool is_over_ = false;
-  std::string stage_;  // said last; empty after Clear()
+  std::string stage_;  // the last progress report; empty after Clear()
   size_t length_ = 0;  // of the line on the terminal
   Stopwatch since_output_;
   Stopwatch since_frame_;
@@ -74,7 +76,7 @@ class ScreenProgress {
   std::thread heartbeat_;
 };
 
-// "50 s", "12 min", "3 h": a time (ms) as precise as people want to know it.
+// Returns a time (ms) rounded for readers: "50 s", "12 min", "3 h".
 std::string RoundedTime(double milliseconds);
 
 }  // namespace musclewarp

@@ -16,9 +16,9 @@ namespace musclewarp {
 
 namespace {
 
-// The last column of the table. "converged" is said of the solver alone:
-// without certified contact it may stand beside crossings, which are then
-// named, too.
+// Returns the text of the last column of the table. "converged" concerns the
+// solver only: without certified contact, a converged frame may have crossings,
+// which the text then mentions.
 std::string OutcomeOf(const FrameFigures& frame) {
   if (!frame.shortcomings.empty()) return "NOT usable";
   return frame.stop_reason() + (frame.IsClean() ? "" : ", crossing");
@@ -28,14 +28,14 @@ std::string OutcomeOf(const FrameFigures& frame) {
 void PrintList(const std::string& title,
                const std::vector<std::string>& lines,
                std::ostream& out) {
-  constexpr size_t kMost = 12;  // the rest is in report.json
+  constexpr size_t kMaxLines = 12;  // the rest is in report.json
   if (lines.empty()) return;
   out << "\n" << title << ":\n";
-  for (size_t i = 0; i < std::min(kMost, lines.size()); ++i) {
+  for (size_t i = 0; i < std::min(kMaxLines, lines.size()); ++i) {
     out << "  " << lines[i] << "\n";
   }
-  if (lines.size() > kMost) {
-    out << "  ... and " << lines.size() - kMost << " more in report.json\n";
+  if (lines.size() > kMaxLines) {
+    out << "  ... and " << lines.size() - kMaxLines << " more in report.json\n";
   }
 }
 
@@ -53,7 +53,7 @@ std::string Counted(int count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-// Returns what was done to a mesh, for the end of its line.
+// Returns the changes to a mesh, for the end of its line.
 std::string Treatment(const MeshPreparation& mesh) {
   std::string text = mesh.repairs.AnythingDone() ? ", repaired" : "";
   if (mesh.repairs.pieces > 1) {
@@ -84,8 +84,8 @@ std::string Treatment(const MeshPreparation& mesh) {
   return text;
 }
 
-// What the counts of crossings in the table mean for the verdict: only
-// certified contact refuses a frame for them.
+// Returns the meaning of the crossings in the table for the verdict: only
+// certified contact makes frames with crossings unusable.
 std::string CrossingsIn(const RunFigures& totals, ContactKind contact) {
   if (contact == ContactKind::kNone) {
     return "not tested for crossings (contact none)";
@@ -97,7 +97,7 @@ std::string CrossingsIn(const RunFigures& totals, ContactKind contact) {
   return count + (is_tolerated ? " (contact paper does not refuse them)" : "");
 }
 
-// "15 frames", or "4 of 15 frames" of a run that was stopped.
+// Returns "15 frames", or "4 of 15 frames" for a run that was stopped.
 std::string FramesOf(const RunRecord& run) {
   const std::string all = Counted(run.frames_planned, "frame");
   return run.finished ? all : std::to_string(run.frames.size()) + " of " + all;

@@ -8,21 +8,20 @@
 
 namespace musclewarp {
 
-// Prints what was prepared, for people: the scene, how long that took, and a
+// Prints a summary of the preparation: the scene, the time that it took, and a
 // line for each muscle and bone.
 void PrintPreparation(const PreparedScene& scene,
                       const ContactReport& contact,
                       std::ostream& out);
 
-// Prints a table of the frames, what those that are not usable lack, and the
-// totals of the run: "usable" says there what it was tested for.
+// Prints a table of the frames, the shortcomings of unusable frames, and the
+// totals of the run. Its verdict names the tests that it includes.
 void PrintFrames(const RunRecord& run, std::ostream& out);
 
-// Returns ", cavities of 2.1 cm3 filled", or nothing if none were.
+// Returns ", cavities of 2.1 cm3 filled", or an empty text if none were.
 std::string FilledCavities(const RepairReport& repairs);
 
-// Says which bones cross each other as they were delivered, a line for each
-// two.
+// Prints a line for each pair of bones that cross each other as delivered.
 void PrintBoneCrossings(const PreparedScene& scene, std::ostream& out);
 
 }  // namespace musclewarp

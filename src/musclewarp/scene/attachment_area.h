@@ -10,8 +10,8 @@
 namespace musclewarp {
 
 // Returns the vertices of a muscle that an attachment covers: the indices of
-// the rows of `points` (#V x 3, mm, rest pose) at most attachment.radius away
-// from one of its points, in rising order.
+// the rows of `points` (#V x 3, mm, rest pose) that are at most
+// attachment.radius away from one of its points, in ascending order.
 std::vector<int> VerticesInArea(const Attachment& attachment,
                                 const Points& points);
 

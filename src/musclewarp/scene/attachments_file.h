@@ -10,19 +10,17 @@
 
 namespace musclewarp {
 
-// Reads attachment areas from a file of their own, which stands beside the
-// meshes it belongs to:
+// Reads attachment areas from a separate file, which accompanies the meshes:
 //
 //   { "units": "mm",
 //     "muscles": { "iliacus_r": {
 //       "origin": [ { "set": "ILIOR", "points": [[x,y,z], ...] }, ... ],
 //       "insertion": [ ... ] } } }
 //
-// The result maps names of muscles to their areas, all of which get the radius
-// `radius` (mm). `bodies` says which body the areas under a key of a muscle
-// follow ("origin" -> "pelvis"); areas under keys that it does not name are
-// left out, and so are all other keys of the file. Throws InputError as
-// ReadScene does.
+// Returns the areas of each muscle by its name, all with the radius `radius`
+// (mm). `bodies` maps the keys of a muscle to the bodies that the areas under
+// these keys follow ("origin" -> "pelvis"). Areas under other keys, and all
+// other keys of the file, are ignored. Throws InputError as ReadScene does.
 std::map<std::string, std::vector<Attachment>> ReadAttachmentsFile(
     const std::string& path,
     const std::map<std::string, std::string>& bodies,

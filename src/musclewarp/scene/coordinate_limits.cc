@@ -8,12 +8,12 @@
 namespace musclewarp {
 namespace {
 
-// False for NaN, too.
+// Returns false for NaN.
 bool IsAllowed(const Eigen::RowVector3d& place) {
   return (place.array().abs() <= kLargestCoordinate).all();
 }
 
-// "is at (2e+07, 0, 0) mm": of a place that may be far away.
+// Returns a text such as "is at (2e+07, 0, 0) mm".
 std::string WhereItIs(const Eigen::RowVector3d& place) {
   return "is at (" + NumberText(place[0]) + ", " + NumberText(place[1]) + ", " +
          NumberText(place[2]) + ") mm";

@@ -6,20 +6,21 @@
 
 namespace musclewarp {
 
-// The part of a muscle that may be inside a bone, because an attachment there
-// has `may_penetrate`. What crosses or lies inside there is counted apart.
+// The part of a muscle's surface that may penetrate a bone, because an
+// attachment to it has `may_penetrate`. Crossings and penetrations in this part
+// are counted separately.
 struct ExemptArea {
-  // Indices of the two meshes among the muscles and the bones of the scene.
+  // Indices into the muscles and the bones of the scene.
   int muscle = -1;
   int bone = -1;
 
-  // True for each vertex of the muscle (#V) in the area, and for each of its
-  // triangles (#F) that has such a vertex.
+  // For each vertex of the muscle (#V), whether it is in the area; for each
+  // triangle (#F), whether one of its vertices is.
   std::vector<char> vertices;
   std::vector<char> triangles;
 };
 
-// Returns the area of a muscle for a bone, or null if there is none.
+// Returns the exempt area of a muscle in a bone, or null if there is none.
 inline const ExemptArea* FindExempt(const std::vector<ExemptArea>& areas,
                                     int muscle,
                                     int bone) {

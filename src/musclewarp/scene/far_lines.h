@@ -9,13 +9,13 @@
 
 namespace musclewarp {
 
-// Warnings about lines of a muscle that are far off its mesh, as they are if
-// the two were made in different frames or units: one sentence for each line
-// with a point farther from every vertex than five times the diagonal of the
-// mesh, which names the farthest point (counted from 0) and its distance. A
-// tendon is not that long: that of the plantaris, the longest beside its belly,
-// is about four times as long. `points` are those of the mesh (#V x 3, mm, rest
-// pose); precondition (CHECKed): there is one. Lengths are in units of
+// Returns a warning for each line that has a point farther from every vertex of
+// the mesh than five times the diagonal of the mesh. Such lines and meshes were
+// probably made in different frames or units. The warning names the farthest
+// point (counted from 0) and its distance. No tendon is that long: the tendon
+// of the plantaris, the longest relative to its belly, is about four times as
+// long as the belly. `points` are the vertices of the mesh (#V x 3, rest pose);
+// precondition (CHECKed): there is at least one. Lengths are in units of
 // `body_size` mm (Scene::body_size).
 std::vector<std::string> FarLineWarnings(const SceneMuscle& muscle,
                                          const Points& points,

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kSharpestTurn = RadiansOf(120);  // rad
 
-// Whether a scene file may say that the line slides: its points follow bodies,
-// and the pose does not say where they are.
+// Returns true if the scene file could declare the line as sliding: its points
+// follow bodies, and the pose gives no target points for it.
 bool CouldSlide(const ActionLine& line, const ScenePose& pose) {
   return !line.slides && !line.bodies.empty() &&
          pose.lines.count(line.name) == 0;

@@ -15,7 +15,8 @@
 namespace musclewarp {
 namespace {
 
-// Length of a text cut off at a whole character of UTF-8.
+// Returns the largest length up to `length` at which a text ends with a
+// complete UTF-8 character.
 size_t CutLength(const std::string& text, size_t length) {
   const auto goes_on = [](char c) {
     return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
@@ -24,8 +25,8 @@ size_t CutLength(const std::string& text, size_t length) {
   return length;
 }
 
-// Parses text and refuses duplicate keys, of which the parser would silently
-// keep the last.
+// Parses a text and refuses duplicate keys, of which the parser would keep only
+// the last without notice.
 Json ParseText(const std::string& text, const std::string& file) {
   std::vector<std::vector<std::string>> open_objects;
   const Json::parser_callback_t refuse_duplicates =
@@ -71,7 +72,7 @@ std::string Shortened(const Json& value) {
     return "an array of " + std::to_string(value.size()) + " elements";
   }
   if (value.is_object()) return "an object";
-  // Invalid UTF-8 is replaced: the message must be printable.
+  // Invalid UTF-8 is replaced, because the message must be printable.
   std::string text;
   for (const char c :
        value.dump(-1, ' ', false, Json::error_handler_t::replace)) {

@@ -14,62 +14,64 @@ namespace musclewarp {
 
 using Json = nlohmann::json;
 
-// A value for a message: as JSON has it, control characters escaped and long
-// texts cut off with "..."; of arrays and objects only what they are.
+// Returns a value as text for a message: in JSON syntax, with control
+// characters escaped and long texts cut off with "...". Arrays and objects are
+// only described.
 std::string Shortened(const Json& value);
 
-// A value of a JSON file together with the file and the path to it, so that
-// every complaint says where it belongs:
+// A value of a JSON file together with the name of the file and the path to the
+// value, so that every message names the place of the error:
 //
 //   const JsonField scene = JsonField::ParseFile("scene.json");
 //   const JsonField muscle = scene.At("muscles").At(2);
 //   muscle.CheckKeys({"name", "mesh"});
 //   const std::string mesh = muscle.At("mesh").AsString();
 //
-// prints, if the mesh is a number, "scene.json: muscles[2].mesh: is 5; give a
-// text in quotes, not empty". All readers throw InputError when the value is
-// missing, of another type or not allowed.
+// prints "scene.json: muscles[2].mesh: is 5; give a text in quotes, not empty"
+// if the mesh is a number. All readers throw InputError if the value is
+// missing, has another type or is not allowed.
 class JsonField {
  public:
-  // Parses a file. Throws InputError if it cannot be read, is not JSON, has a
-  // key twice in one object, or a number that no double can hold.
+  // Parses a file. Throws InputError if it cannot be read, is not JSON,
+  // contains a duplicate key in an object, or a number beyond the range of
+  // double.
   static JsonField ParseFile(const std::string& file);
 
-  // The same for a text, which messages call `name`.
+  // Parses a text, which messages call `name`, in the same way.
   static JsonField Parse(const std::string& text, const std::string& name);
 
   const Json& value() const { return value_; }
   const std::string& file() const { return file_; }
 
-  // The file and the path: "scene.json: muscles[2].mesh".
+  // Returns the file and the path: "scene.json: muscles[2].mesh".
   std::string where() const;
 
-  // True if this is an object that has the key.
+  // Returns true if this is an object that has the key.
   bool Has(const std::string& key) const;
 
-  // The member of an object, which must be there.
+  // Returns the member of an object. Throws InputError if there is none.
   JsonField At(const std::string& key) const;
 
-  // The element of an array. Precondition: index < ArraySize().
+  // Returns an element of an array. Precondition: index < ArraySize().
   JsonField At(size_t index) const;
 
-  // The number of elements; throws InputError if this is not an array.
+  // Returns the number of elements. Throws InputError if this is not an array.
   size_t ArraySize() const;
 
   // Throws InputError if this is not an object, or has a key that is not
-  // allowed: a misspelt key would be passed over in silence.
+  // allowed: a misspelt key would otherwise be ignored without notice.
   void CheckKeys(std::initializer_list<std::string> allowed) const;
 
   // Throws InputError if this is not an object.
   void CheckObject() const;
 
-  // Returns the same field with the unit that its key "units" states ("mm",
-  // "cm" or "m"): the lengths in it are read in that unit, and are mm in all
-  // that the functions below return. Throws InputError for another unit.
+  // Returns the same field with the length unit that its key "units" states
+  // ("mm", "cm" or "m"). The readers below convert lengths in it from this unit
+  // to mm. Throws InputError for another unit.
   JsonField InItsUnits() const;
   double mm_per_unit() const { return mm_per_unit_; }
 
-  // The value as what it should be.
+  // Return the value if it has the required type and range.
   std::string AsString() const;  // not empty
   double AsNumber() const;       // finite
   double AsCoordinate() const;   // mm, within kLargestCoordinate
@@ -77,14 +79,14 @@ class JsonField {
   bool AsBool() const;
   std::vector<std::string> AsStrings() const;  // of ["...", ...]
 
-  // Points (#P x 3, mm) of [[x, y, z], ...]; there may be none.
+  // Returns the points (#P x 3, mm) in [[x, y, z], ...], which may be empty.
   Points AsPoints() const;
 
-  // A rigid motion (translation in mm) of four rows of four numbers. The
-  // rotation may be rounded to three digits.
+  // Returns the rigid motion (4 x 4, translation in mm) in four rows of four
+  // numbers. The rotation may be rounded to three digits.
   Eigen::Matrix4d AsRigidTransform() const;
 
-  // Throws InputError at this field, see InputError for the two texts.
+  // Throws InputError for this field; see InputError for the two texts.
   [[noreturn]] void Fail(const std::string& problem,
                          const std::string& advice) const;
 

@@ -9,15 +9,15 @@
 namespace musclewarp {
 namespace {
 
-// An attachment that leaves its place by more than this is beyond anatomy, mm.
+// A drift of an attachment above this is anatomically implausible, mm.
 constexpr double kLargestDrift = 2;
 
 struct LineEnd {
   const ActionLine* line = nullptr;
-  Eigen::Index point = 0;  // the first or the last of the line
+  Eigen::Index point = 0;  // index of the first or last point of the line
 };
 
-// Returns the end of a line that is nearest to the middle of the attachment.
+// Returns the line end nearest to the centre of the attachment.
 LineEnd NearestEnd(const std::vector<ActionLine>& lines,
                    const Attachment& attachment) {
   const Eigen::RowVector3d middle = attachment.points.colwise().mean();

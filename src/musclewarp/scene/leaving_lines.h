@@ -10,16 +10,17 @@
 
 namespace musclewarp {
 
-// An action line of which an end does not stay where it is attached.
+// An action line whose end moves away from its attachment.
 struct LeavingLine {
   std::string line;
-  std::string pose;     // in which the end is farthest from its place
-  double distance = 0;  // there, mm
+  std::string pose;     // the pose with the largest distance
+  double distance = 0;  // of the end from its attached position, mm
 };
 
-// Returns the line that ends nearest to an attachment, if a pose takes its end
-// away from where the body of the attachment would have it, by more than 2 mm.
-// Such a line and the attachment contradict each other.
+// Returns the line that ends nearest to an attachment if, in some pose, its end
+// is more than 2 mm from where the body of the attachment would carry it. Such
+// a line contradicts the attachment. Points of `lines`, `attachment` and
+// `poses` are in mm.
 std::optional<LeavingLine> FindLeavingLine(const std::vector<ActionLine>& lines,
                                            const Attachment& attachment,
                                            const std::vector<ScenePose>& poses);

@@ -7,18 +7,18 @@
 
 namespace musclewarp {
 
-// The units that lengths may be given in, for messages.
+// The supported units of length, for messages.
 constexpr char kLengthUnits[] = "mm, cm, m";
 
-// Returns the millimetres in a unit of length, or nothing if the text is none
-// of kLengthUnits.
+// Returns the number of millimetres in a unit of length, or nothing if the text
+// is none of kLengthUnits.
 std::optional<double> MillimetresPer(const std::string& unit);
 
-// Throws InputError if no muscle has such a size, and says in which unit it
-// might have been given instead. `diagonal` (mm) is that of its bounding box,
-// `volume` in mm^3, if it is known; `mm_per_unit` is the unit that was stated.
-// The bounds are far beyond those of animals: a muscle of a mouse's foot has
-// some 0.3 mm^3.
+// Throws InputError if a mesh is too small or too large for a muscle; the
+// message suggests units in which the mesh may have been given. `diagonal` (mm)
+// is the diagonal of its bounding box, `volume` its volume (mm^3), if known;
+// `mm_per_unit` is the stated unit. The bounds are far beyond the muscles of
+// animals: a muscle in the foot of a mouse has about 0.3 mm^3.
 void CheckMuscleSize(const std::string& where,
                      double diagonal,
                      std::optional<double> volume,

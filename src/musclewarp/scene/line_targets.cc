@@ -9,9 +9,9 @@ namespace {
 
 using Transforms = std::vector<Eigen::Matrix4d>;
 
-// Returns how much each point of a line that slides (row) moves with the body
-// of each point (column): a binomial filter along the line, #P x #P, which the
-// ends do not take part in.
+// Returns the weight with which each point of a sliding line (row) moves with
+// the body of each point (column), #P x #P: a binomial filter along the line,
+// with fixed ends.
 Eigen::MatrixXd SharesOfBodies(Eigen::Index count) {
   constexpr int kRounds = 4;
   Eigen::MatrixXd shares = Eigen::MatrixXd::Identity(count, count);
@@ -25,9 +25,9 @@ Eigen::MatrixXd SharesOfBodies(Eigen::Index count) {
   return shares;
 }
 
-// Where a line that slides goes. Points beside a joint move with the bodies on
-// both sides of it: if each moved with one, the line would fold back on itself
-// where the joint closes.
+// Returns the target points of a sliding line. Points near a joint move with
+// the bodies on both sides of it: if each moved with only one, the line would
+// fold back on itself where the joint closes.
 Points SlidPoints(const ActionLine& line, const Transforms& transforms) {
   const Eigen::MatrixXd shares = SharesOfBodies(line.rest.rows());
   Points points = Points::Zero(line.rest.rows(), 3);

@@ -13,9 +13,9 @@
 namespace musclewarp {
 namespace {
 
-// Returns a name that no bone has yet: two files of one name may be in
-// different folders, and "tibia" with "r_fibula" is named as "tibia_r" with
-// "fibula".
+// Returns a name that no bone has yet: files in different folders may have the
+// same name, and both "tibia" with "r_fibula" and "tibia_r" with "fibula" give
+// "tibia_r_fibula".
 std::string FreeName(const std::string& name, std::set<std::string>* taken) {
   std::string free = name;
   for (int i = 2; !taken->insert(free).second; ++i) {
@@ -24,7 +24,7 @@ std::string FreeName(const std::string& name, std::set<std::string>* taken) {
   return free;
 }
 
-// One bone for each mesh of the model on the body of `bone`.
+// Returns a bone for each mesh that the model attaches to the body of `bone`.
 std::vector<SceneBone> BonesOfBody(const SceneBone& bone,
                                    const ModelPoses& poses,
                                    const std::vector<std::string>& folders,

@@ -15,21 +15,21 @@ namespace musclewarp {
 bool AreBonesOfModel(const JsonField& scene);
 
 // Throws InputError at `field` ("bones") if a muscle has neither lines nor
-// attachments, so that it does not tell on which bodies it is.
+// attachments, so that its bodies are unknown.
 void CheckMusclesTellBodies(const JsonField& field, const Scene& scene);
 
-// Adds a bone without mesh for each body to which the model attaches meshes,
-// out of `bodies`, on which the lines and attachments of the muscles are.
-// Throws InputError at `field` ("bones") if there is none.
+// Adds a bone without a mesh for each of `bodies`, the bodies of the muscles'
+// lines and attachments, to which the model attaches meshes. Throws InputError
+// at `field` ("bones") if there is none.
 void AddBonesOfMuscles(const ModelPoses& poses,
                        const std::vector<std::string>& bodies,
                        const JsonField& field,
                        Scene* scene);
 
-// Replaces every bone without mesh by the meshes that the model attaches to its
-// body, one bone each, named <bone>_<file> if there are several. `folders` are
-// searched as in FindGeometry. Throws InputError that begins with `where` if
-// there is no mesh, or if a file is not there.
+// Replaces every bone without a mesh by the meshes that the model attaches to
+// its body: one bone for each mesh, named <bone>_<file> if there are several.
+// `folders` are searched as in FindGeometry. Throws InputError, beginning with
+// `where`, if the body has no mesh or a file does not exist.
 void AddMeshesOfModel(const ModelPoses& poses,
                       const std::vector<std::string>& folders,
                       const std::string& where,

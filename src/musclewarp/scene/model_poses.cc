@@ -16,8 +16,8 @@
 namespace musclewarp {
 namespace {
 
-// How far apart the frames of bodies may be to count as one: roundings of the
-// model, not another pose.
+// The largest distance and angle between the frames of bodies that count as
+// coincident. Rounding in the model causes less, another pose more.
 constexpr double kLargestGap = 1;                // mm
 constexpr double kLargestTurn = RadiansOf(0.5);  // rad
 

@@ -46,7 +46,7 @@ std::string PathIn(const std::string& root, const std::string& path) {
   return (std::filesystem::path(root) / path).string();
 }
 
-// The folders of a run, then those of the scene.
+// Returns the mesh folders given for the run, then those of the scene.
 std::vector<std::string> MeshFolders(const JsonField& scene,
                                      const std::string& root,
                                      const ModelSources& sources) {
@@ -67,8 +67,9 @@ std::vector<std::string> MeshFolders(const JsonField& scene,
   return folders;
 }
 
-// Reads the motion of a run or, without one, that of the scene: a file, or an
-// object in the scene file. `path` gets the file that the motion is in.
+// Reads the motion given for the run or, without one, the motion of the scene:
+// a file, or an object in the scene file. `path` is set to the file that
+// contains the motion.
 CoordinateMotion ReadMotion(const JsonField& scene,
                             const std::string& root,
                             const ModelSources& sources,
@@ -98,8 +99,8 @@ CoordinateMotion ReadMotion(const JsonField& scene,
   return RampedMotion(motion, model);
 }
 
-// Columns of a name that several joints have matter only to bodies that these
-// move.
+// Throws InputError if a column of the motion has a name that several joints
+// share and one of these joints moves a body of the scene.
 void CheckMotionIsKnown(const CoordinateMotion& motion,
                         const Model& model,
                         const std::vector<std::string>& bodies,
@@ -120,8 +121,8 @@ void CheckMotionIsKnown(const CoordinateMotion& motion,
   }
 }
 
-// Returns the name of the pose at a time, which no other pose has: with ten
-// digits, or as many as it takes.
+// Returns a unique name for the pose at a time: the time with ten digits, or as
+// many digits as distinguish it from other times.
 std::string PoseName(double time, std::set<std::string>* taken) {
   constexpr int kExact = std::numeric_limits<double>::max_digits10;
   std::string name;
@@ -129,7 +130,7 @@ std::string PoseName(double time, std::set<std::string>* taken) {
     name = "t=" + NumberText(time, digits);
     if (taken->insert(name).second) return name;
   }
-  // Another time was rounded to this one.
+  // Another pose has the same time.
   name += "_" + std::to_string(taken->size());
   taken->insert(name);
   return name;

@@ -12,14 +12,14 @@ namespace musclewarp {
 
 struct Scene;
 
-// Puts a scene whose muscles and bones have been read on its model. It fills in
-// what the scene takes from the model, that is the rest points of lines which
-// are paths of muscles, and the meshes of bones which name none, and makes one
-// pose of every row of the motion, which is a file or part of the scene file.
+// Places a scene, whose muscles and bones have been read, on its model. Adds
+// the data that the scene takes from the model: the rest points of lines that
+// are paths of muscles, and the meshes of bones that name none. Makes one pose
+// from every row of the motion, which is a file or part of the scene file.
 //
 // `field` is the scene file, and paths in it are relative to `root`. Throws
-// InputError if the motion cannot be read or does not fit the model, a mesh of
-// the model is not there, and for what BindModel throws.
+// InputError if the motion cannot be read or does not fit the model, if a mesh
+// of the model does not exist, and as BindModel does.
 void AddModelPoses(const JsonField& field,
                    const std::string& root,
                    const ModelSources& sources,

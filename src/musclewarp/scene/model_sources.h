@@ -8,16 +8,16 @@
 
 namespace musclewarp {
 
-// What a run gives in addition to what a scene file says about its model.
+// Data about the model that a run gives in addition to the scene file.
 struct ModelSources {
-  // The motion in place of the one that the scene names; empty: that one.
+  // The motion file, which replaces that of the scene; empty: the scene's own.
   std::string motion = {};
 
-  // Folders in which meshes of the model are looked for, before those of the
-  // scene. They are relative to the working folder.
+  // Folders that are searched for meshes of the model before those that the
+  // scene names. They are relative to the working directory.
   std::vector<std::string> geometry = {};
 
-  // Whether angles of the motion are in degrees, whatever its header says.
+  // Whether angles of the motion are in degrees, regardless of its header.
   std::optional<bool> motion_in_degrees = {};
 };
 

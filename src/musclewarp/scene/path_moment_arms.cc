@@ -20,7 +20,7 @@ std::map<std::string, std::map<std::string, double>> PathMomentArms(
   std::map<std::string, std::map<std::string, double>> arms;
   for (const SceneMuscle& muscle : scene.muscles) {
     for (const ActionLine& line : muscle.lines) {
-      // Paths of muscles know where their conditional points switch.
+      // The lengths of muscle paths account for conditional points.
       const bool is_path = pose.path_lengths.count(line.name) > 0;
       for (const PerturbedPoses& poses : beside) {
         arms[line.name][poses.name] =

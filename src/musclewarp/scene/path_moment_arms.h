@@ -11,15 +11,15 @@
 
 namespace musclewarp {
 
-// Returns the length of a line in a pose, mm, straight through its points. If
-// the line is the path of a muscle of the model, it goes through all points
-// that are active in the pose, conditional ones included.
+// Returns the length of a line in a pose, mm: the sum of its straight segments.
+// If the line is the path of a muscle of the model, it passes through all
+// points that are active in the pose, including conditional ones.
 double PathLengthIn(const ScenePose& pose, const ActionLine& line);
 
 // Returns the moment arms of all lines of a scene with a model in a pose, by
-// line and coordinate: -dl/dq of the straight length l, in mm/rad, or mm/m of a
-// coordinate that is a translation. They are central differences over `beside`,
-// the poses on both sides of the pose (PerturbedPosesOf).
+// line and coordinate: -dl/dq of the length l (PathLengthIn), in mm/rad, or
+// mm/m for a translational coordinate. They are central differences over
+// `beside`, the poses on both sides of `pose` (PerturbedPosesOf).
 std::map<std::string, std::map<std::string, double>> PathMomentArms(
     const Scene& scene,
     const ScenePose& pose,

@@ -48,8 +48,8 @@ std::vector<PerturbedPoses> PerturbedPosesOf(const ModelPoses& poses,
 Eigen::Matrix4d RateBetween(const Eigen::Matrix4d& before,
                             const Eigen::Matrix4d& after) {
   // The logarithm of the motion from before to after, so that bodies that move
-  // as one have the same rate to rounding. What is left out of the series is
-  // far below rounding.
+  // together have the same rate up to rounding. The omitted terms of the series
+  // are far below rounding.
   const Eigen::Matrix4d moved = after * RigidInverse(before);
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(moved.topLeftCorner<3, 3>()));
   const Eigen::Vector3d angles = turn.angle() * turn.axis();

@@ -6,10 +6,11 @@
 
 namespace musclewarp {
 
-// Checks "pieces" of a muscle in a scene file, which says what becomes of a
-// mesh of several closed surfaces. Allowed is "largest": it is kept, and the
-// others count as lost. Throws InputError for anything else; for "all" it says
-// what to do instead, as a muscle is one closed surface.
+// Checks the field "pieces" of a muscle in a scene file, which selects the
+// treatment of a mesh of several closed surfaces. The only allowed value is
+// "largest": the largest surface is kept, and the others count as lost. Throws
+// InputError for any other value; the message for "all" explains the
+// alternative, as a muscle is one closed surface.
 void CheckPieces(const JsonField& field);
 
 }  // namespace musclewarp

@@ -11,7 +11,7 @@
 namespace musclewarp {
 namespace {
 
-// The motions of the bodies from one pose to another, in target space.
+// Returns the motions of the bodies from one pose to another, in target space.
 std::map<std::string, ScrewMotion> MotionsOf(const ScenePose& from,
                                              const ScenePose& to) {
   std::set<std::string> bodies;
@@ -30,14 +30,14 @@ Eigen::Vector3d Moved(const Eigen::Matrix4d& motion, const Eigen::Vector3d& p) {
   return motion.topLeftCorner<3, 3>() * p + motion.topRightCorner<3, 1>();
 }
 
-// The share of a motion that brings p nearest to q.
+// Returns the share (0 to 1) of a motion that brings p nearest to q.
 double ShareOf(const ScrewMotion& motion,
                const Eigen::Vector3d& p,
                const Eigen::Vector3d& q) {
   const auto miss = [&](double share) {
     return (Moved(motion.Part(share), p) - q).squaredNorm();
   };
-  // Turns of less than half a circle have one minimum.
+  // For turns of less than half a circle, the distance has one minimum.
   double low = 0, high = 1;
   for (int step = 0; step < 60; ++step) {
     const double a = low + (high - low) / 3;
@@ -47,8 +47,9 @@ double ShareOf(const ScrewMotion& motion,
   return (low + high) / 2;
 }
 
-// A point on its way from p to q: along with the body of whose motion it has a
-// share, as a point beside a joint has half of its turn; else straight.
+// Returns a point on its way from p to q: along the screw motion of a body if a
+// share of that motion takes p to q, as half of a joint's rotation does next to
+// the joint; otherwise along a straight line.
 Eigen::Vector3d PointBetween(const std::map<std::string, ScrewMotion>& motions,
                              const Eigen::Vector3d& p,
                              const Eigen::Vector3d& q,
@@ -85,7 +86,7 @@ ScenePose PoseBetween(const Scene& scene,
   for (const auto& [body, motion] : motions) {
     pose.bodies[body] = motion.Part(part) * BodyTransform(from, body);
   }
-  // Lines that neither pose names move with their bodies.
+  // Lines for which neither pose has targets move with their bodies.
   for (const SceneMuscle& muscle : scene.muscles) {
     const auto targets_0 = LineTargets(muscle.lines, from);
     const auto targets_1 = LineTargets(muscle.lines, to);

@@ -10,25 +10,24 @@
 
 namespace musclewarp {
 
-// Lines and poses from a file of their own, which stands beside the meshes it
-// belongs to:
+// Lines and poses from a separate file, which accompanies the meshes:
 //
 //   { "units": "mm",
 //     "lines": { "glut_med1_r": { "rest": [[x,y,z], ...], "bodies": [...] } },
 //     "poses": [ { "name": "flexion_60", "femur": [[4x4]],
 //                  "target": { "glut_med1_r": [[x,y,z], ...] } } ] }
 //
-// Other keys of such a file (notes, who made it) are passed over. The numbers
-// of a pose are its coordinates, and a pose without a name is called by them
+// Other keys of such a file (notes, author) are ignored. The numbers of a pose
+// are its coordinates, and a pose without a name is named after them
 // ("hip_flexion_r_deg_60").
 struct PosesFile {
   std::map<std::string, ActionLine> lines;  // by name
   std::vector<ScenePose> poses;             // in the order of the file
 };
 
-// Reads such a file. `body_keys` says which key of a pose holds the transform
-// of which bodies ("femur" -> "femur_r", "tibia_r"); every pose must have all
-// of these keys. Throws InputError as ReadScene does.
+// Reads such a file. `body_keys` maps the keys of a pose that hold transforms
+// to the bodies that follow them ("femur" -> "femur_r", "tibia_r"); every pose
+// must have all of these keys. Throws InputError as ReadScene does.
 PosesFile ReadPosesFile(
     const std::string& path,
     const std::map<std::string, std::vector<std::string>>& body_keys);

@@ -18,11 +18,11 @@ namespace {
 
 constexpr int kMostFrames = 100000;
 
-// A coordinate and the values that it passes through.
+// A coordinate and its values at equally spaced times.
 struct Ramp {
   std::string name;
   std::vector<double> values;
-  double per_table_unit = 1;  // 1000 for mm, as tables have metres
+  double per_table_unit = 1;  // 1000 for mm, since tables are in metres
 };
 
 void CheckNames(const JsonField& coordinates, const Model& model) {
@@ -93,8 +93,8 @@ int ReadFrames(const JsonField& field, const std::vector<Ramp>& ramps) {
   return static_cast<int>(frames);
 }
 
-// Returns the value at frame `frame` of those up to `last`. Whole numbers tell
-// where that is, so that a frame at one of the values has it exactly.
+// Returns the value at frame `frame` of 0 to `last`. The interval is found with
+// integers, so that a frame at one of the values has it exactly.
 double ValueAt(const std::vector<double>& values, int frame, int last) {
   if (values.size() == 1) return values[0];
   const auto pieces = static_cast<std::int64_t>(values.size()) - 1;

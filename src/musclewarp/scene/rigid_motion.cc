@@ -7,7 +7,7 @@
 namespace musclewarp {
 
 std::string RigidMotionFault(const Eigen::Matrix4d& transform) {
-  // Files carry rotations with as few as 4 digits.
+  // Some files write rotations with only 4 digits.
   constexpr double kTolerance = 1e-3;
   const Eigen::Matrix3d rotation = transform.topLeftCorner<3, 3>();
   if (!transform.allFinite() ||

@@ -10,9 +10,9 @@
 namespace musclewarp {
 
 // Multiply all lengths by a factor above 0, areas by its square and volumes by
-// its cube: meshes, files that are still to be read, lines, attachments and
-// poses; those that a model will give, too. Scene::body_size is left as it is.
-// A power of two is exact.
+// its cube: in meshes, in files that will be read later, in lines, attachments
+// and poses, including poses that a model will provide. Scene::body_size does
+// not change. Scaling by a power of two is exact.
 void ScaleLengths(double factor, Scene* scene);
 void ScaleLengths(double factor, ScenePose* pose);
 void ScaleLengths(double factor, ActionLine* line);

@@ -39,14 +39,14 @@ ActionLine ReadInlineLine(const JsonField& field) {
   return line;
 }
 
-// Lines known by name.
+// The lines that a scene file may name.
 struct NamedLines {
   PosesFile poses_file;
   const Model* model = nullptr;
 };
 
-// The path of a muscle of the model. Its rest points wait until the meshes are
-// put on the model.
+// Returns a line for the path of a muscle of the model. Its rest points are set
+// when the meshes are placed on the model.
 ActionLine ReadModelLine(const Model& model, int muscle) {
   CheckMuscleIsSupported(model, muscle);
   ActionLine line;
@@ -60,7 +60,8 @@ ActionLine ReadModelLine(const Model& model, int muscle) {
 ActionLine ReadLine(const JsonField& field, const NamedLines& named) {
   if (!field.value().is_string()) return ReadInlineLine(field);
   const std::string name = field.AsString();
-  // A muscle of the model moves as the model has it, conditions and all.
+  // A muscle of the model follows its path in the model, including conditional
+  // points.
   const int muscle = named.model ? named.model->FindMuscle(name) : -1;
   if (muscle >= 0) return ReadModelLine(*named.model, muscle);
   const auto line = named.poses_file.lines.find(name);
@@ -123,8 +124,8 @@ SceneMuscle ReadMuscle(const JsonField& field,
   return muscle;
 }
 
-// A bone without mesh stands for all meshes that the model attaches to its
-// body; they are found once the meshes are put on the model.
+// Reads a bone. Without a mesh it stands for all meshes that the model attaches
+// to its body; they are looked up once the meshes are placed on the model.
 SceneBone ReadBone(const JsonField& field,
                    const std::string& root,
                    bool has_model) {
@@ -178,7 +179,7 @@ PosesFile ReadPosesFileOf(const JsonField& scene, const std::string& root) {
   return ReadPosesFile(Resolve(field.At("path").AsString(), root), body_keys);
 }
 
-// Adds the areas of an attachments_file to the muscles they are named for.
+// Adds the areas of an attachments_file to the muscles that it names.
 void AddAttachments(const JsonField& scene_field,
                     const std::string& root,
                     Scene* scene) {
@@ -208,7 +209,7 @@ void AddAttachments(const JsonField& scene_field,
   }
 }
 
-// Targets of lines that no muscle of the scene uses do not concern it.
+// Removes the targets of lines that no muscle of the scene uses.
 void KeepTargetsInUse(Scene* scene) {
   std::map<std::string, bool> in_use;
   for (const auto& muscle : scene->muscles) {
@@ -222,7 +223,8 @@ void KeepTargetsInUse(Scene* scene) {
   }
 }
 
-// Poses whose times rise are a motion; poses without times are not.
+// Returns true if the times of the poses increase, which makes them a motion.
+// Poses without times are not a motion.
 bool TimesRise(const std::vector<ScenePose>& poses) {
   for (size_t i = 0; i + 1 < poses.size(); ++i) {
     if (poses[i].time >= poses[i + 1].time) return false;
@@ -250,7 +252,8 @@ void ReadBodyAxes(const JsonField& field, Scene* scene) {
   }
 }
 
-// Keys of the scene file, and keys that exclude or need each other.
+// Checks the keys of the scene file, including keys that exclude or require
+// each other.
 void CheckSceneFile(const JsonField& field, bool has_other_motion) {
   field.CheckKeys({"name",
                    "units",
@@ -288,8 +291,8 @@ JsonField ReadSceneFile(const std::string& path, bool has_other_motion) {
   return field.InItsUnits();
 }
 
-// Poses of the scene file, then those of its poses_file. Beside a model that
-// file is there for its lines.
+// Reads the poses of the scene file, then those of its poses_file. With a
+// model, only the lines of that file are used.
 void ReadPoses(const JsonField& field,
                const std::string& root,
                NamedLines* named,
@@ -325,7 +328,7 @@ void ReadMeshes(const JsonField& field,
   if (scene->muscles.empty()) muscles.Fail("is empty", "add a muscle");
 }
 
-// Adds the files that the results depend on, but for those that are there.
+// Adds the files on which the results depend, unless they are listed already.
 void AddFiles(const JsonField& field, const std::string& root, Scene* scene) {
   scene->files.push_back(scene->path);
   for (const char* key : {"poses_file", "model"}) {

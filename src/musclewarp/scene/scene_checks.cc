@@ -15,12 +15,13 @@
 namespace musclewarp {
 namespace {
 
-// A scene that was put together in memory has no file.
+// A scene that was built in memory has no file.
 std::string Where(const Scene& scene) {
   return scene.path.empty() ? "the scene" : scene.path;
 }
 
-// Meshes of a frame are written as <name>.<ext>: names are file names.
+// Names of meshes are file names: the meshes of a frame are written as
+// <name>.<ext>.
 void CheckMeshName(const Scene& scene,
                    const std::string& what,
                    const std::string& name,
@@ -41,7 +42,8 @@ std::string Listed(const std::set<std::string>& names) {
   return list;
 }
 
-// A body that a line or an attachment follows. `where` begins with the file.
+// Checks that the motion of a body that a line or an attachment follows is
+// known. `where` begins with the file.
 void CheckFollowedBody(const std::string& where,
                        const std::string& body,
                        const std::set<std::string>& known) {
@@ -53,7 +55,8 @@ void CheckFollowedBody(const std::string& where,
                     : "known bodies: " + Listed(known));
 }
 
-// A body that a pose moves must be of some use, or its name is misspelt.
+// Checks that the scene uses a body that a pose moves: otherwise its name is
+// probably misspelt.
 void CheckMovedBody(const std::string& where,
                     const std::string& body,
                     const std::set<std::string>& in_use) {
@@ -116,8 +119,8 @@ void CheckTargets(const Scene& scene,
   }
 }
 
-// The bodies that bones have, poses move, or the model has: of those it is
-// known how they move.
+// Returns the bodies whose motion is known: those of bones, of poses and of the
+// model.
 std::set<std::string> KnownBodies(const Scene& scene) {
   std::set<std::string> bodies;
   for (const SceneBone& bone : scene.bones) bodies.insert(bone.body);

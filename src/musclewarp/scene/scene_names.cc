@@ -16,7 +16,7 @@ bool IsControl(char c) {
   return static_cast<unsigned char>(c) < ' ' || c == kDelete;
 }
 
-// The problem of a name that is no file name; empty if it is one.
+// Returns why a name cannot be a file name, or an empty text if it can.
 std::string FileNameProblem(const std::string& name) {
   if (name.find('/') != std::string::npos) return "has a \"/\"";
   if (name[0] == '.') return "begins with a dot";

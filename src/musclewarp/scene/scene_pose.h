@@ -11,27 +11,27 @@
 
 namespace musclewarp {
 
-// One pose of a scene: where its bodies and its lines are.
+// One pose of a scene: the positions of its bodies and lines.
 struct ScenePose {
   std::string name;
   double time = 0;  // s
 
-  // Values of coordinates by their names, as the file of the poses has them, or
-  // of a model in degrees and m. They are shown and recorded; nothing moves by
-  // them.
+  // Values of coordinates by name: as in the file of the poses, or in degrees
+  // and m for poses of a model. They are displayed and recorded, but move
+  // nothing.
   std::map<std::string, double> coordinates;
 
-  // target_from_rest of each body by its name, mm. A body that is not named
-  // stays.
+  // The transform target_from_rest of each body by name, mm. A body that is not
+  // named does not move.
   std::map<std::string, Eigen::Matrix4d> bodies;
 
-  // Target points (#P x 3, mm) of each line by its name. A line that is not
-  // named moves with its bodies.
+  // Target points (#P x 3, mm) of each line by name. A line that is not named
+  // moves with its bodies.
   std::map<std::string, Points> lines;
 
   // Only for poses of an OpenSim model: the values of all its coordinates (rad
-  // or m), and for the lines that are paths of its muscles the length (mm)
-  // straight through all points that are active.
+  // or m), and the lengths (mm) of the lines that are paths of its muscles,
+  // straight through all active points.
   std::vector<double> model_values;
   std::map<std::string, double> path_lengths;
 };

@@ -9,7 +9,7 @@
 namespace musclewarp {
 namespace {
 
-// True if the mesh is in the frame of the scene but for its unit.
+// Returns true if the file has the frame of the scene, up to a uniform scale.
 bool IsOnlyScaled(const Eigen::Matrix4d& rest_from_file) {
   const Eigen::Vector4d scale = rest_from_file.diagonal();
   return rest_from_file.isDiagonal(0) && scale[3] == 1 &&

@@ -8,7 +8,7 @@
 namespace musclewarp {
 
 ScrewMotion::ScrewMotion(const Eigen::Matrix4d& motion) {
-  // Below this, rad, the axis would be farther away than its place is known.
+  // Below this angle, rad, the position of the axis cannot be determined.
   constexpr double kNoTurn = 1e-9;
   const Eigen::AngleAxisd turn(Eigen::Matrix3d(motion.topLeftCorner<3, 3>()));
   const Eigen::Vector3d move = motion.topRightCorner<3, 1>();

@@ -6,18 +6,19 @@
 
 namespace musclewarp {
 
-// A rigid motion as a turn about an axis in space and a slide along that axis,
-// for the way between two poses of a body. Every rigid motion is such a screw
-// (Chasles' theorem). Parts of a turn about a joint are turns about the same
-// joint, whereas interpolating rotation and translation on their own would take
-// the head of the bone out of its socket on the way.
+// A rigid motion as a rotation about an axis in space and a translation along
+// that axis, for interpolation between two poses of a body. Every rigid motion
+// is such a screw motion (Chasles' theorem). Parts of a rotation about a joint
+// are rotations about the same joint, whereas interpolating rotation and
+// translation separately would move the head of the bone out of its socket on
+// the way.
 class ScrewMotion {
  public:
-  // Takes a rigid motion (mm). A turn of less than 1e-9 rad counts as none.
+  // Takes a rigid motion (mm). A rotation by less than 1e-9 rad counts as none.
   explicit ScrewMotion(const Eigen::Matrix4d& motion);
 
-  // Returns a part of the motion: the turn and the slide times `share`, which
-  // is 0 for the identity and 1 for the whole motion.
+  // Returns a part of the motion: the rotation angle and the translation times
+  // `share`, which is 0 for the identity and 1 for the whole motion.
   Eigen::Matrix4d Part(double share) const;
 
  private:
