@@ -29,7 +29,8 @@ from commit_copy import COPY, builds, changed, check_out, configure_and_build
 HEADER = "src/musclewarp/figures/muscle_figures.h"
 SOURCE = "src/musclewarp/frames/frame_measures.cc"
 TEXT = "largest coordinate of a vertex, whatever its sign"
-TARGETS = ["musclewarp-deform", "musclewarp_python", "describe_figures"]
+TARGETS = ["musclewarp-deform", "musclewarp_python", "describe_figures",
+           "describe_settings", "describe_joint_limits"]
 
 
 def replaced(text, before, after):

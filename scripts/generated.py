@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Writes what follows from the lists of figures (src/musclewarp/figures): the
-tables of docs/report.md, the properties of python/musclewarp/_core.pyi and the
-types of the report page; and the table of verdicts of docs/joints.md, which
-follows from src/musclewarp/joints/joint_limits.h.
+"""Writes what follows from lists of fields: of figures (src/musclewarp/figures)
+the tables of docs/report.md, the properties of python/musclewarp/_core.pyi and
+the types of the report page; of settings (src/musclewarp/settings) the tables
+of docs/settings.md and docs/separate.md, and the keywords of Python; of limits
+(src/musclewarp/joints/joint_limits.h) the table of verdicts of docs/joints.md.
 
-  scripts/generated.py [--check] [--program=build/release/tests/figures/describe_figures]
-                       [--joints_program=build/release/tests/joints/describe_joint_limits]
+  scripts/generated.py [--check] [--build=build/release]
 
 --check writes nothing and names the files that are not as they should be.
 Exit code: 0 if all are (or were written), else 1.
@@ -21,15 +21,21 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PROGRAM = ROOT / "build/release/tests/figures/describe_figures"
-JOINTS_PROGRAM = ROOT / "build/release/tests/joints/describe_joint_limits"
-DOCS = ROOT / "docs/report.md"
-JOINTS = ROOT / "docs/joints.md"
+FIGURES, SETTINGS, LIMITS = (  # programs, in the build folder
+    "tests/figures/describe_figures", "tests/settings/describe_settings",
+    "tests/joints/describe_joint_limits")
+REPORT = ROOT / "docs/report.md"
 STUB = ROOT / "python/musclewarp/_core.pyi"
 TYPES = ROOT / "tools/report/src/data/figures.ts"
 
 # Properties that python/src/frames.cc makes by hand.
 BY_HAND = {"name", "path_lengths", "attachments", "shape", "muscles"}
+# Keywords that take more than their text: (type, default).
+KEYWORDS_BY_HAND = {
+    "joints": ("Union[str, Sequence[str]]", ()),
+    "axes": ("Optional[str]", "LPS"),
+    "given": ("Union[_Path, Mapping[str, Any], None]", None),
+}
 PYTHON = {"number": "float", "whole": "int", "bool": "bool", "text": "str",
           "place": "List[float]"}
 TYPESCRIPT = {"number": "number", "whole": "number", "bool": "boolean",
@@ -66,6 +72,37 @@ def verdicts(joints):
             lines.append(
                 "|" + "|".join(f" {cell} " if cell else " " for cell in cells)
                 + "|")
+    return lines
+
+
+def settings_table(fields):
+    """Returns the rows of a table of settings."""
+    lines = ["| setting | unit | default | allowed | meaning |",
+             "|---|---|---|---|---|"]
+    for field in fields:
+        default = field["default"]
+        if isinstance(default, bool):
+            default = str(default).lower()
+        elif isinstance(default, float):
+            default = f"{default:g}"
+        lines.append(f"| `{field['key']}` | {field['unit']} | "
+                     f"{'`' + str(default) + '`' if default != '' else ''} | "
+                     f"{field['allowed']} | {field['text']} |")
+    return lines
+
+
+def keywords(fields, indent):
+    """Returns the keywords of a function of Python."""
+    lines = []
+    for field in fields:
+        kind, default = KEYWORDS_BY_HAND.get(field["key"],
+                                             (None, field["default"]))
+        if kind is None:
+            kind = ('Union[str, "os.PathLike[str]"]'
+                    if field["type"] == "path" else PYTHON[field["type"]])
+        lines.append(f"{indent}{field['key']}: {kind} = "
+                     + (repr(default) if not isinstance(default, str)
+                        else json.dumps(default)) + ",")
     return lines
 
 
@@ -138,35 +175,49 @@ def printed(program):
         [program], check=True, capture_output=True).stdout)
 
 
+def generated_files(build):
+    """Returns the files and what is to be in them."""
+    figures, settings, limits = (printed(build / program) for program in
+                                 (FIGURES, SETTINGS, LIMITS))
+    files = {
+        REPORT: between_marks(
+            REPORT.read_text(encoding="utf-8"),
+            r"<!-- fields of (\w+) -->", "<!-- end of fields -->",
+            lambda name: ["", *table(figures[name]), ""]),
+        STUB: between_marks(
+            STUB.read_text(encoding="utf-8"),
+            r"    # Fields of (\w+)\.", r"    # End of fields\.",
+            lambda name: properties(figures[name])),
+        TYPES: types(figures),
+        ROOT / "docs/joints.md": between_marks(
+            (ROOT / "docs/joints.md").read_text(encoding="utf-8"),
+            r"<!-- signs of (\w+) -->", "<!-- end of signs -->",
+            lambda _: ["", *verdicts(limits), ""]),
+    }
+    for path in (ROOT / "docs/settings.md", ROOT / "docs/separate.md"):
+        files[path] = between_marks(
+            path.read_text(encoding="utf-8"),
+            r"<!-- settings of (\w+) -->", "<!-- end of settings -->",
+            lambda name: ["", *settings_table(settings[name]), ""])
+    for name in ("_deformer", "_functions", "_joints", "_labels"):
+        path = ROOT / f"python/musclewarp/{name}.py"
+        text = path.read_text(encoding="utf-8")
+        indent = re.search(r"( +)# Settings of", text)[1]
+        files[path] = between_marks(
+            text, r" +# Settings of (\w+)\.", r" +# End of settings\.",
+            lambda struct: keywords(settings[struct], indent))
+    return files
+
+
 def main():
     parser = argparse.ArgumentParser(
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true")
-    parser.add_argument("--program", type=pathlib.Path, default=PROGRAM)
-    parser.add_argument("--joints_program", type=pathlib.Path,
-                        default=JOINTS_PROGRAM)
+    parser.add_argument("--build", type=pathlib.Path,
+                        default=ROOT / "build/release")
     arguments = parser.parse_args()
-    structs = printed(arguments.program)
-    files = {
-        DOCS: between_marks(
-            DOCS.read_text(encoding="utf-8"),
-            r"<!-- fields of (\w+) -->", "<!-- end of fields -->",
-            lambda name: ["", *table(structs[name]), ""]),
-        STUB: between_marks(
-            STUB.read_text(encoding="utf-8"),
-            r"    # Fields of (\w+)\.", r"    # End of fields\.",
-            lambda name: properties(structs[name])),
-        TYPES: types(structs),
-    }
-    if arguments.joints_program.exists():
-        files[JOINTS] = between_marks(
-            JOINTS.read_text(encoding="utf-8"),
-            r"<!-- signs of (\w+) -->", "<!-- end of signs -->",
-            lambda _: ["", *verdicts(printed(arguments.joints_program)), ""])
-    else:
-        print(f"{JOINTS.relative_to(ROOT)}: left as it is, as "
-              f"{arguments.joints_program.name} is not built")
+    files = generated_files(arguments.build)
     stale = [path for path, text in files.items()
              if not path.exists() or path.read_text(encoding="utf-8") != text]
     for path in stale:

@@ -29,7 +29,7 @@
 #include "musclewarp/run/paths_in_json.h"
 #include "musclewarp/scene/scene_names.h"
 #include "musclewarp/settings/checked_settings.h"
-#include "tools/articulate_input.h"
+#include "musclewarp/subject/subject.h"
 
 namespace musclewarp {
 namespace {
@@ -100,18 +100,22 @@ class ArticulateRun {
     }
     CheckSettings<LabelSettings>(options_);
     CheckInputsStay();
-    ArticulationOptions joints = OptionsOf<ArticulationSettings>(options_);
+    ArticulationOptions joints =
+        OptionsOf(PartOf<ArticulationSettings>(options_));
     const JointMotion motion = ParseMotion(Split(options_.motion, ','));
     UseThreads(options_);
     const OutputLock lock(options_.out);
-    input_ = ReadArticulateInput(files_, options_);
+    subject_ = ReadSubject(Input());
+    CheckOneUnit();
     // A label image says itself where its axes point.
-    if (!input_.image.empty()) joints.axes = input_.is_oriented ? "LPS" : "";
-    PrintNotes(input_.notes);
-    articulation_ = Articulate(std::move(input_.bones), joints);
+    if (!subject_.image.empty())
+      joints.axes = subject_.IsOriented() ? "LPS" : "";
+    PrintNotes(subject_.notes);
+    articulation_ = Articulate(BonesOf(subject_), joints);
     PrintNotes(articulation_.notes);
-    articulation_.notes.insert(
-        articulation_.notes.begin(), input_.notes.begin(), input_.notes.end());
+    articulation_.notes.insert(articulation_.notes.begin(),
+                               subject_.notes.begin(),
+                               subject_.notes.end());
     ChooseMotions(motion);
     PrintJoints();
     Write(joints.axes);
@@ -119,6 +123,30 @@ class ArticulateRun {
   }
 
  private:
+  SubjectInput Input() const {
+    SubjectInput input;
+    input.use = SubjectUse::kJoints;
+    input.files = files_;
+    input.muscle_files = Split(options_.muscles, ',');
+    input.bones = Split(options_.bone, ',');
+    input.labels = OptionsOf(PartOf<LabelSettings>(options_));
+    return input;
+  }
+
+  // The scene has one unit for all meshes, and labels are in mm.
+  void CheckOneUnit() const {
+    if (subject_.image.empty() || options_.units == "mm") return;
+    for (const auto* meshes : {&subject_.bones, &subject_.muscles}) {
+      for (const SubjectMesh& mesh : *meshes) {
+        if (mesh.file.empty()) continue;
+        throw InputError("--units=" + options_.units,
+                         "is that of " + mesh.file +
+                             ", and the surfaces of labels are in mm",
+                         "convert the mesh files to mm");
+      }
+    }
+  }
+
   // The meshes of the model must not replace those that it is made of.
   void CheckInputsStay() const {
     for (const std::string& file : files_) {
@@ -156,7 +184,7 @@ class ArticulateRun {
       screen_ << "\n";
       for (const FittedShape& shape : joint.shapes) PrintShape(shape);
       for (const std::string& reason : joint.verdict.reasons) {
-        screen_ << "    " << reason << "\n";
+        screen_ << "    " << WithFlags(reason) << "\n";
       }
     }
   }
@@ -195,7 +223,7 @@ class ArticulateRun {
     WriteJson(
         "scene.json",
         ArticulatedSceneJson(articulation_, SceneParts(name, axes), of_scene_));
-    if (input_.muscles.empty()) {
+    if (subject_.muscles.empty()) {
       screen_ << "the scene has no muscles to move; --muscles names their "
                  "meshes\n";
       return;
@@ -215,21 +243,19 @@ class ArticulateRun {
 
   // Meshes of labels have no files that the scene could name.
   void WriteLabels(const fs::path& out) {
-    if (input_.image.empty()) return;
+    if (subject_.image.empty()) return;
     MakeFolder((out / "meshes").string());
     for (const Bone& bone : articulation_.bones) {
-      const bool is_label =
-          std::any_of(input_.bone_sources.begin(),
-                      input_.bone_sources.end(),
-                      [&](auto& mesh) {
-                        return mesh.name == bone.name && mesh.file.empty();
-                      });
+      const bool is_label = std::any_of(
+          subject_.bones.begin(), subject_.bones.end(), [&](auto& mesh) {
+            return mesh.name == bone.name && mesh.file.empty();
+          });
       if (!is_label) continue;
       WriteTriangleSoup((out / MeshOfLabel(bone.name)).string(), bone.mesh);
     }
-    for (const ArticulateMesh& muscle : input_.muscles) {
+    for (const SubjectMesh& muscle : subject_.muscles) {
       if (!muscle.file.empty()) continue;
-      WriteTriangleSoup((out / MeshOfLabel(muscle.name)).string(), muscle.soup);
+      WriteTriangleSoup((out / MeshOfLabel(muscle.name)).string(), muscle.mesh);
     }
   }
 
@@ -251,20 +277,23 @@ class ArticulateRun {
                                    const std::string& axes) const {
     ArticulatedSceneParts parts;
     parts.name = name;
-    parts.units = input_.image.empty() ? options_.units : "mm";
+    parts.units = subject_.image.empty() ? options_.units : "mm";
     parts.axes = axes;
-    for (const ArticulateMesh& mesh : input_.bone_sources) {
+    for (const SubjectMesh& mesh : subject_.bones) {
       parts.bones.push_back({mesh.name, SceneFile(mesh)});
     }
-    for (const ArticulateMesh& mesh : input_.muscles) {
-      parts.muscles.push_back(
-          {mesh.name, SceneFile(mesh), mesh.origin, mesh.insertion});
+    for (const SubjectMesh& mesh : subject_.muscles) {
+      parts.muscles.push_back({mesh.name,
+                               SceneFile(mesh),
+                               mesh.origin,
+                               mesh.insertion,
+                               mesh.delivered_volume});
     }
     return parts;
   }
 
   // The file of a mesh as the scene names it.
-  std::string SceneFile(const ArticulateMesh& mesh) const {
+  std::string SceneFile(const SubjectMesh& mesh) const {
     if (mesh.file.empty()) return MeshOfLabel(mesh.name).generic_string();
     return MeshPathFrom(options_.out, mesh.file);
   }
@@ -283,7 +312,7 @@ class ArticulateRun {
   const std::vector<std::string>& files_;
   const ArticulateOptions& options_;
   std::ostream& screen_;
-  ArticulateInput input_;
+  Subject subject_;
   Articulation articulation_;
   std::vector<JointMotion> motions_;
   JointMotion of_scene_;

@@ -40,7 +40,7 @@ DeformOptions OptionsOf(Settings settings) {
   settings.deformer.given = GivenFlags();
   options.deformer = OptionsOf(settings.deformer);
   options.deformer.frames.measures.vertex_gaps = false;  // not shown
-  options.sources = OptionsOf<SceneSettings>(options);
+  options.sources = OptionsOf(PartOf<SceneSettings>(options));
   options.out = settings.compare.out;
   options.command = CommandLine({});
   return options;

@@ -86,7 +86,7 @@ DeformOptions OptionsOf(Settings settings) {
   options.deformer = OptionsOf(settings.deformer);
   options.deformer.record_stages = options.profile;
   options.files = OptionsOf(settings.files);
-  options.sources = OptionsOf<SceneSettings>(options);
+  options.sources = OptionsOf(PartOf<SceneSettings>(options));
   options.command = CommandLine({"resume", "overwrite"});
   options.result_flags = ResultFlagsText();
   options.all_flags = AllFlagValues();
@@ -106,7 +106,7 @@ int ListModel(const Settings& settings) {
   if (settings.jobs.model.empty()) {
     throw InputError("--list", "needs a model", "give --model=FILE.osim");
   }
-  ModelSources sources = OptionsOf<SceneSettings>(settings.run);
+  ModelSources sources = OptionsOf(PartOf<SceneSettings>(settings.run));
   sources.motion = InDataRoot(settings, sources.motion);
   PrintModel(InDataRoot(settings, settings.jobs.model), sources, std::cout);
   return kExitUsable;

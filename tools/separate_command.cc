@@ -17,6 +17,7 @@
 #include "musclewarp/base/text.h"
 #include "musclewarp/deformer/mesh_separation.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/program/interruption.h"
 #include "musclewarp/program/program.h"
 #include "musclewarp/report/screen_progress.h"
@@ -26,7 +27,7 @@
 #include "musclewarp/run/paths_in_json.h"
 #include "musclewarp/run/report_json.h"
 #include "musclewarp/settings/checked_settings.h"
-#include "tools/separate_input.h"
+#include "musclewarp/subject/subject.h"
 
 namespace musclewarp {
 namespace {
@@ -47,9 +48,9 @@ void CheckSeparateOptions(const std::vector<std::string>& files,
                      "allowed: mesh files and names of labels with commas "
                      "between them");
   }
-  OptionsOf<LabelSettings>(options);
-  OptionsOf<FormatSettings>(options);
-  OptionsOf<SeparationSettings>(options);
+  OptionsOf(PartOf<LabelSettings>(options));
+  OptionsOf(PartOf<FormatSettings>(options));
+  OptionsOf(PartOf<SeparationSettings>(options));
   CheckSettings<ThreadSettings>(options);
   CheckWritable(options.out);
 }
@@ -63,7 +64,7 @@ struct Separation {
 
 // Adds what no frame says: what labels of bones, which stay as they are, and
 // files that were taken apart have lost.
-void AddLosses(const SeparateInput& input,
+void AddLosses(const Subject& subject,
                double max_loss,
                std::vector<std::string>* shortcomings) {
   const auto add = [&](const std::string& name, double loss, double delivered) {
@@ -73,13 +74,7 @@ void AddLosses(const SeparateInput& input,
         MeasureText(delivered / 1000) + " cm3 is lost, allowed " +
         MeasureText(100 * max_loss) + " %");
   };
-  for (const LabelMesh& label : input.labels.meshes) {
-    if (!label.is_bone) continue;
-    add(label.name,
-        1 - label.volume / label.delivered_volume,
-        label.delivered_volume);
-  }
-  for (const LostPieces& lost : input.lost) {
+  for (const LostVolume& lost : subject.lost) {
     add(lost.name, lost.volume / lost.delivered, lost.delivered);
   }
 }
@@ -95,16 +90,16 @@ ContactReport ContactReportOf(double gap, const RestResult& rest) {
   return contact;
 }
 
-Separation Separate(const SeparateInput& input,
+Separation Separate(const Subject& subject,
                     const SeparateOptions& options,
                     const ProgressCallback& on_progress) {
   Separation result;
   MeshSeparation& meshes = result.meshes;
-  meshes = SeparateMeshes(input.scene,
-                          OptionsOf<SeparationSettings>(options),
+  meshes = SeparateMeshes(SceneOfSubject(subject, options.MmPerUnit()),
+                          OptionsOf(PartOf<SeparationSettings>(options)),
                           on_progress,
                           LengthsInMillimetres<SeparationSettings>(options));
-  AddLosses(input, options.max_loss, &meshes.frame.shortcomings);
+  AddLosses(subject, options.max_loss, &meshes.frame.shortcomings);
   for (size_t i = 0; i < meshes.frame.muscles.size(); ++i) {
     result.mean_displacements.push_back(
         (meshes.frame.muscles[i].points -
@@ -123,9 +118,9 @@ Separation Separate(const SeparateInput& input,
 }
 
 // Returns what became of a label image.
-OrderedJson LabelImageJson(const SeparateInput& input) {
+OrderedJson LabelImageJson(const Subject& subject) {
   OrderedJson labels = OrderedJson::array();
-  for (const LabelMesh& label : input.labels.meshes) {
+  for (const LabelMesh& label : subject.labels.meshes) {
     labels.push_back({{"label", label.label},
                       {"name", label.name},
                       {"bone", label.is_bone},
@@ -133,14 +128,14 @@ OrderedJson LabelImageJson(const SeparateInput& input) {
                       {"delivered_volume_mm3", label.delivered_volume},
                       {"volume_mm3", label.volume}});
   }
-  return {{"file", input.image},
-          {"frame", input.labels.frame},
+  return {{"file", subject.image},
+          {"frame", subject.labels.frame},
           {"labels", labels},
-          {"notes", input.labels.notes}};
+          {"notes", subject.notes}};
 }
 
 // Returns all of separation.json, with the keys of report.json.
-OrderedJson SeparationJson(const SeparateInput& input,
+OrderedJson SeparationJson(const Subject& subject,
                            const Separation& result,
                            double wall_ms) {
   const OrderedJson& report = result.report;
@@ -170,7 +165,7 @@ OrderedJson SeparationJson(const SeparateInput& input,
   }
   return {{"version", report.at("version")},
           {"label_image",
-           input.image.empty() ? OrderedJson() : LabelImageJson(input)},
+           subject.image.empty() ? OrderedJson() : LabelImageJson(subject)},
           {"machine", report.at("machine")},
           {"wall_ms", wall_ms},
           {"body_size", report.at("body_size")},
@@ -189,7 +184,7 @@ OrderedJson SeparationJson(const SeparateInput& input,
 }
 
 void WriteMeshes(const Separation& result, const SeparateOptions& options) {
-  for (const std::string& format : OptionsOf<FormatSettings>(options)) {
+  for (const std::string& format : OptionsOf(PartOf<FormatSettings>(options))) {
     const auto path = [&](const std::string& name) {
       return (fs::path(options.out) / (name + "." + format)).string();
     };
@@ -214,12 +209,12 @@ int NameWidth(const PreparedScene& scene) {
   return static_cast<int>(width);
 }
 
-void PrintLabels(const SeparateInput& input, std::ostream& screen) {
-  if (input.image.empty()) return;
-  screen << input.image << ": " << input.labels.meshes.size()
-         << " labels became meshes, in mm, frame " << input.labels.frame
+void PrintLabels(const Subject& subject, std::ostream& screen) {
+  if (subject.image.empty()) return;
+  screen << subject.image << ": " << subject.labels.meshes.size()
+         << " labels became meshes, in mm, frame " << subject.labels.frame
          << "\n";
-  for (const std::string& note : input.labels.notes) {
+  for (const std::string& note : subject.notes) {
     screen << WithFlags(note) << "\n";
   }
   screen << "\n";
@@ -303,6 +298,16 @@ void PrintSeparation(const Separation& result, std::ostream& screen) {
   }
 }
 
+SubjectInput InputOf(const std::vector<std::string>& files,
+                     const SeparateOptions& options) {
+  SubjectInput input;
+  input.files = files;
+  input.bones = Split(options.bone, ',');
+  input.labels = OptionsOf(PartOf<LabelSettings>(options));
+  input.repair = OptionsOf(PartOf<SeparationSettings>(options)).prepare.repair;
+  return input;
+}
+
 // Reads, separates and writes, with the screen kept up to date.
 class SeparateRun {
  public:
@@ -323,16 +328,17 @@ class SeparateRun {
     });
     try {
       const Stopwatch stopwatch;
-      const SeparateInput input = ReadSeparateInput(files_, options_);
-      PrintLabels(input, screen_);
+      const Subject subject = ReadSubject(InputOf(files_, options_));
+      CheckInputsStay(subject);
+      PrintLabels(subject, screen_);
       const Separation result =
-          Separate(input, options_, [this](const Progress& progress) {
+          Separate(subject, options_, [this](const Progress& progress) {
             ThrowIfInterrupted();
             progress_.Say(progress);
           });
       ThrowIfInterrupted();
       progress_.Clear();
-      Write(input, result, stopwatch.Milliseconds());
+      Write(subject, result, stopwatch.Milliseconds());
       PrintSeparation(result, screen_);
       return result.meshes.frame.IsUsable() ? kExitUsable : kExitNotUsable;
     } catch (const Interrupted& interrupted) {
@@ -343,15 +349,43 @@ class SeparateRun {
   }
 
  private:
-  void Write(const SeparateInput& input,
-             const Separation& result,
-             double wall_ms) {
+  // Throws InputError if a result would replace a file that was read.
+  void CheckInputsStay(const Subject& subject) const {
+    std::vector<std::string> read = files_;
+    for (const std::string& bone : Split(options_.bone, ',')) {
+      read.push_back(bone);
+    }
+    for (const auto* meshes : {&subject.bones, &subject.muscles}) {
+      for (const SubjectMesh& mesh : *meshes) {
+        for (const std::string& format :
+             OptionsOf(PartOf<FormatSettings>(options_))) {
+          CheckStays(read, mesh.name + "." + format);
+        }
+      }
+    }
+  }
+
+  void CheckStays(const std::vector<std::string>& read,
+                  const std::string& name) const {
+    for (const std::string& file : read) {
+      std::error_code error;
+      if (!fs::equivalent(
+              fs::path(options_.out) / name, MeshFileOf(file), error)) {
+        continue;
+      }
+      throw InputError("--out=" + options_.out,
+                       "has the input " + file + ", which would be replaced",
+                       "choose another folder");
+    }
+  }
+
+  void Write(const Subject& subject, const Separation& result, double wall_ms) {
     is_writing_ = true;
     MakeFolder(options_.out);
     RemovePartialOutput(options_.out);
     WriteMeshes(result, options_);
     if (!options_.json) return;
-    OrderedJson json = SeparationJson(input, result, wall_ms);
+    OrderedJson json = SeparationJson(subject, result, wall_ms);
     AdaptTexts(options_.out, &json);
     WriteTextAtomically(
         (fs::path(options_.out) / "separation.json").string(),

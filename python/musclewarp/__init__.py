@@ -26,15 +26,16 @@ from musclewarp._deformer import Deformer, Run, run
 from musclewarp._errors import InputError
 from musclewarp._functions import repair, separate
 from musclewarp._joints import Articulation, articulate
+from musclewarp._labels import Labels, read_labels
 from musclewarp._page import Page, page
 from musclewarp._scene import Scene, demo_scene, read_scene
 
 __all__ = [
     "Articulation", "Attachment", "Bone", "BoneFrame", "Crossings", "Deformer",
-    "Frame", "InputError", "Joint", "Line", "Mesh", "Model", "Muscle", "MuscleFrame", "Page",
+    "Frame", "InputError", "Joint", "Labels", "Line", "Mesh", "Model", "Muscle", "MuscleFrame", "Page",
     "Pose", "Run", "Scene", "State", "Table", "__version__", "articulate",
     "crossings",
-    "demo_scene", "page", "read_mesh", "read_model", "read_scene", "read_table", "repair",
+    "demo_scene", "page", "read_labels", "read_mesh", "read_model", "read_scene", "read_table", "repair",
     "run", "self_crossings", "separate", "set_threads", "threads", "write_mesh"
 ]
 

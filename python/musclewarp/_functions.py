@@ -4,10 +4,11 @@
 from typing import Any, Dict, Iterable, List, Mapping, Tuple, Union
 
 from musclewarp import _core
+from musclewarp._labels import Labels
 from musclewarp._progress import Progress, as_function
 from musclewarp._settings import documented, settings_among
 
-NamedMeshes = Union[Mapping[str, Any], Iterable[Any]]
+NamedMeshes = Union[Labels, Mapping[str, Any], Iterable[Any]]
 
 
 def repair(mesh: Any,
@@ -49,7 +50,8 @@ def separate(meshes: NamedMeshes,
 
     Args:
         meshes: dict of meshes by name, or meshes without names, which are then
-            called mesh_1, mesh_2, ...
+            called mesh_1, mesh_2, ...; or Labels, whose muscles move and whose
+            bones do not. What labels lost before counts in `max_loss`.
         bones: the same; they do not move, and are not tested with each other.
             Without names they are called bone_1, bone_2, ...
         {settings}
@@ -61,11 +63,19 @@ def separate(meshes: NamedMeshes,
         InputError: a mesh is bad, or the meshes cannot be separated.
     """
     settings = settings_among("SeparationSettings", locals())
-    return _core.separate(_named(meshes, "mesh"), _named(bones, "bone"),
-                          settings, units, as_function(progress))
+    volumes: Dict[str, float] = {}
+    named = _named(bones, "bone")
+    if isinstance(meshes, Labels):
+        volumes, units = meshes.volumes, "mm"
+        named = list(meshes.bones.items()) + named
+        meshes = meshes.muscles
+    return _core.separate(_named(meshes, "mesh"), named, volumes, settings,
+                          units, as_function(progress))
 
 
 def _named(meshes: NamedMeshes, kind: str) -> List[Tuple[str, Any]]:
     if isinstance(meshes, Mapping):
         return list(meshes.items())
+    if isinstance(meshes, Labels):
+        return list(meshes.bones.items())
     return [(f"{kind}_{i}", mesh) for i, mesh in enumerate(meshes, start=1)]

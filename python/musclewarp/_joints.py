@@ -10,6 +10,7 @@ from typing import (Any, Dict, Iterable, List, Mapping, Optional, Sequence,
 
 from musclewarp import _core
 from musclewarp._errors import InputError
+from musclewarp._labels import Labels
 from musclewarp._scene import Scene, scene_of
 from musclewarp._settings import documented, settings_among
 
@@ -25,9 +26,13 @@ class Articulation:
             names that are not known as those of bones; sentences.
     """
 
-    def __init__(self, source: _core.ArticulationSource, units: str) -> None:
+    def __init__(self,
+                 source: _core.ArticulationSource,
+                 units: str,
+                 labels: Optional[Labels] = None) -> None:
         self._source = source
         self._units = units
+        self._labels = labels
 
     @property
     def joints(self) -> List[_core.Joint]:
@@ -60,7 +65,8 @@ class Articulation:
             pathlib.Path(path).stem if name is None else name)
 
     def scene(self,
-              muscles: Union[Iterable[_core.Muscle], Mapping[str, Any]],
+              muscles: Union[Iterable[_core.Muscle], Mapping[str, Any],
+                             None] = None,
               motion: Optional[Mapping[str, Sequence[float]]] = None,
               frames: int = 15,
               *,
@@ -76,7 +82,8 @@ class Articulation:
         Args:
             muscles: list of Muscle, or dict of meshes by name, each in a form
                 and in the units that articulate() was given. Those without
-                lines get them from the meshes.
+                lines get them from the meshes. None: those of the labels that
+                articulate() was given.
             motion: for each coordinate that moves from where to where, in
                 degrees, as in scene files (docs/scene.md). They move together;
                 the others stay as they are in the scan, or follow. None: the
@@ -87,6 +94,8 @@ class Articulation:
             InputError: a coordinate that no joint has that was found, two
                 muscles or bones of one name, no muscle.
         """
+        if muscles is None:
+            muscles = self._labels.muscles.values() if self._labels else ()
         with tempfile.TemporaryDirectory(prefix="musclewarp-") as folder:
             return scene_of(
                 self._source.scene(_muscles(muscles, self._units),
@@ -100,7 +109,7 @@ class Articulation:
 
 
 @documented("ArticulationSettings")
-def articulate(bones: Mapping[str, Any],
+def articulate(bones: Union[Mapping[str, Any], Labels],
                *,
                units: str = "mm",
                # Settings of ArticulationSettings.
@@ -120,7 +129,8 @@ def articulate(bones: Mapping[str, Any],
             are: "femur_r", "hip_left", "calcn_r", "os coxae". Bones of other
             names belong to no joint. A mesh is a Mesh, a pair (points,
             triangles), anything that has points and triangles, or the path of a
-            mesh file.
+            mesh file. Or Labels (read_labels), whose muscles are then those of
+            Articulation.scene(); `units` and `axes` are those of the image.
         units: of the meshes: "mm", "cm" or "m". All results are in mm.
         {settings}
 
@@ -132,7 +142,7 @@ def articulate(bones: Mapping[str, Any],
             no joint has any, or the shape of a femur contradicts its side, as
             in a mirrored image; names the bone.
     """
-    if not isinstance(bones, Mapping):
+    if not isinstance(bones, (Mapping, Labels)):
         raise InputError("bones", f"is no dict, but {type(bones).__name__}",
                          "give meshes by the names of bones")
     settings = settings_among("ArticulationSettings", locals())
@@ -142,8 +152,11 @@ def articulate(bones: Mapping[str, Any],
     if isinstance(given, Mapping):
         text = json.dumps(given)
         settings["given"] = ""
-    return Articulation(
-        _core.articulate(list(bones.items()), settings, units, text), units)
+    labels = bones if isinstance(bones, Labels) else None
+    meshes = [] if isinstance(bones, Labels) else list(bones.items())
+    source = _core.articulate(meshes, labels and labels._subject, settings,
+                              units, text)
+    return Articulation(source, units, labels)
 
 
 def _sweeps(

@@ -17,6 +17,7 @@ void BindFrames(pybind11::module_* module);
 void BindDeformer(pybind11::module_* module);
 void BindRun(pybind11::module_* module);
 void BindChecks(pybind11::module_* module);
+void BindLabels(pybind11::module_* module);
 void BindJoints(pybind11::module_* module);
 void BindOpenSim(pybind11::module_* module);
 

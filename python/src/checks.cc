@@ -47,6 +47,9 @@ They share a point beyond the corner or edge they have in common, by an exact
 test. The first of a pair is the lower.)";
 using MeshesByName = std::vector<std::pair<std::string, py::object>>;
 
+// The volumes that labels had before their surfaces were made, mm^3.
+using VolumesByName = std::map<std::string, double>;
+
 // What is found once, so that arrays can show it.
 struct Crossings {
   Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor> pairs;
@@ -96,6 +99,7 @@ py::array FindSelfCrossings(const py::object& object) {
 // A scene whose muscles may move and whose bones stay.
 Scene SceneOf(const MeshesByName& meshes,
               const MeshesByName& bones,
+              const VolumesByName& volumes,
               const std::string& units) {
   const double mm_per_unit = MillimetresFrom(units, "units");
   Scene scene;
@@ -105,6 +109,8 @@ Scene SceneOf(const MeshesByName& meshes,
     const SharedMesh mesh = MeshFrom(object, where);
     SceneMuscle muscle = {name, mm_per_unit * mesh->points, mesh->triangles};
     muscle.mm_per_unit = mm_per_unit;
+    const auto volume = volumes.find(name);
+    if (volume != volumes.end()) muscle.delivered_volume = volume->second;
     scene.muscles.push_back(std::move(muscle));
   }
   for (const auto& [name, object] : bones) {
@@ -117,6 +123,7 @@ Scene SceneOf(const MeshesByName& meshes,
 
 std::shared_ptr<FrameOfScene> Separate(const MeshesByName& meshes,
                                        const MeshesByName& bones,
+                                       const VolumesByName& volumes,
                                        const py::dict& keywords,
                                        const std::string& units,
                                        const py::object& progress) {
@@ -124,7 +131,7 @@ std::shared_ptr<FrameOfScene> Separate(const MeshesByName& meshes,
     throw InputError("meshes", "are none", "give at least one");
   }
   const auto settings = SettingsFrom<SeparationSettings>(keywords);
-  return ComputeFree([scene = SceneOf(meshes, bones, units),
+  return ComputeFree([scene = SceneOf(meshes, bones, volumes, units),
                       options = OptionsOf(settings),
                       lengths_in_mm = LengthsInMillimetres(settings),
                       on_progress = CallbackOf(progress)] {
@@ -167,6 +174,7 @@ void BindChecks(py::module_* module) {
               &Separate,
               py::arg("meshes"),
               py::arg("bones"),
+              py::arg("volumes"),
               py::arg("settings"),
               py::arg("units"),
               py::arg("progress"));

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -19,12 +20,13 @@
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/scene/scene_names.h"
+#include "musclewarp/settings/articulation_settings.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
 #include "python/src/call.h"
 #include "python/src/json.h"
+#include "python/src/labels.h"
 #include "python/src/meshes.h"
-#include "musclewarp/settings/articulation_settings.h"
 #include "python/src/scene.h"
 #include "python/src/settings.h"
 
@@ -70,6 +72,9 @@ constexpr char kArticulationSourceDoc[] =
 struct ArticulationSource {
   Articulation articulation;
   std::string axes;  // empty if they are not known
+
+  // Of muscles of labels: the bodies or bones on which they end.
+  std::map<std::string, std::pair<std::string, std::string>> ends;
 };
 using SharedArticulation = std::shared_ptr<ArticulationSource>;
 
@@ -115,6 +120,7 @@ std::vector<Bone> BonesFrom(const MeshesByName& meshes,
 // `given_text` is what a file of joints may have, in place of the setting
 // `given`, or empty.
 SharedArticulation FindJoints(const MeshesByName& meshes,
+                              const SharedSubject& subject,
                               const py::dict& keywords,
                               const std::string& units,
                               const std::string& given_text) {
@@ -124,10 +130,20 @@ SharedArticulation FindJoints(const MeshesByName& meshes,
     options.given = ReadJoints(JsonField::Parse(given_text, "given"));
   }
   const auto source = std::make_shared<ArticulationSource>();
-  source->axes = options.axes;
   std::vector<std::string> notes;
-  std::vector<Bone> bones =
-      BonesFrom(meshes, MillimetresFrom(units, "units"), &notes);
+  std::vector<Bone> bones;
+  if (subject) {
+    // A label image says itself where its axes point.
+    options.axes = subject->IsOriented() ? "LPS" : "";
+    notes = subject->notes;
+    bones = BonesOf(*subject);
+    for (const SubjectMesh& muscle : subject->muscles) {
+      source->ends[muscle.name] = {muscle.origin, muscle.insertion};
+    }
+  } else {
+    bones = BonesFrom(meshes, MillimetresFrom(units, "units"), &notes);
+  }
+  source->axes = options.axes;
   return ComputeFree([source, bones = std::move(bones), notes, options] {
     source->articulation = Articulate(bones, options);
     std::vector<std::string>& all = source->articulation.notes;
@@ -222,6 +238,10 @@ SharedScene ArticulatedScene(const SharedArticulation& source,
     // Their meshes are not read.
     for (const SharedMuscle& muscle : muscles) {
       parts.muscles.push_back({muscle->name, muscle->name + ".ply"});
+      const auto ends = source->ends.find(muscle->name);
+      if (ends == source->ends.end() || !muscle->end_bodies.empty()) continue;
+      parts.muscles.back().origin = ends->second.first;
+      parts.muscles.back().insertion = ends->second.second;
     }
     WriteArticulatedModel(
         source->articulation, name, (fs::path(folder) / parts.model).string());
@@ -230,7 +250,9 @@ SharedScene ArticulatedScene(const SharedArticulation& source,
         file, ArticulatedSceneJson(source->articulation, parts, motion).dump());
     const auto scene = std::make_shared<Scene>(ReadScene(file, ""));
     for (size_t i = 0; i < muscles.size(); ++i) {
+      const std::vector<std::string> end_bodies = scene->muscles[i].end_bodies;
       scene->muscles[i] = *muscles[i];
+      if (!end_bodies.empty()) scene->muscles[i].end_bodies = end_bodies;
     }
     scene->bones = BonesOfScene(source->articulation);
     KeepInMemory(scene.get());
@@ -279,9 +301,10 @@ void BindJointClass(py::module_* module) {
                              [](const FoundJoint& joint) {
                                return ToString(joint.verdict.quality);
                              })
-      .def_property_readonly(
-          "reasons",
-          [](const FoundJoint& joint) { return joint.verdict.reasons; })
+      .def_property_readonly("reasons",
+                             [](const FoundJoint& joint) {
+                               return WithFieldNames(joint.verdict.reasons);
+                             })
       .def_readonly("given", &FoundJoint::is_given)
       .def_property_readonly("coordinates", &CoordinatesFrom)
       .def("__repr__", [](const FoundJoint& joint) {
@@ -329,6 +352,7 @@ void BindJoints(py::module_* module) {
   module->def("articulate",
               &FindJoints,
               py::arg("bones"),
+              py::arg("subject"),
               py::arg("settings"),
               py::arg("units"),
               py::arg("given_text"));

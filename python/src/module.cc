@@ -23,6 +23,7 @@ PYBIND11_MODULE(_core, module) {
   BindDeformer(&module);
   BindRun(&module);
   BindChecks(&module);
+  BindLabels(&module);
   BindJoints(&module);
   module.attr("__version__") = musclewarp::kVersion;
   module.attr("__sources_hash__") = musclewarp::kSourcesHash;

@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/base/text.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 namespace musclewarp {
 namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 TEST(PlaceText, HasATenthOfAMillimetreOfAHuman) {
   EXPECT_EQ(PlaceText({1, -2.25, 300}), "(1.0, -2.2, 300.0)");
@@ -59,6 +63,24 @@ TEST(LengthText, IsInMillimetres) {
 TEST(BodySizeText, IsAFractionOrATimes) {
   EXPECT_EQ(BodySizeText(1.0 / 32), "1/32 of");
   EXPECT_EQ(BodySizeText(16), "16 times");
+}
+
+TEST(Split, GivesThePartsInTheirOrder) {
+  EXPECT_THAT(Split("ply", ','), ElementsAre("ply"));
+  EXPECT_THAT(Split("ply,obj,vtp", ','), ElementsAre("ply", "obj", "vtp"));
+  EXPECT_THAT(Split("1:2,3", ':'), ElementsAre("1", "2,3"));
+}
+
+TEST(Split, KeepsEmptyPartsButTheLast) {
+  EXPECT_THAT(Split("", ','), IsEmpty());
+  EXPECT_THAT(Split(",", ','), ElementsAre(""));
+  EXPECT_THAT(Split("a,,b", ','), ElementsAre("a", "", "b"));
+  EXPECT_THAT(Split(",a", ','), ElementsAre("", "a"));
+  EXPECT_THAT(Split("a,", ','), ElementsAre("a"));
+}
+
+TEST(Split, LeavesBlanksAlone) {
+  EXPECT_THAT(Split(" a , b", ','), ElementsAre(" a ", " b"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "musclewarp/base/setting_names.h"
 #include "musclewarp/joints/joint_limits.h"
 
 namespace musclewarp {
@@ -29,7 +30,7 @@ OrderedJson AllSigns() {
            {"beyond", sides[static_cast<int>(sign.beyond)]},
            {"weak", limit(sign.weak)},
            {"failed", limit(sign.failed)},
-           {"cause", sign.cause},
+           {"cause", WithFlags(sign.cause)},
            {"source", FilledText(sign.source)}});
     });
   });

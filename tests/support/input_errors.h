@@ -12,7 +12,8 @@
 
 namespace musclewarp {
 
-// Expects that `read` throws an InputError whose message has all the words.
+// Expects that `read` throws an InputError whose message has all the words,
+// with settings named as fields or as flags.
 template <typename Read>
 void ExpectInputError(const Read& read, const std::vector<std::string>& words) {
   try {
@@ -20,7 +21,8 @@ void ExpectInputError(const Read& read, const std::vector<std::string>& words) {
     ADD_FAILURE() << "nothing was refused; expected: " << words[0];
   } catch (const InputError& error) {
     for (const std::string& word : words) {
-      EXPECT_THAT(error.what(), ::testing::HasSubstr(word));
+      EXPECT_THAT(error.what() + ("\n" + error.WithFlags()),
+                  ::testing::HasSubstr(word));
     }
   }
 }

@@ -34,7 +34,7 @@ struct ShoulderLimits {
       WeakIf(
           "the axes of the image are not known: those of the file are taken "
           "for forward, up and right")
-          .From("`--axes=none`, or an image without directions",
+          .From("`{axes}=none`, or an image without directions",
                 "needs no limit");
 };
 
@@ -69,7 +69,7 @@ struct ElbowLimits {
       WeakIf(
           "neither a radius nor the image tells where the right is: flexion "
           "may go backwards")
-          .From("an arm without radius, with `--axes=none`", "needs no limit");
+          .From("an arm without radius, with `{axes}=none`", "needs no limit");
 };
 
 constexpr auto FieldsOf(Described<ElbowLimits>) {

@@ -43,6 +43,9 @@ std::string BodyNamed(const Articulation& articulation,
 OrderedJson MuscleJson(const Articulation& articulation,
                        const SceneMeshFile& muscle) {
   OrderedJson json = {{"name", muscle.name}, {"mesh", muscle.file}};
+  if (muscle.delivered_volume > 0) {
+    json["delivered_volume_mm3"] = muscle.delivered_volume;
+  }
   if (muscle.origin.empty() && muscle.insertion.empty()) return json;
   if (muscle.origin.empty() || muscle.insertion.empty()) {
     throw InputError(muscle.name,

@@ -57,6 +57,10 @@ struct SceneMeshFile {
   // Of a muscle: the bodies of its origin and its insertion, or bones that
   // belong to them; empty: those that are nearest to its mesh.
   std::string origin = {}, insertion = {};
+
+  // Of a muscle: its volume before its mesh was made, mm^3; 0: that of the
+  // mesh.
+  double delivered_volume = 0;
 };
 
 // The parts of a scene beside the bones of its articulation.

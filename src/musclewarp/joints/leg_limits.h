@@ -62,7 +62,7 @@ struct HipLimits {
       WeakIf(
           "neither bones nor image say where forward and up are: the axes "
           "are those of the file")
-          .From("one hip bone or half a femur, with `--axes=none`",
+          .From("one hip bone or half a femur, with `{axes}=none`",
                 "needs no limit");
 };
 
@@ -155,7 +155,7 @@ struct KneeLimits {
       WeakIf(
           "neither a head nor the image tells which end of the femur is up: "
           "the condyles may be looked at from the wrong side")
-          .From("a piece of a femur, with `--axes=none`",
+          .From("a piece of a femur, with `{axes}=none`",
                 "knees of the lower quarter are then wrong by 4 to 9 degrees "
                 "in all four legs of the benchmark");
 };

@@ -21,6 +21,10 @@
 
 namespace musclewarp {
 
+std::vector<LabelEntry> RowsOfTable(const LabelMeshOptions& options) {
+  return options.rows.empty() ? ReadLabelTable(options.table) : options.rows;
+}
+
 #ifdef MUSCLEWARP_WITH_VTK
 namespace {
 
@@ -87,11 +91,12 @@ std::string LabelsText(const std::vector<LabelEntry>& entries,
 // labels that occur in only one of them to `notes`.
 std::vector<LabelEntry> EntriesInBoth(const LabelImage& image,
                                       const Boxes& boxes,
-                                      const std::string& table,
+                                      const LabelMeshOptions& options,
                                       std::vector<std::string>* notes) {
+  const std::string& table = options.table;
   std::vector<LabelEntry> entries, absent;
   std::set<int> named;
-  for (const LabelEntry& entry : ReadLabelTable(table)) {
+  for (const LabelEntry& entry : RowsOfTable(options)) {
     named.insert(entry.label);
     (boxes.count(entry.label) ? entries : absent).push_back(entry);
   }
@@ -351,7 +356,7 @@ LabelMeshes MeshesOfLabels(const LabelImage& image,
   const std::vector<LabelEntry> entries =
       options.table.empty()
           ? EntriesOf(image, boxes)
-          : EntriesInBoth(image, boxes, options.table, &result.notes);
+          : EntriesInBoth(image, boxes, options, &result.notes);
   if (options.table.empty()) NoteEmptySegments(image, boxes, &result.notes);
   CheckAreLargeEnough(image, boxes, entries);
   std::vector<InputError> refused;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/label_images/label_image.h"
 #include "musclewarp/label_images/label_table.h"
 #include "musclewarp/mesh/triangle_soup.h"
 
@@ -53,6 +54,10 @@ struct LabelMeshOptions {
   // in the file (.seg.nrrd) or else "label_<number>".
   std::string table;
 
+  // The rows of the table, if it is in memory; `table` is then its name in
+  // messages.
+  std::vector<LabelEntry> rows;
+
   // The length of the edges of triangles, mm; 0: twice the edge of a cube with
   // the volume of a voxel.
   double edge_length = 0;
@@ -63,6 +68,11 @@ struct LabelMeshOptions {
   std::function<PieceChoice(const LabelEntry&)> pieces_of;
   double mm_per_unit = 1;  // of an image that does not state its unit
 };
+
+// Returns the rows of the table, from memory or from its file. Throws
+// InputError as ReadLabelTable does. Precondition: `options.table` is not
+// empty.
+std::vector<LabelEntry> RowsOfTable(const LabelMeshOptions& options);
 
 // Reads a label image (label_image.h) and makes a mesh of each label, with
 // cavities filled (label_regions.h, label_surface.h).

@@ -45,7 +45,9 @@ void RegisterFlags(Settings* settings,
     auto* default_value = new Value(value);
     auto* help = new std::string(WithFlags(HelpOf(field)));
     gflags::FlagRegisterer(field.key, help->c_str(), "", &value, default_value);
-    ProgramFlag flag = {field.key, *help};
+    ProgramFlag flag;
+    flag.name = field.key;
+    flag.help = *help;
     flag.is_path = field.is_path;
     flag.effect = field.effect;
     if constexpr (std::is_same_v<Value, std::string>) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/scene/attachments_file.h"
@@ -99,7 +100,8 @@ SceneMuscle ReadMuscle(const JsonField& field,
                    "lines",
                    "attachments",
                    "ends_on",
-                   "end_bodies"});
+                   "end_bodies",
+                   "delivered_volume_mm3"});
   SceneMuscle muscle;
   muscle.name = field.At("name").AsString();
   muscle.mesh_path = Resolve(field.At("mesh").AsString(), root);
@@ -120,6 +122,14 @@ SceneMuscle ReadMuscle(const JsonField& field,
   if (field.Has("ends_on")) muscle.ends_on = field.At("ends_on").AsStrings();
   if (field.Has("end_bodies")) {
     muscle.end_bodies = field.At("end_bodies").AsStrings();
+  }
+  if (field.Has("delivered_volume_mm3")) {
+    const JsonField volume = field.At("delivered_volume_mm3");
+    muscle.delivered_volume = volume.AsNumber();
+    if (!(muscle.delivered_volume > 0)) {
+      volume.Fail("is " + NumberText(muscle.delivered_volume),
+                  "allowed: above 0");
+    }
   }
   return muscle;
 }

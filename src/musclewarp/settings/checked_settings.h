@@ -99,6 +99,14 @@ Enum Named(const std::string& name, std::initializer_list<Enum> values) {
     if (ToString(value) == name) return value;
   }
   LOG(FATAL) << "no value \"" << name << "\"";
+  return *values.begin();
+}
+
+// Returns one of the structs that settings are composed of:
+// OptionsOf(PartOf<FileSettings>(settings)).
+template <class Part>
+const Part& PartOf(const Part& settings) {
+  return settings;
 }
 
 }  // namespace musclewarp

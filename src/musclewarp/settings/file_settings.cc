@@ -31,7 +31,7 @@ std::vector<std::string> OptionsOf(const FormatSettings& settings) {
 FrameFileOptions OptionsOf(const FileSettings& settings) {
   CheckSettings(settings);
   FrameFileOptions files;
-  files.formats = OptionsOf<FormatSettings>(settings);
+  files.formats = OptionsOf(PartOf<FormatSettings>(settings));
   files.bones = Named(settings.bones, {BoneFiles::kEvery, BoneFiles::kOnce});
   const auto has_bones = [&](const std::string& format) {
     return files.HasBonesInFrames(format);

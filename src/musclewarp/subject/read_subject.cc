@@ -11,7 +11,6 @@
 #include "musclewarp/base/text.h"
 #include "musclewarp/joints/bone_sides.h"
 #include "musclewarp/label_images/label_image_file.h"
-#include "musclewarp/label_images/label_table.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/mesh_files/stated_space.h"
@@ -78,11 +77,10 @@ class SubjectReader {
         continue;
       }
       if (HasImage()) {
-        throw InputError(
-            file,
-            "is a second label image beside " + subject_.image +
-                "; allowed: one",
-            "join the images, or export meshes of one of them");
+        throw InputError(file,
+                         "is a second label image beside " + subject_.image +
+                             "; allowed: one",
+                         "join the images, or export meshes of one of them");
       }
       CheckLabelImagesAreRead(file);
       subject_.image = file;
@@ -105,7 +103,7 @@ class SubjectReader {
   // Rows of the table describe files, too, by their names.
   void ReadTable() {
     if (input_.labels.table.empty()) return;
-    for (const LabelEntry& entry : ReadLabelTable(input_.labels.table)) {
+    for (const LabelEntry& entry : RowsOfTable(input_.labels)) {
       table_[entry.name] = entry;
     }
   }
@@ -203,10 +201,10 @@ class SubjectReader {
     };
     for (const LabelMesh& mesh : meshes) {
       if (!is_small(mesh)) continue;
-      subject_.notes.push_back(
-          mesh.name + " is left out: a piece of " +
-          MeasureText(mesh.volume / 1000) + " cm3, less than 1 % of " +
-          QuotedName(mesh.entry.name));
+      subject_.notes.push_back(mesh.name + " is left out: a piece of " +
+                               MeasureText(mesh.volume / 1000) +
+                               " cm3, less than 1 % of " +
+                               QuotedName(mesh.entry.name));
     }
     meshes.erase(std::remove_if(meshes.begin(), meshes.end(), is_small),
                  meshes.end());
@@ -245,11 +243,11 @@ class SubjectReader {
     for (const std::string& file : files_) known.push_back(MeshNameOf(file));
     for (const std::string& bone : input_.bones) {
       if (std::count(known.begin(), known.end(), bone) > 0) continue;
-      throw InputError("{bone}",
-                       "has " + QuotedName(bone) + ", which is no label" +
-                           (HasImage() ? " of " + subject_.image
-                                       : std::string(" or mesh")),
-                       "the names are " + ShortList(known));
+      throw InputError(
+          "{bone}",
+          "has " + QuotedName(bone) + ", which is no label" +
+              (HasImage() ? " of " + subject_.image : std::string(" or mesh")),
+          "the names are " + ShortList(known));
     }
   }
 
@@ -292,8 +290,9 @@ class SubjectReader {
     if (HasImage()) {
       stated.push_back({subject_.image, subject_.IsOriented() ? "LPS" : ""});
     }
-    for (const auto* files : {&files_, &input_.muscle_files, &named_left_}) {
-      for (const std::string& file : *files) {
+    for (const std::vector<std::string>& files :
+         {files_, input_.muscle_files, named_left_}) {
+      for (const std::string& file : files) {
         stated.push_back({file, StatedSpace(file)});
       }
     }
@@ -406,9 +405,9 @@ class SubjectReader {
   }
 
   const SubjectInput& input_;
-  const LabelImage* image_;  // in memory, or null
-  std::vector<std::string> files_;  // without the image
-  std::vector<std::string> named_left_;  // named bones that are no labels
+  const LabelImage* image_;                  // in memory, or null
+  std::vector<std::string> files_;           // without the image
+  std::vector<std::string> named_left_;      // named bones that are no labels
   std::map<std::string, LabelEntry> table_;  // by name
   std::map<std::string, std::string> where_of_name_;
   std::set<std::string> turned_;  // files of another space than the others

@@ -10,6 +10,7 @@
 #include "musclewarp/joints/bone_names.h"
 #include "musclewarp/label_images/label_meshes.h"
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/mesh_repair/repair.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {

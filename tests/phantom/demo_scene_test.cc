@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/demo_scene.h"
+#include "musclewarp/phantom/demo_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,164 @@
+# Copyright 2026 The musclewarp authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Meshes of the labels of an image."""
+import os
+from typing import Any, Dict, List, Mapping, Optional, Union
+
+import numpy as np
+
+from musclewarp import _core
+from musclewarp._errors import InputError
+from musclewarp._settings import documented, settings_among
+
+_Path = Union[str, "os.PathLike[str]"]
+_LARGEST_LABEL = 2147483647
+
+
+class Labels:
+    """The meshes of a label image, as read_labels() returns them.
+
+        labels = mw.read_labels("seg.nii.gz", "labels.csv")
+        frame = mw.separate(labels)
+        leg = mw.articulate(labels)
+        deformer = mw.Deformer(leg.scene())
+
+    Attributes:
+        bones: dict of Mesh by name.
+        muscles: dict of Muscle by name.
+        volumes: dict of the volumes of the labels by name, mm^3, before their
+            surfaces were made.
+        notes: what was left out, filled or not known, sentences.
+        axes: "LPS", or None if the image does not say where left, back and
+            head are.
+    """
+
+    def __init__(self, subject: _core.Subject) -> None:
+        self._subject = subject
+
+    @property
+    def bones(self) -> Dict[str, _core.Mesh]:
+        return self._subject.bones
+
+    @property
+    def muscles(self) -> Dict[str, _core.Muscle]:
+        return self._subject.muscles
+
+    @property
+    def volumes(self) -> Dict[str, float]:
+        return self._subject.volumes
+
+    @property
+    def notes(self) -> List[str]:
+        return self._subject.notes
+
+    @property
+    def axes(self) -> Optional[str]:
+        return "LPS" if self._subject.is_oriented else None
+
+    def __repr__(self) -> str:
+        return (f"<musclewarp.Labels: {len(self.bones)} bones, "
+                f"{len(self.muscles)} muscles>")
+
+
+@documented("LabelSettings")
+def read_labels(image: Any,
+                table: Optional[_Path] = None,
+                *,
+                affine: Any = None,
+                space: Optional[str] = "RAS",
+                names: Optional[Mapping[int, Union[str, Mapping[str, str]]]] = None,
+                # Settings of LabelSettings.
+                # End of settings.
+                ) -> Labels:
+    """Makes a mesh of each label of an image, in mm and in LPS.
+
+        labels = mw.read_labels("seg.nii.gz", "labels.csv")
+        labels = mw.read_labels(nibabel.load("seg.nii.gz"), names={1: "femur"})
+        labels = mw.read_labels(array, affine=affine, names={1: "femur"})
+
+    A label is a bone if the table or `bone` says so, or if its name is that of
+    a bone (docs/joints.md); a bone that exists on both sides of the body
+    becomes a mesh on each. This is what musclewarp-articulate reads.
+
+    Args:
+        image: the path of a label image, an image of nibabel, or an array
+            (i, j, k) of whole numbers, 0 for the background.
+        table: the table of the labels, a file as docs/joints.md has it; short
+            for `labels`.
+        affine: of an array, (4, 4): takes indices (i, j, k, 1) to places, mm.
+        space: of `affine`: "RAS" (as nibabel has it), "LPS", or None if it is
+            not known where its axes point.
+        names: dict of the labels in place of a table: of each its name, or a
+            dict with the columns of the table, such as {"name": "nail",
+            "kind": "bone", "body": "femur_r"}. Other labels are left out.
+        {settings}
+    Raises:
+        InputError: the image cannot be read, or a label becomes no surface.
+    """
+    settings = settings_among("LabelSettings", locals())
+    if table is not None:
+        settings["labels"] = table
+    if names is not None and os.fspath(settings["labels"]):
+        raise InputError("names", "are given beside a table",
+                         "give one of them")
+    rows = _rows(names or {})
+    if isinstance(image, (str, os.PathLike)):
+        if affine is not None:
+            raise InputError("affine", "is given with a file",
+                             "leave it out: the file has its own")
+        return Labels(_core.read_label_file(os.fspath(image), settings, rows))
+    if hasattr(image, "dataobj") and hasattr(image, "affine"):
+        image, affine = image.dataobj, image.affine
+    if space not in ("RAS", "LPS", None):
+        raise InputError("space", f"is {space!r}",
+                         'allowed: "RAS", "LPS", None')
+    array = _label_array(image)
+    return Labels(
+        _core.read_label_array(array.ravel(order="F"), list(array.shape),
+                               _affine(affine), space or "", settings, rows))
+
+
+def _rows(
+    names: Mapping[int, Union[str, Mapping[str, str]]]
+) -> Dict[int, Dict[str, str]]:
+    rows = {}
+    for label, row in names.items():
+        if isinstance(label, bool) or not isinstance(label, (int, np.integer)):
+            raise InputError("names", f"has the label {label!r}",
+                             "allowed: whole numbers above 0")
+        columns = {"name": row} if isinstance(row, str) else dict(row)
+        rows[int(label)] = {str(key): str(value)
+                            for key, value in columns.items()}
+    return rows
+
+
+def _label_array(image: Any) -> "np.ndarray[Any, Any]":
+    array = np.asanyarray(image)
+    if array.dtype.kind not in "biuf" or array.ndim != 3 or array.size == 0:
+        raise InputError(
+            "image", f"is an array of {array.dtype} and shape {array.shape}",
+            "allowed: a file, an image of nibabel, or (i, j, k) numbers")
+    low, high = array.min(), array.max()
+    if not (low >= 0 and high <= _LARGEST_LABEL):
+        raise InputError("image", f"has values from {low} to {high}",
+                         f"allowed: labels from 0 to {_LARGEST_LABEL}")
+    labels = array.astype(np.int32)
+    if array.dtype.kind == "f" and not np.array_equal(labels, array):
+        raise InputError("image", "has values that are no whole numbers",
+                         "give a label map, not an image of intensities")
+    return labels
+
+
+def _affine(affine: Any) -> List[List[float]]:
+    if affine is None:
+        raise InputError("affine", "is missing",
+                         "give (4, 4) numbers that take indices to mm")
+    matrix = np.asarray(affine, dtype=np.float64)
+    if matrix.shape != (4, 4) or not np.isfinite(matrix).all():
+        raise InputError("affine", f"has the shape {matrix.shape}",
+                         "allowed: (4, 4) finite numbers")
+    if not np.array_equal(matrix[3], [0, 0, 0, 1]):
+        raise InputError("affine", f"has the last row {matrix[3].tolist()}",
+                         "allowed: 0, 0, 0, 1")
+    rows: List[List[float]] = matrix.tolist()
+    return rows
