@@ -7,8 +7,6 @@
 //
 //   step_benchmark --flagfile=FOLDER/flags FOLDER/frame_0003_step_01.step ...
 
-#include <gflags/gflags.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <iomanip>
@@ -21,19 +19,42 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/program/flags.h"
 #include "musclewarp/program/program.h"
 #include "musclewarp/run/machine.h"
+#include "musclewarp/settings/deformer_settings.h"
+#include "musclewarp/settings/scene_settings.h"
 #include "step_replay.h"
-
-DEFINE_string(solver, "ceres", "ceres or reference");
-DEFINE_int32(repeats, 5, "how often a step is taken; the median counts");
-DEFINE_string(json, "", "file for the figures as JSON");
-DEFINE_string(baseline, "", "such a file of another build, to compare with");
 
 namespace musclewarp {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
+
+struct BenchmarkSettings {
+  int repeats = 5;
+  std::string json;
+  std::string baseline;
+};
+
+constexpr auto FieldsOf(Described<BenchmarkSettings>) {
+  using S = BenchmarkSettings;
+  return std::make_tuple(
+      Field(&S::repeats, "repeats")
+          .Text("how often a step is taken; the median counts")
+          .AtLeast(1),
+      Field(&S::json, "json").Text("file for the figures as JSON").Path(),
+      Field(&S::baseline, "baseline")
+          .Text("such a file of another build, to compare with")
+          .Path());
+}
+
+// All settings of the program.
+struct Settings {
+  BenchmarkSettings benchmark;
+  SceneSettings scene;
+  DeformerSettings deformer;
+};
 
 // One step with one and with two threads.
 struct MeasuredStep {
@@ -156,14 +177,12 @@ void Print(const MeasuredStep& step, const OrderedJson& baseline) {
            "");
 }
 
-OrderedJson ReadBaseline() {
-  if (FLAGS_baseline.empty()) return OrderedJson::object();
-  OrderedJson baseline =
-      OrderedJson::parse(ReadFile(FLAGS_baseline), nullptr, false);
+OrderedJson ReadBaseline(const std::string& file) {
+  if (file.empty()) return OrderedJson::object();
+  OrderedJson baseline = OrderedJson::parse(ReadFile(file), nullptr, false);
   if (!baseline.is_object()) {
-    throw InputError("--baseline",
-                     FLAGS_baseline + " is no file of --json",
-                     "make one with --json");
+    throw InputError(
+        "--baseline", file + " is no file of --json", "make one with --json");
   }
   return baseline;
 }
@@ -174,25 +193,23 @@ std::string NameOf(const std::string& path) {
   return (file.parent_path().filename() / file.stem()).string();
 }
 
-int Run(const std::vector<std::string>& files) {
+int Run(const std::vector<std::string>& files, Settings settings) {
   if (files.empty()) {
     throw InputError("files", "none given", "name recorded steps");
   }
-  if (FLAGS_repeats < 1) {
-    throw InputError("--repeats",
-                     "is " + std::to_string(FLAGS_repeats),
-                     "allowed: 1 or above");
-  }
-  const OrderedJson baseline = ReadBaseline();
-  DeformOptions options = SceneOptionsFromFlags();
-  options.deformer.solver = ParseSolver(FLAGS_solver);
-  options.deformer.cache.folder =
+  CheckSettings(settings.benchmark);
+  const int repeats = settings.benchmark.repeats;
+  const OrderedJson baseline = ReadBaseline(settings.benchmark.baseline);
+  settings.deformer.given = GivenFlags();
+  DeformerOptions options = OptionsOf(settings.deformer);
+  options.frames.measures.vertex_gaps = false;
+  options.cache.folder =
       (std::filesystem::absolute(files[0]).parent_path() / "preparations")
           .string();
-  CheckSceneOptions(options);
-  const StepReplay replay(
-      ReadScene(options.scene, options.data_root, options.model),
-      options.deformer);
+  const StepReplay replay(ReadScene(settings.scene.scene,
+                                    settings.scene.data_root,
+                                    OptionsOf(settings.scene)),
+                          options);
   const Machine machine = ThisMachine();
   std::cout << machine.processor << ", " << machine.cores << " cores\n";
   OrderedJson steps = OrderedJson::array();
@@ -201,17 +218,17 @@ int Run(const std::vector<std::string>& files) {
     const RecordedStep recorded = ReadRecordedStep(file);
     MeasuredStep step;
     step.name = NameOf(file);
-    step.two = replay.Take(file, recorded, 2, FLAGS_repeats, &step.difference);
-    step.one = replay.Take(file, recorded, 1, FLAGS_repeats, &step.difference);
+    step.two = replay.Take(file, recorded, 2, repeats, &step.difference);
+    step.one = replay.Take(file, recorded, 1, repeats, &step.difference);
     Print(step, baseline);
     steps.push_back(ToJson(step));
     are_same &= step.difference.is_same;
   }
-  if (!FLAGS_json.empty()) {
+  if (!settings.benchmark.json.empty()) {
     const OrderedJson json = {{"processor", machine.processor},
                               {"code", CodeKey()},
                               {"steps", steps}};
-    WriteTextAtomically(FLAGS_json, json.dump(2) + "\n");
+    WriteTextAtomically(settings.benchmark.json, json.dump(2) + "\n");
   }
   return are_same ? kExitUsable : kExitNotUsable;
 }
@@ -220,7 +237,12 @@ int Run(const std::vector<std::string>& files) {
 }  // namespace musclewarp
 
 int main(int argc, char** argv) {
-  return musclewarp::RunProgram(
+  using namespace musclewarp;
+  Settings settings;
+  RegisterFlags(&settings.benchmark);
+  RegisterFlags(&settings.scene);
+  RegisterFlags(&settings.deformer);
+  return RunProgram(
       argc,
       argv,
       "step_benchmark --flagfile=FOLDER/flags FOLDER/*.step [--json=FILE]\n"
@@ -228,5 +250,7 @@ int main(int argc, char** argv) {
       "Takes recorded steps again and prints where their time goes. FOLDER is "
       "that of\nmusclewarp-deform --record_steps. Exit code: 0 if all of them "
       "end in the recorded\nstate to the last bit, 1 if not, 2 bad input.",
-      musclewarp::Run);
+      [&](const std::vector<std::string>& files) {
+        return Run(files, settings);
+      });
 }

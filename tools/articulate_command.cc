@@ -99,7 +99,11 @@ class ArticulateRun {
                        "name the meshes of the bones, or a label image");
     }
     CheckSettings<LabelSettings>(options_);
-    CheckInputsStay();
+    std::vector<std::string> results;  // the meshes of the model
+    for (const std::string& file : files_) {
+      results.push_back("Geometry/" + MeshNameOf(file) + ".obj");
+    }
+    CheckInputsStay(files_, options_.out, results);
     ArticulationOptions joints =
         OptionsOf(PartOf<ArticulationSettings>(options_));
     const JointMotion motion = ParseMotion(Split(options_.motion, ','));
@@ -144,19 +148,6 @@ class ArticulateRun {
                              ", and the surfaces of labels are in mm",
                          "convert the mesh files to mm");
       }
-    }
-  }
-
-  // The meshes of the model must not replace those that it is made of.
-  void CheckInputsStay() const {
-    for (const std::string& file : files_) {
-      const fs::path result =
-          fs::path(options_.out) / "Geometry" / (MeshNameOf(file) + ".obj");
-      std::error_code error;
-      if (!fs::equivalent(result, MeshFileOf(file), error)) continue;
-      throw InputError("--out=" + options_.out,
-                       "has the input " + file + ", which would be replaced",
-                       "choose another folder");
     }
   }
 

@@ -17,7 +17,6 @@
 #include "musclewarp/base/text.h"
 #include "musclewarp/deformer/mesh_separation.h"
 #include "musclewarp/mesh_files/mesh_io.h"
-#include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/program/interruption.h"
 #include "musclewarp/program/program.h"
 #include "musclewarp/report/screen_progress.h"
@@ -40,13 +39,6 @@ void CheckSeparateOptions(const std::vector<std::string>& files,
   if (files.empty()) {
     throw InputError(
         "files", "none given", "name at least one mesh file, or a label image");
-  }
-  for (const std::string& bone : Split(options.bone, ',')) {
-    if (!bone.empty()) continue;
-    throw InputError("--bone",
-                     "has a comma without a name before it",
-                     "allowed: mesh files and names of labels with commas "
-                     "between them");
   }
   OptionsOf(PartOf<LabelSettings>(options));
   OptionsOf(PartOf<FormatSettings>(options));
@@ -329,7 +321,9 @@ class SeparateRun {
     try {
       const Stopwatch stopwatch;
       const Subject subject = ReadSubject(InputOf(files_, options_));
-      CheckInputsStay(subject);
+      std::vector<std::string> read = Split(options_.bone, ',');
+      read.insert(read.end(), files_.begin(), files_.end());
+      CheckInputsStay(read, options_.out, ResultFiles(subject));
       PrintLabels(subject, screen_);
       const Separation result =
           Separate(subject, options_, [this](const Progress& progress) {
@@ -349,34 +343,17 @@ class SeparateRun {
   }
 
  private:
-  // Throws InputError if a result would replace a file that was read.
-  void CheckInputsStay(const Subject& subject) const {
-    std::vector<std::string> read = files_;
-    for (const std::string& bone : Split(options_.bone, ',')) {
-      read.push_back(bone);
-    }
-    for (const auto* meshes : {&subject.bones, &subject.muscles}) {
-      for (const SubjectMesh& mesh : *meshes) {
-        for (const std::string& format :
-             OptionsOf(PartOf<FormatSettings>(options_))) {
-          CheckStays(read, mesh.name + "." + format);
+  std::vector<std::string> ResultFiles(const Subject& subject) const {
+    std::vector<std::string> names;
+    for (const std::string& format :
+         OptionsOf(PartOf<FormatSettings>(options_))) {
+      for (const auto* meshes : {&subject.bones, &subject.muscles}) {
+        for (const SubjectMesh& mesh : *meshes) {
+          names.push_back(mesh.name + "." + format);
         }
       }
     }
-  }
-
-  void CheckStays(const std::vector<std::string>& read,
-                  const std::string& name) const {
-    for (const std::string& file : read) {
-      std::error_code error;
-      if (!fs::equivalent(
-              fs::path(options_.out) / name, MeshFileOf(file), error)) {
-        continue;
-      }
-      throw InputError("--out=" + options_.out,
-                       "has the input " + file + ", which would be replaced",
-                       "choose another folder");
-    }
+    return names;
   }
 
   void Write(const Subject& subject, const Separation& result, double wall_ms) {

@@ -148,15 +148,16 @@ def articulate(bones: Union[Mapping[str, Any], Labels],
     settings = settings_among("ArticulationSettings", locals())
     if axes is None:
         settings["axes"] = "none"
-    text = ""
-    if isinstance(given, Mapping):
-        text = json.dumps(given)
+    text = json.dumps(given) if isinstance(given, Mapping) else ""
+    if given is None or text:
         settings["given"] = ""
-    labels = bones if isinstance(bones, Labels) else None
-    meshes = [] if isinstance(bones, Labels) else list(bones.items())
-    source = _core.articulate(meshes, labels and labels._subject, settings,
-                              units, text)
-    return Articulation(source, units, labels)
+    if isinstance(bones, Labels):
+        return Articulation(
+            _core.articulate([], bones._subject, settings, "mm", text), "mm",
+            bones)
+    return Articulation(
+        _core.articulate(list(bones.items()), None, settings, units, text),
+        units)
 
 
 def _sweeps(

@@ -24,6 +24,15 @@
 //       {});
 //   mw::WriteArticulatedModel(leg, "leg", "leg/model.osim");
 //
+// and to read the labels of an image, with what users choose (docs/settings.md):
+//
+//   mw::SubjectInput input;
+//   input.use = mw::SubjectUse::kJoints;
+//   input.files = {"segmentation.nii.gz"};
+//   input.labels = mw::OptionsOf(mw::LabelSettings());
+//   const mw::Subject subject = mw::ReadSubject(input);
+//   const mw::Articulation leg = mw::Articulate(mw::BonesOf(subject), {});
+//
 // Lengths are in millimetres, angles in radians. Bad input throws InputError.
 
 #include "musclewarp/base/input_error.h"
@@ -36,3 +45,10 @@
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/run/frame_files.h"
 #include "musclewarp/scene/scene.h"
+#include "musclewarp/settings/articulation_settings.h"
+#include "musclewarp/settings/deformer_settings.h"
+#include "musclewarp/settings/file_settings.h"
+#include "musclewarp/settings/label_settings.h"
+#include "musclewarp/settings/scene_settings.h"
+#include "musclewarp/settings/separation_settings.h"
+#include "musclewarp/subject/subject.h"

@@ -15,7 +15,8 @@ namespace {
 constexpr double kMouse = 1.0 / 32;
 
 TEST(LengthOptions, FollowTheBodyUnlessTheyAreAskedFor) {
-  for (const std::string& name : LengthsThatCanBeAskedFor()) {
+  for (const std::string name :
+       {"gap", "max_lost_area", "max_hole", "sample_spacing"}) {
     PrepareOptions prepare;
     CertifiedContactOptions contact;
     FrameRequirements requirements;

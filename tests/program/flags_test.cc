@@ -98,15 +98,15 @@ TEST_F(Flags, ThatChangeResultsAreTold) {
   Set("threads", "3");
   Set("cache", "/tmp/cache");
   Set("frames", "0:2");
-  Set("gap", "0.2");
-  EXPECT_EQ(ResultFlagsText(), " --frames=0:2 --gap=0.2");
+  Set("gap", "0.25");
+  EXPECT_EQ(ResultFlagsText(), " --frames=0:2 --gap=0.25");
 }
 
 TEST_F(Flags, GoToAFileForFlags) {
-  Set("gap", "0.2");
+  Set("gap", "0.25");
   Set("frames", "0:2");
   Set("threads", "2");
-  EXPECT_EQ(FlagFileOf(flags_->deformer, {}), "--gap=0.2\n");
+  EXPECT_EQ(FlagFileOf(flags_->deformer, {}), "--gap=0.25\n");
   EXPECT_EQ(FlagFileOf(flags_->scene, {"frames"}), "");
 }
 

@@ -34,7 +34,7 @@ TEST(DeformerSettings, AreByDefaultTheOptions) {
   EXPECT_TRUE(chosen.cache.folder.empty());
 }
 
-TEST(DeformerSettings, ReachTheirOptions) {
+TEST(DeformerSettings, ReachTheOptionsOfThePreparation) {
   DeformerSettings settings;
   settings.coarse_vertices = 300;
   settings.bone_coarse_vertices = 400;
@@ -48,21 +48,6 @@ TEST(DeformerSettings, ReachTheirOptions) {
   settings.auto_lines = 4;
   settings.fibres = 9;
   settings.max_hole = 50;
-  settings.max_iterations = 60;
-  settings.seed = 7;
-  settings.contact = "paper";
-  settings.contact_level = "fine";
-  settings.remake = "never";
-  settings.body_twist = false;
-  settings.gap = 0.25;
-  settings.max_rounds = 9;
-  settings.max_step_turn = 90;
-  settings.max_step_move = 5;
-  settings.frame_timeout_s = 30;
-  settings.max_loss = 0.1;
-  settings.max_lost_area = 11;
-  settings.max_lost_extent = 12;
-  settings.max_torn_patch = 13;
   settings.cache = "folder";
   const DeformerOptions options = OptionsOf(settings);
   const MuscleModelOptions& muscle = options.prepare.muscle;
@@ -78,6 +63,27 @@ TEST(DeformerSettings, ReachTheirOptions) {
   EXPECT_EQ(options.prepare.auto_lines, 4);
   EXPECT_EQ(options.prepare.fibres.fibres, 9);
   EXPECT_EQ(options.prepare.repair.holes.max_perimeter, 50);
+  EXPECT_EQ(options.cache.folder, "folder");
+}
+
+TEST(DeformerSettings, ReachTheOptionsOfFrames) {
+  DeformerSettings settings;
+  settings.max_iterations = 60;
+  settings.seed = 7;
+  settings.contact = "paper";
+  settings.contact_level = "fine";
+  settings.remake = "never";
+  settings.body_twist = false;
+  settings.gap = 0.25;
+  settings.max_rounds = 9;
+  settings.max_step_turn = 90;
+  settings.max_step_move = 5;
+  settings.frame_timeout_s = 30;
+  settings.max_loss = 0.1;
+  settings.max_lost_area = 11;
+  settings.max_lost_extent = 12;
+  settings.max_torn_patch = 13;
+  const DeformerOptions options = OptionsOf(settings);
   EXPECT_EQ(options.solver.gauss_newton.max_iterations, 60);
   EXPECT_EQ(options.solver.ceres.iteration.max_iterations, 60);
   EXPECT_EQ(options.frames.paper.group.paper.seed, 7U);
@@ -95,7 +101,6 @@ TEST(DeformerSettings, ReachTheirOptions) {
   EXPECT_EQ(options.frames.requirements.max_lost_area, 11);
   EXPECT_EQ(options.frames.requirements.max_lost_extent, 12);
   EXPECT_EQ(options.frames.requirements.max_torn_patch, 13);
-  EXPECT_EQ(options.cache.folder, "folder");
   EXPECT_EQ(options.lengths_in_mm.count("gap"), 1U);
 }
 

@@ -88,8 +88,6 @@ const std::map<std::string, Perturbation>& Perturbations() {
 Scene SceneFor(Setting setting) {
   Scene scene = ReadScene(
       std::string(MUSCLEWARP_EMBEDDED_DATA) + "/phantom/motion.json", "");
-  // The first muscle is enough, and takes less time.
-  scene.muscles.resize(1);
   SceneMuscle& muscle = scene.muscles[0];
   TriangleSoup mesh = ReadTriangleSoup(muscle.mesh_path);
   const Eigen::RowVector3d centre = mesh.points.colwise().mean();

@@ -35,7 +35,7 @@ class ArticulateLeg : public ::testing::Test {
     Write("vastus",
           MovedTo(belly, leg_.femur.head + Eigen::Vector3d(-120, -40, -200)));
     options_.out = dir_ + "/out";
-    options_.muscles = {Path("vastus")};
+    options_.muscles = Path("vastus");
   }
 
   void Write(const std::string& name, const TriangleSoup& soup) {
@@ -70,7 +70,7 @@ class ArticulateLeg : public ::testing::Test {
 };
 
 TEST_F(ArticulateLeg, WritesASceneThatMoves) {
-  options_.motion = {"hip_flexion_r:-10:60:8", "knee_angle_r:0:30"};
+  options_.motion = "hip_flexion_r:-10:60:8,knee_angle_r:0:30";
   EXPECT_EQ(Articulate({"femur", "tibia", "pelvis"}), kExitUsable);
   EXPECT_THAT(screen_, HasSubstr("femur: a right femur, by its shape"));
   const Scene scene = ReadScene(options_.out + "/scene.json", {});
@@ -146,7 +146,7 @@ TEST_F(ArticulateLeg, TakesACorrectedJointBack) {
 
 TEST_F(ArticulateLeg, SaysSoIfAJointFails) {
   Write("femur", MovedTo(leg_.bones[0].mesh, {0, 0, -200}));
-  options_.joints = {"hip"};
+  options_.joints = "hip";
   EXPECT_EQ(Articulate({"femur", "tibia", "pelvis"}), kExitNotUsable);
   EXPECT_THAT(screen_, HasSubstr("hip_r       failed"));
   EXPECT_THAT(screen_, HasSubstr("bones from two scans"));
@@ -175,18 +175,18 @@ TEST_F(ArticulateLeg, DoesNotReplaceItsInput) {
 }
 
 TEST_F(ArticulateLeg, RefusesBadFlags) {
-  options_.motion = {"hip_flexion_r:-10"};
+  options_.motion = "hip_flexion_r:-10";
   ExpectRefused({"--motion=hip_flexion_r:-10", "COORDINATE:FROM:TO:FRAMES"});
-  options_.motion = {"hip_flexion_r:0:x:5"};
+  options_.motion = "hip_flexion_r:0:x:5";
   ExpectRefused({"--motion", "\"x\"", "no number"});
-  options_.motion = {"hip_flexion_r:0:10:0"};
+  options_.motion = "hip_flexion_r:0:10:0";
   ExpectRefused({"frames", "1 to 100000"});
-  options_.motion = {"hip_flexion_l:0:10:5"};
+  options_.motion = "hip_flexion_l:0:10:5";
   ExpectRefused({"--motion", "hip_flexion_l", "hip_flexion_r"});
   options_.motion.clear();
-  options_.joints = {"hipp"};
+  options_.joints = "hipp";
   ExpectRefused({"--joints", "hipp", "hip, knee"});
-  options_.joints = {"elbow"};
+  options_.joints = "elbow";
   ExpectRefused({"joint elbow", "lacks its bones"});
   options_.joints.clear();
   options_.side = "up";
@@ -204,7 +204,7 @@ TEST_F(ArticulateLeg, RefusesBadFlags) {
   options_.edge = -1;
   ExpectRefused({"--edge", "is -1", "0 (twice a voxel) to 100 mm"});
   options_.edge = 0;
-  options_.muscles = {Path("femur")};
+  options_.muscles = Path("femur");
   ExpectRefused({"femur.ply", "has the name"});
 }
 

@@ -36,27 +36,38 @@ ConvergenceOptions EmbeddedScene() {
 }  // namespace
 
 TEST(ConvergenceCommand, ListsMayBeEmptyAndUnsorted) {
-  EXPECT_THAT(ParseConvergenceVertices("600,100"), ElementsAre(600, 100));
-  EXPECT_THAT(ParseConvergenceSpacing("2.5,40"), ElementsAre(2.5, 40));
-  EXPECT_THAT(ParseConvergenceDensity("0.25,1,4,16"),
-              ElementsAre(0.25, 1, 4, 16));
-  EXPECT_THAT(ParseConvergenceVertices(""), IsEmpty());
-  EXPECT_THAT(ParseConvergenceSpacing(""), IsEmpty());
-  EXPECT_THAT(ParseConvergenceDensity(""), IsEmpty());
+  StudyValues values =
+      StudyValuesOf({true, "600,100", "2.5,40", "0.25,1,4,16"});
+  EXPECT_THAT(values.vertices, ElementsAre(600, 100));
+  EXPECT_THAT(values.spacings, ElementsAre(2.5, 40));
+  EXPECT_THAT(values.densities, ElementsAre(0.25, 1, 4, 16));
+  values = StudyValuesOf({true, "", "", ""});
+  EXPECT_THAT(values.vertices, IsEmpty());
+  EXPECT_THAT(values.spacings, IsEmpty());
+  EXPECT_THAT(values.densities, IsEmpty());
 }
 
 TEST(ConvergenceCommand, RefusesBadLists) {
   for (const char* text : {"19", "5001", "many", "100,,200", "100.5", "1e3"}) {
-    ExpectInputError([&] { ParseConvergenceVertices(text); },
-                     {"--convergence_vertices", "20 to 5000"});
+    ExpectInputError(
+        [&] {
+          StudyValuesOf({true, text, "", ""});
+        },
+        {"--convergence_vertices", "20 to 5000"});
   }
   for (const char* text : {"0", "-1", "5 mm", "nan"}) {
-    ExpectInputError([&] { ParseConvergenceSpacing(text); },
-                     {"--convergence_spacing", "0.01 mm or above"});
+    ExpectInputError(
+        [&] {
+          StudyValuesOf({true, "", text, ""});
+        },
+        {"--convergence_spacing", "0.01 mm or above"});
   }
   for (const char* text : {"2", "64", "0.5", "0", "-4", "1/4"}) {
-    ExpectInputError([&] { ParseConvergenceDensity(text); },
-                     {"--convergence_density", "0.25, 1, 4 and 16"});
+    ExpectInputError(
+        [&] {
+          StudyValuesOf({true, "", "", text});
+        },
+        {"--convergence_density", "0.25, 1, 4 and 16"});
   }
   for (const char* text : {"paper", "none,certified", "some", ""}) {
     ExpectInputError([&] { ParseConvergenceContact(text); },

@@ -1,6 +1,5 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include <gflags/gflags.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +11,6 @@
 #include "benchmarks/step_replay.h"
 #include "support/temp_dir.h"
 #include "tools/run_program.h"
-#include "tools/scene_flags.h"
 
 namespace musclewarp {
 namespace {
@@ -52,17 +50,31 @@ std::vector<std::string> StepFiles(const std::string& folder) {
   return files;
 }
 
+// The flags that step_benchmark reads.
+struct ReplayFlags {
+  SceneSettings scene;
+  DeformerSettings deformer;
+
+  ReplayFlags() {
+    RegisterFlags(&scene);
+    RegisterFlags(&deformer);
+  }
+};
+
 // The scene as the flags have it that are kept beside the steps, prepared as it
 // was then.
 StepReplay ReplayOf(const std::string& folder) {
-  const gflags::FlagSaver saver;
+  static ReplayFlags& flags = *new ReplayFlags;
   EXPECT_NE(
       gflags::SetCommandLineOption("flagfile", (folder + "/flags").c_str()),
       "");
-  DeformOptions options = SceneOptionsFromFlags();
-  options.deformer.cache.folder = folder + "/preparations";
-  return StepReplay(ReadScene(options.scene, options.data_root, options.model),
-                    options.deformer);
+  flags.deformer.given = GivenFlags();
+  DeformerOptions options = OptionsOf(flags.deformer);
+  options.cache.folder = folder + "/preparations";
+  return StepReplay(
+      ReadScene(
+          flags.scene.scene, flags.scene.data_root, OptionsOf(flags.scene)),
+      options);
 }
 
 TEST(RecordSteps, StepsEndAsRecordedAndFramesAreTheSameWithoutThem) {

@@ -69,7 +69,7 @@ SeparateOptions WithoutBones(const std::string& dir, const std::string& out) {
 
 SeparateOptions WithBox(const std::string& dir, const std::string& out) {
   SeparateOptions options = WithoutBones(dir, out);
-  options.bones = {dir + "/box.ply"};
+  options.bone = dir + "/box.ply";
   return options;
 }
 
@@ -144,7 +144,7 @@ TEST(SeparateCommand, NeedsNoBones) {
   const std::string dir = TestTempDir();
   WriteOverlappingMeshes(dir);
   SeparateOptions options = WithoutBones(dir, "out");
-  options.formats = {"obj", "ply"};
+  options.format = "obj,ply";
   options.gap = 0.3;
   EXPECT_EQ(Separate(dir, {"a", "b", "box"}, options), kExitUsable);
   ExpectApart({dir + "/out/a.obj", dir + "/out/b.ply", dir + "/out/box.obj"});
@@ -223,7 +223,7 @@ TEST(SeparateCommand, RefusesBadOptions) {
   options.edge = 200;
   ExpectSeparationRefused(files, options, {"--edge: is 200", "to 100 mm"});
   options = WithBox(dir, "out");
-  options.bones = {"", dir + "/box.ply"};
+  options.bone = "," + dir + "/box.ply";
   ExpectSeparationRefused(files, options, {"--bone", "comma"});
   options = WithBox(dir, "out");
   options.out.clear();
@@ -247,7 +247,7 @@ TEST(SeparateCommand, RefusesAMeshInsideABoneUnderTheNameOfTheMesh) {
   WriteTriangleSoup(dir + "/inside.ply", Icosphere(10, 2));
   SeparateOptions options = WithBox(dir, "out");
   ExpectSeparationRefused({dir + "/inside.ply"}, options, {"inside"});
-  options.remake = ReconstructionKind::kNever;
+  options.remake = "never";
   ExpectSeparationRefused(
       {dir + "/inside.ply"}, options, {"cannot be separated", "--remake=auto"});
 }

@@ -57,6 +57,7 @@ bool DefectOptions::IsValid(std::string* error) const {
 bool StepOptions::IsValid(std::string* error) const {
   return OptionCheck("StepOptions", error)
              .IsAbove("gap", gap, 0)
+             .IsWithin("gap", gap, 0, kLargestGap)
              .IsAbove("reach", reach, gap)
              .IsAtLeast("sweeps", sweeps, 1)
              .IsAtLeast("repair_sweeps", repair_sweeps, 1)

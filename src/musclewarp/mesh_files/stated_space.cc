@@ -162,6 +162,19 @@ CommonSpace FindCommonSpace(const std::vector<StatedFile>& files,
   return common;
 }
 
+void CheckOneSpace(const std::vector<StatedFile>& files) {
+  const StatedFile* first = nullptr;
+  for (const StatedFile& file : files) {
+    if (file.space.empty()) continue;
+    if (!first) first = &file;
+    if (file.space == first->space) continue;
+    throw InputError(file.file,
+                     "states the space " + file.space + ", and " + first->file +
+                         " " + first->space + "; allowed: one for all meshes",
+                     "export all meshes in one space");
+  }
+}
+
 void TurnToOtherSpace(Points* points) { points->leftCols<2>() *= -1; }
 
 }  // namespace musclewarp

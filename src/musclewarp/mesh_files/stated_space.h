@@ -51,6 +51,9 @@ CommonSpace FindCommonSpace(const std::vector<StatedFile>& files,
                             const std::string& axes = "",
                             const std::string& axes_place = "");
 
+// Throws InputError if two files state different spaces.
+void CheckOneSpace(const std::vector<StatedFile>& files);
+
 // Takes points from LPS to RAS, or back: x and y change their signs.
 void TurnToOtherSpace(Points* points);
 

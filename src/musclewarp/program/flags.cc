@@ -83,7 +83,9 @@ std::vector<ProgramFlag>& ProgramFlags() {
 }
 
 bool IsGiven(const std::string& flag) {
-  return !gflags::GetCommandLineFlagInfoOrDie(flag.c_str()).is_default;
+  gflags::CommandLineFlagInfo info;
+  return gflags::GetCommandLineFlagInfo(flag.c_str(), &info) &&
+         !info.is_default;
 }
 
 std::set<std::string> GivenFlags() {

@@ -63,7 +63,7 @@ void RegisterFlags(Settings* settings,
   });
 }
 
-// Returns true if a flag of this program was given.
+// Returns true if this program has a flag and it was given.
 bool IsGiven(const std::string& flag);
 
 // Returns the names of the flags that were given.

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/mesh_files/mesh_path.h"
 
 namespace musclewarp {
 
@@ -36,6 +37,23 @@ void MakeFolder(const std::string& dir) {
     throw InputError("{out}=" + dir,
                      "cannot be made (" + error.message() + ")",
                      "choose another folder");
+  }
+}
+
+void CheckInputsStay(const std::vector<std::string>& files,
+                     const std::string& dir,
+                     const std::vector<std::string>& names) {
+  for (const std::string& file : files) {
+    for (const std::string& name : names) {
+      std::error_code error;
+      const auto result = std::filesystem::path(dir) / name;
+      if (!std::filesystem::equivalent(result, MeshFileOf(file), error)) {
+        continue;
+      }
+      throw InputError("{out}=" + dir,
+                       "has the input " + file + ", which would be replaced",
+                       "choose another folder");
+    }
   }
 }
 

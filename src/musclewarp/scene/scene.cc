@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/base/text.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/scene/attachments_file.h"
@@ -126,9 +125,8 @@ SceneMuscle ReadMuscle(const JsonField& field,
   if (field.Has("delivered_volume_mm3")) {
     const JsonField volume = field.At("delivered_volume_mm3");
     muscle.delivered_volume = volume.AsNumber();
-    if (!(muscle.delivered_volume > 0)) {
-      volume.Fail("is " + NumberText(muscle.delivered_volume),
-                  "allowed: above 0");
+    if (muscle.delivered_volume <= 0) {
+      volume.Fail("is " + volume.value().dump(), "allowed: above 0");
     }
   }
   return muscle;

@@ -17,6 +17,7 @@
 #include "musclewarp/preparation/dropped_piece_warnings.h"
 #include "musclewarp/preparation/muscle_pieces.h"
 #include "musclewarp/scene/scene_names.h"
+#include "musclewarp/subject/described_bone.h"
 #include "musclewarp/subject/subject.h"
 
 namespace musclewarp {
@@ -32,6 +33,7 @@ class SubjectReader {
   }
 
   Subject Read() {
+    CheckNames();
     FindImage();
     ReadTable();
     // Names come before anything is read, which may take long.
@@ -66,6 +68,14 @@ class SubjectReader {
   // Returns true if each piece of a file of muscles becomes a mesh.
   bool TakesApart() const {
     return !is_for_joints() && input_.labels.pieces == PieceChoice::kAll;
+  }
+
+  void CheckNames() const {
+    if (std::count(input_.bones.begin(), input_.bones.end(), "") == 0) return;
+    throw InputError("{bone}",
+                     "has a comma without a name before it",
+                     "allowed: mesh files and names of labels with commas "
+                     "between them");
   }
 
   void FindImage() {
@@ -127,40 +137,9 @@ class SubjectReader {
            entry.is_bone.value_or(ParseBoneName(entry.name).is_known);
   }
 
-  // Returns what the name and the columns of the table say of a bone.
-  NamedBone DescribedBone(const LabelEntry& entry) const {
-    NamedBone described = ParseBoneName(entry.name);
-    const std::string where =
-        input_.labels.table + ": " + QuotedName(entry.name) + ": column ";
-    if (!entry.bone.empty()) {
-      const std::optional<BoneKind> kind = ParseBoneKind(entry.bone);
-      if (!kind) {
-        std::string near;
-        for (const std::string& known : NearestBoneNames(entry.bone)) {
-          near += (near.empty() ? "" : ", ") + known;
-        }
-        throw InputError(
-            where + "bone",
-            "has " + QuotedName(entry.bone) + ", which is not known as a bone",
-            "names near it: " + near);
-      }
-      described.is_known = true;
-      described.kind = *kind;
-    }
-    if (!entry.side.empty()) {
-      described.side = ParseSide(entry.side);
-      if (!described.side) {
-        throw InputError(where + "side",
-                         "has " + QuotedName(entry.side),
-                         "allowed: right, left, or nothing");
-      }
-    }
-    return described;
-  }
-
   PieceChoice PiecesOf(const LabelEntry& entry) const {
     if (!IsBone(entry)) return input_.labels.pieces;
-    const NamedBone bone = DescribedBone(entry);
+    const NamedBone bone = DescribedBone(entry, input_.labels.table);
     const bool has_both_sides =
         bone.kind == BoneKind::kPelvis || (HasSide(bone.kind) && !bone.side);
     return has_both_sides ? PieceChoice::kAll : input_.labels.pieces;
@@ -297,7 +276,7 @@ class SubjectReader {
       }
     }
     if (is_for_joints()) {
-      RefuseTwoSpaces(stated);
+      CheckOneSpace(stated);
       return;
     }
     CommonSpace common = FindCommonSpace(stated);
@@ -305,20 +284,6 @@ class SubjectReader {
       if (common.is_turned[i]) turned_.insert(stated[i].file);
     }
     subject_.warnings = std::move(common.warnings);
-  }
-
-  static void RefuseTwoSpaces(const std::vector<StatedFile>& files) {
-    const StatedFile* first = nullptr;
-    for (const StatedFile& file : files) {
-      if (file.space.empty()) continue;
-      if (!first) first = &file;
-      if (file.space == first->space) continue;
-      throw InputError(file.file,
-                       "states the space " + file.space + ", and " +
-                           first->file + " " + first->space +
-                           "; allowed: one for all meshes",
-                       "export all meshes in one space");
-    }
   }
 
   SubjectMesh ReadFile(const std::string& file) const {
@@ -341,7 +306,7 @@ class SubjectReader {
 
   void AddBone(SubjectMesh mesh, const LabelEntry& entry) {
     if (is_for_joints()) {
-      mesh.bone = DescribedBone(entry);
+      mesh.bone = DescribedBone(entry, input_.labels.table);
       mesh.body = entry.body;
       if (!mesh.bone.is_known && !IsNamed(entry.name) && !entry.is_bone) {
         subject_.notes.push_back(NoteOnUnknownBone(mesh.name));
