@@ -47,8 +47,8 @@ double ParseDouble(const std::string& flag, const std::string& text) {
   return number;
 }
 
-// Reads "hip_flexion_r:-10:60:15" for each coordinate, with the number of
-// frames in at least one of them.
+// Returns the motion of entries such as "hip_flexion_r:-10:60:15", one for each
+// coordinate. At least one of them has the number of frames.
 JointMotion ParseMotion(const std::vector<std::string>& entries) {
   JointMotion motion;
   bool has_frames = false;
@@ -107,7 +107,7 @@ class ArticulateRun {
     const OutputLock lock(options_.out);
     subject_ = ReadSubject(Input());
     CheckOneUnit();
-    // A label image says itself where its axes point.
+    // The axes of a label image are those of its file.
     if (!subject_.image.empty())
       joints.axes = subject_.IsOriented() ? "LPS" : "";
     PrintNotes(subject_.notes);
@@ -133,7 +133,8 @@ class ArticulateRun {
     return input;
   }
 
-  // The scene has one unit for all meshes, and labels are in mm.
+  // Throws InputError for mesh files in another unit than mm beside a label
+  // image: the scene has one unit, and meshes of labels are in mm.
   void CheckOneUnit() const {
     if (subject_.image.empty() || options_.units == "mm") return;
     for (const auto* meshes : {&subject_.bones, &subject_.muscles}) {
@@ -147,7 +148,7 @@ class ArticulateRun {
     }
   }
 
-  // The meshes of the model must not replace those that it is made of.
+  // Throws InputError if a mesh of the model would replace an input file.
   void CheckInputsStay() const {
     for (const std::string& file : files_) {
       const fs::path result =
@@ -241,7 +242,7 @@ class ArticulateRun {
     screen_ << "wrote " << file << "\n";
   }
 
-  // Meshes of labels have no files that the scene could name.
+  // Writes the meshes of labels, which have no files that the scene could name.
   void WriteLabels(const fs::path& out) {
     if (subject_.image.empty()) return;
     MakeFolder((out / "meshes").string());
@@ -292,13 +293,13 @@ class ArticulateRun {
     return parts;
   }
 
-  // The file of a mesh as the scene names it.
+  // Returns the path of a mesh as the scene names it.
   std::string SceneFile(const SubjectMesh& mesh) const {
     if (mesh.file.empty()) return MeshOfLabel(mesh.name).generic_string();
     return MeshPathFrom(options_.out, mesh.file);
   }
 
-  // Where the mesh of a label is written, from the folder of the results.
+  // Returns the path of the mesh of a label, relative to the output folder.
   static fs::path MeshOfLabel(const std::string& name) {
     return fs::path("meshes") / (name + ".ply");
   }

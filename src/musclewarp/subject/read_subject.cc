@@ -34,7 +34,7 @@ class SubjectReader {
   Subject Read() {
     FindImage();
     ReadTable();
-    // Names come before anything is read, which may take long.
+    // Names are checked before the files are read, which may take long.
     if (!HasImage()) CheckBoneFiles();
     for (const std::string& file : files_) {
       if (!TakesApart()) CheckNamedOnce(file, MeshNameOf(file));
@@ -100,7 +100,7 @@ class SubjectReader {
     }
   }
 
-  // Rows of the table describe files, too, by their names.
+  // Reads the table, whose rows also describe mesh files by their names.
   void ReadTable() {
     if (input_.labels.table.empty()) return;
     for (const LabelEntry& entry : RowsOfTable(input_.labels)) {
@@ -127,7 +127,8 @@ class SubjectReader {
            entry.is_bone.value_or(ParseBoneName(entry.name).is_known);
   }
 
-  // Returns what the name and the columns of the table say of a bone.
+  // Returns the kind and side of a bone by its name and the columns of the
+  // table.
   NamedBone DescribedBone(const LabelEntry& entry) const {
     NamedBone described = ParseBoneName(entry.name);
     const std::string where =
@@ -189,7 +190,7 @@ class SubjectReader {
     }
   }
 
-  // Crumbs of a bone are no bones, whatever choice takes it apart.
+  // Leaves small pieces of labels out, which are no bones.
   void LeaveSmallPiecesOut() {
     if (!is_for_joints()) return;
     constexpr double kLeastPiece = 0.01;  // of the volume of the label
@@ -251,7 +252,7 @@ class SubjectReader {
     }
   }
 
-  // A name that is no label has to be a file.
+  // Throws InputError unless all named bones that are no labels are files.
   void CheckNamedAreFiles() const {
     for (const std::string& bone : named_left_) {
       std::error_code error;
@@ -284,7 +285,8 @@ class SubjectReader {
     }
   }
 
-  // Surfaces of labels are in LPS, unless the image does not say so.
+  // Finds the files that have to be turned. Surfaces of labels are in LPS if
+  // the image is oriented.
   void FindSpaces() {
     std::vector<StatedFile> stated;
     if (HasImage()) {
@@ -356,7 +358,8 @@ class SubjectReader {
     subject_.muscles.push_back(std::move(mesh));
   }
 
-  // Adds each piece of a file. One that is all of the file stays a file.
+  // Adds each piece of a file. If the file is a single closed piece, it is
+  // added as a file.
   void AddPieces(const std::string& file) {
     SceneMuscle whole;
     whole.name = MeshNameOf(file);
