@@ -6,7 +6,8 @@
 usage: packaging/manuals.py OUT PROGRAM...
 
 Writes OUT/man1/<program>.1 and OUT/completions/<program>. The text of --help
-(tools/program.cc) is the only source, so that neither can be out of date.
+(src/musclewarp/program/program.cc) is the only source, so that neither can be
+out of date.
 """
 import dataclasses
 import pathlib

@@ -47,8 +47,8 @@ def with_field(text):
 def with_line_in_list(text):
     line = f"""      Field(&F::farthest_coordinate,
             "farthest_coordinate_mm",
-            "mm",
-            "{TEXT}")
+            "mm")
+          .Text("{TEXT}")
           .Later(),
 """
     return replaced(text, '      Field(&F::volume, "volume_mm3"',

@@ -55,6 +55,15 @@ CHANGES = {
     "the gap kept between muscles": [
         Change(LIBRARY + "certified_contact/step_options.h",
                "double gap = 0.1;", "double gap = 0.2;", (probes.certified,))],
+    "a new setting": [
+        Change(LIBRARY + "settings/deformer_settings.h",
+               "= MuscleModelOptions().skeleton_weight;",
+               "= 2 * MuscleModelOptions().skeleton_weight;",
+               (probes.certified,)),
+        Change(LIBRARY + "settings/deformer_settings.cc",
+               "muscle->attachment_weight = settings.attachment_weight;",
+               "muscle->attachment_weight = 2 * settings.attachment_weight;",
+               (probes.certified,))],
     "which frames count as usable": [
         Change(LIBRARY + "certificate/shortcomings.h",
                "double max_stretch = 20;", "double max_stretch = 1.05;",

@@ -47,8 +47,8 @@ double ParseDouble(const std::string& flag, const std::string& text) {
   return number;
 }
 
-// Reads "hip_flexion_r:-10:60:15" for each coordinate, with the number of
-// frames in at least one of them.
+// Returns the motion of entries such as "hip_flexion_r:-10:60:15", one for each
+// coordinate. At least one of them has the number of frames.
 JointMotion ParseMotion(const std::vector<std::string>& entries) {
   JointMotion motion;
   bool has_frames = false;
@@ -111,7 +111,7 @@ class ArticulateRun {
     const OutputLock lock(options_.out);
     subject_ = ReadSubject(Input());
     CheckOneUnit();
-    // A label image says itself where its axes point.
+    // The axes of a label image are those of its file.
     if (!subject_.image.empty())
       joints.axes = subject_.IsOriented() ? "LPS" : "";
     PrintNotes(subject_.notes);
@@ -137,7 +137,8 @@ class ArticulateRun {
     return input;
   }
 
-  // The scene has one unit for all meshes, and labels are in mm.
+  // Throws InputError for mesh files in another unit than mm beside a label
+  // image: the scene has one unit, and meshes of labels are in mm.
   void CheckOneUnit() const {
     if (subject_.image.empty() || options_.units == "mm") return;
     for (const auto* meshes : {&subject_.bones, &subject_.muscles}) {
@@ -151,6 +152,22 @@ class ArticulateRun {
     }
   }
 
+<<<<<<< HEAD
+=======
+  // Throws InputError if a mesh of the model would replace an input file.
+  void CheckInputsStay() const {
+    for (const std::string& file : files_) {
+      const fs::path result =
+          fs::path(options_.out) / "Geometry" / (MeshNameOf(file) + ".obj");
+      std::error_code error;
+      if (!fs::equivalent(result, MeshFileOf(file), error)) continue;
+      throw InputError("--out=" + options_.out,
+                       "has the input " + file + ", which would be replaced",
+                       "choose another folder");
+    }
+  }
+
+>>>>>>> docs61
   void ChooseMotions(const JointMotion& asked) {
     CheckCoordinates(asked, articulation_, "--motion");
     const bool is_asked = !asked.sweeps.empty();
@@ -232,7 +249,7 @@ class ArticulateRun {
     screen_ << "wrote " << file << "\n";
   }
 
-  // Meshes of labels have no files that the scene could name.
+  // Writes the meshes of labels, which have no files that the scene could name.
   void WriteLabels(const fs::path& out) {
     if (subject_.image.empty()) return;
     MakeFolder((out / "meshes").string());
@@ -283,13 +300,13 @@ class ArticulateRun {
     return parts;
   }
 
-  // The file of a mesh as the scene names it.
+  // Returns the path of a mesh as the scene names it.
   std::string SceneFile(const SubjectMesh& mesh) const {
     if (mesh.file.empty()) return MeshOfLabel(mesh.name).generic_string();
     return MeshPathFrom(options_.out, mesh.file);
   }
 
-  // Where the mesh of a label is written, from the folder of the results.
+  // Returns the path of the mesh of a label, relative to the output folder.
   static fs::path MeshOfLabel(const std::string& name) {
     return fs::path("meshes") / (name + ".ply");
   }

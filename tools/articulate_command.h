@@ -12,7 +12,8 @@
 
 namespace musclewarp {
 
-// The settings of musclewarp-articulate beside those of labels and joints.
+// The settings that musclewarp-articulate has in addition to those of labels
+// and joints.
 struct SkeletonSettings {
   std::string out;
   std::string muscles;
@@ -38,26 +39,26 @@ constexpr auto FieldsOf(Described<SkeletonSettings>) {
                 "look at"));
 }
 
-// What musclewarp-articulate is asked for beside its files.
+// The settings of musclewarp-articulate.
 struct ArticulateOptions : ArticulationSettings,
                            LabelSettings,
                            SkeletonSettings,
                            ThreadSettings {};
 
-// Finds the joints of a skeleton on its bones, and writes what
-// musclewarp-deform needs to move it: out/model.osim with its meshes in
-// out/Geometry, out/motions/<name>.mot, out/scene.json, which moves the muscles
-// by the first motion, and out/joints.json, the report (docs/joints.md).
-// Options.html adds out/joints.html, the page of the joints (joints_page.h).
+// Finds the joints of a skeleton on the shapes of its bones, and writes the
+// input of musclewarp-deform: out/model.osim with its meshes in out/Geometry,
+// out/motions/<name>.mot, and out/scene.json, which moves the muscles by the
+// first motion. Also writes the report out/joints.json (docs/joints.md) and, if
+// `options.html` is set, the page out/joints.html (joints_page.h).
 //
 // `files` are meshes of bones, whose names tell what they are (bone_names.h),
-// and at most one label image, which has muscles, too (articulate_input.h); its
-// meshes are written to out/meshes.
+// and at most one label image, which may also contain muscles (subject.h). The
+// meshes of its labels are written to out/meshes.
 //
 // Returns 0 if all joints are good or weak, and 1 if one failed. Throws
-// InputError, before anything is written, for files that cannot be read, two
-// meshes of one name, options that are not allowed, coordinates that no joint
-// has, and for what Articulate throws.
+// InputError, before anything is written, if a file cannot be read, two meshes
+// have the same name, an option is not allowed or no joint has a coordinate of
+// the motion, and as Articulate() does.
 int ArticulateCommand(const std::vector<std::string>& files,
                       const ArticulateOptions& options,
                       std::ostream& screen);

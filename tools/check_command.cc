@@ -39,7 +39,7 @@ struct CheckedFile {
   std::string name;  // for the table
   std::unique_ptr<SearchableMesh> mesh;
   MeshDefects defects;
-  double volume = 0;  // mm^3; means nothing if the mesh is not oriented
+  double volume = 0;  // mm^3; undefined unless the mesh is oriented
   bool is_oriented = false;
   double area = 0;  // mm^2
   size_t self_pairs = 0;
@@ -52,7 +52,7 @@ struct CheckedPair {
   MeshIntersection found;
   double distance = 0;  // mm; 0 if the meshes touch
 
-  // Bones stay where they are, whatever they cross.
+  // Bones do not move; their crossings do not count.
   bool AreBones() const { return a->is_bone && b->is_bone; }
   bool IsNearerThan(double gap) const { return !AreBones() && distance < gap; }
 };
@@ -93,8 +93,8 @@ void VisitMeshes(const std::string& path,
   }
 }
 
-// Returns the files that have to be turned so that all are in one space; what
-// is done is said in `notes`.
+// Returns the files that have to be turned so that all meshes are in one space,
+// and adds a note on each to `notes`.
 std::set<std::string> TurnedFiles(const std::vector<std::string>& files,
                                   const std::vector<std::string>& bones,
                                   std::vector<std::string>* notes) {
@@ -102,7 +102,7 @@ std::set<std::string> TurnedFiles(const std::vector<std::string>& files,
   std::set<std::string> seen;
   for (const auto* paths : {&files, &bones}) {
     for (const std::string& path : *paths) {
-      // Bones may be names of files that are there already.
+      // Bones may also be names of meshes among the files.
       if (!std::filesystem::is_regular_file(MeshFileOf(path))) continue;
       if (!seen.insert(path).second) continue;
       stated.push_back({path, StatedSpace(path)});
@@ -117,8 +117,8 @@ std::set<std::string> TurnedFiles(const std::vector<std::string>& files,
   return turned;
 }
 
-// Returns the smallest distance of two meshes that do not touch, mm; infinite
-// if one has no triangles.
+// Returns the smallest distance of two meshes that do not touch, mm, or
+// infinity if one of them has no triangles.
 double SmallestDistance(const TriangleBvh& a, const TriangleBvh& b) {
   if (a.num_triangles() > b.num_triangles()) return SmallestDistance(b, a);
   double least = std::numeric_limits<double>::infinity();  // squared
@@ -184,8 +184,8 @@ OrderedJson ToJson(const CheckedPair& pair) {
           {"bones", pair.AreBones()}};
 }
 
-// The volume of a mesh in cm3. One whose triangles do not all face the same way
-// has none.
+// Returns the volume of a mesh in cm3, or "-" if the mesh is not consistently
+// oriented.
 std::string VolumeText(const CheckedFile& file) {
   if (!file.is_oriented) return "-";
   return FixedText(file.volume / 1000, 2);

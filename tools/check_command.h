@@ -11,9 +11,7 @@
 
 namespace musclewarp {
 
-// What musclewarp-check is asked for beside the files; the fields are its
-// flags.
-// What musclewarp-check is asked for beside its files.
+// The settings of musclewarp-check.
 struct CheckOptions : UnitSettings, ThreadSettings {
   std::string json;
   bool require_clean = false;
@@ -38,15 +36,15 @@ constexpr auto FieldsOf(Described<CheckOptions>) {
       Inherited<ThreadSettings>());
 }
 
-// Reports on mesh files as they are, without repair: size, defects, volume and
+// Reports on mesh files without repairing them: size, defects, volume and
 // self-intersections of each, and for every two of them the triangle pairs that
-// cross (by an exact test), the vertices of one inside the other, how deep they
-// are, and the smallest distance of meshes that are apart. A folder in `files`
-// stands for all its meshes; that of a frame has the bones of the frame even if
-// the run writes them once. What bones do with each other is reported, too, but
-// does not make the result not usable: they stay where they are delivered.
-// Returns an exit code. Throws InputError, before anything is written, for
-// files that cannot be read and options that are not allowed.
+// cross (by an exact test), the vertices of one inside the other and their
+// depth, or the smallest distance of meshes that are apart. A folder in `files`
+// stands for all its meshes; the folder of a frame also has the bones of the
+// frame if the run wrote them only once. Crossings of two bones are reported,
+// but do not make the result unusable, as bones do not move. Returns an exit
+// code. Throws InputError, before anything is written, for files that cannot be
+// read and options that are not allowed.
 int CheckCommand(const std::vector<std::string>& files,
                  const CheckOptions& options,
                  std::ostream& screen);

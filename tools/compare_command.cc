@@ -22,7 +22,7 @@
 namespace musclewarp {
 namespace {
 
-// The frame of a configuration, with the median time of the repeats.
+// Returns the frame of a configuration, with the median time of the repeats.
 Frame SolveRepeatedly(FrameSolver* frame_solver,
                       const SolverConfiguration& configuration,
                       const ScenePose& pose,
@@ -62,9 +62,9 @@ FrameSolverOptions FramesWith(const CompareOptions& options,
   return frames;
 }
 
-// A frame solver for each kind of contact that is compared, in their order.
-// Certified contact may make meshes of the scene anew, so it comes first: all
-// of them solve the same scene.
+// Returns a frame solver for each kind of contact that is compared, in their
+// order. Certified contact comes first: it may reconstruct meshes of the scene,
+// and all solvers use the same scene.
 std::vector<std::shared_ptr<FrameSolver>> FrameSolversOf(
     const CompareOptions& options,
     const PrepareOptions& prepare,
@@ -86,8 +86,8 @@ std::vector<std::shared_ptr<FrameSolver>> FrameSolversOf(
   return frame_solvers;
 }
 
-// The rows of one pose and one kind of contact. Moves by contact are measured
-// against `without_contact`.
+// Returns the rows of one pose and one kind of contact. Displacements by
+// contact are relative to `without_contact`.
 std::vector<ComparisonRow> RowsOf(const CompareOptions& options,
                                   const PreparedScene& scene,
                                   int index,

@@ -12,7 +12,8 @@
 
 namespace musclewarp {
 
-// The settings of a comparison of solvers beside those of the scene.
+// The settings that a comparison of solvers has in addition to those of the
+// scene.
 struct CompareSettings {
   std::string configurations = "all";
   std::string contact = "none";
@@ -43,24 +44,25 @@ constexpr auto FieldsOf(Described<CompareSettings>) {
 }
 
 struct CompareOptions {
-  // Scene, frames, preparation and contact; its solver and formats are not
-  // used.
+  // The scene, its frames, preparation and contact. The solver and the formats
+  // are not used.
   DeformOptions deform;
   std::vector<SolverConfiguration> configurations;
   std::vector<ContactKind> contacts = {ContactKind::kNone};
-  int repeat = 1;  // runs of each, of which the median time is given
+  int repeat = 1;  // solves of each frame; their median time is reported
 };
 
-// "all" or names with commas; InputError names what is allowed.
+// Return the values of a text: "all", or names separated by commas. Throw
+// InputError, which lists the allowed names, for any other name.
 std::vector<SolverConfiguration> ParseConfigurations(const std::string& text);
 std::vector<ContactKind> ParseContacts(const std::string& text);
 
 // Solves the poses of a scene with every configuration, with and without
-// contact, and prints a table; with an output folder also writes
-// comparison.csv, comparison.json and history.csv. The first of the
-// configurations that is the reference is what the others are compared with. A
-// configuration that fails is a row that says so. Returns an exit code: 0 when
-// the table is complete. Throws InputError, before anything is written, for bad
+// contact, and prints a table; with an output folder, also writes
+// comparison.csv, comparison.json and history.csv. The first configuration that
+// is the reference is the one that the others are compared with. The row of a
+// configuration that failed states the failure. Returns an exit code: 0 if the
+// table is complete. Throws InputError, before anything is written, for bad
 // input.
 int CompareCommand(const CompareOptions& options, std::ostream& screen);
 

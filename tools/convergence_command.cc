@@ -27,8 +27,8 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-// Returns the numbers of a flag. `is_allowed` says which are, `allowed` the
-// same in words.
+// Returns the numbers of a flag. Throws InputError, which states what is
+// `allowed`, for a number for which `is_allowed` is false.
 template <typename Number>
 std::vector<Number> ParseNumbers(const std::string& flag,
                                  const std::string& text,
@@ -49,7 +49,7 @@ std::vector<Number> ParseNumbers(const std::string& flag,
   return numbers;
 }
 
-// Throws InputError if there is nothing to study.
+// Throws InputError if no study has values or an option is not allowed.
 void CheckOptions(const ConvergenceOptions& options) {
   CheckSceneOptions(options.deform);
   const StudyValues& values = options.values;

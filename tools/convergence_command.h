@@ -12,7 +12,8 @@
 
 namespace musclewarp {
 
-// The settings of a study of discretisations beside those of the scene.
+// The settings that a study of discretisations has in addition to those of the
+// scene.
 struct ConvergenceSettings {
   bool convergence = false;
   std::string convergence_vertices = "100,200,300,600,1200,2400";
@@ -40,14 +41,15 @@ constexpr auto FieldsOf(Described<ConvergenceSettings>) {
 }
 
 struct ConvergenceOptions {
-  // Scene, frames, preparation, contact and solver; its formats are not used.
+  // The scene, its frames, preparation, contact and solver. The formats are not
+  // used.
   DeformOptions deform;
   StudyValues values;
 };
 
-// Returns the values of the studies: numbers with commas, in any order; an
-// empty text has none. Throws InputError that names the setting and what is
-// allowed.
+// Returns the values of the studies. Their texts are numbers separated by
+// commas, in any order; an empty text has no values. Throws InputError, naming
+// the setting, for a value that is not allowed.
 StudyValues StudyValuesOf(const ConvergenceSettings& settings);
 
 // Returns the contact of a study. Throws InputError, naming --contact, unless
@@ -55,11 +57,12 @@ StudyValues StudyValuesOf(const ConvergenceSettings& settings);
 ContactKind ParseConvergenceContact(const std::string& text);
 
 // Solves the selected frames of a scene once for every discretisation of the
-// studies, and prints how far each is from the finest of its study; with an
-// output folder also writes convergence.csv and convergence.json. The
-// discretisation that the options set is always among them. One that fails is a
-// row that says so. Returns an exit code: 0 when the tables are complete.
-// Throws InputError, before anything is written, for bad input.
+// studies, and prints the distance of each from the finest one of its study;
+// with an output folder, also writes convergence.csv and convergence.json. The
+// discretisation that the options set is always included. The row of a
+// discretisation that failed states the failure. Returns an exit code: 0 if the
+// tables are complete. Throws InputError, before anything is written, for bad
+// input.
 int ConvergenceCommand(const ConvergenceOptions& options, std::ostream& screen);
 
 }  // namespace musclewarp

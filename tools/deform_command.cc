@@ -34,7 +34,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns a hash of everything that the result depends on but the code.
+// Returns a hash of everything except the code on which the result depends.
 std::string InputsHash(const Scene& scene, const DeformOptions& options) {
   ContentHash hash;
   hash.Add(options.result_flags);
@@ -43,7 +43,7 @@ std::string InputsHash(const Scene& scene, const DeformOptions& options) {
 }
 
 // Returns the finished run in `dir`, if there is one. Throws InputError if it
-// is one of other input or other code, which --resume must not take for this
+// is a run of other input or other code, which --resume must not take for this
 // one.
 std::optional<EarlierRun> FinishedRun(const std::string& dir,
                                       const std::string& inputs_hash) {
@@ -64,7 +64,7 @@ std::optional<EarlierRun> FinishedRun(const std::string& dir,
   return run;
 }
 
-// Everything of a run but its options: what DeformCommand does, step by step.
+// A run of DeformCommand(), step by step.
 class DeformRun {
  public:
   DeformRun(const DeformOptions& options,
@@ -93,7 +93,7 @@ class DeformRun {
     if (options_.resume) {
       run_.frames = log_->Continue(selected_, &state);
       if (const auto run = FinishedRun(options_.out, run_.inputs_hash)) {
-        log_->Finish();  // the run may have been killed before it did
+        log_->Finish();  // the run may have been killed before this call
         screen_ << "finished already: " << report_ << "\n";
         if (options_.html) WriteRunPage(options_.out, screen_);
         return run->is_usable ? kExitUsable : kExitNotUsable;
@@ -127,7 +127,7 @@ class DeformRun {
       ThrowIfInterrupted();
       progress_.Say(progress);
     };
-    // Of all that programs write, only these files have the gaps of vertices.
+    // Only .vtp files contain the gaps of vertices.
     options.frames.measures.vertex_gaps = options_.files.HasFormat("vtp");
     if (!options_.record_steps.empty()) {
       recorder_.emplace(options_.record_steps, options_.step_flags);
@@ -141,8 +141,8 @@ class DeformRun {
     PrintPreparation(deformer_->scene(), deformer_->contact(), screen_);
   }
 
-  // Makes the folder of the results, and puts the muscles where the next frame
-  // starts.
+  // Makes the output folder, writes the rest pose, and restores the state from
+  // which the next frame starts.
   void Start(SceneState state) {
     const Frame& rest = deformer_->RestFrame();
     MakeFolder(options_.out);
@@ -168,7 +168,7 @@ class DeformRun {
     deformer_->set_state(std::move(state));
   }
 
-  // The number of steps that each frame which is not there yet will take.
+  // Returns the expected number of steps of each missing frame.
   std::vector<double> ExpectedWork() const {
     std::vector<double> work;
     const ScenePose rest = RestPose(deformer_->scene().scene);
@@ -180,7 +180,7 @@ class DeformRun {
     return work;
   }
 
-  // Solves, writes and records the frames that the run does not have yet.
+  // Solves, writes and records the missing frames.
   void ComputeFrames() {
     progress_.StartFrames(static_cast<int>(run_.frames.size()), ExpectedWork());
     for (size_t i = run_.frames.size(); i < selected_.size(); ++i) {
@@ -199,7 +199,8 @@ class DeformRun {
     }
   }
 
-  // Writes the report. Frames are there: what fails now is no bad input.
+  // Writes the report and the summary. A failure here is not a matter of bad
+  // input, as frames have been written.
   int Finish() {
     if (!run_.finished) SayStopped();
     try {
@@ -215,7 +216,7 @@ class DeformRun {
                                                   : kExitNotUsable;
   }
 
-  // From then on there is nothing left for GiveUp() to save.
+  // Writes the report, after which GiveUp() has nothing left to save.
   void SaveReport() {
     const std::lock_guard<std::mutex> lock(mutex_);
     writer_->WriteReport(run_);
@@ -230,10 +231,10 @@ class DeformRun {
             << "\n--resume goes on from there\n";
   }
 
-  // On another thread, while a frame is computed that takes too long to wait
-  // for: saves the frames before it.
+  // Saves the frames that are done, while another thread computes a frame that
+  // takes too long to wait for.
   void GiveUp(const std::string& reason) {
-    // A frame that is being recorded will be recorded in a moment.
+    // Waits until a frame that is being recorded is complete.
     const std::lock_guard<std::mutex> lock(mutex_);
     if (is_saved_) return;
     if (!run_.scene) {
@@ -259,7 +260,7 @@ class DeformRun {
   }
 
   const DeformOptions& options_;
-  OutputLock* lock_;  // on the folder of the results
+  OutputLock* lock_;  // on the output folder
   std::ostream& screen_;
   const std::string report_;
   std::optional<RunWriter> writer_;
@@ -268,7 +269,7 @@ class DeformRun {
   std::optional<ResumeLog> log_;
   std::optional<StepRecorder> recorder_;
   std::optional<Deformer> deformer_;
-  std::mutex mutex_;  // of what GiveUp() reads: run_ and is_saved_
+  std::mutex mutex_;  // guards run_ and is_saved_, which GiveUp() reads
   RunRecord run_;
   bool is_saved_ = false;
 };

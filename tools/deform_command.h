@@ -15,8 +15,8 @@
 
 namespace musclewarp {
 
-// The settings of a run of musclewarp-deform beside those of the scene, the
-// deformer and the files.
+// The settings that a run of musclewarp-deform has in addition to those of the
+// scene, the deformer and the files.
 struct RunSettings {
   std::string out;
   bool html = false;
@@ -55,34 +55,35 @@ constexpr auto FieldsOf(Described<RunSettings>) {
           .Changes(Effect::kNothing));
 }
 
-// What musclewarp-deform is asked for.
+// The options of a run of musclewarp-deform.
 struct DeformOptions : SceneSettings, RunSettings, ThreadSettings {
   DeformerOptions deformer;
   FrameFileOptions files;
-  ModelSources sources;      // what is not as the scene has it
+  ModelSources sources;      // replace what the scene says of its model
   bool is_terminal = false;  // true if the screen is a terminal
 
-  // The flags that are written with recorded steps (StepRecorder).
+  // The flags that StepRecorder writes beside the recorded steps.
   std::string step_flags;
 
-  // For the record: the flags that make a difference to the result, the command
-  // line that repeats the run, and all flags with their values.
+  // The record of the call: the flags that affect the results, the command line
+  // that repeats the run, and all flags with their values.
   std::string result_flags;
   std::string command;
   std::map<std::string, std::string> all_flags;
 };
 
-// Throws InputError if no scene can be run with the options.
+// Throws InputError if an option is not allowed or no scene is given.
 void CheckSceneOptions(const DeformOptions& options);
 
-// Deforms the muscles of a scene in every selected pose, writes the frames and
-// report.json to `out` and a summary to `screen`. In a motion each frame starts
-// from the one before, and tables of lengths, volumes and moment arms are
-// written as well. Whenever the program is killed, the files that are there are
-// complete. With `resume` an interrupted run of the same input is continued
-// where it was, to the same result. A run that is interrupted (SIGINT, SIGTERM)
-// or cannot write a frame says why in its report. Returns an exit code. Throws
-// InputError, before anything is written, for bad input.
+// Deforms the muscles of a scene in every selected pose, and writes the frames
+// and report.json to `out` and a summary to `screen`. In a motion, each frame
+// starts from the one before, and tables of lengths, volumes and moment arms
+// are written as well. The files that are there are complete whenever the
+// program is killed. With `resume`, an interrupted run of the same input
+// continues where it stopped, and ends with the same result. If a run is
+// interrupted (SIGINT, SIGTERM) or cannot write a frame, its report states the
+// reason. Returns an exit code. Throws InputError, before anything is written,
+// for bad input.
 int DeformCommand(const DeformOptions& options, std::ostream& screen);
 
 }  // namespace musclewarp

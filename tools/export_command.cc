@@ -169,8 +169,8 @@ const std::map<std::string, Exporter>& Exporters() {
   return kExporters;
 }
 
-// Returns the formats that are asked for, all for finite elements if there are
-// several.
+// Returns the formats of a request. Several formats must all be for finite
+// elements.
 std::vector<std::string> FormatsOf(const ExportRequest& request) {
   const std::vector<std::string>& elements = ElementFormats();
   const std::vector<std::string> formats = Split(request.format, ',');

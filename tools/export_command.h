@@ -13,14 +13,14 @@
 
 namespace musclewarp {
 
-// What musclewarp-export is asked for; the fields are its flags.
+// The settings of musclewarp-export.
 struct ExportRequest : ThreadSettings {
   std::string in;
   std::string out;
   std::string format;
   std::string frames = "all";  // see SelectFrames in frame_selection.h
   std::string mesh_format = "ply";
-  std::vector<std::string> files;  // meshes, instead of a run; for crossings
+  std::vector<std::string> files;  // meshes in place of a run; for crossings
   ElementOptions elements;
   OsimExportOptions osim;
 };
@@ -51,12 +51,12 @@ constexpr auto FieldsOf(Described<ExportRequest>) {
       NotWritten(&S::osim));
 }
 
-// The values of --format in this build, separated by commas.
+// Returns the values of --format in this build, separated by commas.
 std::string ExportFormats();
 
-// Writes a run for other programs (docs/export.md), and says on `screen` what
-// was written. Returns an exit code. Throws InputError that names the flag or
-// the file; nothing is written then.
+// Writes a run for other programs (docs/export.md), and lists the written files
+// on `screen`. Returns an exit code. Throws InputError, naming the flag or the
+// file, before anything is written.
 int ExportCommand(const ExportRequest& request, std::ostream& screen);
 
 }  // namespace musclewarp

@@ -51,7 +51,7 @@ MesherOptions MesherOf(const ElementOptions& options) {
   return mesher;
 }
 
-// What is in the way of a mesh, or nothing.
+// Returns a text on the crossings that prevent a mesh, empty if there are none.
 std::string WhatCrosses(const SceneIntersections& found) {
   if (found.IsClean() && found.self_pairs == 0) return "";
   std::ostringstream text;
@@ -62,7 +62,7 @@ std::string WhatCrosses(const SceneIntersections& found) {
   return text.str();
 }
 
-// Thrown inside a frame that fails.
+// Thrown if a frame fails.
 struct FrameFailure {
   std::string reason;
 };
@@ -117,8 +117,8 @@ class ElementExport {
                "be no node sets of attachments\n";
   }
 
-  // What the meshes depend on; whichever mesher made them, they are held to
-  // the same conditions.
+  // Returns the inputs on which the meshes depend. The mesher is not among
+  // them, as the conditions on the meshes are the same for all.
   OrderedJson Inputs() const {
     return {{"inputs_hash", run_.inputs_hash},
             {"min_dihedral_deg", options_.min_dihedral_deg},
@@ -176,7 +176,7 @@ class ElementExport {
   // Returns false if the frame failed.
   bool ExportFrame(const RecordedFrame& frame) {
     const std::string label = FrameFolder(frame.figures.index);
-    // The first frame is what others are moved from.
+    // With one_mesh, all other frames are made by moving the mesh of the first.
     const bool is_needed = options_.one_mesh && !mover_;
     if (IsThere(label) && !is_needed) {
       screen_ << label << "  is there" << AtTime(run_, frame) << "\n";

@@ -11,8 +11,7 @@
 
 namespace musclewarp {
 
-// How frames are exported for finite elements; the fields are flags of
-// musclewarp-export.
+// The settings of the export for finite elements.
 struct ElementOptions {
   std::string mesher = "tetgen";  // see FindMesher
   double mesher_timeout_s = 600;
@@ -44,15 +43,15 @@ constexpr auto FieldsOf(Described<ElementOptions>) {
                 "the same flags"));
 }
 
-// The formats for finite elements in this build.
+// Returns the formats for finite elements in this build.
 const std::vector<std::string>& ElementFormats();
 
-// Writes some frames of a run, by their numbers in run.frames, as meshes of
-// tetrahedra to DIR/frame_0000.<format>, and what became of each to
+// Writes frames of a run, given by their indices in run.frames, as meshes of
+// tetrahedra to DIR/frame_0000.<format>, and the outcome of each to
 // DIR/export.json. A frame fails, and has no file, if its meshes cross, the
-// mesher gives none, or its quality is not as asked for. Returns an exit code:
-// kExitNotUsable if a frame failed. Throws InputError for bad options, before
-// anything is written.
+// mesher makes no mesh, or the quality of the mesh is not as required. Returns
+// an exit code: kExitNotUsable if a frame failed. Throws InputError, before
+// anything is written, for bad options.
 int ExportElements(const RunOutline& run,
                    const std::vector<int>& frames,
                    const std::vector<std::string>& formats,

@@ -32,7 +32,7 @@ void CheckFlags(const std::string& out, const OsimExportOptions& options) {
   CheckSettings(options);
 }
 
-// The model as delivered must not be lost.
+// Throws InputError if the output would replace the delivered model.
 void CheckIsOther(const std::string& out, const std::string& model) {
   if (fs::exists(out) && fs::equivalent(out, model)) {
     throw InputError(

@@ -31,10 +31,11 @@ constexpr auto FieldsOf(Described<OsimExportOptions>) {
       NotWritten(&S::fit));
 }
 
-// Writes the OpenSim model of runs (folders with commas between) with the paths
-// of their lines as functions, and the errors of the fit beside it in .fit.json
-// and on `screen`. Returns kExitNotUsable if an error exceeds its bound. Throws
-// InputError that names the flag, file or field; nothing is written then.
+// Writes the OpenSim model of runs (folders separated by commas), in which
+// functions replace the paths of the lines, and the errors of the fit to
+// `screen` and to a file .fit.json beside the model. Returns kExitNotUsable if
+// an error exceeds its bound. Throws InputError, naming the flag, file or
+// field, before anything is written.
 int ExportOsim(const std::string& runs,
                const std::string& out,
                const OsimExportOptions& options,

@@ -37,7 +37,7 @@ void PrintColumns(const std::vector<std::vector<std::string>>& rows,
   }
 }
 
-// Returns why `check` throws, or an empty text if it does not.
+// Returns the reason for which `check` throws, or an empty text if it does not.
 template <typename Check>
 std::string ReasonAgainst(const Check& check) {
   try {
@@ -81,7 +81,7 @@ void PrintBodies(const Model& model,
   PrintColumns(rows, screen);
 }
 
-// The bodies on which a path is, in the order of its points.
+// Returns the bodies on which a path lies, in the order of its points.
 std::string BodiesOf(const Model& model, const ModelMuscle& muscle) {
   std::vector<int> bodies;
   std::string names;

@@ -9,11 +9,11 @@
 
 namespace musclewarp {
 
-// Prints what a scene can name of an OpenSim model: its bodies with their
-// meshes and where these are, its muscles with the bodies on which they are,
-// its coordinates, and the range of each in a motion if `sources` names one.
-// What a scene could not use is marked with the reason. Throws InputError if
-// the model or the motion cannot be read.
+// Prints the parts of an OpenSim model that a scene can name: its bodies with
+// their meshes and the places of these files, its muscles with the bodies on
+// which they lie, its coordinates and, if `sources` names a motion, the range
+// of each in it. Parts that a scene could not use are marked with the reason.
+// Throws InputError if the model or the motion cannot be read.
 void PrintModel(const std::string& path,
                 const ModelSources& sources,
                 std::ostream& screen);

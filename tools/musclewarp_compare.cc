@@ -100,8 +100,8 @@ ConvergenceOptions ConvergenceOptionsOf(const Settings& settings) {
   return options;
 }
 
-// Throw InputError for flags that mean nothing without --posture, and without
-// --convergence.
+// Return true if --posture, or --convergence, is given. Throw InputError for
+// flags that mean nothing without it.
 bool ComparesPostures(const Settings& settings) {
   if (!settings.posture.posture.empty()) return true;
   RefuseFlags({"mesh", "in", "frame", "muscle", "posture_spacing"},

@@ -30,7 +30,8 @@ constexpr char kUsage[] =
     "DIR/lengths.sto, moment_arms.sto and volumes.sto.\n"
     "Exit code: 0 usable, 1 not usable (the summary says why), 2 bad input.";
 
-// What the program does in place of deforming a scene.
+// The settings of what the program can do other than deforming the scene of a
+// user.
 struct OtherJobs {
   bool demo = false;
   bool list = false;
@@ -95,7 +96,7 @@ DeformOptions OptionsOf(Settings settings) {
   return options;
 }
 
-// The path of a file that is relative to --data_root.
+// Returns the path of a file that is named relative to --data_root.
 std::string InDataRoot(const Settings& settings, const std::string& path) {
   return path.empty()
              ? path
@@ -112,8 +113,8 @@ int ListModel(const Settings& settings) {
   return kExitUsable;
 }
 
-// Puts the scene that is inside the program in place of a scene of the user's,
-// once nothing else can be wrong.
+// Writes the embedded scene, and sets it as the scene of the run. Throws
+// InputError, before anything is written, for options that are not allowed.
 void PrepareDemo(DeformOptions* options) {
   for (const auto& [flag, value] :
        {std::pair("--scene", options->scene),

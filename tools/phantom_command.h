@@ -10,7 +10,7 @@
 
 namespace musclewarp {
 
-// What musclewarp-phantom is asked for; the fields are its flags.
+// The settings of musclewarp-phantom.
 struct PhantomRequest {
   std::string out;
   std::string scene = "hip";  // one of PhantomSceneNames()
@@ -35,8 +35,8 @@ constexpr auto FieldsOf(Described<PhantomRequest>) {
                 "the seed, 2 to 20"));
 }
 
-// Writes the scene and says on `log` what its meshes are and which defects they
-// have. Throws InputError that names the flag or the file.
+// Writes the scene, and lists its meshes and their defects on `log`. Throws
+// InputError, which names the flag or the file.
 void MakePhantom(const PhantomRequest& request, std::ostream& log);
 
 }  // namespace musclewarp

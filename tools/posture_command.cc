@@ -27,8 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
 
-// Volumes of one muscle in two postures that differ by more than this factor
-// are most likely in different units.
+// If the volumes of a muscle in two postures differ by more than this factor,
+// the meshes are most likely in different units.
 constexpr double kLargestVolumeRatio = 100;
 
 void CheckOptions(const PostureOptions& options) {
@@ -54,7 +54,7 @@ void CheckOptions(const PostureOptions& options) {
   }
 }
 
-// The mesh that is compared with the posture.
+// A mesh in the comparison.
 struct ComparedMesh {
   std::string file;
   TriangleSoup soup;
@@ -86,7 +86,7 @@ ComparedMesh ReadComparedMesh(const PostureOptions& options) {
                    "its meshes: " + names);
 }
 
-// Throws InputError if the samples asked for are too many to be held.
+// Throws InputError if the spacing gives more samples than memory should hold.
 void CheckSpacing(const std::string& file,
                   const TriangleSoup& mesh,
                   double spacing) {

@@ -52,9 +52,9 @@ struct PostureOptions : PostureSettings {
 
 // Compares a muscle in a frame with a mesh of the same muscle that was
 // segmented in that posture: distances of the surfaces, volumes and their
-// overlap. Both meshes are repaired as those of scenes are, and have to be
-// closed then. Prints a table; with an output folder also writes posture.json
-// (docs/report.md), and in a build with VTK posture.vtp, the muscle with the
+// overlap. Both meshes are repaired as those of scenes are, and must then be
+// closed. Prints a table; with an output folder, also writes posture.json
+// (docs/report.md) and, in a build with VTK, posture.vtp: the muscle with the
 // distance of each vertex as "distance_mm". Returns 0. Throws InputError,
 // before anything is written, for bad input.
 int PostureCommand(const PostureOptions& options, std::ostream& screen);

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// All of the text as a number.
+// Parses all of a text as a number. Returns false if it is none.
 template <typename Number>
 bool Parse(const std::string& text, Number* number) {
   std::istringstream in(text);
@@ -53,7 +53,8 @@ std::set<std::string> NamesIn(const RunFiles& run) {
   return names;
 }
 
-// The same names a flag gives, checked against what is there.
+// Returns the names in the words of a flag. Throws InputError for a name that
+// is not among the known meshes.
 std::set<std::string> ParseNames(const std::string& flag,
                                  const std::vector<std::string>& words,
                                  const std::set<std::string>& known) {
@@ -102,8 +103,8 @@ void ParseSize(const std::string& text, PictureOptions* options) {
   }
 }
 
-// Muscles in the order of their colours: that of the report, else of the
-// alphabet.
+// Returns the muscles in the order of their colours: that of the report or,
+// without one, the alphabetical order.
 std::vector<std::string> ShownMuscles(const RunFiles& run,
                                       const std::set<std::string>& names,
                                       const std::set<std::string>& bones) {
@@ -127,7 +128,7 @@ std::string WithSpaces(std::string name) {
   return name;
 }
 
-// How the parts are drawn, by name; the surface is still empty.
+// Returns the look of each mesh by its name; the surfaces are still empty.
 std::map<std::string, PictureMesh> Looks(const RenderRequest& request,
                                          const RunFiles& run,
                                          PictureOptions* options) {
@@ -183,7 +184,7 @@ std::vector<std::string> Captions(const RenderRequest& request,
   return captions;
 }
 
-// Colours a muscle of a run by its stretch.
+// Sets the colours of a muscle of a run by its stretch.
 void ColorByStretch(const MeshFiles& rest_files,
                     const std::string& name,
                     PictureMesh* mesh) {
@@ -204,7 +205,7 @@ void ColorByStretch(const MeshFiles& rest_files,
       StretchColors(rest.points, mesh->surface.points, mesh->surface.triangles);
 }
 
-// Precondition: the flags are fine; here the meshes are read.
+// Reads the meshes of the panels. Precondition: the flags have been checked.
 std::vector<PicturePanel> ReadPanels(
     const RenderRequest& request,
     const RunFiles& run,

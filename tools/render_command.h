@@ -10,7 +10,7 @@
 
 namespace musclewarp {
 
-// What musclewarp-render is asked for; the fields are its flags.
+// The settings of musclewarp-render.
 struct RenderRequest {
   std::string in;
   std::string out;
@@ -27,7 +27,7 @@ struct RenderRequest {
   std::string color = "muscle";
   bool legend = true;
   bool outlines = true;
-  std::vector<std::string> files;  // meshes, instead of those in `in`
+  std::vector<std::string> files;  // meshes in place of those in `in`
 };
 
 constexpr auto FieldsOf(Described<RenderRequest>) {
@@ -74,8 +74,8 @@ constexpr auto FieldsOf(Described<RenderRequest>) {
       NotWritten(&S::files));
 }
 
-// Draws the picture and says on `log` what was written. Throws InputError that
-// names the flag or the file; nothing is written then.
+// Draws the picture, and names the written file on `log`. Throws InputError,
+// naming the flag or the file, before anything is written.
 void Render(const RenderRequest& request, std::ostream& log);
 
 }  // namespace musclewarp

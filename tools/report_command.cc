@@ -32,7 +32,7 @@ void WriteReport(const ReportRequest& request, std::ostream& log) {
                      "use --out=report.html");
   }
   CheckSettings(request);
-  // Throws, before the work, if a flag is not what it should be.
+  // Throws InputError for a bad flag before the work starts.
   ParseView("anterior",
             request.page.axes.empty() ? "LPS" : request.page.axes,
             request.page.side.empty() ? "right" : request.page.side);

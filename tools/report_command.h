@@ -10,7 +10,7 @@
 
 namespace musclewarp {
 
-// What musclewarp-report is asked for; the fields are its flags.
+// The settings of musclewarp-report.
 struct ReportRequest {
   std::string in;
   std::string compare;
@@ -39,11 +39,11 @@ constexpr auto FieldsOf(Described<ReportRequest>) {
       NotWritten(&S::page));
 }
 
-// Writes the page and says on `log` what was written. Throws InputError that
-// names the flag or the file; nothing is written then.
+// Writes the page, and names the written file on `log`. Throws InputError,
+// naming the flag or the file, before anything is written.
 void WriteReport(const ReportRequest& request, std::ostream& log);
 
-// Writes DIR/report.html for the run in DIR.
+// Writes the page of the run in `dir` to report.html in the same folder.
 void WriteRunPage(const std::string& dir, std::ostream& log);
 
 }  // namespace musclewarp

@@ -47,15 +47,15 @@ void CheckSeparateOptions(const std::vector<std::string>& files,
   CheckWritable(options.out);
 }
 
-// The result, and what is said of it.
+// The result of a separation, with the figures that are reported.
 struct Separation {
   MeshSeparation meshes;
   std::vector<double> mean_displacements;  // by muscle, mm
   OrderedJson report;                      // the result as report.json has it
 };
 
-// Adds what no frame says: what labels of bones, which stay as they are, and
-// files that were taken apart have lost.
+// Adds shortcomings that a frame does not have: the volume that was lost by
+// labels of bones, which do not move, and by files that were taken apart.
 void AddLosses(const Subject& subject,
                double max_loss,
                std::vector<std::string>* shortcomings) {
@@ -71,7 +71,7 @@ void AddLosses(const Subject& subject,
   }
 }
 
-// Returns "contact" of the report.
+// Returns the entry "contact" of the report.
 ContactReport ContactReportOf(double gap, const RestResult& rest) {
   ContactReport contact;
   contact.kind = ContactKind::kCertified;
@@ -109,7 +109,7 @@ Separation Separate(const Subject& subject,
   return result;
 }
 
-// Returns what became of a label image.
+// Returns the entry "label_image" of separation.json.
 OrderedJson LabelImageJson(const Subject& subject) {
   OrderedJson labels = OrderedJson::array();
   for (const LabelMesh& label : subject.labels.meshes) {
@@ -126,7 +126,7 @@ OrderedJson LabelImageJson(const Subject& subject) {
           {"notes", subject.notes}};
 }
 
-// Returns all of separation.json, with the keys of report.json.
+// Returns separation.json, with the keys of report.json.
 OrderedJson SeparationJson(const Subject& subject,
                            const Separation& result,
                            double wall_ms) {
@@ -300,7 +300,8 @@ SubjectInput InputOf(const std::vector<std::string>& files,
   return input;
 }
 
-// Reads, separates and writes, with the screen kept up to date.
+// A run of SeparateCommand(): reads, separates and writes, and reports its
+// progress on the screen.
 class SeparateRun {
  public:
   SeparateRun(const std::vector<std::string>& files,
@@ -378,7 +379,7 @@ class SeparateRun {
 
   const std::vector<std::string>& files_;
   const SeparateOptions& options_;
-  OutputLock* lock_;  // on the folder of the results
+  OutputLock* lock_;  // on the output folder
   std::ostream& screen_;
   ScreenProgress progress_;
   std::atomic<bool> is_writing_ = false;

@@ -13,7 +13,7 @@
 namespace musclewarp {
 namespace {
 
-// Returns a text as one word for a shell.
+// Returns a text quoted as one word of a shell, if necessary.
 std::string ShellQuoted(const std::string& text) {
   const auto is_plain = [](unsigned char c) {
     return std::isalnum(c) || std::strchr("_-+=./:,@%", c) != nullptr;
@@ -37,7 +37,7 @@ std::string AbsolutePath(const std::string& path) {
   return absolute.string();
 }
 
-// A motion leads from the folder of the data.
+// Returns the path of a motion relative to the folder of the data.
 std::string MotionPath(const std::string& motion) {
   if (std::filesystem::path(motion).is_relative()) return motion;
   const std::string root = ValueOf("data_root");

@@ -17,31 +17,33 @@
 
 namespace musclewarp {
 
-// A flag of this program, a field of a described struct.
+// A flag of this program: a field of a described struct.
 struct ProgramFlag {
   std::string name;
   std::string help;
-  std::string value;  // what is to be given: TEXT, PATH or NUMBER; "" a switch
+
+  // The kind of its value: TEXT, PATH or NUMBER; empty for a switch.
+  std::string value;
   std::string default_value;
   bool is_path = false;
   Effect effect = Effect::kResults;
 };
 
-// The flags of this program, in the order in which they were registered.
+// Returns the flags of this program in the order of their registration.
 std::vector<ProgramFlag>& ProgramFlags();
 
-// Makes the fields of `settings` flags of this program, but those in
-// `without`. A field holds the value of its flag, and its default is the value
-// that it has now. To be called before RunProgram(), which parses the flags;
-// `settings` must outlive it. The types of fields are bool, int, unsigned,
-// double and std::string.
+// Registers the fields of `settings`, except those in `without`, as flags of
+// this program. A field is the storage of its flag, and its current value
+// becomes the default. Has to be called before RunProgram(), which parses the
+// flags. `settings` must outlive the program's use of flags. The fields may be
+// of type bool, int, unsigned, double and std::string.
 template <class Settings>
 void RegisterFlags(Settings* settings,
                    const std::set<std::string>& without = {}) {
   VisitFields(*settings, [&](const auto& field, auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if (without.count(field.key) > 0) return;
-    // gflags keeps pointers to all of these.
+    // Never deleted, as gflags keeps pointers to all of these.
     auto* default_value = new Value(value);
     auto* help = new std::string(WithFlags(HelpOf(field)));
     gflags::FlagRegisterer(field.key, help->c_str(), "", &value, default_value);
@@ -69,22 +71,21 @@ bool IsGiven(const std::string& flag);
 // Returns the names of the flags that were given.
 std::set<std::string> GivenFlags();
 
-// Returns the name of the program and the flags that were given but for those
-// in `without`: "musclewarp-deform --gap=0.2". Paths do not depend on the
-// working folder, so that the report can have them lead from its own folder
+// Returns the name of the program with the given flags, except those in
+// `without`: "musclewarp-deform --gap=0.2". Its paths do not depend on the
+// working folder, so that a report can make them relative to its own folder
 // (run/paths_in_json.h).
 std::string CommandLine(const std::set<std::string>& without);
 
-// Returns those of the given flags that change the results or the files of a
-// run, in the same form: two runs of equal input with equal texts have equal
-// files.
+// Returns the given flags that change the results or the files of a run, in the
+// same form. Two runs of equal input with equal texts have equal files.
 std::string ResultFlagsText();
 
-// Returns the values of all flags, as reports have them.
+// Returns the values of all flags by name, as reports have them.
 std::map<std::string, std::string> AllFlagValues();
 
-// Returns the given flags of a struct but for those in `without`, one a line,
-// for --flagfile. Paths do not depend on the working folder.
+// Returns the given flags of a struct, except those in `without`, one per line,
+// for --flagfile. Their paths do not depend on the working folder.
 template <class Settings>
 std::string FlagFileOf(const Settings& settings,
                        const std::set<std::string>& without) {

@@ -16,14 +16,14 @@ namespace {
 
 constexpr std::array<int, 2> kSignals = {SIGINT, SIGTERM};
 
-// From the signal until the program gives up what it is doing. Users expect it
-// to have ended after two seconds.
+// The time from the signal until the program gives up its computation. Users
+// expect it to have ended after two seconds.
 constexpr std::chrono::milliseconds kPatience(1500);
 
 volatile std::sig_atomic_t noted_signal = 0;
 
-// The handler writes to it, as that is one of the few things that a signal
-// handler may do.
+// The pipe to which the handler writes; writing is one of the few things that a
+// signal handler may do.
 std::array<int, 2> wake_pipe = {-1, -1};
 
 void NoteSignal(int signal) {
@@ -34,7 +34,7 @@ void NoteSignal(int signal) {
   }
   noted_signal = signal;
   const char byte = 1;
-  // If the pipe is full, the watcher is awake.
+  // A failure does not matter: if the pipe is full, the watcher is awake.
   [[maybe_unused]] const ssize_t written = write(wake_pipe[1], &byte, 1);
 }
 

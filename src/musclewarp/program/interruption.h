@@ -13,21 +13,21 @@
 
 namespace musclewarp {
 
-// Thrown where a program stops because of a signal.
+// Thrown if a signal stops the program.
 class Interrupted : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// While it lives, SIGINT (Ctrl-C) and SIGTERM do not end the program: it says
-// at once that it is stopping, and ThrowIfInterrupted() throws from then on, so
-// that the program can stop where nothing is lost. If it has not done so in
-// time, as it is inside a long computation, `give_up` is called on another
-// thread to save what there is, and the program ends with exit code 1. A second
-// signal ends it at once.
+// As long as an object of this class exists, SIGINT (Ctrl-C) and SIGTERM do not
+// end the program. The program says at once that it is stopping, and from then
+// on ThrowIfInterrupted() throws, so that the program can stop where nothing is
+// lost. If it has not stopped in time, because it is inside a long computation,
+// another thread calls `give_up` to save the results so far and ends the
+// program with exit code 1. A second signal ends the program at once.
 class InterruptionScope {
  public:
-  // `give_up` is told the reason. It must not wait for the thread that
+  // `give_up` receives the reason. It must not wait for the thread that
   // computes.
   explicit InterruptionScope(
       std::function<void(const std::string& reason)> give_up);
@@ -47,7 +47,7 @@ class InterruptionScope {
   std::thread watcher_;
 };
 
-// Throws Interrupted, whose text names the signal, if one came.
+// Throws Interrupted, which names the signal, if a signal has arrived.
 void ThrowIfInterrupted();
 
 }  // namespace musclewarp

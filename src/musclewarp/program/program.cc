@@ -31,8 +31,8 @@ extern void (*gflags_exitfunc)(int);
 namespace musclewarp {
 namespace {
 
-// Flags of the libraries underneath (glog, gflags) are left out: a user of the
-// program has no use for them.
+// Flags of other libraries (glog, gflags) are left out: users of the program do
+// not need them.
 void PrintHelp(const std::string& usage) {
   std::cout << "usage: " << usage
             << WithFlags("\n\nFlags ({flagfile}=F reads them from a file):\n");
@@ -46,15 +46,15 @@ void PrintHelp(const std::string& usage) {
   }
 }
 
-// Has OpenMP threads sleep while they wait for each other, after some thousand
-// instructions, unless the user has set OMP_WAIT_POLICY. By default they spin
-// for milliseconds, which costs several times as much as it saves on a machine
-// that is busy otherwise; sleeping at once costs a twentieth of a frame.
+// Makes threads of OpenMP sleep while they wait for each other, after some
+// thousand instructions, unless the user has set OMP_WAIT_POLICY. By default
+// they spin for milliseconds, which costs several times as much as it saves on
+// a machine with other work; sleeping at once costs a twentieth of a frame.
 //
 // The program executes itself again because there is no other way: OpenMP takes
 // its wait policy from the environment alone (no routine sets it), and libgomp
 // reads the environment when it is loaded, before any code of the program runs.
-// If execv fails, the program goes on with the default.
+// If execv fails, the program continues with the default.
 void WaitPassively(char** argv) {
   if (std::getenv("OMP_WAIT_POLICY")) return;
   setenv("OMP_WAIT_POLICY", "passive", /*overwrite=*/1);
@@ -83,7 +83,7 @@ void LogToScreen(const char* program) {
   }
   FLAGS_stderrthreshold = google::GLOG_FATAL;
   google::InitGoogleLogging(program);
-  // Never destroyed: something may be logged while the process ends.
+  // Never destroyed, because messages may be logged while the process ends.
   google::AddLogSink(new ScreenLog);
 }
 

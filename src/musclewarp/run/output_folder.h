@@ -7,11 +7,11 @@
 
 namespace musclewarp {
 
-// Throws InputError, naming --out, if a folder cannot be written. The folder is
-// not made.
+// Throws InputError, naming {out}, if a folder cannot be written. Does not make
+// the folder.
 void CheckWritable(const std::string& dir);
 
-// Makes a folder. Throws InputError, naming --out, if that fails.
+// Makes a folder. Throws InputError, naming {out}, if that fails.
 void MakeFolder(const std::string& dir);
 
 // Throws InputError, naming the setting "out", if one of the files that were

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr char kLockFile[] = ".musclewarp.lock";
 
-// Returns the missing folders on the way to `dir`, the outermost first.
+// Returns the missing folders on the path `dir`, outermost first.
 std::vector<std::string> MissingFolders(const std::string& dir) {
   std::vector<std::string> missing;
   std::error_code error;
@@ -49,7 +49,8 @@ std::string CommandLineOfThisProcess() {
   return line;
 }
 
-// Who has the lock, for the message to those who do not.
+// Returns a description of this run, for the message to runs that do not get
+// the lock.
 std::string ThisRun() {
   std::array<char, 256> host = {};
   if (gethostname(host.data(), host.size() - 1) != 0) host[0] = '\0';
@@ -70,13 +71,13 @@ std::string TextOf(int descriptor) {
   return text;
 }
 
-// Best effort: the lock holds without the text.
+// Writes the text if possible: the lock holds without it.
 void WriteText(int descriptor, const std::string& text) {
   if (ftruncate(descriptor, 0) != 0) return;
   if (pwrite(descriptor, text.data(), text.size(), 0) < 0) return;
 }
 
-// Whether the open file is still the one of that name.
+// Returns true if the open file is still the one with that name.
 bool IsFile(int descriptor, const std::string& file) {
   struct stat open = {}, named = {};
   return fstat(descriptor, &open) == 0 && stat(file.c_str(), &named) == 0 &&
@@ -101,9 +102,9 @@ OutputLock::OutputLock(const std::string& dir)
 
 bool OutputLock::TryToLock() {
   descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  // It may be of another user.
+  // The file may belong to another user.
   if (descriptor_ < 0) descriptor_ = open(file_.c_str(), O_RDONLY | O_CLOEXEC);
-  // Whatever is wrong with the folder is said by those who write to it.
+  // Whoever writes to the folder reports what is wrong with it.
   if (descriptor_ < 0) return true;
   if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
     const bool is_locked = errno == EWOULDBLOCK;
@@ -130,10 +131,10 @@ bool OutputLock::TryToLock() {
 
 void OutputLock::Release() {
   if (descriptor_ >= 0) {
-    // The file goes first: whoever opened it before finds that it is not the
-    // one of that name any more.
+    // The file is removed first: a run that has opened it before finds that it
+    // is no longer the one with that name.
     unlink(file_.c_str());
-    flock(descriptor_, LOCK_UN);  // for children, too, that inherited it
+    flock(descriptor_, LOCK_UN);  // also for children that inherited it
     close(descriptor_);
     descriptor_ = -1;
   }

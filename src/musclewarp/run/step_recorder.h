@@ -8,20 +8,21 @@
 
 namespace musclewarp {
 
-// Writes the steps of a run to FOLDER/rest_step_01.step, ... for the separation
-// of the rest pose, and FOLDER/frame_0003_step_01.step, ... for a frame; and
-// the flags of the run to FOLDER/flags, for step_benchmark.
+// Writes the steps of a run for step_benchmark: to FOLDER/rest_step_01.step and
+// so on for the separation of the rest pose, and to
+// FOLDER/frame_0003_step_01.step and so on for a frame. The flags of the run go
+// to FOLDER/flags.
 class StepRecorder {
  public:
-  // Throws InputError if the folder cannot be made or written.
+  // Makes the folder and writes the flags. Throws InputError if that fails.
   StepRecorder(std::string folder, const std::string& flags);
 
-  // Steps from here on are those of a frame; at first they are those of the
-  // rest pose.
+  // Assigns the following steps to a frame. Before the first call, steps are
+  // those of the rest pose.
   void BeginFrame(int index);
 
-  // Writes a step. The first one removes what the folder has of the same frame:
-  // the rest pose may be separated again, with other meshes.
+  // Writes a step. The first step of a frame removes the earlier files of this
+  // frame, because the rest pose may be separated again with other meshes.
   void Write(int number, const RecordedStep& step) const;
 
  private:

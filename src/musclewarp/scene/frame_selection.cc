@@ -32,7 +32,8 @@ int ParseFrameNumber(const std::string& text, const std::string& frames) {
   return std::stoi(text);
 }
 
-// An end of a range: a frame number, or a time with its unit.
+// Returns the number of the frame at an end of a range, which is given as a
+// number or as a time with its unit.
 int ParseRangeEnd(const std::string& text,
                   bool is_first,
                   const std::vector<ScenePose>& poses,
@@ -47,7 +48,7 @@ int ParseRangeEnd(const std::string& text,
   if (result.ptr != end || result.ec != std::errc()) {
     FailFrames(frames, "\"" + text + "\" is not a time");
   }
-  // Half of the last digit of usual files.
+  // Half of the last digit of times in usual files.
   constexpr double kSlack = 1e-9;
   const int count = static_cast<int>(poses.size());
   if (is_first) {
@@ -60,7 +61,7 @@ int ParseRangeEnd(const std::string& text,
   return i >= 0 ? numbers[i] : numbers.front() - 1;
 }
 
-// What there is to be selected.
+// Returns a text on the frames that can be selected.
 std::string RangeText(const std::vector<ScenePose>& poses,
                       const std::vector<int>& numbers) {
   std::ostringstream range;

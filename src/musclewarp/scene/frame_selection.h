@@ -9,18 +9,19 @@
 
 namespace musclewarp {
 
-// Returns the indices of the poses that the text of --frames selects, in rising
-// order: "all", "last", "7", "first:last" or "first:last:step", both ends
-// included. An end may be a time ("0.1s"), which stands for the first pose that
-// is not before it, or the last that is not after it. Throws InputError naming
-// --frames if the text is none of these or selects no pose.
+// Returns the indices of the poses that the setting `frames` selects, in
+// ascending order: "all", "last", "7", "first:last" or "first:last:step", both
+// ends included. An end may be a time ("0.1s"): as the first end it stands for
+// the first pose that is not before it, as the last end for the last pose that
+// is not after it. Throws InputError, naming {frames}, if the text has none of
+// these forms or selects no pose.
 std::vector<int> SelectFrames(const std::string& frames,
                               const std::vector<ScenePose>& poses);
 
-// The same for poses with numbers of their own, rising, as the frames of a run
-// have those of their folders: N, FIRST, LAST and STEP are about these numbers.
-// Ranges take what is there between numbers that the run spans. Returns indices
-// of the poses.
+// Does the same for poses with numbers of their own, in ascending order, such
+// as the numbers of the folders of a run, to which the text then refers. A
+// range selects the existing poses within it, and its ends must be within the
+// numbers of the run. Returns indices of the poses.
 std::vector<int> SelectFrames(const std::string& frames,
                               const std::vector<ScenePose>& poses,
                               const std::vector<int>& numbers);

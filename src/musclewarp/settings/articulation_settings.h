@@ -9,7 +9,7 @@
 
 namespace musclewarp {
 
-// The settings of the joints of a skeleton (Articulate).
+// The settings of the search for the joints of a skeleton (Articulate).
 struct ArticulationSettings {
   std::string side = "both";
   std::string joints;

@@ -3,9 +3,9 @@
 #pragma once
 
 // Settings are what users choose: described structs (base/described.h) whose
-// fields are flags of the programs and keywords of Python under one name, with
-// texts, units and ranges from one list. Each has a function OptionsOf() that
-// returns the options of the library they mean.
+// fields are flags of the programs and keywords of Python with the same names.
+// Their texts, units and ranges come from one list, and OptionsOf() of each
+// struct returns the options of the library that its values mean.
 
 #include <glog/logging.h>
 
@@ -24,7 +24,7 @@
 namespace musclewarp {
 
 // Throws InputError, naming the setting, unless `value` is one of `choices`,
-// "auto, never", of which there may be none.
+// such as "auto, never". Without choices every value is allowed.
 void CheckChoice(const char* name,
                  const std::string& value,
                  const std::string& choices);
@@ -33,8 +33,8 @@ void CheckChoice(const char* name,
 // range.
 void CheckNumber(const char* name, double value, const ValueRange& range);
 
-// Throws InputError for the first setting whose value is not allowed by the
-// list.
+// Throws InputError for the first setting whose value is not in the range or
+// among the choices of its field.
 template <class Settings>
 void CheckSettings(const Settings& settings) {
   VisitFields(settings, [](const auto& field, const auto& value) {
@@ -47,7 +47,7 @@ void CheckSettings(const Settings& settings) {
   });
 }
 
-// Returns what a user has to know of a setting: its text, unit and range.
+// Returns the help on a setting: its text, unit and range.
 template <class Access>
 std::string HelpOf(const Field<Access>& field) {
   const bool has_range =
@@ -60,8 +60,8 @@ std::string HelpOf(const Field<Access>& field) {
 }
 
 // Returns the names of lengths and areas that are in mm of the scene rather
-// than in units of the body's size: those in `given`, which the user set, and
-// those that differ from their default.
+// than in units of the size of the body: those in `given`, which the user set,
+// and those that differ from their default.
 template <class Settings>
 std::set<std::string> LengthsInMillimetres(const Settings& settings) {
   const Settings defaults;
@@ -77,7 +77,8 @@ std::set<std::string> LengthsInMillimetres(const Settings& settings) {
   return names;
 }
 
-// Returns a text that two settings share only if they lead to equal results.
+// Returns a text that is equal for two structs of settings only if they lead to
+// equal results.
 template <class Settings>
 std::string KeyOf(const Settings& settings) {
   std::ostringstream key;
@@ -92,7 +93,8 @@ std::string KeyOf(const Settings& settings) {
   return key.str();
 }
 
-// Returns the value with a name. Precondition (CHECKed): there is one.
+// Returns the one of `values` with a name. Precondition (CHECKed): there is
+// one.
 template <class Enum>
 Enum Named(const std::string& name, std::initializer_list<Enum> values) {
   for (const Enum value : values) {
@@ -102,8 +104,9 @@ Enum Named(const std::string& name, std::initializer_list<Enum> values) {
   return *values.begin();
 }
 
-// Returns one of the structs that settings are composed of:
-// OptionsOf(PartOf<FileSettings>(settings)).
+// Returns a base of a struct that is composed of several structs of settings:
+//
+//   OptionsOf(PartOf<FileSettings>(settings))
 template <class Part>
 const Part& PartOf(const Part& settings) {
   return settings;

@@ -10,7 +10,8 @@
 
 namespace musclewarp {
 
-// The settings of a Deformer: flags of musclewarp-deform, keywords of Python.
+// The settings of a Deformer: flags of musclewarp-deform and keywords of
+// Python.
 struct DeformerSettings : RestSettings {
   std::string contact = "certified";
   std::string solver = "ceres";

@@ -10,7 +10,7 @@
 
 namespace musclewarp {
 
-// The setting of the files of meshes.
+// The setting of the formats of mesh files.
 struct FormatSettings {
   std::string format = "ply";
 };
@@ -21,9 +21,8 @@ constexpr auto FieldsOf(Described<FormatSettings>) {
                              .Changes(Effect::kFiles));
 }
 
-// Returns the formats of the settings, "ply" and so on. Throws InputError,
-// naming the setting, for one that this build cannot write, and if there is
-// none.
+// Returns the formats of the settings, such as "ply". Throws InputError, naming
+// the setting, if there is none, or this build cannot write one of them.
 std::vector<std::string> OptionsOf(const FormatSettings& settings);
 
 // The settings of the files of a run.
@@ -46,7 +45,7 @@ constexpr auto FieldsOf(Described<FileSettings>) {
 
 // Returns the options that the settings mean. Throws InputError, naming the
 // setting, for a value that is not allowed, a format that this build cannot
-// write, and bones=once with formats that have bones in every frame.
+// write, and bones=once if every format has the bones in every frame.
 FrameFileOptions OptionsOf(const FileSettings& settings);
 
 }  // namespace musclewarp

@@ -10,11 +10,12 @@
 
 namespace musclewarp {
 
-// The setting of the unit of files.
+// The setting of the unit of files that do not state their own.
 struct UnitSettings {
   std::string units = "mm";
 
-  // Precondition (CHECKed): `units` is one of kLengthUnits.
+  // Returns the length of the unit. Precondition (CHECKed): `units` is one of
+  // kLengthUnits.
   double MmPerUnit() const;
 };
 
@@ -26,7 +27,7 @@ constexpr auto FieldsOf(Described<UnitSettings>) {
           .OneOf(kLengthUnits));
 }
 
-// The settings of the meshes of a label image, and of the files beside it.
+// The settings of the meshes of a label image and of the mesh files beside it.
 struct LabelSettings : UnitSettings {
   std::string labels;
   double edge = LabelMeshOptions().edge_length;

@@ -10,8 +10,8 @@
 
 namespace musclewarp {
 
-// The settings of the separation of the rest pose, with and without a motion
-// that follows.
+// The settings of the separation of the rest pose, whether or not a motion
+// follows.
 struct RestSettings {
   double gap = StepOptions().gap;
   std::string remake = "auto";
@@ -20,9 +20,9 @@ struct RestSettings {
   double max_lost_area = FrameRequirements().max_lost_area;
   double max_lost_extent = FrameRequirements().max_lost_extent;
 
-  // The settings that the user gave, by name. Lengths and areas follow the size
-  // of the body, but for these and those that differ from their default, which
-  // are in mm of the scene.
+  // The names of the settings that the user gave. The lengths and areas among
+  // them, and those that differ from their default, are in mm of the scene; all
+  // others follow the size of the body.
   std::set<std::string> given = {};
 };
 
@@ -62,7 +62,7 @@ constexpr auto FieldsOf(Described<RestSettings>) {
       NotWritten(&S::given));
 }
 
-// Sets the options that these settings mean. The values are not checked.
+// Sets the options that these settings mean, without a check of the values.
 void SetOptions(const RestSettings& settings,
                 PrepareOptions* prepare,
                 CertifiedContactOptions* contact,

@@ -9,8 +9,8 @@
 
 namespace musclewarp {
 
-// The settings of a scene that is read from a file: which of its poses are
-// computed, and what is not as the file has it.
+// The settings of a scene that is read from a file: the poses to compute, and
+// replacements for what the file says.
 struct SceneSettings {
   std::string scene;
   std::string data_root;
@@ -22,7 +22,8 @@ struct SceneSettings {
 
 constexpr auto FieldsOf(Described<SceneSettings>) {
   using S = SceneSettings;
-  // Files count by their contents, which the record of a run has.
+  // The paths have no effect on results: the record of a run has a hash of the
+  // contents of the files.
   return std::make_tuple(
       Field(&S::scene, "scene")
           .Text("scene file (JSON)")
@@ -54,7 +55,7 @@ constexpr auto FieldsOf(Described<SceneSettings>) {
 
 // Returns what the settings say of the model of a scene. Throws InputError,
 // naming the setting, for a value that is not allowed and for a folder of
-// `geometry` that is not there.
+// `geometry` that does not exist.
 ModelSources OptionsOf(const SceneSettings& settings);
 
 }  // namespace musclewarp

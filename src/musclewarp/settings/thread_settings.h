@@ -12,8 +12,7 @@ struct ThreadSettings {
 };
 
 constexpr auto FieldsOf(Described<ThreadSettings>) {
-  // OpenMP ends the program if it cannot start as many threads as it was asked
-  // for.
+  // OpenMP ends the program if it cannot start the threads that are requested.
   constexpr int kMostThreads = 1024;
   return std::make_tuple(Field(&ThreadSettings::threads, "threads")
                              .Text("number of threads; 0: one a core")

@@ -132,7 +132,7 @@ ComparisonRow RowOf(const Frame& frame,
   }
   if (reference) {
     row.time_ratio = row.ms / reference->solve_ms;
-    // Both are rounding in the rest pose.
+    // In the rest pose both costs are rounding errors.
     const double cost = CostOf(*reference);
     row.cost_ratio =
         std::max(row.final_cost, cost) < 1e-9 ? 1 : row.final_cost / cost;

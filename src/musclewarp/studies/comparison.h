@@ -21,17 +21,17 @@ struct ComparisonRow {
   std::string contact;  // "none", "paper/coarse", ...
   std::string stop_reason;
 
-  // False if the configuration could not be run; what follows then has no
-  // meaning.
+  // False if the configuration could not be run; the fields below are then
+  // undefined.
   bool was_run = false;
-  int iterations = 0;  // of all muscles; of the group where they are in contact
+  int iterations = 0;  // of all muscles, or of the group if it has contact
   double ms = 0;       // in the solver; the median of the repeats
   double ms_per_iteration = 0;
   double time_ratio = 0;    // to the reference with the same contact
   double final_cost = 0;    // 1/2 |f|^2 of all muscles, mm^2
   double cost_ratio = 0;    // to the reference with the same contact
-  double volume_ratio = 0;  // to the volume that solvers keep, farthest from 1
-  double distance = 0;      // to the reference, largest of a fine vertex, mm
+  double volume_ratio = 0;  // to the prescribed volume; farthest from 1
+  double distance = 0;      // the largest of a vertex to the reference, mm
 
   // The distance of a fine vertex to the shape without contact, mm.
   double largest_contact_move = 0;
@@ -41,19 +41,19 @@ struct ComparisonRow {
   std::vector<SolverSummary> muscles;
 };
 
-// Returns the row of a frame. It is compared with that of the reference solver
-// in the same pose and with the same contact, and with the frame without
-// contact; either may be null. If `counts_together`, every muscle of the frame
-// counts the iterations of all.
+// Returns the row of a frame. Compares it with the frame of the reference
+// solver in the same pose and with the same contact, and with the frame without
+// contact; either may be null. `counts_together` says that each muscle of the
+// frame counts the iterations of all.
 ComparisonRow RowOf(const Frame& frame,
                     const Frame* reference,
                     const Frame* without_contact,
                     bool counts_together);
 
-// Prints the rows as a table for people.
+// Prints the rows as a table for the screen.
 void PrintComparison(const std::vector<ComparisonRow>& rows, std::ostream& out);
 
-// Return the rows as CSV, a line for each, and the convergence history, a line
+// Return the rows as CSV, one line each, and the convergence history, one line
 // for each iteration of a muscle.
 std::string ComparisonCsv(const std::vector<ComparisonRow>& rows);
 std::string HistoryCsv(const std::vector<ComparisonRow>& rows,

@@ -14,8 +14,8 @@
 namespace musclewarp {
 namespace {
 
-// Returns the weights of the corners for a point of a triangle. A triangle
-// without area has no unique ones: the least squares solution is taken.
+// Returns the weights of the corners for a point of a triangle. They are not
+// unique for a triangle without area: the least squares solution is returned.
 Eigen::RowVector3d BarycentricOf(const Eigen::RowVector3d& point,
                                  const Corners& corners) {
   Eigen::Matrix<double, 3, 2> edges;
@@ -67,7 +67,7 @@ TriangleBvh::Closest ClosestFacing(const TriangleBvh& bvh,
 SurfacePlaces NearestPlaces(const TriangleSoup& surface,
                             const TriangleSoup& from) {
   const TriangleBvh bvh(surface.points, surface.triangles);
-  // Along the mean normals of the triangles at a vertex, by area.
+  // The area-weighted mean normals of the triangles at each vertex.
   const Points normals = VolumeGradient(from.points, from.triangles);
   const Eigen::Index num_places = from.points.rows();
   SurfacePlaces places;

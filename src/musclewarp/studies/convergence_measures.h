@@ -8,8 +8,8 @@
 
 namespace musclewarp {
 
-// Places on a surface, each in a triangle, and the points that they were looked
-// up for, relative to them.
+// Places on a surface, each in a triangle, with the positions relative to them
+// of the points from which they were found.
 struct SurfacePlaces {
   std::vector<int> triangles;   // #places
   Points barycentric;           // #places x 3, weights of the corners
@@ -17,16 +17,17 @@ struct SurfacePlaces {
   double largest_distance = 0;  // of a point from its place, mm
 };
 
-// Finds the place of a surface that is nearest to each vertex of another, among
-// triangles that face the way the vertex does: in a thin muscle those of the
-// other side are near, too. Preconditions: `surface` has triangles, and `from`
+// Returns the nearest place on a surface to each vertex of another surface,
+// among triangles that face the same way as the vertex: the opposite side of a
+// thin muscle is also near. Preconditions: `surface` has triangles, and `from`
 // is closed.
 SurfacePlaces NearestPlaces(const TriangleSoup& surface,
                             const TriangleSoup& from);
 
-// Returns where points are, #places x 3, mm, that go with the places of a
-// surface whose vertices are at `deformed` (#V x 3): interpolated linearly in
-// the triangle, and as far from it as they were, so that rigid moves are exact.
+// Returns the positions (#places x 3, mm) of the points that belong to places
+// of a surface whose vertices are at `deformed` (#V x 3). Places are
+// interpolated linearly in their triangles, and points keep their offsets from
+// them, so that rigid motions are reproduced exactly.
 Points CarriedPoints(const SurfacePlaces& places,
                      const Triangles& triangles,
                      const Points& deformed);

@@ -10,24 +10,24 @@
 
 namespace musclewarp {
 
-// Returns the discretisation that options set, with the meshes as prepared.
+// Returns the discretisation that the options set, with a density of 1.
 Discretisation DiscretisationOf(const PrepareOptions& options);
 
-// Returns a prepared scene with another discretisation. `base` has the one that
-// the options set. Another number of coarse vertices gives new hulls; other
-// samples and densities keep the hulls of `base`. Throws InputError if the
-// lines no longer determine a shape.
+// Returns a prepared scene with another discretisation than that of `base`,
+// which the options set. A different number of coarse vertices leads to new
+// hulls; for other sample spacings and densities, the hulls of `base` are kept.
+// Throws InputError if the lines no longer determine a shape.
 PreparedScene Rediscretised(const PreparedScene& base,
                             const PrepareOptions& options,
                             const Discretisation& discretisation);
 
-// Solves frames of a scene, given by the indices of their poses in rising
+// Solves frames of a scene, given by the indices of their poses in ascending
 // order, with one discretisation. Without contact every frame is solved on its
-// own. With certified contact the scene is separated at rest first, and the
-// frames of a motion are solved in order from its start, those that are not
-// wanted, too. What throws InputError on the way is the failure of the result.
-// Preconditions: the options are valid, their contact is none or certified
-// (CHECKed), and `base` was prepared with them.
+// own. With certified contact the scene is separated at rest first, and all
+// frames of a motion up to the last requested one are solved in order. An
+// InputError on the way becomes the failure of the result. Preconditions: the
+// options are valid, their contact is none or certified (CHECKed), and `base`
+// was prepared with them.
 DiscretisationResult SolveDiscretisation(const DeformerOptions& options,
                                          const PreparedScene& base,
                                          const Discretisation& discretisation,

@@ -10,7 +10,7 @@
 namespace musclewarp {
 namespace {
 
-// True if `a` is coarser than `b`.
+// Returns true if `a` is coarser than `b`.
 bool IsCoarser(StudyKind kind,
                const Discretisation& a,
                const Discretisation& b) {
@@ -31,7 +31,7 @@ ConvergenceStudy SortedStudy(StudyKind kind,
   return {kind, std::move(discretisations)};
 }
 
-// Adds the study of a field to the studies, if it has values.
+// Adds the study of a field if it has values.
 template <typename Value>
 void AddStudy(StudyKind kind,
               const std::vector<Value>& values,
@@ -58,7 +58,8 @@ const DiscretisationResult& ResultOf(
   return *found;
 }
 
-// Returns the largest difference of two moment arms of a line and coordinate.
+// Returns the largest difference between moment arms of the same line about the
+// same coordinate.
 std::optional<double> LargestArmDifference(const DiscretisedMuscle& muscle,
                                            const DiscretisedMuscle& finest) {
   std::optional<double> largest;

@@ -12,11 +12,11 @@
 
 namespace musclewarp {
 
-// How a scene is discretised.
+// The discretisation of a scene.
 struct Discretisation {
-  int coarse_vertices = 0;    // of the hull of a muscle, about
+  int coarse_vertices = 0;    // approximate number, of the hull of a muscle
   double sample_spacing = 0;  // of samples along action lines, mm
-  double density = 1;         // of triangles, against the meshes as prepared
+  double density = 1;         // of triangles, relative to the prepared meshes
 
   bool operator==(const Discretisation& other) const {
     return coarse_vertices == other.coarse_vertices &&
@@ -24,13 +24,13 @@ struct Discretisation {
   }
 };
 
-// What a study of convergence varies.
+// The value that a study of convergence varies.
 enum class StudyKind { kVertices, kSpacing, kDensity };
 
-// "vertices", "spacing" or "density": the text of reports.
+// Returns "vertices", "spacing" or "density", as in reports.
 std::string ToString(StudyKind kind);
 
-// Returns the value that a study varies.
+// Returns the value of a discretisation that a study varies.
 double ValueOf(StudyKind kind, const Discretisation& discretisation);
 
 // The values of each study; a study without values is left out.
@@ -57,13 +57,13 @@ std::vector<Discretisation> AllDiscretisations(
 
 // A muscle in one frame, with one discretisation.
 struct DiscretisedMuscle {
-  int coarse_vertices = 0, samples = 0, fine_vertices = 0;  // that it has
-  bool is_reconstructed = false;  // by certified contact, as a new mesh
+  int coarse_vertices = 0, samples = 0, fine_vertices = 0;  // actual numbers
+  bool is_reconstructed = false;  // true if certified contact made a new mesh
 
   // The displacements from rest of the vertices of the base mesh, #V x 3, mm.
-  // They go with the nearest places of the surface (CarriedPoints), which at
-  // rest are at most `rest_distance` away, mm. Base meshes are those of the
-  // scene as prepared, so that all discretisations are compared at the same
+  // Vertices move with the nearest places on the surface (CarriedPoints), which
+  // are at most `rest_distance` (mm) away at rest. The base mesh is that of the
+  // prepared scene, so that all discretisations are compared at the same
   // points.
   Points displacements;
   double rest_distance = 0;
@@ -71,18 +71,18 @@ struct DiscretisedMuscle {
   double volume_ratio = 1;  // to the volume at rest
   StretchMeasures stretch;
 
-  // Of lines, by coordinate; none without a model (MuscleFigures).
+  // By line and coordinate; empty without a model (MuscleFigures).
   std::map<std::string, std::map<std::string, double>> moment_arms;
 };
 
 // One frame, with one discretisation.
 struct DiscretisedFrame {
-  double ms = 0;  // for moving the muscles to the pose
+  double ms = 0;  // time to move the muscles to the pose
   bool is_usable = false;
   std::vector<DiscretisedMuscle> muscles;  // in the order of the scene
 };
 
-// What came of one discretisation.
+// The result of one discretisation.
 struct DiscretisationResult {
   Discretisation discretisation;
   std::string failure;  // empty if the scene was solved
@@ -90,14 +90,14 @@ struct DiscretisationResult {
   std::vector<DiscretisedFrame> frames;  // in the order of the compared frames
 };
 
-// A line of the tables: one muscle in one frame, with one value of a study. A
-// discretisation that could not be solved is one row, without a muscle.
+// A row of the tables: one muscle in one frame, with one value of a study. A
+// discretisation that could not be solved has one row, without a muscle.
 struct ConvergenceRow {
   StudyKind study = StudyKind::kVertices;
   double value = 0;
-  bool is_as_set = false;  // as the flags set it
-  bool is_finest = false;  // what the others of the study are compared with
-  std::string failure;     // if not empty, what follows has no meaning
+  bool is_as_set = false;  // the discretisation that the flags set
+  bool is_finest = false;  // the one with which the others are compared
+  std::string failure;     // if not empty, the fields below are undefined
   int frame = 0;
   std::string pose;
   std::string muscle;
@@ -105,14 +105,15 @@ struct ConvergenceRow {
   bool is_reconstructed = false;
   double rest_distance = 0;
 
-  // The distance of a vertex of the base mesh to where the finest
-  // discretisation has it, mm.
+  // The distance of a vertex of the base mesh from its position with the finest
+  // discretisation, mm.
   double largest_distance = 0, mean_distance = 0;
   double volume_ratio = 1;
   StretchMeasures stretch;
 
-  // The largest difference of the moment arm of a line to that of the finest,
-  // mm (mm/m for a coordinate that is a length). None without a model.
+  // The largest difference between the moment arm of a line and that of the
+  // finest discretisation, mm (mm/m for a coordinate that is a length). Empty
+  // without a model.
   std::optional<double> moment_arm_difference;
   double ms = 0;
   bool is_usable = false;
@@ -126,8 +127,8 @@ struct StudiedFrames {
 };
 
 // Compares the results of a study with those of its finest discretisation that
-// was solved. Precondition (CHECKed): there is a result for every
-// discretisation of the study.
+// was solved. Precondition (CHECKed): every discretisation of the study has a
+// result.
 std::vector<ConvergenceRow> RowsOf(
     const ConvergenceStudy& study,
     const std::vector<DiscretisationResult>& results,

@@ -26,7 +26,7 @@ std::string TitleOf(StudyKind study) {
   return "";
 }
 
-// The widths of the columns with texts.
+// The widths of the columns that contain texts.
 struct TextWidths {
   int pose = 6, muscle = 8;
 };
@@ -80,8 +80,8 @@ void PrintRow(const ConvergenceRow& row, TextWidths widths, std::ostream& out) {
       << "\n";
 }
 
-// Returns the error of a muscle in one study, or nothing if the study has no
-// row of it.
+// Returns the error of a muscle in one study, or an empty text if the study has
+// no row of the muscle.
 std::string ErrorOf(const std::vector<ConvergenceRow>& rows,
                     StudyKind study,
                     const std::string& muscle) {
@@ -136,7 +136,7 @@ Json ToJson(const ConvergenceRow& row) {
   return json;
 }
 
-// The columns of the CSV file are the keys of a row.
+// Returns the columns of the CSV file: the keys of a row.
 std::vector<std::string> Columns() {
   std::vector<std::string> columns;
   const Json row = ToJson(ConvergenceRow());

@@ -11,21 +11,22 @@
 
 namespace musclewarp {
 
-// "hulls of 200 vertices", "samples every 10 mm" or "meshes of density 1".
+// Returns "hulls of 200 vertices", "samples every 10 mm" or "meshes of density
+// 1".
 std::string Describe(StudyKind study, double value);
 
-// Prints the rows as a table for people, study by study.
+// Prints the rows as tables for the screen, one per study.
 void PrintConvergence(const std::vector<ConvergenceRow>& rows,
                       std::ostream& out);
 
-// Prints a line for each muscle with the errors of the discretisation that the
-// flags set, the worst of all frames:
+// Prints for each muscle the largest errors, over all frames, of the
+// discretisation that the flags set:
 //
 //   psoas: hulls of 200 vertices: 0.06 mm on the mean, 1.27 mm at most, from
 //   2400; samples every 10 mm: ...
 void PrintErrors(const std::vector<ConvergenceRow>& rows, std::ostream& out);
 
-// Returns the rows as CSV, a line for each.
+// Returns the rows as CSV, one line each.
 std::string ConvergenceCsv(const std::vector<ConvergenceRow>& rows);
 
 // Returns the rows of convergence.json.

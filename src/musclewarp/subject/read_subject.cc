@@ -36,7 +36,7 @@ class SubjectReader {
     CheckNames();
     FindImage();
     ReadTable();
-    // Names come before anything is read, which may take long.
+    // Names are checked before the files are read, which may take long.
     if (!HasImage()) CheckBoneFiles();
     for (const std::string& file : files_) {
       if (!TakesApart()) CheckNamedOnce(file, MeshNameOf(file));
@@ -110,7 +110,7 @@ class SubjectReader {
     }
   }
 
-  // Rows of the table describe files, too, by their names.
+  // Reads the table, whose rows also describe mesh files by their names.
   void ReadTable() {
     if (input_.labels.table.empty()) return;
     for (const LabelEntry& entry : RowsOfTable(input_.labels)) {
@@ -168,7 +168,7 @@ class SubjectReader {
     }
   }
 
-  // Crumbs of a bone are no bones, whatever choice takes it apart.
+  // Leaves small pieces of labels out, which are no bones.
   void LeaveSmallPiecesOut() {
     if (!is_for_joints()) return;
     constexpr double kLeastPiece = 0.01;  // of the volume of the label
@@ -230,7 +230,7 @@ class SubjectReader {
     }
   }
 
-  // A name that is no label has to be a file.
+  // Throws InputError unless all named bones that are no labels are files.
   void CheckNamedAreFiles() const {
     for (const std::string& bone : named_left_) {
       std::error_code error;
@@ -263,7 +263,8 @@ class SubjectReader {
     }
   }
 
-  // Surfaces of labels are in LPS, unless the image does not say so.
+  // Finds the files that have to be turned. Surfaces of labels are in LPS if
+  // the image is oriented.
   void FindSpaces() {
     std::vector<StatedFile> stated;
     if (HasImage()) {
@@ -321,7 +322,8 @@ class SubjectReader {
     subject_.muscles.push_back(std::move(mesh));
   }
 
-  // Adds each piece of a file. One that is all of the file stays a file.
+  // Adds each piece of a file. If the file is a single closed piece, it is
+  // added as a file.
   void AddPieces(const std::string& file) {
     SceneMuscle whole;
     whole.name = MeshNameOf(file);
