@@ -152,22 +152,6 @@ class ArticulateRun {
     }
   }
 
-<<<<<<< HEAD
-=======
-  // Throws InputError if a mesh of the model would replace an input file.
-  void CheckInputsStay() const {
-    for (const std::string& file : files_) {
-      const fs::path result =
-          fs::path(options_.out) / "Geometry" / (MeshNameOf(file) + ".obj");
-      std::error_code error;
-      if (!fs::equivalent(result, MeshFileOf(file), error)) continue;
-      throw InputError("--out=" + options_.out,
-                       "has the input " + file + ", which would be replaced",
-                       "choose another folder");
-    }
-  }
-
->>>>>>> docs61
   void ChooseMotions(const JointMotion& asked) {
     CheckCoordinates(asked, articulation_, "--motion");
     const bool is_asked = !asked.sweeps.empty();

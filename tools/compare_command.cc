@@ -179,7 +179,7 @@ std::vector<SolverConfiguration> ParseConfigurations(const std::string& text) {
 std::vector<ContactKind> ParseContacts(const std::string& text) {
   std::vector<ContactKind> contacts;
   for (const std::string& word : Split(text, ',')) {
-    CheckChoice("contact", word, "none, paper, certified");
+    CheckChoice("contact", word, "certified, paper, none");
     contacts.push_back(Named(
         word,
         {ContactKind::kNone, ContactKind::kPaper, ContactKind::kCertified}));

@@ -33,6 +33,10 @@ constexpr double kLargestVolumeRatio = 100;
 
 void CheckOptions(const PostureOptions& options) {
   CheckSettings<PostureSettings>(options);
+  std::string error;
+  if (!options.repair.IsValid(&error)) {
+    throw InputError("options", error, "see --help");
+  }
   if (options.posture.empty()) {
     throw InputError("--posture",
                      "is missing",

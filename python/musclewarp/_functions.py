@@ -40,6 +40,13 @@ def separate(meshes: NamedMeshes,
              bones: NamedMeshes = (),
              *,
              # Settings of SeparationSettings.
+             gap: float = 0.1,
+             remake: str = "auto",
+             max_hole: float = 30.0,
+             max_loss: float = 0.06,
+             max_lost_area: float = 100.0,
+             max_lost_extent: float = 5.0,
+             max_move: float = 5.0,
              # End of settings.
              units: str = "mm",
              progress: Progress = None) -> _core.Frame:

@@ -113,6 +113,11 @@ def articulate(bones: Union[Mapping[str, Any], Labels],
                *,
                units: str = "mm",
                # Settings of ArticulationSettings.
+               side: str = "both",
+               joints: Union[str, Sequence[str]] = (),
+               zero: str = "anatomy",
+               axes: Optional[str] = "LPS",
+               given: Union[_Path, Mapping[str, Any], None] = None,
                # End of settings.
                ) -> Articulation:
     """Finds the joints of a skeleton on the shapes of its bones.

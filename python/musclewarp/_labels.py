@@ -68,6 +68,11 @@ def read_labels(image: Any,
                 space: Optional[str] = "RAS",
                 names: Optional[Mapping[int, Union[str, Mapping[str, str]]]] = None,
                 # Settings of LabelSettings.
+                labels: Union[str, "os.PathLike[str]"] = "",
+                edge: float = 0.0,
+                pieces: str = "largest",
+                units: str = "mm",
+                bone: str = "",
                 # End of settings.
                 ) -> Labels:
     """Makes a mesh of each label of an image, in mm and in LPS.
@@ -142,7 +147,7 @@ def _label_array(image: Any) -> "np.ndarray[Any, Any]":
     if not (low >= 0 and high <= _LARGEST_LABEL):
         raise InputError("image", f"has values from {low} to {high}",
                          f"allowed: labels from 0 to {_LARGEST_LABEL}")
-    labels = array.astype(np.int32)
+    labels: "np.ndarray[Any, Any]" = array.astype(np.int32)
     if array.dtype.kind == "f" and not np.array_equal(labels, array):
         raise InputError("image", "has values that are no whole numbers",
                          "give a label map, not an image of intensities")

@@ -6,8 +6,8 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/setting_names.h"
-#include "python/src/bindings.h"
 #include "musclewarp/settings/deformer_settings.h"
+#include "python/src/bindings.h"
 #include "python/src/settings.h"
 
 namespace musclewarp::python {

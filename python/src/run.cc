@@ -14,8 +14,8 @@
 #include "musclewarp/run/output_folder.h"
 #include "musclewarp/run/output_lock.h"
 #include "musclewarp/run/run_writer.h"
-#include "python/src/bindings.h"
 #include "musclewarp/settings/file_settings.h"
+#include "python/src/bindings.h"
 #include "python/src/deformer.h"
 #include "python/src/json.h"
 

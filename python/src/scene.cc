@@ -6,12 +6,12 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/opensim/kinematics.h"
+#include "musclewarp/phantom/demo_scene.h"
 #include "musclewarp/scene/scene_names.h"
 #include "musclewarp/scene/scene_space.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
 #include "python/src/call.h"
-#include "musclewarp/phantom/demo_scene.h"
 
 namespace musclewarp::python {
 namespace {

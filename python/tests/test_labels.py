@@ -148,7 +148,7 @@ def test_a_bone_may_be_named(labels):
     ({"names": {1: {"name": "a", "kind": "tooth"}}}, 'has the kind "tooth"'),
     ({"names": {9: "spleen"}}, "names: has none of the labels"),
     ({"names": {1: "a"}, "table": "labels.csv"}, "names: are given beside"),
-    ({"edge": 101}, "edge: is 101; allowed: 0 to 100"),
+    ({"edge": 101}, "edge: is 101; allowed: 0 to 100, mm"),
     ({"edge": "long"}, "edge: is 'long'; allowed: a number"),
     ({"pieces": "some"}, "pieces=some.*allowed: largest, all"),
     ({"bone": "tibia"}, 'bone: has "tibia", which is no label'),

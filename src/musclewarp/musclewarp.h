@@ -24,7 +24,8 @@
 //       {});
 //   mw::WriteArticulatedModel(leg, "leg", "leg/model.osim");
 //
-// and to read the labels of an image, with what users choose (docs/settings.md):
+// and to read the labels of an image, with what users choose
+// (docs/settings.md):
 //
 //   mw::SubjectInput input;
 //   input.use = mw::SubjectUse::kJoints;

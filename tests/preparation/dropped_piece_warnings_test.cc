@@ -25,7 +25,7 @@ TEST(DroppedPieceWarnings, NameEveryPieceWithItsMeasuresAndPlace) {
       ElementsAre(
           "biceps: a piece of 43.1 cm2, 38 % of its surface, 26.7 cm3 around "
           "(1.0, 2.0, 3.0) is left out: a muscle is one closed surface "
-          "(musclewarp-separate --pieces=all makes a mesh of each piece)"));
+          "(separation with {pieces}=all makes a mesh of each piece)"));
 }
 
 TEST(DroppedPieceWarnings, CountCrumbsTogether) {

@@ -38,7 +38,7 @@ TEST(OutputLock, KeepsASecondRunOutAndNamesTheFirst) {
                     "another run writes to this folder",
                     "process " + std::to_string(getpid()),
                     "since 2",
-                    "deform_command_test",
+                    "run_test",
                     "wait until it has ended, or choose another --out"});
   const OutputLock elsewhere(out + "/below");
 }

@@ -120,7 +120,7 @@ TEST(GaussNewton, ATurnAcrossTheLineNeedsNoBodies) {
                         {model.fine_rest, model.fine_triangles},
                         {model.coarse_rest, model.coarse_triangles},
                         {},
-                        {});
+                        NoAttachmentRows());
   const Eigen::Matrix3d turn = Rotation(1.3, {1, 2, 0});
   ScenePose pose;
   pose.lines["side"] = Moved(muscle.lines[0].rest, turn, {1, 2, 3});
@@ -140,7 +140,7 @@ TEST(GaussNewton, TwistAboutTheLineIsTakenFromTheBodies) {
                         {model.fine_rest, model.fine_triangles},
                         {model.coarse_rest, model.coarse_triangles},
                         {},
-                        {});
+                        NoAttachmentRows());
   const Eigen::Matrix3d twist = Rotation(0.7, {0, 0, 1});
   const Eigen::Vector3d on_line(8, 2, 0);
   const ScenePose pose = RigidPose(twist, on_line - twist * on_line);

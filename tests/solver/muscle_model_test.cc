@@ -66,7 +66,7 @@ TEST(MuscleModel, SkeletonRowsGiveTheWeightedSamples) {
 
 // The rows of a line together weigh as much however many there are.
 TEST(MuscleModel, ByAreaSkeletonRowsWeighByLength) {
-  MuscleModelOptions options;
+  MuscleModelOptions options = NoAttachmentRows();
   options.laplacian.weights = LaplacianWeights::kArea;
   const auto sum = [&](double spacing) {
     options.sample_spacing = spacing;
@@ -113,7 +113,7 @@ TEST(MuscleModel, TheNormalMatrixIsThatOfAllRows) {
 }
 
 TEST(MuscleModel, OnThePapersRowsEveryCoarseVertexHasANearestSegment) {
-  MuscleModelOptions options;
+  MuscleModelOptions options = NoAttachmentRows();
   options.laplacian.weights = LaplacianWeights::kPaper;
   const MuscleModel model = SpindleModel(options);
   const std::vector<SegmentPoint>& nearest = model.rotations.places;
@@ -134,7 +134,7 @@ TEST(MuscleModel, RefusesLinesThatDoNotDetermineTheShape) {
   TriangleSoup hull = Spindle(15, 66, 1);
   hull.points.conservativeResize(hull.points.rows() + 1, 3);
   hull.points.bottomRows(1) << 100, 0, 0;
-  MuscleModelOptions options;
+  MuscleModelOptions options = NoAttachmentRows();
   options.skeleton_weight = 1e-200;
   ExpectInputError(
       [&] {

@@ -26,7 +26,7 @@ MuscleModel SpindleAt(double x) {
                        MovedAlongX(Spindle(12, 60, 3), x),
                        MovedAlongX(Spindle(13, 62, 2), x),
                        {},
-                       {});
+                       NoAttachmentRows());
 }
 
 PaperContact ContactOf(const std::vector<std::unique_ptr<ContactShape>>& shapes,

@@ -46,6 +46,12 @@ std::vector<Points> SpindleFibres() {
   return fibres;
 }
 
+MuscleModelOptions NoAttachmentRows() {
+  MuscleModelOptions options;
+  options.attachment_weight = 0;
+  return options;
+}
+
 MuscleModel SpindleModel(const MuscleModelOptions& options) {
   return PrepareMuscle(SpindleMuscle(),
                        Spindle(12, 60, 3),

@@ -18,8 +18,12 @@ SceneMuscle SpindleMuscle();
 // Three fibres of it, from origin to insertion.
 std::vector<Points> SpindleFibres();
 
+// Options without rows for attachments, as in the paper.
+MuscleModelOptions NoAttachmentRows();
+
 // The same, prepared: 642 fine vertices in a hull of 162.
-MuscleModel SpindleModel(const MuscleModelOptions& options = {});
+MuscleModel SpindleModel(
+    const MuscleModelOptions& options = NoAttachmentRows());
 
 // A pose in which the femur has moved by rotation and then translation.
 ScenePose FemurPose(const Eigen::Matrix3d& rotation,

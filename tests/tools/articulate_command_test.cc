@@ -202,7 +202,7 @@ TEST_F(ArticulateLeg, RefusesBadFlags) {
   ExpectRefused({"none.json"});
   options_.given.clear();
   options_.edge = -1;
-  ExpectRefused({"--edge", "is -1", "0 (twice a voxel) to 100 mm"});
+  ExpectRefused({"--edge", "is -1", "0 to 100, mm"});
   options_.edge = 0;
   options_.muscles = Path("femur");
   ExpectRefused({"femur.ply", "has the name"});

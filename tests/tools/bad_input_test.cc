@@ -174,7 +174,7 @@ TEST_F(BadInput, FlagsThatAreNotAllowedAreRefusedByTheirName) {
       {"max_hole", "-1", "0 or above"},
       {"coarse_vertices", "5", "20 to 5000"},
       {"bone_coarse_vertices", "5", "20 to 5000"},
-      {"sample_spacing", "0", "0.01 mm or above"},
+      {"sample_spacing", "0", "0.01 or above, mm"},
       {"skeleton_weight", "inf", "above 0, at most 1e6"},
       {"attachment_weight", "-1", "0 to 1e6"},
       {"auto_lines", "0", "1 or above"},

@@ -105,7 +105,8 @@ TEST_F(BonesOnce, ValuesThatCannotBeAreRefused) {
     EXPECT_THAT(run.errors, HasSubstr(words));
     EXPECT_FALSE(fs::exists(out()));
   };
-  refused("--bones=twice", "--bones=twice: is not a way to write bones");
+  refused("--bones=twice",
+          "--bones=twice: is none of its values; allowed: every, once");
   refused("--bones=twice", "allowed: every, once");
 #ifdef MUSCLEWARP_WITH_VTK
   refused("--bones=once --format=vtp", "add ply or obj");

@@ -176,8 +176,7 @@ TEST(CheckProgram, MeasuresDistancesAndCanRequireAGap) {
             1);
   run = Check(files + " --gap=-1");
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.errors,
-              HasSubstr("--gap: is -1; allowed: 0 (none) or above"));
+  EXPECT_THAT(run.errors, HasSubstr("--gap: is -1; allowed: 0 or above, mm"));
 }
 
 TEST(CheckProgram, RefusesBadInput) {

@@ -23,7 +23,7 @@ std::string PhantomError(const PhantomRequest& request) {
   try {
     MakePhantom(request, log);
   } catch (const InputError& error) {
-    return error.what();
+    return error.WithFlags();
   }
   return "";
 }

@@ -9,6 +9,9 @@
 #include <vector>
 
 #include "benchmarks/step_replay.h"
+#include "musclewarp/program/flags.h"
+#include "musclewarp/settings/deformer_settings.h"
+#include "musclewarp/settings/scene_settings.h"
 #include "support/temp_dir.h"
 #include "tools/run_program.h"
 

@@ -70,7 +70,7 @@ std::string RenderError(const RenderRequest& request) {
     Render(request, log);
   } catch (const InputError& error) {
     EXPECT_FALSE(fs::exists(request.out));
-    return error.what();
+    return error.WithFlags();
   }
   return "no error";
 }
@@ -180,7 +180,7 @@ TEST(RenderCommand, ColoursByStretchNeedTheMeshesAtRest) {
   WriteTriangleSoup(request.in + "/rest/psoas_major.ply", muscle);
   EXPECT_THAT(RenderError(request), HasSubstr("other triangles"));
   request.color = "volume";
-  EXPECT_THAT(RenderError(request), HasSubstr("muscle or stretch"));
+  EXPECT_THAT(RenderError(request), HasSubstr("allowed: muscle, stretch"));
 }
 
 TEST(StretchColors, DarkenWithStretch) {

@@ -221,7 +221,7 @@ TEST(SeparateCommand, RefusesBadOptions) {
   ExpectSeparationRefused(files, options, {"--gap: is 0", "above 0"});
   options = WithBox(dir, "out");
   options.edge = 200;
-  ExpectSeparationRefused(files, options, {"--edge: is 200", "to 100 mm"});
+  ExpectSeparationRefused(files, options, {"--edge: is 200", "to 100, mm"});
   options = WithBox(dir, "out");
   options.bone = "," + dir + "/box.ply";
   ExpectSeparationRefused(files, options, {"--bone", "comma"});

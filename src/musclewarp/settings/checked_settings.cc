@@ -20,11 +20,16 @@ void CheckChoice(const char* name,
                    "allowed: " + choices);
 }
 
-void CheckNumber(const char* name, double value, const ValueRange& range) {
+void CheckNumber(const char* name,
+                 double value,
+                 const ValueRange& range,
+                 const std::string& unit) {
+  constexpr int kDigits = 15;  // of a number as it was given
   if (std::isfinite(value) && range.Contains(value)) return;
-  throw InputError("{" + std::string(name) + "}",
-                   "is " + NumberText(value),
-                   "allowed: " + range.Text());
+  throw InputError(
+      "{" + std::string(name) + "}",
+      "is " + NumberText(value, kDigits),
+      "allowed: " + range.Text() + (unit.empty() ? "" : ", ") + unit);
 }
 
 }  // namespace musclewarp

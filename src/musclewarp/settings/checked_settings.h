@@ -30,8 +30,11 @@ void CheckChoice(const char* name,
                  const std::string& choices);
 
 // Throws InputError, naming the setting, unless `value` is finite and in its
-// range.
-void CheckNumber(const char* name, double value, const ValueRange& range);
+// range. `unit` may be empty.
+void CheckNumber(const char* name,
+                 double value,
+                 const ValueRange& range,
+                 const std::string& unit = "");
 
 // Throws InputError for the first setting whose value is not in the range or
 // among the choices of its field.
@@ -42,7 +45,7 @@ void CheckSettings(const Settings& settings) {
     if constexpr (std::is_same_v<Value, std::string>) {
       CheckChoice(field.key, value, field.choices);
     } else if constexpr (!std::is_same_v<Value, bool>) {
-      CheckNumber(field.key, value, field.range);
+      CheckNumber(field.key, value, field.range, field.unit);
     }
   });
 }
