@@ -21,21 +21,6 @@ namespace musclewarp::python {
 // str, which are joined with commas. Throws pybind11::cast_error for others.
 std::string TextFrom(const pybind11::object& value);
 
-template <class Value>
-constexpr const char* WhatIsAllowed() {
-  if constexpr (std::is_same_v<Value, bool>) {
-    return "True or False";
-  } else if constexpr (std::is_same_v<Value, unsigned>) {
-    return "a whole number that is not negative";
-  } else if constexpr (std::is_integral_v<Value>) {
-    return "a whole number";
-  } else if constexpr (std::is_floating_point_v<Value>) {
-    return "a number";
-  } else {
-    return "a text";
-  }
-}
-
 // Returns settings with the values of keywords, of which others are passed
 // over. Throws InputError, naming the keyword, for a value of another type.
 template <class Settings>
@@ -54,7 +39,7 @@ Settings SettingsFrom(const pybind11::dict& keywords) {
     } catch (const pybind11::cast_error&) {
       throw InputError(field.key,
                        "is " + pybind11::repr(given).cast<std::string>(),
-                       std::string("allowed: ") + WhatIsAllowed<Value>());
+                       std::string("allowed: ") + KindOfValue<Value>());
     }
   });
   return settings;

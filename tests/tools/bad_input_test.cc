@@ -179,7 +179,7 @@ TEST_F(BadInput, FlagsThatAreNotAllowedAreRefusedByTheirName) {
       {"attachment_weight", "-1", "0 to 1e6"},
       {"auto_lines", "0", "1 or above"},
       {"max_iterations", "0", "1 or above"},
-      {"threads", "-1", "0 (all cores) to 1024"},
+      {"threads", "-1", "0 to 1024"},
       {"fibres", "-1", "0 or above"},
       {"solver", "newton", "ceres, reference"},
       {"contact", "soft", "certified, paper, none"},

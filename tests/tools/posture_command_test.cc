@@ -115,7 +115,7 @@ TEST_F(Posture, RefusesAnOpenMesh) {
   WriteTriangleSoup(options_.posture, open);
   ExpectInputError([&] { Run(); }, {"segmented.ply"});
   options_.repair.holes.max_perimeter = -1;
-  ExpectInputError([&] { Run(); }, {"--max_hole: is -1"});
+  ExpectInputError([&] { Run(); }, {"HoleLimits::max_perimeter is -1"});
   options_.repair.holes.max_perimeter = 2000;
   EXPECT_NO_THROW(Run());
 }

@@ -82,6 +82,28 @@ std::vector<ProgramFlag>& ProgramFlags() {
   return flags;
 }
 
+void CheckTypesOfFlags(int argc, char** argv) {
+  for (int i = 1; i < argc && std::string(argv[i]) != "--"; ++i) {
+    const std::string argument = argv[i];
+    const size_t name = argument.find_first_not_of('-');
+    const size_t equals = argument.find('=');
+    if (name == 0 || name == std::string::npos || equals == std::string::npos) {
+      continue;
+    }
+    const std::string value = argument.substr(equals + 1);
+    for (const ProgramFlag& flag : ProgramFlags()) {
+      if (argument.compare(name, equals - name, flag.name) != 0) continue;
+      if (!gflags::SetCommandLineOption(flag.name.c_str(), value.c_str())
+               .empty()) {
+        continue;
+      }
+      throw InputError("{" + flag.name + "}",
+                       "is " + value,
+                       std::string("allowed: ") + flag.allowed);
+    }
+  }
+}
+
 bool IsGiven(const std::string& flag) {
   gflags::CommandLineFlagInfo info;
   return gflags::GetCommandLineFlagInfo(flag.c_str(), &info) &&

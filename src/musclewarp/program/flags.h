@@ -25,6 +25,7 @@ struct ProgramFlag {
   // The kind of its value: TEXT, PATH or NUMBER; empty for a switch.
   std::string value;
   std::string default_value;
+  const char* allowed = "";  // the kind of its values, for messages
   bool is_path = false;
   Effect effect = Effect::kResults;
 };
@@ -50,6 +51,7 @@ void RegisterFlags(Settings* settings,
     ProgramFlag flag;
     flag.name = field.key;
     flag.help = *help;
+    flag.allowed = KindOfValue<Value>();
     flag.is_path = field.is_path;
     flag.effect = field.effect;
     if constexpr (std::is_same_v<Value, std::string>) {
@@ -64,6 +66,10 @@ void RegisterFlags(Settings* settings,
     ProgramFlags().push_back(flag);
   });
 }
+
+// Throws InputError for an argument "--flag=value" whose value is of another
+// type than the flag. gflags refuses it, too, but does not say what is allowed.
+void CheckTypesOfFlags(int argc, char** argv);
 
 // Returns true if this program has a flag and it was given.
 bool IsGiven(const std::string& flag);

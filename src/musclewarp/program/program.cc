@@ -99,16 +99,17 @@ int RunProgram(
   LogToScreen(argv[0]);
   gflags::SetVersionString(VersionText());
   GFLAGS_NAMESPACE::gflags_exitfunc = [](int) { std::exit(kExitBadInput); };
-  gflags::ParseCommandLineNonHelpFlags(&argc, &argv, /*remove_flags=*/true);
-  if (FLAGS_help || FLAGS_helpshort) {
-    PrintHelp(usage);
-    return kExitUsable;
-  }
-  if (FLAGS_version) {
-    std::cout << name << " " << VersionText() << "\n";
-    return kExitUsable;
-  }
   try {
+    CheckTypesOfFlags(argc, argv);
+    gflags::ParseCommandLineNonHelpFlags(&argc, &argv, /*remove_flags=*/true);
+    if (FLAGS_help || FLAGS_helpshort) {
+      PrintHelp(usage);
+      return kExitUsable;
+    }
+    if (FLAGS_version) {
+      std::cout << name << " " << VersionText() << "\n";
+      return kExitUsable;
+    }
     return command(std::vector<std::string>(argv + 1, argv + argc));
   } catch (const InputError& error) {
     std::cerr << name << ": " << error.WithFlags() << "\n";

@@ -50,6 +50,22 @@ void CheckSettings(const Settings& settings) {
   });
 }
 
+// Returns the values that a type of setting has, for messages.
+template <class Value>
+constexpr const char* KindOfValue() {
+  if constexpr (std::is_same_v<Value, bool>) {
+    return "true or false";
+  } else if constexpr (std::is_same_v<Value, unsigned>) {
+    return "a whole number that is not negative";
+  } else if constexpr (std::is_integral_v<Value>) {
+    return "a whole number";
+  } else if constexpr (std::is_floating_point_v<Value>) {
+    return "a number";
+  } else {
+    return "a text";
+  }
+}
+
 // Returns the help on a setting: its text, unit and range.
 template <class Access>
 std::string HelpOf(const Field<Access>& field) {
