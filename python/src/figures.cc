@@ -29,8 +29,8 @@ std::string AttributeText(const std::string& name,
   for (std::string word; words >> word;) {
     const bool is_first = word == name + ":";
     if (!is_first && used + 1 + word.size() > kWidth) {
-      lines += "\n        " + word;
-      used = 8 + word.size();
+      lines += "\n" + std::string(indent + 4, ' ') + word;
+      used = indent + 4 + word.size();
     } else {
       lines += (is_first ? "" : " ") + word;
       used += word.size() + (is_first ? 0 : 1);
