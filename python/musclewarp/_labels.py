@@ -34,26 +34,11 @@ class Labels:
 
     def __init__(self, subject: _core.Subject) -> None:
         self._subject = subject
-
-    @property
-    def bones(self) -> Dict[str, _core.Mesh]:
-        return self._subject.bones
-
-    @property
-    def muscles(self) -> Dict[str, _core.Muscle]:
-        return self._subject.muscles
-
-    @property
-    def volumes(self) -> Dict[str, float]:
-        return self._subject.volumes
-
-    @property
-    def notes(self) -> List[str]:
-        return self._subject.notes
-
-    @property
-    def axes(self) -> Optional[str]:
-        return "LPS" if self._subject.is_oriented else None
+        self.bones: Dict[str, _core.Mesh] = subject.bones
+        self.muscles: Dict[str, _core.Muscle] = subject.muscles
+        self.volumes: Dict[str, float] = subject.volumes
+        self.notes: List[str] = subject.notes
+        self.axes: Optional[str] = "LPS" if subject.is_oriented else None
 
     def __repr__(self) -> str:
         return (f"<musclewarp.Labels: {len(self.bones)} bones, "

@@ -116,20 +116,5 @@ TEST(JointLimits, HaveSentencesWithTheirNumbers) {
   });
 }
 
-TEST(JointSearch, SaysWhatItsNumbersAre) {
-  std::set<std::string> keys;
-  VisitFields(kJointSearch, [&](const auto& group, const auto& numbers) {
-    EXPECT_STRNE(group.text, "");
-    VisitFields(numbers, [&](const auto& field, const auto& value) {
-      EXPECT_STRNE(field.text, "") << field.key;
-      EXPECT_GT(value, 0) << field.key;
-      // Sentences name a number by its key alone.
-      EXPECT_TRUE(keys.insert(field.key).second) << field.key;
-      EXPECT_EQ(FilledText("{" + std::string(field.key) + "}"),
-                NumberText(static_cast<double>(value)));
-    });
-  });
-}
-
 }  // namespace
 }  // namespace musclewarp

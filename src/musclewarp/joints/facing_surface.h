@@ -6,10 +6,16 @@
 
 namespace musclewarp {
 
-// What counts as looking at another bone (joint_search.h says why).
+// The limits of the surface that looks at another bone.
 struct FacingLimits {
-  double reach = 6;  // mm
+  double reach = 6;  // mm: cartilage keeps bones 2 to 5 mm apart
+
+  // Least cosine between a normal and the direction to the other bone: within
+  // 46 degrees.
   double least_cosine = 0.7;
+
+  // Least cosine between a normal and the opposite of the other one: within 60
+  // degrees.
   double least_opposition = 0.5;
 };
 

@@ -5,6 +5,7 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <map>
 
 #include "musclewarp/base/text.h"
 #include "musclewarp/joints/joint_search.h"
@@ -20,16 +21,18 @@ bool IsBeyond(JointSign::Beyond beyond, double value, double limit) {
                                              : value > limit * (1 + kRounding);
 }
 
-// The number of a search by its key; an empty text if there is none.
+// Returns the number of a search that sentences name; an empty text if there is
+// none.
 std::string SearchNumber(const std::string& key) {
-  std::string text;
-  VisitFields(kJointSearch, [&](const auto& group, const auto& numbers) {
-    static_cast<void>(group);
-    VisitFields(numbers, [&](const auto& field, const auto& value) {
-      if (key == field.key) text = NumberText(value);
-    });
-  });
-  return text;
+  const std::map<std::string, double> numbers = {
+      {"largest_head_radius", kJointSearch.head.largest_head_radius},
+      {"least_head_radius", kJointSearch.head.least_head_radius},
+      {"reach", kJointSearch.facing.reach},
+      {"spacing", kJointSearch.sampling.spacing},
+      {"start_tilt", kJointSearch.knee.start_tilt},
+      {"usual_head_radius", kJointSearch.head.usual_head_radius}};
+  const auto number = numbers.find(key);
+  return number == numbers.end() ? "" : NumberText(number->second);
 }
 
 }  // namespace

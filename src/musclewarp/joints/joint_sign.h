@@ -21,7 +21,7 @@ namespace musclewarp {
 // of its field.
 //
 // Sentences have words in braces, which Judge fills in: {value} and {limit},
-// {cause}, and the numbers of the searches by their keys (joint_search.h). Of a
+// {cause}, and some numbers of the searches by their names (FilledText). Of a
 // sign without sentences the one that is judged with it speaks, which calls its
 // measure {value2}, and so on.
 struct JointSign {
@@ -104,7 +104,7 @@ struct SignMeasure {
 JointQuality QualityOf(const SignMeasure& measure);
 
 // Replaces the words in braces of a text: by those given, or by the numbers of
-// the searches.
+// searches (joint_search.h) that sentences name.
 std::string FilledText(const std::string& text,
                        const std::map<std::string, std::string>& words = {});
 

@@ -19,10 +19,18 @@ struct SurfacePoints {
   int size() const { return static_cast<int>(points.rows()); }
 };
 
-// How points are spread (joint_search.h says why).
+// The sampling of a surface.
 struct SurfaceSampling {
-  double spacing = 1.2;        // mm
-  double normal_radius = 2.5;  // mm
+  // Distance of neighbouring points, mm. On vertices the knee of BodyParts3D
+  // was 12 degrees off, on points it is 2.
+  double spacing = 1.2;
+
+  // Normals are averaged over this, mm: about two points, and a voxel of most
+  // images.
+  double normal_radius = 2.5;
+
+  // Pieces of a smaller fraction of the area are left out: crumbs of a
+  // segmentation.
   double stray_fraction = 0.01;
 };
 

@@ -113,9 +113,8 @@ class SubjectReader {
   // Reads the table, whose rows also describe mesh files by their names.
   void ReadTable() {
     if (input_.labels.table.empty()) return;
-    for (const LabelEntry& entry : RowsOfTable(input_.labels)) {
-      table_[entry.name] = entry;
-    }
+    rows_ = RowsOfTable(input_.labels);
+    for (const LabelEntry& entry : rows_) table_[entry.name] = entry;
   }
 
   LabelEntry EntryOf(const std::string& name) const {
@@ -147,6 +146,7 @@ class SubjectReader {
 
   void ReadImage() {
     LabelMeshOptions options = input_.labels;
+    options.rows = rows_;
     if (is_for_joints()) {
       options.pieces_of = [this](const LabelEntry& entry) {
         return PiecesOf(entry);
@@ -375,6 +375,7 @@ class SubjectReader {
   const LabelImage* image_;                  // in memory, or null
   std::vector<std::string> files_;           // without the image
   std::vector<std::string> named_left_;      // named bones that are no labels
+  std::vector<LabelEntry> rows_;             // of the table
   std::map<std::string, LabelEntry> table_;  // by name
   std::map<std::string, std::string> where_of_name_;
   std::set<std::string> turned_;  // files of another space than the others
