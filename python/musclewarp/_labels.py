@@ -1,17 +1,15 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
 """Meshes of the labels of an image."""
+import numbers
 import os
 from typing import Any, Dict, List, Mapping, Optional, Union
-
-import numpy as np
 
 from musclewarp import _core
 from musclewarp._errors import InputError
 from musclewarp._settings import documented, settings_among
 
 _Path = Union[str, "os.PathLike[str]"]
-_LARGEST_LABEL = 2147483647
 
 
 class Labels:
@@ -102,53 +100,23 @@ def read_labels(image: Any,
     if space not in ("RAS", "LPS", None):
         raise InputError("space", f"is {space!r}",
                          'allowed: "RAS", "LPS", None')
-    array = _label_array(image)
+    # Here, as numpy takes longer to load than all of this package.
+    from musclewarp._label_array import affine_rows, label_array
+    array = label_array(image)
     return Labels(
         _core.read_label_array(array.ravel(order="F"), list(array.shape),
-                               _affine(affine), space or "", settings, rows))
+                               affine_rows(affine), space or "", settings, rows))
 
 
 def _rows(
     names: Mapping[int, Union[str, Mapping[str, str]]]
 ) -> Dict[int, Dict[str, str]]:
-    rows = {}
+    rows: Dict[int, Dict[str, str]] = {}
     for label, row in names.items():
-        if isinstance(label, bool) or not isinstance(label, (int, np.integer)):
+        if isinstance(label, bool) or not isinstance(label, numbers.Integral):
             raise InputError("names", f"has the label {label!r}",
                              "allowed: whole numbers above 0")
         columns = {"name": row} if isinstance(row, str) else dict(row)
         rows[int(label)] = {str(key): str(value)
                             for key, value in columns.items()}
-    return rows
-
-
-def _label_array(image: Any) -> "np.ndarray[Any, Any]":
-    array = np.asanyarray(image)
-    if array.dtype.kind not in "biuf" or array.ndim != 3 or array.size == 0:
-        raise InputError(
-            "image", f"is an array of {array.dtype} and shape {array.shape}",
-            "allowed: a file, an image of nibabel, or (i, j, k) numbers")
-    low, high = array.min(), array.max()
-    if not (low >= 0 and high <= _LARGEST_LABEL):
-        raise InputError("image", f"has values from {low} to {high}",
-                         f"allowed: labels from 0 to {_LARGEST_LABEL}")
-    labels: "np.ndarray[Any, Any]" = array.astype(np.int32)
-    if array.dtype.kind == "f" and not np.array_equal(labels, array):
-        raise InputError("image", "has values that are no whole numbers",
-                         "give a label map, not an image of intensities")
-    return labels
-
-
-def _affine(affine: Any) -> List[List[float]]:
-    if affine is None:
-        raise InputError("affine", "is missing",
-                         "give (4, 4) numbers that take indices to mm")
-    matrix = np.asarray(affine, dtype=np.float64)
-    if matrix.shape != (4, 4) or not np.isfinite(matrix).all():
-        raise InputError("affine", f"has the shape {matrix.shape}",
-                         "allowed: (4, 4) finite numbers")
-    if not np.array_equal(matrix[3], [0, 0, 0, 1]):
-        raise InputError("affine", f"has the last row {matrix[3].tolist()}",
-                         "allowed: 0, 0, 0, 1")
-    rows: List[List[float]] = matrix.tolist()
     return rows
