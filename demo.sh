@@ -12,11 +12,19 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 bin=build/release/tools
 out=out/demo
 
+echo "demo: 1 of 3: packages that are missing (one to three minutes the first time)"
 scripts/setup.sh build
+echo "demo: 2 of 3: the build (some minutes the first time, seconds later)"
 scripts/build.sh programs musclewarp-deform
 
-flags=(--scene=data/phantom/motion.json --out="$out" --format=ply,vtp
+formats=ply,vtp
+# There is no .vtp without VTK.
+if grep -q '^MUSCLEWARP_WITH_VTK:BOOL=OFF$' build/release/CMakeCache.txt; then
+  formats=ply
+fi
+flags=(--scene=data/phantom/motion.json --out="$out" --format="$formats"
   --fibres=30 --html)
+echo "demo: 3 of 3: 15 frames of a hip flexion (some seconds)"
 echo "demo: $bin/musclewarp-deform ${flags[*]}"
 status=0
 "$bin/musclewarp-deform" "${flags[@]}" "$@" || status=$?
