@@ -4,13 +4,19 @@
 #
 # Makes a source package and checks that it is configured without Node.js, and
 # embeds the pages it brings along.
+#
+# usage: .ci/check_package.sh [FOLDER]    FOLDER has one already (scripts/package.sh)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-scripts/package.sh "$work"
-tar -x -C "$work" -f "$work"/musclewarp-*.tar.gz
+packages=${1:-}
+if [[ -z $packages ]]; then
+  packages=$work
+  scripts/package.sh "$packages"
+fi
+tar -x -C "$work" -f "$packages"/musclewarp-*.tar.gz
 cd "$work"/musclewarp-*/
 said=$(cmake -S . -B build -G Ninja -DMUSCLEWARP_WITH_NODE=OFF)
 for page in page joints; do

@@ -12,4 +12,4 @@ engine  calls Snakemake
 Only the standard library of Python is needed.
 """
 
-VERSION = "0.1.0"
+VERSION = "0.2.0"

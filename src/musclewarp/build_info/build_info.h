@@ -6,7 +6,7 @@
 
 namespace musclewarp {
 
-// The version of the project, such as "0.1.0".
+// The version of the project, such as "0.2.0".
 extern const char* const kVersion;
 
 // 16 hexadecimal digits: a hash of all sources of the library and the programs
@@ -23,7 +23,7 @@ extern const char* const kBuiltWith;
 std::string CodeKey();
 
 // Returns what --version prints behind the name of a program:
-// "0.1.0 (sources 0123456789abcdef)".
+// "0.2.0 (sources 0123456789abcdef)".
 std::string VersionText();
 
 }  // namespace musclewarp
