@@ -26,10 +26,11 @@ work=build/site
 rm -rf "$work"
 mkdir -p "$work"/{doxygen,live}
 git -c safe.directory='*' ls-files -z -- '*.md' CITATION.cff docs examples |
-  grep -zv '^docs/site/' | xargs -0 cp --parents -t "$work"
+  grep -zvE '^(docs/site|tests)/' | xargs -0 cp --parents -t "$work"
 cp docs/site/* "$work"
-# A folder is shown by a list of what is in it.
-sed -i -E 's,\]\(((\.\./)*)examples/?\),](\1examples/index.md),' \
+# A folder is shown by a list of what is in it; sources are named, and not there.
+sed -i -E -e 's,\]\(((\.\./)*)examples/?\),](\1examples/index.md),' \
+  -e 's,\[([^]]+)\]\((\.\./)*(cmake|src|tests)/[^)]*\),\1,g' \
   "$work"/*.md "$work"/docs/*.md
 
 scripts/site_pages.py "$work" build/release/tools/musclewarp-*[a-z] \
