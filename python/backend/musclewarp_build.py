@@ -7,9 +7,9 @@
 
 Needs only the standard library, so that nothing is downloaded for a build. A
 wheel holds the package and the programs, linked against the libraries of this
-system. It is built where demo.sh and test.sh build, in build/release, so that
-what is compiled there is only brought up to date. MUSCLEWARP_BUILD_DIR names
-another folder.
+system; portable_wheel.py beside this makes one that carries them. It is built
+where demo.sh and test.sh build, in build/release, so that what is compiled
+there is only brought up to date. MUSCLEWARP_BUILD_DIR names another folder.
 """
 import base64
 import hashlib

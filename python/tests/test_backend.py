@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The backend that makes wheels: what it configures, what it says and writes."""
 import pathlib
+import signal
 import subprocess
 import sys
 import zipfile
@@ -13,6 +14,7 @@ from conftest import SOURCE
 sys.path.insert(0, str(SOURCE / "python/backend"))
 import build_progress  # noqa: E402
 import musclewarp_build  # noqa: E402
+import portable_wheel  # noqa: E402
 
 
 @pytest.fixture
@@ -88,6 +90,18 @@ def test_the_terminal_is_told_how_far_a_build_is(monkeypatch, tmp_path, capfd):
         build_progress.run_with_progress(["false"], cwd=tmp_path)
 
 
+def test_the_name_of_a_wheel_follows_from_the_symbols_it_needs():
+    needed = portable_wheel.glibc_needed
+    assert needed("libc.so.6: GLIBC_2.2.5 GLIBC_2.34") == 34
+    assert needed("GLIBC_2.14\nGLIBC_ABI_DT_RELR") == 36
+    # A library of g++ 12 goes with glibc 2.35, one of g++ 13.2 with 2.38.
+    assert needed("GLIBC_2.34 GLIBCXX_3.4.30") == 35
+    assert needed("GLIBC_2.36 GLIBCXX_3.4.30") == 36
+    assert needed("GLIBCXX_3.4.31") == 38
+    with pytest.raises(ValueError, match="GLIBCXX_3.4.99"):
+        needed("GLIBCXX_3.4.99")
+
+
 def test_the_same_contents_make_the_same_wheel(monkeypatch, tmp_path):
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "1700000000")
     info = tmp_path / "in" / musclewarp_build._dist_info()
@@ -99,3 +113,50 @@ def test_the_same_contents_make_the_same_wheel(monkeypatch, tmp_path):
             assert {entry.date_time for entry in archive.infolist()} == {
                 (2023, 11, 14, 22, 13, 20)}
     assert (tmp_path / "a.whl").read_bytes() == (tmp_path / "b.whl").read_bytes()
+
+
+@pytest.fixture
+def command(tmp_path):
+    """Installs a script as a program of a wheel; returns how pip starts it."""
+    programs = tmp_path / "musclewarp/bin"
+    programs.mkdir(parents=True)
+    launcher = tmp_path / portable_wheel.LAUNCHER.name
+    launcher.write_bytes(portable_wheel.LAUNCHER.read_bytes())
+
+    def install(script):
+        program = programs / "musclewarp-try"
+        program.write_text(f"#!/bin/bash\n{script}\n")
+        program.chmod(0o755)
+        started = tmp_path / "musclewarp-try"
+        started.write_text("import sys\nfrom musclewarp_programs import main\n"
+                           "sys.exit(main())\n")
+        return [sys.executable, "-B", str(started)]
+    return install
+
+
+def test_a_command_has_the_arguments_and_exit_code_of_its_program(command):
+    done = subprocess.run([*command('printf "<%s>" "$@"; exit 2'), "a b", ""],
+                          stdout=subprocess.PIPE)
+    assert (done.returncode, done.stdout) == (2, b"<a b><>")
+
+
+def test_a_command_is_its_program_for_signals(command):
+    with subprocess.Popen(command("echo ready; exec sleep 60"),
+                          stdout=subprocess.PIPE) as process:
+        assert process.stdout.readline() == b"ready\n"
+        process.send_signal(signal.SIGINT)
+        assert process.wait(timeout=10) == -signal.SIGINT
+    # As in "musclewarp-check ... | head -1".
+    with subprocess.Popen(command("while echo more; do :; done"),
+                          stdout=subprocess.PIPE) as process:
+        process.stdout.readline()
+        process.stdout.close()
+        assert process.wait(timeout=10) == -signal.SIGPIPE
+
+
+def test_a_command_whose_program_is_gone_says_so(command, tmp_path):
+    started = command("exit 0")
+    (tmp_path / "musclewarp/bin/musclewarp-try").unlink()
+    done = subprocess.run(started, stderr=subprocess.PIPE, text=True)
+    assert done.returncode == 1
+    assert done.stderr.startswith("musclewarp-try: cannot start ")
