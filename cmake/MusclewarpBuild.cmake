@@ -9,8 +9,8 @@ endif()
 find_program(MUSCLEWARP_CCACHE ccache)
 if(MUSCLEWARP_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # ccache takes no precompiled headers unless it is told to.
-  # Objects are the same in every build folder of this checkout, such as that of
-  # "pip install .", if paths are taken relative to it.
+  # Objects are the same in every build folder of this checkout, if paths are
+  # taken relative to it.
   set(CMAKE_CXX_COMPILER_LAUNCHER
       ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
       CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}

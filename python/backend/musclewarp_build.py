@@ -7,8 +7,9 @@
 
 Needs only the standard library, so that nothing is downloaded for a build. A
 wheel holds the package and the programs, linked against the libraries of this
-system. It is built in build/wheel; MUSCLEWARP_BUILD_DIR names another build
-folder, such as build/release, which is then only brought up to date.
+system; portable_wheel.py beside this makes one that carries them. It is built
+where demo.sh and test.sh build, in build/release, so that what is compiled
+there is only brought up to date. MUSCLEWARP_BUILD_DIR names another folder.
 """
 import base64
 import hashlib
@@ -23,6 +24,8 @@ import tempfile
 import time
 import tomllib
 import zipfile
+
+from build_progress import run_with_progress
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
@@ -77,9 +80,12 @@ def _metadata(licence):
     return "\n".join(lines) + "\n" + (ROOT / project["readme"]).read_text()
 
 
-def _tag():
+def _platform():
+    return re.sub(r"[-.]", "_", sysconfig.get_platform())
+
+
+def _tag(platform):
     python = f"cp{sys.version_info.major}{sys.version_info.minor}"
-    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
     return f"{python}-{python}-{platform}"
 
 
@@ -87,14 +93,14 @@ def _dist_info():
     return f"musclewarp-{_version()}.dist-info"
 
 
-def _write_dist_info(folder):
+def _write_dist_info(folder, platform):
     info = folder / _dist_info()
-    (info / "licenses").mkdir(parents=True)
+    (info / "licenses").mkdir(parents=True, exist_ok=True)
     (info / "METADATA").write_text(_metadata(LICENCE_OF_WHEELS))
     (info / "WHEEL").write_text("Wheel-Version: 1.0\n"
                                 "Generator: musclewarp_build\n"
                                 "Root-Is-Purelib: false\n"
-                                f"Tag: {_tag()}\n")
+                                f"Tag: {_tag(platform)}\n")
     (info / "licenses" / "README").write_text(_ABOUT_LICENCES)
     shutil.copy(ROOT / "LICENSE", info / "licenses")
     if _TEXT_OF_GPL.exists():
@@ -102,42 +108,85 @@ def _write_dist_info(folder):
 
 
 def _run(*command):
+    command = [str(word) for word in command]
     print("musclewarp:", *command, flush=True)
-    subprocess.run([str(word) for word in command], cwd=ROOT, check=True)
+    run_with_progress(command, cwd=ROOT)
 
 
-def _build(stage):
-    """Builds the module and the programs, and puts them below `stage`."""
-    build = os.environ.get("MUSCLEWARP_BUILD_DIR")
-    if not build:
-        build = ROOT / "build" / "wheel"
-        generator = ["-G", "Ninja"] if shutil.which("ninja") else []
-        _run("cmake", "-S", ROOT, "-B", build, *generator,
-             "-DCMAKE_BUILD_TYPE=Release", "-DMUSCLEWARP_WITH_PYTHON=ON",
-             "-DMUSCLEWARP_BUILD_TESTS=OFF",
-             f"-DPython_EXECUTABLE={sys.executable}")
+def _cached(build):
+    """What CMake knows of a build folder; nothing before it is configured."""
+    cache = build / "CMakeCache.txt"
+    lines = cache.read_text().splitlines() if cache.exists() else []
+    entries = (re.match(r"(\w+):\w+=(.*)", line) for line in lines)
+    return {entry[1]: entry[2] for entry in entries if entry}
+
+
+def _kind_of(python):
+    """What a module is compiled for; two Pythons of one kind can share it."""
+    asked = "import sysconfig as s; print(s.get_config_vars('SOABI', 'INCLUDEPY'))"
+    try:
+        return subprocess.run([python, "-c", asked], check=True, text=True,
+                              stdout=subprocess.PIPE).stdout
+    except (OSError, subprocess.CalledProcessError):
+        return ""
+
+
+def _configure(build):
+    """Configures a build folder, unless it can make the module as it is."""
+    cached = _cached(build)
+    wanted = []
+    if not cached:
+        wanted = ["-DCMAKE_BUILD_TYPE=Release", "-DMUSCLEWARP_BUILD_TESTS=OFF"]
+        if shutil.which("ninja"):
+            wanted += ["-G", "Ninja"]
+    # What demo.sh has configured makes no module.
+    if cached.get("MUSCLEWARP_WITH_PYTHON") not in ("ON", "TRUE", "1"):
+        wanted.append("-DMUSCLEWARP_WITH_PYTHON=ON")
+    # The Python of a virtual environment, which will not last, is of the kind
+    # of the one that it was made with.
+    if _kind_of(cached.get("Python_EXECUTABLE", "")) != _kind_of(sys.executable):
+        wanted.append(f"-DPython_EXECUTABLE={sys.executable}")
+    if wanted:
+        _run("cmake", "-S", ROOT, "-B", build, *wanted)
+
+
+def _build_folder():
+    named = os.environ.get("MUSCLEWARP_BUILD_DIR")
+    if named:
+        return ROOT / named
+    # demo.sh and test.sh, which build in the former, build with Ninja.
+    with_ninja = _cached(ROOT / "build/release") or shutil.which("ninja")
+    return ROOT / ("build/release" if with_ninja else "build/wheel")
+
+
+def _build(build):
+    """Builds the module and the programs."""
+    _configure(build)
     _run("cmake", "--build", build, "--parallel", os.cpu_count() or 1,
          "--target", "musclewarp_python", "musclewarp_programs")
+
+
+def _install(build, stage):
+    """Puts the module and the programs of a build below `stage`."""
     for component in ("python", "programs"):
         _run("cmake", "--install", build, "--strip", "--prefix", stage,
              "--component", component)
 
 
-def _collect(stage, folder):
+def _collect(stage, folder, programs):
     """Lays out what was installed as a wheel has it."""
     module, = stage.glob("**/musclewarp/__init__.py")
     shutil.copytree(module.parent, folder / "musclewarp")
-    scripts = folder / f"musclewarp-{_version()}.data" / "scripts"
-    scripts.mkdir(parents=True)
+    programs = folder / programs
+    programs.mkdir(parents=True)
     for program in sorted((stage / "bin").glob("musclewarp-*")):
-        shutil.copy(program, scripts)
+        shutil.copy(program, programs)
 
 
-def _entry(path, name):
+def _entry(name, executable=False):
     """The entry of a file in a wheel; the same for the same contents."""
     epoch = int(os.environ.get("SOURCE_DATE_EPOCH", 315532800))  # 1980
     entry = zipfile.ZipInfo(name, time.gmtime(max(epoch, 315532800))[:6])
-    executable = path.stat().st_mode & 0o111
     entry.external_attr = (0o100755 if executable else 0o100644) << 16
     entry.compress_type = zipfile.ZIP_DEFLATED
     return entry
@@ -148,13 +197,14 @@ def _zip(folder, wheel):
     with zipfile.ZipFile(wheel, "w") as archive:
         for path in sorted(p for p in folder.rglob("*") if p.is_file()):
             name, contents = str(path.relative_to(folder)), path.read_bytes()
-            archive.writestr(_entry(path, name), contents)
+            executable = path.stat().st_mode & 0o111
+            archive.writestr(_entry(name, executable), contents)
             digest = base64.urlsafe_b64encode(
                 hashlib.sha256(contents).digest()).rstrip(b"=").decode()
             record.append(f"{name},sha256={digest},{len(contents)}")
         name = f"{_dist_info()}/RECORD"
         record.append(f"{name},,")
-        archive.writestr(name, "\n".join(record) + "\n")
+        archive.writestr(_entry(name), "\n".join(record) + "\n")
 
 
 def get_requires_for_build_wheel(config_settings=None):
@@ -166,18 +216,20 @@ def get_requires_for_build_sdist(config_settings=None):
 
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
-    _write_dist_info(pathlib.Path(metadata_directory))
+    _write_dist_info(pathlib.Path(metadata_directory), _platform())
     return _dist_info()
 
 
 def build_wheel(wheel_directory, config_settings=None,
                 metadata_directory=None):
-    name = f"musclewarp-{_version()}-{_tag()}.whl"
+    name = f"musclewarp-{_version()}-{_tag(_platform())}.whl"
     with tempfile.TemporaryDirectory(prefix="musclewarp-") as work:
         stage, folder = pathlib.Path(work, "stage"), pathlib.Path(work, "wheel")
-        _build(stage)
-        _collect(stage, folder)
-        _write_dist_info(folder)
+        build = _build_folder()
+        _build(build)
+        _install(build, stage)
+        _collect(stage, folder, f"musclewarp-{_version()}.data/scripts")
+        _write_dist_info(folder, _platform())
         _zip(folder, pathlib.Path(wheel_directory, name))
     return name
 
