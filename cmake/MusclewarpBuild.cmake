@@ -8,9 +8,8 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 find_program(MUSCLEWARP_CCACHE ccache)
 if(MUSCLEWARP_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # ccache takes no precompiled headers unless it is told to.
-  # Objects are the same in every build folder of this checkout, if paths are
-  # taken relative to it.
+  # ccache takes no precompiled headers unless it is told to. What it keeps serves
+  # every checkout, as paths are taken relative to its root.
   set(CMAKE_CXX_COMPILER_LAUNCHER
       ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
       CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}
@@ -33,6 +32,8 @@ add_library(musclewarp_compile_options INTERFACE)
 target_compile_options(
   musclewarp_compile_options
   INTERFACE -Wall -Wextra -Wshadow
+            # Files in messages of glog are named alike in every checkout.
+            -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
             $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
             $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 if(MUSCLEWARP_WARNINGS_AS_ERRORS)
@@ -72,6 +73,27 @@ function(musclewarp_do_not_sanitize)
   endif()
 endfunction()
 
+# What most sources include, parsed once for all libraries and programs. Clang
+# takes precompiled headers with the very same options alone, which those of the
+# sanitizers are not.
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND NOT MUSCLEWARP_SANITIZE)
+  set(MUSCLEWARP_PRECOMPILED_HEADERS
+      <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <iomanip>
+      <iostream> <limits> <map> <memory> <numeric> <optional> <set> <sstream>
+      <string> <string_view> <tuple> <utility> <vector> <Eigen/Dense>
+      <Eigen/Sparse> <glog/logging.h> <nlohmann/json.hpp>)
+endif()
+function(musclewarp_precompiled_headers TARGET)
+  if(NOT MUSCLEWARP_PRECOMPILED_HEADERS)
+    return()
+  endif()
+  if("${TARGET}" STREQUAL "musclewarp_base")
+    target_precompile_headers(${TARGET} PRIVATE ${MUSCLEWARP_PRECOMPILED_HEADERS})
+  else()
+    target_precompile_headers(${TARGET} REUSE_FROM musclewarp_base)
+  endif()
+endfunction()
+
 # musclewarp_library(<folder> SOURCES ... LINK ...) makes the static library
 # musclewarp_<folder>, alias musclewarp::<folder>. Includes are written from
 # the root: "musclewarp/<folder>/x.h" or "problems/<folder>/x.h". COMPUTES says
@@ -93,6 +115,7 @@ function(musclewarp_library NAME)
   if(ARG_COMPUTES)
     musclewarp_optimise_with_sanitizers(musclewarp_${NAME})
   endif()
+  musclewarp_precompiled_headers(musclewarp_${NAME})
   set_target_properties(musclewarp_${NAME} PROPERTIES EXPORT_NAME ${NAME})
   set_property(GLOBAL APPEND PROPERTY MUSCLEWARP_LIBRARIES musclewarp_${NAME})
 endfunction()

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "musclewarp/mesh/triangle.h"
-#include "musclewarp/proximity/triangle_intersection.h"
+#include "musclewarp/cgal/triangle_intersection.h"
 
 namespace musclewarp {
 

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "musclewarp/proximity/exact_predicates.h"
+#include "musclewarp/cgal/exact_predicates.h"
 #include "proximity/random_meshes.h"
 #include "proximity/voxel_meshes.h"
 #include "support/meshes.h"

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "musclewarp/proximity/triangle_intersection.h"
+#include "musclewarp/cgal/triangle_intersection.h"
 #include "proximity/random_meshes.h"
 #include "support/meshes.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "musclewarp/proximity/triangle_intersection.h"
+#include "musclewarp/cgal/triangle_intersection.h"
 #include "support/triangles.h"
 
 namespace musclewarp {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "musclewarp/proximity/triangle_distance.h"
-#include "musclewarp/proximity/triangle_intersection.h"
+#include "musclewarp/cgal/triangle_intersection.h"
 #include "proximity/triangle_distances.h"
 #include "support/meshes.h"
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "musclewarp/proximity/triangle_intersection.h"
+#include "musclewarp/cgal/triangle_intersection.h"
 #include "proximity/crumpled_sphere.h"
 #include "support/meshes.h"
 

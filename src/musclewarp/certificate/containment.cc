@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "musclewarp/proximity/exact_predicates.h"
-#include "musclewarp/proximity/triangle_intersection.h"
+#include "musclewarp/cgal/exact_predicates.h"
+#include "musclewarp/cgal/triangle_intersection.h"
 
 namespace musclewarp {
 namespace {

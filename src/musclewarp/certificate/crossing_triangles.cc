@@ -10,7 +10,7 @@
 
 #include "musclewarp/base/wide_registers.h"
 #include "musclewarp/certificate/box_grid.h"
-#include "musclewarp/proximity/triangle_intersection.h"
+#include "musclewarp/cgal/triangle_intersection.h"
 
 namespace musclewarp {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "musclewarp/proximity/triangle_intersection.h"
+#include "musclewarp/cgal/triangle_intersection.h"
 
 namespace musclewarp {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "musclewarp/mesh/connectivity.h"
-#include "musclewarp/proximity/exact_predicates.h"
+#include "musclewarp/cgal/exact_predicates.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp {

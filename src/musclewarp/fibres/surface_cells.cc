@@ -2,22 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/fibres/surface_cells.h"
 
-#include <CGAL/Bbox_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/intersections.h>
-
+#include "musclewarp/cgal/triangle_in_box.h"
 #include "musclewarp/mesh/triangle.h"
 
 namespace musclewarp {
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-
-CGAL::Bbox_3 BoxOf(const VoxelGrid& grid, const VoxelGrid::Cell& cell) {
+bool MeetsCell(const Corners& triangle,
+               const VoxelGrid& grid,
+               const VoxelGrid::Cell& cell) {
   const Eigen::RowVector3d lower =
       grid.origin + grid.size * Eigen::RowVector3d(cell[0], cell[1], cell[2]);
-  const Eigen::RowVector3d upper = lower.array() + grid.size;
-  return {lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]};
+  return TriangleMeetsBox(triangle, lower, lower.array() + grid.size);
 }
 
 }  // namespace
@@ -27,11 +23,6 @@ std::vector<char> SurfaceCells(const TriangleSoup& mesh,
   std::vector<char> is_surface(grid.index_of.size(), 0);
   for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
     const Corners corners = CornersOf(mesh.points, mesh.triangles.row(f));
-    Kernel::Point_3 p[3];
-    for (int c = 0; c < 3; ++c) {
-      p[c] = {corners(c, 0), corners(c, 1), corners(c, 2)};
-    }
-    const Kernel::Triangle_3 triangle(p[0], p[1], p[2]);
     const VoxelGrid::Cell low = grid.CellOf(corners.colwise().minCoeff());
     const VoxelGrid::Cell high = grid.CellOf(corners.colwise().maxCoeff());
     for (int z = low[2]; z <= high[2]; ++z) {
@@ -40,7 +31,7 @@ std::vector<char> SurfaceCells(const TriangleSoup& mesh,
           const VoxelGrid::Cell cell = {x, y, z};
           char& here = is_surface[grid.NumberOf(cell)];
           if (here) continue;
-          here = low == high || CGAL::do_intersect(triangle, BoxOf(grid, cell));
+          here = low == high || MeetsCell(corners, grid, cell);
         }
       }
     }

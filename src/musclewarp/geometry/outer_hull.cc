@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/geometry/alpha_wrap.h"
+#include "musclewarp/cgal/alpha_wrap.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/proximity/mesh_intersection.h"

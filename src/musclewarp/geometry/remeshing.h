@@ -3,30 +3,17 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
 
 namespace musclewarp {
 
-// Returns a closed surface with triangles of one size: edges are split,
-// collapsed and flipped until they are about `edge_length` long, mm, and the
-// vertices are spread evenly over the old surface (Botsch and Kobbelt 2004, "A
-// Remeshing Approach to Multiresolution Modeling"; isotropic_remeshing of
-// CGAL). The new vertices lie on the old surface, and its details below the
-// edge length are lost. Triangles for which `is_kept` (#F, or empty for none)
-// is true stay as they are, but for edges of more than 4/3 of the edge length.
-// Preconditions (CHECKed): the mesh is a manifold, the edge length is
-// above zero.
-TriangleSoup Remeshed(const TriangleSoup& soup,
-                      double edge_length,
-                      const std::vector<bool>& is_kept = {});
-
 // Returns a closed surface that does not cross itself with triangles of one
 // size, which do not either: around places where large triangles would cross,
 // it keeps the small ones of the surface, more and more of them. `finish`, if
 // given, moves the new vertices before crossings are looked for. Returns the
-// surface as it is if that does not help. Preconditions as for Remeshed().
+// surface as it is if that does not help. Preconditions as for Remeshed()
+// (cgal/even_remeshing.h).
 TriangleSoup RemeshedWithoutCrossings(
     const TriangleSoup& surface,
     double edge_length,

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/mesh_repair/self_crossing_removal.h"
 
-#include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -11,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "musclewarp/geometry/cgal_mesh.h"
+#include "musclewarp/cgal/self_intersection_repair.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/pieces.h"
 #include "musclewarp/proximity/mesh_intersection.h"
@@ -45,9 +43,7 @@ SelfCrossingRemoval RemoveFromSurface(TriangleSoup* soup) {
   removal.pairs_before = static_cast<int>(SelfIntersections(*soup).size());
   removal.pairs_after = removal.pairs_before;
   if (removal.pairs_before == 0) return removal;
-  CgalMesh mesh = ToCgalMesh(*soup);
-  CGAL::Polygon_mesh_processing::experimental::remove_self_intersections(mesh);
-  TriangleSoup repaired = FromCgalMesh(mesh);
+  TriangleSoup repaired = WithSelfIntersectionsRepaired(*soup);
   const int pairs = static_cast<int>(SelfIntersections(repaired).size());
   if (pairs >= removal.pairs_before || !CountDefects(repaired).IsClean()) {
     return removal;

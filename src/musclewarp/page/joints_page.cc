@@ -3,6 +3,7 @@
 #include "musclewarp/page/joints_page.h"
 
 #include "musclewarp/joints/joints_file.h"
+#include "musclewarp/page/joints_page_bundle.h"
 #include "musclewarp/page/page_parts.h"
 #include "musclewarp/run/paths_in_json.h"
 

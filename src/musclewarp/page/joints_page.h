@@ -26,8 +26,4 @@ struct JointsPageOptions {
 std::string JointsPageHtml(const Articulation& articulation,
                            const JointsPageOptions& options);
 
-// The bundle, as kPageBundle (page.h).
-extern const char kJointsPageBundle[];
-extern const unsigned long kJointsPageBundleSize;
-
 }  // namespace musclewarp

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "musclewarp/mesh/connectivity.h"
-#include "musclewarp/proximity/triangle_intersection.h"
+#include "musclewarp/cgal/triangle_intersection.h"
 
 namespace musclewarp {
 namespace {

@@ -14,7 +14,7 @@
 #include "musclewarp/base/work_counts.h"
 #include "musclewarp/mesh/triangle.h"
 #include "musclewarp/proximity/triangle_halves.h"
-#include "musclewarp/proximity/triangle_intersection.h"
+#include "musclewarp/cgal/triangle_intersection.h"
 
 namespace musclewarp {
 namespace {

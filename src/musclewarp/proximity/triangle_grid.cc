@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "musclewarp/proximity/exact_predicates.h"
+#include "musclewarp/cgal/exact_predicates.h"
 
 namespace musclewarp {
 namespace {

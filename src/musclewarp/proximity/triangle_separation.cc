@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "musclewarp/proximity/triangle_distance.h"
-#include "musclewarp/proximity/triangle_intersection.h"
+#include "musclewarp/cgal/triangle_intersection.h"
 
 namespace musclewarp {
 namespace {

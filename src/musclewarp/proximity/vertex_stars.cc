@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "musclewarp/proximity/exact_predicates.h"
+#include "musclewarp/cgal/exact_predicates.h"
 
 namespace musclewarp {
 namespace {

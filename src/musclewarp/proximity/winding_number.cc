@@ -10,8 +10,8 @@
 #include <tuple>
 #include <utility>
 
-#include "musclewarp/proximity/exact_predicates.h"
-#include "musclewarp/proximity/triangle_intersection.h"
+#include "musclewarp/cgal/exact_predicates.h"
+#include "musclewarp/cgal/triangle_intersection.h"
 
 namespace musclewarp {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/proximity/exact_predicates.h"
+#include "musclewarp/cgal/exact_predicates.h"
 
 #include <gtest/gtest.h>
 

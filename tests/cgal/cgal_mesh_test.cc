@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/geometry/cgal_mesh.h"
+#include "musclewarp/cgal/cgal_mesh.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <gtest/gtest.h>

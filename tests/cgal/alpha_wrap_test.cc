@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/geometry/alpha_wrap.h"
+#include "musclewarp/cgal/alpha_wrap.h"
 
 #include <gtest/gtest.h>
 

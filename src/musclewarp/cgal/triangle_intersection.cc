@@ -1,23 +1,21 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/proximity/triangle_intersection.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "musclewarp/cgal/triangle_intersection.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "musclewarp/proximity/exact_predicates.h"
+#include "musclewarp/cgal/cgal_mesh.h"
+#include "musclewarp/cgal/exact_predicates.h"
 
 namespace musclewarp {
 namespace {
 
 using Eigen::RowVector3d;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Segment = Kernel::Segment_3;
-using Triangle = Kernel::Triangle_3;
+using Point = CgalKernel::Point_3;
+using Segment = CgalKernel::Segment_3;
+using Triangle = CgalKernel::Triangle_3;
 
 // The height of p over the plane through `origin` with a normal, of any length,
 // and a bound on its rounding error. With e = 2^-53, each difference and each

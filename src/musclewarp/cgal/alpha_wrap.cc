@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/geometry/alpha_wrap.h"
+#include "musclewarp/cgal/alpha_wrap.h"
 
 #include <CGAL/alpha_wrap_3.h>
 #include <glog/logging.h>
@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "musclewarp/geometry/cgal_mesh.h"
+#include "musclewarp/cgal/cgal_mesh.h"
 
 namespace musclewarp {
 

@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/geometry/remeshing.h"
+#include "musclewarp/cgal/even_remeshing.h"
 
 #include <gtest/gtest.h>
 
