@@ -64,6 +64,10 @@ function(musclewarp_optimise_with_sanitizers TARGET)
   endif()
 endfunction()
 
+function(musclewarp_optimise_lightly TARGET)
+  target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
 # The sanitizers leave these sources alone, which hand meshes to CGAL and take
 # them back: its templates take minutes to compile with them.
 function(musclewarp_do_not_sanitize)
@@ -81,7 +85,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND NOT MUSCLEWARP_SANITIZE)
       <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <iomanip>
       <iostream> <limits> <map> <memory> <numeric> <optional> <set> <sstream>
       <string> <string_view> <tuple> <utility> <vector> <Eigen/Dense>
-      <Eigen/Sparse> <glog/logging.h> <nlohmann/json.hpp>)
+      <Eigen/Sparse> <glog/logging.h>)
 endif()
 function(musclewarp_precompiled_headers TARGET)
   if(NOT MUSCLEWARP_PRECOMPILED_HEADERS)
@@ -97,9 +101,10 @@ endfunction()
 # musclewarp_library(<folder> SOURCES ... LINK ...) makes the static library
 # musclewarp_<folder>, alias musclewarp::<folder>. Includes are written from
 # the root: "musclewarp/<folder>/x.h" or "problems/<folder>/x.h". COMPUTES says
-# that it is optimised with the sanitizers, too.
+# that it is optimised with the sanitizers, too; LIGHT that so little is computed
+# in it that more than -O1 would cost time to compile and save none.
 function(musclewarp_library NAME)
-  cmake_parse_arguments(ARG "COMPUTES" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(ARG "COMPUTES;LIGHT" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(musclewarp_${NAME} STATIC ${ARG_SOURCES})
   add_library(musclewarp::${NAME} ALIAS musclewarp_${NAME})
   target_include_directories(
@@ -114,6 +119,9 @@ function(musclewarp_library NAME)
     PRIVATE $<BUILD_INTERFACE:musclewarp_compile_options> ${ARG_PRIVATE_LINK})
   if(ARG_COMPUTES)
     musclewarp_optimise_with_sanitizers(musclewarp_${NAME})
+  endif()
+  if(ARG_LIGHT)
+    musclewarp_optimise_lightly(musclewarp_${NAME})
   endif()
   musclewarp_precompiled_headers(musclewarp_${NAME})
   set_target_properties(musclewarp_${NAME} PROPERTIES EXPORT_NAME ${NAME})

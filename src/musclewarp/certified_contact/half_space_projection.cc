@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/certified_contact/half_space_projection.h"
 
-#include <Eigen/QR>
+#include <Eigen/Householder>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -55,15 +55,28 @@ struct ActiveSet {
     for (int i = 0; i < size; ++i) all.row(i) = normals[i];
     shares->resize(size);
     if (size == 0) return normal;
-    // QR is accurate even for nearly parallel normals.
-    const Eigen::HouseholderQR<Eigen::Matrix<double,
-                                             kDimension,
-                                             Eigen::Dynamic,
-                                             0,
-                                             kDimension,
-                                             kDimension>>
-        qr(all.transpose());
-    *shares = qr.solve(normal.transpose());
+    // QR is accurate even for nearly parallel normals. Eigen's own class would
+    // compile its methods for large matrices, too, for a quarter of a minute.
+    Eigen::Matrix<double, kDimension, Eigen::Dynamic, 0, kDimension, kDimension>
+        qr = all.transpose();
+    Eigen::Matrix<double, kDimension, 1> solution = normal.transpose();
+    Eigen::Matrix<double, kDimension, 1> workspace;
+    for (int k = 0; k < size; ++k) {
+      const int below = kDimension - k - 1;
+      double coefficient, diagonal;
+      qr.col(k).tail(below + 1).makeHouseholderInPlace(coefficient, diagonal);
+      qr(k, k) = diagonal;
+      const auto essential = qr.col(k).tail(below);
+      qr.bottomRightCorner(below + 1, size - k - 1)
+          .applyHouseholderOnTheLeft(essential, coefficient, workspace.data());
+      solution.tail(below + 1).applyHouseholderOnTheLeft(
+          essential, coefficient, workspace.data());
+    }
+    for (int k = size - 1; k >= 0; --k) {
+      solution[k] /= qr(k, k);
+      for (int i = 0; i < k; ++i) solution[i] -= solution[k] * qr(i, k);
+    }
+    *shares = solution.head(size);
     if (size == kDimension) return Vector<kDimension>::Zero();
     return normal - shares->transpose() * all;
   }

@@ -61,8 +61,7 @@ std::shared_ptr<const PreparedScene> SceneInMillimetres(
 }
 
 ContactReport ContactInMillimetres(ContactReport contact, double body_size) {
-  const auto gap = contact.options.find("gap_mm");
-  if (gap != contact.options.end()) *gap = gap->get<double>() * body_size;
+  contact.gap *= body_size;
   if (contact.rest) ScaleFigures(body_size, &*contact.rest);
   return contact;
 }

@@ -97,7 +97,7 @@ CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
           scene, *meshes_, options.certified, std::move(rest.state))) {
   contact_.rest = std::move(rest.intersections);
   contact_.displaced_at_rest = std::move(rest.displaced);
-  contact_.options = {{"gap_mm", options.certified.step.gap}};
+  contact_.gap = options.certified.step.gap;
   contact_.prepare_ms = rest.wall_ms + certified_.wall_ms;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,7 +61,13 @@ struct ContactReport {
   // True if all muscles are solved together. The iterations of each are then
   // those of the joint solve.
   bool is_solved_together = false;
-  nlohmann::ordered_json options;  // "contact_options" of report.json
+
+  // "contact_options" of report.json: those of certified contact, and those of
+  // contact as in the paper.
+  double gap = 0;  // mm
+  std::string level;
+  unsigned seed = 0;
+
   std::vector<std::string> warnings;
   double prepare_ms = 0;
 

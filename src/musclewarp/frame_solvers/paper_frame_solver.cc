@@ -20,8 +20,8 @@ PaperFrameSolver::PaperFrameSolver(const PreparedScene& scene,
   const GroupContactOptions& group = options.paper.group;
   contact_.name += "/" + ToString(group.level);
   contact_.is_solved_together = true;
-  contact_.options = {{"level", ToString(group.level)},
-                      {"seed", group.paper.seed}};
+  contact_.level = ToString(group.level);
+  contact_.seed = group.paper.seed;
   contact_.warnings = paper_.warnings;
   contact_.prepare_ms = paper_.wall_ms;
   std::vector<MuscleState> fixed = RestState(scene).muscles;

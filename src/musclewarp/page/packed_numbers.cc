@@ -3,6 +3,7 @@
 #include "musclewarp/page/packed_numbers.h"
 
 #include <glog/logging.h>
+#include <nlohmann/json.hpp>
 #include <zlib.h>
 
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <glog/logging.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "musclewarp/page/view_mesh.h"
 

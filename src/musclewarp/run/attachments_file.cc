@@ -51,8 +51,8 @@ RecordedAttachments ReadAttachments(const std::string& path) {
   RecordedAttachments attachments;
   const JsonField muscles = all.At("muscles");
   muscles.CheckObject();
-  for (const auto& item : muscles.value().items()) {
-    const JsonField list = muscles.At(item.key());
+  for (const std::string& member : muscles.Keys()) {
+    const JsonField list = muscles.At(member);
     for (size_t i = 0; i < list.ArraySize(); ++i) {
       AttachedArea area;
       area.body = list.At(i).At("body").AsString();
@@ -65,13 +65,13 @@ RecordedAttachments ReadAttachments(const std::string& path) {
         }
         area.vertices.push_back(static_cast<int>(v));
       }
-      attachments.muscles[item.key()].push_back(std::move(area));
+      attachments.muscles[member].push_back(std::move(area));
     }
   }
   const JsonField bones = all.At("bones");
   bones.CheckObject();
-  for (const auto& item : bones.value().items()) {
-    attachments.bones[item.key()] = bones.At(item.key()).AsString();
+  for (const std::string& member : bones.Keys()) {
+    attachments.bones[member] = bones.At(member).AsString();
   }
   return attachments;
 }

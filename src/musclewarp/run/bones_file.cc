@@ -26,8 +26,8 @@ BoneMotions ReadBonesFile(const std::string& path) {
   const JsonField bones = JsonField::ParseFile(path).At("bones");
   bones.CheckObject();
   BoneMotions motions;
-  for (const auto& item : bones.value().items()) {
-    motions[item.key()] = bones.At(item.key()).AsRigidTransform();
+  for (const std::string& member : bones.Keys()) {
+    motions[member] = bones.At(member).AsRigidTransform();
   }
   return motions;
 }

@@ -3,6 +3,7 @@
 #include "musclewarp/run/paths_in_json.h"
 
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "musclewarp/base/portable_path.h"

@@ -3,6 +3,7 @@
 #include "musclewarp/run/report_json.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "musclewarp/base/described_json.h"
 #include "musclewarp/build_info/build_info.h"
@@ -128,6 +129,19 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
 }
 
 // Where the poses come from, and in which unit each coordinate is.
+// Null without contact.
+OrderedJson ContactOptionsJson(const ContactReport& contact) {
+  switch (contact.kind) {
+    case ContactKind::kCertified:
+      return {{"gap_mm", contact.gap}};
+    case ContactKind::kPaper:
+      return {{"level", contact.level}, {"seed", contact.seed}};
+    case ContactKind::kNone:
+      break;
+  }
+  return nullptr;
+}
+
 OrderedJson MotionJson(const Scene& scene, bool keeps_model) {
   if (!scene.model) return nullptr;
   const Model& model = scene.model->model;
@@ -228,7 +242,7 @@ nlohmann::ordered_json ReportJson(const RunRecord& run) {
       {"body_size", run.scene->scene.body_size},
       {"solver", run.solver},
       {"contact", ToString(run.contact.kind)},
-      {"contact_options", run.contact.options},
+      {"contact_options", ContactOptionsJson(run.contact)},
       {"machine", MachineJson()},
       {"version", kVersion},
       {"code", CodeKey()},

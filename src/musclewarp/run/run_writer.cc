@@ -3,6 +3,7 @@
 #include "musclewarp/run/run_writer.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "musclewarp/base/described_checks.h"

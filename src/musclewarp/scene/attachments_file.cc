@@ -14,8 +14,8 @@ std::map<std::string, std::vector<Attachment>> ReadAttachmentsFile(
   std::map<std::string, std::vector<Attachment>> attachments;
   const JsonField muscles = root.At("muscles");
   muscles.CheckObject();
-  for (const auto& item : muscles.value().items()) {
-    const JsonField muscle = muscles.At(item.key());
+  for (const std::string& member : muscles.Keys()) {
+    const JsonField muscle = muscles.At(member);
     muscle.CheckObject();
     for (const auto& [key, body] : bodies) {
       if (!muscle.Has(key)) continue;
@@ -28,7 +28,7 @@ std::map<std::string, std::vector<Attachment>> ReadAttachmentsFile(
         if (attachment.points.rows() == 0) {
           sets.At(i).At("points").Fail("is empty", "give at least one point");
         }
-        attachments[item.key()].push_back(std::move(attachment));
+        attachments[member].push_back(std::move(attachment));
       }
     }
   }

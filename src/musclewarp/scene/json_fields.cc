@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
@@ -85,12 +87,19 @@ std::string Shortened(const Json& value) {
   return text.size() <= 40 ? text : text.substr(0, CutLength(text, 37)) + "...";
 }
 
+std::string Shortened(const std::string& text) { return Shortened(Json(text)); }
+
 JsonField JsonField::ParseFile(const std::string& file) {
   return Parse(ReadFile(file), file);
 }
 
 JsonField JsonField::Parse(const std::string& text, const std::string& name) {
-  return JsonField(ParseText(text, name), name, "");
+  return JsonField(
+      std::make_shared<const Json>(ParseText(text, name)), name, "");
+}
+
+std::shared_ptr<const Json> JsonField::Part(const Json& part) const {
+  return {value_, &part};
 }
 
 std::string JsonField::where() const {
@@ -103,41 +112,55 @@ void JsonField::Fail(const std::string& problem,
 }
 
 void JsonField::CheckObject() const {
-  if (!value_.is_object()) {
-    Fail("is " + Shortened(value_), "give an object { ... }");
+  if (!value().is_object()) {
+    Fail("is " + AsText(), "give an object { ... }");
   }
 }
 
+bool JsonField::IsArray() const { return value().is_array(); }
+bool JsonField::IsNumber() const { return value().is_number(); }
+bool JsonField::IsObject() const { return value().is_object(); }
+bool JsonField::IsString() const { return value().is_string(); }
+
+std::string JsonField::AsText() const { return Shortened(value()); }
+
+std::vector<std::string> JsonField::Keys() const {
+  std::vector<std::string> keys;
+  if (!IsObject()) return keys;
+  for (const auto& item : value().items()) keys.push_back(item.key());
+  return keys;
+}
+
 bool JsonField::Has(const std::string& key) const {
-  return value_.is_object() && value_.contains(key);
+  return value().is_object() && value().contains(key);
 }
 
 JsonField JsonField::At(const std::string& key) const {
   CheckObject();
   const std::string field = field_.empty() ? key : field_ + "." + key;
-  if (!value_.contains(key)) {
+  if (!value().contains(key)) {
     throw InputError(file_ + ": " + field, "is missing", "add it");
   }
-  return JsonField(value_.at(key), file_, field, mm_per_unit_);
+  return JsonField(Part(value().at(key)), file_, field, mm_per_unit_);
 }
 
 JsonField JsonField::At(size_t index) const {
-  return JsonField(value_.at(index),
+  return JsonField(Part(value().at(index)),
                    file_,
                    field_ + "[" + std::to_string(index) + "]",
                    mm_per_unit_);
 }
 
 size_t JsonField::ArraySize() const {
-  if (!value_.is_array()) {
-    Fail("is " + Shortened(value_), "give an array [ ... ]");
+  if (!value().is_array()) {
+    Fail("is " + AsText(), "give an array [ ... ]");
   }
-  return value_.size();
+  return value().size();
 }
 
 void JsonField::CheckKeys(std::initializer_list<std::string> allowed) const {
   CheckObject();
-  for (const auto& item : value_.items()) {
+  for (const auto& item : value().items()) {
     if (std::find(allowed.begin(), allowed.end(), item.key()) !=
         allowed.end()) {
       continue;
@@ -149,23 +172,23 @@ void JsonField::CheckKeys(std::initializer_list<std::string> allowed) const {
 }
 
 std::string JsonField::AsString() const {
-  if (!value_.is_string() || value_.get<std::string>().empty()) {
-    Fail("is " + Shortened(value_), "give a text in quotes, not empty");
+  if (!value().is_string() || value().get<std::string>().empty()) {
+    Fail("is " + AsText(), "give a text in quotes, not empty");
   }
-  return value_.get<std::string>();
+  return value().get<std::string>();
 }
 
 double JsonField::AsNumber() const {
-  if (!value_.is_number() || !std::isfinite(value_.get<double>())) {
-    Fail("is " + Shortened(value_), "give a finite number");
+  if (!value().is_number() || !std::isfinite(value().get<double>())) {
+    Fail("is " + AsText(), "give a finite number");
   }
-  return value_.get<double>();
+  return value().get<double>();
 }
 
 double JsonField::AsCoordinate() const {
   const double value = mm_per_unit_ * AsNumber();
   if (std::abs(value) > kLargestCoordinate) {
-    Fail("is " + Shortened(value_), AllowedCoordinates());
+    Fail("is " + AsText(), AllowedCoordinates());
   }
   return value;
 }
@@ -189,10 +212,10 @@ JsonField JsonField::InItsUnits() const {
 }
 
 bool JsonField::AsBool() const {
-  if (!value_.is_boolean()) {
-    Fail("is " + Shortened(value_), "give true or false");
+  if (!value().is_boolean()) {
+    Fail("is " + AsText(), "give true or false");
   }
-  return value_.get<bool>();
+  return value().get<bool>();
 }
 
 std::vector<std::string> JsonField::AsStrings() const {

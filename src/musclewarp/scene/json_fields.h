@@ -4,8 +4,10 @@
 
 #include <Eigen/Core>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
@@ -18,6 +20,7 @@ using Json = nlohmann::json;
 // characters escaped and long texts cut off with "...". Arrays and objects are
 // only described.
 std::string Shortened(const Json& value);
+std::string Shortened(const std::string& text);
 
 // A value of a JSON file together with the name of the file and the path to the
 // value, so that every message names the place of the error:
@@ -40,11 +43,22 @@ class JsonField {
   // Parses a text, which messages call `name`, in the same way.
   static JsonField Parse(const std::string& text, const std::string& name);
 
-  const Json& value() const { return value_; }
+  const Json& value() const { return *value_; }
   const std::string& file() const { return file_; }
 
   // Returns the file and the path: "scene.json: muscles[2].mesh".
   std::string where() const;
+
+  bool IsArray() const;
+  bool IsNumber() const;
+  bool IsObject() const;
+  bool IsString() const;
+
+  // Returns the value as text for a message, as Shortened() does.
+  std::string AsText() const;
+
+  // Returns the keys of an object in alphabetical order; of another value none.
+  std::vector<std::string> Keys() const;
 
   // Returns true if this is an object that has the key.
   bool Has(const std::string& key) const;
@@ -91,7 +105,7 @@ class JsonField {
                          const std::string& advice) const;
 
  private:
-  JsonField(Json value,
+  JsonField(std::shared_ptr<const Json> value,
             std::string file,
             std::string field,
             double mm_per_unit = 1)
@@ -100,7 +114,10 @@ class JsonField {
         field_(std::move(field)),
         mm_per_unit_(mm_per_unit) {}
 
-  Json value_;
+  // Returns a part of this value, which keeps the whole file.
+  std::shared_ptr<const Json> Part(const Json& part) const;
+
+  std::shared_ptr<const Json> value_;
   std::string file_;
   std::string field_;  // path from the root; empty for the root itself
   double mm_per_unit_ = 1;

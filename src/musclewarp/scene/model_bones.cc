@@ -59,7 +59,7 @@ std::vector<SceneBone> BonesOfBody(const SceneBone& bone,
 }  // namespace
 
 bool AreBonesOfModel(const JsonField& scene) {
-  if (!scene.Has("bones") || !scene.At("bones").value().is_string()) {
+  if (!scene.Has("bones") || !scene.At("bones").IsString()) {
     return false;
   }
   const JsonField field = scene.At("bones");

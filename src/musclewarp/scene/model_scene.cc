@@ -31,12 +31,12 @@ ModelRest ReadModelRest(const JsonField& scene, const Model& model) {
   coordinates.CheckObject();
   const bool in_degrees = field.At("in_degrees").AsBool();
   rest.coordinates.emplace();
-  for (const auto& item : coordinates.value().items()) {
-    const int index = model.FindCoordinate(item.key());
+  for (const std::string& member : coordinates.Keys()) {
+    const int index = model.FindCoordinate(member);
     const bool is_angle = index >= 0 && model.coordinates[index].kind ==
                                             CoordinateKind::kRotational;
-    (*rest.coordinates)[item.key()] =
-        coordinates.At(item.key()).AsNumber() *
+    (*rest.coordinates)[member] =
+        coordinates.At(member).AsNumber() *
         (in_degrees && is_angle ? kRadiansPerDegree : 1);
   }
   return rest;
@@ -53,7 +53,7 @@ std::vector<std::string> MeshFolders(const JsonField& scene,
   std::vector<std::string> folders = sources.geometry;
   if (!scene.Has("geometry")) return folders;
   const JsonField field = scene.At("geometry");
-  const auto names = field.value().is_array()
+  const auto names = field.IsArray()
                          ? field.AsStrings()
                          : std::vector<std::string>{field.AsString()};
   for (const std::string& name : names) {
@@ -85,9 +85,9 @@ CoordinateMotion ReadMotion(const JsonField& scene,
   };
   if (!sources.motion.empty()) return read_file(sources.motion);
   const JsonField motion = scene.At("motion");
-  if (motion.value().is_string()) return read_file(motion.AsString());
-  if (!motion.value().is_object()) {
-    motion.Fail("is " + Shortened(motion.value()),
+  if (motion.IsString()) return read_file(motion.AsString());
+  if (!motion.IsObject()) {
+    motion.Fail("is " + motion.AsText(),
                 "give the path of a motion in quotes, or an object with "
                 "\"frames\" and \"coordinates\"");
   }

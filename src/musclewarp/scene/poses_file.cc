@@ -23,11 +23,11 @@ ScenePose ReadPoseOfFile(const JsonField& field, const BodyKeys& body_keys) {
   field.CheckObject();
   ScenePose pose;
   std::ostringstream coordinates_text;
-  for (const auto& item : field.value().items()) {
-    if (!item.value().is_number() || item.key() == "time") continue;
-    pose.coordinates[item.key()] = field.At(item.key()).AsNumber();
-    coordinates_text << (pose.coordinates.size() > 1 ? "_" : "") << item.key()
-                     << "_" << pose.coordinates[item.key()];
+  for (const std::string& member : field.Keys()) {
+    if (!field.At(member).IsNumber() || member == "time") continue;
+    pose.coordinates[member] = field.At(member).AsNumber();
+    coordinates_text << (pose.coordinates.size() > 1 ? "_" : "") << member
+                     << "_" << pose.coordinates[member];
   }
   pose.name =
       field.Has("name") ? field.At("name").AsString() : coordinates_text.str();
@@ -41,8 +41,8 @@ ScenePose ReadPoseOfFile(const JsonField& field, const BodyKeys& body_keys) {
   }
   const JsonField targets = field.At("target");
   targets.CheckObject();
-  for (const auto& item : targets.value().items()) {
-    pose.lines[item.key()] = targets.At(item.key()).AsPoints();
+  for (const std::string& member : targets.Keys()) {
+    pose.lines[member] = targets.At(member).AsPoints();
   }
   return pose;
 }
@@ -54,8 +54,8 @@ PosesFile ReadPosesFile(const std::string& path, const BodyKeys& body_keys) {
   PosesFile file;
   const JsonField lines = root.At("lines");
   lines.CheckObject();
-  for (const auto& item : lines.value().items()) {
-    file.lines[item.key()] = ReadLineOfFile(item.key(), lines.At(item.key()));
+  for (const std::string& member : lines.Keys()) {
+    file.lines[member] = ReadLineOfFile(member, lines.At(member));
   }
   const JsonField poses = root.At("poses");
   for (size_t i = 0; i < poses.ArraySize(); ++i) {

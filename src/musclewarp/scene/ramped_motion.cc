@@ -30,13 +30,13 @@ void CheckNames(const JsonField& coordinates, const Model& model) {
   for (const Coordinate& coordinate : model.coordinates) {
     known.push_back(coordinate.name);
   }
-  for (const auto& item : coordinates.value().items()) {
-    if (model.FindCoordinate(item.key()) >= 0) continue;
-    std::string problem = "names " + Shortened(item.key()) + ", which " +
-                          WhyNoCoordinate(model, item.key()) + ", " +
+  for (const std::string& member : coordinates.Keys()) {
+    if (model.FindCoordinate(member) >= 0) continue;
+    std::string problem = "names " + Shortened(member) + ", which " +
+                          WhyNoCoordinate(model, member) + ", " +
                           model.path;
     for (const std::string& name : known) {
-      if (!IsNearlyNamed(item.key(), name)) continue;
+      if (!IsNearlyNamed(member, name)) continue;
       problem += ", but is nearly named as \"" + name + "\"";
       break;
     }
@@ -45,15 +45,15 @@ void CheckNames(const JsonField& coordinates, const Model& model) {
 }
 
 std::vector<double> ReadValues(const JsonField& field) {
-  if (!field.value().is_array() || field.value().empty()) {
-    field.Fail("is " + Shortened(field.value()),
+  if (!field.IsArray() || field.ArraySize() == 0) {
+    field.Fail("is " + field.AsText(),
                "give a list of numbers such as [30] or [0, 90, 0]");
   }
   std::vector<double> values(field.ArraySize());
   for (size_t i = 0; i < values.size(); ++i) {
     values[i] = field.At(i).AsNumber();
     if (std::abs(values[i]) > kLargestCoordinate) {
-      field.At(i).Fail("is " + Shortened(field.At(i).value()),
+      field.At(i).Fail("is " + field.At(i).AsText(),
                        "allowed: -1e7 to 1e7");
     }
   }
@@ -85,7 +85,7 @@ int ReadFrames(const JsonField& field, const std::vector<Ramp>& ramps) {
   const double frames = field.AsNumber();
   if (frames != std::floor(frames) || frames < (stands_still ? 1 : 2) ||
       frames > kMostFrames) {
-    field.Fail("is " + Shortened(field.value()),
+    field.Fail("is " + field.AsText(),
                "allowed: whole numbers from 2 to " +
                    std::to_string(kMostFrames) +
                    ", and 1 if every coordinate has a single value");

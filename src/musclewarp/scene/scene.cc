@@ -58,7 +58,7 @@ ActionLine ReadModelLine(const Model& model, int muscle) {
 }
 
 ActionLine ReadLine(const JsonField& field, const NamedLines& named) {
-  if (!field.value().is_string()) return ReadInlineLine(field);
+  if (!field.IsString()) return ReadInlineLine(field);
   const std::string name = field.AsString();
   // A muscle of the model follows its path in the model, including conditional
   // points.
@@ -126,7 +126,7 @@ SceneMuscle ReadMuscle(const JsonField& field,
     const JsonField volume = field.At("delivered_volume_mm3");
     muscle.delivered_volume = volume.AsNumber();
     if (muscle.delivered_volume <= 0) {
-      volume.Fail("is " + volume.value().dump(), "allowed: above 0");
+      volume.Fail("is " + volume.AsText(), "allowed: above 0");
     }
   }
   return muscle;
@@ -156,15 +156,15 @@ ScenePose ReadPose(const JsonField& field) {
   if (field.Has("bodies")) {
     const JsonField bodies = field.At("bodies");
     bodies.CheckObject();
-    for (const auto& item : bodies.value().items()) {
-      pose.bodies[item.key()] = bodies.At(item.key()).AsRigidTransform();
+    for (const std::string& member : bodies.Keys()) {
+      pose.bodies[member] = bodies.At(member).AsRigidTransform();
     }
   }
   if (field.Has("lines")) {
     const JsonField lines = field.At("lines");
     lines.CheckObject();
-    for (const auto& item : lines.value().items()) {
-      pose.lines[item.key()] = lines.At(item.key()).AsPoints();
+    for (const std::string& member : lines.Keys()) {
+      pose.lines[member] = lines.At(member).AsPoints();
     }
   }
   return pose;
@@ -177,9 +177,9 @@ PosesFile ReadPosesFileOf(const JsonField& scene, const std::string& root) {
   if (field.Has("bodies")) {
     const JsonField bodies = field.At("bodies");
     bodies.CheckObject();
-    for (const auto& item : bodies.value().items()) {
-      const JsonField names = bodies.At(item.key());
-      body_keys[item.key()] = names.value().is_array()
+    for (const std::string& member : bodies.Keys()) {
+      const JsonField names = bodies.At(member);
+      body_keys[member] = names.IsArray()
                                   ? names.AsStrings()
                                   : std::vector<std::string>{names.AsString()};
     }
@@ -196,8 +196,8 @@ void AddAttachments(const JsonField& scene_field,
   const JsonField bodies_field = field.At("bodies");
   bodies_field.CheckObject();
   std::map<std::string, std::string> bodies;
-  for (const auto& item : bodies_field.value().items()) {
-    bodies[item.key()] = bodies_field.At(item.key()).AsString();
+  for (const std::string& member : bodies_field.Keys()) {
+    bodies[member] = bodies_field.At(member).AsString();
   }
   const double radius = field.At("radius").AsLength();
   const bool is_outline = field.Has("outline") && field.At("outline").AsBool();

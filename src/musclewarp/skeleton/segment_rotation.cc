@@ -27,9 +27,19 @@ Eigen::Matrix3d SmallestRotation(const Eigen::Vector3d& from,
   if (from.squaredNorm() == 0 || to.squaredNorm() == 0) {
     return Eigen::Matrix3d::Identity();
   }
-  return Eigen::Quaterniond::FromTwoVectors(from, to)
-      .normalized()
-      .toRotationMatrix();
+  // As Quaterniond::FromTwoVectors, whose decomposition of opposite vectors
+  // would take ten seconds to compile. Any axis across will do for these.
+  constexpr double kOpposite = -1 + 1e-12;
+  const Eigen::Vector3d a = from.normalized(), b = to.normalized();
+  const double cosine = b.dot(a);
+  if (cosine < kOpposite) {
+    return Eigen::AngleAxisd(M_PI, a.unitOrthogonal()).toRotationMatrix();
+  }
+  const double scale = std::sqrt((1 + cosine) * 2);
+  Eigen::Quaterniond rotation;
+  rotation.vec() = a.cross(b) * (1 / scale);
+  rotation.w() = scale * 0.5;
+  return rotation.normalized().toRotationMatrix();
 }
 
 double TwistAngle(const Eigen::Matrix3d& rotation,
