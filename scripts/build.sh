@@ -2,8 +2,9 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
 #
-# Configures a preset of CMakePresets.json and builds it, quietly: the output
-# goes to build/<preset>.log, of which the end is shown if something fails.
+# Configures a preset of CMakePresets.json and builds it. The output goes to
+# build/<preset>.log, of which the end is shown if something fails; on the screen
+# stands how far the build is.
 #
 # usage: scripts/build.sh PRESET [TARGET...]
 set -euo pipefail
@@ -24,8 +25,27 @@ quietly() {
   fi
 }
 
+# Says every ten seconds which share of its steps Ninja has done, from the
+# "[12/345]" in the log, until it is stopped.
+say_progress() {
+  local said="" now
+  while sleep 10; do
+    now=$(tail -c 4000 "$log" | tr '\r' '\n' |
+      sed -n 's/^\[\([0-9]*\)\/\([0-9]*\)\].*/\1 \2/p' |
+      awk '{share = int(100 * $1 / $2)} END {print share}')
+    [[ -z $now || $now == "$said" ]] && continue
+    echo "build: $now % after $((SECONDS - started)) s"
+    said=$now
+  done
+}
+
 started=$SECONDS
 echo "build: preset $preset (log: $log; the first build takes some minutes)"
 quietly cmake --preset "$preset"
-quietly cmake --build --preset "$preset" ${1:+--target "$@"}
+say_progress &
+progress=$!
+trap 'kill "$progress" 2>/dev/null' EXIT
+# As many as there are processors: Ninja's own choice, two more, costs more
+# processor time and saves none.
+quietly cmake --build --preset "$preset" --parallel "$(nproc)" ${1:+--target "$@"}
 echo "build: done in $((SECONDS - started)) s"

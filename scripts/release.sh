@@ -19,7 +19,7 @@ refuse() {
   exit 2
 }
 
-checks=(package deb wheel bundle)
+checks=(package deb bundle) # of which the last checks the wheel, too
 out=out/release
 for argument in "$@"; do
   case "$argument" in

@@ -11,7 +11,6 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/portable_path.h"
 #include "musclewarp/base/text.h"
-#include "musclewarp/build_info/build_info.h"
 #include "musclewarp/exchange/osim_file.h"
 #include "musclewarp/exchange/run_paths.h"
 #include "musclewarp/program/program.h"
@@ -85,8 +84,7 @@ int ExportOsim(const std::string& runs,
                const OsimExportOptions& options,
                std::ostream& screen) {
   CheckFlags(out, options);
-  const RunPaths paths =
-      ReadRunPaths(Split(runs, ','), options.model, kVersion);
+  const RunPaths paths = ReadRunPaths(Split(runs, ','), options.model);
   CheckIsOther(out, paths.model.path);
   std::map<std::string, PathFit> fits;
   OrderedJson lines = OrderedJson::object();

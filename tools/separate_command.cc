@@ -76,7 +76,7 @@ ContactReport ContactReportOf(double gap, const RestResult& rest) {
   ContactReport contact;
   contact.kind = ContactKind::kCertified;
   contact.name = ToString(contact.kind);
-  contact.options = {{"gap_mm", gap}};
+  contact.gap = gap;
   contact.prepare_ms = rest.wall_ms;
   contact.rest = rest.intersections;
   return contact;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "certificate/surface_views.h"
-#include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/cgal/triangle_intersection.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "support/meshes.h"
 
 namespace musclewarp {

@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include "musclewarp/mesh/triangle.h"
 #include "musclewarp/cgal/triangle_intersection.h"
+#include "musclewarp/mesh/triangle.h"
 
 namespace musclewarp {
 

@@ -111,8 +111,7 @@ TEST(BodySize, AScaledSceneGivesTheScaledFramesToTheLastBit) {
     ExpectScaled(factor, frame, animal.MoveTo(ShiftedPose(factor)));
     ExpectScaled(factor, frame, animal.SolveAlone(ShiftedPose(factor)));
     ExpectScaled(factor, human.RestFrame(), animal.RestFrame());
-    EXPECT_EQ(factor * human.contact().options.at("gap_mm").get<double>(),
-              animal.contact().options.at("gap_mm").get<double>());
+    EXPECT_EQ(factor * human.contact().gap, animal.contact().gap);
     const MuscleModel& model = human.scene().muscles[0].model;
     const MuscleModel& scaled = animal.scene().muscles[0].model;
     EXPECT_EQ(factor * model.coarse_rest, scaled.coarse_rest);

@@ -38,7 +38,7 @@ TEST(LengthOptions, AGapInMillimetresIsKept) {
   options.frames.certified.step.gap = 0.01;
   options.lengths_in_mm = {"gap"};
   Deformer deformer(scene, options);
-  EXPECT_EQ(deformer.contact().options.at("gap_mm").get<double>(), 0.01);
+  EXPECT_EQ(deformer.contact().gap, 0.01);
   const Frame frame = deformer.MoveTo(RestPose(scene));
   ASSERT_TRUE(frame.intersections.SmallestGap());
   EXPECT_GE(*frame.intersections.SmallestGap(), 0.01);

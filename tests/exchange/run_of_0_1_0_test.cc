@@ -46,7 +46,7 @@ TEST(RunOf010, IsReadForExports) {
 }
 
 TEST(RunOf010, IsReadForPathsOfOpenSim) {
-  const RunPaths paths = ReadRunPaths({kRun}, "", "0.1.0");
+  const RunPaths paths = ReadRunPaths({kRun}, "");
   ASSERT_THAT(paths.lines, SizeIs(7));
   EXPECT_THAT(paths.lines.begin()->second, SizeIs(2));
 }

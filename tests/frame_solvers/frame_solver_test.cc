@@ -59,15 +59,14 @@ TEST(FrameSolver, SaysWhatContactItIs) {
   FrameSolverOptions options;
   options.contact = ContactKind::kNone;
   EXPECT_FALSE(SolverFor(scene, options)->contact().rest.has_value());
-  EXPECT_TRUE(SolverFor(scene, options)->contact().options.is_null());
   options.contact = ContactKind::kPaper;
   const auto paper = SolverFor(scene, options);
-  EXPECT_EQ(paper->contact().options["level"], "coarse");
+  EXPECT_EQ(paper->contact().level, "coarse");
   EXPECT_TRUE(paper->contact().rest.has_value());
   options.contact = ContactKind::kCertified;
   options.certified.step.gap = 0.15;
   const auto certified = SolverFor(scene, options);
-  EXPECT_EQ(certified->contact().options["gap_mm"], 0.15);
+  EXPECT_EQ(certified->contact().gap, 0.15);
   EXPECT_TRUE(certified->contact().rest->IsClean());
 }
 

@@ -10,8 +10,8 @@
 #include <random>
 #include <vector>
 
-#include "musclewarp/proximity/triangle_distance.h"
 #include "musclewarp/cgal/triangle_intersection.h"
+#include "musclewarp/proximity/triangle_distance.h"
 #include "proximity/triangle_distances.h"
 #include "support/meshes.h"
 

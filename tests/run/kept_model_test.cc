@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"

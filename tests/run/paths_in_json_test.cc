@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "musclewarp/base/output_file.h"
 #include "support/temp_dir.h"

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "musclewarp/base/output_file.h"
 #include "support/input_errors.h"

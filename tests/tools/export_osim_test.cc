@@ -174,9 +174,6 @@ TEST_F(ExportOsimTest, RefusesRunsThatWillNotDo) {
   report_["summary"]["finished"] = false;
   ExpectRefused({"summary.finished", "--resume"});
   report_ = good;
-  report_["version"] = "0.0.1";
-  ExpectRefused({"version: is 0.0.1"});
-  report_ = good;
   report_["motion"] = nullptr;
   ExpectRefused({"motion: is null"});
   report_ = good;

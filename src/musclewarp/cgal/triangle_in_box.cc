@@ -17,8 +17,7 @@ bool TriangleMeetsBox(const Corners& triangle,
   };
   return CGAL::do_intersect(
       Rounded::Triangle_3(corner(0), corner(1), corner(2)),
-      CGAL::Bbox_3(
-          lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]));
+      CGAL::Bbox_3(lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]));
 }
 
 }  // namespace musclewarp

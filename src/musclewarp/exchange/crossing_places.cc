@@ -9,8 +9,8 @@
 #include <tuple>
 #include <utility>
 
-#include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/cgal/exact_predicates.h"
+#include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp {

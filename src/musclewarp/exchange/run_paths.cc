@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/exchange/run_paths.h"
 
+#include <nlohmann/json.hpp>
+
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
@@ -15,12 +17,7 @@ namespace musclewarp {
 namespace {
 
 // Throws InputError if the report of a run says that its paths will not do.
-void CheckReport(const JsonField& report, const std::string& version) {
-  if (report.At("version").AsString() != version) {
-    report.At("version").Fail(
-        "is " + report.At("version").AsString(),
-        "run musclewarp-deform of this version, " + version);
-  }
+void CheckReport(const JsonField& report) {
   const JsonField summary = report.At("summary");
   if (!summary.At("finished").AsBool()) {
     summary.At("finished").Fail("is false", "finish the run with {resume}");
@@ -156,14 +153,13 @@ bool AreEqual(const std::string& model, const std::string& other) {
 }  // namespace
 
 RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
-                      const std::string& model_path,
-                      const std::string& version) {
+                      const std::string& model_path) {
   RunPaths paths;
   std::string first_model, contact;
   size_t frames = 0;
   for (const std::string& dir : dirs) {
     const JsonField report = ReadReport(dir);
-    CheckReport(report, version);
+    CheckReport(report);
     const RunOutline run = OutlineOf(dir, report);
     if (dir == dirs[0]) contact = run.contact;
     CheckContact(dir, run.contact, dirs[0], contact);

@@ -22,17 +22,15 @@ struct RunPaths {
   std::set<std::string> lines_without_muscle;
 };
 
-// Reads report.json of one or more runs. The model is that of the first run, or
-// `model_path` if that is not empty. Coordinates that a run does not give are
-// at their default values. `version` is that of this program.
+// Reads report.json of one or more runs, of this or another version. The model
+// is that of the first run, or `model_path` if that is not empty. Coordinates
+// that a run does not give are at their default values.
 //
-// Throws InputError that names the run and the field if a run is not usable,
-// not finished or of another version, has no model, other lines, other
-// coordinates, another model or another contact mode than the first, no moment
-// arms (--contact=paper) or ones that mean nothing, or if the model has none of
-// the lines as a muscle.
+// Throws InputError that names the run and the field if a run is not usable or
+// not finished, has no model, other lines, other coordinates, another model or
+// another contact mode than the first, no moment arms (--contact=paper) or ones
+// that mean nothing, or if the model has none of the lines as a muscle.
 RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
-                      const std::string& model_path,
-                      const std::string& version);
+                      const std::string& model_path);
 
 }  // namespace musclewarp

@@ -3,8 +3,8 @@
 #include "musclewarp/page/packed_numbers.h"
 
 #include <glog/logging.h>
-#include <nlohmann/json.hpp>
 #include <zlib.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstdint>

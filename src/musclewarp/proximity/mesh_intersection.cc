@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/cgal/triangle_intersection.h"
+#include "musclewarp/mesh/connectivity.h"
 
 namespace musclewarp {
 namespace {

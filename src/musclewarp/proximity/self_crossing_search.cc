@@ -12,9 +12,9 @@
 #include "musclewarp/base/infinity.h"
 #include "musclewarp/base/wide_registers.h"
 #include "musclewarp/base/work_counts.h"
+#include "musclewarp/cgal/triangle_intersection.h"
 #include "musclewarp/mesh/triangle.h"
 #include "musclewarp/proximity/triangle_halves.h"
-#include "musclewarp/cgal/triangle_intersection.h"
 
 namespace musclewarp {
 namespace {

@@ -8,8 +8,8 @@
 #include <limits>
 #include <tuple>
 
-#include "musclewarp/proximity/triangle_distance.h"
 #include "musclewarp/cgal/triangle_intersection.h"
+#include "musclewarp/proximity/triangle_distance.h"
 
 namespace musclewarp {
 namespace {

@@ -53,7 +53,7 @@ struct LoggedFrame {
   SceneState state;
 };
 
-LoggedFrame LoggedFrameFromJson(const OrderedJson& json) {
+LoggedFrame LoggedFrameFromJson(const nlohmann::json& json) {
   LoggedFrame frame;
   ReadJson(json.at("record"), {}, &frame.record);
   frame.state = StateFrom(json.at("state").get_binary());
@@ -61,8 +61,8 @@ LoggedFrame LoggedFrameFromJson(const OrderedJson& json) {
 }
 
 LoggedFrame ReadLoggedFrame(const std::string& file) {
-  const OrderedJson json =
-      OrderedJson::from_cbor(ReadFile(file), true, /*allow_exceptions=*/false);
+  const nlohmann::json json = nlohmann::json::from_cbor(
+      ReadFile(file), true, /*allow_exceptions=*/false);
   if (json.is_discarded()) throw InputError(file, "is damaged", kAdvice);
   try {
     return LoggedFrameFromJson(json);

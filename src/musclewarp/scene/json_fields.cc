@@ -87,7 +87,9 @@ std::string Shortened(const Json& value) {
   return text.size() <= 40 ? text : text.substr(0, CutLength(text, 37)) + "...";
 }
 
-std::string Shortened(const std::string& text) { return Shortened(Json(text)); }
+std::string ShortenedText(const std::string& text) {
+  return Shortened(Json(text));
+}
 
 JsonField JsonField::ParseFile(const std::string& file) {
   return Parse(ReadFile(file), file);

@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 // characters escaped and long texts cut off with "...". Arrays and objects are
 // only described.
 std::string Shortened(const Json& value);
-std::string Shortened(const std::string& text);
+std::string ShortenedText(const std::string& text);
 
 // A value of a JSON file together with the name of the file and the path to the
 // value, so that every message names the place of the error:

@@ -32,9 +32,8 @@ void CheckNames(const JsonField& coordinates, const Model& model) {
   }
   for (const std::string& member : coordinates.Keys()) {
     if (model.FindCoordinate(member) >= 0) continue;
-    std::string problem = "names " + Shortened(member) + ", which " +
-                          WhyNoCoordinate(model, member) + ", " +
-                          model.path;
+    std::string problem = "names " + ShortenedText(member) + ", which " +
+                          WhyNoCoordinate(model, member) + ", " + model.path;
     for (const std::string& name : known) {
       if (!IsNearlyNamed(member, name)) continue;
       problem += ", but is nearly named as \"" + name + "\"";
@@ -53,8 +52,7 @@ std::vector<double> ReadValues(const JsonField& field) {
   for (size_t i = 0; i < values.size(); ++i) {
     values[i] = field.At(i).AsNumber();
     if (std::abs(values[i]) > kLargestCoordinate) {
-      field.At(i).Fail("is " + field.At(i).AsText(),
-                       "allowed: -1e7 to 1e7");
+      field.At(i).Fail("is " + field.At(i).AsText(), "allowed: -1e7 to 1e7");
     }
   }
   return values;

@@ -180,8 +180,8 @@ PosesFile ReadPosesFileOf(const JsonField& scene, const std::string& root) {
     for (const std::string& member : bodies.Keys()) {
       const JsonField names = bodies.At(member);
       body_keys[member] = names.IsArray()
-                                  ? names.AsStrings()
-                                  : std::vector<std::string>{names.AsString()};
+                              ? names.AsStrings()
+                              : std::vector<std::string>{names.AsString()};
     }
   }
   return ReadPosesFile(Resolve(field.At("path").AsString(), root), body_keys);

@@ -27,7 +27,7 @@ std::string FileNameProblem(const std::string& name) {
 
 }  // namespace
 
-std::string QuotedName(const std::string& name) { return Shortened(name); }
+std::string QuotedName(const std::string& name) { return ShortenedText(name); }
 
 void CheckPrintable(const std::string& where,
                     const std::string& what,
