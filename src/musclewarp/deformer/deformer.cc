@@ -88,7 +88,7 @@ Deformer::Deformer(Scene scene, DeformerOptions options)
     : Deformer(SizedScene{InBodyUnits(Checked(std::move(scene)))},
                std::move(options)) {}
 
-Deformer::Deformer(SizedScene sized, DeformerOptions options)
+Deformer::Deformer(const SizedScene& sized, DeformerOptions options)
     : body_size_(sized.scene.body_size),
       options_(Completed(std::move(options), body_size_)),
       solvers_(SolversOf(options_.solver)) {

@@ -114,7 +114,7 @@ class Deformer {
   struct SizedScene {
     Scene scene;
   };
-  Deformer(SizedScene sized, DeformerOptions options);
+  Deformer(const SizedScene& sized, DeformerOptions options);
 
   // Returns the prepared and separated scene, from the cache if available.
   Preparation Prepare(const Scene& scene) const;
