@@ -56,7 +56,7 @@ struct ActiveSet {
     shares->resize(size);
     if (size == 0) return normal;
     // QR is accurate even for nearly parallel normals. Eigen's own class would
-    // compile its methods for large matrices, too, for a quarter of a minute.
+    // compile its methods for large matrices, too, for ten seconds.
     Eigen::Matrix<double, kDimension, Eigen::Dynamic, 0, kDimension, kDimension>
         qr = all.transpose();
     Eigen::Matrix<double, kDimension, 1> solution = normal.transpose();
