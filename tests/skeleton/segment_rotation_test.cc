@@ -62,11 +62,15 @@ TEST(SmallestRotation, TurnsOneDirectionIntoTheOther) {
 }
 
 TEST(SmallestRotation, HandlesEqualOppositeAndZero) {
-  // The axis of opposite directions comes from a singular value decomposition.
-  constexpr double kAxis = 1e-7;
   const Eigen::Vector3d a(1, 2, 3);
   EXPECT_TRUE(SmallestRotation(a, 5 * a).isIdentity(kRotationRounding));
-  EXPECT_LT((SmallestRotation(a, -a) * a + a).norm(), kAxis);
+  // Opposite, and so nearly opposite that the cross product says nothing.
+  for (const double off : {0.0, 1e-15, 1e-9, 1e-7}) {
+    const Eigen::Vector3d b = -a + off * Eigen::Vector3d(2, -1, 0);
+    const Eigen::Matrix3d r = SmallestRotation(a, b);
+    EXPECT_LT((r * a.normalized() - b.normalized()).norm(), kRotationRounding);
+    EXPECT_TRUE((r.transpose() * r).isIdentity(kRotationRounding));
+  }
   EXPECT_TRUE(SmallestRotation(a, Eigen::Vector3d::Zero()).isIdentity(0));
 }
 

@@ -55,8 +55,9 @@ struct ActiveSet {
     for (int i = 0; i < size; ++i) all.row(i) = normals[i];
     shares->resize(size);
     if (size == 0) return normal;
-    // QR is accurate even for nearly parallel normals. Eigen's own class would
-    // compile its methods for large matrices, too, for ten seconds.
+    // QR is accurate even for nearly parallel normals. This is what
+    // Eigen::HouseholderQR does with few columns; the class itself would also
+    // compile, for ten seconds, what it does with many.
     Eigen::Matrix<double, kDimension, Eigen::Dynamic, 0, kDimension, kDimension>
         qr = all.transpose();
     Eigen::Matrix<double, kDimension, 1> solution = normal.transpose();
@@ -73,6 +74,7 @@ struct ActiveSet {
           essential, coefficient, workspace.data());
     }
     for (int k = size - 1; k >= 0; --k) {
+      if (solution[k] == 0) continue;  // also with a zero on the diagonal
       solution[k] /= qr(k, k);
       for (int i = 0; i < k; ++i) solution[i] -= solution[k] * qr(i, k);
     }

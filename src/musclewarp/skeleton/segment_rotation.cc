@@ -27,13 +27,15 @@ Eigen::Matrix3d SmallestRotation(const Eigen::Vector3d& from,
   if (from.squaredNorm() == 0 || to.squaredNorm() == 0) {
     return Eigen::Matrix3d::Identity();
   }
-  // As Quaterniond::FromTwoVectors, whose decomposition of opposite vectors
-  // would take ten seconds to compile. Any axis across will do for these.
+  // As Quaterniond::FromTwoVectors, but for opposite vectors, for which that
+  // has a singular value decomposition, which takes eight seconds to compile.
   constexpr double kOpposite = -1 + 1e-12;
   const Eigen::Vector3d a = from.normalized(), b = to.normalized();
   const double cosine = b.dot(a);
   if (cosine < kOpposite) {
-    return Eigen::AngleAxisd(M_PI, a.unitOrthogonal()).toRotationMatrix();
+    // Half a turn about any axis across a, and the small rest of the way.
+    return SmallestRotation(-a, b) *
+           Eigen::AngleAxisd(M_PI, a.unitOrthogonal()).toRotationMatrix();
   }
   const double scale = std::sqrt((1 + cosine) * 2);
   Eigen::Quaterniond rotation;
