@@ -14,7 +14,7 @@ out=out/demo
 
 echo "demo: 1 of 3: packages that are missing (one to three minutes the first time)"
 scripts/setup.sh build
-echo "demo: 2 of 3: the build (some minutes the first time, seconds later)"
+echo "demo: 2 of 3: the build (six minutes on two cores the first time, seconds later)"
 scripts/build.sh programs musclewarp-deform
 
 formats=ply,vtp

@@ -64,6 +64,7 @@ function(musclewarp_optimise_with_sanitizers TARGET)
   endif()
 endfunction()
 
+# For libraries that are LIGHT (below), and the programs.
 function(musclewarp_optimise_lightly TARGET)
   target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
@@ -98,11 +99,12 @@ function(musclewarp_precompiled_headers TARGET)
   endif()
 endfunction()
 
-# musclewarp_library(<folder> SOURCES ... LINK ...) makes the static library
-# musclewarp_<folder>, alias musclewarp::<folder>. Includes are written from
+# musclewarp_library(<name> SOURCES ... LINK ...) makes the static library
+# musclewarp_<name>, alias musclewarp::<name>, of which each folder has one, or two
+# if a part needs more than the rest. Includes are written from
 # the root: "musclewarp/<folder>/x.h" or "problems/<folder>/x.h". COMPUTES says
-# that it is optimised with the sanitizers, too; LIGHT that so little is computed
-# in it that more than -O1 would cost time to compile and save none.
+# that it is optimised with the sanitizers, too; LIGHT that it is compiled with -O1, as what it does
+# takes a run no time to speak of.
 function(musclewarp_library NAME)
   cmake_parse_arguments(ARG "COMPUTES;LIGHT" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(musclewarp_${NAME} STATIC ${ARG_SOURCES})

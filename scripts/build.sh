@@ -29,7 +29,8 @@ quietly() {
 # "[12/345]" in the log, until it is stopped.
 say_progress() {
   local said="" now
-  while sleep 10; do
+  # Silent, as the screen would stay open until it ends.
+  while sleep 10 >/dev/null 2>&1; do
     now=$(tail -c 4000 "$log" | tr '\r' '\n' |
       sed -n 's/^\[\([0-9]*\)\/\([0-9]*\)\].*/\1 \2/p' |
       awk '{share = int(100 * $1 / $2)} END {print share}')
@@ -40,7 +41,7 @@ say_progress() {
 }
 
 started=$SECONDS
-echo "build: preset $preset (log: $log; the first build takes some minutes)"
+echo "build: preset $preset (log: $log)"
 quietly cmake --preset "$preset"
 say_progress &
 progress=$!

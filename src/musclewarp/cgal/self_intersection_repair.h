@@ -6,11 +6,11 @@
 
 namespace musclewarp {
 
-// Returns a closed manifold with as few self-intersections as
-// remove_self_intersections of CGAL leaves, which smooths small patches around
-// them, or cuts them out and fills the holes. It may leave some, and holes,
-// too; vertices and triangles elsewhere keep their places and order.
-// Precondition (CHECKed): the mesh is a manifold.
+// Returns a mesh with its self-intersections repaired where CGAL can do so
+// (remove_self_intersections): small patches around them are smoothed, or cut
+// out and filled again. Vertices and triangles elsewhere keep their places and
+// order. Self-intersections and holes may be left, for which callers have to
+// look. Precondition (CHECKed): the mesh is a manifold.
 TriangleSoup WithSelfIntersectionsRepaired(const TriangleSoup& soup);
 
 }  // namespace musclewarp

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/exchange/run_paths.h"
 
-#include <nlohmann/json.hpp>
-
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
@@ -28,7 +26,7 @@ void CheckReport(const JsonField& report) {
         "see the shortcomings of its frames, or choose others with {frames} "
         "of musclewarp-deform");
   }
-  if (report.At("motion").value().is_null()) {
+  if (report.At("motion").IsNull()) {
     report.At("motion").Fail("is null: the run has no OpenSim model",
                              "run a scene with \"model\" and \"motion\"");
   }

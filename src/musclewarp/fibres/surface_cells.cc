@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/fibres/surface_cells.h"
 
-#include "musclewarp/cgal/triangle_in_box.h"
+#include "musclewarp/cgal/triangle_meets_box.h"
 #include "musclewarp/mesh/triangle.h"
 
 namespace musclewarp {

@@ -62,9 +62,9 @@ struct ContactReport {
   // those of the joint solve.
   bool is_solved_together = false;
 
-  // "contact_options" of report.json: those of certified contact, and those of
-  // contact as in the paper.
-  double gap = 0;  // mm
+  // "contact_options" of report.json: of certified contact its gap, mm, of
+  // contact as in the paper the others (GroupContactOptions).
+  double gap = 0;
   std::string level;
   unsigned seed = 0;
 

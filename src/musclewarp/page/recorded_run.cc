@@ -39,13 +39,13 @@ void CheckReport(const JsonField& report) {
       meshes.At(i).At("repairs").CheckObject();
     }
   }
-  if (report.Has("motion") && !report.At("motion").value().is_null()) {
+  if (report.Has("motion") && !report.At("motion").IsNull()) {
     const JsonField coordinates = report.At("motion").At("coordinates");
     for (std::size_t i = 0; i < coordinates.ArraySize(); ++i) {
       coordinates.At(i).At("name").AsString();
       coordinates.At(i).At("moves").AsBool();
       const JsonField unit = coordinates.At(i).At("unit");
-      if (!unit.value().is_string()) unit.Fail("is no text", kRunAgain);
+      if (!unit.IsString()) unit.Fail("is no text", kRunAgain);
     }
   }
   report.At("rest").At("intersections").At("triangle_pairs").AsNumber();

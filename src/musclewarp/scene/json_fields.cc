@@ -114,12 +114,13 @@ void JsonField::Fail(const std::string& problem,
 }
 
 void JsonField::CheckObject() const {
-  if (!value().is_object()) {
+  if (!IsObject()) {
     Fail("is " + AsText(), "give an object { ... }");
   }
 }
 
 bool JsonField::IsArray() const { return value().is_array(); }
+bool JsonField::IsNull() const { return value().is_null(); }
 bool JsonField::IsNumber() const { return value().is_number(); }
 bool JsonField::IsObject() const { return value().is_object(); }
 bool JsonField::IsString() const { return value().is_string(); }
@@ -134,7 +135,7 @@ std::vector<std::string> JsonField::Keys() const {
 }
 
 bool JsonField::Has(const std::string& key) const {
-  return value().is_object() && value().contains(key);
+  return IsObject() && value().contains(key);
 }
 
 JsonField JsonField::At(const std::string& key) const {
@@ -154,7 +155,7 @@ JsonField JsonField::At(size_t index) const {
 }
 
 size_t JsonField::ArraySize() const {
-  if (!value().is_array()) {
+  if (!IsArray()) {
     Fail("is " + AsText(), "give an array [ ... ]");
   }
   return value().size();
@@ -174,14 +175,14 @@ void JsonField::CheckKeys(std::initializer_list<std::string> allowed) const {
 }
 
 std::string JsonField::AsString() const {
-  if (!value().is_string() || value().get<std::string>().empty()) {
+  if (!IsString() || value().get<std::string>().empty()) {
     Fail("is " + AsText(), "give a text in quotes, not empty");
   }
   return value().get<std::string>();
 }
 
 double JsonField::AsNumber() const {
-  if (!value().is_number() || !std::isfinite(value().get<double>())) {
+  if (!IsNumber() || !std::isfinite(value().get<double>())) {
     Fail("is " + AsText(), "give a finite number");
   }
   return value().get<double>();

@@ -20,6 +20,8 @@ using Json = nlohmann::json;
 // characters escaped and long texts cut off with "...". Arrays and objects are
 // only described.
 std::string Shortened(const Json& value);
+
+// The same of a value that is this text.
 std::string ShortenedText(const std::string& text);
 
 // A value of a JSON file together with the name of the file and the path to the
@@ -50,6 +52,7 @@ class JsonField {
   std::string where() const;
 
   bool IsArray() const;
+  bool IsNull() const;
   bool IsNumber() const;
   bool IsObject() const;
   bool IsString() const;
@@ -114,7 +117,7 @@ class JsonField {
         field_(std::move(field)),
         mm_per_unit_(mm_per_unit) {}
 
-  // Returns a part of this value, which keeps the whole file.
+  // Returns a pointer to a part of this value, which keeps all of the file.
   std::shared_ptr<const Json> Part(const Json& part) const;
 
   std::shared_ptr<const Json> value_;

@@ -12,6 +12,7 @@
 #include "musclewarp/opensim/motion_columns.h"
 #include "musclewarp/opensim/storage_table.h"
 #include "musclewarp/scene/coordinate_limits.h"
+#include "musclewarp/scene/scene_names.h"
 
 namespace musclewarp {
 namespace {
@@ -32,7 +33,7 @@ void CheckNames(const JsonField& coordinates, const Model& model) {
   }
   for (const std::string& member : coordinates.Keys()) {
     if (model.FindCoordinate(member) >= 0) continue;
-    std::string problem = "names " + ShortenedText(member) + ", which " +
+    std::string problem = "names " + QuotedName(member) + ", which " +
                           WhyNoCoordinate(model, member) + ", " + model.path;
     for (const std::string& name : known) {
       if (!IsNearlyNamed(member, name)) continue;

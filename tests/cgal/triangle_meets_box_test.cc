@@ -1,6 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/cgal/triangle_in_box.h"
+#include "musclewarp/cgal/triangle_meets_box.h"
 
 #include <gtest/gtest.h>
 

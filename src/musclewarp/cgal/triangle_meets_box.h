@@ -8,8 +8,9 @@
 
 namespace musclewarp {
 
-// Returns true if a triangle meets the box between two corners, its border
-// included, up to rounding.
+// Returns true if a triangle and the box between two opposite corners share a
+// point, on their borders or inside. The test is in floating point: near
+// contact the answer may be wrong by rounding.
 bool TriangleMeetsBox(const Corners& triangle,
                       const Eigen::RowVector3d& lower,
                       const Eigen::RowVector3d& upper);
