@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "figures/some_figures.h"
-#include "musclewarp/base/described_json.h"
+#include "musclewarp/figures/figures_json.h"
 
 namespace musclewarp {
 namespace {

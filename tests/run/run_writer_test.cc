@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "musclewarp/base/described_checks.h"
-#include "musclewarp/base/described_json.h"
 #include "musclewarp/base/input_file.h"
+#include "musclewarp/figures/figures_json.h"
 #include "musclewarp/run/attachments_file.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "figures/some_figures.h"
-#include "musclewarp/base/described_json.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/figures/figures_json.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/proximity/mesh_intersection.h"

@@ -12,10 +12,10 @@
 
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/child_process.h"
-#include "musclewarp/base/described_json.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/figures/figures_json.h"
 #include "musclewarp/figures/frame_figures.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/program/program.h"

@@ -10,10 +10,10 @@
 #include <iterator>
 #include <sstream>
 
-#include "musclewarp/base/described_json.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/figures/figures_json.h"
 #include "musclewarp/figures/frame_figures.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh_files/mesh_io.h"

@@ -4,13 +4,10 @@
 
 // How described structs (base/described.h) are written as JSON, and read.
 
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "musclewarp/base/described_checks.h"
-#include "musclewarp/base/input_error.h"
 
 namespace musclewarp {
 
@@ -18,6 +15,38 @@ namespace musclewarp {
 // number becomes null, and is not read back.
 constexpr char kInfinityText[] = "Infinity";
 constexpr char kMinusInfinityText[] = "-Infinity";
+
+// The steps that all structs share are no templates: what is instantiated for
+// each field of each struct takes most of the time to compile.
+namespace described_internal {
+
+nlohmann::ordered_json JsonOfNumber(double number);
+
+void AddField(const char* key,
+              nlohmann::ordered_json&& value,
+              nlohmann::ordered_json* object);
+
+// Throws InputError unless a value is as it should be.
+void Require(bool is_right,
+             const nlohmann::json& json,
+             const FieldPath& path,
+             const char* allowed);
+
+double ReadNumber(const nlohmann::json& json, const FieldPath& path);
+
+// Returns a whole number between two others.
+std::int64_t ReadInteger(const nlohmann::json& json,
+                         const FieldPath& path,
+                         std::int64_t lowest,
+                         std::int64_t highest);
+
+// Returns the field of an object, or null if it may be missing there; throws
+// InputError if it may not.
+const nlohmann::json* FindField(const nlohmann::json& object,
+                                const FieldPath& path,
+                                Presence presence);
+
+}  // namespace described_internal
 
 // Returns a described struct as an object whose keys are in the order of its
 // list, a place as [x, y, z], lists and maps of all these as arrays and
@@ -31,11 +60,11 @@ nlohmann::ordered_json JsonOf(const T& value) {
       if constexpr (kCanBeEmpty<std::decay_t<decltype(inner)>>) {
         if (field.presence == Presence::kUnlessEmpty && inner.empty()) return;
         if (field.presence == Presence::kNullIfEmpty && inner.empty()) {
-          object.push_back({field.key, nullptr});
+          described_internal::AddField(field.key, nullptr, &object);
           return;
         }
       }
-      object.push_back({field.key, JsonOf(inner)});
+      described_internal::AddField(field.key, JsonOf(inner), &object);
     });
     return object;
   } else if constexpr (kIsVector<T>) {
@@ -45,19 +74,17 @@ nlohmann::ordered_json JsonOf(const T& value) {
   } else if constexpr (kIsMap<T>) {
     OrderedJson object = OrderedJson::object();
     for (const auto& [key, element] : value) {
-      object.push_back({key, JsonOf(element)});
+      described_internal::AddField(key.c_str(), JsonOf(element), &object);
     }
     return object;
   } else if constexpr (kIsOptional<T>) {
     return value ? JsonOf(*value) : OrderedJson();
   } else if constexpr (std::is_same_v<T, Eigen::RowVector3d>) {
-    return OrderedJson::array(
-        {JsonOf(value.x()), JsonOf(value.y()), JsonOf(value.z())});
+    OrderedJson array = OrderedJson::array();
+    for (int k = 0; k < 3; ++k) array.push_back(JsonOf(value[k]));
+    return array;
   } else if constexpr (std::is_floating_point_v<T>) {
-    if (std::isinf(value)) {
-      return value > 0 ? kInfinityText : kMinusInfinityText;
-    }
-    return std::isnan(value) ? OrderedJson() : OrderedJson(value);
+    return described_internal::JsonOfNumber(value);
   } else if constexpr (std::is_enum_v<T>) {
     return ToString(value);
   } else {
@@ -65,50 +92,19 @@ nlohmann::ordered_json JsonOf(const T& value) {
   }
 }
 
+// Reads what JsonOf() has written. `path` is the place of the value in its
+// file. Throws InputError that names the place if a key is missing or a value
+// is of another type. What is computed from other fields has to be there, and
+// is passed over.
+template <class T>
+void ReadJson(const nlohmann::json& json, const FieldPath& path, T* value);
+
 namespace described_internal {
-
-// Throws InputError unless a value is as it should be.
-template <class Json>
-void Require(bool is_right,
-             const Json& json,
-             const FieldPath& path,
-             const char* allowed) {
-  if (is_right) return;
-  const std::string seen =
-      json.is_structured()
-          ? json.type_name()
-          : json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  throw InputError(path.Text(), "is " + seen, std::string("give ") + allowed);
-}
-
-template <class Json, class T>
-void ReadFields(const Json& json, const FieldPath& path, T* object);
-
-template <class Json, class T>
-void ReadNumber(const Json& json, const FieldPath& path, T* number) {
-  if constexpr (std::is_floating_point_v<T>) {
-    if (json == kInfinityText || json == kMinusInfinityText) {
-      *number = json == kInfinityText ? kInfinity : -kInfinity;
-      return;
-    }
-    Require(json.is_number(), json, path, "a number");
-  } else {
-    using Limits = std::numeric_limits<T>;
-    Require(json.is_number_integer() &&
-                json.template get<double>() >= Limits::lowest() &&
-                json.template get<double>() <= Limits::max(),
-            json,
-            path,
-            "a whole number");
-  }
-  *number = json.template get<T>();
-  Require(*number == *number, json, path, "a number");
-}
 
 // The names of an enumeration are those of ToString(), which gives "unknown"
 // behind the last one.
-template <class Json, class T>
-void ReadName(const Json& json, const FieldPath& path, T* value) {
+template <class T>
+void ReadName(const nlohmann::json& json, const FieldPath& path, T* value) {
   for (int i = 0; ToString(static_cast<T>(i)) != "unknown"; ++i) {
     if (json != ToString(static_cast<T>(i))) continue;
     *value = static_cast<T>(i);
@@ -117,14 +113,27 @@ void ReadName(const Json& json, const FieldPath& path, T* value) {
   Require(false, json, path, "one of its names");
 }
 
+template <class T>
+void ReadFields(const nlohmann::json& json, const FieldPath& path, T* object) {
+  Require(json.is_object(), json, path, "an object");
+  VisitFields(*object, [&](const auto& field, auto&& value) {
+    const FieldPath place = {&path, field.key};
+    const nlohmann::json* found = FindField(json, place, field.presence);
+    if (!found) return;
+    if constexpr (!kIsComputed<std::decay_t<decltype(field.access)>>) {
+      if (found->is_null() && field.presence == Presence::kNullIfEmpty) {
+        value = {};
+      } else {
+        ReadJson(*found, place, &value);
+      }
+    }
+  });
+}
+
 }  // namespace described_internal
 
-// Reads what JsonOf() has written. `path` is the place of the value in its
-// file. Throws InputError that names the place if a key is missing or a value
-// is of another type. What is computed from other fields has to be there, and
-// is passed over.
-template <class Json, class T>
-void ReadJson(const Json& json, const FieldPath& path, T* value) {
+template <class T>
+void ReadJson(const nlohmann::json& json, const FieldPath& path, T* value) {
   using described_internal::Require;
   if constexpr (kIsDescribed<T>) {
     described_internal::ReadFields(json, path, value);
@@ -148,38 +157,20 @@ void ReadJson(const Json& json, const FieldPath& path, T* value) {
     for (int k = 0; k < 3; ++k) ReadJson(json[k], {&path, "", k}, &(*value)[k]);
   } else if constexpr (std::is_same_v<T, bool>) {
     Require(json.is_boolean(), json, path, "true or false");
-    *value = json.template get<bool>();
-  } else if constexpr (std::is_arithmetic_v<T>) {
-    described_internal::ReadNumber(json, path, value);
+    *value = json.get<bool>();
+  } else if constexpr (std::is_floating_point_v<T>) {
+    *value = static_cast<T>(described_internal::ReadNumber(json, path));
+  } else if constexpr (std::is_integral_v<T>) {
+    static_assert(std::is_signed_v<T>);
+    using Limits = std::numeric_limits<T>;
+    *value = static_cast<T>(described_internal::ReadInteger(
+        json, path, Limits::lowest(), Limits::max()));
   } else if constexpr (std::is_enum_v<T>) {
     described_internal::ReadName(json, path, value);
   } else {
     Require(json.is_string(), json, path, "a text");
-    *value = json.template get<T>();
+    *value = json.get<T>();
   }
-}
-
-template <class Json, class T>
-void described_internal::ReadFields(const Json& json,
-                                    const FieldPath& path,
-                                    T* object) {
-  Require(json.is_object(), json, path, "an object");
-  VisitFields(*object, [&](const auto& field, auto&& value) {
-    const auto found = json.find(field.key);
-    if (found == json.end()) {
-      if (field.presence != Presence::kAlways) return;
-      throw InputError(FieldPath{&path, field.key}.Text(),
-                       "is missing",
-                       "compute the results again");
-    }
-    if constexpr (!kIsComputed<std::decay_t<decltype(field.access)>>) {
-      if (found->is_null() && field.presence == Presence::kNullIfEmpty) {
-        value = {};
-      } else {
-        ReadJson(*found, {&path, field.key}, &value);
-      }
-    }
-  });
 }
 
 }  // namespace musclewarp

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "musclewarp/base/angles.h"
-#include "musclewarp/base/described_json.h"
+#include "musclewarp/figures/figures_json.h"
 #include "musclewarp/page/packed_numbers.h"
 #include "musclewarp/page/page_parts.h"
 #include "musclewarp/run/frame_files.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "musclewarp/base/described_json.h"
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/figures/figures_json.h"
 #include "musclewarp/frames/fibre_measures.h"
 #include "musclewarp/run/kept_model.h"
 #include "musclewarp/run/machine.h"

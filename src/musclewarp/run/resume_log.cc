@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/run/resume_log.h"
 
-#include <cereal/archives/binary.hpp>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
-#include <sstream>
 #include <utility>
 #include <vector>
 
-#include "musclewarp/base/described_json.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/build_info/build_info.h"
-#include "musclewarp/motion/state_archive.h"
+#include "musclewarp/figures/figures_json.h"
+#include "musclewarp/motion/state_bytes.h"
 #include "musclewarp/run/frame_files.h"
 
 namespace musclewarp {
@@ -23,23 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
-
-std::vector<std::uint8_t> Archived(const SceneState& state) {
-  std::ostringstream stream(std::ios::binary);
-  cereal::BinaryOutputArchive archive(stream);
-  archive(state);
-  const std::string bytes = stream.str();
-  return {bytes.begin(), bytes.end()};
-}
-
-SceneState StateFrom(const std::vector<std::uint8_t>& bytes) {
-  std::istringstream stream(std::string(bytes.begin(), bytes.end()),
-                            std::ios::binary);
-  cereal::BinaryInputArchive archive(stream);
-  SceneState state;
-  archive(state);
-  return state;
-}
 
 // The first line of the key file. The number grows whenever a file of the log
 // gets another layout; logs before the first number had no such line.
@@ -56,7 +37,8 @@ struct LoggedFrame {
 LoggedFrame LoggedFrameFromJson(const nlohmann::json& json) {
   LoggedFrame frame;
   ReadJson(json.at("record"), {}, &frame.record);
-  frame.state = StateFrom(json.at("state").get_binary());
+  const std::vector<std::uint8_t>& bytes = json.at("state").get_binary();
+  frame.state = StateFrom({bytes.begin(), bytes.end()});
   return frame;
 }
 
@@ -135,9 +117,11 @@ void ResumeLog::StartAnew() const {
 
 void ResumeLog::FrameDone(const FrameFigures& record,
                           const SceneState& state) const {
-  const auto bytes = OrderedJson::to_cbor(
-      OrderedJson{{"record", JsonOf(record)},
-                  {"state", OrderedJson::binary(Archived(state))}});
+  const std::string state_bytes = BytesOf(state);
+  const auto bytes = OrderedJson::to_cbor(OrderedJson{
+      {"record", JsonOf(record)},
+      {"state",
+       OrderedJson::binary({state_bytes.begin(), state_bytes.end()})}});
   WriteTextAtomically(FrameFile(record.index),
                       std::string(bytes.begin(), bytes.end()));
 }

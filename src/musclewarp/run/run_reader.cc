@@ -6,9 +6,9 @@
 #include <map>
 #include <utility>
 
-#include "musclewarp/base/described_json.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/text.h"
+#include "musclewarp/figures/figures_json.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/run/frame_files.h"
 
