@@ -25,6 +25,8 @@ breathe_projects = {"musclewarp": "doxygen/xml"}
 breathe_default_project = "musclewarp"
 breathe_show_include = False
 
+# Attributes are properties, which have entries of their own.
+napoleon_use_ivar = True
 autodoc_member_order = "groupwise"
 autodoc_typehints = "signature"
 default_role = "code"

@@ -97,7 +97,7 @@ TYPED_TEST(SettingsLaws, NumbersAreRefusedOutsideOfTheirRanges) {
         } else {
           this->ExpectAccepted(set(range.lowest), field.key);
         }
-        const double below = range.lowest - (range.exception < 0 ? 2 : 1);
+        const double below = range.lowest - (range.also_allowed < 0 ? 2 : 1);
         this->ExpectRefused(set(below), field.key);
       }
       if (std::isfinite(range.highest)) {

@@ -86,10 +86,10 @@ struct Field {
     return Within(limit, kInfinity);
   }
   constexpr Field Within(double from, double to) const {
-    return With({from, to, /*is_open=*/false, range.exception});
+    return With({from, to, /*is_open=*/false, range.also_allowed});
   }
   constexpr Field Above(double limit, double highest = kInfinity) const {
-    return With({limit, highest, /*is_open=*/true, range.exception});
+    return With({limit, highest, /*is_open=*/true, range.also_allowed});
   }
   constexpr Field Or(double value) const {
     return With({range.lowest, range.highest, range.is_open, value});

@@ -34,7 +34,7 @@ std::string ValueRange::Text() const {
     text << "numbers";
     if (has_highest) text << " up to " << Written(highest);
   }
-  if (exception == exception) text << ", or " << Written(exception);
+  if (also_allowed == also_allowed) text << ", or " << Written(also_allowed);
   return text.str();
 }
 

@@ -16,10 +16,10 @@ struct ValueRange {
   bool is_open = false;  // if true, `lowest` itself is not allowed
 
   // A value beside the range that is allowed, too, or NaN.
-  double exception = std::numeric_limits<double>::quiet_NaN();
+  double also_allowed = std::numeric_limits<double>::quiet_NaN();
 
   constexpr bool Contains(double value) const {
-    return value == exception ||
+    return value == also_allowed ||
            (value <= highest && (is_open ? value > lowest : value >= lowest));
   }
 
