@@ -63,8 +63,8 @@ offered=$(inside bash -c '. /usr/share/bash-completion/bash_completion
   COMP_LINE="musclewarp-deform --cont" COMP_POINT=24 COMP_CWORD=1
   COMP_WORDS=(musclewarp-deform --cont)
   _musclewarp_deform 2>/dev/null
-  echo "${COMPREPLY[@]}"')
-[[ $offered == "--contact_level= --contact=" ]] || {
+  printf "%s\n" "${COMPREPLY[@]}" | sort | xargs')
+[[ $offered == "--contact= --contact_level=" ]] || {
   echo "deb: completion of --cont offers '$offered'" >&2
   exit 1
 }
