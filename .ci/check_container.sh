@@ -37,7 +37,10 @@ scripts/package.sh "$work" >/dev/null
 mkdir "$work/source"
 tar -x -C "$work/source" --strip-components=1 -f "$work"/musclewarp-*.tar.gz
 began=$SECONDS
+cache=$(ccache --get-config cache_dir) # serves compilers that are the same
+mkdir -p "$cache"
 quietly buildah build --pull-never -t musclewarp \
+  -v "$cache:/root/.cache/ccache" \
   -f "$work/source/packaging/Containerfile" "$work/source"
 echo "$name: built after $((SECONDS - began)) s"
 

@@ -11,7 +11,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 out=${1:-out/deb}
 mkdir -p "$out"
-scripts/build.sh release musclewarp_programs musclewarp_python
+scripts/build.sh packages musclewarp_programs musclewarp_python
 # The changelog has the date of the commit; a source package has none.
 SOURCE_DATE_EPOCH=$(git -c safe.directory='*' log -1 --format=%ct 2>/dev/null ||
   date +%s)

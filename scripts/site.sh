@@ -19,7 +19,7 @@ if ! dpkg -s "${packages[@]}" >/dev/null 2>&1; then
   "${as_root[@]}" apt-get -qq install -y --no-install-recommends \
     "${packages[@]}" >/dev/null
 fi
-scripts/build.sh release musclewarp_programs musclewarp_python
+scripts/build.sh packages musclewarp_programs musclewarp_python
 
 # The pages where they are in the sources, so that their links hold.
 work=build/site

@@ -16,7 +16,7 @@ if ! command -v patchelf >/dev/null; then
   "${as_root[@]}" apt-get -qq update
   "${as_root[@]}" apt-get -qq install -y --no-install-recommends patchelf >/dev/null
 fi
-scripts/build.sh release musclewarp_programs musclewarp_python
+scripts/build.sh packages musclewarp_programs musclewarp_python
 # The entries have the date of the commit; a source package has none.
 SOURCE_DATE_EPOCH=$(git -c safe.directory='*' log -1 --format=%ct 2>/dev/null ||
   date +%s)
