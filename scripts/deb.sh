@@ -10,6 +10,13 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 out=${1:-out/deb}
+if ! command -v file dpkg-shlibdeps >/dev/null; then # which CPack calls
+  as_root=()
+  ((EUID == 0)) || as_root=(sudo)
+  "${as_root[@]}" apt-get -qq update
+  "${as_root[@]}" apt-get -qq install -y --no-install-recommends file dpkg-dev \
+    >/dev/null
+fi
 mkdir -p "$out"
 scripts/build.sh packages musclewarp_programs musclewarp_python
 # The changelog has the date of the commit; a source package has none.
