@@ -10,7 +10,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 out=${1:-out/deb}
-if ! command -v file dpkg-shlibdeps >/dev/null; then # which CPack calls
+# CPack calls both.
+if ! command -v file >/dev/null || ! command -v dpkg-shlibdeps >/dev/null; then
   as_root=()
   ((EUID == 0)) || as_root=(sudo)
   "${as_root[@]}" apt-get -qq update
