@@ -4,8 +4,8 @@
 #
 # Builds the image of packaging/Containerfile from the committed sources, and
 # runs the demo in it. The images of Debian that it begins with are made by
-# debootstrap, so that no registry is needed. Needs root, and a quarter of an
-# hour; therefore no part of .ci/run.
+# debootstrap, so that no registry is needed. Needs root and half an hour;
+# therefore no part of .ci/run.
 #
 # usage: .ci/check_container.sh
 set -euo pipefail
@@ -37,7 +37,7 @@ scripts/package.sh "$work" >/dev/null
 mkdir "$work/source"
 tar -x -C "$work/source" --strip-components=1 -f "$work"/musclewarp-*.tar.gz
 began=$SECONDS
-cache=$(ccache --get-config cache_dir) # serves compilers that are the same
+cache=${CCACHE_DIR:-$HOME/.cache/ccache} # serves where the compiler is the same
 mkdir -p "$cache"
 quietly buildah build --pull-never -t musclewarp \
   -v "$cache:/root/.cache/ccache" \

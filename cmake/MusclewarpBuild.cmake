@@ -100,11 +100,11 @@ function(musclewarp_precompiled_headers TARGET)
 endfunction()
 
 # musclewarp_library(<name> SOURCES ... LINK ...) makes the static library
-# musclewarp_<name>, alias musclewarp::<name>, of which each folder has one, or two
-# if a part needs more than the rest. Includes are written from
-# the root: "musclewarp/<folder>/x.h" or "problems/<folder>/x.h". COMPUTES says
-# that it is optimised with the sanitizers, too; LIGHT that it is compiled with -O1, as what it does
-# takes a run no time to speak of.
+# musclewarp_<name>, alias musclewarp::<name>. A folder has one, or two if a part
+# of it needs more than the rest. Includes are written from the root:
+# "musclewarp/<folder>/x.h" or "problems/<folder>/x.h". COMPUTES says that it is
+# optimised with the sanitizers, too; LIGHT that it is compiled with -O1, as what
+# it does takes a run no time to speak of.
 function(musclewarp_library NAME)
   cmake_parse_arguments(ARG "COMPUTES;LIGHT" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   add_library(musclewarp_${NAME} STATIC ${ARG_SOURCES})

@@ -29,7 +29,7 @@ quietly() {
 # "[12/345]" in the log, until it is stopped.
 say_progress() {
   local said="" now
-  # Silent, as the screen would stay open until it ends.
+  # What reads our output would wait for a sleep that holds it open.
   while sleep 10 >/dev/null 2>&1; do
     now=$(tail -c 4000 "$log" | tr '\r' '\n' |
       sed -n 's/^\[\([0-9]*\)\/\([0-9]*\)\].*/\1 \2/p' |

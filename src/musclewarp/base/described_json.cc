@@ -3,6 +3,8 @@
 #include "musclewarp/base/described_json.h"
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "musclewarp/base/infinity.h"
 #include "musclewarp/base/input_error.h"

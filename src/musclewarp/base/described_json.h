@@ -4,8 +4,11 @@
 
 // How described structs (base/described.h) are written as JSON, and read.
 
+#include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "musclewarp/base/described_checks.h"
 
