@@ -45,7 +45,7 @@ export class Browser {
 
   // Opens a page from disk. What it says on the console, throws or asks the
   // network for is in `complaints`.
-  async open(file, options = {}) {
+  async open(file, options = {}, hash = "", before = () => {}) {
     const context = await this.browser.newContext({
       viewport: { width: 1280, height: 800 },
       reducedMotion: "reduce",
@@ -67,7 +67,10 @@ export class Browser {
     page.on("pageerror", (error) => page.complaints.push(String(error)));
     page.on("request", (request) => {
       const url = request.url();
-      if (url !== `file://${file}` && !/^(data|blob):/.test(url)) {
+      if (
+        url.replace(/#.*/, "") !== `file://${file}` &&
+        !/^(data|blob):/.test(url)
+      ) {
         page.complaints.push(`request of ${url}`);
       }
     });
@@ -75,16 +78,38 @@ export class Browser {
       page.complaints.push(`dialog ${dialog.message()}`);
       void dialog.dismiss();
     });
-    await page.goto(`file://${file}`);
+    await page.addInitScript(before);
+    await page.goto(`file://${file}${hash}`);
     return page;
   }
 
   // The same, ready to be used.
-  async openReady(file, options = {}) {
-    const page = await this.open(file, options);
+  async openReady(file, options = {}, hash = "") {
+    const page = await this.open(file, options, hash);
     await page.waitForSelector("html[data-ready]");
     await this.settle(page);
+    await this.drawn(page);
     return page;
+  }
+
+  // The same in a browser that has no WebGL.
+  async openFlat(file) {
+    const page = await this.open(file, {}, "", () => {
+      const getContext = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+        return kind.startsWith("webgl")
+          ? null
+          : getContext.call(this, kind, ...more);
+      };
+    });
+    await page.waitForSelector("html[data-ready]");
+    return page;
+  }
+
+  // Until all plots are.
+  async drawn(page) {
+    if ((await page.locator("#over-the-motion").count()) === 0) return;
+    await page.waitForSelector("#over-the-motion[data-drawn]");
   }
 
   // Until the last picture is drawn, in its final resolution.
@@ -105,7 +130,15 @@ export class Browser {
   // The canvas as { width, height, data: RGBA }.
   async look(page) {
     await this.settle(page);
-    const png = await page.locator("#view").screenshot();
+    return this.lookAt(page, "#view");
+  }
+
+  async lookAt(page, selector) {
+    return this.decode(await page.locator(selector).screenshot());
+  }
+
+  // A PNG, likewise.
+  async decode(png) {
     const { width, height, data } = await this.eye.evaluate(async (base64) => {
       const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
       const bitmap = await createImageBitmap(new Blob([bytes]));

@@ -46,7 +46,7 @@ for (const contact of ["none", "paper"]) {
     assert.deepEqual(opened.complaints, []);
     assert.equal(await opened.locator(".strip .mark").count(), 37);
     await opened.locator("#slider").fill("36");
-    await opened.getByText("hip_flexion_r 60.00 degrees").waitFor();
+    await opened.getByText("hip_flexion_r 60 degrees").first().waitFor();
     await browser.settle(opened);
     await browser.keep(opened, `lhdl_${contact}`, { fullPage: true });
   });

@@ -45,6 +45,7 @@ async function openPlain(file = html, options = {}) {
   const page = await browser.openReady(file, options);
   await page.locator("#show-lines").uncheck();
   await page.locator("#show-crossings").uncheck();
+  await page.locator(".bones summary").click();
   return page;
 }
 
@@ -122,7 +123,7 @@ describe("the page", () => {
     await page.waitForTimeout(300);
     assert.equal(await frameShown(page), paused);
     await page.locator("#slider").fill("15");
-    await hasText(page, "hip_flexion_r 60.00 degrees");
+    await hasText(page, "hip_flexion_r 60 degrees · frame 15 of 15");
   });
 
   test("pauses although frames pass while the button is down", async () => {
@@ -171,16 +172,16 @@ describe("the page", () => {
       all.map((figure) => figure.id),
     );
     assert.deepEqual(figures, [
+      "figure-carried-moment-arms-hip_flexion_r",
+      "figure-moment-arms-hip_flexion_r",
+      "figure-line-lengths",
+      "figure-stretch-999",
+      "figure-stretch",
+      "figure-stretch-patch",
       "figure-volume-ratio",
       "figure-crossing-pairs",
       "figure-gap",
-      "figure-line-lengths",
-      "figure-moment-arms-hip_flexion_r",
-      "figure-carried-moment-arms-hip_flexion_r",
       "figure-drift",
-      "figure-stretch",
-      "figure-stretch-999",
-      "figure-stretch-patch",
       "figure-change",
       "figure-time",
     ]);
@@ -188,7 +189,11 @@ describe("the page", () => {
       page.locator("#figure-line-lengths [aria-label=line] path").count();
     assert.equal(await curves(), 7);
     await page.locator(".chips label").nth(2).click(); // the psoas, one line
+    await browser.drawn(page);
     assert.equal(await curves(), 6);
+    await page.locator("#plotted-muscle").selectOption("gluteus_medius_r");
+    await browser.drawn(page);
+    assert.equal(await curves(), 3);
   });
 
   test("the certificate equals report.json", async () => {
@@ -232,7 +237,7 @@ describe("the page", () => {
 
   test("crossing triangles are red, and the list flies there", async () => {
     const page = await browser.openReady(html);
-    await page.getByRole("button", { name: "Hide all bones" }).click();
+    await page.getByLabel("All bones", { exact: true }).uncheck();
     const before = await browser.look(page);
     assert.ok(countRed(before) > 100);
     await page.locator(".place").first().click();
@@ -253,7 +258,7 @@ describe("the page", () => {
     for (const [coloring, words] of [
       ["displacement", "displacement from rest, mm"],
       ["stretch", "area, to that at rest"],
-      ["gap", "gap to the nearest mesh, mm"],
+      ["gap", "gap to the nearest mesh, looked for up to 5 mm, mm"],
       ["attachment", "attached to"],
       ["contact", "contact"],
     ]) {
@@ -265,7 +270,7 @@ describe("the page", () => {
       await browser.keep(page, `colour_${coloring}`);
     }
     // Parts of the embedded muscles are inside bones: orange.
-    await page.getByRole("button", { name: "Hide all bones" }).click();
+    await page.getByLabel("All bones", { exact: true }).uncheck();
     assert.ok(countOf(await browser.look(page), [255, 140, 26]) > 50);
     await page.locator("#coloring").selectOption("name");
     assert.ok(await page.locator(".legend").isHidden());
@@ -295,21 +300,165 @@ describe("the page", () => {
     await browser.keep(page, "fibres");
   });
 
-  test("a section shows what is cut, filled", async () => {
+  test("a section begins in the middle, and shows what is cut", async () => {
     const page = await openPlain();
-    await page.getByRole("button", { name: /from superior/ }).click();
+    const before = await browser.look(page);
     await page.locator("#section-axis").selectOption("superior");
+    const place = page.locator("#section-place");
+    const middle = await browser.look(page);
+    await browser.keep(page, "section", { fullPage: true });
+    assert.ok(differentPixels(before, middle) > 10000); // turned to face it
+    await hasText(page, "in the middle");
+    const range = await place.evaluate(({ min, max }) => [+min, +max]);
     const colors = await swatches(page);
-    await page.locator("#section-place").fill("0.55");
-    const high = await browser.look(page);
-    await browser.keep(page, "section");
-    await page.locator("#section-place").fill("0.45");
-    assert.ok(differentPixels(high, await browser.look(page)) > 300);
+    await place.fill(String(Math.round((range[0] + 2 * range[1]) / 3)));
+    assert.ok(differentPixels(middle, await browser.look(page)) > 300);
+    await hasText(page, "mm superior of the middle");
     // Above everything nothing is cut; flipped, all of it is.
-    await page.locator("#section-place").fill("1");
+    await place.fill(String(range[1]));
+    await hasText(page, "Nothing is cut here.");
     assert.ok(countOf(await browser.look(page), colors.gluteus_medius_r) > 100);
     await page.getByRole("button", { name: "Keep the other side" }).click();
     assert.equal(countOf(await browser.look(page), colors.gluteus_medius_r), 0);
+  });
+
+  test("areas of a section sum up to the volume", async () => {
+    // The trapezoidal rule over 40 slices of a smooth body: within a hundredth.
+    const page = await openPlain();
+    await page.locator("#section-axis").selectOption("lateral");
+    const place = page.locator("#section-place");
+    const [low, high] = await place.evaluate(({ min, max }) => [+min, +max]);
+    const step = (high - low) / 40;
+    let volume = 0;
+    for (let at = low + step / 2; at < high; at += step) {
+      const value = Math.round(2 * at) / 2;
+      await place.fill(String(value));
+      await page.evaluate(
+        () =>
+          new Promise((done) => requestAnimationFrame(() => setTimeout(done))),
+      );
+      const rows = page.locator(".areas tr", { hasText: "gluteus medius r" });
+      if ((await rows.count()) === 0) continue;
+      volume += step * parseFloat(await rows.locator("td").innerText());
+    }
+    const [frame] = readReport(run).frames;
+    const { volume_mm3 } = frame.muscles.find(
+      ({ name }) => name === "gluteus_medius_r",
+    );
+    assert.ok(Math.abs(volume / volume_mm3 - 1) < 0.02, `${volume}`);
+  });
+
+  test("a muscle is shown alone, as large as the view allows", async () => {
+    const page = await openPlain();
+    const { gluteus_medius_r: color } = await swatches(page);
+    await page.getByLabel("All bones", { exact: true }).uncheck();
+    const among = countOf(await browser.look(page), color);
+    await page
+      .getByRole("button", { name: "Show only gluteus medius r of" })
+      .click();
+    const picture = await browser.look(page);
+    assert.ok(countOf(picture, color) > 1.5 * among);
+    const isShown = (name) =>
+      page.locator(`[data-mesh="${name}"] input[type=checkbox]`).isChecked();
+    assert.equal(await isShown("gluteus_medius_r"), true);
+    assert.equal(await isShown("psoas_major_r"), false);
+  });
+
+  test("a ruler measures between two clicks", async () => {
+    const page = await openPlain();
+    await page.keyboard.press("m");
+    const box = await page.locator("#view").boundingBox();
+    const middle = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.click(middle[0], middle[1] - 20);
+    await hasText(page, "Ruler: click at another place");
+    await page.mouse.click(middle[0], middle[1] + 20);
+    await page.locator(".ruler").waitFor();
+    const said = await page.locator(".picked").innerText();
+    // Forty pixels, as long as the scale bar says, or longer in depth.
+    const bar = await page.$eval(".scale-bar", (group) => ({
+      mm: parseFloat(group.querySelector("text").textContent),
+      pixels: group.querySelector("path").getBoundingClientRect().width,
+    }));
+    const expected = (40 * bar.mm) / bar.pixels;
+    assert.ok(parseFloat(said) > 0.8 * expected, `${said} of ${expected}`);
+    await browser.keep(page, "ruler");
+    await page.keyboard.press("m");
+    await page.locator(".ruler").waitFor({ state: "detached" });
+  });
+
+  test("letters tell the axes as the view turns", async () => {
+    const page = await openPlain();
+    const place = (axis) =>
+      page.$eval(`[data-axis=${axis}]`, (text) => [
+        Number(text.getAttribute("x")),
+        Number(text.getAttribute("y")),
+      ]);
+    await page.getByRole("button", { name: "View from anterior" }).click();
+    await browser.settle(page);
+    const [rightOfAnterior] = await place("lateral"); // of a right hip
+    assert.ok(rightOfAnterior < -30);
+    assert.ok((await place("superior"))[1] < -25);
+    await page.getByRole("button", { name: "View from posterior" }).click();
+    await browser.settle(page);
+    assert.ok((await place("lateral"))[0] > 30);
+  });
+
+  test("the address keeps what is seen", async () => {
+    const page = await openPlain();
+    await page.locator("#slider").fill("7");
+    await page.locator("#coloring").selectOption("stretch");
+    await page.getByRole("button", { name: "View from medial" }).click();
+    const picture = await browser.look(page);
+    await page.waitForFunction(() => location.hash.includes("frame=7"));
+    await page.waitForTimeout(500);
+    const hash = new URL(page.url()).hash;
+    const again = await browser.openReady(html, {}, hash);
+    await again.locator("#show-crossings").uncheck();
+    assert.equal(await frameShown(again), 7);
+    assert.equal(await again.inputValue("#coloring"), "stretch");
+    // The camera is kept to a hundredth of a millimetre: edges may move a little.
+    const different = differentPixels(picture, await browser.look(again));
+    assert.ok(
+      different < 0.005 * picture.width * picture.height,
+      `${different}`,
+    );
+  });
+
+  test("what an address says wrongly is passed over", async () => {
+    const wrong = "#frame=99&colour=%3Cb%3E&camera=1,2&section=up&hidden=x";
+    const page = await browser.openReady(html, {}, wrong);
+    assert.deepEqual(page.complaints, []);
+    assert.equal(await page.inputValue("#coloring"), "name");
+  });
+
+  test("saves the view as a picture", async () => {
+    const page = await openPlain();
+    for (const [name, alpha] of [
+      ["Save the view as a picture, on white", 255],
+      ["Save the view as a picture, transparent", 0],
+    ]) {
+      const [download] = await Promise.all([
+        page.waitForEvent("download"),
+        page.getByRole("button", { name }).click(),
+      ]);
+      const picture = await browser.decode(readFileSync(await download.path()));
+      const box = await page.locator("#view").boundingBox();
+      assert.equal(picture.width, 2 * Math.round(box.width));
+      assert.equal(picture.data[3], alpha);
+      const { gluteus_medius_r } = await swatches(page);
+      assert.ok(countOf(picture, gluteus_medius_r) > 1000);
+    }
+  });
+
+  test("without WebGL there is a still picture and what to do", async () => {
+    const page = await browser.openFlat(html);
+    await hasText(page, "Switch on hardware acceleration");
+    const [colors, picture] = [
+      await swatches(page),
+      await browser.lookAt(page, "canvas.still"),
+    ];
+    assert.ok(countOf(picture, colors.gluteus_medius_r) > 500);
+    await browser.keep(page, "no_webgl");
   });
 
   test("views, turning and resetting", async () => {

@@ -4,23 +4,29 @@
 // The page musclewarp-report writes: reads what it holds and puts the parts
 // together.
 
+import { keepAddress, moveCameraToAddress, stateFromAddress } from "./address";
 import { Run, PageData, readPageData } from "./data/run";
 import { timelineOf } from "./data/timeline";
 import { button, element, icon } from "./dom";
 import { figuresSection } from "./figures/figures";
 import { listenToKeys } from "./keyboard";
-import { colorsByName } from "./palette";
+import { colorsByName } from "./mesh_colors";
 import { crossingsPanel } from "./panels/crossings";
-import { lookPanel, sectionPanel, viewNames } from "./panels/look";
+import { lookPanel, viewNames } from "./panels/look";
 import { meshesPanel } from "./panels/meshes";
+import { pictureButtons } from "./panels/picture";
+import { listenToPointer, pickedLabel, rulerButton } from "./panels/pointer";
+import { sectionPanel } from "./panels/section";
 import { endOf, summarySection } from "./panels/summary";
 import { transport } from "./panels/transport";
-import { viewButtons } from "./panels/views";
+import { Viewed, viewButtons } from "./panels/views";
 import { Player } from "./player";
 import { runKeys } from "./run_keys";
-import { noView, sayWhatIsClicked, startPage } from "./start";
+import { noView, startPage } from "./start";
 import { Store, initialState } from "./state";
 import { toggleTheme } from "./theme";
+import { Overlay } from "./viewer/overlay";
+import { StillPicture } from "./viewer/still_picture";
 import { Viewer } from "./viewer/viewer";
 
 function runTitle(run: Run): string {
@@ -78,21 +84,36 @@ function stage(runs: Run[]): { root: HTMLElement; canvas: HTMLCanvasElement } {
   return { root, canvas };
 }
 
+// Lines of many muscles hide what is behind them.
+const mostMusclesWithLines = 6;
+
+function storeOf({ runs }: PageData, moments: number): Store {
+  const meshes = runs.flatMap((run) =>
+    [...run.muscles, ...run.bones].map(({ name }) => name),
+  );
+  return new Store({
+    ...initialState,
+    moment: Math.min(1, moments - 1),
+    lines: runs.every(({ muscles }) => muscles.length <= mostMusclesWithLines),
+    ...stateFromAddress(location.hash, moments, meshes),
+  });
+}
+
 function build(data: PageData): void {
   const { runs } = data;
   const timeline = timelineOf(runs);
   const colors = colorsByName(runs);
-  const store = new Store({
-    ...initialState,
-    moment: Math.min(1, timeline.length - 1),
-  });
+  const hash = location.hash;
+  const store = storeOf(data, timeline.length);
   const player = new Player(store, timeline.length);
   const { root, canvas } = stage(runs);
-  const picked = element("output", { class: "picked", "aria-live": "polite" });
+  const picked = pickedLabel();
   root.append(picked);
 
   // The viewer measures its canvas, which must be in the page by then.
   let viewer: Viewer | null = null;
+  let viewed: Viewed | null = null;
+  let overlay: Overlay | null = null;
   const help = element("span", {});
   document.title = `${runs[0].report.scene}: musclewarp`;
   document.getElementById("page")!.replaceChildren(
@@ -110,9 +131,22 @@ function build(data: PageData): void {
         element(
           "div",
           { class: "seen" },
-          viewButtons(
-            viewNames.filter((name) => name in data.views),
-            () => viewer,
+          element(
+            "div",
+            { class: "tools" },
+            viewButtons(
+              viewNames.filter((name) => name in data.views),
+              () => viewed,
+            ),
+            rulerButton(store),
+            ...pictureButtons(
+              runs,
+              store,
+              () => viewer,
+              () => overlay?.root ?? null,
+              () =>
+                `${runs[0].report.scene}_${timeline[store.state.moment].name}`,
+            ),
           ),
           root,
           transport(runs, timeline, store, player),
@@ -121,8 +155,8 @@ function build(data: PageData): void {
           "aside",
           { "aria-label": "What is shown" },
           lookPanel(runs, store),
-          meshesPanel(runs, colors, store),
-          sectionPanel(store),
+          meshesPanel(runs, colors, store, () => viewed?.reset()),
+          sectionPanel(runs, data.views, store, () => viewer),
           crossingsPanel(runs, timeline, store, () => viewer),
         ),
       ),
@@ -135,13 +169,26 @@ function build(data: PageData): void {
   try {
     viewer = new Viewer(canvas, data, timeline, colors, store);
   } catch (error) {
-    // The figures can be read without WebGL.
-    root.replaceChildren(noView(error));
+    // A picture and the figures can be had without WebGL.
+    const still = new StillPicture(data, timeline, colors, store);
+    viewed = still;
+    root.replaceChildren(still.canvas);
+    root.before(noView(error));
     return;
   }
-  help.append(listenToKeys(runKeys(store, player, viewer, timeline.length)));
   const shown = viewer;
-  sayWhatIsClicked(canvas, (x, y) => shown.pick(x, y), picked);
+  viewed = viewer;
+  help.append(listenToKeys(runKeys(store, player, shown, timeline.length)));
+  overlay = new Overlay(data.views, shown.camera);
+  root.append(overlay.root);
+  const written = overlay;
+  const ruler = listenToPointer(canvas, shown, store, picked);
+  shown.onDrawn(() => {
+    const [{ height }] = shown.panes();
+    written.draw(height * canvas.clientHeight, ruler());
+  });
+  moveCameraToAddress(hash, shown);
+  keepAddress(store, shown);
 }
 
 startPage(readPageData, build, "musclewarp-report");

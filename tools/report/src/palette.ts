@@ -1,11 +1,11 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 
-// Colours of muscles and bones. Each of the muscles' is at least 20 (CIE76) from
-// the others, the bones, white and the red of crossings, to normal eyes and as
-// the colour-blind see them (protan, deutan and tritan by Machado et al. 2009).
-
-const muscleColors = [
+// Colours of muscles and bones. The first eight are at least 20 (CIE76) from each
+// other, all of them at least 12, to normal eyes and as the colour-blind see them
+// (protan, deutan and tritan by Machado et al. 2009); so they are from bones,
+// white, and the reds of crossings.
+export const muscleColors = [
   "#cc6677",
   "#5c6ac4",
   "#f0bc6e",
@@ -14,6 +14,22 @@ const muscleColors = [
   "#a2a2f0",
   "#a26ea2",
   "#883a3a",
+  "#3440a6",
+  "#9ac4c4",
+  "#5e3a88",
+  "#945270",
+  "#a6b87c",
+  "#bee858",
+  "#2e94f4",
+  "#409a4c",
+  "#a6ee9a",
+  "#8e7cc4",
+  "#caa69a",
+  "#6a52d0",
+  "#ca769a",
+  "#b29ac4",
+  "#82589a",
+  "#f4a628",
 ];
 
 // Of the stages of a frame, in their order; they repeat.
@@ -24,26 +40,6 @@ export function stageColor(stage: number): string {
 
 export const boneColor = "#e6dcc3";
 export const crossingColor = "#ff0000";
-
-// By order of first appearance: the same name has the same colour in all runs.
-export function colorsByName(
-  runs: { muscles: { name: string }[]; bones: { name: string }[] }[],
-): Map<string, string> {
-  const colors = new Map<string, string>();
-  for (const run of runs) {
-    for (const { name } of run.muscles) {
-      if (!colors.has(name)) {
-        colors.set(name, muscleColors[colors.size % muscleColors.length]);
-      }
-    }
-  }
-  for (const run of runs) {
-    for (const { name } of run.bones) {
-      if (!colors.has(name)) colors.set(name, boneColor);
-    }
-  }
-  return colors;
-}
 
 // "gluteus medius r" of "gluteus_medius_r".
 export function readable(name: string): string {

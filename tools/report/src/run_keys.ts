@@ -40,11 +40,14 @@ export function runKeys(
       }),
     ),
     key("p", "P", "next section plane", () =>
-      store.set({ section: next(sections, store.state.section) }),
+      viewer.startSection(next(sections, store.state.section)),
     ),
     key("l", "L", "action lines", flip("lines")),
     key("f", "F", "fibres", flip("fibres")),
     key("x", "X", "crossing triangles", flip("crossings")),
+    key("m", "M", "ruler: distance between two clicks", () =>
+      store.set({ measuring: !store.state.measuring }),
+    ),
     key("t", "T", "light or dark", toggleTheme),
   ];
 }

@@ -4,16 +4,29 @@
 // What all pages do alike.
 
 import { element } from "./dom";
-import { readable } from "./palette";
 import { startTheme } from "./theme";
 
-// In place of the 3D view, without which the rest can be read.
+// What to do where there is no 3D view.
 export function noView(error: unknown): HTMLElement {
   return element(
     "p",
     { class: "notice", role: "alert" },
-    `No 3D view: ${error}`,
+    `No 3D view (${error}): this browser gives the page no WebGL. ` +
+      "Switch on hardware acceleration in its settings and start it again, or " +
+      "open this file in a current Chromium, Firefox or Safari. " +
+      "Without it, all but turning, sections and pictures works.",
   );
+}
+
+// Says how far the page is, and lets the browser show that.
+export async function sayProgress(text: string): Promise<void> {
+  const place = document.getElementById("loading");
+  if (!place) return;
+  place.textContent = `Loading: ${text} ...`;
+  await new Promise<void>((resolve) => {
+    requestAnimationFrame(() => setTimeout(resolve));
+    setTimeout(resolve, 100); // in a tab that is not shown
+  });
 }
 
 function showError(error: unknown, program: string): void {
@@ -30,11 +43,11 @@ function showError(error: unknown, program: string): void {
     );
 }
 
-// Says in the label what was clicked at, where the pointer did not drag.
-export function sayWhatIsClicked(
+// Calls the listener with the place in the canvas (CSS pixels) of each click
+// that ends where it began.
+export function listenToClicks(
   canvas: HTMLCanvasElement,
-  pick: (x: number, y: number) => { name: string; text: string } | null,
-  label: HTMLElement,
+  listener: (x: number, y: number) => void,
 ): void {
   let from: [number, number] = [0, 0];
   canvas.addEventListener("pointerdown", (event) => {
@@ -44,10 +57,7 @@ export function sayWhatIsClicked(
     if (Math.hypot(event.clientX - from[0], event.clientY - from[1]) > 4)
       return;
     const box = canvas.getBoundingClientRect();
-    const picked = pick(event.clientX - box.left, event.clientY - box.top);
-    label.textContent = picked
-      ? readable(picked.name) + (picked.text ? `: ${picked.text}` : "")
-      : "";
+    listener(event.clientX - box.left, event.clientY - box.top);
   });
 }
 
@@ -58,8 +68,12 @@ export function startPage<Data>(
   program: string,
 ): void {
   startTheme();
-  read()
-    .then(build)
+  sayProgress("unpacking")
+    .then(read)
+    .then(async (data) => {
+      await sayProgress("making the view");
+      build(data);
+    })
     .then(() => (document.documentElement.dataset.ready = ""))
     .catch((error) => {
       showError(error, program);

@@ -23,8 +23,9 @@ export interface State extends MeshLook {
   fibres: boolean;
   crossings: boolean;
   section: SectionAxis;
-  sectionPlace: number; // 0 to 1 along the axis
+  sectionPlace: number; // along the axis, mm
   sectionFlipped: boolean;
+  measuring: boolean; // clicks set the ends of the ruler
 }
 
 export const initialState: State = {
@@ -38,8 +39,9 @@ export const initialState: State = {
   fibres: false,
   crossings: true,
   section: "off",
-  sectionPlace: 0.5,
+  sectionPlace: 0,
   sectionFlipped: false,
+  measuring: false,
 };
 
 type Listener<S> = (state: S, changed: Set<keyof S>) => void;

@@ -31,6 +31,10 @@ function columnsOf(
   });
 }
 
+export function csvText(rows: (string | number)[][]): string {
+  return rows.map((row) => row.map(csvField).join(",")).join("\n") + "\n";
+}
+
 // A row a frame; columns are the abscissas, then the curves that are shown.
 export function csvOf(
   figure: Figure,
@@ -60,14 +64,11 @@ export function csvOf(
       }),
     ]),
   );
-  return (
-    [header, ...rows].map((row) => row.map(csvField).join(",")).join("\n") +
-    "\n"
-  );
+  return csvText([header, ...rows]);
 }
 
 // The colours of the page do not go with the file.
-export function svgText(svg: SVGSVGElement, title: string): string {
+export function svgFileText(svg: SVGSVGElement, title: string): string {
   const copy = svg.cloneNode(true) as SVGSVGElement;
   copy.querySelector(".cursor")?.remove();
   copy.querySelectorAll("[aria-label=tip]").forEach((tip) => tip.remove());
@@ -90,5 +91,6 @@ export function downloadFigure(
   text: string,
 ) {
   const mime = type === "svg" ? "image/svg+xml" : "text/csv";
-  download(`${name}.${type}`, `${mime};charset=utf-8`, text);
+  const content = new Blob([text], { type: `${mime};charset=utf-8` });
+  download(`${name}.${type}`, content);
 }

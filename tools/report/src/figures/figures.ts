@@ -6,12 +6,21 @@
 import { Run } from "../data/run";
 import { Moment } from "../data/timeline";
 import { button, element, labelled, section, select } from "../dom";
+import { MeshColors } from "../mesh_colors";
 import { readable } from "../palette";
 import { Player } from "../player";
 import { Store } from "../state";
-import { csvOf, downloadFigure, svgText } from "./downloads";
+import { csvOf, downloadFigure, svgFileText } from "./downloads";
 import { DrawnPlot, colorOf, drawPlot } from "./plot";
-import { Abscissa, Figure, Series, abscissasOf, figuresOf } from "./series";
+import {
+  Abscissa,
+  Figure,
+  FigureGroup,
+  Series,
+  abscissasOf,
+  figureGroups,
+  figuresOf,
+} from "./series";
 
 class FigurePanel {
   readonly root: HTMLElement;
@@ -22,7 +31,7 @@ class FigurePanel {
     private readonly figure: Figure,
     private readonly runs: Run[],
     private readonly abscissas: Abscissa[],
-    private readonly colors: Map<string, string>,
+    private readonly colors: MeshColors,
     private readonly isShown: (series: Series) => boolean,
     private readonly onPick: (run: number, frame: number) => void,
   ) {
@@ -33,9 +42,9 @@ class FigurePanel {
       element(
         "header",
         {},
-        element("h3", {}, title),
+        element("h4", {}, title),
         button("SVG", `Download "${title}" as SVG`, () =>
-          downloadFigure(id, "svg", svgText(this.plot!.svg, title)),
+          downloadFigure(id, "svg", svgFileText(this.plot!.svg, title)),
         ),
         button("CSV", `Download "${title}" as CSV`, () =>
           downloadFigure(
@@ -48,6 +57,11 @@ class FigurePanel {
       this.place,
       ...(note ? [element("p", { class: "note" }, note)] : []),
     );
+  }
+
+  // Whether it can be seen.
+  get isOpen(): boolean {
+    return this.root.closest("details")?.open ?? true;
   }
 
   draw(abscissa: Abscissa): void {
@@ -70,31 +84,69 @@ class FigurePanel {
   }
 }
 
-function muscleToggles(
+const fewMuscles = 8;
+
+// All muscles, one, or some.
+function muscleChoice(
   runs: Run[],
-  colors: Map<string, string>,
+  colors: MeshColors,
   off: Set<string>,
   onChange: () => void,
-): HTMLElement {
-  const names = new Set(runs.flatMap((run) => run.muscles.map((m) => m.name)));
-  return element(
-    "div",
-    { class: "chips", role: "group", "aria-label": "Muscles in the plots" },
-    ...[...names].map((name) => {
-      const box = element("input", {
-        type: "checkbox",
-        checked: true,
-        onchange: () => {
-          if (box.checked) off.delete(name);
-          else off.add(name);
-          onChange();
-        },
-      });
-      const swatch = element("i", { class: "swatch" });
-      swatch.style.background = colors.get(name)!;
-      return element("label", {}, box, swatch, readable(name));
-    }),
+): HTMLElement[] {
+  const names = [
+    ...new Set(runs.flatMap((run) => run.muscles.map(({ name }) => name))),
+  ];
+  const boxes = new Map<string, HTMLInputElement>();
+  const show = () => {
+    for (const [name, box] of boxes) box.checked = !off.has(name);
+    onChange();
+  };
+  const chips = names.map((name) => {
+    const box = element("input", {
+      type: "checkbox",
+      checked: true,
+      onchange: () => {
+        if (box.checked) off.delete(name);
+        else off.add(name);
+        one.value = off.size === 0 ? "" : "some";
+        onChange();
+      },
+    });
+    boxes.set(name, box);
+    const swatch = element("i", { class: "swatch" });
+    swatch.style.background = colors.get(name)!;
+    return element("label", {}, box, swatch, readable(name));
+  });
+  const one = select(
+    "Muscles in the plots",
+    [
+      ["", "all"],
+      ["some", "as chosen"],
+      ...names.map((name) => [name, readable(name)] as [string, string]),
+    ],
+    (chosen) => {
+      if (chosen === "some") return;
+      off.clear();
+      for (const name of names) {
+        if (chosen !== "" && name !== chosen) off.add(name);
+      }
+      show();
+    },
   );
+  one.id = "plotted-muscle";
+  return [
+    labelled("Muscles", one),
+    element(
+      "details",
+      { open: names.length <= fewMuscles },
+      element("summary", {}, "choose"),
+      element(
+        "div",
+        { class: "chips", role: "group", "aria-label": "Muscles in the plots" },
+        ...chips,
+      ),
+    ),
+  ];
 }
 
 // What the curves that belong to no muscle, and dashes, mean.
@@ -119,10 +171,33 @@ function legend(figures: Figure[], runs: Run[]): HTMLElement {
   );
 }
 
+// Figures of the solver are for those who look for them.
+function figureGroup(
+  group: FigureGroup,
+  panels: FigurePanel[],
+  onOpen: () => void,
+): HTMLElement {
+  const grid = element(
+    "div",
+    { class: "figures" },
+    ...panels.map((panel) => panel.root),
+  );
+  const title = element("h3", {}, group);
+  const isFolded = group === "Solver";
+  const made = element(
+    "details",
+    { class: "figure-group", open: !isFolded, hidden: panels.length === 0 },
+    element("summary", {}, title),
+    grid,
+  );
+  made.addEventListener("toggle", onOpen);
+  return made;
+}
+
 export function figuresSection(
   runs: Run[],
   timeline: Moment[],
-  colors: Map<string, string>,
+  colors: MeshColors,
   store: Store,
   player: Player,
 ): HTMLElement {
@@ -152,9 +227,23 @@ export function figuresSection(
     const x = run < 0 ? NaN : abscissa.value(runs[run].frames[at], at);
     for (const panel of panels) panel.mark(x);
   };
+  // One after the other, so that the page answers meanwhile.
+  let turn = 0;
   const draw = () => {
-    for (const panel of panels) panel.draw(abscissa);
-    mark();
+    const mine = ++turn;
+    delete made.dataset.drawn;
+    const waiting = panels.filter((panel) => panel.isOpen);
+    const next = () => {
+      if (mine !== turn) return;
+      const panel = waiting.shift();
+      if (!panel) {
+        made.dataset.drawn = "";
+        return mark();
+      }
+      panel.draw(abscissa);
+      setTimeout(next);
+    };
+    next();
   };
   const choice = select(
     "Horizontal axis",
@@ -165,30 +254,33 @@ export function figuresSection(
     },
   );
   choice.value = abscissa.id;
-  const grid = element(
-    "div",
-    { class: "figures" },
-    ...panels.map((panel) => panel.root),
+  const groups = figureGroups.map((group) =>
+    figureGroup(
+      group,
+      panels.filter((_, i) => figures[i].group === group),
+      draw,
+    ),
   );
-  let width = 0;
-  new ResizeObserver(() => {
-    if (grid.clientWidth === width) return;
-    width = grid.clientWidth;
-    draw();
-  }).observe(grid);
-  store.subscribe((_, changed) => {
-    if (changed.has("moment")) mark();
-  });
-  return section(
+  const made = section(
     "Over the motion",
     "over-the-motion",
     element(
       "div",
       { class: "plot-controls" },
       labelled("Horizontal axis", choice),
-      muscleToggles(runs, colors, off, draw),
+      ...muscleChoice(runs, colors, off, draw),
       legend(figures, runs),
     ),
-    grid,
+    ...groups,
   );
+  let width = 0;
+  new ResizeObserver(() => {
+    if (made.clientWidth === width) return;
+    width = made.clientWidth;
+    draw();
+  }).observe(made);
+  store.subscribe((_, changed) => {
+    if (changed.has("moment")) mark();
+  });
+  return made;
 }

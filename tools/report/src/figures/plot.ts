@@ -6,6 +6,7 @@
 import * as Plot from "@observablehq/plot";
 
 import { Run } from "../data/run";
+import { MeshColors } from "../mesh_colors";
 import { readable } from "../palette";
 import { Abscissa, Figure, Series } from "./series";
 
@@ -23,7 +24,7 @@ interface Point {
 export interface PlotOptions {
   runs: Run[];
   abscissa: Abscissa;
-  colors: Map<string, string>;
+  colors: MeshColors;
   isShown: (series: Series) => boolean;
   width: number;
 }
@@ -34,7 +35,7 @@ const sceneStyles: Record<string, string> = {
   counting: "#e39256",
 };
 
-export function colorOf(series: Series, colors: Map<string, string>): string {
+export function colorOf(series: Series, colors: MeshColors): string {
   return series.color ?? colors.get(series.muscle) ?? sceneStyles[series.name];
 }
 

@@ -17,12 +17,24 @@ export interface Series {
 }
 
 export interface Figure {
+  group: FigureGroup;
   id: string;
   title: string;
   label: string; // of the y axis, with the unit
   note?: string;
+  // The coordinate over which measured moment arms may be laid.
+  measured?: string;
   series: Series[];
 }
+
+// In the order in which they are shown.
+export const figureGroups = [
+  "Moment arms and lengths",
+  "Stretch and volume",
+  "Contact",
+  "Solver",
+] as const;
+export type FigureGroup = (typeof figureGroups)[number];
 
 type Value = (muscle: MuscleFigures, frame: FrameFigures) => number | undefined;
 
@@ -96,7 +108,7 @@ function byStage(runs: Run[]): Series[] {
       ),
     })),
   );
-  return series.filter(({ values }) => values.some(Number.isFinite));
+  return series.filter(hasValues);
 }
 
 function movingCoordinates(runs: Run[]): { name: string; unit: string }[] {
@@ -109,36 +121,45 @@ function movingCoordinates(runs: Run[]): { name: string; unit: string }[] {
   return [...found.values()];
 }
 
-function momentArms(runs: Run[]): Figure[] {
-  return movingCoordinates(runs).map(({ name, unit }) => ({
-    id: `moment-arms-${name}`,
-    title: `Moment arms, ${name}`,
-    label: unit === "m" ? "mm / m" : "mm",
-    note: "−dl/dq of the straight paths through the path points",
-    series: byLine(
-      runs,
-      (line, _, frame) => frame.path_moment_arms_mm[line]?.[name],
-    ).filter(({ values }) => values.some(Number.isFinite)),
+const arms: FigureGroup = "Moment arms and lengths";
+
+const hasValues = ({ values }: Series) => values.some(Number.isFinite);
+
+// As the lines are carried: by the program where it has them, else from the
+// lengths over the frames.
+function carriedMomentArms(runs: Run[]): Figure[] {
+  return movingCoordinates(runs).map((coordinate) => ({
+    group: arms,
+    id: `carried-moment-arms-${coordinate.name}`,
+    title: `Moment arms, ${coordinate.name}`,
+    label: coordinate.unit === "m" ? "mm / m" : "mm",
+    note: "−dl/dq of the lines as the muscles carry them",
+    measured: coordinate.name,
+    series: byLine(runs, (line, muscle, _, { run, at }) => {
+      const { carriedMomentArms: differences } = run;
+      return (
+        muscle.line_moment_arms_mm?.[line]?.[coordinate.name] ??
+        (differences?.coordinate === coordinate.name
+          ? differences.muscles[muscle.name]?.[line]?.[at]
+          : undefined)
+      );
+    }).filter(hasValues),
   }));
 }
 
-function carriedMomentArms(runs: Run[]): Figure[] {
-  const coordinate = runs.find((run) => run.carriedMomentArms)
-    ?.carriedMomentArms?.coordinate;
-  if (!coordinate) return [];
-  return [
-    {
-      id: `carried-moment-arms-${coordinate}`,
-      title: `Moment arms as carried, ${coordinate}`,
-      label: "mm",
-      note: "−dl/dq of the lines as the muscles carry them, over the frames",
-      series: byLine(
-        runs,
-        (line, muscle, _, { run, at }) =>
-          run.carriedMomentArms?.muscles[muscle.name]?.[line]?.[at],
-      ),
-    },
-  ];
+function pathMomentArms(runs: Run[]): Figure[] {
+  return movingCoordinates(runs).map((coordinate) => ({
+    group: arms,
+    id: `moment-arms-${coordinate.name}`,
+    title: `Moment arms of straight paths, ${coordinate.name}`,
+    label: coordinate.unit === "m" ? "mm / m" : "mm",
+    note: "−dl/dq of the straight paths through the path points",
+    measured: coordinate.name,
+    series: byLine(
+      runs,
+      (line, _, frame) => frame.path_moment_arms_mm[line]?.[coordinate.name],
+    ).filter(hasValues),
+  }));
 }
 
 // A curve for each attachment area of each muscle.
@@ -159,24 +180,12 @@ function byAttachment(runs: Run[]): Series[] {
 
 // What poses do to the shapes of muscles.
 function shapeFigures(runs: Run[]): Figure[] {
+  const group = "Stretch and volume";
   const shape = (value: (muscle: MuscleFigures) => number) =>
-    byMuscle(runs, value).filter(({ values }) => values.some(Number.isFinite));
+    byMuscle(runs, value).filter(hasValues);
   return [
     {
-      id: "drift",
-      title: "Drift of attachments",
-      label: "mm",
-      note: "largest distance of an attachment area from where its body has it; beyond 2 mm it is warned of",
-      series: byAttachment(runs),
-    },
-    {
-      id: "stretch",
-      title: "Largest stretch",
-      label: "ratio of lengths",
-      note: "of a length on the surface to that at rest; beyond 1.6 it is warned of",
-      series: shape((muscle) => muscle.shape.max_stretch),
-    },
-    {
+      group,
       id: "stretch-999",
       title: "Stretch of all but a thousandth",
       label: "ratio of lengths",
@@ -184,6 +193,15 @@ function shapeFigures(runs: Run[]): Figure[] {
       series: shape((muscle) => muscle.shape.triangle_stretch.quantile_999),
     },
     {
+      group,
+      id: "stretch",
+      title: "Largest stretch",
+      label: "ratio of lengths",
+      note: "of a length on the surface to that at rest; beyond 1.6 it is warned of",
+      series: shape((muscle) => muscle.shape.max_stretch),
+    },
+    {
+      group,
       id: "stretch-patch",
       title: "Largest patch stretched beyond 2",
       label: "mm²",
@@ -193,25 +211,21 @@ function shapeFigures(runs: Run[]): Figure[] {
       ),
     },
     {
-      id: "change",
-      title: "Change from frame to frame",
-      label: "mm",
-      note: "largest distance of a vertex from its place in the frame before; in the first frame of a motion from rest",
-      series: shape((muscle) => muscle.shape.max_change_mm),
-    },
-  ];
-}
-
-export function figuresOf(runs: Run[]): Figure[] {
-  const figures: Figure[] = [
-    {
+      group,
       id: "volume-ratio",
       title: "Volume error",
       label: "volume error",
       note: "of the fine mesh against its volume at rest; 0 is kept to the last digit",
       series: byMuscle(runs, (muscle) => muscle.volume_error),
     },
+  ];
+}
+
+function contactFigures(runs: Run[]): Figure[] {
+  const group = "Contact";
+  return [
     {
+      group,
       id: "crossing-pairs",
       title: "Crossing pairs",
       label: "triangle pairs",
@@ -226,6 +240,7 @@ export function figuresOf(runs: Run[]): Figure[] {
       ],
     },
     {
+      group,
       id: "gap",
       title: "Smallest gap",
       label: "mm",
@@ -233,16 +248,31 @@ export function figuresOf(runs: Run[]): Figure[] {
       series: byMuscle(runs, (muscle) => muscle.min_gap_mm),
     },
     {
-      id: "line-lengths",
-      title: "Line lengths",
+      group,
+      id: "drift",
+      title: "Drift of attachments",
       label: "mm",
-      note: "of the action lines as the muscles carry them",
-      series: byLine(runs, (line, muscle) => muscle.line_lengths_mm[line]),
+      note: "largest distance of an attachment area from where its body has it; beyond 2 mm it is warned of",
+      series: byAttachment(runs),
     },
-    ...momentArms(runs),
-    ...carriedMomentArms(runs),
-    ...shapeFigures(runs),
+  ];
+}
+
+function solverFigures(runs: Run[]): Figure[] {
+  const group = "Solver";
+  return [
     {
+      group,
+      id: "change",
+      title: "Change from frame to frame",
+      label: "mm",
+      note: "largest distance of a vertex from its place in the frame before; in the first frame of a motion from rest",
+      series: byMuscle(runs, (muscle) => muscle.shape.max_change_mm).filter(
+        hasValues,
+      ),
+    },
+    {
+      group,
       id: "time",
       title: "Time per frame",
       label: "ms",
@@ -253,12 +283,32 @@ export function figuresOf(runs: Run[]): Figure[] {
       ],
     },
     {
+      group,
       id: "stages",
       title: "Time by stage",
       label: "ms",
       note: "where the time of a frame goes; the stages add up",
       series: byStage(runs),
     },
+  ];
+}
+
+// In the order of their groups.
+export function figuresOf(runs: Run[]): Figure[] {
+  const figures: Figure[] = [
+    ...carriedMomentArms(runs),
+    ...pathMomentArms(runs),
+    {
+      group: arms,
+      id: "line-lengths",
+      title: "Line lengths",
+      label: "mm",
+      note: "of the action lines as the muscles carry them",
+      series: byLine(runs, (line, muscle) => muscle.line_lengths_mm[line]),
+    },
+    ...shapeFigures(runs),
+    ...contactFigures(runs),
+    ...solverFigures(runs),
   ];
   return figures.filter(({ series }) => series.length > 0);
 }

@@ -20,6 +20,7 @@ import { Store } from "../state";
 import { BoneMesh, boneMesh } from "../viewer/bone_surface";
 import { LinkedCamera } from "../viewer/camera";
 import { DrawnCanvas } from "../viewer/drawn_canvas";
+import { cornersOf } from "../viewer/fit";
 import { showMesh } from "../viewer/mesh_look";
 import { childColor, parentColor } from "./colors";
 import { JointBone, JointsData, isFound } from "./data";
@@ -88,16 +89,16 @@ export class JointsViewer extends DrawnCanvas {
 
   // Shows everything.
   reset(fly = true): void {
-    this.camera.showFrom(firstView, this.everything(), fly);
+    this.camera.showFrom(firstView, cornersOf(this.everything()), fly);
   }
 
   // Shows what is selected, or everything.
   view(name: string): void {
-    this.camera.showFrom(name, this.focus(), true);
+    this.camera.showFrom(name, cornersOf(this.focus()), true);
   }
 
   // The bone under a point of the canvas (CSS pixels), if any.
-  pick(x: number, y: number): { name: string; text: string } | null {
+  pick(x: number, y: number): string | null {
     const { width, height } = this.canvas.getBoundingClientRect();
     const caster = new Raycaster();
     caster.setFromCamera(
@@ -109,7 +110,7 @@ export class JointsViewer extends DrawnCanvas {
       meshes.filter((mesh) => mesh.visible),
       false,
     );
-    return hit ? { name: hit.object.name, text: "" } : null;
+    return hit ? hit.object.name : null;
   }
 
   protected isPlaying(): boolean {

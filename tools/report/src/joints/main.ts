@@ -6,15 +6,16 @@
 
 import { button, element, icon, section } from "../dom";
 import { key, listenToKeys, viewKeys } from "../keyboard";
-import { boneColor } from "../palette";
+import { boneColor, readable } from "../palette";
 import {
   boneNotes,
   meshGroup,
   opaqueButton,
   simplificationOf,
 } from "../panels/meshes";
+import { pickedLabel } from "../panels/pointer";
 import { viewButtons } from "../panels/views";
-import { noView, sayWhatIsClicked, startPage } from "../start";
+import { listenToClicks, noView, startPage } from "../start";
 import { Store } from "../state";
 import { toggleTheme } from "../theme";
 import { childColor, parentColor, shapeColor } from "./colors";
@@ -23,6 +24,7 @@ import { jointList, qualityOf } from "./joint_list";
 import { JointsViewer } from "./joints_viewer";
 import { JointsState, initialJointsState, rangeOf, scanValues } from "./state";
 import { withFollowers } from "./kinematics";
+import { Overlay } from "../viewer/overlay";
 
 type JointsStore = Store<JointsState>;
 
@@ -145,7 +147,7 @@ function build(data: JointsData): void {
   const { file } = data;
   const store: JointsStore = new Store(initialJointsState(file));
   const { root, canvas } = stage();
-  const picked = element("output", { class: "picked", "aria-live": "polite" });
+  const picked = pickedLabel();
   root.append(picked);
   // The viewer measures its canvas, which must be in the page by then.
   let viewer: JointsViewer | null = null;
@@ -200,7 +202,12 @@ function build(data: JointsData): void {
     ]),
   );
   const shown = viewer;
-  sayWhatIsClicked(canvas, (x, y) => shown.pick(x, y), picked);
+  listenToClicks(canvas, (x, y) => {
+    picked.textContent = readable(shown.pick(x, y) ?? "");
+  });
+  const overlay = new Overlay(data.views, viewer.camera);
+  root.append(overlay.root);
+  viewer.onDrawn(() => overlay.draw(canvas.clientHeight, null));
 }
 
 startPage(readJointsData, build, "musclewarp-articulate --html");

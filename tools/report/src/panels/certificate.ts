@@ -63,6 +63,7 @@ export function certificateStrip(
       onclick: () => player.goTo(at),
     });
   });
+  marks[0].append("rest");
   store.subscribe((state, changed) => {
     if (!changed.has("moment")) return;
     marks.forEach((mark, at) =>
@@ -80,7 +81,11 @@ export function certificateStrip(
   );
 }
 
-export function certificateLegend(): HTMLElement {
+// What the marks mean, and what runs were not tested for.
+export function certificateLegend(runs: Run[]): HTMLElement {
+  const untested = runs.filter(({ report }) => report.contact === "none");
+  const which =
+    untested.length < runs.length ? " of the runs without contact" : "";
   return element(
     "p",
     { class: "strip-legend" },
@@ -92,5 +97,15 @@ export function certificateLegend(): HTMLElement {
         verdictTexts[verdict],
       ),
     ),
+    ...(untested.length > 0
+      ? [
+          element(
+            "span",
+            {},
+            `Frames${which} are not tested for crossings (contact none): ` +
+              "they are counted, and no frame is refused for them.",
+          ),
+        ]
+      : []),
   );
 }

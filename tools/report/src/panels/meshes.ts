@@ -6,6 +6,7 @@
 import { BoneShape } from "../data/page_parts";
 import { Run } from "../data/run";
 import { button, element, section } from "../dom";
+import { MeshColors } from "../mesh_colors";
 import { readable } from "../palette";
 import { MeshLookStore, Store } from "../state";
 
@@ -14,6 +15,7 @@ function meshRow(
   color: string,
   note: string,
   store: MeshLookStore,
+  more: Node[] = [],
 ): HTMLElement {
   const box = element("input", {
     type: "checkbox",
@@ -45,7 +47,129 @@ function meshRow(
     "li",
     { "data-mesh": name, title: note },
     element("label", {}, box, swatch, element("span", {}, readable(name))),
+    ...more,
     fade,
+  );
+}
+
+function setHidden(names: string[], isHidden: boolean, store: MeshLookStore) {
+  const all = Object.fromEntries(names.map((name) => [name, isHidden]));
+  store.set({ hidden: { ...store.state.hidden, ...all } });
+}
+
+function onOff(title: string, names: string[], store: MeshLookStore): Node[] {
+  return [
+    button("all", `Show all ${title.toLowerCase()}`, () =>
+      setHidden(names, false, store),
+    ),
+    button("none", `Hide all ${title.toLowerCase()}`, () =>
+      setHidden(names, true, store),
+    ),
+  ];
+}
+
+// One row for all bones, which unfolds to a row for each.
+function boneRow(
+  notes: Map<string, string>,
+  colorOf: (name: string) => string,
+  store: MeshLookStore,
+): HTMLElement {
+  const names = [...notes.keys()];
+  const box = element("input", {
+    type: "checkbox",
+    "aria-label": "All bones",
+    onchange: () => setHidden(names, !box.checked, store),
+  });
+  const fade = element("input", {
+    type: "range",
+    class: "fade",
+    min: 0.1,
+    max: 1,
+    step: 0.05,
+    "aria-label": "Opacity of all bones",
+    title: "Opacity",
+    oninput: () => {
+      const all = names.map((name) => [name, Number(fade.value)] as const);
+      store.set({
+        opacity: { ...store.state.opacity, ...Object.fromEntries(all) },
+      });
+    },
+  });
+  store.subscribe((state) => {
+    const shown = names.filter((name) => !state.hidden[name]).length;
+    box.checked = shown > 0;
+    box.indeterminate = shown > 0 && shown < names.length;
+    const opacities = names.map((name) => state.opacity[name] ?? 1);
+    fade.value = String(Math.max(...opacities));
+  });
+  return element(
+    "div",
+    { class: "group bones" },
+    element(
+      "details",
+      {},
+      element("summary", {}, `Bones (${names.length})`),
+      element(
+        "ul",
+        { class: "meshes" },
+        ...[...notes].map(([name, note]) =>
+          meshRow(name, colorOf(name), note, store),
+        ),
+      ),
+    ),
+    element("div", { class: "of-all" }, box, fade),
+  );
+}
+
+const fewMuscles = 6;
+
+// With a search where there are many, and for each a button that hides the
+// others and shows it large.
+function muscleGroup(
+  names: string[],
+  colorOf: (name: string) => string,
+  store: MeshLookStore,
+  showLarge: () => void,
+): HTMLElement {
+  const only = (name: string) => {
+    const others = names.map((other) => [other, other !== name] as const);
+    store.set({
+      hidden: { ...store.state.hidden, ...Object.fromEntries(others) },
+    });
+    showLarge();
+  };
+  const rows = names.map((name) =>
+    meshRow(name, colorOf(name), "", store, [
+      button("only", `Show only ${readable(name)} of the muscles`, () =>
+        only(name),
+      ),
+    ]),
+  );
+  const nothing = element(
+    "p",
+    { class: "note", hidden: true },
+    "No such muscle",
+  );
+  const search = element("input", {
+    type: "search",
+    placeholder: "Find a muscle",
+    "aria-label": "Find a muscle",
+    oninput: () => {
+      const words = readable(search.value).toLowerCase().split(/\s+/);
+      names.forEach((name, i) => {
+        const text = readable(name).toLowerCase();
+        rows[i].hidden = !words.every((word) => text.includes(word));
+      });
+      nothing.hidden = rows.some((row) => !row.hidden);
+    },
+  });
+  return element(
+    "div",
+    { class: "group" },
+    element("h3", {}, "Muscles", " ", ...onOff("muscles", names, store)),
+    ...(names.length > fewMuscles ? [search] : []),
+    element("ul", { class: "meshes" }, ...rows),
+    nothing,
   );
 }
 
@@ -56,25 +180,10 @@ export function meshGroup(
   colorOf: (name: string) => string,
   store: MeshLookStore,
 ): HTMLElement {
-  const names = [...notes.keys()];
-  const setAll = (isHidden: boolean) =>
-    store.set({
-      hidden: {
-        ...store.state.hidden,
-        ...Object.fromEntries(names.map((name) => [name, isHidden])),
-      },
-    });
   return element(
     "div",
     { class: "group" },
-    element(
-      "h3",
-      {},
-      title,
-      " ",
-      button("all", `Show all ${title.toLowerCase()}`, () => setAll(false)),
-      button("none", `Hide all ${title.toLowerCase()}`, () => setAll(true)),
-    ),
+    element("h3", {}, title, " ", ...onOff(title, [...notes.keys()], store)),
     element(
       "ul",
       { class: "meshes" },
@@ -119,8 +228,9 @@ export function simplificationOf(bones: BoneShape[]): string {
 
 export function meshesPanel(
   runs: Run[],
-  colors: Map<string, string>,
+  colors: MeshColors,
   store: Store,
+  showLarge: () => void,
 ): HTMLElement {
   const muscles = runs.flatMap((run) => run.muscles);
   const bones = runs.flatMap((run) => run.bones);
@@ -129,13 +239,13 @@ export function meshesPanel(
   return section(
     "Meshes",
     "meshes",
-    meshGroup(
-      "Muscles",
-      new Map(muscles.map(({ name }) => [name, ""])),
+    muscleGroup(
+      [...new Set(muscles.map(({ name }) => name))],
       colorOf,
       store,
+      showLarge,
     ),
-    meshGroup("Bones", boneNotes(bones), colorOf, store),
+    boneRow(boneNotes(bones), colorOf, store),
     opaqueButton(store),
     element(
       "p",

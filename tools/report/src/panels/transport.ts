@@ -10,25 +10,12 @@ import { Player } from "../player";
 import { Store } from "../state";
 import { certificateLegend, certificateStrip } from "./certificate";
 
-// "frame 3 of 36 · t=0.03 · hip_flexion_r -4 degrees"
-export function momentText(
-  runs: Run[],
-  timeline: Moment[],
-  at: number,
-): string {
+// "hip_flexion_r -4 degrees · frame 3 of 36 · t=0.03"
+export function momentText(timeline: Moment[], at: number): string {
   const { frame, name } = timeline[at];
   if (!frame) return "rest, as the meshes came";
-  const coordinates = runs
-    .flatMap((run) => run.report.motion?.coordinates ?? [])
-    .filter(({ moves }) => moves);
-  const named = new Map(coordinates.map((each) => [each.name, each.unit]));
-  const values = [...named]
-    .filter(([coordinate]) => coordinate in frame.coordinates)
-    .map(
-      ([coordinate, unit]) =>
-        `${coordinate} ${frame.coordinates[coordinate].toFixed(2)} ${unit}`,
-    );
-  return [`frame ${at} of ${timeline.length - 1}`, name, ...values].join(" · ");
+  const parts = [name, `frame ${at} of ${timeline.length - 1}`];
+  return [...parts, ...(frame.name === name ? [] : [frame.name])].join(" · ");
 }
 
 export function transport(
@@ -66,7 +53,7 @@ export function transport(
     }
     slider.value = String(state.moment);
     speed.value = String(state.framesPerSecond);
-    text.textContent = momentText(runs, timeline, state.moment);
+    text.textContent = momentText(timeline, state.moment);
     slider.setAttribute("aria-valuetext", text.textContent);
   });
   play.disabled = timeline.length < 3;
@@ -95,6 +82,6 @@ export function transport(
     ),
     slider,
     ...runs.map((run, i) => certificateStrip(run, i, timeline, store, player)),
-    certificateLegend(),
+    certificateLegend(runs),
   );
 }

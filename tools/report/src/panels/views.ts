@@ -3,7 +3,7 @@
 
 import { button, element } from "../dom";
 
-interface Viewed {
+export interface Viewed {
   view(name: string): void;
   reset(): void;
 }

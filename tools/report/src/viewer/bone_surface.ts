@@ -13,6 +13,7 @@ import {
 
 import { BoneShape } from "../data/page_parts";
 import { Bone } from "../data/run";
+import { poseMatrix } from "./extent";
 
 export type BoneMesh = Mesh<BufferGeometry, MeshLambertMaterial>;
 
@@ -46,8 +47,7 @@ export class BoneSurface {
   }
 
   setPose(pose: number): void {
-    const rows = [...this.bone.poses[pose], 0, 0, 0, 1];
-    this.mesh.matrix.fromArray(rows).transpose(); // three.js has columns
+    this.mesh.matrix.copy(poseMatrix(this.bone, pose));
     this.mesh.updateMatrixWorld(true);
   }
 }

@@ -7,19 +7,15 @@ import { Box3, PerspectiveCamera, Sphere, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 import { View } from "../data/page_parts";
+import { Place, cornersOf, placeToSee } from "./fit";
 
 const flightMs = 400;
-// Of what is shown, to the edge of the picture.
-const margin = 1.05;
-
-interface Place {
-  position: Vector3;
-  target: Vector3;
-}
 
 export class LinkedCamera {
   readonly camera = new PerspectiveCamera(25);
   private readonly controls: OrbitControls;
+  // What was last asked for, if the visitor has not moved on since.
+  private shown: { points: Float32Array; direction: Vector3 } | null = null;
   private flight: { from: Place; to: Place; start: number } | null = null;
 
   constructor(
@@ -30,28 +26,63 @@ export class LinkedCamera {
     this.camera.up.set(...views.anterior.up);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", requestRender);
-    this.controls.addEventListener("start", () => (this.flight = null));
+    this.controls.addEventListener("start", () => {
+      this.flight = null;
+      this.shown = null;
+    });
   }
 
   setAspect(aspect: number): void {
+    if (aspect === this.camera.aspect) return;
     this.camera.aspect = aspect;
     this.camera.updateProjectionMatrix();
+    const { shown } = this;
+    if (!shown) return;
+    this.show(shown.points, shown.direction, false);
+    this.shown = shown;
   }
 
-  // Shows the box from one of the views.
-  showFrom(view: string, box: Box3, fly: boolean): void {
+  // Shows the points (three coordinates each) from one of the views. They stay
+  // in the picture when its shape changes, until the visitor moves the camera.
+  showFrom(view: string, points: Float32Array, fly: boolean): void {
     const { toward_viewer, up } = this.views[view];
     // Straight along the axis it turns around, the controls would not know
     // which way is up.
     const direction = new Vector3(...toward_viewer)
       .addScaledVector(new Vector3(...up), -1e-3)
       .normalize();
-    this.show(box, direction, fly);
+    this.show(points, direction, fly);
+    this.shown = { points, direction };
   }
 
   // Flies to a place, seen from `direction` or from where the camera is now.
   flyTo(box: Box3, direction?: Vector3): void {
-    this.show(box, direction ?? this.direction(), true);
+    this.show(cornersOf(box), direction ?? this.direction(), true);
+  }
+
+  // Where the camera is, or will be when it has arrived.
+  get place(): Place {
+    return (
+      this.flight?.to ?? {
+        position: this.camera.position,
+        target: this.controls.target,
+      }
+    );
+  }
+
+  moveTo({ position, target }: Place): void {
+    this.flight = null;
+    this.shown = null;
+    this.camera.position.copy(position);
+    this.controls.target.copy(target);
+    this.controls.update();
+    this.requestRender();
+  }
+
+  // The height of a CSS pixel at what the camera looks at, mm.
+  pixelSize(height: number): number {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    return (2 * this.slope * distance) / height;
   }
 
   // To be called before each picture; true while a flight goes on.
@@ -68,12 +99,14 @@ export class LinkedCamera {
   }
 
   turn(horizontal: number, vertical: number): void {
+    this.shown = null;
     this.controls.rotateLeft(horizontal);
     this.controls.rotateUp(vertical);
     this.controls.update();
   }
 
   zoom(factor: number): void {
+    this.shown = null;
     const offset = this.camera.position.clone().sub(this.controls.target);
     this.camera.position
       .copy(this.controls.target)
@@ -85,37 +118,15 @@ export class LinkedCamera {
     return this.camera.position.clone().sub(this.controls.target).normalize();
   }
 
-  // From there all corners of the box are in the picture.
-  private distanceTo(box: Box3, direction: Vector3): number {
-    const center = box.getCenter(new Vector3());
-    const right = new Vector3()
-      .crossVectors(this.camera.up, direction)
-      .normalize();
-    const up = new Vector3().crossVectors(direction, right);
-    const slope = Math.tan((this.camera.fov / 2) * (Math.PI / 180));
-    let distance = 0;
-    for (let i = 0; i < 8; ++i) {
-      const corner = new Vector3(
-        (i & 1 ? box.max : box.min).x,
-        (i & 2 ? box.max : box.min).y,
-        (i & 4 ? box.max : box.min).z,
-      ).sub(center);
-      const aside = Math.max(
-        Math.abs(corner.dot(up)),
-        Math.abs(corner.dot(right)) / this.camera.aspect,
-      );
-      distance = Math.max(distance, aside / slope + corner.dot(direction));
-    }
-    return distance;
+  // The tangent of half the angle that the height of the picture takes.
+  private get slope(): number {
+    return Math.tan((this.camera.fov / 2) * (Math.PI / 180));
   }
 
-  private show(box: Box3, direction: Vector3, fly: boolean): void {
-    const center = box.getCenter(new Vector3());
-    const distance = margin * this.distanceTo(box, direction);
-    const to = {
-      position: center.clone().addScaledVector(direction, distance),
-      target: center,
-    };
+  private show(points: Float32Array, direction: Vector3, fly: boolean): void {
+    this.shown = null;
+    const { up, aspect } = this.camera;
+    const to = placeToSee(points, direction, up, this.slope, aspect);
     const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     if (fly && !calm) {
       const from = {
@@ -124,10 +135,7 @@ export class LinkedCamera {
       };
       this.flight = { from, to, start: performance.now() };
     } else {
-      this.flight = null;
-      this.camera.position.copy(to.position);
-      this.controls.target.copy(to.target);
-      this.controls.update();
+      this.moveTo(to);
     }
     this.requestRender();
   }

@@ -134,27 +134,34 @@ const threeDigits = (value: number) => String(Number(value.toPrecision(3)));
 const millimetres = (value: number, limit: number) =>
   value.toFixed(Math.max(2, 2 - Math.floor(Math.log10(limit))));
 
-const gapScale = (limit: number): VertexScale => ({
-  title: "gap to the nearest mesh",
-  unit: "mm",
-  values: (muscle, pose) => muscle.gapsAt(pose),
-  // A tenth of the scale is for what is inside another mesh.
-  place: (value) => (value < 0 ? 0 : 0.1 + (0.9 * value) / limit),
-  color: (place) =>
-    place < 0.1 ? insideColor : interpolateCividis((place - 0.1) / 0.9),
-  ticks: [
-    [0.05, "inside"],
-    [0.1 + 0.9 / 5, threeDigits(limit / 5)],
-    [0.55, threeDigits(limit / 2)],
-    [1, threeDigits(limit)],
-  ],
-  say: (value) =>
-    value < 0
-      ? `${millimetres(-value, limit)} mm inside another mesh`
-      : value >= limit
-        ? `${threeDigits(limit)} mm or more to the next mesh`
-        : `${millimetres(value, limit)} mm to the next mesh`,
-});
+// Colours end where gaps no longer matter: at 2 mm in a human, in whom they are
+// looked for up to 5.
+const endOfGapColors = 0.4;
+
+function gapScale(limit: number): VertexScale {
+  const end = endOfGapColors * limit;
+  return {
+    title: `gap to the nearest mesh, looked for up to ${threeDigits(limit)} mm`,
+    unit: "mm",
+    values: (muscle, pose) => muscle.gapsAt(pose),
+    // A tenth of the scale is for what is inside another mesh.
+    place: (value) => (value < 0 ? 0 : 0.1 + (0.9 * value) / end),
+    color: (place) =>
+      place < 0.1 ? insideColor : interpolateCividis((place - 0.1) / 0.9),
+    ticks: [
+      [0.05, "inside"],
+      [0.1 + 0.9 / 4, threeDigits(end / 4)],
+      [0.55, threeDigits(end / 2)],
+      [1, `${threeDigits(end)} or more`],
+    ],
+    say: (value) =>
+      value < 0
+        ? `${millimetres(-value, limit)} mm inside another mesh`
+        : value >= limit
+          ? `${threeDigits(limit)} mm or more to the next mesh`
+          : `${millimetres(value, limit)} mm to the next mesh`,
+  };
+}
 
 function contactScale({ contactGap, gapLimit }: Run): VertexScale {
   const color = (place: number) =>

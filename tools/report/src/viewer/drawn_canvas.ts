@@ -19,6 +19,7 @@ export abstract class DrawnCanvas {
   abstract readonly camera: LinkedCamera;
   protected readonly renderer: WebGLRenderer;
   private readonly lights: DirectionalLight[] = [];
+  private readonly listeners: (() => void)[] = [];
   private isPending = false;
   private isStale = true; // the scenes, not only the view
   private readonly resolution = new Resolution(() => this.request());
@@ -42,6 +43,24 @@ export abstract class DrawnCanvas {
   // The same where more than the view has changed.
   refresh(): void {
     this.isStale = true;
+    this.request();
+  }
+
+  // Calls the listener after each picture, from now on.
+  onDrawn(listener: () => void): void {
+    this.listeners.push(listener);
+    this.request();
+  }
+
+  // Draws a picture with so many pixels to a CSS pixel, and hands it over
+  // before the browser takes it away.
+  takePicture(pixelRatio: number, use: (canvas: HTMLCanvasElement) => void) {
+    const before = this.renderer.getPixelRatio();
+    this.renderer.setPixelRatio(pixelRatio);
+    this.updateScenes();
+    this.drawScenes(this.renderer.getSize(new Vector2()));
+    use(this.canvas);
+    this.renderer.setPixelRatio(before);
     this.request();
   }
 
@@ -91,6 +110,7 @@ export abstract class DrawnCanvas {
     const side = new Vector3(-0.4, 0.5, 1).applyQuaternion(quaternion);
     for (const light of this.lights) light.position.copy(side);
     this.drawScenes(this.renderer.getSize(new Vector2()));
+    for (const listener of this.listeners) listener();
     if (isFlying) this.request();
     // For those who take pictures: this one stays.
     const isStill = this.resolution.isFinal && !this.isPending;

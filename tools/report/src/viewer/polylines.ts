@@ -34,11 +34,41 @@ export interface LineLook {
   color: string;
   width: number; // pixels
   // Seen through what is in front, with a light rim to stand out from it.
-  isOnTop: boolean;
+  isOnTop?: boolean;
+  // Otherwise: drawn as if it were nearer to the viewer, mm. It is seen through
+  // as much of the muscle that it is in, and hidden by what is farther in front.
+  lift?: number;
 }
 
 const rimColor = "#ffffff";
 const rimWidth = 1.5;
+
+// Depth is that of a point nearer to the viewer.
+const liftedDepth = `gl_Position = clip;
+  vec4 lifted = projectionMatrix *
+    vec4(0.0, 0.0, (position.y < 0.5 ? start : end).z + lift, 1.0);
+  if (lifted.w > 0.0)
+    gl_Position.z = max(lifted.z / lifted.w, -1.0) * clip.w;`;
+
+function lineMaterial(
+  look: LineLook,
+  linewidth: number,
+  clippingPlanes: Plane[],
+): LineMaterial {
+  const { color, lift = 0, isOnTop = false } = look;
+  const material = new LineMaterial({
+    color,
+    linewidth,
+    transparent: isOnTop,
+    depthTest: !isOnTop,
+    clippingPlanes,
+  });
+  material.uniforms.lift = { value: lift };
+  material.vertexShader =
+    "uniform float lift;\n" +
+    material.vertexShader.replace("gl_Position = clip;", liftedDepth);
+  return material;
+}
 
 export class PolylineObject {
   readonly object = new Group();
@@ -49,23 +79,20 @@ export class PolylineObject {
     look: LineLook,
     clippingPlanes: Plane[],
   ) {
-    const add = (color: string, linewidth: number, renderOrder: number) => {
+    const add = (look: LineLook, width: number, renderOrder: number) => {
       const line = new LineSegments2(
         this.geometry,
-        new LineMaterial({
-          color,
-          linewidth,
-          transparent: look.isOnTop,
-          depthTest: !look.isOnTop,
-          clippingPlanes,
-        }),
+        lineMaterial(look, width, clippingPlanes),
       );
       line.frustumCulled = false;
       line.renderOrder = renderOrder;
       this.object.add(line);
     };
-    if (look.isOnTop) add(rimColor, look.width + 2 * rimWidth, lineOrder);
-    add(look.color, look.width, look.isOnTop ? lineOrder + 1 : 0);
+    const { isOnTop, width } = look;
+    if (isOnTop) {
+      add({ ...look, color: rimColor }, width + 2 * rimWidth, lineOrder);
+    }
+    add(look, width, isOnTop ? lineOrder + 1 : 0);
   }
 
   get isEmpty(): boolean {

@@ -4,28 +4,54 @@
 // Everything of one run that is drawn.
 
 import {
-  Box3,
   Color,
   DirectionalLight,
   Group,
   HemisphereLight,
+  Mesh,
   Plane,
   Scene,
   Sphere,
   WebGLRenderer,
 } from "three";
 
-import { Run } from "../data/run";
+import { Muscle, Run } from "../data/run";
+import { MeshColors } from "../mesh_colors";
 import { State } from "../state";
 import { BoneSurface } from "./bone_surface";
 import { VertexScale } from "./coloring";
 import { showMesh } from "./mesh_look";
 import { MuscleSurface } from "./muscle_surface";
 import { PolylineObject } from "./polylines";
+import { Outline, outlineOf } from "./outline";
 import { Section } from "./section";
 
 // Muscles are seen through while their fibres are shown.
 const opacityAroundFibres = 0.35;
+// Of a muscle's colour, to stand out from its surface.
+const lineShade = 0.4;
+// Of the surface; the rest may be far from the lines, as attachments are.
+const surfaceShare = 0.95;
+
+// How far the surface of a muscle is from its lines at rest, mm.
+function thicknessAround({ lines, vertices, pointsAt }: Muscle): number {
+  const along = lines.at(0);
+  const points = pointsAt(0);
+  const distances = Float32Array.from({ length: vertices }, (_, v) => {
+    let nearest = Infinity;
+    for (let p = 0; p < along.length; p += 3) {
+      const distance = Math.hypot(
+        along[p] - points[3 * v],
+        along[p + 1] - points[3 * v + 1],
+        along[p + 2] - points[3 * v + 2],
+      );
+      nearest = Math.min(nearest, distance);
+    }
+    return nearest;
+  }).sort();
+  const thickness = distances[Math.floor(surfaceShare * (vertices - 1))];
+  return Number.isFinite(thickness) ? thickness : 0;
+}
 
 export class RunScene {
   readonly scene = new Scene();
@@ -41,9 +67,9 @@ export class RunScene {
   // changed in place.
   constructor(
     readonly run: Run,
-    colors: Map<string, string>,
+    colors: MeshColors,
     private readonly planes: Plane[],
-    plane: Plane,
+    private readonly plane: Plane,
     renderer: WebGLRenderer,
   ) {
     const colorOf = (name: string) => colors.get(name)!;
@@ -57,7 +83,13 @@ export class RunScene {
       (muscle) =>
         new PolylineObject(
           muscle.lines,
-          { color: "#202020", width: 2, isOnTop: true },
+          {
+            color: new Color(colorOf(muscle.name))
+              .multiplyScalar(lineShade)
+              .getStyle(),
+            width: 1.5,
+            lift: thicknessAround(muscle),
+          },
           planes,
         ),
     );
@@ -70,7 +102,6 @@ export class RunScene {
               .lerp(new Color("#ffffff"), 0.3)
               .getStyle(),
             width: 1.2,
-            isOnTop: false,
           },
           planes,
         ),
@@ -137,16 +168,22 @@ export class RunScene {
     this.section.update(this.planes.length > 0, bounds);
   }
 
-  // Of muscles and bones in a pose.
-  box(pose: number): Box3 {
-    const box = new Box3();
-    for (const { muscle } of this.muscles) {
-      box.union(new Box3().setFromArray(muscle.pointsAt(pose)));
-    }
-    for (const { bone, mesh } of this.bones) {
-      box.union(new Box3().setFromArray(bone.points).applyMatrix4(mesh.matrix));
-    }
-    return box;
+  get isShown(): boolean {
+    return this.content.visible;
+  }
+
+  shownMeshes(): Mesh[] {
+    return [...this.muscles, ...this.bones]
+      .map(({ mesh }) => mesh)
+      .filter((mesh) => mesh.visible && mesh.parent!.visible);
+  }
+
+  // What the plane cuts of the meshes that are shown, as it is now.
+  outlines(): Outline[] {
+    return [...this.muscles, ...this.bones]
+      .filter(({ mesh }) => mesh.visible && mesh.parent!.visible)
+      .map(({ mesh, color }) => outlineOf(mesh, color, this.plane))
+      .filter(({ segments }) => segments.length > 0);
   }
 
   private crossingTriangles(pose: number): Map<string, Set<number>> {

@@ -25,9 +25,10 @@ import {
   PlaneGeometry,
   ReplaceStencilOp,
   Sphere,
-  Vector3,
   WebGLRenderer,
 } from "three";
+
+import { segmentsInPlane } from "./outline";
 
 // Counts, along each ray behind the plane, how often it leaves a mesh more than
 // it enters it: not zero where the plane is inside the mesh.
@@ -55,34 +56,6 @@ function stencilMeshes(geometry: BufferGeometry, plane: Plane): Mesh[] {
     mesh.frustumCulled = false;
     return mesh;
   });
-}
-
-// Ends of the segments in which a plane cuts the triangles of a mesh.
-export function cutSegments(mesh: Mesh, plane: Plane): Float32Array {
-  const points = mesh.geometry.getAttribute("position");
-  const index = mesh.geometry.getIndex()!.array;
-  const place = new Vector3();
-  const world = new Float32Array(3 * points.count);
-  const heights = new Float32Array(points.count);
-  for (let v = 0; v < points.count; ++v) {
-    place.fromBufferAttribute(points, v).applyMatrix4(mesh.matrixWorld);
-    place.toArray(world, 3 * v);
-    heights[v] = plane.distanceToPoint(place);
-  }
-  const ends: number[] = [];
-  for (let t = 0; t < index.length; t += 3) {
-    for (let k = 0; k < 3; ++k) {
-      const [a, b] = [index[t + k], index[t + ((k + 1) % 3)]];
-      if (heights[a] >= 0 === heights[b] >= 0) continue;
-      const part = heights[a] / (heights[a] - heights[b]);
-      for (let c = 0; c < 3; ++c) {
-        ends.push(
-          world[3 * a + c] + part * (world[3 * b + c] - world[3 * a + c]),
-        );
-      }
-    }
-  }
-  return new Float32Array(ends);
 }
 
 class Cut {
@@ -164,7 +137,7 @@ export class Section {
       cut.cap.lookAt(cut.cap.position.clone().sub(this.plane.normal));
       cut.outline.geometry.setAttribute(
         "position",
-        new BufferAttribute(cutSegments(cut.mesh, this.plane), 3),
+        new BufferAttribute(segmentsInPlane(cut.mesh, this.plane), 3),
       );
     }
   }

@@ -4,15 +4,20 @@
 // The canvas: one pane a run, beside each other, or above each other where it
 // is narrow.
 
-import { Box3, Plane, Raycaster, Sphere, Vector2, Vector3 } from "three";
+import { Plane, Raycaster, Sphere, Vector2, Vector3 } from "three";
 
 import { PageData } from "../data/run";
 import { Moment } from "../data/timeline";
-import { State, Store } from "../state";
+import { MeshColors } from "../mesh_colors";
+import { SectionAxis, State, Store } from "../state";
 import { LinkedCamera } from "./camera";
 import { VertexScale, vertexScale } from "./coloring";
 import { DrawnCanvas } from "./drawn_canvas";
+import { Extent, rangeAlong } from "./extent";
+import { joined } from "./extremes";
+import { Outline } from "./outline";
 import { RunScene } from "./run_scene";
+import { SurfacePlace, nearestCorner, placeOnSurface } from "./surface_place";
 
 interface Pane {
   left: number;
@@ -21,18 +26,13 @@ interface Pane {
   height: number;
 }
 
-export interface Picked {
-  name: string;
-  text: string;
-}
-
 export class Viewer extends DrawnCanvas {
   readonly camera: LinkedCamera;
   readonly scenes: RunScene[];
   private readonly planes: Plane[] = [];
   private readonly plane = new Plane(new Vector3(1, 0, 0), 0);
-  private readonly everything: Sphere; // of everything in all poses
-  private readonly muscleBox: Box3; // the same of the muscles
+  private readonly extent: Extent;
+  private readonly everything: Sphere;
   private state: State;
   private scale: VertexScale | null = null;
 
@@ -40,8 +40,8 @@ export class Viewer extends DrawnCanvas {
     canvas: HTMLCanvasElement,
     private readonly data: PageData,
     private readonly timeline: Moment[],
-    colors: Map<string, string>,
-    store: Store,
+    colors: MeshColors,
+    private readonly store: Store,
   ) {
     super(canvas);
     this.state = store.state;
@@ -52,7 +52,8 @@ export class Viewer extends DrawnCanvas {
         new RunScene(run, colors, this.planes, this.plane, this.renderer),
     );
     for (const scene of this.scenes) scene.addHeadlight(this.headlight());
-    [this.everything, this.muscleBox] = this.measure();
+    this.extent = new Extent(data, timeline);
+    this.everything = this.extent.sphere();
     this.camera = new LinkedCamera(canvas, data.views, () => this.request());
     this.start();
     this.reset(false);
@@ -66,12 +67,34 @@ export class Viewer extends DrawnCanvas {
     this.view("lateral", fly);
   }
 
+  // Shows all that is not hidden, as large as the canvas allows.
   view(name: string, fly = true): void {
-    this.camera.showFrom(name, this.muscleBox, fly);
+    this.camera.showFrom(name, this.kept(), fly);
+  }
+
+  // Turns a section on, in the middle of what is seen, and faces it.
+  startSection(section: SectionAxis): void {
+    if (section === "off") return this.store.set({ section });
+    const [lowest, highest] = this.sectionRange(section);
+    this.store.set({ section, sectionPlace: (lowest + highest) / 2 });
+    this.view(section);
+  }
+
+  // Of what is seen, along the axis that points to the view's viewer, mm.
+  sectionRange(section: Exclude<SectionAxis, "off">): [number, number] {
+    return rangeAlong(this.toward(section), this.extent.seen(this.state));
+  }
+
+  // By run: what the section cuts.
+  outlines(): Outline[][] {
+    this.updateScenes();
+    return this.scenes.map((scene) =>
+      scene.isShown && this.planes.length > 0 ? scene.outlines() : [],
+    );
   }
 
   // What is under a point of the canvas (CSS pixels), if anything.
-  pick(x: number, y: number): Picked | null {
+  pick(x: number, y: number): SurfacePlace | null {
     const panes = this.panes();
     const { width, height } = this.canvas.getBoundingClientRect();
     const at = new Vector2(x / width, 1 - y / height);
@@ -82,8 +105,7 @@ export class Viewer extends DrawnCanvas {
         at.y >= pane.bottom &&
         at.y <= pane.bottom + pane.height,
     );
-    const pose = this.timeline[this.state.moment].poses[i];
-    if (i < 0 || pose === null) return null;
+    if (i < 0 || !this.scenes[i].isShown) return null;
     const pane = panes[i];
     const caster = new Raycaster();
     caster.setFromCamera(
@@ -93,24 +115,34 @@ export class Viewer extends DrawnCanvas {
       ),
       this.camera.camera,
     );
-    const { muscles, bones } = this.scenes[i];
-    const meshes = [...muscles, ...bones].map((surface) => surface.mesh);
     const hit = caster
-      .intersectObjects(
-        meshes.filter((mesh) => mesh.visible && mesh.parent!.visible),
-        false,
-      )
+      .intersectObjects(this.scenes[i].shownMeshes(), false)
       .find(
         ({ point }) =>
           this.planes.length === 0 || this.plane.distanceToPoint(point) >= 0,
       );
-    if (!hit) return null;
-    const muscle = muscles.find((surface) => surface.mesh === hit.object);
-    const text =
-      muscle && this.scale && hit.face
-        ? this.scale.say(this.scale.values(muscle.muscle, pose)[hit.face.a])
-        : "";
-    return { name: hit.object.name, text };
+    return hit ? placeOnSurface(i, hit) : null;
+  }
+
+  // The value at a place in the frame shown, as the muscles are coloured.
+  say(place: SurfacePlace): string {
+    const scale = vertexScale(this.state.coloring, this.data.runs);
+    const { muscles } = this.scenes[place.run];
+    const surface = muscles.find(({ mesh }) => mesh === place.mesh);
+    const pose = this.timeline[this.state.moment].poses[place.run];
+    if (!scale || !surface || pose === null) return "";
+    return scale.say(scale.values(surface.muscle, pose)[nearestCorner(place)]);
+  }
+
+  // A point in space on the canvas of a run (CSS pixels).
+  project(point: Vector3, run: number): [number, number] {
+    const pane = this.panes()[run];
+    const { clientWidth, clientHeight } = this.canvas;
+    const at = point.clone().project(this.camera.camera);
+    return [
+      clientWidth * (pane.left + (pane.width * (at.x + 1)) / 2),
+      clientHeight * (1 - pane.bottom - (pane.height * (at.y + 1)) / 2),
+    ];
   }
 
   // By run: parts of the canvas, from its lower left corner.
@@ -123,23 +155,6 @@ export class Viewer extends DrawnCanvas {
         ? { left: i / count, bottom: 0, width: 1 / count, height: 1 }
         : { left: 0, bottom: 1 - (i + 1) / count, width: 1, height: 1 / count },
     );
-  }
-
-  private measure(): [Sphere, Box3] {
-    const all = new Box3();
-    const muscles = new Box3();
-    for (const { poses } of this.timeline) {
-      poses.forEach((pose, i) => {
-        if (pose === null) return;
-        const scene = this.scenes[i];
-        for (const bone of scene.bones) bone.setPose(pose);
-        all.union(scene.box(pose));
-        for (const { muscle } of scene.muscles) {
-          muscles.union(new Box3().setFromArray(muscle.pointsAt(pose)));
-        }
-      });
-    }
-    return [all.getBoundingSphere(new Sphere()), muscles];
   }
 
   protected isPlaying(): boolean {
@@ -182,15 +197,25 @@ export class Viewer extends DrawnCanvas {
     );
   }
 
+  // Where the section cuts in the frame shown; without one, all that is seen.
+  private kept(): Float32Array {
+    const { section } = this.state;
+    const cuts = section === "off" ? [] : this.outlines().flat();
+    return cuts.length > 0
+      ? joined(cuts.map(({ segments }) => segments))
+      : this.extent.seen(this.state);
+  }
+
+  private toward(section: Exclude<SectionAxis, "off">): Vector3 {
+    return new Vector3(...this.data.views[section].toward_viewer);
+  }
+
   private placePlane(): void {
     const { section, sectionPlace, sectionFlipped } = this.state;
     this.planes.length = 0;
     if (section === "off") return;
-    const { center, radius } = this.everything;
-    const toward = new Vector3(...this.data.views[section].toward_viewer);
-    const height = toward.dot(center) + radius * (2 * sectionPlace - 1);
     // What is on the viewer's side is cut away.
-    this.plane.set(toward.negate(), height);
+    this.plane.set(this.toward(section).negate(), sectionPlace);
     if (sectionFlipped) this.plane.negate();
     this.planes.push(this.plane);
   }
