@@ -109,7 +109,7 @@ run() {
   local out=$1 code=0
   "${cohort[@]}" "$out" group "${options[@]}" >"$out.log" 2>&1 || code=$?
   ((code == 1)) || fail "exit code $code, not 1: see $out.log: $(tail -n 5 "$out.log")"
-  tail -n 4 "$out.log"
+  tail -n 7 "$out.log"
   grep -q "^24 jobs in .*: 21 usable, 3 not" "$out.log" || fail "not 21 and 3"
   local reason
   for reason in "sub-badmesh scene: refused: .*muscle_01.ply: line 2" \

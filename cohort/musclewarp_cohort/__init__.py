@@ -9,7 +9,8 @@ group     gathers what the jobs wrote in group.tsv
 curves    takes lengths, moment arms and volumes from a report
 outliers  says which subjects are far from the others
 page      shows all that as group.html; comparison, plots and markup are its parts
-engine    calls Snakemake
+engine    calls Snakemake, whose words go to a log
+progress  says on the screen how far the jobs are
 
 Only the standard library of Python is needed.
 """

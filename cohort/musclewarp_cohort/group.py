@@ -113,9 +113,8 @@ def read_run(job, out):
                                   report if rows[0].frames else None)
 
 
-def rows_of(job, out, report=None):
-    """The rows of a job, as far as it came. `report` is the content of its
-    report.json, if that has been read already."""
+def ending_of(job, out):
+    """The row of a job that says how it ended, without figures."""
     folder = out / job.folder
     record = _read(folder / jobs.RECORD)
     row = Row(job.participant, job.motion)
@@ -128,13 +127,20 @@ def rows_of(job, out, report=None):
         said = jobs.last_line(folder / jobs.LOG)
         row.reason = (said.removeprefix("musclewarp-cohort: ") if said
                       else "did not start; run again")
-    report = report or _read(folder / jobs.REPORT)
+    return row
+
+
+def rows_of(job, out, report=None):
+    """The rows of a job, as far as it came. `report` is the content of its
+    report.json, if that has been read already."""
+    row = ending_of(job, out)
+    report = report or _read(out / job.folder / jobs.REPORT)
     if not report or row.exit_code == 2:
         return [row]
     try:
         return _with_figures(row, report)
     except (LookupError, TypeError, AttributeError):
-        if record:
+        if row.exit_code is not None:
             raise
         return [row]  # what is no report has no figures
 
