@@ -80,18 +80,16 @@ class Progress:
         self._said_plan = False
 
     def look(self):
-        """Tells of the jobs that have ended since the last look."""
+        """Tells of the jobs that have ended since the last look, among those that
+        Snakemake has begun: folders may be on a network."""
         self._log.read()
         self._say_plan()
-        for folder in list(self._jobs):
-            if folder in self._waiting and self._has_ended(folder):
-                self._waiting.discard(folder)
-                self._ended += 1
-                self._say_end(self._jobs[folder])
+        self._say_ended([folder for folder, _ in self._log.announced])
 
     def end(self, code, dry_run):
         """Tells the rest, once Snakemake has ended with an exit code."""
         self.look()
+        self._say_ended(self._jobs)  # however a Snakemake to come announces them
         if code == 0 and self._jobs and not self._said_plan:
             self._log.planned = 0  # of nothing to do Snakemake makes no plan
             self._say_plan()
@@ -107,6 +105,13 @@ class Progress:
         now = _stamp(self._record(folder))
         return (now is not None and now != self._before[folder]
                 or folder in self._log.failed)
+
+    def _say_ended(self, folders):
+        for folder in folders:
+            if folder in self._waiting and self._has_ended(folder):
+                self._waiting.discard(folder)
+                self._ended += 1
+                self._say_end(self._jobs[folder])
 
     def _say_plan(self):
         planned = self._log.planned

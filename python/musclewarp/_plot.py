@@ -45,7 +45,7 @@ def plot(self: Any,
         frame.plot()
         frame.plot(color_by="gap", off_screen=True, show=False).screenshot("gap.png")
 
-    A window opens, or a notebook shows the picture; its axes are in mm.
+    A window opens, or a notebook shows the picture. Lengths are mm.
 
     Args:
         color_by: "kind" (muscles are red, bones ivory), or "gap" (muscles by the

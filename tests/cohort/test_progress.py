@@ -65,13 +65,17 @@ class ProgressTest(FolderTest):
 
     def test_jobs_are_told_once_as_they_end(self):
         progress = self.progress("a", "b")
-        self.write(PLAN + BEGINS.format("a"))
+        self.write(PLAN + BEGINS.format("a") + BEGINS.format("b"))
         progress.look()
+        told = [len(self.said)]
         self.ends("b")
         progress.look()
+        told.append(len(self.said))
         self.ends("a", 2, "no mesh")
         progress.look()
+        told.append(len(self.said))
         progress.end(0, False)
+        self.assertEqual([1, 2, 3], told)
         self.assertEqual([
             f"2 of 2 jobs to do; what Snakemake says: {self.log}",
             "[1 of 2] b hip: usable",
@@ -107,6 +111,13 @@ class ProgressTest(FolderTest):
         progress.end(1, False)
         self.assertIn(str(self.log), self.said[0])
         self.assertEqual("  MissingInputException: no a.ply", self.said[-1])
+
+    def test_jobs_that_the_log_does_not_announce_are_told_in_the_end(self):
+        progress = self.progress("a")
+        self.ends("a")
+        self.write("some other words\n")
+        progress.end(0, False)
+        self.assertEqual("[1 of 1] a hip: usable", self.said[0])
 
     def test_nothing_to_do(self):
         self.ends("a")
