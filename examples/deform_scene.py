@@ -2,18 +2,33 @@
 # SPDX-License-Identifier: Apache-2.0
 """Deforms a scene along its motion and writes what musclewarp-deform writes.
 
-usage: deform_scene.py SCENE.json OUT [FRAMES]
+usage: deform_scene.py [--scene=SCENE.json] [--out=DIR] [--frames=N]
+
+Without a scene it takes the hip that is inside the package.
 """
-import sys
+import argparse
 
 import musclewarp as mw
 
-scene = mw.read_scene(sys.argv[1])
-poses = scene.poses[:int(sys.argv[3])] if len(sys.argv) > 3 else scene.poses
+
+def parse():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--scene", metavar="SCENE.json",
+                        help="scene file [the hip inside the package]")
+    parser.add_argument("--out", metavar="DIR",
+                        help="folder to write to [nothing is written]")
+    parser.add_argument("--frames", type=int, metavar="N",
+                        help="how many of the motion, from the first on [all]")
+    return parser.parse_args()
+
+
+options = parse()
+scene = mw.read_scene(options.scene) if options.scene else mw.demo_scene()
 deformer = mw.Deformer(scene, gap=0.1)
 run = mw.Run(deformer)
-for pose in poses:
+for pose in scene.poses[:options.frames]:
     frame = deformer.move_to(pose)
     run.append(frame)
     print(f"{frame.name}: {'usable' if frame.usable else frame.shortcomings}")
-run.write(sys.argv[2], format="ply")
+if options.out:
+    run.write(options.out, format="ply")

@@ -20,7 +20,7 @@ import sys
 
 OF_THE_RUN = {"command", "options", "machine", "wall_ms"}
 OF_THE_TIME = {"prepare_s", "frames_s", "memory_mb"}
-ONLY_THERE = {"job.json", "job.log", "report.html", "group.html"}
+ONLY_THERE = {"job.json", "job.log", "report.html", "group.html", "snakemake.log"}
 
 
 def without_times(report):

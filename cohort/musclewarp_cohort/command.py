@@ -14,7 +14,9 @@ def _summary(rows, out):
     ended = {(row.participant_id, row.motion): row for row in rows}
     bad = [row for row in ended.values() if row.status != group.STATUS[0]]
     for row in bad[:MOST_NAMED]:
+        log = out / row.participant_id / row.motion / job.LOG
         print(f"{row.participant_id} {row.motion}: {row.status}: {row.reason}")
+        print(f"  see {log}" if log.exists() else "  has not said anything")
     if len(bad) > MOST_NAMED:
         print(f"... and {len(bad) - MOST_NAMED} more")
     print(f"{len(ended)} jobs in {out}: {len(ended) - len(bad)} usable, "
@@ -42,7 +44,7 @@ def _do(options, beside):
                               options.cores, options.dry_run)
 
     # Records of jobs that ended, however they did; failed ones have a reason.
-    code = snakemake.run_jobs(f"{each.folder}/{job.RECORD}" for each in jobs)
+    code = snakemake.run_jobs(jobs)
     if options.dry_run:
         return code and 1
     if options.level == "group" and not snakemake.interrupted:

@@ -1,6 +1,6 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Calls Snakemake."""
+"""Calls Snakemake. What it says goes to a log in OUT."""
 import json
 import os
 import pathlib
@@ -10,10 +10,14 @@ import subprocess
 
 from .files import locked, write_atomically
 from .input_error import InputError
+from .job import RECORD
+from .progress import Progress
 
 WORKFLOW = pathlib.Path(__file__).resolve().parent.parent
 PROFILES = WORKFLOW / "profiles"
 SETTINGS = ".cohort.json"  # of the last call; jobs that wait read it, too
+LOG = "snakemake.log"  # of the last command
+LOOK_S = 0.5  # from look to look at how far the jobs are
 
 
 def find_profile(name):
@@ -62,6 +66,9 @@ class Engine:
     def __init__(self, out, settings, profile, cores, dry_run):
         self.out = out
         self.interrupted = False
+        self.log = out / LOG
+        self._begun = False
+        self._dry_run = dry_run
         self._settings = settings
         self._words = [find_snakemake(), "--snakefile", str(WORKFLOW / "Snakefile"),
                        "--directory", str(out), "--configfile", str(out / SETTINGS),
@@ -72,16 +79,18 @@ class Engine:
         if cores:
             self._where += ["--cores", str(cores), "--jobs", str(cores)]
 
-    def run_jobs(self, records):
-        """Makes the records of jobs. Returns the exit code of Snakemake."""
-        return self._call(*records, *self._where)
+    def run_jobs(self, jobs):
+        """Makes the records of jobs (table.Job), and tells on the screen how far
+        they are. Returns the exit code of Snakemake."""
+        records = [f"{each.folder}/{RECORD}" for each in jobs]
+        return self._call([*records, *self._where], jobs)
 
     def gather(self):
         """Makes the table and the page of the group, here: that is quick."""
-        return self._call("group", "--cores", "1", "--force", "--allowed-rules",
-                          "group")
+        return self._call(["group", "--cores", "1", "--force", "--allowed-rules",
+                           "group"], [])
 
-    def _call(self, *words):
+    def _call(self, words, jobs):
         """Runs Snakemake to its end. Ctrl-C reaches it without help; SIGTERM is
         handed on."""
         self.out.mkdir(parents=True, exist_ok=True)
@@ -89,14 +98,21 @@ class Engine:
             # Snakemake inherits the lock, but its jobs do not.
             with locked(self.out / ".cohort.lock", wait=False) as lock:
                 write_atomically(self.out / SETTINGS, json.dumps(self._settings))
-                return self._wait(subprocess.Popen([*self._words, *words],
-                                                   pass_fds=[lock]))
+                with open(self.log, "ab" if self._begun else "wb") as log:
+                    self._begun = True
+                    progress = Progress(jobs, self.out, self.log)
+                    code = self._wait(subprocess.Popen(
+                        [*self._words, *words], pass_fds=[lock], stdout=log,
+                        stderr=subprocess.STDOUT), progress)
+                progress.end(code, self._dry_run)
+                return code
         except BlockingIOError:
             raise InputError(
                 f"{self.out}: another musclewarp-cohort, or the Snakemake that it "
                 "has left, is at work here; wait for it, or end it") from None
 
-    def _wait(self, child):
+    def _wait(self, child, progress):
+        """The exit code of Snakemake; until it ends, the screen is kept up."""
         def interrupt(number, _frame):
             self.interrupted = True
             if number == signal.SIGTERM:
@@ -105,7 +121,11 @@ class Engine:
         before = {number: signal.signal(number, interrupt)
                   for number in (signal.SIGINT, signal.SIGTERM)}
         try:
-            return child.wait()
+            while True:
+                try:
+                    return child.wait(timeout=LOOK_S)
+                except subprocess.TimeoutExpired:
+                    progress.look()
         finally:
             for number, handler in before.items():
                 signal.signal(number, handler)

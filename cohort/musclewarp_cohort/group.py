@@ -11,6 +11,7 @@ import pathlib
 import sys
 from typing import Optional
 
+from . import curves
 from . import job as jobs
 from . import page, table
 from .files import write_atomically
@@ -104,8 +105,16 @@ def _with_figures(row, report):
             for muscle in prepare["muscles"]]
 
 
-def rows_of(job, out):
-    """The rows of a job, as far as it came."""
+def read_run(job, out):
+    """(rows, curves.Measured) of a job, as far as it came."""
+    report = _read(out / job.folder / jobs.REPORT)
+    rows = rows_of(job, out, report)
+    return rows, curves.of_report(job.participant, job.motion,
+                                  report if rows[0].frames else None)
+
+
+def ending_of(job, out):
+    """The row of a job that says how it ended, without figures."""
     folder = out / job.folder
     record = _read(folder / jobs.RECORD)
     row = Row(job.participant, job.motion)
@@ -118,13 +127,20 @@ def rows_of(job, out):
         said = jobs.last_line(folder / jobs.LOG)
         row.reason = (said.removeprefix("musclewarp-cohort: ") if said
                       else "did not start; run again")
-    report = _read(folder / jobs.REPORT)
+    return row
+
+
+def rows_of(job, out, report=None):
+    """The rows of a job, as far as it came. `report` is the content of its
+    report.json, if that has been read already."""
+    row = ending_of(job, out)
+    report = report or _read(out / job.folder / jobs.REPORT)
     if not report or row.exit_code == 2:
         return [row]
     try:
         return _with_figures(row, report)
     except (LookupError, TypeError, AttributeError):
-        if record:
+        if row.exit_code is not None:
             raise
         return [row]  # what is no report has no figures
 
@@ -159,11 +175,13 @@ def main():
     parser.add_argument("--output", required=True, type=pathlib.Path)
     parser.add_argument("participants", nargs="*")
     options = parser.parse_args()
-    rows = [row for job in chosen_jobs(options.input, set(options.participants))
-            for row in rows_of(job, options.output)]
+    runs = [read_run(job, options.output)
+            for job in chosen_jobs(options.input, set(options.participants))]
+    rows = [row for rows, _ in runs for row in rows]
     write_atomically(options.output / "group.tsv", as_tsv(rows))
     write_atomically(options.output / "group.html",
-                     page.as_html(rows, options.output))
+                     page.as_html(rows, options.output,
+                                  [measured for _, measured in runs]))
     return 0
 
 

@@ -2,50 +2,39 @@
 # SPDX-License-Identifier: Apache-2.0
 """The page of a group: who failed and why, distributions, and links to the pages
 of the subjects. It needs no network, and nothing beside it but those pages."""
-import html
 import math
 
-from . import plots
+from . import comparison, plots
+from .markup import escape, number, table
 
 STYLE = """
 :root { color-scheme: light dark; --line: #8888; --good: #2a78b8; --bad: #c0392b; }
 body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 72rem;
   padding: 0 1rem; }
 h1 { font-size: 1.5rem } h2 { font-size: 1.15rem; margin-top: 2rem }
+h3 { font-size: 1rem; margin: 1.5rem 0 .5rem; overflow-wrap: anywhere }
+.scroll { overflow-x: auto }
 table { border-collapse: collapse; width: 100% }
 th, td { border-bottom: 1px solid var(--line); padding: .25rem .6rem .25rem 0;
-  text-align: left; vertical-align: top; overflow-wrap: anywhere }
-td.number, th.number { text-align: right; white-space: nowrap }
+  text-align: left; vertical-align: top; overflow-wrap: anywhere; min-width: 5.5rem }
+td.number, th.number { text-align: right; min-width: 3.5rem }
 .bad { color: var(--bad); font-weight: 600 }
 .plots { display: grid; gap: 1rem;
-  grid-template-columns: repeat(auto-fill, minmax(20rem, 1fr)) }
-figure { margin: 0 } figcaption { font-weight: 600 }
+  grid-template-columns: repeat(auto-fill, minmax(min(20rem, 100%), 1fr)) }
+figure { margin: 0; min-width: 0 } figure p { margin: 0; font-size: .85rem }
+figcaption { font-weight: 600; overflow-wrap: anywhere }
 svg { width: 100%; height: auto; font: 11px system-ui, sans-serif }
 svg text { fill: currentColor } svg .axis { stroke: var(--line) }
 svg .bar { fill: var(--good) }
-svg .range { stroke: var(--good); stroke-width: 2; stroke-opacity: .45 }
+svg polyline { fill: none; stroke: var(--good); stroke-opacity: .5 }
+svg .dot { fill: var(--good); fill-opacity: .6 }
+svg .band { fill: var(--good); fill-opacity: .3 }
+svg polyline.median { stroke: currentColor; stroke-opacity: .8; stroke-width: 1.5 }
+svg polyline.out { stroke: var(--bad); stroke-opacity: 1; stroke-width: 2;
+  stroke-dasharray: 6 2 }
+svg .dot.out { fill: var(--bad); fill-opacity: 1 }
+@media (prefers-color-scheme: dark) { :root { --good: #5aa9e6; --bad: #ff7f6e } }
 """
-
-
-def _escape(value):
-    return html.escape(str(value))
-
-
-def _number(value, digits=3):
-    return "" if value is None else f"{value:.{digits}g}"
-
-
-def _table(heads, rows):
-    """`heads` are names, or (name, class); cells are HTML."""
-    heads = [head if isinstance(head, tuple) else (head, "") for head in heads]
-    lines = ["<table><thead><tr>"]
-    lines += [f'<th class="{kind}">{_escape(name)}</th>' for name, kind in heads]
-    lines.append("</tr></thead><tbody>")
-    for row in rows:
-        lines.append("<tr>" + "".join(
-            f'<td class="{kind}">{cell}</td>'
-            for cell, (_, kind) in zip(row, heads)) + "</tr>")
-    return "\n".join(lines + ["</tbody></table>"])
 
 
 def _runs(rows):
@@ -57,11 +46,11 @@ def _runs(rows):
 
 
 def _name(row, out):
-    text = _escape(row.participant_id) + " " + _escape(row.motion)
+    text = escape(row.participant_id) + " " + escape(row.motion)
     page = f"{row.participant_id}/{row.motion}/report.html"
     if not (out / page).exists():
         return text
-    return f'<a href="{_escape(page)}">{text}</a>'
+    return f'<a href="{escape(page)}">{text}</a>'
 
 
 def _failures(runs, out):
@@ -69,9 +58,9 @@ def _failures(runs, out):
     if not bad:
         return "<p>All are usable.</p>"
     heads = ["subject, motion", "how it ended", ("exit code", "number"), "why"]
-    return _table(heads, (
-        [_name(row, out), f'<span class="bad">{_escape(row.status)}</span>',
-         "" if row.exit_code is None else row.exit_code, _escape(row.reason or "")]
+    return table(heads, (
+        [_name(row, out), f'<span class="bad">{escape(row.status)}</span>',
+         "" if row.exit_code is None else row.exit_code, escape(row.reason or "")]
         for row in bad))
 
 
@@ -84,14 +73,14 @@ def _all(runs, out):
         row = run[0]
         muscles = [each for each in run if each.muscle is not None]
         lines.append([
-            _name(row, out), _escape(row.status),
+            _name(row, out), escape(row.status),
             "" if row.frames is None else f"{row.usable_frames} of {row.frames}",
             len(muscles) or "",
             sum(each.crossings for each in muscles) if muscles else "",
-            _number(_extreme(max, (each.max_volume_error for each in run))),
-            _number(_extreme(min, (each.least_gap_mm for each in run))),
-            _number(row.prepare_s), _number(row.frames_s), _number(row.memory_mb, 4)])
-    return _table(heads, lines)
+            number(_extreme(max, (each.max_volume_error for each in run))),
+            number(_extreme(min, (each.least_gap_mm for each in run))),
+            number(row.prepare_s), number(row.frames_s), number(row.memory_mb, 4)])
+    return table(heads, lines)
 
 
 def _extreme(choose, values):
@@ -117,25 +106,9 @@ def _distributions(rows, runs):
                      for title, values in drawn)
 
 
-def _moment_arms(rows):
-    """A strip for each line and coordinate, with the range of each run."""
-    ranges = {}
-    for row in rows:
-        for (line, coordinate), span in row.moment_arms_mm.items():
-            ranges.setdefault((row.muscle, line, coordinate), []).append(
-                (span, f"{row.participant_id} {row.motion}"))
-    if not ranges:
-        return ""
-    drawn = "\n".join(
-        plots.figure(f"{line}, {coordinate}", plots.strip(spans))
-        for (_, line, coordinate), spans in sorted(ranges.items()))
-    return ("<h2>Moment arms, mm (mm/m of translations)</h2>"
-            "<p>Smallest to largest over the frames, a line for each run.</p>"
-            f'<div class="plots">{drawn}</div>')
-
-
-def as_html(rows, out):
-    """The page as text; `out` is the folder in which it will be."""
+def as_html(rows, out, measured=()):
+    """The page as text; `out` is the folder in which it will be, `measured` what
+    the runs say of their muscles (curves.Measured)."""
     runs = _runs(rows)
     usable = sum(run[0].status == "usable" for run in runs)
     return f"""<!DOCTYPE html>
@@ -149,7 +122,7 @@ every muscle are in <a href="group.tsv">group.tsv</a>.</p>
 {_failures(runs, out)}
 <h2>Distributions</h2>
 <div class="plots">{_distributions(rows, runs)}</div>
-{_moment_arms(rows)}
+{comparison.as_html(measured)}
 <h2>All runs</h2>
 {_all(runs, out)}
 </body></html>

@@ -3,9 +3,14 @@
 """Plots of a page, as SVG."""
 import html
 
+from .outliers import medians, ranges
+
 WIDTH, HEIGHT = 360, 130
 LEFT, RIGHT, BOTTOM, TOP = 8, 352, 106, 14
+SIDE = 56  # where curves begin, right of the values of their axis
 MOST_BINS = 20
+MOST_CURVES = 60
+GOLDEN = 0.618  # its multiples keep apart
 
 
 def figure(title, drawing):
@@ -18,11 +23,11 @@ def _svg(parts, height=HEIGHT):
             "</svg>")
 
 
-def _axis(low, high, y):
+def _axis(low, high, y, left=LEFT):
     """A line with the values at its ends and in the middle."""
-    parts = [f'<line class="axis" x1="{LEFT}" x2="{RIGHT}" y1="{y}" y2="{y}"/>']
-    for value, anchor, x in ((low, "start", LEFT),
-                             ((low + high) / 2, "middle", (LEFT + RIGHT) / 2),
+    parts = [f'<line class="axis" x1="{left}" x2="{RIGHT}" y1="{y}" y2="{y}"/>']
+    for value, anchor, x in ((low, "start", left),
+                             ((low + high) / 2, "middle", (left + RIGHT) / 2),
                              (high, "end", RIGHT)):
         parts.append(f'<text x="{x}" y="{y + 14}" text-anchor="{anchor}">'
                      f"{value:.4g}</text>")
@@ -63,19 +68,77 @@ def histogram(values):
     return _svg(parts + _axis(low, high, BOTTOM))
 
 
-def strip(spans):
-    """Ranges ((from, to), name) below each other."""
-    low = min(least for (least, _), _ in spans)
-    high = max(most for (_, most), _ in spans)
-    scale = (RIGHT - LEFT - 2) / ((high - low) or 1)
-    step = min(6.0, 60 / len(spans))
+def _span(values):
+    """(smallest, largest) of an axis; values that are all the same get room."""
+    low, high = min(values), max(values)
+    room = (abs(low) or 1) * 0.01 if low == high else 0
+    return low - room, high + room
+
+
+def _scale(low, high, begin, end):
+    """Takes values of an axis to the picture."""
+    return lambda value: begin + (value - low) / (high - low) * (end - begin)
+
+
+def dots(values, outliers):
+    """A dot for each of {name: value}, over the values; heights mean nothing."""
+    low, high = _span(values.values())
+    x = _scale(low, high, LEFT + 4, RIGHT - 4)
     parts = []
-    for place, ((least, most), name) in enumerate(spans):
-        y = TOP + place * step
-        x1 = LEFT + (least - low) * scale
-        x2 = LEFT + (most - low) * scale + 2
-        parts.append(f'<line class="range" x1="{x1:.1f}" x2="{x2:.1f}" '
-                     f'y1="{y:.1f}" y2="{y:.1f}"><title>{html.escape(name)}: '
-                     f"{least:.4g} to {most:.4g}</title></line>")
-    bottom = round(TOP + len(spans) * step + 4)
-    return _svg(parts + _axis(low, high, bottom), bottom + 22)
+    for place, (name, value) in enumerate(values.items()):
+        y = TOP + 6 + (BOTTOM - TOP - 12) * (place * GOLDEN % 1)  # apart from others
+        kind = "dot out" if name in outliers else "dot"
+        parts.append(f'<circle class="{kind}" cx="{x(value):.1f}" cy="{y:.1f}" '
+                     f'r="3.5"><title>{html.escape(name)}: {value:.4g}'
+                     "</title></circle>")
+    return _svg(parts + _axis(low, high, BOTTOM))
+
+
+def _polyline(points, x, y, kind, name):
+    """A curve; a dot, if it is of one point."""
+    title = f"<title>{html.escape(name)}</title>"
+    if len(points) == 1:
+        (place, value), = points
+        return (f'<circle class="dot {kind}" cx="{x(place):.1f}" '
+                f'cy="{y(value):.1f}" r="3">{title}</circle>')
+    drawn = " ".join(f"{x(place):.1f},{y(value):.1f}" for place, value in points)
+    return f'<polyline class="{kind}" points="{drawn}">{title}</polyline>'
+
+
+def _band(series, x, y, interpolate):
+    """The range of curves, as an area."""
+    span = ranges(series, interpolate)
+    outline = ([(place, most) for place, _, most in span] +
+               [(place, least) for place, least, _ in reversed(span)])
+    drawn = " ".join(f"{x(place):.1f},{y(value):.1f}" for place, value in outline)
+    return (f'<polygon class="band" points="{drawn}"><title>range of {len(series)} '
+            "runs</title></polygon>")
+
+
+def _height_axis(low, high, y):
+    """The values at the ends and in the middle, left of the curves."""
+    return [f'<text x="{SIDE - 4}" y="{y(value) + 4:.1f}" text-anchor="end">'
+            f"{value:.4g}</text>" for value in (low, (low + high) / 2, high)]
+
+
+def curves(series, outliers, label, interpolate):
+    """Curves {name: sorted list of (place, value)} over an axis with a label, those
+    of outliers on top, with the median of all where enough have a value. Of more
+    than MOST_CURVES only the range is drawn, and outliers."""
+    x_low, x_high = _span([place for curve in series.values() for place, _ in curve])
+    low, high = _span([value for curve in series.values() for _, value in curve])
+    x = _scale(x_low, x_high, SIDE, RIGHT - 4)
+    y = _scale(low, high, BOTTOM - 4, TOP)
+    others = {name: curve for name, curve in series.items() if name not in outliers}
+    if len(others) > MOST_CURVES:
+        parts = [_band(others, x, y, interpolate)]
+    else:
+        parts = [_polyline(curve, x, y, "", name) for name, curve in others.items()]
+    middle = medians(series, interpolate)
+    if middle:
+        parts.append(_polyline(middle, x, y, "median", "median of the group"))
+    parts += [_polyline(series[name], x, y, "out", name) for name in outliers]
+    parts += _axis(x_low, x_high, BOTTOM, SIDE) + _height_axis(low, high, y)
+    parts.append(f'<text x="{(SIDE + RIGHT) / 2}" y="{BOTTOM + 30}" '
+                 f'text-anchor="middle">{html.escape(label)}</text>')
+    return _svg(parts, BOTTOM + 36)

@@ -17,6 +17,7 @@ valid as long as they are used. What the package is given is copied, and may be
 anything that numpy makes such an array of. Bad input raises InputError.
 """
 from musclewarp import _lifetime  # first, see there
+from musclewarp import _plot
 from musclewarp._core import (Attachment, Bone, BoneFrame, Crossings, Frame,
                               Joint, Line, Mesh, Model, Muscle, MuscleFrame, Pose,
                               State, Table, __version__, crossings, read_model,
@@ -40,6 +41,7 @@ __all__ = [
 ]
 
 _lifetime.begin()
+_plot.begin()
 for _class in (Attachment, Bone, BoneFrame, Crossings, Frame, Joint, Line,
                Mesh, Model,
                Muscle, MuscleFrame, Pose, State, Table):

@@ -223,6 +223,8 @@ class MuscleFrame:
     @property
     def attachments(self) -> List[Dict[str, Any]]: ...
     def polydata(self) -> Any: ...
+    def plot(self, *, color_by: str = ..., show: bool = ...,
+             **options: Any) -> Any: ...  # of _plot.py
 
 class BoneFrame:
     @property
@@ -232,6 +234,8 @@ class BoneFrame:
     @property
     def triangles(self) -> NDArray[np.int32]: ...
     def polydata(self) -> Any: ...
+    def plot(self, *, color_by: str = ..., show: bool = ...,
+             **options: Any) -> Any: ...  # of _plot.py
 
 class Frame:
     # Fields of FrameFigures.
@@ -294,6 +298,8 @@ class Frame:
     def __iter__(self) -> Iterator[str]: ...
     def __len__(self) -> int: ...
     def polydata(self) -> Any: ...
+    def plot(self, *, color_by: str = ..., show: bool = ...,
+             **options: Any) -> Any: ...  # of _plot.py
 
 class State: ...
 

@@ -8,6 +8,7 @@ import sys
 import pytest
 
 from conftest import DEMO, SOURCE
+from tutorial import packages_of
 
 EXAMPLES = SOURCE / "examples"
 PHANTOM = SOURCE / "data/phantom"
@@ -15,15 +16,24 @@ MESHES = [str(PHANTOM / f"{name}_r.ply")
           for name in ("gluteus_medius", "gluteus_minimus")]
 
 
-def run(name, *arguments):
+def run(name, *arguments, folder=None):
     done = subprocess.run([sys.executable, EXAMPLES / name, *arguments],
-                          capture_output=True, text=True)
+                          capture_output=True, text=True, cwd=folder)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 
 
+@pytest.mark.parametrize("name", sorted(
+    path.name for path in EXAMPLES.glob("*.py")))
+def test_runs_without_arguments(name, tmp_path):
+    """Anywhere, and without leaving anything behind."""
+    assert run(name, folder=tmp_path)
+    assert not list(tmp_path.iterdir())
+
+
 def test_deform_scene(tmp_path):
-    said = run("deform_scene.py", DEMO, tmp_path / "out", "2")
+    said = run("deform_scene.py", f"--scene={DEMO}", f"--out={tmp_path / 'out'}",
+               "--frames=2")
     assert said == "t=0: usable\nt=0.05: usable\n"
     assert (tmp_path / "out/frame_0001/psoas_major_r.ply").exists()
 
@@ -33,8 +43,8 @@ def test_own_arrays():
 
 
 def test_separate_meshes(tmp_path):
-    said = run("separate_meshes.py", tmp_path, *MESHES, "--bones",
-               PHANTOM / "femur_r.ply")
+    said = run("separate_meshes.py", "--out", tmp_path, "--muscles", *MESHES,
+               "--bones", PHANTOM / "femur_r.ply")
     assert said.startswith("usable\n")
     assert len(list(tmp_path.glob("*.ply"))) == 3
 
@@ -42,12 +52,23 @@ def test_separate_meshes(tmp_path):
 def test_check_meshes():
     said = run("check_meshes.py", *MESHES)
     assert "gluteus_medius_r and gluteus_minimus_r" in said
+    assert "pelvis" not in said  # which the hip of the package has
 
 
 def test_moment_arms():
-    said = run("moment_arms.py", DEMO, "3")
+    said = run("moment_arms.py", f"--scene={DEMO}", "--frames=3")
     assert "glut_med1_r_path.hip_flexion_r" in said
     assert "as carried" in said
+
+
+def test_scripts_and_notebooks_need_numpy_alone():
+    sources = {path.name: path.read_text() for path in EXAMPLES.glob("*.py")}
+    for path in EXAMPLES.glob("*.ipynb"):
+        sources[path.name] = "\n".join(
+            "".join(cell["source"]) for cell in json.loads(path.read_text())["cells"]
+            if cell["cell_type"] == "code")
+    for name, source in sources.items():
+        assert packages_of(source) <= {"musclewarp", "numpy"}, name
 
 
 @pytest.mark.parametrize("notebook", sorted(EXAMPLES.glob("*.ipynb")),

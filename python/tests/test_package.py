@@ -87,7 +87,8 @@ def test_loads_nothing_heavy():
                 "import sys\nbefore = set(sys.modules)\nimport musclewarp\n"
                 "print(*set(sys.modules) - before)").split()
     assert "musclewarp._core" in loaded
-    for package in ("matplotlib", "nibabel", "numpy", "scipy", "vtkmodules"):
+    for package in ("matplotlib", "nibabel", "numpy", "pyvista", "scipy",
+                    "vtkmodules"):
         assert package not in loaded, package
 
 

@@ -1,9 +1,11 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
 """Runs what stands in the boxes of docs/tutorial.md."""
+import ast
 import os
 import re
 import subprocess
+import sys
 
 from conftest import PROGRAMS, SOURCE
 
@@ -17,6 +19,17 @@ def parts_of_tutorial():
     parts = text.split("## With a model that comes with OpenSim")
     assert len(parts) == 2
     return parts
+
+
+def packages_of(source):
+    """The packages that a text of Python imports, but for Python's own."""
+    names = set()
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            names |= {each.name.partition(".")[0] for each in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            names.add(node.module.partition(".")[0])
+    return names - sys.stdlib_module_names
 
 
 def without_figures(text):

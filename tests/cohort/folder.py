@@ -1,6 +1,7 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
 """A folder with subjects, and a musclewarp-deform that only plays one."""
+import html.parser
 import os
 import pathlib
 import sys
@@ -95,3 +96,35 @@ class FolderTest(unittest.TestCase):
                  for row in rows]
         text = "\n".join("\t".join(line) for line in [columns, *lines])
         return self.file("subjects.tsv", text + "\n")
+
+
+class _Balanced(html.parser.HTMLParser):
+    """Fails where a tag is not closed in its order."""
+
+    ALONE = {"meta", "line", "rect"}
+
+    def __init__(self, test):
+        super().__init__()
+        self._test, self._open = test, []
+
+    def handle_starttag(self, tag, attributes):
+        if tag not in self.ALONE:
+            self._open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        pass
+
+    def handle_endtag(self, tag):
+        if tag not in self.ALONE:
+            self._test.assertEqual(self._open.pop(), tag)
+
+    def expect_end(self):
+        self._test.assertEqual([], self._open)
+
+
+def balanced(test, text):
+    """Fails where a tag of HTML is not closed in its order."""
+    parser = _Balanced(test)
+    parser.feed(text)
+    parser.close()
+    parser.expect_end()

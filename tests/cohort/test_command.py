@@ -112,6 +112,18 @@ class RunTest(CommandTest):
         self.assertIn("bad scene: refused: a.ply: is no mesh\n", done.stdout)
         self.assertIn("dead scene: not finished: killed by SIGKILL", done.stdout)
         self.assertIn("3 jobs in", done.stdout)
+        self.assertIn("3 of 3 jobs to do", done.stdout)
+        for place in (1, 2, 3):
+            self.assertEqual(1, done.stdout.count(f"\n[{place} of 3] "), done.stdout)
+        for name in ("bad", "dead"):
+            self.assertIn(f"; see {self.out}/{name}/scene/job.log\n", done.stdout)
+        # Snakemake speaks in its log alone, which is named where it fails.
+        log = self.out / "snakemake.log"
+        self.assertIn(f"exit code 1; what it said is in {log}\n", done.stdout)
+        said = log.read_text()
+        for word in ("Building DAG", "Error in rule deform", "rule group"):
+            self.assertIn(word, said)
+            self.assertNotIn(word, done.stdout + done.stderr)
         self.assertEqual(["usable", "refused", "not finished"],
                          [row["status"] for row in self.rows()])
         self.assertIn("1 of 3 runs usable", (self.out / "group.html").read_text())
@@ -139,6 +151,16 @@ class RunTest(CommandTest):
                       "code 0, but report.json does not say", done.stdout)
         self.assertEqual(["usable", "not finished", "not finished"],
                          [row["status"] for row in self.rows()])
+
+    def test_a_failure_of_snakemake_itself_is_told(self):
+        self.table(self.scene("sub-1", report=USABLE))
+        profile = self.root / "profile"
+        profile.mkdir()
+        (profile / "config.yaml").write_text("no-such-setting: 1\n")
+        done = self.group("--profile", profile)
+        self.assertEqual(1, done.returncode)
+        self.assertIn(f"what it said is in {self.out}/snakemake.log", done.stdout)
+        self.assertIn("no-such-setting", done.stdout)
 
     def test_levels_and_labels(self):
         self.table(*(self.scene(f"sub-{i}", report=USABLE) for i in (1, 2)))
@@ -170,7 +192,9 @@ class RunTest(CommandTest):
 
     def test_dry_run(self):
         self.table(self.scene("sub-1", report=USABLE))
-        self.assertEqual(0, self.group("--dry-run").returncode)
+        done = self.group("--dry-run")
+        self.assertEqual(0, done.returncode)
+        self.assertIn("would run sub-1 scene", done.stdout)
         self.assertFalse((self.out / "sub-1").exists())
 
     @unittest.skipUnless((PROGRAMS / "musclewarp-deform").exists(),

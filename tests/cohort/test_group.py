@@ -2,11 +2,10 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
 """The table and the page of a group hold what the jobs wrote."""
-import html.parser
 import json
 import unittest
 
-from folder import FolderTest, frame, report
+from folder import FolderTest, balanced, frame, report
 from musclewarp_cohort import group, page, plots
 from musclewarp_cohort.table import Job
 
@@ -101,14 +100,17 @@ class GroupTest(FolderTest):
     def test_page(self):
         rows = self.usable() + self.result(
             "sub-2", {"exit_code": 2, "reason": "<b>bad</b> & ugly"})
-        text = page.as_html(rows, self.out)
+        measured = [group.read_run(Job(f"sub-{number}", "scene", "s.json"), self.out)[1]
+                    for number in (1, 2)]
+        text = page.as_html(rows, self.out, measured)
         self.assertIn("1 of 2 runs usable", text)
         self.assertIn("&lt;b&gt;bad&lt;/b&gt; &amp; ugly", text)
         self.assertIn('<a href="sub-1/scene/report.html">', text)
         self.assertNotIn("sub-2/scene/report.html", text)  # it has no page
-        self.assertIn("psoas_r, hip_flexion_r", text)
+        self.assertIn("moment arm of psoas_r about hip_flexion_r, mm/rad", text)
+        self.assertIn("1 of 2 runs are compared. 1 has no usable frames: sub-2.", text)
         self.assertNotRegex(text, r'(?:src|href)="(?:https?:)?//|@import|url\(')
-        _Balanced(self).feed(text)
+        balanced(self, text)
 
     def test_bins(self):
         self.assertEqual((1, 1, [3]), plots.counts([1, 1, 1]))
@@ -117,27 +119,6 @@ class GroupTest(FolderTest):
         self.assertEqual(2, bins[-1])
         self.assertIn("no figures", plots.histogram([None]))
         self.assertEqual(3, plots.histogram([1, None, 2, 4]).count("<rect"))
-
-
-class _Balanced(html.parser.HTMLParser):
-    """Fails where a tag is not closed in its order."""
-
-    ALONE = {"meta", "line", "rect"}
-
-    def __init__(self, test):
-        super().__init__()
-        self._test, self._open = test, []
-
-    def handle_starttag(self, tag, attributes):
-        if tag not in self.ALONE:
-            self._open.append(tag)
-
-    def handle_startendtag(self, tag, attributes):
-        pass
-
-    def handle_endtag(self, tag):
-        if tag not in self.ALONE:
-            self._test.assertEqual(self._open.pop(), tag)
 
 
 if __name__ == "__main__":
