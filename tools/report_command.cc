@@ -36,6 +36,10 @@ void WriteReport(const ReportRequest& request, std::ostream& log) {
   ParseView("anterior",
             request.page.axes.empty() ? "LPS" : request.page.axes,
             request.page.side.empty() ? "right" : request.page.side);
+  PageOptions page = request.page;
+  if (!request.overlay.empty()) {
+    page.measured = ReadMeasuredArms(request.overlay);
+  }
   std::vector<RecordedRun> runs = {ReadRecordedRun(request.in, log)};
   if (!request.compare.empty()) {
     runs.push_back(ReadRecordedRun(request.compare, log));
@@ -45,7 +49,11 @@ void WriteReport(const ReportRequest& request, std::ostream& log) {
       log << "warning: " << run.dir << ": " << warning << "\n";
     }
   }
-  const std::string html = PageHtml(runs, request.page);
+  if (!request.overlay.empty()) {
+    log << request.overlay << ": " << MeasuredNote(page.measured, ArmsOf(runs))
+        << "\n";
+  }
+  const std::string html = PageHtml(runs, page);
   WriteTextAtomically(request.out, html);
   log << "wrote " << request.out << " (" << Mebibytes(html.size()) << ")\n";
 }

@@ -15,6 +15,7 @@ struct ReportRequest {
   std::string in;
   std::string compare;
   std::string out = "report.html";
+  std::string overlay;
   PageOptions page;
 };
 
@@ -27,6 +28,10 @@ constexpr auto FieldsOf(Described<ReportRequest>) {
           .Text("folder of another run, to show beside it")
           .Path(),
       Field(&S::out, "out").Text("the page to write").Path(),
+      Field(&S::overlay, "overlay")
+          .Text("measured moment arms to lay over the plots: a CSV table with "
+                "the columns coordinate, muscle, angle_deg, moment_arm_mm, ...")
+          .Path(),
       Field(Inner(&S::page, &P::max_bone_triangles), "bone_triangles")
           .Text("bones are shown with at most about so many triangles each")
           .AtLeast(100),

@@ -275,13 +275,67 @@ OrderedJson ViewsJson(const RecordedRun& run, const PageOptions& options) {
   return views;
 }
 
+OrderedJson MeasuredJson(const MeasuredArms& measured, const ArmsOfRun& run) {
+  OrderedJson list = OrderedJson::array();
+  for (const MeasuredArm& arm : measured.arms) {
+    const std::optional<ArmPlace> place = PlaceOf(arm, run);
+    if (!place) continue;
+    const double sign = place->turned ? -1 : 1;
+    list.push_back(
+        {{"coordinate", place->coordinate},
+         {"muscles", place->muscles},
+         {"measured", arm.joint + " " + arm.coordinate + ", " + arm.muscle},
+         {"turned", place->turned},
+         {"angle",
+          arm.angle_deg ? OrderedJson(sign * *arm.angle_deg) : OrderedJson()},
+         {"arm_mm", sign * arm.arm_mm},
+         {"sd_mm", arm.sd_mm ? OrderedJson(*arm.sd_mm) : OrderedJson()},
+         {"source", arm.source},
+         {"detail", arm.detail}});
+  }
+  if (measured.arms.empty()) return nullptr;
+  return {{"arms", list}, {"note", MeasuredNote(measured, run)}};
+}
+
 }  // namespace
+
+ArmsOfRun ArmsOf(const std::vector<RecordedRun>& runs) {
+  ArmsOfRun arms;
+  std::set<std::string> muscles, coordinates;
+  for (const RecordedRun& run : runs) {
+    for (const RecordedMuscle& muscle : run.muscles) {
+      if (muscles.insert(muscle.name).second) {
+        arms.muscles.push_back(muscle.name);
+      }
+    }
+    const OrderedJson motion = run.report.value("motion", OrderedJson());
+    if (motion.is_null()) continue;
+    for (const OrderedJson& coordinate : motion.at("coordinates")) {
+      const std::string name = coordinate.at("name");
+      if (!coordinate.at("moves").get<bool>() ||
+          coordinate.at("unit") != "degrees" ||
+          !coordinates.insert(name).second) {
+        continue;
+      }
+      arms.coordinates.push_back({name, 0});
+      double& lowest = arms.coordinates.back().lowest_deg;
+      for (const FrameFigures& frame : run.frames) {
+        const auto value = frame.coordinates.find(name);
+        if (value != frame.coordinates.end()) {
+          lowest = std::min(lowest, value->second);
+        }
+      }
+    }
+  }
+  return arms;
+}
 
 PageContents PageContentsOf(const std::vector<RecordedRun>& runs,
                             const PageOptions& options) {
   PackedNumbers packed;
   PageContents contents;
   contents.json = {{"views", ViewsJson(runs.at(0), options)},
+                   {"measured", MeasuredJson(options.measured, ArmsOf(runs))},
                    {"runs", OrderedJson::array()}};
   const std::vector<std::string> labels = Labels(runs);
   for (std::size_t i = 0; i < runs.size(); ++i) {

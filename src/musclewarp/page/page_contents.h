@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/page/measured_arms.h"
 #include "musclewarp/page/recorded_run.h"
 
 namespace musclewarp {
@@ -20,6 +21,8 @@ struct PageOptions {
   // report of the first run decides.
   std::string axes;
   std::string side;
+  // Laid over the moment arms of the runs.
+  MeasuredArms measured;
 };
 
 // What the page shows, in two parts that the scripts in tools/report/src/data
@@ -31,6 +34,10 @@ struct PageContents {
   // The packed numbers of all runs (see PackedNumbers), as base64.
   std::string numbers;
 };
+
+// Returns the coordinates and muscles of runs to which measured arms may
+// belong.
+ArmsOfRun ArmsOf(const std::vector<RecordedRun>& runs);
 
 // Collects the data of a page. Runs are labelled by the last part of their
 // folders, or by the whole path if that is not unique. Throws InputError that

@@ -552,6 +552,35 @@ describe("the page", () => {
     assert.deepEqual(drawn.complaints, []);
   });
 
+  test("lays measured moment arms over the plots", async () => {
+    const table = join(workDir, "arms.csv");
+    writeFileSync(
+      table,
+      "joint,coordinate,muscle,angle_deg,moment_arm_mm,sd_mm,source\n" +
+        "hip,flexion,gluteus_medius,10,-20,2,A\n" +
+        "hip,flexion,gluteus_medius,50,-10,,A\n" +
+        "hip,flexion,gluteus_medius,10,-30,,B\n" +
+        "hip,flexion,gluteus_medius,50,-25,,B\n" +
+        "hip,flexion,psoas,,35,,C\n" +
+        "knee,flexion,soleus,10,3,,D\n",
+    );
+    const file = writePage(
+      run,
+      join(workDir, "overlay.html"),
+      `--overlay=${table}`,
+    );
+    const page = await browser.openReady(file);
+    await hasText(page, "5 of 6 measured moment arms are laid over the plots");
+    const figure = "#figure-carried-moment-arms-hip_flexion_r";
+    const count = (what) => page.locator(`${figure} ${what}`).count();
+    assert.equal(await count("[aria-label=measured] circle"), 4);
+    assert.equal(await count("[aria-label=area] path"), 1); // of two studies
+    await page.locator("#plotted-muscle").selectOption("psoas_major_r");
+    await browser.drawn(page);
+    assert.equal(await count("[aria-label=measured] circle"), 0);
+    assert.deepEqual(page.complaints, []);
+  });
+
   test("the summary has what a reader asks for", async () => {
     const page = await browser.openReady(html);
     const report = readReport(run);

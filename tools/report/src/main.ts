@@ -161,7 +161,7 @@ function build(data: PageData): void {
         ),
       ),
       ...(runs.some((run) => run.frames.length > 0)
-        ? [figuresSection(runs, timeline, colors, store, player)]
+        ? [figuresSection(data, timeline, colors, store, player)]
         : []),
       summarySection(runs),
     ),

@@ -60,8 +60,27 @@ interface RunJson {
   warnings: string[];
 }
 
+// Someone's moment arm, in the sense in which the run counts the coordinate.
+export interface MeasuredArm {
+  coordinate: string;
+  muscles: string[]; // of the run
+  measured: string; // as its source has joint, coordinate and muscle
+  turned: boolean; // the source counts the coordinate the other way
+  angle: number | null; // degrees; null where the source tells none
+  arm_mm: number;
+  sd_mm: number | null;
+  source: string;
+  detail: string;
+}
+
+export interface Measured {
+  arms: MeasuredArm[];
+  note: string;
+}
+
 interface PageJson {
   views: Record<string, View>;
+  measured: Measured | null;
   runs: RunJson[];
 }
 
@@ -111,6 +130,7 @@ export interface Run {
 
 export interface PageData {
   views: Record<string, View>;
+  measured: Measured | null;
   runs: Run[];
 }
 
@@ -189,6 +209,7 @@ export async function readPageData(): Promise<PageData> {
   const { json, packed } = await readParts<PageJson>("runs");
   return {
     views: json.views,
+    measured: json.measured,
     runs: json.runs.map((run) => runFrom(run, packed)),
   };
 }

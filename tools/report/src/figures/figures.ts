@@ -3,7 +3,7 @@
 
 // All plots, the choice of their abscissa, and toggles of muscles.
 
-import { Run } from "../data/run";
+import { MeasuredArm, PageData, Run } from "../data/run";
 import { Moment } from "../data/timeline";
 import { button, element, labelled, section, select } from "../dom";
 import { MeshColors } from "../mesh_colors";
@@ -11,6 +11,7 @@ import { readable } from "../palette";
 import { Player } from "../player";
 import { Store } from "../state";
 import { csvOf, downloadFigure, svgFileText } from "./downloads";
+import { measuredIn } from "./measured";
 import { DrawnPlot, colorOf, drawPlot } from "./plot";
 import {
   Abscissa,
@@ -32,6 +33,7 @@ class FigurePanel {
     private readonly runs: Run[],
     private readonly abscissas: Abscissa[],
     private readonly colors: MeshColors,
+    private readonly measured: MeasuredArm[],
     private readonly isShown: (series: Series) => boolean,
     private readonly onPick: (run: number, frame: number) => void,
   ) {
@@ -71,6 +73,12 @@ class FigurePanel {
         runs: this.runs,
         abscissa,
         colors: this.colors,
+        measured: measuredIn(
+          this.figure,
+          abscissa,
+          this.measured,
+          this.isShown,
+        ),
         isShown: this.isShown,
         width: Math.max(260, this.place.clientWidth),
       },
@@ -195,7 +203,7 @@ function figureGroup(
 }
 
 export function figuresSection(
-  runs: Run[],
+  { runs, measured }: PageData,
   timeline: Moment[],
   colors: MeshColors,
   store: Store,
@@ -213,6 +221,7 @@ export function figuresSection(
         runs,
         abscissas,
         colors,
+        measured?.arms ?? [],
         ({ muscle }) => !off.has(muscle),
         (run, frame) =>
           player.goTo(
@@ -271,6 +280,7 @@ export function figuresSection(
       ...muscleChoice(runs, colors, off, draw),
       legend(figures, runs),
     ),
+    ...(measured ? [element("p", { class: "note" }, `${measured.note}.`)] : []),
     ...groups,
   );
   let width = 0;

@@ -8,6 +8,7 @@ import * as Plot from "@observablehq/plot";
 import { Run } from "../data/run";
 import { MeshColors } from "../mesh_colors";
 import { readable } from "../palette";
+import { MeasuredCurve, measuredMarks, measuredPoints } from "./measured";
 import { Abscissa, Figure, Series } from "./series";
 
 interface Point {
@@ -25,6 +26,7 @@ export interface PlotOptions {
   runs: Run[];
   abscissa: Abscissa;
   colors: MeshColors;
+  measured: MeasuredCurve[];
   isShown: (series: Series) => boolean;
   width: number;
 }
@@ -77,6 +79,7 @@ export function drawPlot(
   onPick: (run: number, frame: number) => void,
 ): DrawnPlot {
   const points = pointsOf(figure, options);
+  const { colors } = options;
   const finite = points.filter(({ x, y }) => Number.isFinite(x + y));
   const line = (dashed: boolean) =>
     Plot.line(
@@ -118,11 +121,12 @@ export function drawPlot(
     },
     color: { type: "identity" },
     marks: [
+      ...measuredMarks(options.measured, colors),
       line(false),
       line(true),
       Plot.dot(finite, { x: "x", y: "y", fill: "color", r: 1.5 }),
       Plot.tip(
-        finite,
+        [...finite, ...measuredPoints(options.measured, colors)],
         Plot.pointer({
           x: "x",
           y: "y",
@@ -144,9 +148,10 @@ export function drawPlot(
   svg.prepend(cursor);
 
   svg.addEventListener("click", (event) => {
+    const shown = svg.value as Partial<Point> | null;
     const picked =
-      (svg.value as Point | null) ?? nearest(finite, scale, svg, event);
-    if (picked) onPick(picked.run, picked.frame);
+      shown?.frame === undefined ? nearest(finite, scale, svg, event) : shown;
+    if (picked) onPick(picked.run!, picked.frame!);
   });
   return {
     svg,
