@@ -179,6 +179,7 @@ describe("the page", () => {
       "figure-stretch",
       "figure-stretch-patch",
       "figure-volume-ratio",
+      "figure-section-areas",
       "figure-crossing-pairs",
       "figure-gap",
       "figure-drift",
@@ -573,11 +574,11 @@ describe("the page", () => {
     await hasText(page, "5 of 6 measured moment arms are laid over the plots");
     const figure = "#figure-carried-moment-arms-hip_flexion_r";
     const count = (what) => page.locator(`${figure} ${what}`).count();
-    assert.equal(await count("[aria-label=measured] circle"), 4);
+    assert.equal(await count(".measured circle"), 4);
     assert.equal(await count("[aria-label=area] path"), 1); // of two studies
     await page.locator("#plotted-muscle").selectOption("psoas_major_r");
     await browser.drawn(page);
-    assert.equal(await count("[aria-label=measured] circle"), 0);
+    assert.equal(await count(".measured circle"), 0);
     assert.deepEqual(page.complaints, []);
   });
 

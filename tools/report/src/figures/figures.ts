@@ -13,6 +13,7 @@ import { Store } from "../state";
 import { csvOf, downloadFigure, svgFileText } from "./downloads";
 import { measuredIn } from "./measured";
 import { DrawnPlot, colorOf, drawPlot } from "./plot";
+import { ProfilePanel } from "./profile_panel";
 import {
   Abscissa,
   Figure,
@@ -23,7 +24,18 @@ import {
   figuresOf,
 } from "./series";
 
-class FigurePanel {
+// What is drawn for itself in a group.
+interface Panel {
+  root: HTMLElement;
+  draw(abscissa: Abscissa): void;
+  mark(x: number): void;
+}
+
+function isOpen({ root }: Panel): boolean {
+  return root.closest("details")?.open ?? true;
+}
+
+class FigurePanel implements Panel {
   readonly root: HTMLElement;
   private readonly place = element("div", { class: "plot" });
   private plot: DrawnPlot | null = null;
@@ -59,11 +71,6 @@ class FigurePanel {
       this.place,
       ...(note ? [element("p", { class: "note" }, note)] : []),
     );
-  }
-
-  // Whether it can be seen.
-  get isOpen(): boolean {
-    return this.root.closest("details")?.open ?? true;
   }
 
   draw(abscissa: Abscissa): void {
@@ -182,7 +189,7 @@ function legend(figures: Figure[], runs: Run[]): HTMLElement {
 // Figures of the solver are for those who look for them.
 function figureGroup(
   group: FigureGroup,
-  panels: FigurePanel[],
+  panels: Panel[],
   onOpen: () => void,
 ): HTMLElement {
   const grid = element(
@@ -214,7 +221,7 @@ export function figuresSection(
   abscissa ??= abscissas[abscissas.length - 1];
   const off = new Set<string>();
   const figures = figuresOf(runs);
-  const panels = figures.map(
+  const figurePanels = figures.map(
     (figure) =>
       new FigurePanel(
         figure,
@@ -229,6 +236,18 @@ export function figuresSection(
           ),
       ),
   );
+  const profiles = new ProfilePanel(
+    runs,
+    timeline,
+    colors,
+    store,
+    (muscle) => !off.has(muscle),
+  );
+  const panels: Panel[] = [...figurePanels, profiles];
+  const groups: FigureGroup[] = [
+    ...figures.map(({ group }) => group),
+    "Stretch and volume",
+  ];
   const mark = () => {
     const { poses } = timeline[store.state.moment];
     const run = poses.findIndex((pose) => pose !== null && pose > 0);
@@ -241,7 +260,7 @@ export function figuresSection(
   const draw = () => {
     const mine = ++turn;
     delete made.dataset.drawn;
-    const waiting = panels.filter((panel) => panel.isOpen);
+    const waiting = panels.filter(isOpen);
     const next = () => {
       if (mine !== turn) return;
       const panel = waiting.shift();
@@ -263,10 +282,10 @@ export function figuresSection(
     },
   );
   choice.value = abscissa.id;
-  const groups = figureGroups.map((group) =>
+  const madeGroups = figureGroups.map((group) =>
     figureGroup(
       group,
-      panels.filter((_, i) => figures[i].group === group),
+      panels.filter((_, i) => groups[i] === group),
       draw,
     ),
   );
@@ -281,7 +300,7 @@ export function figuresSection(
       legend(figures, runs),
     ),
     ...(measured ? [element("p", { class: "note" }, `${measured.note}.`)] : []),
-    ...groups,
+    ...madeGroups,
   );
   let width = 0;
   new ResizeObserver(() => {

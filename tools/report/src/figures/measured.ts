@@ -174,7 +174,7 @@ export function measuredMarks(
       r: 3,
       stroke: "color",
       fill: "var(--surface)",
-      ariaLabel: "measured",
+      className: "measured",
     }),
   ];
 }

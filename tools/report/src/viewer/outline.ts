@@ -12,17 +12,22 @@ export interface Outline {
   area: number; // mm2
 }
 
-// Ends of the segments in which a plane cuts triangles. Each goes from the edge
-// on which the triangle, gone round, rises through the plane to that on which
-// it falls, so that closed surfaces give closed outlines with one sense.
-export function cutSegments(
+interface Cut {
+  ends: number[]; // of the segments, three coordinates each
+  edges: number[]; // of the mesh on which the ends lie
+}
+
+// Each segment goes from the edge on which the triangle, gone round, rises
+// through the plane to that on which it falls, so that closed surfaces give
+// closed outlines with one sense.
+function cut(
   points: ArrayLike<number>,
   triangles: ArrayLike<number>,
-  plane: Plane,
-): Float32Array {
-  const { normal, constant } = plane;
-  const heights = new Float32Array(points.length / 3);
-  for (let v = 0; v < heights.length; ++v) {
+  { normal, constant }: Plane,
+): Cut {
+  const vertices = points.length / 3;
+  const heights = new Float64Array(vertices);
+  for (let v = 0; v < vertices; ++v) {
     heights[v] =
       normal.x * points[3 * v] +
       normal.y * points[3 * v + 1] +
@@ -30,6 +35,7 @@ export function cutSegments(
       constant;
   }
   const ends: number[] = [];
+  const edges: number[] = [];
   for (let t = 0; t < triangles.length; t += 3) {
     const at = ends.length;
     for (let k = 0; k < 3; ++k) {
@@ -37,14 +43,49 @@ export function cutSegments(
       const rises = heights[b] >= 0;
       if (heights[a] >= 0 === rises) continue;
       const part = heights[a] / (heights[a] - heights[b]);
+      const end = rises ? 0 : 1;
+      edges[at / 3 + end] = Math.min(a, b) * vertices + Math.max(a, b);
       for (let c = 0; c < 3; ++c) {
         const from = points[3 * a + c];
-        ends[at + (rises ? 0 : 3) + c] =
-          from + part * (points[3 * b + c] - from);
+        ends[at + 3 * end + c] = from + part * (points[3 * b + c] - from);
       }
     }
   }
-  return new Float32Array(ends);
+  return { ends, edges };
+}
+
+// Two ends of each segment in which a plane cuts triangles.
+export function cutSegments(
+  points: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  plane: Plane,
+): Float32Array {
+  return new Float32Array(cut(points, triangles, plane).ends);
+}
+
+// The same, parted into outlines that hang together. Precondition: the surface
+// is closed, and no edge has more than two triangles.
+export function cutPieces(
+  points: ArrayLike<number>,
+  triangles: ArrayLike<number>,
+  plane: Plane,
+): Float32Array[] {
+  const { ends, edges } = cut(points, triangles, plane);
+  const beginning = new Map<number, number>(); // at an edge: a segment
+  for (let i = 0; i < edges.length; i += 2) beginning.set(edges[i], i);
+  const pieces: Float32Array[] = [];
+  const isTaken = new Set<number>();
+  for (let start = 0; start < edges.length; start += 2) {
+    const piece: number[] = [];
+    let at: number | undefined = start;
+    while (at !== undefined && !isTaken.has(at)) {
+      isTaken.add(at);
+      piece.push(...ends.slice(3 * at, 3 * at + 6));
+      at = beginning.get(edges[at + 1]);
+    }
+    if (piece.length > 0) pieces.push(new Float32Array(piece));
+  }
+  return pieces;
 }
 
 // Within the outline of a closed surface: inside holes once less.
