@@ -52,8 +52,11 @@ TEST(CsvTable, RefusesWhatIsNoTable) {
   const CsvTable table = TableOf("a,b\n1,two\n1,nan\n");
   ExpectInputError([&] { table.Number(0, "b"); }, {"line 2", "b 'two'"});
   ExpectInputError([&] { table.Number(1, "b"); }, {"line 3", "b 'nan'"});
-  ExpectInputError([&] { table.Require({"a", "c"}); },
-                   {"has no column c; it has a, b"});
+  ExpectInputError(
+      [&] {
+        table.Require({"a", "c"});
+      },
+      {"has no column c; it has a, b"});
 }
 
 }  // namespace

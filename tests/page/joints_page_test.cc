@@ -18,9 +18,7 @@ using OrderedJson = nlohmann::ordered_json;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-OrderedJson DataOf(const std::string& html) {
-  return OrderedJson::parse(ScriptText(html, "joints"));
-}
+OrderedJson DataOf(const std::string& html) { return PageJson(html, "joints"); }
 
 Bone MadeBone(const std::string& name,
               const std::string& body,

@@ -56,10 +56,12 @@ TEST(MeasuredArms, RefusesOtherTables) {
 }
 
 TEST(MeasuredArms, FindsMusclesByTheirWords) {
-  const ArmsOfRun run = {
-      {{"hip_flexion_r", -10}},
-      {"psoas_major_r", "gastrocnemius_medial_r", "calcaneal_tendon_r",
-       "fibularis_longus_r", "Gluteus Maximus"}};
+  const ArmsOfRun run = {{{"hip_flexion_r", -10}},
+                         {"psoas_major_r",
+                          "gastrocnemius_medial_r",
+                          "calcaneal_tendon_r",
+                          "fibularis_longus_r",
+                          "Gluteus Maximus"}};
   const auto muscles = [&](const std::string& measured) {
     const auto place = PlaceOf(ArmOf("hip", "flexion", measured), run);
     return place ? place->muscles : std::vector<std::string>();

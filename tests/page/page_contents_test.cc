@@ -22,23 +22,21 @@ OrderedJson FirstRun(const PageContents& contents) {
   return contents.json["runs"][0];
 }
 
-TEST(PageContents, PositionsAreRoundedToAStep) {
+TEST(PageContents, PositionsAreWithinTheTolerance) {
   const WrittenRun written = WriteRun(TestTempDir());
-  const PageContents contents = PageContentsOf({ReadQuietly(written.dir)}, {});
-  const OrderedJson run = FirstRun(contents);
-  const double step = run["step_mm"];
-  // A 2^17th of the box around two balls of 20 mm, 23 mm apart.
-  EXPECT_NEAR(
-      step, Eigen::Vector3d(43, 20, 20).norm() / (1 << 17), 0.01 * step);
-  const OrderedJson& muscle = run["muscles"][0];
-  const std::vector<int> numbers =
-      UnpackedNumbers(contents.numbers, muscle["poses"]);
-  const auto size = written.muscle.points.size();
-  ASSERT_EQ(static_cast<Eigen::Index>(numbers.size()), 3 * size);
-  const Points& last = written.muscle_frames[1];
-  for (Eigen::Index i = 0; i < size; ++i) {
-    // Half a step, and the rounding of the product.
-    EXPECT_NEAR(step * numbers[2 * size + i], last.data()[i], 0.501 * step);
+  for (const double tolerance : {0.001, 0.1}) {
+    PageOptions options;
+    options.position_tolerance = tolerance;
+    const PageContents contents =
+        PageContentsOf({ReadQuietly(written.dir)}, options);
+    const OrderedJson run = FirstRun(contents);
+    EXPECT_GT(run["position_error_mm"], 0);
+    EXPECT_LE(run["position_error_mm"], tolerance);
+    const Points last =
+        UnpackedPose(contents.numbers, run["muscles"][0]["motion"], 2);
+    // Sums of the reader's products are rounded.
+    EXPECT_LE((last - written.muscle_frames[1]).cwiseAbs().maxCoeff(),
+              run["position_error_mm"].get<double>() + 1e-9);
   }
 }
 

@@ -24,7 +24,7 @@ TEST(Page, HoldsTheRun) {
   const std::string html = PageHtml({ReadQuietly(written.dir)}, {});
   EXPECT_THAT(html, HasSubstr("<!doctype html>"));
   EXPECT_THAT(html, Not(HasSubstr("musclewarp:data")));
-  const Json data = Json::parse(ScriptText(html, "runs"));
+  const Json data = PageJson(html, "runs");
   const Json& run = data["runs"][0];
   EXPECT_EQ(run["muscles"][0]["name"], "muscle");
   EXPECT_EQ(run["muscles"][0]["vertices"], written.muscle.points.rows());
@@ -39,16 +39,14 @@ TEST(Page, NamesCannotEndTheScript) {
   const std::string html =
       PageHtml({ReadQuietly(WriteRun(TestTempDir(), name).dir)}, {});
   EXPECT_THAT(html, Not(HasSubstr("<img src=x")));
-  EXPECT_EQ(
-      Json::parse(ScriptText(html, "runs"))["runs"][0]["muscles"][0]["name"],
-      name);
+  EXPECT_EQ(PageJson(html, "runs")["runs"][0]["muscles"][0]["name"], name);
 }
 
 TEST(Page, ViewsFollowTheAxesOfTheScene) {
   const WrittenRun written = WriteRun(TestTempDir());
   const auto lateral = [&](const PageOptions& options) {
-    const Json data = Json::parse(
-        ScriptText(PageHtml({ReadQuietly(written.dir)}, options), "runs"));
+    const Json data =
+        PageJson(PageHtml({ReadQuietly(written.dir)}, options), "runs");
     return data["views"]["lateral"]["toward_viewer"];
   };
   // The scene has z to the right and is of a left leg.
@@ -65,8 +63,8 @@ TEST(Page, ViewsFollowTheAxesOfTheScene) {
 TEST(Page, HasMomentArmsOfCarriedLines) {
   WrittenRun written = WriteRun(TestTempDir());
   const auto expect_arms = [&](double expected) {
-    const Json data = Json::parse(
-        ScriptText(PageHtml({ReadQuietly(written.dir)}, {}), "runs"));
+    const Json data =
+        PageJson(PageHtml({ReadQuietly(written.dir)}, {}), "runs");
     const Json& arms = data["runs"][0]["carried_moment_arms_mm"];
     EXPECT_EQ(arms["coordinate"], "hip");
     ASSERT_EQ(arms["muscles"]["muscle"]["l"].size(), 2u);
@@ -87,8 +85,8 @@ TEST(Page, HasMomentArmsOfCarriedLines) {
 TEST(Page, RunsAreNamedApart) {
   const std::string dir = TestTempDir();
   const auto labels = [&](const std::string& a, const std::string& b) {
-    const Json data = Json::parse(
-        ScriptText(PageHtml({ReadQuietly(a), ReadQuietly(b)}, {}), "runs"));
+    const Json data =
+        PageJson(PageHtml({ReadQuietly(a), ReadQuietly(b)}, {}), "runs");
     return std::vector<std::string>{data["runs"][0]["folder"],
                                     data["runs"][1]["folder"]};
   };

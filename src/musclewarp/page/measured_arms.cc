@@ -78,8 +78,8 @@ std::string WithoutSide(const std::string& name) {
 bool IsAlike(const std::string& a, const std::string& b) {
   constexpr std::size_t kFewestLetters = 5;
   const std::size_t letters = std::min(a.size(), b.size());
-  return a == b ||
-         (letters >= kFewestLetters && a.compare(0, letters, b, 0, letters) == 0);
+  return a == b || (letters >= kFewestLetters &&
+                    a.compare(0, letters, b, 0, letters) == 0);
 }
 
 bool HasAllWords(const std::string& muscle, const std::string& measured) {
@@ -87,9 +87,10 @@ bool HasAllWords(const std::string& muscle, const std::string& measured) {
   const std::vector<std::string> wanted = WordsOf(measured);
   return !wanted.empty() &&
          std::all_of(wanted.begin(), wanted.end(), [&](const auto& want) {
-           return std::any_of(words.begin(), words.end(), [&](const auto& word) {
-             return IsAlike(word, want);
-           });
+           return std::any_of(
+               words.begin(), words.end(), [&](const auto& word) {
+                 return IsAlike(word, want);
+               });
          });
 }
 

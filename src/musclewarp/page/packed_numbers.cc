@@ -34,13 +34,15 @@ nlohmann::ordered_json PackedNumbers::Add(const Triangles& triangles) {
   return Add({triangles.data(), triangles.data() + triangles.size()}, 3);
 }
 
-std::string PackedNumbers::Base64() const {
-  uLongf size = compressBound(bytes_.size());
+std::string PackedNumbers::Base64() const { return DeflatedBase64(bytes_); }
+
+std::string DeflatedBase64(const std::string& bytes) {
+  uLongf size = compressBound(bytes.size());
   std::string packed(size, '\0');
   const int result = compress2(reinterpret_cast<Bytef*>(packed.data()),
                                &size,
-                               reinterpret_cast<const Bytef*>(bytes_.data()),
-                               bytes_.size(),
+                               reinterpret_cast<const Bytef*>(bytes.data()),
+                               bytes.size(),
                                Z_BEST_COMPRESSION);
   CHECK_EQ(result, Z_OK);
   packed.resize(size);

@@ -33,12 +33,15 @@ class PackedNumbers {
   // Adds the indices of triangles, three to a triangle.
   nlohmann::ordered_json Add(const Triangles& triangles);
 
-  // Returns all bytes so far, deflated (zlib, RFC 1950), as base64.
+  // Returns all bytes so far as DeflatedBase64().
   std::string Base64() const;
 
  private:
   std::string bytes_;
 };
+
+// Returns bytes deflated (zlib, RFC 1950), as base64.
+std::string DeflatedBase64(const std::string& bytes);
 
 // Appends the multiples of `step` (mm) nearest to the coordinates of points,
 // three to a point, to `numbers`. Precondition (CHECKed): they fit 30 bits.

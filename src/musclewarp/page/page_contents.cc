@@ -10,6 +10,7 @@
 
 #include "musclewarp/base/angles.h"
 #include "musclewarp/figures/figures_json.h"
+#include "musclewarp/page/packed_motion.h"
 #include "musclewarp/page/packed_numbers.h"
 #include "musclewarp/page/page_parts.h"
 #include "musclewarp/run/frame_files.h"
@@ -26,7 +27,7 @@ double GapStepOf(const RecordedRun& run) {
   return kGapLimit * run.body_size / 100;
 }
 
-// Of everything at rest.
+// To which bones are rounded, by everything at rest.
 double StepOf(const RecordedRun& run) {
   std::vector<const Points*> points;
   for (const RecordedMuscle& muscle : run.muscles) {
@@ -37,24 +38,50 @@ double StepOf(const RecordedRun& run) {
   return RoundingStep(points);
 }
 
+// Packs positions of muscles, and keeps the largest error.
+class MotionPacker {
+ public:
+  MotionPacker(double tolerance, PackedNumbers* packed)
+      : tolerance_(tolerance), packed_(packed) {}
+
+  PackedNumbers* packed() { return packed_; }
+  double max_error() const { return max_error_; }
+
+  OrderedJson Add(const std::vector<const Points*>& poses) {
+    PackedMotion motion = PackMotion(poses, tolerance_, packed_);
+    max_error_ = std::max(max_error_, motion.max_error);
+    return std::move(motion.json);
+  }
+
+ private:
+  double tolerance_;
+  PackedNumbers* packed_;
+  double max_error_ = 0;
+};
+
 // Returns polylines, one after the other; each has the same number of points in
 // all poses.
 OrderedJson PolylinesJson(
     const std::vector<std::vector<const Points*>>& by_pose,
-    double step,
-    PackedNumbers* packed) {
+    MotionPacker* packer) {
   OrderedJson counts = OrderedJson::array();
-  int points = 0;
+  Eigen::Index points = 0;
   for (const Points* line : by_pose[0]) {
     counts.push_back(line->rows());
-    points += static_cast<int>(line->rows());
+    points += line->rows();
   }
-  std::vector<int> rounded;
+  std::vector<Points> joined;
+  std::vector<const Points*> poses;
   for (const auto& lines : by_pose) {
-    for (const Points* line : lines) AppendRounded(*line, step, &rounded);
+    Points& all = joined.emplace_back(points, 3);
+    Eigen::Index row = 0;
+    for (const Points* line : lines) {
+      all.middleRows(row, line->rows()) = *line;
+      row += line->rows();
+    }
   }
-  return {{"counts", counts},
-          {"poses", packed->Add(rounded, std::max(1, 3 * points))}};
+  for (const Points& all : joined) poses.push_back(&all);
+  return {{"counts", counts}, {"motion", packer->Add(poses)}};
 }
 
 OrderedJson AreasJson(const std::vector<AttachedArea>& areas,
@@ -68,13 +95,13 @@ OrderedJson AreasJson(const std::vector<AttachedArea>& areas,
 }
 
 OrderedJson MuscleJson(const RecordedMuscle& muscle,
-                       double step,
                        double gap_step,
-                       PackedNumbers* packed) {
-  std::vector<int> positions, gaps;
+                       MotionPacker* packer) {
+  std::vector<int> gaps;
+  std::vector<const Points*> points;
   std::vector<std::vector<const Points*>> lines, fibres;
   for (std::size_t pose = 0; pose < muscle.points.size(); ++pose) {
-    AppendRounded(muscle.points[pose], step, &positions);
+    points.push_back(&muscle.points[pose]);
     for (const double gap : muscle.gaps[pose]) {
       // Gaps are rounded away from zero, so that what is inside stays inside.
       const double steps = gap / gap_step;
@@ -95,16 +122,17 @@ OrderedJson MuscleJson(const RecordedMuscle& muscle,
     names.push_back(line.name);
   }
   const int vertices = static_cast<int>(muscle.points[0].rows());
-  OrderedJson line_json = PolylinesJson(lines, step, packed);
+  PackedNumbers* packed = packer->packed();
+  OrderedJson line_json = PolylinesJson(lines, packer);
   line_json["names"] = names;
   return {{"name", muscle.name},
           {"vertices", vertices},
           {"triangles", packed->Add(muscle.triangles)},
-          {"poses", packed->Add(positions, 3 * vertices)},
+          {"motion", packer->Add(points)},
           {"gaps", packed->Add(gaps, vertices)},
           {"attached", AreasJson(muscle.attached, packed)},
           {"lines", line_json},
-          {"fibres", PolylinesJson(fibres, step, packed)}};
+          {"fibres", PolylinesJson(fibres, packer)}};
 }
 
 OrderedJson BoneJson(const RecordedBone& bone,
@@ -238,9 +266,10 @@ OrderedJson RunJson(const RecordedRun& run,
                     const PageOptions& options,
                     PackedNumbers* packed) {
   const double step = StepOf(run);
+  MotionPacker packer(options.position_tolerance * run.body_size, packed);
   OrderedJson muscles = OrderedJson::array();
   for (const RecordedMuscle& muscle : run.muscles) {
-    muscles.push_back(MuscleJson(muscle, step, GapStepOf(run), packed));
+    muscles.push_back(MuscleJson(muscle, GapStepOf(run), &packer));
   }
   OrderedJson bones = OrderedJson::array();
   for (const RecordedBone& bone : run.bones) {
@@ -252,6 +281,7 @@ OrderedJson RunJson(const RecordedRun& run,
           {"report", report},
           {"frames", JsonOf(run.frames)},
           {"step_mm", step},
+          {"position_error_mm", packer.max_error()},
           {"gap_step_mm", GapStepOf(run)},
           {"contact_gap_mm", kContactGap * run.body_size},
           {"muscles", muscles},

@@ -21,14 +21,17 @@ struct PageOptions {
   // report of the first run decides.
   std::string axes;
   std::string side;
+  // How far a coordinate of a muscle's vertex may be off, mm in a human; half
+  // of it at rest.
+  double position_tolerance = 0.02;
   // Laid over the moment arms of the runs.
   MeasuredArms measured;
 };
 
 // What the page shows, in two parts that the scripts in tools/report/src/data
 // read: texts and figures as JSON, and positions and indices as packed numbers
-// to which the JSON refers. Positions are rounded to 2^-17 of the diagonal of
-// the scene, some micrometres.
+// to which the JSON refers. Positions of bones are rounded to 2^-17 of the
+// diagonal of the scene, some micrometres.
 struct PageContents {
   nlohmann::ordered_json json;
   // The packed numbers of all runs (see PackedNumbers), as base64.

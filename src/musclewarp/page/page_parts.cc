@@ -16,20 +16,6 @@ using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::string_view kDataPlace = "<!--musclewarp:data-->";
 
-// Returns the JSON as the content of a <script>, which no text in it can end.
-std::string ScriptSafe(const OrderedJson& json) {
-  std::string safe;
-  for (const char c :
-       json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace)) {
-    if (c == '<') {
-      safe += "\\u003c";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
-
 }  // namespace
 
 std::string PageText(std::string_view bundle,
@@ -39,8 +25,11 @@ std::string PageText(std::string_view bundle,
   const std::size_t place = bundle.find(kDataPlace);
   CHECK(place != std::string_view::npos);
   std::string html(bundle.substr(0, place));
-  html += "<script type=\"application/json\" id=\"" + data_id + "\">" +
-          ScriptSafe(json) +
+  // Base64 cannot end a script, whatever names the JSON has.
+  const std::string text =
+      json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+  html += "<script type=\"text/plain\" id=\"" + data_id + "\">" +
+          DeflatedBase64(text) +
           "</script>\n<script type=\"text/plain\" id=\"numbers\">" + numbers +
           "</script>\n";
   html += bundle.substr(place + kDataPlace.size());

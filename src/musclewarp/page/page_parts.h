@@ -16,9 +16,9 @@ namespace musclewarp {
 // What the pages have in common, as tools/report/src/data reads it.
 
 // Returns a bundle of tools/report with its data filled in: JSON as the script
-// with the id `data_id`, and packed numbers (PackedNumbers::Base64). No text in
-// the JSON can end its script. Precondition (CHECKed): the bundle has a place
-// for the data.
+// with the id `data_id` (DeflatedBase64, so that no text in it can end the
+// script), and packed numbers (PackedNumbers::Base64). Precondition (CHECKed):
+// the bundle has a place for the data.
 std::string PageText(std::string_view bundle,
                      const std::string& data_id,
                      const nlohmann::ordered_json& json,

@@ -779,7 +779,7 @@ describe("what went wrong", () => {
     const text = readFileSync(html, "utf8");
     const damage = {
       "no data": text.replace(
-        /<script type="application\/json".*?<\/script>/s,
+        /<script type="text\/plain" id="runs".*?<\/script>/s,
         "",
       ),
       "cut numbers": text.replace(

@@ -68,7 +68,7 @@ export function startPage<Data>(
   program: string,
 ): void {
   startTheme();
-  sayProgress("unpacking")
+  sayProgress("unpacking figures")
     .then(read)
     .then(async (data) => {
       await sayProgress("making the view");

@@ -10,18 +10,23 @@ export interface NumbersRef {
   stride: number;
 }
 
+// Of bytes as DeflatedBase64() of the same file writes them.
+export function inflated(base64: string): Response {
+  const text = atob(base64);
+  const deflated = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) deflated[i] = text.charCodeAt(i);
+  const stream = new Blob([deflated])
+    .stream()
+    .pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream);
+}
+
 export class PackedNumbers {
   private constructor(private readonly bytes: Uint8Array) {}
 
   static async fromBase64(base64: string): Promise<PackedNumbers> {
-    const text = atob(base64);
-    const deflated = new Uint8Array(text.length);
-    for (let i = 0; i < text.length; ++i) deflated[i] = text.charCodeAt(i);
-    const stream = new Blob([deflated])
-      .stream()
-      .pipeThrough(new DecompressionStream("deflate"));
     return new PackedNumbers(
-      new Uint8Array(await new Response(stream).arrayBuffer()),
+      new Uint8Array(await inflated(base64).arrayBuffer()),
     );
   }
 

@@ -4,7 +4,8 @@
 // What the data of all pages have in common, as
 // src/musclewarp/page/page_parts.cc hands it over.
 
-import { NumbersRef, PackedNumbers } from "./numbers";
+import { sayProgress } from "../start";
+import { NumbersRef, PackedNumbers, inflated } from "./numbers";
 
 export type Vector = [number, number, number];
 
@@ -54,6 +55,8 @@ function textOf(id: string): string {
 export async function readParts<Json>(
   id: string,
 ): Promise<{ json: Json; packed: PackedNumbers }> {
+  const json = (await inflated(textOf(id)).json()) as Json;
+  await sayProgress("unpacking positions");
   const packed = await PackedNumbers.fromBase64(textOf("numbers"));
-  return { json: JSON.parse(textOf(id)) as Json, packed };
+  return { json, packed };
 }

@@ -4,6 +4,7 @@
 // A run as src/musclewarp/page/page_contents.cc hands it over. "Poses" are rest,
 // then the frames. Lengths in mm.
 
+import { MotionJson, motionFrom } from "./motion";
 import { NumbersRef, PackedNumbers } from "./numbers";
 import {
   BoneShape,
@@ -16,14 +17,14 @@ import { FrameFigures, PairFigures, Report } from "./report";
 
 interface PolylinesJson {
   counts: number[];
-  poses: NumbersRef;
+  motion: MotionJson;
 }
 
 interface MuscleJson {
   name: string;
   vertices: number;
   triangles: NumbersRef;
-  poses: NumbersRef;
+  motion: MotionJson;
   gaps: NumbersRef;
   attached: { body: string; vertices: NumbersRef }[];
   lines: PolylinesJson & { names: string[] };
@@ -51,6 +52,7 @@ interface RunJson {
   report: Report;
   frames: FrameFigures[];
   step_mm: number;
+  position_error_mm: number;
   gap_step_mm: number;
   contact_gap_mm: number;
   muscles: MuscleJson[];
@@ -120,7 +122,7 @@ export interface Run {
   frames: FrameFigures[];
   gapLimit: number; // up to which gaps were looked for, mm
   contactGap: number;
-  step: number;
+  positionError: number; // of muscles, by which they are off, at most; mm
   muscles: Muscle[];
   bones: Bone[];
   crossings: Crossing[][];
@@ -134,9 +136,16 @@ export interface PageData {
   runs: Run[];
 }
 
-// Numbers in rows of a pose each, scaled.
-function rows(numbers: Int32Array, stride: number, scale: number) {
+// Numbers in rows of a pose each, scaled; unpacked when they are first asked for.
+function rows(
+  ref: NumbersRef,
+  stride: number,
+  scale: number,
+  packed: PackedNumbers,
+) {
+  let numbers: Int32Array | null = null;
   return (pose: number): Float32Array => {
+    numbers ??= packed.at(ref);
     const row = new Float32Array(stride);
     const first = pose * stride;
     for (let i = 0; i < stride; ++i) row[i] = numbers[first + i] * scale;
@@ -144,16 +153,8 @@ function rows(numbers: Int32Array, stride: number, scale: number) {
   };
 }
 
-function polylinesFrom(
-  json: PolylinesJson,
-  step: number,
-  packed: PackedNumbers,
-): Polylines {
-  const points = json.counts.reduce((sum, count) => sum + count, 0);
-  return {
-    counts: json.counts,
-    at: rows(packed.at(json.poses), 3 * points, step),
-  };
+function polylinesFrom(json: PolylinesJson, packed: PackedNumbers): Polylines {
+  return { counts: json.counts, at: motionFrom(json.motion, packed) };
 }
 
 function muscleFrom(
@@ -165,17 +166,14 @@ function muscleFrom(
     name: json.name,
     vertices: json.vertices,
     triangles: new Uint32Array(packed.at(json.triangles)),
-    pointsAt: rows(packed.at(json.poses), 3 * json.vertices, run.step_mm),
-    gapsAt: rows(packed.at(json.gaps), json.vertices, run.gap_step_mm),
+    pointsAt: motionFrom(json.motion, packed),
+    gapsAt: rows(json.gaps, json.vertices, run.gap_step_mm, packed),
     attached: json.attached.map(({ body, vertices }) => ({
       body,
       vertices: packed.at(vertices),
     })),
-    lines: {
-      ...polylinesFrom(json.lines, run.step_mm, packed),
-      names: json.lines.names,
-    },
-    fibres: polylinesFrom(json.fibres, run.step_mm, packed),
+    lines: { ...polylinesFrom(json.lines, packed), names: json.lines.names },
+    fibres: polylinesFrom(json.fibres, packed),
   };
 }
 
@@ -190,7 +188,7 @@ function runFrom(json: RunJson, packed: PackedNumbers): Run {
     frames: json.frames,
     gapLimit: 100 * json.gap_step_mm,
     contactGap: json.contact_gap_mm,
-    step: json.step_mm,
+    positionError: json.position_error_mm,
     muscles: json.muscles.map((muscle) => muscleFrom(muscle, json, packed)),
     bones: json.bones.map((bone) => boneFrom(bone, json, packed)),
     crossings: json.crossings.map((pairs) =>

@@ -236,6 +236,7 @@ export function meshesPanel(
   const bones = runs.flatMap((run) => run.bones);
   const colorOf = (name: string) => colors.get(name)!;
   const simplification = simplificationOf(bones);
+  const largestError = Math.max(...runs.map((run) => run.positionError));
   return section(
     "Meshes",
     "meshes",
@@ -252,8 +253,7 @@ export function meshesPanel(
       { class: "note" },
       (simplification
         ? `${simplification}; counts and gaps are of the full meshes. `
-        : "") +
-        `Positions are rounded to ${runs[0].step.toPrecision(1)} mm for view.`,
+        : "") + `Muscles are shown within ${largestError.toPrecision(2)} mm.`,
     ),
   );
 }
