@@ -38,7 +38,7 @@ TEST(LengthBeyond, IsNoneOfAPathThatIsCarriedWhole) {
 // As of a scene whose rest pose is not that of the defaults of its model.
 TEST(LengthBeyond, IsNoneIfTheMuscleIsNotOnThePath) {
   Points carried(2, 3);
-  carried << 0, 0, 5, 0, 0.2, 25;
+  carried << 0, 0, 5, 0, 5.1, 25;
   EXPECT_EQ(LengthBeyond(Bend(), carried), 0);
   carried << 0, 0, 25, 0, 0, 5;  // the other way round
   EXPECT_EQ(LengthBeyond(Bend(), carried), 0);

@@ -38,7 +38,7 @@ PlaceOnPath NearestOnPath(const Points& path, const Eigen::RowVector3d& point) {
 }  // namespace
 
 double LengthBeyond(const Points& path, const Points& carried) {
-  constexpr double kOnPath = 0.1;     // mm
+  constexpr double kOnPath = 5;       // mm
   constexpr double kShortest = 1e-3;  // mm
   if (path.rows() < 2 || carried.rows() < 2) return 0;
   const PlaceOnPath first = NearestOnPath(path, carried.row(0));
