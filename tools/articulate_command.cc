@@ -14,6 +14,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/portable_path.h"
 #include "musclewarp/base/setting_names.h"
+#include "musclewarp/base/short_list.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/joints/articulated_model.h"
@@ -29,6 +30,7 @@
 #include "musclewarp/run/paths_in_json.h"
 #include "musclewarp/scene/scene_names.h"
 #include "musclewarp/settings/checked_settings.h"
+#include "musclewarp/subject/line_muscles.h"
 #include "musclewarp/subject/subject.h"
 
 namespace musclewarp {
@@ -122,6 +124,7 @@ class ArticulateRun {
                                subject_.notes.end());
     ChooseMotions(motion);
     PrintJoints();
+    MakeLineMuscles();
     Write(joints.axes);
     return AllJointsWereFound() ? kExitUsable : kExitNotUsable;
   }
@@ -194,6 +197,33 @@ class ArticulateRun {
     }
   }
 
+  // Makes the lines of the muscles. A model without muscles still moves the
+  // bones, so that it is written if there are no lines.
+  void MakeLineMuscles() {
+    LineMuscles made =
+        LineMusclesOf(subject_, articulation_, options_.MmPerUnit());
+    if (!made.why_none.empty()) {
+      screen_ << "warning: model.osim has no muscles, as no lines can be made "
+                 "for them: "
+              << WithFlags(made.why_none) << "\n";
+    }
+    muscles_ = std::move(made.muscles);
+    if (muscles_.empty()) return;
+    screen_ << "model.osim has " << muscles_.size()
+            << " muscles, one for each line; their forces and the lengths of "
+               "their fibres and tendons are estimates\n";
+    std::vector<std::string> refused;
+    for (const LineMuscle& muscle : muscles_) {
+      const std::string& name = muscle.line.name;
+      if (name.find_first_of(kNotInOpenSimNames) == std::string::npos) continue;
+      refused.push_back(QuotedName(name));
+    }
+    if (refused.empty()) return;
+    screen_ << "warning: OpenSim 4 takes no blanks and none of \\ / * + in "
+               "names, so that it will refuse "
+            << ShortList(refused) << "; rename their meshes or labels\n";
+  }
+
   void Write(const std::string& axes) {
     const fs::path out = options_.out;
     MakeFolder(options_.out);
@@ -206,7 +236,8 @@ class ArticulateRun {
     }
     WriteLabels(out);
     const std::string name = NameOfRun();
-    WriteArticulatedModel(articulation_, name, (out / "model.osim").string());
+    WriteArticulatedModel(
+        articulation_, name, (out / "model.osim").string(), muscles_);
     nlohmann::ordered_json joints = JointsJson(articulation_, axes);
     AdaptTexts(options_.out, &joints);
     WriteJson("joints.json", joints);
@@ -306,6 +337,7 @@ class ArticulateRun {
   std::ostream& screen_;
   Subject subject_;
   Articulation articulation_;
+  std::vector<LineMuscle> muscles_;
   std::vector<JointMotion> motions_;
   JointMotion of_scene_;
 };

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/exchange/animation.h"
@@ -17,6 +18,7 @@
 #include "musclewarp/exchange/crossing_places.h"
 #include "musclewarp/exchange/glb_file.h"
 #include "musclewarp/exchange/point_cache.h"
+#include "musclewarp/exchange/run_table.h"
 #include "musclewarp/exchange/searchable_scene.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"
@@ -158,11 +160,33 @@ int ExportModel(const ExportRequest& request, std::ostream& screen) {
   return ExportOsim(request.in, request.out, request.osim, screen);
 }
 
+int ExportTable(const ExportRequest& request, std::ostream& screen) {
+  if (fs::path(request.out).extension() != ".csv") {
+    throw InputError("--out=" + request.out,
+                     "is not a .csv file",
+                     "use for example --out=motion.csv");
+  }
+  const RunOutline run = OpenRun(request, screen);
+  const std::vector<int> selected = SelectedFrames(request, run);
+  const std::string text = RunTableText(
+      run, TableCoordinatesOf(ReadReport(request.in)), selected, [&](int i) {
+        const RecordedFrame& frame = run.frames[i];
+        screen << FrameFolder(frame.figures.index) << AtTime(run, frame)
+               << std::endl;
+      });
+  WriteTextAtomically(request.out, text);
+  screen << "wrote " << request.out << ": a row for each line of "
+         << run.names.muscles.size() << " muscles in " << selected.size()
+         << " frames\n";
+  return kExitUsable;
+}
+
 using Exporter = int (*)(const ExportRequest&, std::ostream&);
 
 const std::map<std::string, Exporter>& Exporters() {
   static const std::map<std::string, Exporter> kExporters = {
       {"crossings", ExportCrossings},
+      {"csv", ExportTable},
       {"glb", ExportGlb},
       {"osim", ExportModel},
       {"pc2", ExportPointCaches}};

@@ -33,13 +33,15 @@ constexpr auto FieldsOf(Described<ExportRequest>) {
                 "commas")
           .Path(),
       Field(&S::out, "out")
-          .Text("the file (glb, osim) or the folder (else) to write")
+          .Text("the file (csv, glb, osim) or the folder (else) to write")
           .Path(),
       Field(&S::format, "format")
-          .Text("crossings: places where meshes cross; glb: glTF 2.0; pc2: "
-                ".obj and point caches for Blender; osim: the OpenSim model "
-                "with path functions; inp, feb, msh and with VTK vtu: finite "
-                "elements, several with commas"),
+          .Text(
+              "crossings: places where meshes cross; csv: one table of "
+              "lengths, moment arms, volumes and sections; glb: glTF 2.0; pc2: "
+              ".obj and point caches for Blender; osim: the OpenSim model "
+              "with path functions; inp, feb, msh and with VTK vtu: finite "
+              "elements, several with commas"),
       Field(&S::frames, "frames")
           .Text("which frames: all, last, N, FIRST:LAST, FIRST:LAST:STEP; "
                 "FIRST and LAST may be times (0.1s)"),

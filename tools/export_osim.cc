@@ -92,7 +92,11 @@ int ExportOsim(const std::string& runs,
   for (const auto& item : paths.lines) {
     const PathFit fit = FitPath(item.first, item.second, options.fit);
     is_fine = is_fine && fit.within_bounds;
-    lines[item.first] = FitJson(fit, paths, item.second.size());
+    OrderedJson json = FitJson(fit, paths, item.second.size());
+    const auto beyond = paths.beyond.find(item.first);
+    json["beyond_muscle_mm"] =
+        beyond == paths.beyond.end() ? 0 : beyond->second;
+    lines[item.first] = std::move(json);
     fits[item.first] = fit;
   }
   const std::string text = WithFunctionPaths(
@@ -117,6 +121,11 @@ int ExportOsim(const std::string& runs,
            << paths.model.path << " and is left out\n";
   }
   for (const auto& item : fits) PrintFit(item.first, item.second, screen);
+  if (!paths.beyond.empty()) {
+    screen << paths.beyond.size()
+           << " paths go on beyond their muscles, as through a tendon: these "
+              "parts are as long as at rest in all poses\n";
+  }
   screen << "wrote " << out << ": " << fits.size()
          << " muscles have a path function (OpenSim 4.5 or later)\n";
   return is_fine ? kExitUsable : kExitNotUsable;

@@ -52,4 +52,5 @@
 #include "musclewarp/settings/label_settings.h"
 #include "musclewarp/settings/scene_settings.h"
 #include "musclewarp/settings/separation_settings.h"
+#include "musclewarp/subject/line_muscles.h"
 #include "musclewarp/subject/subject.h"

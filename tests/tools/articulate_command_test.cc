@@ -13,6 +13,8 @@
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/opensim/kinematics.h"
+#include "musclewarp/preparation/prepared_scene.h"
 #include "musclewarp/program/program.h"
 #include "musclewarp/scene/scene.h"
 #include "support/input_errors.h"
@@ -96,6 +98,61 @@ TEST_F(ArticulateLeg, WritesAMotionOfEachCoordinate) {
        {"hip_flexion_r", "hip_adduction_r", "hip_rotation_r", "knee_angle_r"}) {
     EXPECT_TRUE(fs::exists(options_.out + "/motions/" + name + ".mot")) << name;
   }
+}
+
+// The lines are those that musclewarp-deform makes.
+TEST_F(ArticulateLeg, WritesTheLinesOfMusclesIntoTheModel) {
+  EXPECT_EQ(Articulate({"femur", "tibia", "pelvis"}), kExitUsable);
+  EXPECT_THAT(screen_, HasSubstr("model.osim has 3 muscles"));
+  EXPECT_THAT(screen_, HasSubstr("are estimates"));
+  const Model model = ReadModel(options_.out + "/model.osim");
+  const auto ground_from_body = BodyFrames(model, DefaultValues(model));
+  PrepareOptions prepare;
+  prepare.remove_self_crossings = prepare.remove_slivers = true;
+  const PreparedScene prepared =
+      PrepareScene(ReadScene(options_.out + "/scene.json", {}), prepare);
+  const std::vector<ActionLine>& lines = prepared.scene.muscles[0].lines;
+  ASSERT_EQ(model.muscles.size(), lines.size());
+  for (size_t m = 0; m < lines.size(); ++m) {
+    EXPECT_EQ(model.muscles[m].name, lines[m].name);
+    const std::vector<PathPoint>& path = model.muscles[m].path;
+    ASSERT_EQ(path.size(), static_cast<size_t>(lines[m].rest.rows()));
+    for (size_t i = 0; i < path.size(); ++i) {
+      EXPECT_EQ(model.bodies[path[i].body].name, lines[m].bodies[i]);
+      const Eigen::Vector4d place =
+          ground_from_body[path[i].body] * path[i].location.homogeneous();
+      EXPECT_LT((place.head<3>() - lines[m].rest.row(i).transpose()).norm(),
+                1e-6);  // mm
+    }
+  }
+}
+
+TEST_F(ArticulateLeg, WritesAModelWithoutMusclesIfThereAreNone) {
+  options_.muscles.clear();
+  EXPECT_EQ(Articulate({"femur", "tibia", "pelvis"}), kExitUsable);
+  EXPECT_THAT(screen_, Not(HasSubstr("model.osim")));
+  EXPECT_TRUE(ReadModel(options_.out + "/model.osim").muscles.empty());
+}
+
+// Of a mesh whose volume is none, no lines can be made.
+TEST_F(ArticulateLeg, SaysWhyTheModelHasNoMuscles) {
+  TriangleSoup sheet = Box(30, 30, 30);
+  sheet.points.col(1).setConstant(-40);
+  Write("vastus", sheet);
+  EXPECT_EQ(Articulate({"femur", "tibia", "pelvis"}), kExitUsable);
+  EXPECT_THAT(screen_, HasSubstr("warning: model.osim has no muscles"));
+  EXPECT_THAT(screen_, HasSubstr("vastus"));
+  EXPECT_TRUE(ReadModel(options_.out + "/model.osim").muscles.empty());
+}
+
+TEST_F(ArticulateLeg, WarnsOfNamesThatOpenSimRefuses) {
+  fs::rename(Path("vastus"), Path("vastus lateralis"));
+  options_.muscles = Path("vastus lateralis");
+  EXPECT_EQ(Articulate({"femur", "tibia", "pelvis"}), kExitUsable);
+  EXPECT_THAT(screen_, HasSubstr("refuse \"vastus lateralis_1\""));
+  EXPECT_GE(
+      ReadModel(options_.out + "/model.osim").FindMuscle("vastus lateralis_1"),
+      0);
 }
 
 TEST_F(ArticulateLeg, WritesAPageIfAskedTo) {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -150,6 +151,19 @@ TEST_F(Export, CrossingsOfFiles) {
   EXPECT_THAT(screen_.str(), HasSubstr("'xyz'"));
 }
 
+TEST_F(Export, ATableHasARowForEachFrame) {
+  request_.out = run_.dir + "/out.csv";
+  EXPECT_EQ(Run("csv"), kExitUsable);
+  EXPECT_THAT(screen_.str(), HasSubstr("1 muscles in 2 frames"));
+  const std::string both = FileText(request_.out);
+  EXPECT_EQ(std::count(both.begin(), both.end(), '\n'), 3);
+  request_.frames = "1";
+  EXPECT_EQ(Run("csv"), kExitUsable);
+  const std::string one = FileText(request_.out);
+  EXPECT_THAT(both, HasSubstr(one.substr(one.find('\n'))));
+  EXPECT_THAT(one, HasSubstr("\n1,"));
+}
+
 TEST_F(Export, AnimationsSayTheirAxes) {
   request_.out = run_.dir + "/out.glb";
   EXPECT_EQ(Run("glb"), kExitUsable);
@@ -167,10 +181,12 @@ TEST_F(Export, AnimationsSayTheirAxes) {
 }
 
 TEST_F(Export, WhatCannotBeDoneIsNamedAndNothingIsWritten) {
-  ExpectRefused("", {"--format=", "crossings, glb, osim, pc2, feb, inp, msh"});
+  ExpectRefused("",
+                {"--format=", "crossings, csv, glb, osim, pc2, feb, inp, msh"});
   ExpectRefused("fbx", {"--format=fbx", "allowed: "});
   ExpectRefused("inp,glb", {"--format=inp,glb"});
   ExpectRefused("glb", {"--out", ".glb"});
+  ExpectRefused("csv", {"--out", ".csv"});
   request_.frames = "0:7";
   ExpectRefused("pc2", {"--frames=0:7", "frames 0 to 1"});
   request_.frames = "all";

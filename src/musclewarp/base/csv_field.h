@@ -10,4 +10,10 @@ namespace musclewarp {
 // comma, a quote or a line break.
 std::string CsvField(const std::string& text);
 
+// Returns such a field that no spreadsheet takes for a formula: a text that
+// begins with =, +, -, @, a tab or a carriage return has an apostrophe before
+// it, as in the files of the page (tools/report/src/figures/downloads.ts). For
+// names, not for numbers.
+std::string SpreadsheetField(const std::string& text);
+
 }  // namespace musclewarp

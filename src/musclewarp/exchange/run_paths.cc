@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/exchange/run_paths.h"
 
+#include <filesystem>
+
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/text.h"
+#include "musclewarp/exchange/path_beyond.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/run/frame_files.h"
 #include "musclewarp/run/kept_model.h"
+#include "musclewarp/run/lines_file.h"
 #include "musclewarp/run/run_reader.h"
 
 namespace musclewarp {
@@ -30,6 +34,26 @@ void CheckReport(const JsonField& report) {
     report.At("motion").Fail("is null: the run has no OpenSim model",
                              "run a scene with \"model\" and \"motion\"");
   }
+}
+
+// Finds the parts of paths that the muscles of a run do not carry. Runs of
+// earlier builds have no lines at rest.
+std::map<std::string, double> PartsBeyond(const RunOutline& run,
+                                          const Model& model) {
+  std::map<std::string, double> beyond;
+  const std::string file =
+      (std::filesystem::path(run.rest) / kLinesFile).string();
+  if (run.rest.empty() || !std::filesystem::exists(file)) return beyond;
+  for (const MuscleLines& muscle : ReadLinesFile(file)) {
+    for (const NamedLine& line : muscle.lines) {
+      const int index = model.FindMuscle(line.name);
+      if (index < 0) continue;
+      const double length =
+          LengthBeyond(DefaultPath(model, index), line.points);
+      if (length > 0) beyond[line.name] = length;
+    }
+  }
+  return beyond;
 }
 
 // The frames of one run, whose report is `file`.
@@ -101,7 +125,9 @@ class FramesOfRun {
       }
       CheckCoordinates(arms->second, where);
       PathSample& sample = paths_.lines[line].emplace_back();
-      sample.length = length;
+      const auto beyond = paths_.beyond.find(line);
+      sample.length =
+          length + (beyond == paths_.beyond.end() ? 0 : beyond->second);
       sample.arms.resize(static_cast<int>(arms->second.size()));
       sample.coordinates.resize(sample.arms.size());
       int k = 0;
@@ -165,6 +191,7 @@ RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
     if (dir == dirs[0]) {
       first_model = model;
       paths.model = ReadModel(model_path.empty() ? model : model_path);
+      paths.beyond = PartsBeyond(run, paths.model);
     } else if (model_path.empty() && !AreEqual(model, first_model)) {
       report.At("motion").At("model").Fail(
           "is " + model + ", that of " + dirs[0] + " is " + first_model,

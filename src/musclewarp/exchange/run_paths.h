@@ -18,6 +18,11 @@ struct RunPaths {
   std::vector<std::string> coordinates;  // those of the moment arms
   std::map<std::string, std::vector<PathSample>> lines;
 
+  // What the samples of a line contain of its path beyond its muscle, such as a
+  // tendon with a mesh of its own, mm (path_beyond.h): as long as at rest in
+  // every frame. Only lines of which there is such a part.
+  std::map<std::string, double> beyond;
+
   // Lines of the scene that the model does not have as muscles; left out.
   std::set<std::string> lines_without_muscle;
 };

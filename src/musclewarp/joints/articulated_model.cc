@@ -11,8 +11,9 @@
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
-#include "musclewarp/base/text.h"
 #include "musclewarp/joints/joint_building.h"
+#include "musclewarp/joints/model_elements.h"
+#include "musclewarp/joints/muscle_elements.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/opensim/model.h"
@@ -23,35 +24,6 @@ namespace {
 // Density of a whole bone, kg/mm^3: 1.5 g/cm^3.
 constexpr double kBoneDensity = 1.5e-6;
 constexpr double kLeastMass = 1e-3;  // kg
-
-std::string ExactText(double number) {
-  return NumberText(number == 0 ? 0 : number, 17);  // no negative zero
-}
-
-std::string VectorText(const Eigen::Vector3d& vector) {
-  return ExactText(vector.x()) + " " + ExactText(vector.y()) + " " +
-         ExactText(vector.z());
-}
-
-void AddText(pugi::xml_node parent, const char* name, const std::string& text) {
-  parent.append_child(name).text().set(text.c_str());
-}
-
-pugi::xml_node AddNamed(pugi::xml_node parent,
-                        const char* kind,
-                        const std::string& name) {
-  pugi::xml_node node = parent.append_child(kind);
-  node.append_attribute("name") = name.c_str();
-  return node;
-}
-
-void AddComment(pugi::xml_node parent, std::string text) {
-  // "--" would end the comment.
-  for (size_t at = 0; (at = text.find("--", at)) != std::string::npos;) {
-    text.replace(at, 2, "- ");
-  }
-  parent.append_child(pugi::node_comment).set_value((" " + text + " ").c_str());
-}
 
 void AddMesh(const Bone& bone, pugi::xml_node geometry) {
   pugi::xml_node mesh = AddNamed(geometry, "Mesh", bone.name);
@@ -102,10 +74,6 @@ void AddBodies(const Articulation& articulation, pugi::xml_node model) {
   }
 }
 
-std::string PathOf(const std::string& body) {
-  return body == "ground" ? "/ground" : "/bodyset/" + body;
-}
-
 std::string FrameName(const std::string& body) { return body + "_offset"; }
 
 void AddFrame(const std::string& body,
@@ -114,7 +82,7 @@ void AddFrame(const std::string& body,
               pugi::xml_node frames) {
   pugi::xml_node frame =
       AddNamed(frames, "PhysicalOffsetFrame", FrameName(body));
-  AddText(frame, "socket_parent", PathOf(body));
+  AddText(frame, "socket_parent", FramePathOf(body));
   AddText(frame, "translation", VectorText(center / kMillimetresPerMetre));
   AddText(frame, "orientation", VectorText(BodyFixedAngles(axes)));
 }
@@ -274,7 +242,8 @@ Eigen::Vector3d BodyFixedAngles(const Eigen::Matrix3d& rotation) {
 }
 
 std::string ArticulatedModelText(const Articulation& articulation,
-                                 const std::string& name) {
+                                 const std::string& name,
+                                 const std::vector<LineMuscle>& muscles) {
   pugi::xml_document document;
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
   declaration.append_attribute("version") = "1.0";
@@ -291,6 +260,7 @@ std::string ArticulatedModelText(const Articulation& articulation,
   AddBodies(articulation, model);
   AddJoints(articulation, model);
   AddCouplers(articulation, model);
+  if (!muscles.empty()) AddMuscles(articulation.bodies, muscles, model);
   std::ostringstream text;
   document.save(text, "  ");
   return text.str();
@@ -298,7 +268,8 @@ std::string ArticulatedModelText(const Articulation& articulation,
 
 void WriteArticulatedModel(const Articulation& articulation,
                            const std::string& name,
-                           const std::string& path) {
+                           const std::string& path,
+                           const std::vector<LineMuscle>& muscles) {
   const std::filesystem::path folder =
       std::filesystem::path(path).parent_path() / "Geometry";
   std::error_code error;
@@ -311,7 +282,7 @@ void WriteArticulatedModel(const Articulation& articulation,
   for (const Bone& bone : articulation.bones) {
     WriteTriangleSoup((folder / (bone.name + ".obj")).string(), bone.mesh);
   }
-  WriteTextAtomically(path, ArticulatedModelText(articulation, name));
+  WriteTextAtomically(path, ArticulatedModelText(articulation, name, muscles));
 }
 
 }  // namespace musclewarp

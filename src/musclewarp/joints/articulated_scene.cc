@@ -46,19 +46,28 @@ OrderedJson MuscleJson(const Articulation& articulation,
   if (muscle.delivered_volume > 0) {
     json["delivered_volume_mm3"] = muscle.delivered_volume;
   }
-  if (muscle.origin.empty() && muscle.insertion.empty()) return json;
-  if (muscle.origin.empty() || muscle.insertion.empty()) {
-    throw InputError(muscle.name,
-                     muscle.origin.empty() ? "has an insertion and no origin"
-                                           : "has an origin and no insertion",
-                     "name the bodies of both ends, or of none");
-  }
-  json["end_bodies"] = {BodyNamed(articulation, muscle.name, muscle.origin),
-                        BodyNamed(articulation, muscle.name, muscle.insertion)};
+  const std::vector<std::string> ends =
+      EndBodiesOf(articulation, muscle.name, muscle.origin, muscle.insertion);
+  if (!ends.empty()) json["end_bodies"] = ends;
   return json;
 }
 
 }  // namespace
+
+std::vector<std::string> EndBodiesOf(const Articulation& articulation,
+                                     const std::string& muscle,
+                                     const std::string& origin,
+                                     const std::string& insertion) {
+  if (origin.empty() && insertion.empty()) return {};
+  if (origin.empty() || insertion.empty()) {
+    throw InputError(muscle,
+                     origin.empty() ? "has an insertion and no origin"
+                                    : "has an origin and no insertion",
+                     "name the bodies of both ends, or of none");
+  }
+  return {BodyNamed(articulation, muscle, origin),
+          BodyNamed(articulation, muscle, insertion)};
+}
 
 std::vector<std::string> CoordinateNames(const Articulation& articulation) {
   std::vector<std::string> names;

@@ -49,6 +49,15 @@ JointMotion FirstMotion(const Articulation& articulation);
 // Returns a motion as a table over time, from 0 to 1 s, in degrees.
 StorageTable MotionTable(const JointMotion& motion);
 
+// Returns the bodies of the origin and the insertion of a muscle, which are
+// named by themselves or by bones that belong to them; none if both names are
+// empty. Throws InputError, which begins with the name of the muscle, for one
+// end only, or a body or bone that the articulation does not have.
+std::vector<std::string> EndBodiesOf(const Articulation& articulation,
+                                     const std::string& muscle,
+                                     const std::string& origin,
+                                     const std::string& insertion);
+
 // A mesh file of a scene.
 struct SceneMeshFile {
   std::string name;

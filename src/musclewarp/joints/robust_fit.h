@@ -52,12 +52,13 @@ Eigen::Matrix<double, Model::kParameters, 1> FitToPoints(
     const Points& points,
     const Eigen::VectorXd& weights,
     Eigen::Matrix<double, Model::kParameters, 1> start) {
-  using Function = ceres::TinySolverAutoDiffFunction<PointResiduals<Model>,
-                                                     Eigen::Dynamic,
-                                                     Model::kParameters>;
+  using SummedResiduals =
+      ceres::TinySolverAutoDiffFunction<PointResiduals<Model>,
+                                        Eigen::Dynamic,
+                                        Model::kParameters>;
   const PointResiduals<Model> residuals = {model, points, weights};
-  Function function(residuals);
-  ceres::TinySolver<Function> solver;
+  SummedResiduals function(residuals);
+  ceres::TinySolver<SummedResiduals> solver;
   solver.options.max_num_iterations = 30;
   solver.Solve(function, &start);
   return start;

@@ -1,0 +1,27 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/opensim/model.h"
+
+namespace musclewarp {
+
+// A muscle carries the part of its line that is in its mesh: the line of a
+// muscle that ends on a tendon with a mesh of its own goes on to the bone
+// (ContinueLines). A path of a model is the whole line.
+
+// Returns how much of a path (#P x 3, mm) is before the first and after the
+// last point of `carried` (#C x 3, mm), mm, both at rest. It is 0 if one of
+// these points is farther than 5 mm from the path, so that the path is none on
+// which the muscle lies at rest, and if the parts are shorter than 1e-3 mm.
+// Lines that are made of the same mesh, repaired in two ways, are 2 to 4 mm
+// apart at a tendon.
+double LengthBeyond(const Points& path, const Points& carried);
+
+// Returns the points of a muscle of a model at the default values of its
+// coordinates, #P x 3, mm, in the ground. There are none if its path is not
+// known or has moving or conditional points.
+Points DefaultPath(const Model& model, int muscle);
+
+}  // namespace musclewarp
