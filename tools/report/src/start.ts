@@ -4,6 +4,7 @@
 // What all pages do alike.
 
 import { element } from "./dom";
+import { sayProgress } from "./progress";
 import { startTheme } from "./theme";
 
 // What to do where there is no 3D view.
@@ -16,17 +17,6 @@ export function noView(error: unknown): HTMLElement {
       "open this file in a current Chromium, Firefox or Safari. " +
       "Without it, all but turning, sections and pictures works.",
   );
-}
-
-// Says how far the page is, and lets the browser show that.
-export async function sayProgress(text: string): Promise<void> {
-  const place = document.getElementById("loading");
-  if (!place) return;
-  place.textContent = `Loading: ${text} ...`;
-  await new Promise<void>((resolve) => {
-    requestAnimationFrame(() => setTimeout(resolve));
-    setTimeout(resolve, 100); // in a tab that is not shown
-  });
 }
 
 function showError(error: unknown, program: string): void {

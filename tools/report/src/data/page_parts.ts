@@ -4,7 +4,7 @@
 // What the data of all pages have in common, as
 // src/musclewarp/page/page_parts.cc hands it over.
 
-import { sayProgress } from "../start";
+import { sayProgress } from "../progress";
 import { NumbersRef, PackedNumbers, inflated } from "./numbers";
 
 export type Vector = [number, number, number];
