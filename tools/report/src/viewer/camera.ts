@@ -32,8 +32,10 @@ export class LinkedCamera {
     });
   }
 
+  // A picture without width, as of a page that is not laid out yet, changes
+  // nothing.
   setAspect(aspect: number): void {
-    if (aspect === this.camera.aspect) return;
+    if (aspect === this.camera.aspect || !(aspect > 0)) return;
     this.camera.aspect = aspect;
     this.camera.updateProjectionMatrix();
     const { shown } = this;
