@@ -74,12 +74,12 @@ std::vector<Mode> TakeModes(double tolerance, Rows* rows) {
   std::size_t best_count = 0;
   for (Eigen::Index i = 0; i < all.rows(); ++i) {
     if (best == 0 || modes.size() > best_count + kPatience) break;
-    const Eigen::VectorXd weights = solver.eigenvectors().col(all.rows() - 1 - i);
+    const Eigen::VectorXd weights =
+        solver.eigenvectors().col(all.rows() - 1 - i);
     const double largest = weights.cwiseAbs().maxCoeff();
     Mode mode;
     mode.weights = Rounded(weights / largest, kWeightStep);
-    mode.shape =
-        Rounded(largest * (all.transpose() * weights), tolerance);
+    mode.shape = Rounded(largest * (all.transpose() * weights), tolerance);
     Subtract(mode, tolerance, &rest);
     cost_of_modes += BytesOf(mode.shape);
     modes.push_back(std::move(mode));
@@ -150,18 +150,18 @@ PackedMotion PackMotion(const std::vector<const Points*>& poses,
     }
     by_pose.push_back(number);
   }
-  motion.json = {{"coordinates", size},
-                 {"step_mm", tolerance},
-                 {"weight_step", kWeightStep},
-                 {"correction_step_mm", step},
-                 {"first", packed->Add(first, 3)},
-                 {"modes", count},
-                 {"shapes", packed->Add(shapes, 3)},
-                 {"weights", packed->Add(weights, 1)},
-                 {"corrections",
-                  packed->Add(corrections,
-                              static_cast<int>(corrections.size()) + 1)},
-                 {"corrections_by_pose", packed->Add(by_pose, 1)}};
+  motion.json = {
+      {"coordinates", size},
+      {"step_mm", tolerance},
+      {"weight_step", kWeightStep},
+      {"correction_step_mm", step},
+      {"first", packed->Add(first, 3)},
+      {"modes", count},
+      {"shapes", packed->Add(shapes, 3)},
+      {"weights", packed->Add(weights, 1)},
+      {"corrections",
+       packed->Add(corrections, static_cast<int>(corrections.size()) + 1)},
+      {"corrections_by_pose", packed->Add(by_pose, 1)}};
   return motion;
 }
 

@@ -261,6 +261,38 @@ std::vector<std::string> Labels(const std::vector<RecordedRun>& runs) {
   return labels;
 }
 
+// Removes what the page does not show: places, fibres, and gaps between pairs
+// of meshes are most of the figures of many muscles.
+void KeepShown(OrderedJson* frames) {
+  for (OrderedJson& frame : *frames) {
+    for (const char* key : {"gaps", "bone_overlaps", "delivered_crossings"}) {
+      frame.erase(key);
+    }
+    for (OrderedJson& muscle : frame["muscles"]) {
+      for (const char* key : {"fibre_lengths_mm",
+                              "fibre_stretch_by_fifths",
+                              "fibre_moment_arms_mm",
+                              "path_lengths_mm",
+                              "pushed_by",
+                              "torn_patch_place_mm",
+                              "initial_energy_mm2",
+                              "final_energy_mm2"}) {
+        muscle.erase(key);
+      }
+      OrderedJson& shape = muscle["shape"];
+      shape = {{"max_stretch", shape["max_stretch"]},
+               {"max_change_mm", shape["max_change_mm"]},
+               {"triangle_stretch",
+                {{"quantile_999", shape["triangle_stretch"]["quantile_999"]},
+                 {"largest_patch_mm2",
+                  shape["triangle_stretch"]["largest_patch_mm2"]}}}};
+      for (OrderedJson& area : muscle["attachments"]) {
+        area = {{"body", area["body"]}, {"max_drift_mm", area["max_drift_mm"]}};
+      }
+    }
+  }
+}
+
 OrderedJson RunJson(const RecordedRun& run,
                     const std::string& label,
                     const PageOptions& options,
@@ -277,9 +309,11 @@ OrderedJson RunJson(const RecordedRun& run,
   }
   OrderedJson report = run.report;
   report.erase("frames");
+  OrderedJson frames = JsonOf(run.frames);
+  KeepShown(&frames);
   return {{"folder", label},
           {"report", report},
-          {"frames", JsonOf(run.frames)},
+          {"frames", frames},
           {"step_mm", step},
           {"position_error_mm", packer.max_error()},
           {"gap_step_mm", GapStepOf(run)},

@@ -30,6 +30,12 @@ interface Unpacked {
   begins: number[]; // of a pose's corrections, in pairs
 }
 
+function scaled(numbers: Int32Array, step: number): Float32Array {
+  const result = new Float32Array(numbers.length);
+  for (let i = 0; i < numbers.length; ++i) result[i] = numbers[i] * step;
+  return result;
+}
+
 function unpack(json: MotionJson, packed: PackedNumbers): Unpacked {
   const { coordinates } = json;
   const shapes = packed.at(json.shapes);
@@ -40,9 +46,9 @@ function unpack(json: MotionJson, packed: PackedNumbers): Unpacked {
   return {
     first: packed.at(json.first),
     shapes: Array.from({ length: json.modes }, (_, mode) =>
-      Float32Array.from(
+      scaled(
         shapes.subarray(mode * coordinates, (mode + 1) * coordinates),
-        (steps) => steps * json.step_mm,
+        json.step_mm,
       ),
     ),
     weights: packed.at(json.weights),
@@ -61,7 +67,7 @@ export function motionFrom(
   return (pose) => {
     unpacked ??= unpack(json, packed);
     const { first, shapes, weights, corrections, begins } = unpacked;
-    const points = Float32Array.from(first, (steps) => steps * json.step_mm);
+    const points = scaled(first, json.step_mm);
     if (pose === 0) return points;
     const poses = begins.length - 1; // after the first
     shapes.forEach((shape, mode) => {

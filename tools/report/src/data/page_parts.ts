@@ -39,7 +39,7 @@ export function boneShapeFrom(
   return {
     name: json.name,
     triangles: new Uint32Array(packed.at(json.triangles)),
-    points: Float32Array.from(packed.at(json.points), (n) => n * step),
+    points: Float32Array.from(packed.at(json.points)).map((n) => n * step),
     trianglesInFiles: json.triangles_in_files,
     viewError: json.view_error_mm,
   };
