@@ -245,11 +245,14 @@ int main(int argc, char** argv) {
   return RunProgram(
       argc,
       argv,
-      "step_benchmark --flagfile=FOLDER/flags FOLDER/*.step [--json=FILE]\n"
-      "       [--baseline=FILE] [--repeats=N] [--solver=NAME]\n\n"
-      "Takes recorded steps again and prints where their time goes. FOLDER is "
-      "that of\nmusclewarp-deform --record_steps. Exit code: 0 if all of them "
-      "end in the recorded\nstate to the last bit, 1 if not, 2 bad input.",
+      {"step_benchmark --flagfile=FOLDER/flags FOLDER/*.step [--json=FILE]\n"
+       "       [--baseline=FILE] [--repeats=N] [--solver=NAME]\n\n"
+       "Takes recorded steps again and prints where their time goes. FOLDER is "
+       "that of\nmusclewarp-deform --record_steps. Exit code: 0 if all of them "
+       "end in the recorded\nstate to the last bit, 1 if not, 2 bad input.",
+       {{"step_benchmark --flagfile=steps/flags steps/*.step",
+         "takes all recorded steps again"}},
+       {"json", "baseline", "repeats", "solver"}},
       [&](const std::vector<std::string>& files) {
         return Run(files, settings);
       });

@@ -19,11 +19,15 @@ import sys
 @dataclasses.dataclass
 class Flag:
     name: str
-    value: str  # what is to be given, as TEXT or NUMBER; empty: a switch
+    value: str  # what is to be given, as TEXT or ply|obj,...; empty: a switch
     text: str
 
     def is_on(self):
         return self.text.endswith("[true]")
+
+    def words(self):
+        """The words that its value may be; none if it may be others."""
+        return self.value.removesuffix(",...").split("|") * ("|" in self.value)
 
 
 # Flags that --help leaves out: of programs that read them from files, of all.
@@ -41,7 +45,11 @@ class Help:
     usage: list
     paragraphs: list  # what the program does
     exit_code: str
-    flags: list
+    examples: list  # (command, what it does)
+    groups: list  # (heading or "", flags)
+
+    def flags(self):
+        return [flag for _, flags in self.groups for flag in flags]
 
     def summary(self):
         """The first sentence, as the line that apropos shows."""
@@ -55,25 +63,48 @@ def _output(program, flag):
                           stdout=subprocess.PIPE).stdout
 
 
+def _entries(lines):
+    """(term, text) of indented lines: terms, and further to the right texts."""
+    entries = []
+    for line in lines:
+        if line.startswith("   "):
+            entries[-1][1] += line.strip()
+        else:
+            entries.append([line.strip(), ""])
+    return entries
+
+
 def _flags(lines):
     flags = []
-    for line in lines:
-        found = re.fullmatch(r"  --([\w-]+)(?:=(\w+))?", line)
-        if found:
-            flags.append(Flag(found[1], found[2] or "", ""))
-        else:
-            flags[-1].text += line.strip()
+    for term, text in _entries(lines):
+        name, _, value = term.removeprefix("--").partition("=")
+        flags.append(Flag(name, value, text))
     return flags
+
+
+def _groups(lines):
+    """(heading, flags) of lines with flags, some of them after headings."""
+    groups = [("", [])]
+    for line in filter(None, lines):
+        if line.startswith(" "):
+            groups[-1][1].append(line)
+        else:
+            groups.append((line.rstrip(":"), []))
+    return [(heading, _flags(flags)) for heading, flags in groups if flags]
 
 
 def read_help(program):
     """What a program says of itself; ValueError if it is not as expected."""
     name = pathlib.Path(program).name
     head, found, tail = _output(program, "--help").partition("\n\nFlags (")
+    head, _, examples = head.partition("\n\nExamples:\n")
     usage, blank, text = head.partition("\n\n")
     text, exits, exit_code = text.partition("Exit code: ")
     if not (found and blank and exits and usage.startswith("usage: ")):
         raise ValueError(f"{name} --help has no usage, exit code or flags")
+    common = [FLAGFILE] * tail.startswith("--flagfile") + COMMON_FLAGS
+    groups = _groups(tail.split("\n")[1:])
+    is_grouped = any(heading for heading, _ in groups)
     return Help(
         name=name,
         version=_output(program, "--version").split()[-1],
@@ -81,8 +112,8 @@ def read_help(program):
         paragraphs=[" ".join(part.split())
                     for part in text.strip().split("\n\n")],
         exit_code=" ".join(exit_code.split()),
-        flags=(_flags(tail.split("\n")[1:-1]) +
-               [FLAGFILE] * tail.startswith("--flagfile") + COMMON_FLAGS))
+        examples=_entries(examples.splitlines()),
+        groups=[*groups, ("Of all programs" * is_grouped, common)])
 
 
 def _troff(text):
@@ -100,30 +131,48 @@ def man_page(said, others):
     for paragraph in said.paragraphs:
         lines += [".PP", _troff(paragraph)]
     lines += [".SH OPTIONS"]
-    for flag in said.flags:
-        value = f"=\\fI{flag.value}\\fR" if flag.value else ""
-        lines += [".TP", f"\\fB{_troff('--' + flag.name)}\\fR{value}",
-                  _troff(flag.text)]
+    for heading, flags in said.groups:
+        lines += [f".SS {_troff(heading)}"] * bool(heading)
+        for flag in flags:
+            value = f"=\\fI{_troff(flag.value)}\\fR" if flag.value else ""
+            lines += [".TP", f"\\fB{_troff('--' + flag.name)}\\fR{value}",
+                      _troff(flag.text)]
     lines += [".PP", "In brackets: the value that holds if none is given. A "
               r"switch that is on is turned off by \fB\-\-no\fR and its name.",
-              ".SH EXIT STATUS", _troff(said.exit_code), ".SH SEE ALSO",
+              ".SH EXIT STATUS", _troff(said.exit_code)]
+    lines += [".SH EXAMPLES"] * bool(said.examples)
+    for command, what in said.examples:
+        lines += [".TP", f"\\fB{_troff(command)}\\fR", _troff(what)]
+    lines += [".SH SEE ALSO",
               ", ".join(f"\\fB{_troff(name)}\\fR(1)" for name in others)]
     return "\n".join(lines) + "\n"
 
 
+def _values_of(flag):
+    """What bash does to complete the value of a flag."""
+    if flag.value == "NUMBER":
+        return "return"
+    if not flag.words():
+        return "_filedir; return"
+    words = " ".join(flag.words())
+    if not flag.value.endswith(",..."):
+        return f'COMPREPLY=($(compgen -W "{words}" -- "$cur")); return'
+    # Of several words with commas, the last one is to be completed.
+    return (f'COMPREPLY=($(compgen -P "${{cur%"${{cur##*,}}"}}" -W "{words}" '
+            '-- "${cur##*,}")); return')
+
+
 def completion(said):
-    """The bash completion of a program: its flags, and files as their values."""
-    words, texts, numbers = [], [], []
-    for flag in said.flags:
+    """The bash completion of a program: its flags, the words that their values
+    may be, and files as their other values."""
+    words, names = [], {}
+    for flag in said.flags():
         prefix = "--no" if flag.is_on() and not flag.value else "--"
         words.append(prefix + flag.name + ("=" if flag.value else ""))
         if flag.value:
-            (numbers if flag.value == "NUMBER" else texts).append(
-                "--" + flag.name)
-    # A pattern has to have one name at least.
-    cases = "".join(f"    {'|'.join(names)}) {does}return ;;\n"
-                    for names, does in ((numbers, ""), (texts, "_filedir; "))
-                    if names)
+            names.setdefault(_values_of(flag), []).append("--" + flag.name)
+    cases = "".join(f"    {'|'.join(flags)}) {does} ;;\n"
+                    for does, flags in names.items())
     function = "_" + said.name.replace("-", "_")
     return f"""\
 # Completion of {said.name} {said.version}, made from its --help.

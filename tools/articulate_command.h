@@ -21,6 +21,10 @@ struct SkeletonSettings {
   bool html = false;
 };
 
+constexpr const char* HeadingOf(Described<SkeletonSettings>) {
+  return "Files of the skeleton";
+}
+
 constexpr auto FieldsOf(Described<SkeletonSettings>) {
   using S = SkeletonSettings;
   return std::make_tuple(

@@ -21,6 +21,10 @@ struct CompareSettings {
   int repeat = 1;
 };
 
+constexpr const char* HeadingOf(Described<CompareSettings>) {
+  return "Comparison";
+}
+
 constexpr auto FieldsOf(Described<CompareSettings>) {
   using S = CompareSettings;
   return std::make_tuple(
@@ -30,7 +34,8 @@ constexpr auto FieldsOf(Described<CompareSettings>) {
                 "ceres_dense_cholesky, ceres_sparse_cholesky, ceres_cgnr, "
                 "ceres_dogleg"),
       Field(&S::contact, "contact")
-          .Text("none, paper, certified, or several with commas"),
+          .Text("none, paper, certified, or several with commas")
+          .OneOf("certified, paper, none; commas"),
       Field(&S::out, "out")
           .Text("folder for comparison.csv, comparison.json and history.csv, "
                 "for convergence.csv and convergence.json, or for posture.json "

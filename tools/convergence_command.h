@@ -21,6 +21,10 @@ struct ConvergenceSettings {
   std::string convergence_density = "0.25,1,4";
 };
 
+constexpr const char* HeadingOf(Described<ConvergenceSettings>) {
+  return "Study of convergence";
+}
+
 constexpr auto FieldsOf(Described<ConvergenceSettings>) {
   using S = ConvergenceSettings;
   return std::make_tuple(

@@ -26,6 +26,10 @@ struct RunSettings {
   std::string record_steps;
 };
 
+constexpr const char* HeadingOf(Described<RunSettings>) {
+  return "Run and its files";
+}
+
 constexpr auto FieldsOf(Described<RunSettings>) {
   using S = RunSettings;
   return std::make_tuple(

@@ -41,12 +41,14 @@ constexpr auto FieldsOf(Described<ExportRequest>) {
               "lengths, moment arms, volumes and sections; glb: glTF 2.0; pc2: "
               ".obj and point caches for Blender; osim: the OpenSim model "
               "with path functions; inp, feb, msh and with VTK vtu: finite "
-              "elements, several with commas"),
+              "elements, several with commas")
+          .OneOf("crossings, csv, glb, osim, pc2, feb, inp, msh, vtu; commas"),
       Field(&S::frames, "frames")
           .Text("which frames: all, last, N, FIRST:LAST, FIRST:LAST:STEP; "
                 "FIRST and LAST may be times (0.1s)"),
       Field(&S::mesh_format, "mesh_format")
-          .Text("of crossings: ply, obj, and with VTK vtp"),
+          .Text("of crossings: ply, obj, and with VTK vtp")
+          .OneOf("ply, obj, vtp"),
       Inherited<ThreadSettings>(),
       NotWritten(&S::files),
       NotWritten(&S::elements),

@@ -21,6 +21,10 @@ struct ElementOptions {
   bool resume = false;
 };
 
+constexpr const char* HeadingOf(Described<ElementOptions>) {
+  return "Finite elements";
+}
+
 constexpr auto FieldsOf(Described<ElementOptions>) {
   using S = ElementOptions;
   return std::make_tuple(

@@ -15,6 +15,10 @@ struct OsimExportOptions {
   PathFitOptions fit;
 };
 
+constexpr const char* HeadingOf(Described<OsimExportOptions>) {
+  return "Path functions of an OpenSim model";
+}
+
 constexpr auto FieldsOf(Described<OsimExportOptions>) {
   using S = OsimExportOptions;
   using P = PathFitOptions;

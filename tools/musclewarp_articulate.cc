@@ -8,7 +8,7 @@
 
 namespace {
 
-constexpr char kUsage[] =
+const musclewarp::ProgramText kText = {
     "musclewarp-articulate --out=DIR [--muscles=FILE,...] FILE... "
     "[flags]\n"
     "       musclewarp-articulate --out=DIR [--labels=TABLE] IMAGE "
@@ -21,7 +21,13 @@ constexpr char kUsage[] =
     "    musclewarp-deform --scene=DIR/scene.json --out=...\n\n"
     "moves the muscles. A joint is good, weak (used, with the reason) or "
     "failed (its\nbone stays fixed).\n\n"
-    "Exit code: 0 all joints good or weak, 1 one failed, 2 bad input.";
+    "Exit code: 0 all joints good or weak, 1 one failed, 2 bad input.",
+    {{"musclewarp-articulate --out=joints --html femur_r.ply tibia_r.ply "
+      "hip_right.ply",
+      "finds hip and knee, and writes joints.html to look at them"},
+     {"musclewarp-articulate --out=joints --labels=table.csv scan.nii.gz",
+      "takes bones and muscles from a label image"}},
+    {"out", "muscles", "labels", "motion", "html"}};
 
 }  // namespace
 
@@ -33,7 +39,7 @@ int main(int argc, char** argv) {
   RegisterFlags<ArticulationSettings>(&options);
   RegisterFlags<ThreadSettings>(&options);
   return RunProgram(
-      argc, argv, kUsage, [&](const std::vector<std::string>& files) {
+      argc, argv, kText, [&](const std::vector<std::string>& files) {
         return ArticulateCommand(files, options, std::cout);
       });
 }

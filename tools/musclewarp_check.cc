@@ -8,7 +8,7 @@
 
 namespace {
 
-constexpr char kUsage[] =
+const musclewarp::ProgramText kText = {
     "musclewarp-check [--bone=NAME,...] FILE|FOLDER... [flags]\n\n"
     "Reports on surface meshes as they are: defects, volume, "
     "self-intersections, and\nfor every two files the triangle pairs that "
@@ -17,7 +17,12 @@ constexpr char kUsage[] =
     "all its meshes, that of a frame\nfor those of the frame. Reads .ply, "
     ".obj, .off, .stl, .vtk, and with VTK .vtp.\n"
     "Exit code: 0 done, 1 meshes cross and --require_clean, or are nearer "
-    "than --gap,\n2 bad input.";
+    "than --gap,\n2 bad input.",
+    {{"musclewarp-check psoas.ply femur.ply",
+      "tells the defects of two meshes, and where they cross"},
+     {"musclewarp-check --require_clean out/frame_0010",
+      "exits with 1 if meshes of a frame cross"}},
+    {"bone", "gap", "require_clean", "json", "units"}};
 
 }  // namespace
 
@@ -26,7 +31,7 @@ int main(int argc, char** argv) {
   CheckOptions options;
   RegisterFlags(&options);
   return RunProgram(
-      argc, argv, kUsage, [&](const std::vector<std::string>& arguments) {
+      argc, argv, kText, [&](const std::vector<std::string>& arguments) {
         return CheckCommand(arguments, options, std::cout);
       });
 }

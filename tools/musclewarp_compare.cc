@@ -12,7 +12,7 @@
 namespace musclewarp {
 namespace {
 
-constexpr char kUsage[] =
+const ProgramText kText = {
     "musclewarp-compare --scene=FILE [--out=DIR] [flags]\n"
     "musclewarp-compare --convergence --scene=FILE [--out=DIR] [flags]\n"
     "musclewarp-compare --posture=MESH --in=RUN --muscle=NAME [--frame=N] "
@@ -24,7 +24,13 @@ constexpr char kUsage[] =
     "the finest.\nWith --posture, compares a muscle of a frame with a mesh "
     "that was segmented in that\nposture: distances of the surfaces, volumes "
     "and their overlap.\nExit code: 0 the table is complete (a solver that "
-    "failed is a row that says so),\n2 bad input.";
+    "failed is a row that says so),\n2 bad input.",
+    {{"musclewarp-compare --scene=hip.json --frames=0:10 --out=compared",
+      "solves eleven poses with all solvers"},
+     {"musclewarp-compare --posture=bent.ply --in=run --muscle=psoas "
+      "--frame=10",
+      "compares a muscle of a frame with one that was segmented"}},
+    {"scene", "out", "frames", "configurations", "contact"}};
 
 // All settings of the program.
 struct Settings {
@@ -142,7 +148,7 @@ int main(int argc, char** argv) {
   RegisterFlags(&settings.deformer, {"contact", "solver", "fibres", "cache"});
   RegisterFlags<ThreadSettings>(&settings.run);
   return RunProgram(
-      argc, argv, kUsage, [&](const std::vector<std::string>& arguments) {
+      argc, argv, kText, [&](const std::vector<std::string>& arguments) {
         RefuseArguments(arguments);
         return Run(settings);
       });

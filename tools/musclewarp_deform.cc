@@ -19,7 +19,7 @@
 namespace musclewarp {
 namespace {
 
-constexpr char kUsage[] =
+const ProgramText kText = {
     "musclewarp-deform --scene=FILE --out=DIR [flags]\n"
     "       musclewarp-deform --demo --out=DIR [flags]\n"
     "       musclewarp-deform --list --model=FILE [--motion=FILE]\n\n"
@@ -28,7 +28,12 @@ constexpr char kUsage[] =
     "(OpenSim .osim and .mot, or poses\nwith times). Writes "
     "DIR/frame_0000/<name>.ply, ..., DIR/report.json and, of motions,\n"
     "DIR/lengths.sto, moment_arms.sto and volumes.sto.\n"
-    "Exit code: 0 usable, 1 not usable (the summary says why), 2 bad input.";
+    "Exit code: 0 usable, 1 not usable (the summary says why), 2 bad input.",
+    {{"musclewarp-deform --demo --out=demo",
+      "deforms a hip that is inside the program; demo/report.html shows it"},
+     {"musclewarp-deform --scene=hip.json --out=run --frames=0:10 --html",
+      "deforms the first eleven poses of a scene, with a page to look at"}},
+    {"scene", "out", "frames", "motion", "html"}};
 
 // The settings of what the program can do other than deforming the scene of a
 // user.
@@ -37,6 +42,10 @@ struct OtherJobs {
   bool list = false;
   std::string model;
 };
+
+constexpr const char* HeadingOf(Described<OtherJobs>) {
+  return "Other than deforming a scene";
+}
 
 constexpr auto FieldsOf(Described<OtherJobs>) {
   using S = OtherJobs;
@@ -157,7 +166,7 @@ int main(int argc, char** argv) {
   RegisterFlags<ThreadSettings>(&settings.run);
   RegisterFlags(&settings.jobs);
   return RunProgram(
-      argc, argv, kUsage, [&](const std::vector<std::string>& arguments) {
+      argc, argv, kText, [&](const std::vector<std::string>& arguments) {
         RefuseArguments(arguments);
         return Run(settings);
       });

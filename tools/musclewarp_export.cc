@@ -8,12 +8,17 @@
 
 namespace {
 
-constexpr char kUsage[] =
+const musclewarp::ProgramText kText = {
     "musclewarp-export --in=RUN --out=... --format=FORMAT [flags]\n"
     "       musclewarp-export MESH... --out=DIR --format=crossings\n\n"
     "Writes a run for other programs (docs/export.md).\n"
     "Exit code: 0 done, 1 a frame could not be meshed or a fit exceeds its "
-    "bounds, 2 bad input.";
+    "bounds, 2 bad input.",
+    {{"musclewarp-export --in=run --out=run.csv --format=csv",
+      "writes lengths, moment arms and volumes as one table"},
+     {"musclewarp-export --in=run --out=run.glb --format=glb --frames=0:10",
+      "writes eleven frames as glTF, for Blender and browsers"}},
+    {"in", "out", "format", "frames"}};
 
 }  // namespace
 
@@ -24,7 +29,7 @@ int main(int argc, char** argv) {
   RegisterFlags(&request.elements);
   RegisterFlags(&request.osim);
   return RunProgram(
-      argc, argv, kUsage, [&](const std::vector<std::string>& arguments) {
+      argc, argv, kText, [&](const std::vector<std::string>& arguments) {
         request.files = arguments;
         return ExportCommand(request, std::cout);
       });

@@ -8,12 +8,17 @@
 
 namespace {
 
-constexpr char kUsage[] =
+const musclewarp::ProgramText kText = {
     "musclewarp-phantom --out=DIR [flags]\n\n"
     "Writes a made-up scene of muscles and bones, the same bytes for the "
     "same seed:\nDIR/scene.json, and DIR/<name>.ply for every mesh. The "
     "meshes have defects, as\nsegmented ones do.\n"
-    "Exit code: 0 written, 2 bad input.";
+    "Exit code: 0 written, 2 bad input.",
+    {{"musclewarp-phantom --out=hip",
+      "writes a hip of a few muscles and bones"},
+     {"musclewarp-phantom --out=drawn --scene=random --seed=7",
+      "writes a scene that is drawn from the seed"}},
+    {"out", "scene", "seed"}};
 
 }  // namespace
 
@@ -22,7 +27,7 @@ int main(int argc, char** argv) {
   PhantomRequest request;
   RegisterFlags(&request);
   return RunProgram(
-      argc, argv, kUsage, [&](const std::vector<std::string>& arguments) {
+      argc, argv, kText, [&](const std::vector<std::string>& arguments) {
         RefuseArguments(arguments);
         MakePhantom(request, std::cout);
         return kExitUsable;

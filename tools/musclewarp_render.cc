@@ -8,12 +8,17 @@
 
 namespace {
 
-constexpr char kUsage[] =
+const musclewarp::ProgramText kText = {
     "musclewarp-render --out=FILE.png --in=DIR [flags]\n"
     "       musclewarp-render --out=FILE.png [flags] MESH...\n\n"
     "Draws frames of a run, or any meshes, side by side with one camera: "
     "muscles in\nreds that stay apart for the colour-blind, bones in ivory. "
-    "Needs no display.\nExit code: 0 done, 2 bad input or no OpenGL.";
+    "Needs no display.\nExit code: 0 done, 2 bad input or no OpenGL.",
+    {{"musclewarp-render --out=run.png --in=run --frames=0,last",
+      "draws the first and the last frame of a run side by side"},
+     {"musclewarp-render --out=meshes.png psoas.ply femur.ply",
+      "draws two meshes"}},
+    {"in", "out", "frames", "view", "hide"}};
 
 }  // namespace
 
@@ -22,7 +27,7 @@ int main(int argc, char** argv) {
   RenderRequest request;
   RegisterFlags(&request);
   return RunProgram(
-      argc, argv, kUsage, [&](const std::vector<std::string>& arguments) {
+      argc, argv, kText, [&](const std::vector<std::string>& arguments) {
         request.files = arguments;
         Render(request, std::cout);
         return kExitUsable;

@@ -8,12 +8,16 @@
 
 namespace {
 
-constexpr char kUsage[] =
+const musclewarp::ProgramText kText = {
     "musclewarp-report --in=DIR [--compare=DIR] [--out=report.html]\n\n"
     "Turns a run of musclewarp-deform into one HTML page with a 3D viewer, "
     "plots and a\nsummary. The page needs nothing beside it and no network; "
     "runs that did not get to\ntheir end are shown as far as they came.\n"
-    "Exit code: 0 written, 2 bad input.";
+    "Exit code: 0 written, 2 bad input.",
+    {{"musclewarp-report --in=run", "writes run/report.html"},
+     {"musclewarp-report --in=run --compare=other --out=both.html",
+      "shows two runs side by side"}},
+    {"in", "out", "compare", "overlay"}};
 
 }  // namespace
 
@@ -22,7 +26,7 @@ int main(int argc, char** argv) {
   ReportRequest request;
   RegisterFlags(&request);
   return RunProgram(
-      argc, argv, kUsage, [&](const std::vector<std::string>& arguments) {
+      argc, argv, kText, [&](const std::vector<std::string>& arguments) {
         RefuseArguments(arguments);
         WriteReport(request, std::cout);
         return kExitUsable;

@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr char kUsage[] =
+const musclewarp::ProgramText kText = {
     "musclewarp-separate --out=DIR [--bone=FILE,...] FILE... [flags]\n"
     "       musclewarp-separate --out=DIR [--labels=TABLE] [--bone=NAME,...] "
     "IMAGE [flags]\n\n"
@@ -27,7 +27,12 @@ constexpr char kUsage[] =
     "mm, in LPS (+x left,\n+y back, +z head), named by TABLE, a line a "
     "label: 3,femur,bone. Without a table\nall labels are taken, as "
     "label_3.\n\n"
-    "Exit code: 0 separated, 1 not (the summary says why), 2 bad input.";
+    "Exit code: 0 separated, 1 not (the summary says why), 2 bad input.",
+    {{"musclewarp-separate --out=apart --bone=femur.ply psoas.ply iliacus.ply",
+      "separates two muscles from each other and from a bone"},
+     {"musclewarp-separate --out=apart --labels=table.csv scan.nii.gz",
+      "separates the labels of an image"}},
+    {"out", "bone", "labels", "gap", "units"}};
 
 }  // namespace
 
@@ -39,7 +44,7 @@ int main(int argc, char** argv) {
   RegisterFlags<SeparationSettings>(&options);
   RegisterFlags<ThreadSettings>(&options);
   return RunProgram(
-      argc, argv, kUsage, [&](const std::vector<std::string>& files) {
+      argc, argv, kText, [&](const std::vector<std::string>& files) {
         options.given = GivenFlags();
         options.is_terminal = isatty(STDOUT_FILENO);
         return SeparateCommand(files, options, std::cout);

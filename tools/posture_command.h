@@ -21,6 +21,10 @@ struct PostureSettings {
   double posture_spacing = SurfaceComparisonOptions().spacing;
 };
 
+constexpr const char* HeadingOf(Described<PostureSettings>) {
+  return "Segmented posture";
+}
+
 constexpr auto FieldsOf(Described<PostureSettings>) {
   using S = PostureSettings;
   return std::make_tuple(

@@ -19,6 +19,10 @@ struct SeparationFiles : FormatSettings {
   bool json = false;
 };
 
+constexpr const char* HeadingOf(Described<SeparationFiles>) {
+  return "Files of the separation";
+}
+
 constexpr auto FieldsOf(Described<SeparationFiles>) {
   using S = SeparationFiles;
   return std::make_tuple(

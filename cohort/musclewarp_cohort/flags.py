@@ -34,7 +34,7 @@ def of_program(program):
         raise InputError(f'--deform: "{program}" cannot say what it is '
                          f"({error}); {advice}") from None
     said = done.stdout.decode(errors="replace")
-    found = re.findall(r"^  --(\w+)(=\w+)?$", said, re.M)
+    found = re.findall(r"^  --(\w+)(=\S+)?$", said, re.M)
     if done.returncode or not found or not re.search(
             rf"^usage: {PROGRAM}\b(?!-)", said, re.M):
         raise InputError(f'--deform: "{program}" is not {PROGRAM}: its --help does '

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
+#include <string>
 
 #include "musclewarp/settings/deformer_settings.h"
 #include "musclewarp/settings/scene_settings.h"
@@ -74,6 +76,17 @@ TEST_F(Flags, AreThoseThatAProgramHas) {
   gflags::CommandLineFlagInfo info;
   EXPECT_FALSE(gflags::GetCommandLineFlagInfo("solver", &info));
   EXPECT_TRUE(gflags::GetCommandLineFlagInfo("gap", &info));
+}
+
+// The list of all flags would else be one block of forty.
+TEST_F(Flags, HaveTheHeadingOfTheStructThatListsThem) {
+  std::map<std::string, std::string> headings;
+  for (const ProgramFlag& flag : ProgramFlags()) {
+    headings[flag.name] = flag.heading;
+  }
+  EXPECT_EQ(headings.at("contact"), HeadingOf(Described<DeformerSettings>()));
+  EXPECT_EQ(headings.at("gap"), HeadingOf(Described<RestSettings>()));
+  EXPECT_EQ(headings.at("scene"), HeadingOf(Described<SceneSettings>()));
 }
 
 TEST_F(Flags, AreRecordedWithPathsThatLeadFromAnywhere) {

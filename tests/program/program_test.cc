@@ -26,6 +26,17 @@ TEST(RunProgram, HelpShowsTheFlagsOfTheProgramAlone) {
                     HasSubstr("--require_clean"),
                     HasSubstr("--threads=NUMBER"),
                     Not(HasSubstr("logtostderr"))));
+}
+
+TEST(RunProgram, ShortHelpLeadsToTheOther) {
+  const ProgramRun run = RunCommandLine(MUSCLEWARP_CHECK, "-h");
+  EXPECT_EQ(run.exit_code, kExitUsable);
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("usage: musclewarp-check"),
+                    HasSubstr("Examples:\n  musclewarp-check "),
+                    HasSubstr("--help lists all"),
+                    HasSubstr("  --require_clean\n"),
+                    Not(HasSubstr("--threads"))));
   EXPECT_EQ(RunCommandLine(MUSCLEWARP_CHECK, "--helpshort").out, run.out);
 }
 

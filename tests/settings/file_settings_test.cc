@@ -28,8 +28,9 @@ TEST(FileSettings, NameFormatsWithCommas) {
 
 TEST(FileSettings, RefuseFormatsThatCannotBeWritten) {
   ExpectInputError([] { OptionsWith("stl"); },
-                   {"--format=stl", "\"stl\"", "allowed: ply"});
-  ExpectInputError([] { OptionsWith(""); }, {"--format", "is empty"});
+                   {"--format=stl", "allowed: ply, obj, vtp"});
+  ExpectInputError([] { OptionsWith("ply,stl"); }, {"--format=ply,stl"});
+  ExpectInputError([] { OptionsWith(""); }, {"--format=: ", "allowed: ply"});
 }
 
 #ifdef MUSCLEWARP_WITH_VTK

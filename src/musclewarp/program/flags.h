@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "musclewarp/base/setting_names.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/settings/checked_settings.h"
+#include "musclewarp/settings/setting_headings.h"
 
 namespace musclewarp {
 
@@ -21,10 +23,12 @@ namespace musclewarp {
 struct ProgramFlag {
   std::string name;
   std::string help;
+  std::string heading;  // that of the struct, for the list of all flags
 
   // The kind of its value: TEXT, PATH or NUMBER; empty for a switch.
   std::string value;
   std::string default_value;
+  Choices choices;  // the allowed words of a text, if it has a list of them
   const char* allowed = "";  // the kind of its values, for messages
   bool is_path = false;
   Effect effect = Effect::kResults;
@@ -32,6 +36,66 @@ struct ProgramFlag {
 
 // Returns the flags of this program in the order of their registration.
 std::vector<ProgramFlag>& ProgramFlags();
+
+namespace flags_internal {
+
+template <class Struct, class = void>
+struct HasHeading : std::false_type {};
+template <class Struct>
+struct HasHeading<Struct, std::void_t<decltype(HeadingOf(Described<Struct>()))>>
+    : std::true_type {};
+
+// Returns the heading of a struct, or of the one that adds to it, `outer`.
+template <class Struct>
+std::string HeadingIn(const std::string& outer) {
+  if constexpr (HasHeading<Struct>::value) {
+    return HeadingOf(Described<Struct>());
+  } else {
+    return outer;
+  }
+}
+
+template <class Struct>
+void AddHeadings(const std::string& heading,
+                 std::map<std::string, std::string>* headings);
+
+template <class Access>
+void AddHeading(const Field<Access>& field,
+                const std::string& heading,
+                std::map<std::string, std::string>* headings) {
+  (*headings)[field.key] = heading;
+}
+template <class Access>
+void AddHeading(const NotWritten<Access>& /*field*/,
+                const std::string& /*heading*/,
+                std::map<std::string, std::string>* /*headings*/) {}
+template <class Base>
+void AddHeading(const Inherited<Base>& /*entry*/,
+                const std::string& heading,
+                std::map<std::string, std::string>* headings) {
+  AddHeadings<Base>(HeadingIn<Base>(heading), headings);
+}
+
+template <class Struct>
+void AddHeadings(const std::string& heading,
+                 std::map<std::string, std::string>* headings) {
+  std::apply(
+      [&](const auto&... entry) {
+        (AddHeading(entry, heading, headings), ...);
+      },
+      FieldsOf(Described<Struct>()));
+}
+
+// Returns the headings of the fields of a struct by their keys: of each field
+// that of the struct in whose list it is, which may be a base.
+template <class Struct>
+std::map<std::string, std::string> HeadingsOfFields() {
+  std::map<std::string, std::string> headings;
+  AddHeadings<Struct>(HeadingIn<Struct>("Other flags"), &headings);
+  return headings;
+}
+
+}  // namespace flags_internal
 
 // Registers the fields of `settings`, except those in `without`, as flags of
 // this program. A field is the storage of its flag, and its current value
@@ -41,6 +105,7 @@ std::vector<ProgramFlag>& ProgramFlags();
 template <class Settings>
 void RegisterFlags(Settings* settings,
                    const std::set<std::string>& without = {}) {
+  const auto headings = flags_internal::HeadingsOfFields<Settings>();
   VisitFields(*settings, [&](const auto& field, auto& value) {
     using Value = std::decay_t<decltype(value)>;
     if (without.count(field.key) > 0) return;
@@ -51,6 +116,8 @@ void RegisterFlags(Settings* settings,
     ProgramFlag flag;
     flag.name = field.key;
     flag.help = *help;
+    flag.heading = headings.at(field.key);
+    flag.choices = ChoicesOf(field.choices);
     flag.allowed = KindOfValue<Value>();
     flag.is_path = field.is_path;
     flag.effect = field.effect;

@@ -16,10 +16,9 @@
 #include "musclewarp/base/setting_names.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/program/flags.h"
+#include "musclewarp/program/help.h"
 #include "musclewarp/settings/checked_settings.h"
 
-DECLARE_bool(help);
-DECLARE_bool(helpshort);
 DECLARE_bool(version);
 
 namespace GFLAGS_NAMESPACE {
@@ -30,21 +29,6 @@ extern void (*gflags_exitfunc)(int);
 
 namespace musclewarp {
 namespace {
-
-// Flags of other libraries (glog, gflags) are left out: users of the program do
-// not need them.
-void PrintHelp(const std::string& usage) {
-  std::cout << "usage: " << usage
-            << WithFlags("\n\nFlags ({flagfile}=F reads them from a file):\n");
-  for (const ProgramFlag& flag : ProgramFlags()) {
-    std::cout << "  --" << flag.name << (flag.value.empty() ? "" : "=")
-              << flag.value << "\n      " << flag.help;
-    if (!flag.default_value.empty()) {
-      std::cout << " [" << flag.default_value << "]";
-    }
-    std::cout << "\n";
-  }
-}
 
 // Makes threads of OpenMP sleep while they wait for each other, after some
 // thousand instructions, unless the user has set OMP_WAIT_POLICY. By default
@@ -92,7 +76,7 @@ void LogToScreen(const char* program) {
 int RunProgram(
     int argc,
     char** argv,
-    const std::string& usage,
+    const ProgramText& text,
     const std::function<int(const std::vector<std::string>&)>& command) {
   WaitPassively(argv);
   const std::string name = std::filesystem::path(argv[0]).filename().string();
@@ -100,12 +84,16 @@ int RunProgram(
   gflags::SetVersionString(VersionText());
   GFLAGS_NAMESPACE::gflags_exitfunc = [](int) { std::exit(kExitBadInput); };
   try {
-    CheckTypesOfFlags(argc, argv);
-    gflags::ParseCommandLineNonHelpFlags(&argc, &argv, /*remove_flags=*/true);
-    if (FLAGS_help || FLAGS_helpshort) {
-      PrintHelp(usage);
+    if (AsksForHelp(argc, argv)) {
+      PrintHelp(text, ProgramFlags(), std::cout);
       return kExitUsable;
     }
+    if (AsksForShortHelp(argc, argv)) {
+      PrintShortHelp(text, ProgramFlags(), std::cout);
+      return kExitUsable;
+    }
+    CheckTypesOfFlags(argc, argv);
+    gflags::ParseCommandLineNonHelpFlags(&argc, &argv, /*remove_flags=*/true);
     if (FLAGS_version) {
       std::cout << name << " " << VersionText() << "\n";
       return kExitUsable;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/program/program_text.h"
 #include "musclewarp/settings/thread_settings.h"
 
 namespace musclewarp {
@@ -19,18 +20,18 @@ constexpr int kExitBadInput = 2;   // bad input or flags, nothing written
 // with the remaining arguments, and returns its exit code.
 //
 //   int main(int argc, char** argv) {
-//     return musclewarp::RunProgram(argc, argv, "my-program FILE...", Command);
+//     return musclewarp::RunProgram(argc, argv, kText, Command);
 //   }
 //
 // The flags of the program have to be registered before (program/flags.h). For
-// --help, prints `usage` and these flags; `usage` is a line of synopsis
-// followed by what the program does. An InputError is printed as "<program>:
+// -h and --help, prints `text` and the flags that one needs, or all
+// (program/help.h). An InputError is printed as "<program>:
 // <message>", and the exit code is 2, as it is for unknown flags and values of
 // the wrong type.
 int RunProgram(
     int argc,
     char** argv,
-    const std::string& usage,
+    const ProgramText& text,
     const std::function<int(const std::vector<std::string>&)>& command);
 
 // Sets the number of threads of OpenMP. Throws InputError, naming the setting,

@@ -17,14 +17,27 @@
 #include <sstream>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "musclewarp/base/described.h"
 #include "musclewarp/base/input_error.h"
 
 namespace musclewarp {
 
-// Throws InputError, naming the setting, unless `value` is one of `choices`,
-// such as "auto, never". Without choices every value is allowed.
+// The words that a text may be.
+struct Choices {
+  std::vector<std::string> words;
+
+  // True if the text may also be several of them, with commas between them.
+  bool takes_several = false;
+};
+
+// Reads choices as fields list them: "auto, never", or "ply, obj; commas" if
+// several may be given.
+Choices ChoicesOf(const std::string& listed);
+
+// Throws InputError, naming the setting, unless `value` is among `choices`, as
+// fields list them. Without choices every value is allowed.
 void CheckChoice(const char* name,
                  const std::string& value,
                  const std::string& choices);

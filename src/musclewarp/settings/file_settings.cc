@@ -11,19 +11,13 @@
 namespace musclewarp {
 
 std::vector<std::string> OptionsOf(const FormatSettings& settings) {
+  CheckSettings(settings);
   const std::vector<std::string> formats = Split(settings.format, ',');
   for (const std::string& name : formats) {
-    if ((name == "ply" || name == "obj" || name == "vtp") &&
-        IsMeshExtension(name)) {
-      continue;
-    }
+    if (IsMeshExtension(name)) continue;
     throw InputError("{format}=" + settings.format,
                      "\"" + name + "\" cannot be written by this build",
-                     "allowed: ply, obj, vtp (with VTK), or several with "
-                     "commas");
-  }
-  if (formats.empty()) {
-    throw InputError("{format}", "is empty", "allowed: ply, obj, vtp");
+                     "build it with VTK, or leave " + name + " out");
   }
   return formats;
 }

@@ -18,6 +18,7 @@ struct FormatSettings {
 constexpr auto FieldsOf(Described<FormatSettings>) {
   return std::make_tuple(Field(&FormatSettings::format, "format")
                              .Text("mesh files to write: ply, obj, vtp; commas")
+                             .OneOf("ply, obj, vtp; commas")
                              .Changes(Effect::kFiles));
 }
 
