@@ -6,7 +6,7 @@
 
 import { keepAddress, moveCameraToAddress, stateFromAddress } from "./address";
 import { Run, PageData, readPageData } from "./data/run";
-import { timelineOf } from "./data/timeline";
+import { frameName, movingCoordinates, timelineOf } from "./data/timeline";
 import { button, element, icon } from "./dom";
 import { figuresSection } from "./figures/figures";
 import { listenToKeys } from "./keyboard";
@@ -52,10 +52,14 @@ function notices(runs: Run[]): HTMLElement[] {
     if (!run.report.summary.finished) texts.push(endOf(run));
     const bad = run.frames.filter((frame) => !frame.usable);
     if (bad.length > 0) {
-      const names = bad.slice(0, 5).map((frame) => frame.name);
+      const moving = movingCoordinates([run]);
+      const names = bad.slice(0, 5).map((frame) => frameName(frame, moving));
       texts.push(
         `${bad.length} of ${run.frames.length} frames are not usable: ` +
           `${names.join(", ")}${bad.length > 5 ? ", ..." : ""} (${bad[0].stop_reason})`,
+        ...(bad[0].shortcomings ?? []).map(
+          (text) => `${frameName(bad[0], moving)}: ${text}`,
+        ),
       );
     }
     texts.push(...run.warnings);

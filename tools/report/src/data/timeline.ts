@@ -15,7 +15,8 @@ export interface Moment {
 
 const mostCoordinatesInName = 3;
 
-function movingCoordinates(runs: Run[]): Map<string, string> {
+// Names and units.
+export function movingCoordinates(runs: Run[]): Map<string, string> {
   return new Map(
     runs
       .flatMap((run) => run.report.motion?.coordinates ?? [])

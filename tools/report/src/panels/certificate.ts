@@ -16,7 +16,7 @@ type Verdict = "clean" | "crossing" | "unusable" | "missing";
 const verdictTexts: Record<Verdict, string> = {
   clean: "nothing crosses",
   crossing: "meshes cross",
-  unusable: "not usable: report.json says why",
+  unusable: "not usable",
   missing: "not in this run",
 };
 
@@ -38,9 +38,15 @@ function describe(run: Run, moment: Moment, pose: number | null): string {
       : pose === 0
         ? run.report.rest.intersections
         : run.frames[pose - 1].intersections;
-  return verdict === "crossing" || verdict === "unusable"
-    ? `${moment.name}: ${verdictTexts[verdict]}, ${counts!.triangle_pairs} crossing pairs`
-    : `${moment.name}: ${verdictTexts[verdict]}`;
+  const shortcomings = pose ? (run.frames[pose - 1].shortcomings ?? []) : [];
+  const said = [
+    `${moment.name}: ${verdictTexts[verdict]}`,
+    ...(verdict === "crossing" || verdict === "unusable"
+      ? [`${counts!.triangle_pairs} crossing pairs`]
+      : []),
+    ...shortcomings,
+  ];
+  return said.join(", ");
 }
 
 export function certificateStrip(
