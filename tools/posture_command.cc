@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/near_name.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/short_list.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_repair/repair.h"
@@ -81,13 +83,12 @@ ComparedMesh ReadComparedMesh(const PostureOptions& options) {
   if (found != meshes.end()) {
     return {found->second, ReadMeshOfFrame(run.frames[0], options.muscle)};
   }
-  std::string names;
-  for (const auto& item : meshes) {
-    names += (names.empty() ? "" : ", ") + item.first;
-  }
+  std::vector<std::string> names;
+  for (const auto& [name, file] : meshes) names.push_back(name);
   throw InputError("--muscle=" + options.muscle,
                    "is no mesh of frame " + frame + " of " + options.in,
-                   "its meshes: " + names);
+                   DidYouMean(options.muscle, names) +
+                       "its meshes: " + ShortList(names, names.size()));
 }
 
 // Throws InputError if the spacing gives more samples than memory should hold.

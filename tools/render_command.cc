@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/near_name.h"
 #include "musclewarp/base/palette.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/mesh_files/mesh_io.h"
@@ -62,8 +63,10 @@ std::set<std::string> ParseNames(const std::string& flag,
     if (known.count(word) > 0) continue;
     std::string all;
     for (const std::string& name : known) all += " " + name;
-    throw InputError(
-        flag, "there is no mesh '" + word + "'", "the meshes are:" + all);
+    throw InputError(flag,
+                     "there is no mesh '" + word + "'",
+                     DidYouMean(word, {known.begin(), known.end()}) +
+                         "the meshes are:" + all);
   }
   return {words.begin(), words.end()};
 }

@@ -39,7 +39,7 @@ def test_a_motion_may_be_in_the_scene_file(tmp_path):
         pose.time for pose in of_file.poses]
     text["motion"]["coordinates"] = {"hip_flexoin_r": [-10, 60]}
     path.write_text(json.dumps(text))
-    with pytest.raises(mw.InputError, match='nearly named as "hip_flexion_r"'):
+    with pytest.raises(mw.InputError, match=r"did you mean hip_flexion_r\?"):
         mw.read_scene(path, data_root=DEMO.parent)
 
 

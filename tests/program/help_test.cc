@@ -59,7 +59,8 @@ TEST(Help, BeginsAsTheShortOneDoes) {
   const std::string most_used = "\nMost used";
   const std::string start = out.str().substr(0, out.str().find(most_used));
   EXPECT_EQ(HelpText().substr(0, start.size()), start);
-  EXPECT_THAT(start, HasSubstr("  paint --ink=red wall\n      paints a wall\n"));
+  EXPECT_THAT(start,
+              HasSubstr("  paint --ink=red wall\n      paints a wall\n"));
   EXPECT_THAT(out.str(),
               AllOf(HasSubstr("--help lists all 3"),
                     HasSubstr("--ink"),

@@ -5,9 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <map>
 #include <string>
 
 #include "support/input_errors.h"
+#include "support/temp_dir.h"
 #include "tools/run_program.h"
 
 namespace musclewarp {
@@ -56,7 +59,45 @@ TEST(RunProgram, SaysItsVersion) {
 TEST(RunProgram, RefusesFlagsItDoesNotKnow) {
   const ProgramRun run = RunCommandLine(MUSCLEWARP_CHECK, "--colour=red");
   EXPECT_EQ(run.exit_code, kExitBadInput);
-  EXPECT_THAT(run.errors, HasSubstr("colour"));
+  EXPECT_EQ(run.errors,
+            "musclewarp-check: --colour: is not a flag of this program; --help "
+            "lists all flags\n");
+}
+
+TEST(RunProgram, NamesTheFlagThatWasMeant) {
+  for (const auto& [given, meant] : std::map<std::string, std::string>{
+           {"--scen=a.json", "--scene"},
+           {"-scnee a.json", "--scene"},
+           {"--out a --date-root=b", "--data_root"},
+           {"--norezume", "--noresume"}}) {
+    const ProgramRun run = RunCommandLine(MUSCLEWARP_DEFORM, given);
+    EXPECT_EQ(run.exit_code, kExitBadInput);
+    EXPECT_THAT(run.errors, HasSubstr("; did you mean " + meant + "? "))
+        << given;
+  }
+}
+
+// Flags are written in other ways, too: none of them may be refused.
+TEST(RunProgram, KnowsFlagsHoweverTheyAreWritten) {
+  for (const char* given : {"-require_clean --version",
+                            "--require-clean --version",
+                            "--norequire_clean --version",
+                            "--json --colour --version",
+                            "--undefok=colour --colour=red --version",
+                            "--version -- --colour"}) {
+    EXPECT_EQ(RunCommandLine(MUSCLEWARP_CHECK, given).exit_code, kExitUsable)
+        << given;
+  }
+}
+
+TEST(RunProgram, NamesTheLineOfAFileWithAFlagThatIsNone) {
+  const std::string path = TestTempDir() + "/flags";
+  std::ofstream(path) << "# of a run\n--gap=1\n--jsn=a\n";
+  const ProgramRun run = RunCommandLine(MUSCLEWARP_CHECK, "--flagfile=" + path);
+  EXPECT_EQ(run.exit_code, kExitBadInput);
+  EXPECT_THAT(run.errors,
+              HasSubstr("flags, line 3: --jsn: is not a flag of this program; "
+                        "did you mean --json? "));
 }
 
 TEST(RunProgram, RefusesValuesOfAnotherType) {

@@ -76,7 +76,12 @@ TEST(JsonField, RefusesUnknownAndMissingKeys) {
       [&] {
         root.CheckKeys({"a", "c"});
       },
-      {R"(unknown key "b\n")", "allowed: a, c"});
+      {R"(unknown key "b\n"; allowed: a, c)"});
+  ExpectInputError(
+      [] {
+        Parsed(R"({"boens": 1})").CheckKeys({"a", "bones"});
+      },
+      {R"(unknown key "boens"; did you mean bones? allowed: )"});
   EXPECT_TRUE(root.Has("a"));
   EXPECT_FALSE(root.Has("c"));
   ExpectInputError([&] { root.At("c"); }, {"file.json: c: is missing"});

@@ -140,7 +140,7 @@ TEST(RampedMotion, RefusesCoordinatesThatDoNotFit) {
   };
   refused(R"({"knee": [0], "hip": [0, 9]})",
           {"coordinates: names \"hip\"", "leg.osim", "knee, tx, ty"});
-  refused(R"({"kne": [0, 9]})", {"\"kne\"", "nearly named as \"knee\""});
+  refused(R"({"kne": [0, 9]})", {"\"kne\"", "; did you mean knee? allowed: "});
   refused(R"({"knee": []})", {"coordinates.knee: is an array of 0", "[30]"});
   refused(R"({"knee": 30})", {"coordinates.knee: is 30", "give a list"});
   refused(R"({"knee": [0, "9"]})", {"coordinates.knee[1]: is \"9\""});

@@ -159,7 +159,9 @@ TEST(CheckScene, RefusesBodiesOfWhichNothingIsKnown) {
       [](Scene* s) {
         s->poses[0].bodies["femr"] = Eigen::Matrix4d::Identity();
       },
-      {"pose \"bent\"", "\"femr\"", "bodies in use: femur, pelvis"});
+      {"pose \"bent\"",
+       "\"femr\"",
+       "; did you mean femur? bodies in use: femur, pelvis"});
 }
 
 TEST(CheckScene, RefusesLinesThatAreNone) {

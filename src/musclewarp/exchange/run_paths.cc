@@ -7,6 +7,7 @@
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
+#include "musclewarp/base/near_name.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/exchange/path_beyond.h"
 #include "musclewarp/opensim/kinematics.h"
@@ -103,10 +104,14 @@ class FramesOfRun {
   int IndexOf(const std::string& coordinate, const std::string& where) const {
     const int index = paths_.model.FindCoordinate(coordinate);
     if (index >= 0) return index;
+    std::vector<std::string> known;
+    for (const Coordinate& other : paths_.model.coordinates) {
+      known.push_back(other.name);
+    }
     throw InputError(where,
                      "names \"" + coordinate +
                          "\", which is no coordinate of " + paths_.model.path,
-                     "check {model}");
+                     DidYouMean(coordinate, known) + "check {model}");
   }
 
   void AddMuscle(const MuscleFigures& muscle,

@@ -8,6 +8,7 @@
 
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/near_name.h"
 #include "musclewarp/base/short_list.h"
 #include "musclewarp/scene/scene_names.h"
 
@@ -37,7 +38,7 @@ std::string BodyNamed(const Articulation& articulation,
   throw InputError(
       muscle,
       "ends on " + QuotedName(name) + ", which is neither a body nor a bone",
-      "allowed: " + ShortList(names));
+      DidYouMean(name, names) + "allowed: " + ShortList(names));
 }
 
 OrderedJson MuscleJson(const Articulation& articulation,
@@ -93,7 +94,7 @@ void CheckCoordinates(const JointMotion& motion,
     throw InputError(where,
                      "has " + QuotedName(sweep.coordinate) +
                          ", which no joint that was found has",
-                     "allowed: " + known);
+                     DidYouMean(sweep.coordinate, names) + "allowed: " + known);
   }
 }
 

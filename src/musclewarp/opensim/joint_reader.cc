@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "musclewarp/base/near_name.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 #include "musclewarp/opensim/component_tree.h"
 #include "musclewarp/opensim/function_reader.h"
@@ -308,10 +309,12 @@ void AddJointOfBody(const OsimXml& xml,
   const pugi::xml_node parent = xml.Child(node, "parent_body");
   joint.parent = model->FindBody(LastName(xml.Text(parent)));
   if (joint.parent < 0) {
+    std::vector<std::string> known;
+    for (const Body& body : model->bodies) known.push_back(body.name);
     xml.Fail(
         parent,
         "names \"" + xml.Text(parent) + "\", which is not a body of the model",
-        "check the name");
+        DidYouMean(LastName(xml.Text(parent)), known) + "check the name");
   }
   joint.parent_from_joint = JointPlace(xml, node, {"_in_parent"});
   joint.child_from_joint = JointPlace(xml, node, {"", "_in_child"});

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <numeric>
 #include <optional>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/near_name.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
 namespace musclewarp {
@@ -58,26 +58,6 @@ std::optional<std::string> CoordinateNameIn(const std::string& label,
       parts.size() >= 3 && parts[parts.size() - 3] == "jointset";
   if (!is_of_joint && !is_in_jointset) return std::nullopt;
   return name;
-}
-
-// The number of letters to change, add, remove or swap with their neighbour to
-// turn one text into the other (optimal string alignment).
-int EditDistance(const std::string& a, const std::string& b) {
-  std::vector<int> before_last, last(b.size() + 1), row(b.size() + 1);
-  std::iota(last.begin(), last.end(), 0);
-  for (size_t i = 1; i <= a.size(); ++i) {
-    row[0] = static_cast<int>(i);
-    for (size_t k = 1; k <= b.size(); ++k) {
-      const int change = a[i - 1] == b[k - 1] ? 0 : 1;
-      row[k] = std::min({last[k] + 1, row[k - 1] + 1, last[k - 1] + change});
-      if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1]) {
-        row[k] = std::min(row[k], before_last[k - 2] + 1);
-      }
-    }
-    before_last = last;
-    last = row;
-  }
-  return last.back();
 }
 
 // Returns true for parts of names that tell coordinates of one kind apart: the

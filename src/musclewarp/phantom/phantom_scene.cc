@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/near_name.h"
+#include "musclewarp/base/short_list.h"
 #include "musclewarp/phantom/hip_scene.h"
 #include "musclewarp/phantom/random_scene.h"
 #include "musclewarp/phantom/stress_scenes.h"
@@ -38,13 +40,11 @@ PhantomScene MakePhantomScene(const std::string& name,
   if (std::find(stress.begin(), stress.end(), name) != stress.end()) {
     return MakeStressScene(name, seed);
   }
-  std::string known;
-  for (const std::string& other : PhantomSceneNames()) {
-    known += (known.empty() ? "" : ", ") + other;
-  }
+  const std::vector<std::string> known = PhantomSceneNames();
   throw InputError("{scene}",
                    "there is no scene \"" + name + "\"",
-                   "choose one of: " + known);
+                   DidYouMean(name, known) +
+                       "choose one of: " + ShortList(known, known.size()));
 }
 
 }  // namespace musclewarp

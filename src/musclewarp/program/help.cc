@@ -44,8 +44,8 @@ void PrintFlag(const ProgramFlag& flag, std::ostream& out) {
 }
 
 bool IsMain(const ProgramText& text, const ProgramFlag& flag) {
-  return std::count(
-             text.main_flags.begin(), text.main_flags.end(), flag.name) > 0;
+  return std::count(text.main_flags.begin(), text.main_flags.end(), flag.name) >
+         0;
 }
 
 void PrintMainFlags(const ProgramText& text,

@@ -15,6 +15,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/setting_names.h"
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/program/flag_names.h"
 #include "musclewarp/program/flags.h"
 #include "musclewarp/program/help.h"
 #include "musclewarp/settings/checked_settings.h"
@@ -92,6 +93,7 @@ int RunProgram(
       PrintShortHelp(text, ProgramFlags(), std::cout);
       return kExitUsable;
     }
+    CheckNamesOfFlags({argv + 1, argv + argc});
     CheckTypesOfFlags(argc, argv);
     gflags::ParseCommandLineNonHelpFlags(&argc, &argv, /*remove_flags=*/true);
     if (FLAGS_version) {

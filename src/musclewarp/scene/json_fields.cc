@@ -10,6 +10,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
+#include "musclewarp/base/near_name.h"
 #include "musclewarp/scene/coordinate_limits.h"
 #include "musclewarp/scene/length_unit.h"
 #include "musclewarp/scene/rigid_motion.h"
@@ -170,7 +171,8 @@ void JsonField::CheckKeys(std::initializer_list<std::string> allowed) const {
     }
     std::string list;
     for (const auto& key : allowed) list += (list.empty() ? "" : ", ") + key;
-    Fail("has the unknown key " + Shortened(item.key()), "allowed: " + list);
+    Fail("has the unknown key " + Shortened(item.key()),
+         DidYouMean(item.key(), allowed) + "allowed: " + list);
   }
 }
 

@@ -8,6 +8,8 @@
 
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/near_name.h"
+#include "musclewarp/base/short_list.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/opensim/guiding_path.h"
 #include "musclewarp/opensim/rest_pose.h"
@@ -21,11 +23,10 @@ namespace {
 constexpr double kLargestGap = 1;                // mm
 constexpr double kLargestTurn = RadiansOf(0.5);  // rad
 
-std::string AllNames(const std::vector<Body>& bodies) {
-  std::string names;
-  for (const Body& body : bodies) {
-    names += (names.empty() ? "" : ", ") + body.name;
-  }
+template <class Part>
+std::vector<std::string> NamesOf(const std::vector<Part>& parts) {
+  std::vector<std::string> names;
+  for (const Part& part : parts) names.push_back(part.name);
   return names;
 }
 
@@ -34,9 +35,11 @@ int BodyNamed(const Model& model,
               const std::string& where) {
   const int body = model.FindBody(name);
   if (body < 0) {
+    const std::vector<std::string> names = NamesOf(model.bodies);
     throw InputError(where,
                      "the body \"" + name + "\" is not in " + model.path,
-                     "its bodies: " + AllNames(model.bodies));
+                     DidYouMean(name, names) +
+                         "its bodies: " + ShortList(names, names.size()));
   }
   return body;
 }
@@ -48,10 +51,11 @@ CoordinateValues GivenRest(const Model& model,
   for (const auto& [name, value] : coordinates) {
     const int coordinate = model.FindCoordinate(name);
     if (coordinate < 0) {
-      throw InputError(where + ": model_rest.coordinates",
-                       "\"" + name + "\" " + WhyNoCoordinate(model, name) +
-                           ", " + model.path,
-                       "check the name");
+      throw InputError(
+          where + ": model_rest.coordinates",
+          "\"" + name + "\" " + WhyNoCoordinate(model, name) + ", " +
+              model.path,
+          DidYouMean(name, NamesOf(model.coordinates)) + "check the name");
     }
     values[coordinate] = value;
   }

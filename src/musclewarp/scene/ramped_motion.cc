@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/near_name.h"
 #include "musclewarp/base/short_list.h"
 #include "musclewarp/opensim/motion_columns.h"
 #include "musclewarp/opensim/storage_table.h"
@@ -33,14 +34,12 @@ void CheckNames(const JsonField& coordinates, const Model& model) {
   }
   for (const std::string& member : coordinates.Keys()) {
     if (model.FindCoordinate(member) >= 0) continue;
-    std::string problem = "names " + QuotedName(member) + ", which " +
-                          WhyNoCoordinate(model, member) + ", " + model.path;
-    for (const std::string& name : known) {
-      if (!IsNearlyNamed(member, name)) continue;
-      problem += ", but is nearly named as \"" + name + "\"";
-      break;
-    }
-    coordinates.Fail(problem, "allowed: " + ShortList(known, known.size()));
+    const std::string problem = "names " + QuotedName(member) + ", which " +
+                                WhyNoCoordinate(model, member) + ", " +
+                                model.path;
+    coordinates.Fail(problem,
+                     DidYouMean(member, known) +
+                         "allowed: " + ShortList(known, known.size()));
   }
 }
 

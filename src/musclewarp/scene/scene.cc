@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/near_name.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/mesh_files/mesh_path.h"
 #include "musclewarp/scene/attachments_file.h"
@@ -66,10 +67,20 @@ ActionLine ReadLine(const JsonField& field, const NamedLines& named) {
   if (muscle >= 0) return ReadModelLine(*named.model, muscle);
   const auto line = named.poses_file.lines.find(name);
   if (line == named.poses_file.lines.end()) {
+    std::vector<std::string> known;
+    for (const auto& [other, points] : named.poses_file.lines) {
+      known.push_back(other);
+    }
+    if (named.model) {
+      for (const ModelMuscle& other : named.model->muscles) {
+        known.push_back(other.name);
+      }
+    }
     field.Fail("names the line \"" + name + "\", which " +
                    (named.model ? named.model->path + " does not have"
                                 : "the poses_file does not have"),
-               "check the name, or give the line as an object");
+               DidYouMean(name, known) +
+                   "check the name, or give the line as an object");
   }
   return line->second;
 }

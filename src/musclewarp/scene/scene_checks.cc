@@ -8,6 +8,7 @@
 #include <string>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/near_name.h"
 #include "musclewarp/scene/coordinate_limits.h"
 #include "musclewarp/scene/rigid_motion.h"
 #include "musclewarp/scene/scene_names.h"
@@ -52,7 +53,8 @@ void CheckFollowedBody(const std::string& where,
       where,
       "names the body " + QuotedName(body) + ", which no bone and no pose has",
       known.empty() ? "add a bone with that body, or move it in a pose"
-                    : "known bodies: " + Listed(known));
+                    : DidYouMean(body, {known.begin(), known.end()}) +
+                          "known bodies: " + Listed(known));
 }
 
 // Checks that the scene uses a body that a pose moves: otherwise its name is
@@ -61,11 +63,13 @@ void CheckMovedBody(const std::string& where,
                     const std::string& body,
                     const std::set<std::string>& in_use) {
   if (in_use.count(body)) return;
-  throw InputError(
-      where,
-      "names the body " + QuotedName(body) +
-          ", which no bone, line or attachment has",
-      in_use.empty() ? "leave it out" : "bodies in use: " + Listed(in_use));
+  throw InputError(where,
+                   "names the body " + QuotedName(body) +
+                       ", which no bone, line or attachment has",
+                   in_use.empty()
+                       ? "leave it out"
+                       : DidYouMean(body, {in_use.begin(), in_use.end()}) +
+                             "bodies in use: " + Listed(in_use));
 }
 
 void CheckLine(const std::string& where,
@@ -151,11 +155,15 @@ void CheckEndBodies(const Scene& scene, const SceneMuscle& muscle) {
           return bone.body == body;
         });
     if (has_bones) continue;
-    throw InputError(where,
-                     "names " + QuotedName(body) +
-                         ", which is the body of no bone of the scene",
-                     "name bodies of bones, or leave it out to have them found "
-                     "on the meshes");
+    std::vector<std::string> known;
+    for (const SceneBone& bone : scene.bones) known.push_back(bone.body);
+    throw InputError(
+        where,
+        "names " + QuotedName(body) +
+            ", which is the body of no bone of the scene",
+        DidYouMean(body, known) +
+            "name bodies of bones, or leave it out to have them found "
+            "on the meshes");
   }
 }
 
@@ -169,11 +177,16 @@ void CheckEndsOn(const Scene& scene, const SceneMuscle& muscle) {
                                              return other.name == name;
                                            });
     if (is_other) continue;
+    std::vector<std::string> others;
+    for (const SceneMuscle& other : scene.muscles) {
+      if (other.name != muscle.name) others.push_back(other.name);
+    }
     throw InputError(
         Where(scene) + ": \"ends_on\" of muscle " + muscle.name,
         "names " + QuotedName(name) + ", which is no other muscle of the scene",
-        "name muscles, leave it out to have them found on the "
-        "meshes, or give [] if it ends on bones");
+        DidYouMean(name, others) +
+            "name muscles, leave it out to have them found on the "
+            "meshes, or give [] if it ends on bones");
   }
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/settings/articulation_settings.h"
 
+#include "musclewarp/base/near_name.h"
+#include "musclewarp/base/short_list.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/joints/bone_names.h"
@@ -14,14 +16,15 @@ namespace musclewarp {
 namespace {
 
 JointKind JointNamed(const std::string& name) {
-  std::string known;
+  std::vector<std::string> known;
   for (const JointKind kind : AllJointKinds()) {
     if (ToString(kind) == name) return kind;
-    known += (known.empty() ? "" : ", ") + ToString(kind);
+    known.push_back(ToString(kind));
   }
-  throw InputError("{joints}",
-                   "has " + QuotedName(name) + ", which is no joint",
-                   "allowed: " + known);
+  throw InputError(
+      "{joints}",
+      "has " + QuotedName(name) + ", which is no joint",
+      DidYouMean(name, known) + "allowed: " + ShortList(known, known.size()));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "musclewarp/base/near_name.h"
 #include "musclewarp/base/text.h"
 
 namespace musclewarp {
@@ -35,7 +36,8 @@ void CheckChoice(const char* name,
   throw InputError(
       "{" + std::string(name) + "}=" + value,
       "is none of its values",
-      "allowed: " + choices.substr(0, choices.find(';')) +
+      DidYouMean(value, allowed.words) +
+          "allowed: " + choices.substr(0, choices.find(';')) +
           (allowed.takes_several ? ", or several with commas" : ""));
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/near_name.h"
 #include "musclewarp/base/short_list.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/joints/bone_sides.h"
@@ -226,7 +227,7 @@ class SubjectReader {
           "{bone}",
           "has " + QuotedName(bone) + ", which is no label" +
               (HasImage() ? " of " + subject_.image : std::string(" or mesh")),
-          "the names are " + ShortList(known));
+          DidYouMean(bone, known) + "the names are " + ShortList(known));
     }
   }
 
@@ -238,15 +239,16 @@ class SubjectReader {
           IsLabelImageFile(bone) || fs::exists(bone, error)) {
         continue;
       }
-      std::string names;
+      std::vector<std::string> names;
       for (const LabelMesh& label : subject_.labels.meshes) {
-        names += (names.empty() ? "" : ", ") + label.name;
+        names.push_back(label.name);
       }
       throw InputError("{bone}",
                        "has " + QuotedName(bone) +
                            ", which is neither a label of " + subject_.image +
                            " nor a mesh file",
-                       "the labels are " + names);
+                       DidYouMean(bone, names) + "the labels are " +
+                           ShortList(names, names.size()));
     }
   }
 
