@@ -154,6 +154,25 @@ export class Browser {
     }, png.toString("base64"));
     return { width, height, data: Buffer.from(data, "base64") };
   }
+
+  // The PNG of a picture.
+  async encode({ width, height, data }) {
+    const png = await this.eye.evaluate(
+      async ({ width, height, base64 }) => {
+        const bytes = Uint8ClampedArray.from(atob(base64), (c) =>
+          c.charCodeAt(0),
+        );
+        const canvas = new OffscreenCanvas(width, height);
+        const context = canvas.getContext("2d", { alpha: false });
+        context.putImageData(new ImageData(bytes, width, height), 0, 0);
+        const blob = await canvas.convertToBlob();
+        const written = new Uint8Array(await blob.arrayBuffer());
+        return btoa(String.fromCharCode(...written));
+      },
+      { width, height, base64: data.toString("base64") },
+    );
+    return Buffer.from(png, "base64");
+  }
 }
 
 // Pixels that are the colour [r, g, b] in more or less light: shading scales
