@@ -22,6 +22,7 @@
 #include "musclewarp/run/earlier_run.h"
 #include "musclewarp/run/output_folder.h"
 #include "musclewarp/run/output_lock.h"
+#include "musclewarp/run/pose_name.h"
 #include "musclewarp/run/resume_log.h"
 #include "musclewarp/run/run_writer.h"
 #include "musclewarp/run/step_recorder.h"
@@ -195,7 +196,12 @@ class DeformRun {
       run_.frames.push_back(std::move(figures));
       log_->FrameDone(run_.frames.back(), deformer_->state());
       writer_->KeepReportUpToDate(run_);
-      progress_.FrameDone(run_.frames.back());
+      const FrameFigures& done = run_.frames.back();
+      progress_.FrameDone(
+          done,
+          PoseName(done.name,
+                   done.coordinates,
+                   MovingCoordinatesOf(deformer_->scene().scene)));
     }
   }
 

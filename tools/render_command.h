@@ -40,8 +40,9 @@ constexpr auto FieldsOf(Described<RenderRequest>) {
       Field(&S::frames, "frames")
           .Text("frames of {in}, side by side: numbers or 'last', with commas"),
       Field(&S::captions, "captions")
-          .Text("texts below the frames, with commas; auto: the names in "
-                "report.json if there are several frames"),
+          .Text("texts below the frames, with commas; auto: if there are "
+                "several frames, the values of the coordinates that move, or "
+                "the names in report.json"),
       Field(&S::view, "view")
           .Text("from where: anterior, posterior, lateral, medial, left, "
                 "right, superior, inferior, or a direction towards the viewer "

@@ -56,7 +56,7 @@ TEST(NearName, FindsEachKnownNameItself) {
 // A guess that shares little with what was written would only mislead.
 TEST(NearName, IsEmptyIfMoreThanAThirdWouldChange) {
   const std::vector<std::string> known = {"scene", "gap", "k"};
-  EXPECT_EQ(NearName("scenery", known), "scene");  // 2 of 7
+  EXPECT_EQ(NearName("scenery", known), "scene");   // 2 of 7
   EXPECT_EQ(NearName("sceneries", {"scene"}), "");  // 4 of 9
   EXPECT_EQ(NearName("colour", known), "");
   EXPECT_EQ(NearName("gab", known), "gap");

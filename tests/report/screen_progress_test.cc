@@ -22,8 +22,8 @@ TEST(ScreenProgress, IsALineForEachFrameOffATerminal) {
   std::ostringstream out;
   ScreenProgress progress(false, &out);
   progress.StartFrames(1, {1, 1});
-  progress.FrameDone(SomeFigures(1));
-  EXPECT_THAT(out.str(), HasSubstr("frame 2 of 3: t=0.1"));
+  progress.FrameDone(SomeFigures(1), "bent");
+  EXPECT_THAT(out.str(), HasSubstr("frame 2 of 3: bent"));
   EXPECT_THAT(out.str(), HasSubstr("9 crossing pairs"));
   EXPECT_THAT(out.str(), HasSubstr("left\n"));
   EXPECT_EQ(out.str().find('\r'), std::string::npos);
@@ -33,8 +33,8 @@ TEST(ScreenProgress, RenewsOneLineOnATerminal) {
   std::ostringstream out;
   ScreenProgress progress(true, &out);
   progress.StartFrames(0, {1, 1});
-  progress.FrameDone(SomeFigures(0));
-  progress.FrameDone(SomeFigures(1));
+  progress.FrameDone(SomeFigures(0), "bent");
+  progress.FrameDone(SomeFigures(1), "bent");
   const std::string text = out.str();
   EXPECT_EQ(std::count(text.begin(), text.end(), '\r'), 2);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
@@ -47,7 +47,7 @@ TEST(ScreenProgress, SaysThatAFrameIsNotUsable) {
   progress.StartFrames(0, {1});
   FrameFigures record = SomeFigures(0);
   record.shortcomings = {"crosses a bone"};
-  progress.FrameDone(record);
+  progress.FrameDone(record, "bent");
   EXPECT_THAT(out.str(), HasSubstr("NOT usable"));
 }
 
@@ -59,8 +59,8 @@ TEST(ScreenProgress, ForetellsTheTimeByTheWork) {
   ten.StartFrames(0, {1, 10});
   EXPECT_EQ(one.MillisecondsLeft(), 0);  // nothing is known yet
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  one.FrameDone(SomeFigures(0));
-  ten.FrameDone(SomeFigures(0));
+  one.FrameDone(SomeFigures(0), "bent");
+  ten.FrameDone(SomeFigures(0), "bent");
   EXPECT_GT(one.MillisecondsLeft(), 0);
   // The two clocks were read at nearly the same time.
   EXPECT_GT(ten.MillisecondsLeft(), 5 * one.MillisecondsLeft());
@@ -70,7 +70,7 @@ TEST(ScreenProgress, ClearsItsLineOfATerminal) {
   std::ostringstream out;
   ScreenProgress progress(true, &out);
   progress.StartFrames(0, {1, 1});
-  progress.FrameDone(SomeFigures(0));
+  progress.FrameDone(SomeFigures(0), "bent");
   progress.Clear();
   const std::string text = out.str();
   EXPECT_EQ(text.back(), '\r');

@@ -32,6 +32,7 @@ std::string LastLine(const RunRecord& run) {
   std::ostringstream screen;
   PrintFrames(run, screen);
   std::string text = screen.str();
+  text = text.substr(0, text.find("\nwhat helps:"));
   text.pop_back();
   return text.substr(text.rfind('\n') + 1);
 }
@@ -82,6 +83,20 @@ TEST(ScreenReport, SaysOfAStoppedRunThatItIsUsableSoFar) {
                     EndsWith(": usable so far")));
   run.frames[1].shortcomings = {"crosses a bone"};
   EXPECT_THAT(LastLine(run), EndsWith(": NOT usable"));
+}
+
+TEST(ScreenReport, EndsWithWhatHelpsIfTheRunIsNotUsable) {
+  RunRecord run = CrossingRun(ContactKind::kCertified);
+  std::ostringstream usable;
+  PrintFrames(run, usable);
+  EXPECT_THAT(usable.str(), Not(HasSubstr("what helps")));
+  run.frames[1].shortcomings = {"m: 4 folded triangles, allowed 0"};
+  std::ostringstream screen;
+  PrintFrames(run, screen);
+  EXPECT_THAT(screen.str(),
+              AllOf(HasSubstr("not usable:\n  frame 1, "),
+                    HasSubstr("NOT usable\n\nwhat helps:\n  frame 0 is usable: "
+                              "--frames=0 computes it alone\n  no flag")));
 }
 
 }  // namespace

@@ -57,10 +57,10 @@ std::vector<std::string> KnownFlags() {
 }
 
 [[noreturn]] void Refuse(const std::string& where, const std::string& name) {
-  throw InputError(where,
-                   "is not a flag of this program",
-                   DidYouMean(name, KnownFlags(), "--") +
-                       "{help} lists all flags");
+  throw InputError(
+      where,
+      "is not a flag of this program",
+      DidYouMean(name, KnownFlags(), "--") + "{help} lists all flags");
 }
 
 }  // namespace

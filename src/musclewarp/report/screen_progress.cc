@@ -94,7 +94,8 @@ std::string ScreenProgress::Bar() const {
                       : "frame " + std::to_string(done + 1) + ":";
 }
 
-void ScreenProgress::FrameDone(const FrameFigures& frame) {
+void ScreenProgress::FrameDone(const FrameFigures& frame,
+                               const std::string& name) {
   constexpr double kMemory = 0.8;
   const Lock lock(mutex_);
   stage_.clear();
@@ -106,7 +107,7 @@ void ScreenProgress::FrameDone(const FrameFigures& frame) {
   const bool is_last = done == total();
   std::ostringstream line;
   line << (is_terminal_ ? Bar() : "frame") << " " << done << " of " << total()
-       << ": " << frame.name << ", " << std::fixed << std::setprecision(0)
+       << ": " << name << ", " << std::fixed << std::setprecision(0)
        << frame.wall_ms << " ms, " << frame.intersections.triangle_pairs
        << " crossing pairs";
   if (!frame.IsUsable()) line << ", NOT usable";

@@ -24,7 +24,7 @@ namespace musclewarp {
 //   deformer_options.on_progress = [&](const Progress& p) { progress.Say(p); };
 //   ...
 //   progress.StartFrames(0, {1, 4, 2});
-//   for (...) progress.FrameDone(record);
+//   for (...) progress.FrameDone(record, name);
 class ScreenProgress {
  public:
   ScreenProgress(bool is_terminal, std::ostream* out);
@@ -43,7 +43,8 @@ class ScreenProgress {
   // of the remaining time is based on it.
   void StartFrames(int done, std::vector<double> work);
 
-  void FrameDone(const FrameFigures& frame);
+  // `name` is what the frame is called (run/pose_name.h).
+  void FrameDone(const FrameFigures& frame, const std::string& name);
 
   // Returns the estimated remaining time, ms, from the time per work of recent
   // frames. Each frame has 0.8 times the weight of the next one, because frames

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/report/remedies.h"
+#include "musclewarp/run/pose_name.h"
 #include "musclewarp/run/shape_warnings.h"
 
 namespace musclewarp {
@@ -39,11 +41,23 @@ void PrintList(const std::string& title,
   }
 }
 
-std::vector<std::string> Shortcomings(const RunRecord& run) {
+// Returns the frames with the names that they have on the screen.
+std::vector<FrameFigures> FramesForReaders(const RunRecord& run) {
+  std::vector<FrameFigures> frames = run.frames;
+  if (!run.scene) return frames;
+  const auto moving = MovingCoordinatesOf(run.scene->scene);
+  for (FrameFigures& frame : frames) {
+    frame.name = PoseName(frame.name, frame.coordinates, moving);
+  }
+  return frames;
+}
+
+std::vector<std::string> Shortcomings(const std::vector<FrameFigures>& frames) {
   std::vector<std::string> lines;
-  for (const FrameFigures& frame : run.frames) {
+  for (const FrameFigures& frame : frames) {
     for (const std::string& shortcoming : frame.shortcomings) {
-      lines.push_back(frame.name + ": " + shortcoming);
+      lines.push_back("frame " + std::to_string(frame.index) + ", " +
+                      frame.name + ": " + shortcoming);
     }
   }
   return lines;
@@ -164,8 +178,9 @@ void PrintBoneCrossings(const PreparedScene& scene, std::ostream& out) {
 }
 
 void PrintFrames(const RunRecord& run, std::ostream& out) {
+  const std::vector<FrameFigures> frames = FramesForReaders(run);
   size_t name_width = 4;
-  for (const FrameFigures& frame : run.frames) {
+  for (const FrameFigures& frame : frames) {
     name_width = std::max(name_width, frame.name.size());
   }
   out << "\nframe  " << std::left << std::setw(name_width) << "pose"
@@ -180,7 +195,7 @@ void PrintFrames(const RunRecord& run, std::ostream& out) {
       << "";
   print_counts(run.rest);
   out << "\n";
-  for (const FrameFigures& frame : run.frames) {
+  for (const FrameFigures& frame : frames) {
     out << std::setw(5) << frame.index << "  " << std::left
         << std::setw(name_width) << frame.name << std::right << std::setw(12)
         << frame.iterations() << std::setw(9) << std::fixed
@@ -190,10 +205,13 @@ void PrintFrames(const RunRecord& run, std::ostream& out) {
     print_counts(frame.intersections);
     out << "  " << OutcomeOf(frame) << "\n";
   }
-  PrintList("not usable", Shortcomings(run), out);
+  PrintList("not usable", Shortcomings(frames), out);
   const double body_size = run.scene ? run.scene->scene.body_size : 1;
-  PrintList("warnings", ShapeWarnings(run.frames, body_size), out);
+  PrintList("warnings", ShapeWarnings(frames, body_size), out);
   PrintTotals(run, out);
+  std::vector<std::string> remedies = RemediesFor(run);
+  for (std::string& remedy : remedies) remedy = WithFlags(remedy);
+  PrintList("what helps", remedies, out);
 }
 
 }  // namespace musclewarp

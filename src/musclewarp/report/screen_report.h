@@ -14,8 +14,10 @@ void PrintPreparation(const PreparedScene& scene,
                       const ContactReport& contact,
                       std::ostream& out);
 
-// Prints a table of the frames, the shortcomings of unusable frames, and the
-// totals of the run. Its verdict names the tests that it includes.
+// Prints a table of the frames, the shortcomings of unusable frames, the totals
+// of the run, and what helps if it is not usable (report/remedies.h). Its
+// verdict names the tests that it includes. Frames are called as in
+// run/pose_name.h.
 void PrintFrames(const RunRecord& run, std::ostream& out);
 
 // Returns ", cavities of 2.1 cm3 filled", or an empty text if none were.

@@ -11,6 +11,7 @@
 #include "musclewarp/run/kept_model.h"
 #include "musclewarp/run/machine.h"
 #include "musclewarp/run/paths_in_json.h"
+#include "musclewarp/run/pose_name.h"
 #include "musclewarp/run/shape_warnings.h"
 
 namespace musclewarp {
@@ -151,10 +152,7 @@ OrderedJson MotionJson(const Scene& scene, bool keeps_model) {
     const CoordinateKind kind = model.coordinates[index].kind;
     coordinates.push_back(
         {{"name", model.coordinates[index].name},
-         {"unit",
-          kind == CoordinateKind::kRotational      ? "degrees"
-          : kind == CoordinateKind::kTranslational ? "m"
-                                                   : ""},
+         {"unit", UnitInReports(kind)},
          {"moves", std::count(moving.begin(), moving.end(), index) > 0}});
   }
   OrderedJson json = {{"model", model.path}};

@@ -10,6 +10,7 @@
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/run/frame_files.h"
+#include "musclewarp/run/pose_name.h"
 #include "musclewarp/run/run_reader.h"
 
 namespace musclewarp {
@@ -116,9 +117,13 @@ RunFiles FindRunFiles(const std::string& dir, const std::string& frames) {
   RunFiles run;
   std::map<int, std::string> names;
   if (fs::exists(fs::path(dir) / "report.json")) {
-    const RunOutline outline = OutlineOf(dir, ReadReport(dir));
+    const JsonField report = ReadReport(dir);
+    const RunOutline outline = OutlineOf(dir, report);
+    const auto moving = MovingCoordinatesIn(report);
     for (const RecordedFrame& frame : outline.frames) {
-      names[frame.figures.index] = frame.figures.name;
+      const FrameFigures& figures = frame.figures;
+      names[figures.index] =
+          PoseName(figures.name, figures.coordinates, moving);
     }
     run.has_report = true;
     run.muscles = outline.names.muscles;

@@ -20,7 +20,8 @@ using MeshFiles = std::map<std::string, std::string>;
 
 // The files of a frame.
 struct FrameFiles {
-  // The name of the pose from report.json; "" without a report.
+  // What the pose is called for readers (run/pose_name.h), by report.json; ""
+  // without a report.
   std::string name;
 
   // Of bones that are written once, the files are those of the rest folder, and

@@ -14,6 +14,7 @@
 #include "musclewarp/scene/json_fields.h"
 #include "musclewarp/scene/model_bones.h"
 #include "musclewarp/scene/model_scene.h"
+#include "musclewarp/scene/named_lines.h"
 #include "musclewarp/scene/pieces_field.h"
 #include "musclewarp/scene/poses_file.h"
 #include "musclewarp/scene/scene_checks.h"
@@ -40,12 +41,6 @@ ActionLine ReadInlineLine(const JsonField& field) {
   return line;
 }
 
-// The lines that a scene file may name.
-struct NamedLines {
-  PosesFile poses_file;
-  const Model* model = nullptr;
-};
-
 // Returns a line for the path of a muscle of the model. Its rest points are set
 // when the meshes are placed on the model.
 ActionLine ReadModelLine(const Model& model, int muscle) {
@@ -67,19 +62,10 @@ ActionLine ReadLine(const JsonField& field, const NamedLines& named) {
   if (muscle >= 0) return ReadModelLine(*named.model, muscle);
   const auto line = named.poses_file.lines.find(name);
   if (line == named.poses_file.lines.end()) {
-    std::vector<std::string> known;
-    for (const auto& [other, points] : named.poses_file.lines) {
-      known.push_back(other);
-    }
-    if (named.model) {
-      for (const ModelMuscle& other : named.model->muscles) {
-        known.push_back(other.name);
-      }
-    }
     field.Fail("names the line \"" + name + "\", which " +
                    (named.model ? named.model->path + " does not have"
                                 : "the poses_file does not have"),
-               DidYouMean(name, known) +
+               DidYouMean(name, named.Names()) +
                    "check the name, or give the line as an object");
   }
   return line->second;
