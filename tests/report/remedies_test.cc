@@ -101,9 +101,11 @@ TEST(RemedyFor, KnowsEverySentenceOfTheCertificate) {
     remedies.push_back(RemedyFor(sentence));
     EXPECT_NE(remedies.back(), "") << sentence;
   }
-  for (const char* flag :
-       {"{gap}", "{max_loss}", "{max_lost_area}", "{max_lost_extent}",
-        "{max_torn_patch}"}) {
+  for (const char* flag : {"{gap}",
+                           "{max_loss}",
+                           "{max_lost_area}",
+                           "{max_lost_extent}",
+                           "{max_torn_patch}"}) {
     EXPECT_THAT(remedies, ::testing::Contains(HasSubstr(flag)));
   }
 }

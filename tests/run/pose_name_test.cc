@@ -15,12 +15,12 @@ const std::vector<MovingCoordinate> kHip = {{"hip_flexion_r", "degrees"},
                                             {"pelvis_ty", "m"}};
 
 TEST(PoseName, HasTheValuesOfWhatMoves) {
-  EXPECT_EQ(PoseName("t=0.03",
-                     {{"hip_flexion_r", 5.001}, {"knee_angle_r", 9}},
-                     kHip),
-            "hip_flexion_r 5 degrees");
   EXPECT_EQ(
-      PoseName("t=0.03", {{"hip_flexion_r", -0.001}, {"pelvis_ty", 0.925}}, kHip),
+      PoseName("t=0.03", {{"hip_flexion_r", 5.001}, {"knee_angle_r", 9}}, kHip),
+      "hip_flexion_r 5 degrees");
+  EXPECT_EQ(
+      PoseName(
+          "t=0.03", {{"hip_flexion_r", -0.001}, {"pelvis_ty", 0.925}}, kHip),
       "hip_flexion_r 0 degrees, pelvis_ty 0.93 m");
   EXPECT_EQ(PoseName("t=0.03", {{"beta", 1.5}}, {{"beta", ""}}), "beta 1.5");
 }

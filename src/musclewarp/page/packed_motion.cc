@@ -97,6 +97,40 @@ std::vector<int> NumbersOf(const Eigen::VectorXi& values) {
   return {values.data(), values.data() + values.size()};
 }
 
+// What is added to coordinates that modes do not bring near enough.
+struct Corrections {
+  double step = 0;  // mm
+  // How far a coordinate is from the one corrected before it in its pose (from
+  // the first one), and by how many steps it is corrected.
+  std::vector<int> pairs;
+  std::vector<int> by_pose;  // the number of pairs
+  double max_error = 0;      // of a coordinate afterwards, mm
+};
+
+Corrections CorrectionsOf(const Rows& rows, double tolerance) {
+  Corrections result;
+  // Rounded to twice the tolerance, each is within it.
+  result.step = 2 * tolerance;
+  for (Eigen::Index pose = 0; pose < rows.rows(); ++pose) {
+    int count = 0;
+    Eigen::Index last = 0;
+    for (Eigen::Index i = 0; i < rows.cols(); ++i) {
+      double error = rows(pose, i);
+      if (std::abs(error) > tolerance) {
+        const int steps = static_cast<int>(std::round(error / result.step));
+        result.pairs.push_back(static_cast<int>(i - last));
+        result.pairs.push_back(steps);
+        error -= result.step * steps;
+        last = i;
+        ++count;
+      }
+      result.max_error = std::max(result.max_error, std::abs(error));
+    }
+    result.by_pose.push_back(count);
+  }
+  return result;
+}
+
 }  // namespace
 
 PackedMotion PackMotion(const std::vector<const Points*>& poses,
@@ -119,7 +153,7 @@ PackedMotion PackMotion(const std::vector<const Points*>& poses,
     CHECK_EQ(poses[pose]->size(), size);
     rows.row(pose - 1) = FlatOf(*poses[pose]) - start;
   }
-  std::vector<int> shapes, weights, corrections;
+  std::vector<int> shapes, weights;
   int count = 0;
   if (rows.size() > 0) {
     for (const Mode& mode : TakeModes(tolerance, &rows)) {
@@ -130,38 +164,20 @@ PackedMotion PackMotion(const std::vector<const Points*>& poses,
       ++count;
     }
   }
-  // Rounded to twice the tolerance, each is within it.
-  const double step = 2 * tolerance;
-  std::vector<int> by_pose;
-  for (Eigen::Index pose = 0; pose < rows.rows(); ++pose) {
-    int number = 0;
-    Eigen::Index last = 0;
-    for (Eigen::Index i = 0; i < size; ++i) {
-      double error = rows(pose, i);
-      if (std::abs(error) > tolerance) {
-        const int steps = static_cast<int>(std::round(error / step));
-        corrections.push_back(static_cast<int>(i - last));
-        corrections.push_back(steps);
-        error -= step * steps;
-        last = i;
-        ++number;
-      }
-      motion.max_error = std::max(motion.max_error, std::abs(error));
-    }
-    by_pose.push_back(number);
-  }
-  motion.json = {
-      {"coordinates", size},
-      {"step_mm", tolerance},
-      {"weight_step", kWeightStep},
-      {"correction_step_mm", step},
-      {"first", packed->Add(first, 3)},
-      {"modes", count},
-      {"shapes", packed->Add(shapes, 3)},
-      {"weights", packed->Add(weights, 1)},
-      {"corrections",
-       packed->Add(corrections, static_cast<int>(corrections.size()) + 1)},
-      {"corrections_by_pose", packed->Add(by_pose, 1)}};
+  const Corrections corrections = CorrectionsOf(rows, tolerance);
+  motion.max_error = std::max(motion.max_error, corrections.max_error);
+  motion.json = {{"coordinates", size},
+                 {"step_mm", tolerance},
+                 {"weight_step", kWeightStep},
+                 {"correction_step_mm", corrections.step},
+                 {"first", packed->Add(first, 3)},
+                 {"modes", count},
+                 {"shapes", packed->Add(shapes, 3)},
+                 {"weights", packed->Add(weights, 1)},
+                 {"corrections",
+                  packed->Add(corrections.pairs,
+                              static_cast<int>(corrections.pairs.size()) + 1)},
+                 {"corrections_by_pose", packed->Add(corrections.by_pose, 1)}};
   return motion;
 }
 

@@ -9,10 +9,10 @@
 #include <set>
 
 #include "musclewarp/base/angles.h"
-#include "musclewarp/figures/figures_json.h"
 #include "musclewarp/page/packed_motion.h"
 #include "musclewarp/page/packed_numbers.h"
 #include "musclewarp/page/page_parts.h"
+#include "musclewarp/page/shown_frames.h"
 #include "musclewarp/run/frame_files.h"
 #include "musclewarp/run/motion_tables.h"
 #include "musclewarp/run/paths_in_json.h"
@@ -261,38 +261,6 @@ std::vector<std::string> Labels(const std::vector<RecordedRun>& runs) {
   return labels;
 }
 
-// Removes what the page does not show: places, fibres, and gaps between pairs
-// of meshes are most of the figures of many muscles.
-void KeepShown(OrderedJson* frames) {
-  for (OrderedJson& frame : *frames) {
-    for (const char* key : {"gaps", "bone_overlaps", "delivered_crossings"}) {
-      frame.erase(key);
-    }
-    for (OrderedJson& muscle : frame["muscles"]) {
-      for (const char* key : {"fibre_lengths_mm",
-                              "fibre_stretch_by_fifths",
-                              "fibre_moment_arms_mm",
-                              "path_lengths_mm",
-                              "pushed_by",
-                              "torn_patch_place_mm",
-                              "initial_energy_mm2",
-                              "final_energy_mm2"}) {
-        muscle.erase(key);
-      }
-      OrderedJson& shape = muscle["shape"];
-      shape = {{"max_stretch", shape["max_stretch"]},
-               {"max_change_mm", shape["max_change_mm"]},
-               {"triangle_stretch",
-                {{"quantile_999", shape["triangle_stretch"]["quantile_999"]},
-                 {"largest_patch_mm2",
-                  shape["triangle_stretch"]["largest_patch_mm2"]}}}};
-      for (OrderedJson& area : muscle["attachments"]) {
-        area = {{"body", area["body"]}, {"max_drift_mm", area["max_drift_mm"]}};
-      }
-    }
-  }
-}
-
 OrderedJson RunJson(const RecordedRun& run,
                     const std::string& label,
                     const PageOptions& options,
@@ -309,11 +277,10 @@ OrderedJson RunJson(const RecordedRun& run,
   }
   OrderedJson report = run.report;
   report.erase("frames");
-  OrderedJson frames = JsonOf(run.frames);
-  KeepShown(&frames);
+
   return {{"folder", label},
           {"report", report},
-          {"frames", frames},
+          {"frames", ShownFrames(run.frames)},
           {"step_mm", step},
           {"position_error_mm", packer.max_error()},
           {"gap_step_mm", GapStepOf(run)},

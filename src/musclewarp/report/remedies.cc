@@ -78,8 +78,7 @@ std::string UsableText(const std::vector<int>& frames) {
   const std::string text = "frames " + first + " to " + last + " are usable";
   if (!is_even) return text;
   return text + ": {frames}=" + first + ":" + last +
-         (step == 1 ? "" : ":" + std::to_string(step)) +
-         " computes them alone";
+         (step == 1 ? "" : ":" + std::to_string(step)) + " computes them alone";
 }
 
 void AddOnce(const std::string& line, std::vector<std::string>* lines) {
