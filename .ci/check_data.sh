@@ -3,16 +3,16 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # Runs the tests on real data with the programs of build/release, if the data
-# are there: in MUSCLEWARP_DATA_ROOT or, without it, in ../shared/data. Two of
-# them take some three minutes each and are left out, unless --all is given: run
-# it before a change to contact or to the page is handed in.
+# are there: in MUSCLEWARP_DATA_ROOT or, without it, in ../shared/data. Three of
+# them take minutes each and are left out, unless --all is given: run it before a
+# change to contact or to the page is handed in.
 #
 # usage: .ci/check_data.sh [--all]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 case "${1-}" in
-  "") choice=(-E 'OriginalHamstrings|report_page/Lhdl') ;;
+  "") choice=(-E 'OriginalHamstrings|report_page/(Lhdl|PicturesOfData)') ;;
   --all) choice=() ;;
   *)
     echo "check_data: unknown argument '$1'; known: --all" >&2

@@ -2,7 +2,8 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
 """Names the texts of the library that have flags in them: it calls settings
-"{max_hole}", as only programs know them as flags (base/setting_names.h).
+"{max_hole}", as only programs know them as flags (base/setting_names.h). The
+folder program/, which reads command lines and prints help, is left out.
 
 usage: flags_in_library.py ROOT
 """
@@ -20,6 +21,8 @@ def main():
     for folder in ("src", "problems"):
         for path in sorted((root / folder).rglob("*")):
             if path.suffix not in (".h", ".cc"):
+                continue
+            if path.parent.name == "program":
                 continue
             lines = path.read_text(encoding="utf-8").split("\n")
             for number, line in enumerate(lines, start=1):

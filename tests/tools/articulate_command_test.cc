@@ -17,6 +17,7 @@
 #include "musclewarp/preparation/prepared_scene.h"
 #include "musclewarp/program/program.h"
 #include "musclewarp/scene/scene.h"
+#include "page/packed_text.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
 
@@ -63,6 +64,11 @@ class ArticulateLeg : public ::testing::Test {
 
   Json Report() const {
     return Json::parse(ReadFile(options_.out + "/joints.json"));
+  }
+
+  // What joints.html holds.
+  std::string PageText() const {
+    return PageJson(ReadFile(options_.out + "/joints.html"), "joints").dump();
   }
 
   const std::string dir_;
@@ -160,14 +166,14 @@ TEST_F(ArticulateLeg, WritesAPageIfAskedTo) {
   EXPECT_FALSE(fs::exists(options_.out + "/joints.html"));
   options_.html = true;
   Articulate({"femur", "tibia", "pelvis"});
-  EXPECT_THAT(ReadFile(options_.out + "/joints.html"),
-              HasSubstr("hip_flexion_r"));
+  EXPECT_THAT(PageText(), HasSubstr("hip_flexion_r"));
   EXPECT_THAT(screen_, HasSubstr("joints.html"));
 }
 
 TEST_F(ArticulateLeg, MayBeMovedTogetherWithItsMeshes) {
   options_.html = true;
   Articulate({"femur", "tibia", "pelvis"});
+  EXPECT_THAT(PageText(), Not(HasSubstr(dir_.substr(1))));
   for (const char* file : {"scene.json", "joints.json", "joints.html"}) {
     EXPECT_THAT(ReadFile(options_.out + "/" + file),
                 Not(HasSubstr(dir_.substr(1))))

@@ -15,6 +15,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/program/program.h"
+#include "page/packed_text.h"
 #include "support/input_errors.h"
 #include "support/meshes.h"
 #include "support/temp_dir.h"
@@ -90,7 +91,8 @@ TEST(DeformCommand, AnInterruptedRunSaysSoAndGoesOn) {
   const Json summary = SummaryAfter(options, [] { std::raise(SIGTERM); });
   EXPECT_THAT(summary["stopped"], HasSubstr("SIGTERM"));
   const std::string page = FileText(options.out + "/report.html");
-  EXPECT_THAT(page, HasSubstr("interrupted by SIGTERM"));
+  EXPECT_THAT(PageJson(page, "runs").dump(),
+              HasSubstr("interrupted by SIGTERM"));
   options.resume = true;
   std::ostringstream screen;
   EXPECT_EQ(DeformCommand(options, screen), kExitUsable);

@@ -192,6 +192,7 @@ TEST_F(Export, WhatCannotBeDoneIsNamedAndNothingIsWritten) {
   request_.frames = "all";
   request_.mesh_format = "stl";
   ExpectRefused("crossings", {"--mesh_format=stl", "ply, obj"});
+  request_.mesh_format = "ply";
   request_.files = {"a.ply"};
   ExpectRefused("crossings", {"--in", "together with mesh files"});
   ExpectRefused("inp", {"a.ply", "--format=crossings only"});

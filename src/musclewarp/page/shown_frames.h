@@ -10,8 +10,8 @@
 namespace musclewarp {
 
 // Returns frames as report.json has them, without what the page does not show:
-// places, fibres and gaps between pairs of meshes, which are most of the figures
-// of many muscles.
+// places, fibres and gaps between pairs of meshes, which are most of the
+// figures of many muscles.
 nlohmann::ordered_json ShownFrames(const std::vector<FrameFigures>& figures);
 
 }  // namespace musclewarp
