@@ -54,7 +54,7 @@ TEST(RemediesFor, AUsableRunAreNone) {
 }
 
 TEST(RemediesFor, NameTheFramesBeforeTheFirstBadOneAndTheirFlag) {
-  const auto first_line = [](std::vector<int> indices, size_t bad) {
+  const auto first_line = [](const std::vector<int>& indices, size_t bad) {
     RunRecord run = UsableRun(indices);
     run.frames[bad].shortcomings = {"m: 4 folded triangles, allowed 0"};
     const std::vector<std::string> lines = RemediesFor(run);
