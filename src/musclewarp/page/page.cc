@@ -13,8 +13,8 @@ namespace {
 // Browsers open a page of this size within seconds.
 constexpr std::size_t kLargestPage = std::size_t{12} << 20;
 
-// Positions are not shown less exactly than this, mm in a human: a twentieth of
-// a pixel of a thigh.
+// Positions are not shown less exactly than this, mm in a human: a fifth of a
+// pixel of a thigh.
 constexpr double kCoarsest = 0.2;
 
 }  // namespace

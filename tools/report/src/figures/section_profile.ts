@@ -11,7 +11,7 @@ import { Muscle } from "../data/run";
 import { areaWithin, cutPieces } from "../viewer/outline";
 
 const pointsOfMean = 50;
-export const stations = 50;
+const stations = 50;
 
 export interface SectionProfile {
   along: number[]; // mm from the first end

@@ -8,8 +8,8 @@ import { element, svg } from "../dom";
 import { Store } from "../state";
 import { VertexScale, vertexScale } from "../viewer/coloring";
 
-export const legendWidth = 262;
-export const legendHeight = 32;
+const legendWidth = 262;
+const legendHeight = 32;
 const steps = 60;
 const barHeight = 12;
 

@@ -11,7 +11,7 @@ import { Moment } from "../data/timeline";
 import { MeshColors } from "../mesh_colors";
 import { SectionAxis, State, Store } from "../state";
 import { LinkedCamera } from "./camera";
-import { VertexScale, vertexScale } from "./coloring";
+import { vertexScale } from "./coloring";
 import { DrawnCanvas } from "./drawn_canvas";
 import { Extent, rangeAlong } from "./extent";
 import { joined } from "./extremes";
@@ -34,7 +34,6 @@ export class Viewer extends DrawnCanvas {
   private readonly extent: Extent;
   private readonly everything: Sphere;
   private state: State;
-  private scale: VertexScale | null = null;
 
   constructor(
     canvas: HTMLCanvasElement,
@@ -190,10 +189,10 @@ export class Viewer extends DrawnCanvas {
 
   protected updateScenes(): void {
     this.placePlane();
-    this.scale = vertexScale(this.state.coloring, this.data.runs);
+    const scale = vertexScale(this.state.coloring, this.data.runs);
     const { poses } = this.timeline[this.state.moment];
     this.scenes.forEach((scene, i) =>
-      scene.update(this.state, poses[i], this.scale, this.everything),
+      scene.update(this.state, poses[i], scale, this.everything),
     );
   }
 
