@@ -124,6 +124,9 @@ class DeformRun {
  private:
   void Prepare(const Scene& scene) {
     DeformerOptions options = options_.deformer;
+    if (options.cache.folder.empty()) {
+      options.cache = {log_->PreparationFolder(), run_.inputs_hash};
+    }
     options.on_progress = [this](const Progress& progress) {
       ThrowIfInterrupted();
       progress_.Say(progress);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/export_elements.h"
 
+#include <cmath>
 #include <filesystem>
 #include <iomanip>
 #include <map>
@@ -16,9 +17,11 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/exchange/element_files.h"
+#include "musclewarp/exchange/element_surfaces.h"
 #include "musclewarp/exchange/mesher.h"
 #include "musclewarp/exchange/moved_mesh.h"
 #include "musclewarp/exchange/searchable_scene.h"
+#include "musclewarp/exchange/sharp_points.h"
 #include "musclewarp/program/program.h"
 #include "musclewarp/run/frame_files.h"
 #include "musclewarp/run/output_folder.h"
@@ -46,8 +49,17 @@ const std::map<std::string, ElementWriter>& ElementWriters() {
 
 MesherOptions MesherOf(const ElementOptions& options) {
   CheckSettings(options);
+  if (options.one_mesh && options.element_size > 0) {
+    throw InputError("--one_mesh",
+                     "moves the vertices of the run, which --element_size "
+                     "replaces",
+                     "give one of the two");
+  }
   MesherOptions mesher = FindMesher(options.mesher);
   mesher.timeout_s = options.mesher_timeout_s;
+  // A regular tetrahedron; TetGen makes most of them smaller.
+  const double size = options.element_size;
+  mesher.max_volume = size * size * size / (6 * std::sqrt(2.0));
   return mesher;
 }
 
@@ -87,10 +99,11 @@ class ElementExport {
     MakeFolder(dir_);
     const OutputLock lock(dir_);
     if (options_.resume) ReadRecord();
-    screen_ << "frame        tetrahedra  points inside  min dihedral  aspect  "
-               "seconds\n";
+    screen_ << "frame        tetrahedra  points inside  min dihedral  below "
+            << kSmallDihedralDeg << "  aspect  seconds\n";
     int failed = 0;
     for (const int i : frames) failed += !ExportFrame(run_.frames[i]);
+    SaySmallAngles();
     screen_ << frames.size() - failed << " of " << frames.size()
             << " frames written: " << dir_ << "\n";
     return failed == 0 ? kExitUsable : kExitNotUsable;
@@ -122,7 +135,9 @@ class ElementExport {
   OrderedJson Inputs() const {
     return {{"inputs_hash", run_.inputs_hash},
             {"min_dihedral_deg", options_.min_dihedral_deg},
+            {"element_size", options_.element_size},
             {"bones", options_.bones},
+            {"bone_tolerance", options_.bone_tolerance},
             {"one_mesh", options_.one_mesh}};
   }
 
@@ -210,21 +225,23 @@ class ElementExport {
       pose.bones.clear();
       names.bones.clear();
     }
-    const SearchableScene scene = SceneOf(names, pose);
-    const SceneIntersections found = IntersectScene(scene.muscles, scene.bones);
-    const std::string crosses = WhatCrosses(found);
-    if (!crosses.empty()) throw FrameFailure{crosses};
+    RecordedAttachments attachments = attachments_;
+    SceneIntersections found = Intersected(names, pose, "");
+    if (ReplaceSurfaces(names, &pose, &attachments, record)) {
+      found = Intersected(names, pose, " with the new surfaces");
+    }
     const auto gap = found.SmallestGap();
     (*record)["smallest_gap_mm"] = gap ? OrderedJson(*gap) : OrderedJson();
-    TetrahedralMesh mesh = MeshOf(JoinedSurface(pose.muscles));
-    const ElementQuality quality = QualityOf(mesh);
-    Record(mesh, quality, watch, record);
+    const TriangleSoup surface = JoinedSurface(pose.muscles);
+    TetrahedralMesh mesh = MeshOf(surface);
+    const ElementQuality quality = QualityOf(mesh, SharpPoints(surface));
+    Record(mesh, quality, surface.points.rows(), watch, record);
     CheckQuality(quality);
     ElementModel model =
         ElementModelOf(run_.scene + ", " + label + ", " + frame.figures.name,
                        names,
                        pose,
-                       attachments_,
+                       attachments,
                        found.gaps,
                        std::move(mesh));
     model.frame = frame.figures.index;
@@ -234,6 +251,36 @@ class ElementExport {
                           ElementWriters().at(format)(model));
     }
     Print(frame, *record, watch);
+  }
+
+  // Returns the intersections of a pose without crossings; with any the frame
+  // fails. `which` says which surfaces they are.
+  static SceneIntersections Intersected(const RecordedNames& names,
+                                        const RecordedPose& pose,
+                                        const std::string& which) {
+    const SearchableScene scene = SceneOf(names, pose);
+    SceneIntersections found = IntersectScene(scene.muscles, scene.bones);
+    const std::string crosses = WhatCrosses(found);
+    if (!crosses.empty()) throw FrameFailure{crosses + which};
+    return found;
+  }
+
+  // Makes the surfaces fit for finite elements. Returns false if they stay.
+  bool ReplaceSurfaces(const RecordedNames& names,
+                       RecordedPose* pose,
+                       RecordedAttachments* attachments,
+                       OrderedJson* record) const {
+    const double tolerance = options_.bone_tolerance;
+    const bool has_bones = !pose->bones.empty() && tolerance > 0;
+    if (options_.element_size > 0) {
+      (*record)["surface_error_mm"] = RemeshMuscles(
+          options_.element_size, run_.body_size, names, pose, attachments);
+    }
+    if (has_bones) {
+      (*record)["bone_error_mm"] = CoarsenBones(
+          tolerance, kMeshGapLimit * run_.body_size + tolerance, pose);
+    }
+    return options_.element_size > 0 || has_bones;
   }
 
   TetrahedralMesh MeshOf(const TriangleSoup& surface) {
@@ -246,19 +293,18 @@ class ElementExport {
     return std::move(*result.mesh);
   }
 
-  void Record(const TetrahedralMesh& mesh,
-              const ElementQuality& quality,
-              const Stopwatch& watch,
-              OrderedJson* record) const {
-    Eigen::Index surface = 0;
-    for (const TriangleSoup& soup : rest_.muscles) {
-      surface += soup.points.rows();
-    }
+  static void Record(const TetrahedralMesh& mesh,
+                     const ElementQuality& quality,
+                     Eigen::Index surface_points,
+                     const Stopwatch& watch,
+                     OrderedJson* record) {
     (*record)["tetrahedra"] = mesh.tetrahedra.rows();
     (*record)["points"] = mesh.points.rows();
-    (*record)["points_inside"] = mesh.points.rows() - surface;
+    (*record)["points_inside"] = mesh.points.rows() - surface_points;
     (*record)["smallest_dihedral_deg"] = quality.smallest_dihedral_deg;
     (*record)["largest_dihedral_deg"] = quality.largest_dihedral_deg;
+    (*record)["dihedrals_below_10_deg"] = quality.small_angles;
+    (*record)["of_them_at_sharp_surface"] = quality.small_angles_at_sharp;
     (*record)["largest_aspect"] = quality.largest_aspect;
     (*record)["inverted"] = quality.inverted;
     (*record)["volume_mm3"] = quality.volume;
@@ -278,6 +324,21 @@ class ElementExport {
     throw FrameFailure{text.str()};
   }
 
+  // Says why some angles are small.
+  void SaySmallAngles() const {
+    int small = 0, at_sharp = 0;
+    for (const auto& [label, record] : records_) {
+      small += record.value("dihedrals_below_10_deg", 0);
+      at_sharp += record.value("of_them_at_sharp_surface", 0);
+    }
+    if (small == 0) return;
+    screen_ << small << " tetrahedra have an angle below " << kSmallDihedralDeg
+            << " degrees; at " << at_sharp
+            << " of them the surface itself is sharp (edges below "
+            << kSharpEdgeDeg << ", triangles below " << kSharpTriangleDeg
+            << " degrees), which --element_size makes anew\n";
+  }
+
   void Print(const RecordedFrame& frame,
              const OrderedJson& record,
              const Stopwatch& watch) const {
@@ -285,7 +346,8 @@ class ElementExport {
             << record["tetrahedra"].get<int>() << std::setw(15)
             << record["points_inside"].get<int>() << std::fixed
             << std::setprecision(2) << std::setw(14)
-            << record["smallest_dihedral_deg"].get<double>()
+            << record["smallest_dihedral_deg"].get<double>() << std::setw(10)
+            << record["dihedrals_below_10_deg"].get<int>()
             << std::setprecision(1) << std::setw(8)
             << record["largest_aspect"].get<double>() << std::setw(9)
             << watch.Milliseconds() / 1e3 << AtTime(run_, frame) << std::endl;

@@ -16,7 +16,9 @@ struct ElementOptions {
   std::string mesher = "tetgen";  // see FindMesher
   double mesher_timeout_s = 600;
   double min_dihedral_deg = 0;
+  double element_size = 0;
   bool bones = true;
+  double bone_tolerance = 0.5;
   bool one_mesh = false;
   bool resume = false;
 };
@@ -38,8 +40,17 @@ constexpr auto FieldsOf(Described<ElementOptions>) {
           .Text("frames with a smaller angle between faces fail; that of a "
                 "regular tetrahedron is 70.5")
           .Within(0, 70),
+      Field(&S::element_size, "element_size", "mm")
+          .Text("edges of the tetrahedra, for which muscles get new triangles; "
+                "0: the triangles of the run stay, bit for bit, and set the "
+                "size")
+          .AtLeast(0),
       Field(&S::bones, "bones")
           .Text("bones as rigid surfaces beside the tetrahedra"),
+      Field(&S::bone_tolerance, "bone_tolerance", "mm")
+          .Text("bones are simplified by at most so much, only where they are "
+                "more than 2 mm and this away from all muscles; 0: they stay")
+          .AtLeast(0),
       Field(&S::one_mesh, "one_mesh")
           .Text("the tetrahedra of the first frame, moved to the others"),
       Field(&S::resume, "resume")

@@ -56,13 +56,21 @@ using SharedState = std::shared_ptr<StateOfDeformer>;
 Self MakeFromKeywords(const SharedScene& scene,
                       const py::dict& keywords,
                       const py::object& progress) {
-  const Self self = MakeDeformer(
-      *scene, OptionsOf(SettingsFrom<DeformerSettings>(keywords)), progress);
+  std::map<std::string, std::string> given;
   for (const auto& [name, value] : keywords) {
-    self->keywords[name.cast<std::string>()] =
-        py::str(value).cast<std::string>();
+    given[name.cast<std::string>()] = py::str(value).cast<std::string>();
   }
-  return self;
+  DeformerOptions options = OptionsOf(SettingsFrom<DeformerSettings>(keywords));
+  options.on_progress = CallbackOf(progress);
+  return ComputeFree(
+      [scene = *scene, options = std::move(options), given = std::move(given)] {
+        const auto self = std::make_shared<SharedDeformer>();
+        self->solver = options.solver.name;
+        self->keywords = given;
+        self->deformer.emplace(scene, options);
+        self->parts = PartsOf(self->deformer->scene(), given);
+        return self;
+      });
 }
 
 SharedState StateOf(const Self& self) {
@@ -129,19 +137,6 @@ ProgressCallback CallbackOf(const py::object& progress) {
     const py::gil_scoped_acquire hold;
     (*function)(now.stage, now.done, now.total);
   };
-}
-
-std::shared_ptr<SharedDeformer> MakeDeformer(Scene scene,
-                                             DeformerOptions options,
-                                             const py::object& progress) {
-  options.on_progress = CallbackOf(progress);
-  return ComputeFree([scene = std::move(scene), options = std::move(options)] {
-    const auto self = std::make_shared<SharedDeformer>();
-    self->solver = options.solver.name;
-    self->deformer.emplace(scene, options);
-    self->parts = PartsOf(self->deformer->scene());
-    return self;
-  });
 }
 
 void BindDeformer(py::module_* module) {

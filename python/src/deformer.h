@@ -51,9 +51,4 @@ struct SharedDeformer {
 // stage, how many of its parts are done, and how many there are.
 ProgressCallback CallbackOf(const pybind11::object& progress);
 
-// Makes a deformer. `progress` is as above.
-std::shared_ptr<SharedDeformer> MakeDeformer(Scene scene,
-                                             DeformerOptions options,
-                                             const pybind11::object& progress);
-
 }  // namespace musclewarp::python

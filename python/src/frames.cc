@@ -6,10 +6,12 @@
 
 #include <set>
 
+#include "musclewarp/base/content_hash.h"
 #include "musclewarp/scene/scene_names.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
 #include "python/src/figures.h"
+#include "python/src/pickling.h"
 
 namespace musclewarp::python {
 namespace {
@@ -58,24 +60,11 @@ Attributes:
     crossing_pairs: of triangles of different meshes, by exact tests.
     worst_volume_error: the largest size of a volume_error of a muscle.)";
 
-using SharedFrame = std::shared_ptr<FrameOfScene>;
-
-// A muscle of a frame, and a bone.
-struct MuscleOfFrame {
-  SharedFrame of;
-  size_t idx;
-
-  const MuscleFrame& muscle() const { return of->frame.muscles[idx]; }
-  const SceneParts::Part& part() const { return of->parts->muscles[idx]; }
-};
-
-struct BoneOfFrame {
-  SharedFrame of;
-  size_t idx;
-
-  const Points& points() const { return of->frame.bones[idx]; }
-  const SceneParts::Part& part() const { return of->parts->bones[idx]; }
-};
+template <typename Numbers>
+void AddBytes(const Numbers& numbers, ContentHash* hash) {
+  hash->Add(std::string(reinterpret_cast<const char*>(numbers.data()),
+                        numbers.size() * sizeof(numbers(0))));
+}
 
 std::vector<MuscleOfFrame> MusclesOf(const SharedFrame& frame) {
   std::vector<MuscleOfFrame> muscles;
@@ -195,7 +184,8 @@ void BindMuscle(py::module_* module) {
       kMuscleFrameDoc + AttributeTexts<MuscleFigures>(kOfMuscleByHand);
   py::class_<MuscleOfFrame> type(*module, "MuscleFrame", doc.c_str());
   BindFigures(&FiguresOfMuscle, kOfMuscleByHand, &type);
-  type.def_property_readonly(
+  type.def(PickledPartOfFrame<MuscleOfFrame>())
+      .def_property_readonly(
           "name", [](const MuscleOfFrame& m) { return m.part().name; })
       .def_property_readonly("points",
                              [](const MuscleOfFrame& m) {
@@ -230,6 +220,7 @@ void BindMuscle(py::module_* module) {
 
 void BindBone(py::module_* module) {
   py::class_<BoneOfFrame>(*module, "BoneFrame", kBoneFrameDoc)
+      .def(PickledPartOfFrame<BoneOfFrame>())
       .def_property_readonly("name",
                              [](const BoneOfFrame& b) { return b.part().name; })
       .def_property_readonly(
@@ -269,19 +260,29 @@ void BindParts(py::class_<FrameOfScene, SharedFrame>* type) {
 
 }  // namespace
 
-std::shared_ptr<const SceneParts> PartsOf(const PreparedScene& scene) {
+std::shared_ptr<const SceneParts> PartsOf(
+    const PreparedScene& scene,
+    const std::map<std::string, std::string>& keywords) {
   const auto parts = std::make_shared<SceneParts>();
+  ContentHash key;
+  for (const auto& [name, value] : keywords) key.Add(name + "=" + value);
   for (const PreparedMuscle& muscle : scene.muscles) {
     auto& part = parts->muscles.emplace_back();
     part.name = muscle.model.name;
     part.triangles = muscle.model.fine_triangles;
     for (const ActionLine& line : muscle.model.lines) {
       part.lines.push_back(line.name);
+      AddBytes(line.rest, &key);
     }
+    AddBytes(muscle.model.fine_rest, &key);
+    AddBytes(part.triangles, &key);
   }
   for (const PreparedBone& bone : scene.bones) {
     parts->bones.push_back({bone.mesh.name, bone.rest.triangles, {}});
+    AddBytes(bone.rest.points, &key);
+    AddBytes(bone.rest.triangles, &key);
   }
+  parts->key = key.Hex();
   return parts;
 }
 
@@ -293,6 +294,7 @@ void BindFrames(py::module_* module) {
   py::class_<FrameOfScene, SharedFrame> type(*module, "Frame", doc.c_str());
   BindParts(&type);
   BindFigures(&FiguresOfPose, kOfFrameByHand, &type);
+  type.def(Pickled<FrameOfScene>());
   type.def_property_readonly(
           "worst_volume_error",
           [](const FrameOfScene& f) { return f.frame.WorstVolumeError(); })

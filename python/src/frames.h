@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,22 +14,47 @@ namespace musclewarp::python {
 
 // What all frames of a deformer have in common. Frames keep it, so that they
 // outlive their deformer.
+struct ScenePart {
+  std::string name;
+  Triangles triangles;
+  std::vector<std::string> lines;  // the names of those of a muscle
+};
 struct SceneParts {
-  struct Part {
-    std::string name;
-    Triangles triangles;
-    std::vector<std::string> lines;  // the names of those of a muscle
-  };
-  std::vector<Part> muscles;
-  std::vector<Part> bones;
+  std::vector<ScenePart> muscles;
+  std::vector<ScenePart> bones;
+
+  // A hash of the meshes in the rest pose and of the keywords of the deformer:
+  // deformers of one key compute the same frames, also in other processes.
+  std::string key;
 };
 
-std::shared_ptr<const SceneParts> PartsOf(const PreparedScene& scene);
+// `keywords` are those of the deformer.
+std::shared_ptr<const SceneParts> PartsOf(
+    const PreparedScene& scene,
+    const std::map<std::string, std::string>& keywords = {});
 
 // A frame, with all that is needed to show it.
 struct FrameOfScene {
   Frame frame;
   std::shared_ptr<const SceneParts> parts;
+};
+using SharedFrame = std::shared_ptr<FrameOfScene>;
+
+// A muscle of a frame, and a bone.
+struct MuscleOfFrame {
+  SharedFrame of;
+  size_t idx;
+
+  const MuscleFrame& muscle() const { return of->frame.muscles[idx]; }
+  const ScenePart& part() const { return of->parts->muscles[idx]; }
+};
+
+struct BoneOfFrame {
+  SharedFrame of;
+  size_t idx;
+
+  const Points& points() const { return of->frame.bones[idx]; }
+  const ScenePart& part() const { return of->parts->bones[idx]; }
 };
 
 }  // namespace musclewarp::python

@@ -16,6 +16,7 @@
 #include "python/src/bindings.h"
 #include "python/src/call.h"
 #include "python/src/json.h"
+#include "python/src/pickling.h"
 
 namespace musclewarp::python {
 namespace {
@@ -166,6 +167,7 @@ SharedMesh MeshFrom(const py::handle& object, const std::string& where) {
 void BindMeshes(py::module_* module) {
   py::class_<TriangleSoup, std::shared_ptr<TriangleSoup>>(
       *module, "Mesh", kMeshDoc)
+      .def(Pickled<TriangleSoup>())
       .def(py::init([](const py::object& points, const py::object& triangles) {
              return MeshOfArrays(points, triangles, "mesh");
            }),

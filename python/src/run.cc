@@ -6,7 +6,6 @@
 #include <memory>
 #include <sstream>
 
-#include "musclewarp/base/content_hash.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/page/page.h"
 #include "musclewarp/run/earlier_run.h"
@@ -18,24 +17,19 @@
 #include "python/src/bindings.h"
 #include "python/src/deformer.h"
 #include "python/src/json.h"
+#include "python/src/pickling.h"
+#include "python/src/run_of_deformer.h"
 
 namespace musclewarp::python {
 namespace {
 
 namespace py = pybind11;
 namespace fs = std::filesystem;
-using SharedFrame = std::shared_ptr<FrameOfScene>;
-
-// Frames of one deformer in their order: what musclewarp-deform writes.
-struct RunOfDeformer {
-  std::shared_ptr<SharedDeformer> deformer;
-  std::vector<SharedFrame> frames;
-};
 using SharedRun = std::shared_ptr<RunOfDeformer>;
 
 // Frames are numbered by their place in the run.
 void Append(RunOfDeformer* run, const SharedFrame& frame) {
-  if (frame->parts != run->deformer->parts) {
+  if (frame->parts->key != run->basis->parts->key) {
     throw InputError("frame",
                      "is one of another deformer",
                      "give frames of the deformer of the run");
@@ -43,6 +37,21 @@ void Append(RunOfDeformer* run, const SharedFrame& frame) {
   const auto numbered = std::make_shared<FrameOfScene>(*frame);
   numbered->frame.index = static_cast<int>(run->frames.size());
   run->frames.push_back(numbered);
+}
+
+SharedRun MakeRun(const std::shared_ptr<SharedDeformer>& self) {
+  return SharedDeformer::Compute(self, [self](Deformer* deformer) {
+    // Shares the ownership of the deformer.
+    const std::shared_ptr<const PreparedScene> scene(self, &deformer->scene());
+    const auto basis =
+        std::make_shared<RunBasis>(RunBasis{self->solver,
+                                            self->keywords,
+                                            self->parts,
+                                            scene,
+                                            deformer->contact(),
+                                            deformer->RestFrame()});
+    return std::make_shared<RunOfDeformer>(RunOfDeformer{basis, {}});
+  });
 }
 
 // The run as it is now, to be used by another thread.
@@ -58,39 +67,16 @@ std::vector<FrameFigures> FiguresOf(const RunOfDeformer& run) {
   return figures;
 }
 
-template <typename Numbers>
-void AddBytes(const Numbers& numbers, ContentHash* hash) {
-  hash->Add(std::string(reinterpret_cast<const char*>(numbers.data()),
-                        numbers.size() * sizeof(numbers(0))));
-}
-
-// A hash of what the frames depend on besides their poses.
-std::string InputsHash(const RunOfDeformer& run, const Frame& rest) {
-  ContentHash hash;
-  for (const auto& [name, value] : run.deformer->keywords) {
-    hash.Add(name + "=" + value);
-  }
-  const SceneParts& parts = *run.deformer->parts;
-  for (size_t i = 0; i < parts.muscles.size(); ++i) {
-    AddBytes(rest.muscles[i].points, &hash);
-    AddBytes(parts.muscles[i].triangles, &hash);
-  }
-  for (size_t i = 0; i < parts.bones.size(); ++i) {
-    AddBytes(rest.bones[i], &hash);
-    AddBytes(parts.bones[i].triangles, &hash);
-  }
-  return hash.Hex();
-}
-
-RunRecord RecordOf(const RunOfDeformer& run, Deformer* deformer) {
+RunRecord RecordOf(const RunOfDeformer& run) {
+  const RunBasis& basis = *run.basis;
   RunRecord record;
-  record.solver = run.deformer->solver;
+  record.solver = basis.solver;
   record.command = "musclewarp (Python)";
-  record.options = run.deformer->keywords;
-  record.inputs_hash = InputsHash(run, deformer->RestFrame());
-  record.scene = &deformer->scene();
-  record.contact = deformer->contact();
-  record.rest = AsDelivered(deformer->scene(), deformer->RestFrame());
+  record.options = basis.keywords;
+  record.inputs_hash = basis.parts->key;
+  record.scene = basis.scene.get();
+  record.contact = basis.contact;
+  record.rest = AsDelivered(*basis.scene, basis.rest);
   record.frames = FiguresOf(run);
   record.frames_planned = static_cast<int>(run.frames.size());
   record.finished = true;
@@ -98,32 +84,28 @@ RunRecord RecordOf(const RunOfDeformer& run, Deformer* deformer) {
 }
 
 py::object Report(const RunOfDeformer& run) {
-  return FromJson(SharedDeformer::Compute(
-      run.deformer, [run = SnapshotOf(run)](Deformer* deformer) {
-        return ReportJson(RecordOf(*run, deformer));
-      }));
+  return FromJson(ComputeFree(
+      [run = SnapshotOf(run)] { return ReportJson(RecordOf(*run)); }));
 }
 
 // Computes a table of the frames.
 template <typename Function>
 std::shared_ptr<StorageTable> TableOf(const RunOfDeformer& run,
                                       const Function& function) {
-  return SharedDeformer::Compute(
-      run.deformer, [run = SnapshotOf(run), function](Deformer* deformer) {
-        return std::make_shared<StorageTable>(
-            function(FiguresOf(*run), deformer->scene().scene));
-      });
+  return ComputeFree([run = SnapshotOf(run), function] {
+    return std::make_shared<StorageTable>(
+        function(FiguresOf(*run), run->basis->scene->scene));
+  });
 }
 
 // Writes what musclewarp-deform writes of these frames.
 void WriteFiles(const RunOfDeformer& run,
                 const FrameFileOptions& files,
-                const std::string& dir,
-                Deformer* deformer) {
+                const std::string& dir) {
   RemoveEarlierRun(dir);
-  RunWriter writer(deformer->scene(), files, dir);
-  writer.WriteRest(deformer->RestFrame());
-  RunRecord record = RecordOf(run, deformer);
+  RunWriter writer(*run.basis->scene, files, dir);
+  writer.WriteRest(run.basis->rest);
+  RunRecord record = RecordOf(run);
   record.dir = dir;
   for (size_t i = 0; i < run.frames.size(); ++i) {
     ThrowIfAbandoned();
@@ -146,16 +128,13 @@ void Write(const RunOfDeformer& run,
   settings.bones = bones;
   const FrameFileOptions files = OptionsOf(settings);
   CheckWritable(dir);
-  SharedDeformer::Compute(
-      run.deformer,
-      [run = SnapshotOf(run), files, dir, overwrite](Deformer* deformer) {
-        // Held by the thread that writes, even if nobody waits for it.
-        const OutputLock lock(dir);
-        CheckNoStrangeFrames(dir, overwrite);
-        MakeFolder(dir);
-        WriteFiles(*run, files, dir, deformer);
-        return true;
-      });
+  RunFree([run = SnapshotOf(run), files, dir, overwrite] {
+    // Held by the thread that writes, even if nobody waits for it.
+    const OutputLock lock(dir);
+    CheckNoStrangeFrames(dir, overwrite);
+    MakeFolder(dir);
+    WriteFiles(*run, files, dir);
+  });
 }
 
 std::string PageOfFolder(const std::string& dir) {
@@ -170,11 +149,8 @@ std::string PageOfFolder(const std::string& dir) {
 void BindRun(py::module_* module) {
   using Records = std::vector<FrameFigures>;
   py::class_<RunOfDeformer, SharedRun>(*module, "Run")
-      .def(
-          py::init([](const std::shared_ptr<SharedDeformer>& deformer) {
-            return std::make_shared<RunOfDeformer>(RunOfDeformer{deformer, {}});
-          }),
-          py::arg("deformer"))
+      .def(py::init(&MakeRun), py::arg("deformer"))
+      .def(Pickled<RunOfDeformer>())
       .def("append",
            &Append,
            py::arg("frame"),

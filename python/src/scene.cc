@@ -12,6 +12,7 @@
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
 #include "python/src/call.h"
+#include "python/src/pickling.h"
 
 namespace musclewarp::python {
 namespace {
@@ -127,6 +128,7 @@ std::map<std::string, py::array> Views(
 
 void BindPoses(py::module_* module) {
   py::class_<ScenePose, SharedPose>(*module, "Pose", kPoseDoc)
+      .def(Pickled<ScenePose>())
       .def(py::init(&MakePose),
            py::arg("name") = "",
            py::kw_only(),
@@ -203,6 +205,7 @@ void BindSceneFunctions(py::module_* module) {
 void BindScene(py::module_* module) {
   BindPoses(module);
   py::class_<Scene, SharedScene>(*module, "SceneSource", kSceneSourceDoc)
+      .def(Pickled<Scene>())
       .def(py::init<>())
       .def_readonly("name", &Scene::name)
       .def_readonly("path", &Scene::path)

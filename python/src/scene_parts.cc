@@ -12,6 +12,7 @@
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
 #include "python/src/call.h"
+#include "python/src/pickling.h"
 #include "python/src/scene.h"
 
 namespace musclewarp::python {
@@ -188,6 +189,7 @@ SharedBone MakeBone(const std::string& name,
 
 void BindLines(py::module_* module) {
   py::class_<ActionLine, SharedLine>(*module, "Line", kLineDoc)
+      .def(Pickled<ActionLine>())
       .def(py::init(&MakeLine),
            py::arg("name"),
            py::arg("points"),
@@ -202,6 +204,7 @@ void BindLines(py::module_* module) {
       .def_readonly("slides", &ActionLine::slides);
   py::class_<Attachment, SharedAttachment>(
       *module, "Attachment", kAttachmentDoc)
+      .def(Pickled<Attachment>())
       .def(py::init(&MakeAttachment),
            py::arg("body"),
            py::arg("points"),
@@ -221,6 +224,7 @@ void BindLines(py::module_* module) {
 
 void BindMuscles(py::module_* module) {
   py::class_<SceneMuscle, SharedMuscle>(*module, "Muscle", kMuscleDoc)
+      .def(Pickled<SceneMuscle>())
       .def(py::init(&MakeMuscle),
            py::arg("name"),
            py::arg("points") = py::none(),
@@ -247,6 +251,7 @@ void BindMuscles(py::module_* module) {
 
 void BindBones(py::module_* module) {
   py::class_<SceneBone, SharedBone>(*module, "Bone", kBoneDoc)
+      .def(Pickled<SceneBone>())
       .def(py::init(&MakeBone),
            py::arg("name"),
            py::arg("points") = py::none(),

@@ -42,7 +42,8 @@ TEST(ParallelFor, SaysOnTheCallingThreadHowManyAreDone) {
   ParallelFor(
       100,
       [](size_t) {},
-      [&](size_t count) {
+      [&](size_t i, size_t count) {
+        EXPECT_LT(i, 100u);
         EXPECT_EQ(std::this_thread::get_id(), caller);
         done.push_back(count);
       });
@@ -51,7 +52,7 @@ TEST(ParallelFor, SaysOnTheCallingThreadHowManyAreDone) {
 }
 
 TEST(ParallelFor, MayBeStoppedInBetween) {
-  const auto stop = [](size_t) { throw std::runtime_error("stopped"); };
+  const auto stop = [](size_t, size_t) { throw std::runtime_error("stopped"); };
   EXPECT_THROW(ParallelFor(
                    1, [](size_t) { FAIL(); }, stop),
                std::runtime_error);

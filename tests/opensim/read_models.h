@@ -39,9 +39,9 @@ inline void ExpectRefused(const std::string& text,
   ExpectInputError([&] { ReadText(text); }, words);
 }
 
-// The XML of a single element, in a file "part.osim" of the running test.
+// The XML of a single element, as that of a file "part.osim".
 inline OsimXml Xml(const std::string& element) {
-  return OsimXml(Written("part.osim", element));
+  return OsimXml(element, "part.osim");
 }
 
 // A model of OpenSim 4 whose shank turns about a pin with the coordinate "q".

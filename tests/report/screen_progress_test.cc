@@ -16,6 +16,7 @@
 namespace musclewarp {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 TEST(ScreenProgress, IsALineForEachFrameOffATerminal) {
@@ -39,6 +40,37 @@ TEST(ScreenProgress, RenewsOneLineOnATerminal) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\r'), 2);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
   EXPECT_THAT(text, HasSubstr("[============            ] 1 of 2"));
+}
+
+// A log gets one line at once, and then one a minute.
+TEST(ScreenProgress, SaysWhatIsDoneAndHowFarItIs) {
+  std::ostringstream out;
+  ScreenProgress progress(false, &out);
+  progress.Say({"preparing", 2, 7, "mesh of soleus_r"});
+  progress.Say({"preparing", 3, 7, "mesh of tibia_r"});
+  EXPECT_EQ(out.str(), "preparing 2 of 7: mesh of soleus_r ... (0 s)\n");
+}
+
+TEST(ScreenProgress, CountsTheSecondsOnATerminal) {
+  std::ostringstream out;
+  ScreenProgress progress(true, &out);
+  progress.Say({"separating", 3, 0, "12 pairs of triangles cross"});
+  // The line is renewed once a second, after up to another second.
+  std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+  progress.Clear();
+  EXPECT_THAT(
+      out.str(),
+      AllOf(HasSubstr(
+                "\rseparating, round 3: 12 pairs of triangles cross ... (0 s)"),
+            HasSubstr(" ... (2 s)")));
+}
+
+// A line that wraps could not be renewed.
+TEST(ScreenProgress, CutsItsLineOnATerminal) {
+  std::ostringstream out;
+  ScreenProgress progress(true, &out);
+  progress.Say({"preparing", 2, 7, std::string(3000, 'm')});
+  EXPECT_LT(out.str().size(), 1000u);
 }
 
 TEST(ScreenProgress, SaysThatAFrameIsNotUsable) {

@@ -97,6 +97,18 @@ TEST(ResumeLog, ForgetsWhenFinishedOrStartedAnew) {
   EXPECT_TRUE(log.Continue({0}, &state).empty());
 }
 
+TEST(ResumeLog, KeepsThePreparationWhenStartedAnew) {
+  const std::string dir = TestTempDir();
+  const ResumeLog log(dir, "hash");
+  const std::string file = log.PreparationFolder() + "/some.preparation";
+  std::filesystem::create_directories(log.PreparationFolder());
+  WriteTextAtomically(file, "prepared");
+  log.StartAnew();
+  EXPECT_TRUE(std::filesystem::exists(file));
+  log.Finish();
+  EXPECT_TRUE(std::filesystem::is_empty(dir));
+}
+
 TEST(ResumeLog, RefusesADamagedFile) {
   const std::string dir = TestTempDir();
   const ResumeLog log(dir, "hash");

@@ -96,6 +96,7 @@ TEST(DeformCommand, AnInterruptedRunSaysSoAndGoesOn) {
   options.resume = true;
   std::ostringstream screen;
   EXPECT_EQ(DeformCommand(options, screen), kExitUsable);
+  EXPECT_THAT(screen.str(), HasSubstr("preparation read in"));
   const Json report = Json::parse(FileText(options.out + "/report.json"));
   EXPECT_EQ(report["frames"].size(), 4u);
   EXPECT_EQ(report["summary"]["finished"], true);

@@ -20,6 +20,17 @@ constexpr char kPartial[] = ".partial";
 
 }  // namespace
 
+std::string ObstacleToWriting(const std::string& dir) {
+  fs::path existing = fs::absolute(dir);
+  std::error_code error;
+  while (!fs::exists(existing, error) && existing.has_relative_path()) {
+    existing = existing.parent_path();
+  }
+  const bool is_writable = fs::is_directory(existing, error) &&
+                           access(existing.c_str(), W_OK | X_OK) == 0;
+  return is_writable ? "" : existing.string();
+}
+
 void WriteFileAtomically(const std::string& path,
                          const std::function<void(const std::string&)>& write) {
   const fs::path target(path);

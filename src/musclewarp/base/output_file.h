@@ -12,6 +12,11 @@ namespace musclewarp {
 // not find half a file. The functions below therefore write beside the target,
 // under a hidden name with ".partial" in it, and rename at the end.
 
+// Returns what keeps files from being written to the folder `dir`, which need
+// not exist: its closest parent that exists, if that is no folder or must not
+// be written. Returns an empty text if nothing does.
+std::string ObstacleToWriting(const std::string& dir);
+
 // Writes a file. `write` receives the temporary path, which has the extension
 // of `path` (writers choose the format by it). The temporary file is renamed to
 // `path` when `write` returns, and removed when it throws. Throws InputError if

@@ -18,12 +18,13 @@ namespace musclewarp {
 // thrown does not depend on the number of threads. Parallel loops within
 // body(i) run on one thread, unless there is only one item.
 //
-// on_item(done), if given, is called by the calling thread before each of its
-// items, with the number of items that are done; it may throw to stop.
+// on_item(i, done), if given, is called by the calling thread before each of
+// its items, with the number of items that are done; it may throw to stop.
 template <typename Body>
-void ParallelFor(size_t count,
-                 const Body& body,
-                 const std::function<void(size_t done)>& on_item = {}) {
+void ParallelFor(
+    size_t count,
+    const Body& body,
+    const std::function<void(size_t i, size_t done)>& on_item = {}) {
   const std::thread::id caller = std::this_thread::get_id();
   std::vector<std::exception_ptr> thrown(count);
   std::atomic<size_t> first_thrown(count);
@@ -32,7 +33,7 @@ void ParallelFor(size_t count,
   for (size_t i = 0; i < count; ++i) {
     if (i > first_thrown) continue;
     try {
-      if (on_item && std::this_thread::get_id() == caller) on_item(done);
+      if (on_item && std::this_thread::get_id() == caller) on_item(i, done);
       body(i);
       ++done;
     } catch (...) {

@@ -12,6 +12,7 @@ struct Progress {
   std::string stage;  // what is being done, such as "separating"
   int done = 0;       // of `total` parts of the stage
   int total = 0;      // 0: not known
+  std::string item;   // what the part is about, such as a muscle; may be empty
 };
 
 // Called from time to time by long computations, always on the thread that

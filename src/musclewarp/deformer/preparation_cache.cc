@@ -132,12 +132,11 @@ void SayIfOtherCodeHasOne(const std::string& folder,
   }
 }
 
-void MakeFolder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error) return;
+void CheckFolder(const std::string& folder) {
+  const std::string obstacle = ObstacleToWriting(folder);
+  if (obstacle.empty()) return;
   throw InputError(folder,
-                   "cannot be made (" + error.message() + ")",
+                   obstacle + " is not a folder that can be written",
                    "choose another folder for preparations, or none");
 }
 
@@ -158,7 +157,7 @@ PreparationCache::PreparationCache(const PreparationCacheOptions& options,
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   CHECK(!options.folder.empty());
-  MakeFolder(folder_);
+  CheckFolder(folder_);
   scene_key_ = KeyOf(options, scene);
   key_ = scene_key_ + "-" + KeyOfCode(code_key);
   path_ = (fs::path(folder_) / (key_ + kExtension)).string();
@@ -199,6 +198,8 @@ void PreparationCache::Write(const Preparation& preparation) const {
   try {
     const std::string archived = Archived(
         preparation.scene, preparation.rest, LinesOf(preparation.scene.scene));
+    std::error_code error;
+    fs::create_directories(folder_, error);  // writing fails without it
     WriteTextAtomically(path_, kMagic + key_ + ChecksumOf(archived) + archived);
   } catch (const InputError& error) {
     LOG(WARNING) << error.what();

@@ -15,8 +15,8 @@ namespace musclewarp {
 // The folder of a PreparationCache, and the part of its key that stands for the
 // options.
 struct PreparationCacheOptions {
-  // The folder of the cache, created if necessary. Empty: no cache. Its
-  // contents may be deleted at any time.
+  // The folder of the cache, created once there is a preparation. Empty: no
+  // cache. Its contents may be deleted at any time.
   std::string folder;
 
   // A text that identifies the options of the preparation: options that lead to
@@ -53,7 +53,7 @@ class PreparationCache {
  public:
   // Computes the path of the file from the contents of the scene and its mesh
   // files, the options and the code. Throws InputError if the folder cannot be
-  // created, or a file of the scene cannot be read. Precondition (CHECKed): the
+  // written, or a file of the scene cannot be read. Precondition (CHECKed): the
   // options are valid and name a folder.
   PreparationCache(const PreparationCacheOptions& options,
                    const Scene& scene,

@@ -10,6 +10,7 @@
 
 #include "musclewarp/base/child_process.h"
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/exchange/element_improvement.h"
 #include "musclewarp/exchange/gmsh_mesher_files.h"
 #include "musclewarp/exchange/tetgen_files.h"
 
@@ -50,9 +51,12 @@ std::vector<std::string> Arguments(const MesherOptions& options) {
     return {options.program, "-3", "-nt", "1", kGmshScript, "-o", kGmshResult};
   }
   // p: fill a surface, Y: keep its triangles, q: add points inside for better
-  // shapes, Q: say less, F: no file of faces.
+  // shapes, a: for smaller elements, Q: say less, F: no file of faces.
   std::ostringstream flags;
-  flags << "-pYq" << options.radius_edge_ratio << "QF";
+  flags << "-pYq" << options.radius_edge_ratio;
+  if (options.goal_dihedral_deg > 0) flags << "/" << options.goal_dihedral_deg;
+  if (options.max_volume > 0) flags << "a" << std::fixed << options.max_volume;
+  flags << "QF";
   return {options.program, flags.str(), kTetgenSurface};
 }
 
@@ -125,6 +129,9 @@ MesherResult FillWithTetrahedra(const TriangleSoup& surface,
               "the mesher did not keep the triangles of the surfaces"};
     }
     Orient(&mesh);
+    if (options.goal_dihedral_deg > 0) {
+      ImproveElements(options.goal_dihedral_deg, surface.points.rows(), &mesh);
+    }
     return {std::move(mesh), ""};
   } catch (const InputError& error) {
     return {std::nullopt,

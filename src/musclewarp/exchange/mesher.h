@@ -22,6 +22,14 @@ struct MesherOptions {
   // The largest ratio of the radius of the circumscribed sphere to the shortest
   // edge that TetGen aims at inside; at least 1.2. Smaller needs more points.
   double radius_edge_ratio = 2;
+
+  // The smallest dihedral angle that is aimed at, degrees; 0: none. TetGen adds
+  // points for it, and ImproveElements() follows.
+  double goal_dihedral_deg = 12;
+
+  // The largest volume of an element of TetGen, mm^3; 0: any. Gmsh goes by the
+  // triangles of the surface.
+  double max_volume = 0;
 };
 
 // What came out: a mesh, or why there is none.

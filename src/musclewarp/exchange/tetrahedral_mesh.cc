@@ -36,8 +36,9 @@ double SignedVolumeOf(const TetrahedronCorners& c) {
   return a.cross(b).dot(c.row(3) - c.row(0)) / 6;
 }
 
-// Adds the dihedral angles and the aspect of an element.
-void Measure(const TetrahedronCorners& c, ElementQuality* quality) {
+// Adds the dihedral angles and the aspect of an element. Returns its smallest
+// angle, degrees.
+double Measure(const TetrahedronCorners& c, ElementQuality* quality) {
   std::array<RowVector3d, 4> normals;  // twice the area long
   double area = 0;
   for (int f = 0; f < 4; ++f) {
@@ -47,15 +48,14 @@ void Measure(const TetrahedronCorners& c, ElementQuality* quality) {
     normals[f] = u.cross(v);
     area += normals[f].norm() / 2;
   }
-  double longest = 0;
+  double longest = 0, smallest = 180;
   for (int i = 0; i < 4; ++i) {
     for (int k = i + 1; k < 4; ++k) {
       longest = std::max(longest, (c.row(i) - c.row(k)).norm());
       const double size = normals[i].norm() * normals[k].norm();
       const double cosine = size > 0 ? -normals[i].dot(normals[k]) / size : 1;
       const double angle = DegreesOf(std::acos(std::clamp(cosine, -1.0, 1.0)));
-      quality->smallest_dihedral_deg =
-          std::min(quality->smallest_dihedral_deg, angle);
+      smallest = std::min(smallest, angle);
       quality->largest_dihedral_deg =
           std::max(quality->largest_dihedral_deg, angle);
     }
@@ -65,6 +65,9 @@ void Measure(const TetrahedronCorners& c, ElementQuality* quality) {
   const double aspect = radius > 0 ? longest / radius / regular
                                    : std::numeric_limits<double>::infinity();
   quality->largest_aspect = std::max(quality->largest_aspect, aspect);
+  quality->smallest_dihedral_deg =
+      std::min(quality->smallest_dihedral_deg, smallest);
+  return smallest;
 }
 
 // A triangle by its corners in rising order.
@@ -119,13 +122,22 @@ Eigen::VectorXd Volumes(const TetrahedralMesh& mesh) {
   return volumes;
 }
 
-ElementQuality QualityOf(const TetrahedralMesh& mesh) {
+ElementQuality QualityOf(const TetrahedralMesh& mesh,
+                         const std::vector<bool>& is_sharp) {
+  const auto is_at_sharp = [&](int v) {
+    return v < static_cast<int>(is_sharp.size()) && is_sharp[v];
+  };
   CHECK_GT(mesh.tetrahedra.rows(), 0);
   ElementQuality quality;
   quality.smallest_dihedral_deg = 180;
   for (Eigen::Index t = 0; t < mesh.tetrahedra.rows(); ++t) {
     const TetrahedronCorners corners = CornersOfElement(mesh, t);
-    Measure(corners, &quality);
+    if (Measure(corners, &quality) < kSmallDihedralDeg) {
+      const auto vertices = mesh.tetrahedra.row(t);
+      ++quality.small_angles;
+      quality.small_angles_at_sharp +=
+          std::any_of(vertices.begin(), vertices.end(), is_at_sharp);
+    }
     const double volume = SignedVolumeOf(corners);
     quality.inverted += !(volume > 0);
     quality.volume += volume;

@@ -23,6 +23,9 @@ struct TetrahedralMesh {
 // that are inverted.
 Eigen::VectorXd Volumes(const TetrahedralMesh& mesh);
 
+// An angle that finite elements should not fall below, degrees.
+constexpr double kSmallDihedralDeg = 10;
+
 // How well a mesh is fit for finite elements.
 struct ElementQuality {
   double smallest_dihedral_deg = 0;  // of all edges; 70.5 in a regular one
@@ -32,12 +35,20 @@ struct ElementQuality {
   // of a regular tetrahedron: 1 is best.
   double largest_aspect = 0;
 
+  // Tetrahedra with a dihedral angle below kSmallDihedralDeg, and those of them
+  // with a corner where the surface is sharp (sharp_points.h).
+  int small_angles = 0;
+  int small_angles_at_sharp = 0;
+
   int inverted = 0;   // tetrahedra whose volume is not positive
   double volume = 0;  // of all, mm^3
 };
 
-// Measures a mesh. Precondition (CHECKed): there are tetrahedra.
-ElementQuality QualityOf(const TetrahedralMesh& mesh);
+// Measures a mesh. `is_sharp` tells of its first points, those of the surface,
+// whether the surface is sharp there; it may be empty. Precondition (CHECKed):
+// there are tetrahedra.
+ElementQuality QualityOf(const TetrahedralMesh& mesh,
+                         const std::vector<bool>& is_sharp = {});
 
 // The four faces of a tetrahedron, outward, in the order of the faces of
 // Abaqus: the corners 1 2 3, 1 4 2, 2 4 3, 3 4 1.

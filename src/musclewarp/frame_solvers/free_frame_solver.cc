@@ -30,7 +30,7 @@ SolvedFrame FreeFrameSolver::Solve(const MuscleSolvers& solvers,
                                    const ScenePose& pose,
                                    const SceneState* before,
                                    const ProgressCallback& on_progress) {
-  if (on_progress) on_progress({"moving", 0, 1});
+  if (on_progress) on_progress({"moving", 0, 1, ""});
   const Stopwatch moving;
   const MuscleModels models = ModelsOf(scene_);
   SolvedPose solved = SolvePose(models,

@@ -98,7 +98,7 @@ SolvedFrame PaperFrameSolver::Solve(const MuscleSolvers& solvers,
   SceneState state = before ? *before : SceneState();
   SolvedPose solved;
   for (int i = 1; i <= steps; ++i) {
-    if (on_progress) on_progress({"moving", i - 1, steps});
+    if (on_progress) on_progress({"moving", i - 1, steps, ""});
     const ScenePose target = i == steps
                                  ? pose
                                  : PoseBetween(scene_.scene,

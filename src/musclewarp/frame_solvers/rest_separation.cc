@@ -142,6 +142,16 @@ void CheckEnoughIsLeft(const ReconstructionOptions& options,
                    "check that the meshes are in one frame, or correct them");
 }
 
+// Returns the names of muscles to be reconstructed.
+std::string NamesOf(const Reasons& reasons, const PreparedScene& scene) {
+  std::string names;
+  for (const auto& [muscle, reason] : reasons) {
+    if (!names.empty()) names += ", ";
+    names += scene.muscles[muscle].model.name;
+  }
+  return names;
+}
+
 // What muscles were before their first reconstruction, by muscle.
 using DeliveredMuscles = std::map<int, DeliveredMuscle>;
 
@@ -275,9 +285,11 @@ RestResult SeparateRest(const RestSeparationOptions& options,
       SceneMeshes meshes(*scene);
       scene->as_delivered = IntersectAsPrepared(*scene, &meshes);
     }
-    if (on_progress) on_progress({"remaking", attempt, 0});
     // The last attempt reconstructs all of them.
     if (attempt + 1 < max_attempts) KeepWorst(&reasons);
+    if (on_progress) {
+      on_progress({"remaking", attempt, 0, NamesOf(reasons, *scene)});
+    }
     Reconstruct(options, reasons, attempt, &delivered, scene);
   }
 }

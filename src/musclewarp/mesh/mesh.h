@@ -11,7 +11,7 @@ namespace musclewarp {
 
 // A 2-manifold triangle mesh with connectivity, in double precision and mm, for
 // algorithms that collapse or flip edges (the removal of slivers, the
-// simplification for the report page). Code that needs only positions and
+// simplification of meshes). Code that needs only positions and
 // triangles takes Points and Triangles instead.
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
 

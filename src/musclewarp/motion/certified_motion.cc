@@ -249,15 +249,20 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
     muscles.push_back(meshes.muscles()[i].mesh);
   }
   for (const NamedMesh& bone : meshes.bones()) bones.push_back(bone.mesh);
-  InitialSeparation separation =
-      SeparateInitially(muscles,
-                        bones,
-                        exempt,
-                        options.SeparationByGap(),
-                        [&](int round, int /*crossing_pairs*/) {
-                          if (on_progress)
-                            on_progress({"separating", round, 0});
-                        });
+  InitialSeparation separation = SeparateInitially(
+      muscles,
+      bones,
+      exempt,
+      options.SeparationByGap(),
+      [&](int round, int crossing_pairs) {
+        if (!on_progress) return;
+        on_progress({"separating",
+                     round,
+                     0,
+                     round == 0 ? ""
+                                : std::to_string(crossing_pairs) +
+                                      " pairs of triangles cross"});
+      });
 
   const MotionContext context = {scene, certified, pre_rotation, solver};
   ContactState rest = StateAtRest(context);

@@ -336,7 +336,7 @@ AdvanceSummary AdvanceToPose(const MotionContext& context,
                              const ProgressCallback& on_progress,
                              ContactState* state) {
   const auto say = [&](const std::string& stage, int done, int total) {
-    if (on_progress) on_progress({stage, done, total});
+    if (on_progress) on_progress({stage, done, total, ""});
   };
   PoseStepper stepper(context, options, goal, at, state);
   while (!stepper.IsAtGoal()) {

@@ -156,6 +156,7 @@ struct ModelMuscle {
 // A model as ReadModel returns it.
 struct Model {
   std::string path;  // of its file
+  std::string text;  // of its file, from which ModelFromText() makes it again
   std::string name;
   std::vector<Body> bodies;  // the ground comes first
   std::vector<Joint> joints;
@@ -194,5 +195,9 @@ std::string WhyNoCoordinate(const Model& model, const std::string& name);
 // functions that are not supported, and frames that are not known, are errors
 // only where they are needed; see CheckBodyIsSupported.
 Model ReadModel(const std::string& path);
+
+// Does the same with the contents of a file. `path` is for messages, and the
+// place from which the model names other files.
+Model ModelFromText(std::string text, const std::string& path);
 
 }  // namespace musclewarp

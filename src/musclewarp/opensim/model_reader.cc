@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/input_file.h"
 #include "musclewarp/opensim/component_tree.h"
 #include "musclewarp/opensim/function_reader.h"
 #include "musclewarp/opensim/geometry_reader.h"
@@ -246,9 +247,14 @@ void ReadMuscles(const OsimXml& xml,
 }  // namespace
 
 Model ReadModel(const std::string& path) {
-  const OsimXml xml(path);
+  return ModelFromText(ReadFile(path), path);
+}
+
+Model ModelFromText(std::string text, const std::string& path) {
+  const OsimXml xml(text, path);
   Model model;
   model.path = path;
+  model.text = std::move(text);
   model.warnings = xml.warnings();
   const pugi::xml_node node = std::string(xml.root().name()) == "Model"
                                   ? xml.root()

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/base/input_file.h"
 #include "musclewarp/base/xml_text.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
@@ -28,8 +27,9 @@ bool IsBlank(char c) { return std::strchr(" \t\r\n,", c) != nullptr; }
 
 }  // namespace
 
-OsimXml::OsimXml(const std::string& path) : path_(path) {
-  XmlText text = DecodeXml(ReadFile(path));
+OsimXml::OsimXml(const std::string& bytes, const std::string& path)
+    : path_(path) {
+  XmlText text = DecodeXml(bytes);
   text_ = std::move(text.utf8);
   if (text.is_guessed) {
     warnings_.push_back(path + ": is not UTF-8, read as Latin-1");

@@ -13,10 +13,10 @@ namespace musclewarp {
 // values, and error messages that name the file, the line and the element.
 class OsimXml {
  public:
-  // Reads a file in the encodings of DecodeXml. Throws InputError, which names
-  // the line, if it is not well-formed XML. A file that is neither UTF-8 nor in
-  // the encoding that it names is read as Latin-1, with a warning.
-  explicit OsimXml(const std::string& path);
+  // Reads the bytes of a file in the encodings of DecodeXml. Throws InputError,
+  // which names the line, if it is not well-formed XML. A file that is neither
+  // UTF-8 nor in the encoding that it names is read as Latin-1, with a warning.
+  OsimXml(const std::string& bytes, const std::string& path);
 
   pugi::xml_node root() const { return document_.document_element(); }
   const std::string& path() const { return path_; }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "musclewarp/page/view_mesh.h"
+#include "musclewarp/geometry/decimation.h"
 
 namespace musclewarp {
 namespace {
@@ -52,7 +52,7 @@ OrderedJson BoneShapeJson(const std::string& name,
                           double step,
                           int max_triangles,
                           PackedNumbers* packed) {
-  const ViewMesh view = ViewMeshOf(soup, max_triangles);
+  const Decimation view = Decimated(soup, {max_triangles});
   std::vector<int> positions;
   AppendRounded(view.soup.points, step, &positions);
   return {{"name", name},

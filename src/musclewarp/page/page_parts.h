@@ -29,7 +29,7 @@ std::string PageText(std::string_view bundle,
 double RoundingStep(const std::vector<const Points*>& points);
 
 // Returns the surface of a bone, simplified for view to about `max_triangles`
-// (ViewMeshOf), its numbers packed.
+// (Decimated), its numbers packed.
 nlohmann::ordered_json BoneShapeJson(const std::string& name,
                                      const TriangleSoup& soup,
                                      double step,

@@ -158,9 +158,9 @@ void LeaveOutBones(PreparedScene* prepared) {
 void AddLines(const Surroundings& surroundings,
               const PrepareOptions& options,
               PreparedScene* prepared,
-              const std::function<void(size_t)>& on_done) {
+              const std::function<void(size_t, size_t)>& on_item) {
   std::vector<ContinuedLines> made = MakeSceneLines(
-      surroundings, options.auto_lines, on_done, prepared->scene);
+      surroundings, options.auto_lines, on_item, prepared->scene);
   for (size_t m = 0; m < made.size(); ++m) {
     SceneMuscle& muscle = prepared->scene.muscles[m];
     if (!muscle.lines.empty()) continue;
@@ -228,6 +228,25 @@ void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
   add(FoldedLineWarnings(prepared->scene));
   add(ScaleWarnings(sizes, options.scale_warning_ratio));
   for (const std::string& warning : warnings) LOG(WARNING) << warning;
+}
+
+// Returns a function that reports how many of the steps of a preparation are
+// done, and which part of the scene the next one is about.
+std::function<void(size_t, const std::string&)> SayingProgress(
+    size_t num_steps, const ProgressCallback& on_progress) {
+  return [=](size_t done, const std::string& item) {
+    if (!on_progress) return;
+    on_progress({"preparing",
+                 static_cast<int>(done),
+                 static_cast<int>(num_steps),
+                 item});
+  };
+}
+
+// Returns the name of a mesh by its number; bones come first.
+const std::string& NameOfMesh(const Scene& scene, size_t i) {
+  return i < scene.bones.size() ? scene.bones[i].name
+                                : scene.muscles[i - scene.bones.size()].name;
 }
 
 }  // namespace
@@ -305,11 +324,7 @@ PreparedScene PrepareScene(const Scene& scene,
   const bool makes_lines = options.makes_lines && LacksLines(scene);
   const size_t num_steps =
       num_meshes + (makes_lines ? 2 * num_muscles : num_muscles);
-  const auto say_progress = [&](size_t done) {
-    if (!on_progress) return;
-    on_progress(
-        {"preparing", static_cast<int>(done), static_cast<int>(num_steps)});
-  };
+  const auto say_progress = SayingProgress(num_steps, on_progress);
   // Bones come first, as their meshes are the largest.
   std::vector<TriangleSoup> fine(num_muscles);
   const auto repair = [&](size_t i) {
@@ -320,17 +335,18 @@ PreparedScene PrepareScene(const Scene& scene,
     const size_t m = i - num_bones;
     fine[m] = RepairMuscle(options, scene.muscles[m], &prepared.muscles[m]);
   };
-  say_progress(0);
   const ScopedStage repairing("reading and repair");
-  ParallelFor(num_meshes, repair, say_progress);
+  ParallelFor(num_meshes, repair, [&](size_t i, size_t done) {
+    say_progress(done, "mesh of " + NameOfMesh(scene, i));
+  });
   LeaveOutBones(&prepared);
   const ScopedStage modelling("models of muscles");
   Surroundings surroundings;
   AddBones(prepared.bones, &surroundings);
   for (const TriangleSoup& muscle : fine) surroundings.AddMuscle(muscle);
   if (makes_lines) {
-    AddLines(surroundings, options, &prepared, [&](size_t done) {
-      say_progress(num_meshes + done);
+    AddLines(surroundings, options, &prepared, [&](size_t m, size_t done) {
+      say_progress(num_meshes + done, "lines of " + scene.muscles[m].name);
     });
   }
   const auto prepare = [&](size_t m) {
@@ -341,9 +357,11 @@ PreparedScene PrepareScene(const Scene& scene,
                     fine[m],
                     &prepared.muscles[m]);
   };
-  ParallelFor(num_muscles, prepare, [&](size_t done) {
-    say_progress(num_steps - num_muscles + done);
+  ParallelFor(num_muscles, prepare, [&](size_t m, size_t done) {
+    say_progress(num_steps - num_muscles + done,
+                 "model of " + scene.muscles[m].name);
   });
+  say_progress(num_steps, "attachments and bones");
   AddSoftCarriers(&prepared);
   prepared.exempt = ExemptAreas(prepared);
   CheckBones(&prepared);

@@ -63,7 +63,7 @@ bool LacksLines(const Scene& scene) {
 std::vector<ContinuedLines> MakeSceneLines(
     const Surroundings& surroundings,
     int lines_each,
-    const std::function<void(size_t)>& on_done,
+    const std::function<void(size_t, size_t)>& on_item,
     const Scene& scene) {
   const size_t count = scene.muscles.size();
   std::vector<ContinuedLines> made(count);
@@ -87,7 +87,7 @@ std::vector<ContinuedLines> MakeSceneLines(
     part.ends = EndsOf(muscle, FindAttachments(mesh, bodies, {}));
     part.ends_on = NamedEnds(muscle, scene);
   };
-  ParallelFor(count, make, on_done);
+  ParallelFor(count, make, on_item);
   FindSoftEnds(&parts);
   for (size_t m = 0; m < count; ++m) {
     if (!scene.muscles[m].lines.empty()) continue;

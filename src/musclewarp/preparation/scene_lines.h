@@ -18,12 +18,13 @@ bool LacksLines(const Scene& scene);
 // and continues them through the soft parts on which these muscles end
 // (ContinueLines). `surroundings` has the repaired meshes of the scene. Returns
 // the continued lines of each muscle, and none for muscles with lines of their
-// own. `on_done`, which may be empty, is called on the calling thread with the
-// number of finished muscles. Throws InputError as MakeLines does.
+// own. `on_item`, which may be empty, is called on the calling thread with the
+// number of a muscle before its lines are made, and of the finished muscles
+// (ParallelFor). Throws InputError as MakeLines does.
 std::vector<ContinuedLines> MakeSceneLines(
     const Surroundings& surroundings,
     int lines_each,
-    const std::function<void(size_t)>& on_done,
+    const std::function<void(size_t m, size_t done)>& on_item,
     const Scene& scene);
 
 }  // namespace musclewarp

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/report/screen_progress.h"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -15,9 +18,27 @@
 namespace musclewarp {
 namespace {
 
-constexpr double kPauseOnTerminal = 200, kPauseElsewhere = 10000;  // ms
+constexpr double kPauseOnTerminal = 1000, kPauseElsewhere = 60000;  // ms
 
 using Lock = std::lock_guard<std::mutex>;
+
+// Returns the width of the terminal that is the standard output.
+size_t TerminalColumns() {
+  winsize size = {};
+  const bool is_known =
+      ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return is_known ? size.ws_col : 80;
+}
+
+// Returns the start of a text in UTF-8, at most `length` bytes.
+std::string Cut(const std::string& text, size_t length) {
+  if (text.size() <= length) return text;
+  constexpr int kContinuation = 0x80, kContinuationMask = 0xc0;
+  while (length > 0 && (text[length] & kContinuationMask) == kContinuation) {
+    --length;
+  }
+  return text.substr(0, length);
+}
 
 }  // namespace
 
@@ -45,22 +66,23 @@ void ScreenProgress::Say(const Progress& progress) {
   } else if (progress.done > 0) {
     line << ", round " << progress.done;
   }
+  if (!progress.item.empty()) line << ": " << progress.item;
   stage_ = line.str();
-  if (since_output_.Milliseconds() >=
-      (is_terminal_ ? kPauseOnTerminal : kPauseElsewhere)) {
-    Print(stage_ + " ...", false);
-  }
+  PrintStage();
+}
+
+void ScreenProgress::PrintStage() {
+  const double pause = is_terminal_ ? kPauseOnTerminal : kPauseElsewhere;
+  if (has_output_ && since_output_.Milliseconds() < pause) return;
+  Print(stage_ + " ... (" + RoundedTime(since_frame_.Milliseconds()) + ")",
+        false);
 }
 
 void ScreenProgress::SayThatItGoesOn() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!ended_.wait_for(
       lock, std::chrono::seconds(1), [this] { return is_over_; })) {
-    if (stage_.empty() || since_output_.Milliseconds() < kPauseElsewhere) {
-      continue;
-    }
-    Print(stage_ + " ... (" + RoundedTime(since_frame_.Milliseconds()) + ")",
-          false);
+    if (!stage_.empty()) PrintStage();
   }
 }
 
@@ -115,12 +137,15 @@ void ScreenProgress::FrameDone(const FrameFigures& frame,
   Print(line.str(), is_last);
 }
 
-void ScreenProgress::Print(const std::string& line, bool is_last) {
+void ScreenProgress::Print(const std::string& text, bool is_last) {
+  has_output_ = true;
   since_output_.Restart();
   if (!is_terminal_) {
-    *out_ << line << "\n" << std::flush;
+    *out_ << text << "\n" << std::flush;
     return;
   }
+  // A line that wraps could not be renewed.
+  const std::string line = is_last ? text : Cut(text, TerminalColumns() - 1);
   // Blanks overwrite the rest of a longer previous line.
   const size_t rest = length_ > line.size() ? length_ - line.size() : 0;
   *out_ << "\r" << line << std::string(rest, ' ') << (is_last ? "\n" : "")

@@ -15,10 +15,11 @@
 
 namespace musclewarp {
 
-// Prints the progress of a run. On a terminal this is a single line that is
-// overwritten; elsewhere it is a line for each frame, and a line every ten
-// seconds if nothing else is printed, even if a long computation reports
-// nothing.
+// Prints the progress of a run: what is being done, how far it is, and the time
+// since the run or the frame began. On a terminal this is a single line that is
+// renewed every second and cut to the width of the terminal; elsewhere it is a
+// line at the beginning, one for each frame, and one a minute if nothing else
+// is printed, even if a long computation reports nothing.
 //
 //   ScreenProgress progress(is_terminal, &std::cout);
 //   deformer_options.on_progress = [&](const Progress& p) { progress.Say(p); };
@@ -30,8 +31,7 @@ class ScreenProgress {
   ScreenProgress(bool is_terminal, std::ostream* out);
   ~ScreenProgress();
 
-  // Prints a progress report, unless the last output is recent. Long
-  // computations call this.
+  // Takes a progress report. Long computations call this.
   void Say(const Progress& progress);
 
   // Ends the progress report, and clears the line of a terminal, for other
@@ -54,10 +54,12 @@ class ScreenProgress {
  private:
   int total() const { return done_before_ + static_cast<int>(work_.size()); }
   std::string Bar() const;
-  void Print(const std::string& line, bool is_last);
+  void Print(const std::string& text, bool is_last);
 
-  // Runs on a separate thread: repeats the last progress report, with the time
-  // since the frame began, if nothing has been printed for a while.
+  // Prints the last progress report, unless the last output is recent.
+  void PrintStage();
+
+  // Runs on a separate thread, and calls PrintStage().
   void SayThatItGoesOn();
 
   bool is_terminal_;
@@ -67,6 +69,7 @@ class ScreenProgress {
   bool is_over_ = false;
   std::string stage_;  // the last progress report; empty after Clear()
   size_t length_ = 0;  // of the line on the terminal
+  bool has_output_ = false;
   Stopwatch since_output_;
   Stopwatch since_frame_;
 

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/run/output_folder.h"
 
-#include <unistd.h>
-
 #include <filesystem>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/output_file.h"
 #include "musclewarp/mesh_files/mesh_path.h"
 
 namespace musclewarp {
@@ -17,15 +16,10 @@ void CheckWritable(const std::string& dir) {
   if (dir.empty()) {
     throw InputError("{out}", "is missing", "give the folder for the results");
   }
-  fs::path existing = fs::absolute(dir);
-  std::error_code error;
-  while (!fs::exists(existing, error) && existing.has_relative_path()) {
-    existing = existing.parent_path();
-  }
-  if (!fs::is_directory(existing, error) ||
-      access(existing.c_str(), W_OK | X_OK) != 0) {
+  const std::string obstacle = ObstacleToWriting(dir);
+  if (!obstacle.empty()) {
     throw InputError("{out}=" + dir,
-                     existing.string() + " is not a folder that can be written",
+                     obstacle + " is not a folder that can be written",
                      "choose another folder");
   }
 }

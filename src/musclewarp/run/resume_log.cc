@@ -109,9 +109,15 @@ std::vector<FrameFigures> ResumeLog::Continue(const std::vector<int>& selected,
   return records;
 }
 
+std::string ResumeLog::PreparationFolder() const {
+  return (fs::path(folder_) / "preparation").string();
+}
+
 void ResumeLog::StartAnew() const {
-  fs::remove_all(folder_);
   fs::create_directories(folder_);
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    if (entry.path() != PreparationFolder()) fs::remove_all(entry.path());
+  }
   WriteTextAtomically(KeyFile(), KeyText());
 }
 

@@ -12,7 +12,8 @@ namespace musclewarp {
 
 // The log by which an interrupted run can be continued. Until a run is
 // finished, DIR/.resume holds the figures of every frame that is written and
-// the state that the next frame starts from, to the last bit.
+// the state that the next frame starts from, to the last bit, and the
+// preparation of the scene.
 //
 //   const ResumeLog log(dir, inputs_hash);
 //   std::vector<FrameFigures> frames = log.Continue(selected, &state);
@@ -35,7 +36,11 @@ class ResumeLog {
   std::vector<FrameFigures> Continue(const std::vector<int>& selected,
                                      SceneState* state) const;
 
-  // Deletes the log of an interrupted run and begins a new one.
+  // Returns the folder for the preparation of the scene, a cache for
+  // PreparationCache. It is valid before and after StartAnew().
+  std::string PreparationFolder() const;
+
+  // Deletes the frames of an interrupted run and begins a new log.
   void StartAnew() const;
 
   // Adds a frame. To be called once its files are complete.

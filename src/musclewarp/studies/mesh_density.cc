@@ -6,8 +6,8 @@
 
 #include <array>
 
+#include "musclewarp/geometry/decimation.h"
 #include "musclewarp/mesh/connectivity.h"
-#include "musclewarp/page/view_mesh.h"
 
 namespace musclewarp {
 
@@ -47,7 +47,7 @@ bool IsDensity(double density) {
 TriangleSoup WithDensity(const TriangleSoup& mesh, double density) {
   CHECK(IsDensity(density)) << density;
   if (density < 1) {
-    return ViewMeshOf(mesh, static_cast<int>(mesh.triangles.rows()) / 4).soup;
+    return Decimated(mesh, {static_cast<int>(mesh.triangles.rows()) / 4}).soup;
   }
   TriangleSoup refined = mesh;
   for (; density > 1; density /= 4) refined = MidpointRefined(refined);

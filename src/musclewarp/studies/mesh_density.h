@@ -18,7 +18,7 @@ bool IsDensity(double density);
 
 // Returns a mesh with `density` times as many triangles. Above 1 triangles are
 // split at midpoints, and the surface stays the same. With 0.25 edges are
-// collapsed (ViewMeshOf), and the surface stays nearly the same; a mesh that is
+// collapsed (Decimated), and the surface stays nearly the same; a mesh that is
 // not a closed manifold is returned unchanged. Precondition (CHECKed):
 // IsDensity(density).
 TriangleSoup WithDensity(const TriangleSoup& mesh, double density);
