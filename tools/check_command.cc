@@ -11,6 +11,7 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "musclewarp/base/input_error.h"
@@ -27,6 +28,7 @@
 #include "musclewarp/proximity/triangle_distance.h"
 #include "musclewarp/run/report_json.h"
 #include "musclewarp/run/run_files.h"
+#include "musclewarp/scene/length_unit.h"
 #include "musclewarp/settings/checked_settings.h"
 
 namespace musclewarp {
@@ -68,6 +70,20 @@ CheckedFile CheckFile(const std::string& path, TriangleSoup soup) {
   file.mesh = std::make_unique<SearchableMesh>(std::move(soup));
   file.self_pairs = SelfIntersections(file.mesh->bvh()).size();
   return file;
+}
+
+// Adds a note if a mesh is too small or too large for one of a body, as one in
+// another unit is.
+void AskForUnit(const std::string& path,
+                const Points& points,
+                double mm_per_unit,
+                std::vector<std::string>* notes) {
+  try {
+    CheckMuscleSize(
+        path, BoundingBoxDiagonal(points), std::nullopt, mm_per_unit);
+  } catch (const InputError& error) {
+    notes->push_back(path + " " + error.problem());
+  }
 }
 
 // Calls visit(path, mesh) for the mesh of a file, or each mesh of a folder.
@@ -305,6 +321,7 @@ int CheckCommand(const std::vector<std::string>& files,
   const auto check = [&](const std::string& path, TriangleSoup soup) {
     if (turned.count(path) > 0) TurnToOtherSpace(&soup.points);
     soup.points *= options.MmPerUnit();
+    AskForUnit(path, soup.points, options.MmPerUnit(), &notes);
     checked.push_back(CheckFile(path, std::move(soup)));
     width = std::max(width, checked.back().name.size());
   };

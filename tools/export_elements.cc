@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -27,12 +26,17 @@
 #include "musclewarp/run/output_folder.h"
 #include "musclewarp/run/output_lock.h"
 #include "musclewarp/settings/checked_settings.h"
+#include "tools/element_figures.h"
 
 namespace musclewarp {
 namespace {
 
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
+
+// Twice the gap of pairs that may come into contact, so that surfaces can slide
+// a little, mm at the size of a human.
+constexpr double kContactReach = 2 * kMeshGapLimit;
 
 using ElementWriter = std::string (*)(const ElementModel&);
 
@@ -57,9 +61,10 @@ MesherOptions MesherOf(const ElementOptions& options) {
   }
   MesherOptions mesher = FindMesher(options.mesher);
   mesher.timeout_s = options.mesher_timeout_s;
-  // A regular tetrahedron; TetGen makes most of them smaller.
+  // Twice that of a regular tetrahedron: TetGen makes them half as large as
+  // they may be, on average.
   const double size = options.element_size;
-  mesher.max_volume = size * size * size / (6 * std::sqrt(2.0));
+  mesher.max_volume = size * size * size / (3 * std::sqrt(2.0));
   return mesher;
 }
 
@@ -99,11 +104,11 @@ class ElementExport {
     MakeFolder(dir_);
     const OutputLock lock(dir_);
     if (options_.resume) ReadRecord();
-    screen_ << "frame        tetrahedra  points inside  min dihedral  below "
-            << kSmallDihedralDeg << "  aspect  seconds\n";
+    if (options_.bones && options_.bone_tolerance > 0) CoarsenBones(frames);
+    PrintElementHeading(screen_);
     int failed = 0;
     for (const int i : frames) failed += !ExportFrame(run_.frames[i]);
-    SaySmallAngles();
+    PrintSmallAngles(records_, screen_);
     screen_ << frames.size() - failed << " of " << frames.size()
             << " frames written: " << dir_ << "\n";
     return failed == 0 ? kExitUsable : kExitNotUsable;
@@ -235,7 +240,8 @@ class ElementExport {
     const TriangleSoup surface = JoinedSurface(pose.muscles);
     TetrahedralMesh mesh = MeshOf(surface);
     const ElementQuality quality = QualityOf(mesh, SharpPoints(surface));
-    Record(mesh, quality, surface.points.rows(), watch, record);
+    AddElementFigures(mesh, quality, surface.points.rows(), record);
+    (*record)["wall_ms"] = watch.Milliseconds();
     CheckQuality(quality);
     ElementModel model =
         ElementModelOf(run_.scene + ", " + label + ", " + frame.figures.name,
@@ -243,6 +249,7 @@ class ElementExport {
                        pose,
                        attachments,
                        found.gaps,
+                       kContactReach * run_.body_size,
                        std::move(mesh));
     model.frame = frame.figures.index;
     model.time = run_.has_times ? frame.figures.time : frame.figures.index;
@@ -250,7 +257,7 @@ class ElementExport {
       WriteTextAtomically(PathOf(label, format),
                           ElementWriters().at(format)(model));
     }
-    Print(frame, *record, watch);
+    Print(frame, *record);
   }
 
   // Returns the intersections of a pose without crossings; with any the frame
@@ -265,22 +272,30 @@ class ElementExport {
     return found;
   }
 
+  // Simplifies the bones, once for all frames.
+  void CoarsenBones(const std::vector<int>& frames) {
+    const double tolerance = options_.bone_tolerance;
+    coarsening_.emplace(kMeshGapLimit * run_.body_size + tolerance);
+    for (const int i : frames) {
+      coarsening_->AddPose(ReadPose(run_.frames[i].folder, run_.names, rest_));
+    }
+    bone_error_ = coarsening_->Coarsen(tolerance, rest_);
+  }
+
   // Makes the surfaces fit for finite elements. Returns false if they stay.
   bool ReplaceSurfaces(const RecordedNames& names,
                        RecordedPose* pose,
                        RecordedAttachments* attachments,
                        OrderedJson* record) const {
-    const double tolerance = options_.bone_tolerance;
-    const bool has_bones = !pose->bones.empty() && tolerance > 0;
     if (options_.element_size > 0) {
       (*record)["surface_error_mm"] = RemeshMuscles(
           options_.element_size, run_.body_size, names, pose, attachments);
     }
-    if (has_bones) {
-      (*record)["bone_error_mm"] = CoarsenBones(
-          tolerance, kMeshGapLimit * run_.body_size + tolerance, pose);
+    if (coarsening_) {
+      coarsening_->Apply(pose);
+      (*record)["bone_error_mm"] = bone_error_;
     }
-    return options_.element_size > 0 || has_bones;
+    return options_.element_size > 0 || coarsening_;
   }
 
   TetrahedralMesh MeshOf(const TriangleSoup& surface) {
@@ -291,24 +306,6 @@ class ElementExport {
       mover_.emplace(*result.mesh, surface.points.rows());
     }
     return std::move(*result.mesh);
-  }
-
-  static void Record(const TetrahedralMesh& mesh,
-                     const ElementQuality& quality,
-                     Eigen::Index surface_points,
-                     const Stopwatch& watch,
-                     OrderedJson* record) {
-    (*record)["tetrahedra"] = mesh.tetrahedra.rows();
-    (*record)["points"] = mesh.points.rows();
-    (*record)["points_inside"] = mesh.points.rows() - surface_points;
-    (*record)["smallest_dihedral_deg"] = quality.smallest_dihedral_deg;
-    (*record)["largest_dihedral_deg"] = quality.largest_dihedral_deg;
-    (*record)["dihedrals_below_10_deg"] = quality.small_angles;
-    (*record)["of_them_at_sharp_surface"] = quality.small_angles_at_sharp;
-    (*record)["largest_aspect"] = quality.largest_aspect;
-    (*record)["inverted"] = quality.inverted;
-    (*record)["volume_mm3"] = quality.volume;
-    (*record)["wall_ms"] = watch.Milliseconds();
   }
 
   void CheckQuality(const ElementQuality& quality) const {
@@ -324,33 +321,10 @@ class ElementExport {
     throw FrameFailure{text.str()};
   }
 
-  // Says why some angles are small.
-  void SaySmallAngles() const {
-    int small = 0, at_sharp = 0;
-    for (const auto& [label, record] : records_) {
-      small += record.value("dihedrals_below_10_deg", 0);
-      at_sharp += record.value("of_them_at_sharp_surface", 0);
-    }
-    if (small == 0) return;
-    screen_ << small << " tetrahedra have an angle below " << kSmallDihedralDeg
-            << " degrees; at " << at_sharp
-            << " of them the surface itself is sharp (edges below "
-            << kSharpEdgeDeg << ", triangles below " << kSharpTriangleDeg
-            << " degrees), which --element_size makes anew\n";
-  }
-
-  void Print(const RecordedFrame& frame,
-             const OrderedJson& record,
-             const Stopwatch& watch) const {
-    screen_ << FrameFolder(frame.figures.index) << std::setw(13)
-            << record["tetrahedra"].get<int>() << std::setw(15)
-            << record["points_inside"].get<int>() << std::fixed
-            << std::setprecision(2) << std::setw(14)
-            << record["smallest_dihedral_deg"].get<double>() << std::setw(10)
-            << record["dihedrals_below_10_deg"].get<int>()
-            << std::setprecision(1) << std::setw(8)
-            << record["largest_aspect"].get<double>() << std::setw(9)
-            << watch.Milliseconds() / 1e3 << AtTime(run_, frame) << std::endl;
+  void Print(const RecordedFrame& frame, const OrderedJson& record) const {
+    screen_ << FrameFolder(frame.figures.index);
+    PrintElementFigures(record, screen_);
+    screen_ << AtTime(run_, frame) << std::endl;
   }
 
   const RunOutline& run_;
@@ -361,6 +335,8 @@ class ElementExport {
   std::ostream& screen_;
   RecordedPose rest_;
   RecordedAttachments attachments_;
+  std::optional<BoneCoarsening> coarsening_;
+  double bone_error_ = 0;  // mm
   std::optional<HarmonicMover> mover_;
   std::map<std::string, OrderedJson> records_;
 };

@@ -80,13 +80,14 @@ struct ReadMesh {
 
 class ElementFiles : public ::testing::Test {
  protected:
+  size_t NumNodes() const {
+    return model_.mesh.points.rows() + model_.bones[0].surface.points.rows();
+  }
   double ExpectedVolume() const { return Volumes(model_.mesh).sum(); }
   void ExpectSameMesh(const ReadMesh& read) const {
     ASSERT_EQ(read.elements.size(),
               static_cast<size_t>(model_.mesh.tetrahedra.rows()));
-    EXPECT_EQ(read.nodes.size(),
-              static_cast<size_t>(model_.mesh.points.rows() +
-                                  model_.bones[0].surface.points.rows()));
+    EXPECT_EQ(read.nodes.size(), NumNodes());
     EXPECT_EQ(read.nodes.at(44), model_.mesh.points.row(43));
     // Every bit is there; the sums are made in another order.
     EXPECT_NEAR(read.Volume() / ExpectedVolume(), 1, 1e-13);
@@ -114,7 +115,12 @@ TEST_F(ElementFiles, AbaqusHasAllPartsByName) {
   EXPECT_EQ(set("femur_NODES"), Numbers({last_muscle + 1, last_bone, 1}));
   EXPECT_EQ(set("body_thigh"), Numbers({last_bone + 1, last_bone + 1, 1}));
   EXPECT_EQ(read.nodes.count(static_cast<int>(last_bone) + 1), 1u);
-  read.nodes.erase(static_cast<int>(last_bone) + 1);
+  const auto inner = set("femur_INNER_NODES");
+  EXPECT_EQ(inner[0], last_bone + 2);
+  EXPECT_EQ(inner[1] - last_bone - 1,
+            static_cast<double>(model_.bones[0].surface.triangles.rows()));
+  read.nodes.erase(read.nodes.upper_bound(static_cast<int>(last_bone)),
+                   read.nodes.end());
   for (const std::string muscle : {"psoas", "iliacus"}) {
     for (const Numbers& row :
          RowsAfter(text, "*ELEMENT, TYPE=C3D4, ELSET=" + muscle, "*")) {
@@ -130,10 +136,13 @@ TEST_F(ElementFiles, AbaqusHasAllPartsByName) {
   ASSERT_EQ(attached.size(), 1u);
   ASSERT_EQ(attached[0].size(), 3u);
   EXPECT_EQ(attached[0][0], model_.muscles[0].attachments[0].vertices[0] + 1);
-  EXPECT_THAT(text, HasSubstr("\npsoas_SURFACE, iliacus_SURFACE\n"));
+  EXPECT_THAT(text, HasSubstr("\npsoas_to_iliacus, iliacus_to_psoas\n"));
+  const auto near =
+      RowsAfter(text, "*SURFACE, NAME=psoas_to_iliacus, TYPE=ELEMENT", "*");
+  EXPECT_GT(near.size(), 0u);
+  EXPECT_LT(near.size(), model_.muscles[0].faces.size());
   EXPECT_THAT(text, HasSubstr("at least 1.25 mm apart"));
-  EXPECT_THAT(text,
-              HasSubstr("*RIGID BODY, ELSET=body_thigh_BONES, REF NODE="));
+  EXPECT_THAT(text, HasSubstr("*NSET, NSET=body_thigh_RIGID\n"));
   EXPECT_THAT(text, HasSubstr("ORIENTATION=psoas_AXES"));
   EXPECT_THAT(text, Not(HasSubstr("iliacus_AXES")));  // it has no fibres
   EXPECT_EQ(
@@ -155,11 +164,42 @@ TEST_F(ElementFiles, AbaqusBonesOfABodyAreOneSet) {
   }
   for (const std::string bone : {"femur", "patella"}) {
     for (const Numbers& row :
-         RowsAfter(text, "*ELEMENT, TYPE=R3D3, ELSET=" + bone, "*")) {
+         RowsAfter(text, "*ELEMENT, TYPE=C3D4, ELSET=" + bone, "*")) {
       expected.push_back(row[0]);
     }
   }
   EXPECT_EQ(elements, expected);
+}
+
+// The first face of the element of each triangle of a bone is the triangle, and
+// the element lies inside.
+TEST_F(ElementFiles, AbaqusBonesAreLayersBelowTheirSurfaces) {
+  const std::string text = AbaqusText(model_);
+  std::map<int, Eigen::RowVector3d> nodes;
+  for (const Numbers& row : RowsAfter(text, "*NODE", "*")) {
+    nodes[static_cast<int>(row[0])] = PointIn(row, 1);
+  }
+  const TriangleSoup& bone = model_.bones[0].surface;
+  const auto elements =
+      RowsAfter(text, "*ELEMENT, TYPE=C3D4, ELSET=femur", "*");
+  ASSERT_EQ(elements.size(), static_cast<size_t>(bone.triangles.rows()));
+  std::set<int> rigid;
+  for (const Numbers& row :
+       RowsAfter(text, "*NSET, NSET=body_thigh_RIGID", "*")) {
+    rigid.insert(row.begin(), row.end());
+  }
+  for (Eigen::Index f = 0; f < bone.triangles.rows(); ++f) {
+    std::array<Eigen::RowVector3d, 4> c;
+    for (int k = 0; k < 4; ++k) {
+      const int node = static_cast<int>(elements[f][k + 1]);
+      c[k] = nodes.at(node);
+      EXPECT_EQ(rigid.count(node), 1u);
+    }
+    EXPECT_EQ(c[0], bone.points.row(bone.triangles(f, 0)));
+    EXPECT_EQ(c[1], bone.points.row(bone.triangles(f, 2)));
+    EXPECT_EQ(c[2], bone.points.row(bone.triangles(f, 1)));
+    EXPECT_GT((c[1] - c[0]).cross(c[2] - c[0]).dot(c[3] - c[0]), 0);
+  }
 }
 
 TEST_F(ElementFiles, AbaqusLinesHaveAtMostSixteenNumbers) {

@@ -36,8 +36,9 @@ TEST(ImproveElements, MakesSmallAnglesLargerAndKeepsTheSurface) {
   EXPECT_EQ(mesh.points.topRows(ball.points.rows()), ball.points);
   EXPECT_EQ(BorderFaces(mesh.tetrahedra, ball.triangles).size(),
             static_cast<size_t>(ball.triangles.rows()));
-  EXPECT_NEAR(
-      quality.volume / SignedVolume(ball.points, ball.triangles), 1, kVolumeDigits);
+  EXPECT_NEAR(quality.volume / SignedVolume(ball.points, ball.triangles),
+              1,
+              kVolumeDigits);
 }
 
 // An improvement is one whatever the place, the size and the side of the body.

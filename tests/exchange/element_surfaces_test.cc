@@ -35,22 +35,46 @@ double SmallestGap(const RecordedPose& pose) {
   return found.SmallestGap().value_or(INFINITY);
 }
 
-TEST(CoarsenBones, KeepsTheGapAndTheTolerance) {
+double Coarsen(RecordedPose* pose) {
+  BoneCoarsening coarsening(kReach);
+  coarsening.AddPose(*pose);
+  const double error = coarsening.Coarsen(kTolerance, *pose);
+  coarsening.Apply(pose);
+  return error;
+}
+
+TEST(BoneCoarsening, KeepsTheGapAndTheTolerance) {
   RecordedPose pose = MuscleOnBone(4);
   const double gap = SmallestGap(pose);
   const Eigen::Index before = pose.bones[0].triangles.rows();
-  const double error = CoarsenBones(kTolerance, kReach, &pose);
+  const double error = Coarsen(&pose);
   EXPECT_LT(pose.bones[0].triangles.rows(), 0.5 * before);
   EXPECT_LE(error, kTolerance);
   EXPECT_GT(error, 0);
   EXPECT_EQ(SmallestGap(pose), gap);
 }
 
-TEST(CoarsenBones, WithoutMusclesNearAllOfABoneIsCoarse) {
+// Every pose keeps its gap, and all have the same bones.
+TEST(BoneCoarsening, IsOneForAllPoses) {
+  RecordedPose above = MuscleOnBone(4), beside = above;
+  beside.muscles[0] = MovedBy(Icosphere(20, 4), {40.5, 0, 0});
+  const double gap_above = SmallestGap(above), gap_beside = SmallestGap(beside);
+  BoneCoarsening coarsening(kReach);
+  coarsening.AddPose(above);
+  coarsening.AddPose(beside);
+  coarsening.Coarsen(kTolerance, beside);
+  coarsening.Apply(&above);
+  coarsening.Apply(&beside);
+  EXPECT_EQ(above.bones[0].triangles, beside.bones[0].triangles);
+  EXPECT_EQ(SmallestGap(above), gap_above);
+  EXPECT_EQ(SmallestGap(beside), gap_beside);
+}
+
+TEST(BoneCoarsening, WithoutMusclesNearAllOfABoneIsCoarse) {
   RecordedPose near = MuscleOnBone(4), far = near;
   far.muscles[0].points.col(2).array() += 100;
-  CoarsenBones(kTolerance, kReach, &near);
-  CoarsenBones(kTolerance, kReach, &far);
+  Coarsen(&near);
+  Coarsen(&far);
   EXPECT_LT(far.bones[0].triangles.rows(), near.bones[0].triangles.rows());
 }
 

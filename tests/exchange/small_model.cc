@@ -10,7 +10,8 @@
 namespace musclewarp {
 
 ElementModel SmallModel::Model() const {
-  return ElementModelOf("a test", names, pose, attachments, gaps, mesh);
+  return ElementModelOf(
+      "a test", names, pose, attachments, gaps, /*contact_reach=*/4, mesh);
 }
 
 SmallModel MakeSmallModel() {

@@ -60,6 +60,11 @@ TEST(Decimated, KeepsWhatItIsToldAndTheTolerance) {
   EXPECT_TRUE(CountDefects(result.soup).IsClean());
   EXPECT_LT(result.soup.triangles.rows(), 0.6 * ball.triangles.rows());
   EXPECT_LE(result.max_error, options.tolerance);
+  ASSERT_EQ(result.vertices.size(),
+            static_cast<size_t>(result.soup.points.rows()));
+  for (size_t v = 0; v < result.vertices.size(); ++v) {
+    EXPECT_EQ(result.soup.points.row(v), ball.points.row(result.vertices[v]));
+  }
   std::set<std::array<double, 3>> points;
   for (const auto& p : result.soup.points.rowwise()) {
     points.insert({p[0], p[1], p[2]});

@@ -18,6 +18,7 @@ namespace {
 using Json = nlohmann::json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 ProgramRun Check(const std::string& arguments) {
   return RunCommandLine(MUSCLEWARP_CHECK, arguments);
@@ -151,6 +152,17 @@ TEST(CheckProgram, FilesMayBeInMetres) {
   const Json json = Json::parse(FileText(dir + "/check.json"));
   EXPECT_NEAR(json["files"][0]["volume_mm3"], 1e6, 1e-3);
   EXPECT_EQ(Check(dir + "/a.ply --units=inch").exit_code, 2);
+}
+
+TEST(CheckProgram, AsksForTheUnitOfWhatIsTooSmall) {
+  const std::string dir = TestTempDir();
+  WriteTriangleSoup(dir + "/a.ply", Box(0.1, 0.1, 0.1));
+  WriteTriangleSoup(dir + "/b.ply", Box(100, 100, 100));
+  const ProgramRun run = Check(dir + "/a.ply " + dir + "/b.ply");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_THAT(run.out, HasSubstr("a.ply is 0.173 mm across"));
+  EXPECT_THAT(run.out, HasSubstr("is it in metres?"));
+  EXPECT_THAT(run.out, Not(HasSubstr("b.ply is")));
 }
 
 TEST(CheckProgram, MeasuresDistancesAndCanRequireAGap) {

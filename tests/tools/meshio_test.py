@@ -49,7 +49,7 @@ class Exported:
         self.folder = folder / "elements"
         subprocess.run(
             [os.environ["MUSCLEWARP_EXPORT"], f"--in={run}", f"--out={self.folder}",
-             "--format=inp,msh,vtu,feb"],
+             "--format=inp,msh,vtu,feb", "--bone_tolerance=0"],
             check=True, stdout=subprocess.DEVNULL)
         prepare = json.loads((run / "report.json").read_text())["prepare"]
         self.muscles = [muscle["name"] for muscle in prepare["muscles"]]
@@ -104,18 +104,31 @@ class Meshio(unittest.TestCase):
         # A number of .inp has at most 20 characters, which are 14 digits or more.
         numpy.testing.assert_allclose(a, b, rtol=1e-13, atol=0)
 
+    def expect_muscles(self, mesh):
+        """Elements of muscles by name, where they are in the run."""
+        wanted = self.exported
+        for name in wanted.muscles:
+            cells = cells_of(mesh, name)
+            self.assertEqual(list(cells), ["tetra"], name)
+            self.expect_same(cells["tetra"], wanted.points[wanted.cells[name]])
+
     def expect_parts(self, mesh):
         """Elements of muscles and bones by name, where they are in the run."""
+        self.expect_muscles(mesh)
         wanted = self.exported
-        for name, kind in [(name, "tetra") for name in wanted.muscles] + [
-                (name, "triangle") for name in wanted.bones]:
-            cells = cells_of(mesh, name)
-            self.assertEqual(list(cells), [kind], name)
-            self.expect_same(cells[kind], wanted.points[wanted.cells[name]])
         for bone in wanted.bones:
-            surface = wanted.meshes[bone]
-            self.expect_same(cells_of(mesh, bone)["triangle"],
-                             surface.points[surface.cells_dict["triangle"]])
+            cells = cells_of(mesh, bone)
+            self.assertEqual(list(cells), ["triangle"], bone)
+            self.expect_same(cells["triangle"], wanted.points[wanted.cells[bone]])
+            self.expect_same(cells["triangle"], self.bone_triangles(bone))
+
+    def bone_triangles(self, bone):
+        surface = self.exported.meshes[bone]
+        return surface.points[surface.cells_dict["triangle"]]
+
+    def expect_layer(self, tetrahedra, triangles):
+        """Elements whose first face is a triangle, seen from inside."""
+        self.expect_same(tetrahedra[:, [0, 2, 1]], triangles)
 
     def test_feb_has_the_meshes_of_the_run(self):
         wanted = self.exported
@@ -129,29 +142,35 @@ class Meshio(unittest.TestCase):
         wanted = self.exported
         mesh = wanted.read("inp")
         bodies = set(wanted.body_of.values())
-        self.assertEqual(len(mesh.points), len(wanted.points) + len(bodies))
+        of_bones = wanted.triangles(wanted.bones)
+        self.assertEqual(len(mesh.points), len(wanted.points) + len(bodies) + of_bones)
         self.expect_same(mesh.points[:len(wanted.points)], wanted.points)
-        self.assertEqual(len(mesh.cells_dict["tetra"]), wanted.tetrahedra())
-        self.assertEqual(len(mesh.cells_dict["triangle"]), wanted.triangles(wanted.bones))
+        self.assertEqual(len(mesh.cells_dict["tetra"]), wanted.tetrahedra() + of_bones)
         self.assertEqual(
             set(mesh.cell_sets),
             {*wanted.muscles, *wanted.bones, *(f"body_{body}_BONES" for body in bodies)})
-        self.expect_parts(mesh)
+        self.expect_muscles(mesh)
         self.assertEqual(
             set(mesh.point_sets),
             {"MUSCLE_NODES", *wanted.attachments, *(f"{bone}_NODES" for bone in wanted.bones),
-             *(f"body_{body}" for body in bodies)})
+             *(f"{bone}_INNER_NODES" for bone in wanted.bones),
+             *(f"body_{body}" for body in bodies),
+             *(f"body_{body}_RIGID" for body in bodies)})
         for name, area in wanted.attachments.items():
             self.expect_same(mesh.point_sets[name], area)
         for bone in wanted.bones:
             self.expect_same(mesh.points[mesh.point_sets[f"{bone}_NODES"]],
                              wanted.meshes[bone].points)
+            self.expect_layer(cells_of(mesh, bone)["tetra"], self.bone_triangles(bone))
         for body in bodies:
-            of_body = [cells_of(mesh, bone)["triangle"] for bone in wanted.bones
+            of_body = [self.bone_triangles(bone) for bone in wanted.bones
                        if wanted.body_of[bone] == body]
             cells = cells_of(mesh, f"body_{body}_BONES")
-            self.assertEqual(list(cells), ["triangle"])
-            self.expect_same(cells["triangle"], numpy.concatenate(of_body))
+            self.assertEqual(list(cells), ["tetra"])
+            self.expect_layer(cells["tetra"], numpy.concatenate(of_body))
+            self.assertTrue(set(mesh.point_sets[f"body_{body}_RIGID"])
+                            >= {node for name, area in wanted.attachments.items()
+                                if name.endswith(f"_on_{body}") for node in area})
             self.assertGreaterEqual(mesh.point_sets[f"body_{body}"][0], len(wanted.points))
 
     def test_msh(self):

@@ -1,6 +1,7 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -27,6 +28,7 @@ class AbaqusWriter {
     WriteNodes();
     WriteMuscles();
     WriteBones();
+    WriteBodies();
     WriteMaterials();
     WriteContacts();
     return std::move(text_);
@@ -72,6 +74,22 @@ class AbaqusWriter {
            ", " + std::to_string(first + count) + ", 1\n";
   }
 
+  // A bone is a layer of solid elements, one for each triangle, which CalculiX
+  // takes for contact where it takes neither rigid nor shell elements. Returns
+  // their inner corners, this far below the triangles, mm.
+  static Points InnerCorners(const TriangleSoup& surface) {
+    constexpr double kDepth = 0.1;
+    Points corners(surface.triangles.rows(), 3);
+    for (Eigen::Index f = 0; f < corners.rows(); ++f) {
+      const Eigen::RowVector3d a = surface.points.row(surface.triangles(f, 0));
+      const Eigen::RowVector3d b = surface.points.row(surface.triangles(f, 1));
+      const Eigen::RowVector3d c = surface.points.row(surface.triangles(f, 2));
+      corners.row(f) =
+          (a + b + c) / 3 - kDepth * (b - a).cross(c - a).normalized();
+    }
+    return corners;
+  }
+
   // All nodes are in one block: meshio keeps only the last one of several.
   void WriteNodes() {
     text_ += "*NODE\n";
@@ -92,6 +110,13 @@ class AbaqusWriter {
       text_ += '\n';
       sets += NodeRange(Name("body " + bone.body), first, 1);
       ++first;
+    }
+    for (const RigidSurface& bone : model_.bones) {
+      AppendPoints(InnerCorners(bone.surface), first);
+      const Eigen::Index count = bone.surface.triangles.rows();
+      sets += NodeRange(Name(bone.name) + "_INNER_NODES", first, count);
+      first_inner_.push_back(first);
+      first += static_cast<int>(count);
     }
     text_ += sets;
   }
@@ -123,29 +148,55 @@ class AbaqusWriter {
   void WriteBones() {
     int node = first_bone_node_;
     int element = first_bone_element_;
-    std::map<std::string, std::vector<int>> elements;  // of bodies
-    for (const RigidSurface& bone : model_.bones) {
+    for (size_t i = 0; i < model_.bones.size(); ++i) {
+      const RigidSurface& bone = model_.bones[i];
       const std::string& name = Name(bone.name);
-      text_ += "*ELEMENT, TYPE=R3D3, ELSET=" + name + "\n";
+      text_ += "*ELEMENT, TYPE=C3D4, ELSET=" + name + "\n";
+      first_elements_[bone.name] = element;
       for (Eigen::Index f = 0; f < bone.surface.triangles.rows(); ++f) {
-        elements[bone.body].push_back(element);
+        elements_of_[bone.body].push_back(element);
         text_ += std::to_string(++element);
-        for (const int v : bone.surface.triangles.row(f)) {
-          text_ += ", " + std::to_string(node + v + 1);
+        // Counterclockwise seen from inside; the first face is the triangle.
+        for (const int k : {0, 2, 1}) {
+          text_ +=
+              ", " + std::to_string(node + bone.surface.triangles(f, k) + 1);
         }
-        text_ += '\n';
+        text_ += ", " + std::to_string(first_inner_[i] + f + 1) + '\n';
+        std::vector<int>& nodes = nodes_of_[bone.body];
+        nodes.push_back(first_inner_[i] + static_cast<int>(f));
+      }
+      for (Eigen::Index v = 0; v < bone.surface.points.rows(); ++v) {
+        nodes_of_[bone.body].push_back(node + static_cast<int>(v));
       }
       node += static_cast<int>(bone.surface.points.rows());
       text_ += "*SURFACE, NAME=" + name + "_SURFACE, TYPE=ELEMENT\n" + name +
-               ", SPOS\n";
+               ", S1\n";
     }
-    for (const auto& [body, reference] : bodies_) {
-      const std::string set = Name("body " + body) + "_BONES";
+  }
+
+  // The nodes that a body moves: those of its bones and of what is attached to
+  // it.
+  void WriteBodies() {
+    for (const MuscleElements& muscle : model_.muscles) {
+      for (const AttachedArea& area : muscle.attachments) {
+        if (nodes_of_.count(area.body) == 0) continue;
+        std::vector<int>& nodes = nodes_of_[area.body];
+        nodes.insert(nodes.end(), area.vertices.begin(), area.vertices.end());
+      }
+    }
+    for (auto& [body, nodes] : nodes_of_) {
+      const std::string& set = Name("body " + body);
+      std::sort(nodes.begin(), nodes.end());
+      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
       // By numbers: meshio confuses the elements of sets of sets.
-      text_ += "*ELSET, ELSET=" + set + "\n";
-      AppendSet(elements[body]);
-      text_ += "*RIGID BODY, ELSET=" + set +
-               ", REF NODE=" + std::to_string(reference + 1) + "\n";
+      text_ += "*ELSET, ELSET=" + set + "_BONES\n";
+      AppendSet(elements_of_[body]);
+      text_ += "*NSET, NSET=" + set + "_RIGID\n";
+      AppendSet(nodes);
+      text_ += "** Fixed: *BOUNDARY with " + set +
+               "_RIGID, 1, 3. Moved: *RIGID BODY, NSET=" + set +
+               "_RIGID, REF NODE=" + std::to_string(bodies_.at(body) + 1) +
+               "\n";
     }
   }
 
@@ -175,31 +226,68 @@ class AbaqusWriter {
       const bool has_fibres = !model_.fibres.row(muscle.first_element).isZero();
       if (has_fibres) WriteOrientation(muscle, name);
       text_ += "*MATERIAL, NAME=" + name +
-               "_MATERIAL\n*ELASTIC\n0.1, 0.45\n*DENSITY\n1.06E-9\n"
+               "_MATERIAL\n*ELASTIC\n0.5, 0.45\n*DENSITY\n1.06E-9\n"
                "*SOLID SECTION, ELSET=" +
                name + ", MATERIAL=" + name + "_MATERIAL" +
                (has_fibres ? ", ORIENTATION=" + name + "_AXES" : "") + "\n";
+    }
+    if (model_.bones.empty()) return;
+    text_ +=
+        "*MATERIAL, NAME=BONE_MATERIAL\n*ELASTIC\n1000., 0.3\n"
+        "*DENSITY\n1.E-12\n";
+    for (const RigidSurface& bone : model_.bones) {
+      text_ += "*SOLID SECTION, ELSET=" + Name(bone.name) +
+               ", MATERIAL=BONE_MATERIAL\n";
+    }
+  }
+
+  // Writes the part of a mesh that may touch another one.
+  void WriteContactSurface(const std::string& name,
+                           const std::string& mesh,
+                           const std::vector<int>& triangles) {
+    text_ += "*SURFACE, NAME=" + name + ", TYPE=ELEMENT\n";
+    const auto bone = first_elements_.find(mesh);
+    for (const int f : triangles) {
+      if (bone != first_elements_.end()) {
+        text_ += std::to_string(bone->second + f + 1) + ", S1\n";
+        continue;
+      }
+      const ElementFace& face = faces_of_.at(mesh)->at(f);
+      text_ += std::to_string(face.tetrahedron + 1) + ", S" +
+               std::to_string(face.face + 1) + '\n';
     }
   }
 
   void WriteContacts() {
     if (model_.contacts.empty()) return;
+    for (const MuscleElements& muscle : model_.muscles) {
+      faces_of_[muscle.name] = &muscle.faces;
+    }
+    // CalculiX closes gaps below 1 / stiffness at the start.
     text_ +=
         "*SURFACE INTERACTION, NAME=CONTACT\n"
-        "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n10.\n";
+        "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n100.\n";
     for (const ContactPair& pair : model_.contacts) {
+      const std::string a = Name(pair.a + " to " + pair.b);
+      const std::string b = Name(pair.b + " to " + pair.a);
+      WriteContactSurface(a, pair.a, pair.triangles_a);
+      WriteContactSurface(b, pair.b, pair.triangles_b);
       text_ += "** " + pair.a + " and " + pair.b + " are at least " +
                AbaqusNumber(pair.gap_mm) +
                " mm apart\n*CONTACT PAIR, INTERACTION=CONTACT, "
                "TYPE=SURFACE TO SURFACE\n" +
-               Name(pair.a) + "_SURFACE, " + Name(pair.b) + "_SURFACE\n";
+               a + ", " + b + "\n";
     }
   }
 
   const ElementModel& model_;
   ElementNames names_;
   int first_bone_node_, first_bone_element_;
-  std::map<std::string, int> bodies_;  // to their reference nodes
+  std::map<std::string, int> bodies_;          // to their reference nodes
+  std::vector<int> first_inner_;               // inner corner of each bone
+  std::map<std::string, int> first_elements_;  // of bones
+  std::map<std::string, std::vector<int>> elements_of_, nodes_of_;  // of bodies
+  std::map<std::string, const std::vector<ElementFace>*> faces_of_;
   std::string text_;
 };
 

@@ -5,8 +5,12 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
+#include "musclewarp/exchange/near_triangles.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "musclewarp/skeleton/nearest_segment.h"
 
@@ -106,6 +110,45 @@ typename Map::mapped_type Lookup(const Map& map,
   return found == map.end() ? otherwise : found->second;
 }
 
+std::vector<int> NumbersOf(const std::vector<bool>& is_there) {
+  std::vector<int> numbers;
+  for (size_t i = 0; i < is_there.size(); ++i) {
+    if (is_there[i]) numbers.push_back(static_cast<int>(i));
+  }
+  return numbers;
+}
+
+std::vector<ContactPair> ContactsOf(const RecordedNames& names,
+                                    const RecordedPose& pose,
+                                    const std::vector<MeshGap>& gaps,
+                                    double reach) {
+  std::map<std::string, const TriangleSoup*> soups;
+  for (size_t i = 0; i < names.muscles.size(); ++i) {
+    soups[names.muscles[i]] = &pose.muscles[i];
+  }
+  for (size_t i = 0; i < names.bones.size(); ++i) {
+    soups[names.bones[i]] = &pose.bones[i];
+  }
+  std::map<std::string, TriangleBvh> trees;
+  for (const auto& [name, soup] : soups) {
+    trees.emplace(std::piecewise_construct,
+                  std::forward_as_tuple(name),
+                  std::forward_as_tuple(soup->points, soup->triangles));
+  }
+  std::vector<ContactPair> contacts;
+  for (const MeshGap& gap : gaps) {
+    const auto near = [&](const std::string& of, const std::string& to) {
+      return NumbersOf(TrianglesWithin(reach, *soups.at(of), {&trees.at(to)}));
+    };
+    contacts.push_back({gap.a,
+                        gap.b,
+                        gap.at_least_mm,
+                        near(gap.a, gap.b),
+                        near(gap.b, gap.a)});
+  }
+  return contacts;
+}
+
 }  // namespace
 
 TriangleSoup JoinedSurface(const std::vector<TriangleSoup>& muscles) {
@@ -127,6 +170,7 @@ ElementModel ElementModelOf(const std::string& title,
                             const RecordedPose& pose,
                             const RecordedAttachments& attachments,
                             const std::vector<MeshGap>& gaps,
+                            double contact_reach,
                             TetrahedralMesh mesh) {
   ElementModel model;
   model.title = title;
@@ -165,9 +209,7 @@ ElementModel ElementModelOf(const std::string& title,
     model.bones.push_back(
         {name, Lookup(attachments.bones, name, name), pose.bones[i]});
   }
-  for (const MeshGap& gap : gaps) {
-    model.contacts.push_back({gap.a, gap.b, gap.at_least_mm});
-  }
+  model.contacts = ContactsOf(names, pose, gaps, contact_reach);
   return model;
 }
 

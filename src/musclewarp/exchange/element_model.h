@@ -42,6 +42,10 @@ struct ContactPair {
   std::string a;      // a muscle
   std::string b;      // a muscle or a bone
   double gap_mm = 0;  // at least; proved
+
+  // The numbers of the triangles of each that may be as near to the other as
+  // contact reaches, in rising order.
+  std::vector<int> triangles_a, triangles_b;
 };
 
 struct ElementModel {
@@ -64,13 +68,15 @@ struct ElementModel {
 TriangleSoup JoinedSurface(const std::vector<TriangleSoup>& muscles);
 
 // Returns the model of a frame. `mesh` fills JoinedSurface(pose.muscles);
-// `attachments` may be empty; `gaps` are those of the frame. Precondition
+// `attachments` may be empty; `gaps` are those of the frame; triangles within
+// `contact_reach` of each other, mm, may come into contact. Precondition
 // (CHECKed): the triangles of the muscles are the border of the mesh.
 ElementModel ElementModelOf(const std::string& title,
                             const RecordedNames& names,
                             const RecordedPose& pose,
                             const RecordedAttachments& attachments,
                             const std::vector<MeshGap>& gaps,
+                            double contact_reach,
                             TetrahedralMesh mesh);
 
 }  // namespace musclewarp

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/exchange/element_surfaces.h"
 
+#include <glog/logging.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
 
 #include "musclewarp/base/parallel_for.h"
+#include "musclewarp/exchange/near_triangles.h"
 #include "musclewarp/exchange/searchable_scene.h"
 #include "musclewarp/geometry/decimation.h"
 #include "musclewarp/geometry/remeshing.h"
@@ -22,29 +25,15 @@ namespace {
 std::vector<bool> VerticesWithin(double reach,
                                  const TriangleSoup& soup,
                                  const std::vector<TriangleBvh>& surfaces) {
-  std::vector<double> longest(soup.points.rows(), 0);  // edge of each vertex
-  for (const auto& t : soup.triangles.rowwise()) {
-    for (int k = 0; k < 3; ++k) {
-      const int a = t[k], b = t[(k + 1) % 3];
-      const double length = (soup.points.row(a) - soup.points.row(b)).norm();
-      longest[a] = std::max(longest[a], length);
-      longest[b] = std::max(longest[b], length);
-    }
+  std::vector<const TriangleBvh*> trees;
+  for (const TriangleBvh& surface : surfaces) trees.push_back(&surface);
+  const std::vector<bool> is_near = TrianglesWithin(reach, soup, trees);
+  std::vector<bool> is_corner(soup.points.rows(), false);
+  for (size_t f = 0; f < is_near.size(); ++f) {
+    if (!is_near[f]) continue;
+    for (const int v : soup.triangles.row(f)) is_corner[v] = true;
   }
-  // No point of a triangle is farther from a corner than its longest edge.
-  std::vector<char> is_near(soup.points.rows(), 0);
-#pragma omp parallel for schedule(dynamic, 256)
-  for (Eigen::Index v = 0; v < soup.points.rows(); ++v) {
-    for (const TriangleBvh& surface : surfaces) {
-      is_near[v] |= surface.IsWithin(soup.points.row(v), reach + longest[v]);
-    }
-  }
-  std::vector<bool> is_kept(soup.points.rows(), false);
-  for (const auto& t : soup.triangles.rowwise()) {
-    if (!is_near[t[0]] && !is_near[t[1]] && !is_near[t[2]]) continue;
-    for (int k = 0; k < 3; ++k) is_kept[t[k]] = true;
-  }
-  return is_kept;
+  return is_corner;
 }
 
 std::vector<TriangleBvh> TreesOf(const std::vector<TriangleSoup>& soups) {
@@ -108,18 +97,40 @@ void MoveApart(double body_size,
 
 }  // namespace
 
-double CoarsenBones(double tolerance, double reach, RecordedPose* pose) {
-  const std::vector<TriangleBvh> muscles = TreesOf(pose->muscles);
-  double max_error = 0;
-  for (TriangleSoup& bone : pose->bones) {
+void BoneCoarsening::AddPose(const RecordedPose& pose) {
+  is_kept_.resize(pose.bones.size());
+  const std::vector<TriangleBvh> muscles = TreesOf(pose.muscles);
+  for (size_t i = 0; i < pose.bones.size(); ++i) {
+    const std::vector<bool> is_near =
+        VerticesWithin(reach_, pose.bones[i], muscles);
+    is_kept_[i].resize(is_near.size(), false);
+    for (size_t v = 0; v < is_near.size(); ++v) {
+      if (is_near[v]) is_kept_[i][v] = true;
+    }
+  }
+}
+
+double BoneCoarsening::Coarsen(double tolerance, const RecordedPose& pose) {
+  CHECK_EQ(is_kept_.size(), pose.bones.size());
+  coarse_.resize(pose.bones.size());
+  std::vector<double> errors(pose.bones.size(), 0);
+  ParallelFor(pose.bones.size(), [&](size_t i) {
     DecimationOptions options;
     options.tolerance = tolerance;
-    options.is_kept = VerticesWithin(reach, bone, muscles);
-    Decimation coarse = Decimated(bone, options);
-    max_error = std::max(max_error, coarse.max_error);
-    bone = std::move(coarse.soup);
+    options.is_kept = is_kept_[i];
+    Decimation coarse = Decimated(pose.bones[i], options);
+    errors[i] = coarse.max_error;
+    coarse_[i] = {std::move(coarse.vertices), std::move(coarse.soup.triangles)};
+  });
+  return errors.empty() ? 0 : *std::max_element(errors.begin(), errors.end());
+}
+
+void BoneCoarsening::Apply(RecordedPose* pose) const {
+  for (size_t i = 0; i < coarse_.size(); ++i) {
+    TriangleSoup& bone = pose->bones[i];
+    bone.points = Points(bone.points(coarse_[i].vertices, Eigen::all));
+    bone.triangles = coarse_[i].triangles;
   }
-  return max_error;
 }
 
 double RemeshMuscles(double edge_length,

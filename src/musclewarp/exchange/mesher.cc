@@ -54,7 +54,6 @@ std::vector<std::string> Arguments(const MesherOptions& options) {
   // shapes, a: for smaller elements, Q: say less, F: no file of faces.
   std::ostringstream flags;
   flags << "-pYq" << options.radius_edge_ratio;
-  if (options.goal_dihedral_deg > 0) flags << "/" << options.goal_dihedral_deg;
   if (options.max_volume > 0) flags << "a" << std::fixed << options.max_volume;
   flags << "QF";
   return {options.program, flags.str(), kTetgenSurface};

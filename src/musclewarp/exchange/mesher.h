@@ -23,8 +23,8 @@ struct MesherOptions {
   // edge that TetGen aims at inside; at least 1.2. Smaller needs more points.
   double radius_edge_ratio = 2;
 
-  // The smallest dihedral angle that is aimed at, degrees; 0: none. TetGen adds
-  // points for it, and ImproveElements() follows.
+  // The smallest dihedral angle that ImproveElements() aims at, degrees; 0: the
+  // mesh stays as the mesher made it.
   double goal_dihedral_deg = 12;
 
   // The largest volume of an element of TetGen, mm^3; 0: any. Gmsh goes by the

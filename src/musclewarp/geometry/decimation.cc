@@ -9,6 +9,8 @@
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/mesh/mesh.h"
@@ -30,10 +32,17 @@ Decimation Decimated(const TriangleSoup& soup,
   CHECK(options.is_kept.empty() ||
         static_cast<Eigen::Index>(options.is_kept.size()) ==
             soup.points.rows());
+  std::vector<int> all(soup.points.rows());
+  std::iota(all.begin(), all.end(), 0);
   if (soup.triangles.rows() <= options.max_triangles || !IsManifold(soup)) {
-    return {soup, 0};
+    return {soup, std::move(all), 0};
   }
   Mesh mesh = MeshFromSoup(soup);
+  OpenMesh::VPropHandleT<int> number;
+  mesh.add_property(number);
+  for (const int v : all) {
+    mesh.property(number, mesh.vertex_handle(static_cast<unsigned>(v))) = v;
+  }
   OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);  // adds the status
   for (size_t v = 0; v < options.is_kept.size(); ++v) {
     if (!options.is_kept[v]) continue;
@@ -51,7 +60,10 @@ Decimation Decimated(const TriangleSoup& soup,
   decimater.decimate_to_faces(0, options.max_triangles);
   mesh.garbage_collection();
 
-  Decimation result{SoupFromMesh(mesh), 0};
+  Decimation result{SoupFromMesh(mesh), {}, 0};
+  for (const auto v : mesh.vertices()) {
+    result.vertices.push_back(mesh.property(number, v));
+  }
   const TriangleBvh surface(result.soup.points, result.soup.triangles);
   for (Eigen::Index v = 0; v < soup.points.rows(); ++v) {
     result.max_error = std::max(

@@ -23,6 +23,11 @@ struct DecimationOptions {
 // A simplified mesh.
 struct Decimation {
   TriangleSoup soup;
+
+  // For each of its vertices the number of the same vertex in the original, in
+  // no order: none is moved.
+  std::vector<int> vertices;
+
   // The largest distance of a vertex of the original to the simplified
   // surface, mm.
   double max_error = 0;

@@ -14,6 +14,7 @@
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/scene/perturbed_poses.h"
+#include "musclewarp/scene/scene_names.h"
 
 namespace musclewarp {
 namespace {
@@ -21,14 +22,6 @@ namespace {
 constexpr double kMetres = 1e-3;  // in a mm
 
 using Series = std::vector<double>;
-
-// OpenSim splits labels at blanks.
-std::string WithoutBlanks(std::string label) {
-  for (char& c : label) {
-    if (c == ' ' || c == '\t' || c == '\n' || c == '\r') c = '_';
-  }
-  return label;
-}
 
 class TableBuilder {
  public:
@@ -46,7 +39,7 @@ class TableBuilder {
   }
 
   void Add(const std::string& label, Series values) {
-    std::string unique = WithoutBlanks(label);
+    std::string unique = ColumnName(label);
     while (!labels_.insert(unique).second) unique += "_";
     table_.labels.push_back(unique);
     columns_.push_back(std::move(values));

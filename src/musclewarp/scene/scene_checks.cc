@@ -235,6 +235,37 @@ void CheckOnePose(const Scene& scene,
   CheckTargets(scene, pose, lines);
 }
 
+// Adds a column of a table of the run. `what` says what it would be of, such as
+// the line "a".
+void AddColumn(const Scene& scene,
+               const std::string& column,
+               const std::string& what,
+               std::map<std::string, std::string>* columns) {
+  const auto [entry, is_new] = columns->emplace(ColumnName(column), what);
+  if (is_new) return;
+  throw InputError(Where(scene),
+                   "tables would have the column " + QuotedName(entry->first) +
+                       " twice: of " + entry->second + " and of " + what,
+                   "choose another name");
+}
+
+// Checks that no two columns of a table of the run have one name (lengths.sto
+// also has the lengths of paths of models, volumes.sto those of muscles).
+void CheckColumns(const Scene& scene) {
+  std::map<std::string, std::string> of_lines = {{"time", "the time"}};
+  std::map<std::string, std::string> of_muscles = of_lines;
+  for (const SceneMuscle& muscle : scene.muscles) {
+    const std::string name = QuotedName(muscle.name);
+    AddColumn(scene, muscle.name, "the muscle " + name, &of_muscles);
+    for (const ActionLine& line : muscle.lines) {
+      const std::string of_line = "the line " + QuotedName(line.name);
+      AddColumn(scene, line.name, of_line, &of_lines);
+      AddColumn(
+          scene, line.name + "_path", "the path of " + of_line, &of_lines);
+    }
+  }
+}
+
 std::set<std::string> SetOfBodiesInUse(const Scene& scene) {
   const std::vector<std::string> bodies = BodiesInUse(scene);
   return {bodies.begin(), bodies.end()};
@@ -278,6 +309,7 @@ void CheckScene(const Scene& scene) {
   for (const SceneMuscle& muscle : scene.muscles) {
     CheckMuscle(scene, muscle, bodies, &lines);
   }
+  CheckColumns(scene);
   CheckPoses(scene, lines);
 }
 

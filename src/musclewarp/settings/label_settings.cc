@@ -4,8 +4,10 @@
 
 #include <glog/logging.h>
 
+#include <filesystem>
 #include <optional>
 
+#include "musclewarp/base/input_error.h"
 #include "musclewarp/settings/checked_settings.h"
 
 namespace musclewarp {
@@ -18,6 +20,11 @@ double UnitSettings::MmPerUnit() const {
 
 LabelMeshOptions OptionsOf(const LabelSettings& settings) {
   CheckSettings(settings);
+  if (!settings.labels.empty() && !std::filesystem::exists(settings.labels)) {
+    throw InputError("{labels}=" + settings.labels,
+                     "does not exist",
+                     "check the name and the folder");
+  }
   LabelMeshOptions options;
   options.table = settings.labels;
   options.edge_length = settings.edge;
