@@ -49,6 +49,15 @@ double ParseDouble(const std::string& flag, const std::string& text) {
   return number;
 }
 
+// Returns an angle in degrees.
+double ParseAngle(const std::string& flag, const std::string& text) {
+  constexpr double kFullTurn = 360;
+  const double angle = ParseDouble(flag, text);
+  if (std::abs(angle) <= kFullTurn) return angle;
+  throw InputError(
+      flag, "has " + QuotedName(text) + " degrees", "allowed: -360 to 360");
+}
+
 // Returns the motion of entries such as "hip_flexion_r:-10:60:15", one for each
 // coordinate. At least one of them has the number of frames.
 JointMotion ParseMotion(const std::vector<std::string>& entries) {
@@ -63,8 +72,14 @@ JointMotion ParseMotion(const std::vector<std::string>& entries) {
                        "give COORDINATE:FROM:TO:FRAMES in degrees, such as "
                        "hip_flexion_r:-10:60:15");
     }
+    for (const CoordinateSweep& other : motion.sweeps) {
+      if (other.coordinate != parts[0]) continue;
+      throw InputError(flag,
+                       "has " + QuotedName(parts[0]) + " a second time",
+                       "give each coordinate once");
+    }
     motion.sweeps.push_back(
-        {parts[0], ParseDouble(flag, parts[1]), ParseDouble(flag, parts[2])});
+        {parts[0], ParseAngle(flag, parts[1]), ParseAngle(flag, parts[2])});
     motion.name += (motion.name.empty() ? "" : "+") + parts[0];
     if (parts.size() < 4) continue;
     const double frames = ParseDouble(flag, parts[3]);
@@ -81,6 +96,12 @@ JointMotion ParseMotion(const std::vector<std::string>& entries) {
     }
     motion.frames = static_cast<int>(frames);
     has_frames = true;
+  }
+  for (const CoordinateSweep& sweep : motion.sweeps) {
+    if (motion.frames > 1 || sweep.from == sweep.to) continue;
+    throw InputError("--motion",
+                     "moves " + QuotedName(sweep.coordinate) + " in one frame",
+                     "give two frames or more, or one value twice");
   }
   return motion;
 }

@@ -14,6 +14,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/base/short_list.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/program/interruption.h"
 #include "musclewarp/program/program.h"
@@ -113,6 +114,7 @@ class DeformRun {
     Start(std::move(state));
     try {
       ComputeFrames();
+      CheckAllIsThere();
       writer_->WriteTables(run_.frames);
       run_.finished = true;
     } catch (const std::exception& error) {
@@ -206,6 +208,21 @@ class DeformRun {
                    done.coordinates,
                    MovingCoordinatesOf(deformer_->scene().scene)));
     }
+  }
+
+  // Throws InputError if what has been written is no longer there.
+  void CheckAllIsThere() const {
+    std::vector<int> indices;
+    for (const FrameFigures& frame : run_.frames) {
+      indices.push_back(frame.index);
+    }
+    const std::vector<std::string> missing = log_->Missing(indices);
+    if (missing.empty()) return;
+    constexpr size_t kMostNamed = 5;
+    throw InputError("{out}=" + options_.out,
+                     ShortList(missing, kMostNamed) +
+                         " are missing: they were removed during the run",
+                     "--resume computes them again");
   }
 
   // Writes the report and the summary. A failure here is not a matter of bad

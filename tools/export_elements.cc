@@ -288,8 +288,13 @@ class ElementExport {
                        RecordedAttachments* attachments,
                        OrderedJson* record) const {
     if (options_.element_size > 0) {
-      (*record)["surface_error_mm"] = RemeshMuscles(
+      const MuscleRemeshing remeshed = RemeshMuscles(
           options_.element_size, run_.body_size, names, pose, attachments);
+      (*record)["surface_error_mm"] = remeshed.max_error;
+      (*record)["surfaces_unchanged"] = remeshed.unchanged;
+      for (const std::string& name : remeshed.unchanged) {
+        screen_ << name << " keeps its triangles: new ones would cross\n";
+      }
     }
     if (coarsening_) {
       coarsening_->Apply(pose);

@@ -57,6 +57,23 @@ def _parsed(words):
     return flags
 
 
+def _strays(words, known):
+    """The words that are neither flags nor values of flags."""
+    strays, waits = [], False
+    for word in words:
+        found = re.fullmatch(r"--?([A-Za-z][\w-]*)(=.*)?", word, re.S)
+        if found:
+            name = found[1].replace("-", "_")
+            is_switch = known is not None and (
+                known.get(name, False) or name[:2] == "no" and known.get(name[2:], False))
+            waits = found[2] is None and not is_switch
+        elif waits:
+            waits = False
+        else:
+            strays.append(word)
+    return strays
+
+
 def values(words):
     """The values of flags by their names; of a flag that is given twice the last,
     as musclewarp-deform has it."""
@@ -76,10 +93,8 @@ def split(text, where, subject, known=None):
     except ValueError as error:
         raise InputError(where(text, f"cannot be split into flags ({error})",
                                "close the quotation marks")) from None
-    if words and not words[0].startswith("-"):
-        raise InputError(where(words[0], f"is not a flag of {PROGRAM}",
-                               "write flags as --gap=0.2"))
-    problems = []
+    problems = [where(word, f"is not a flag of {PROGRAM}", "write flags as --gap=0.2")
+                for word in _strays(words, known)]
     for written, name, _ in _parsed(words):
         plain = name if name in TAKEN else re.sub("^no", "", name)
         if plain in TAKEN:

@@ -24,6 +24,7 @@ SCENE_MOTION = "scene"
 SIDES = ("left", "right")
 FOLDER_FLAGS = ("data_root", "cache")
 MOST_LINES = 20  # of a message
+LONGEST_NAME = 100  # of a folder; file systems allow 255 bytes with what is added
 
 
 @dataclasses.dataclass(frozen=True)
@@ -81,6 +82,10 @@ def _job(row, line, path, known_flags):
             problems.append(where(column)(
                 name, "cannot name a folder: only letters, digits, _, - and . "
                 "are allowed, and the first is none of - and .", "rename it"))
+        if len(name) > LONGEST_NAME:
+            problems.append(where(column)(
+                name[:20] + "...", f"has {len(name)} characters",
+                f"allowed are {LONGEST_NAME}"))
     if row["side"] not in SIDES + (EMPTY,):
         problems.append(where("side")(row["side"], "is not a side",
                                       f"write {', '.join(SIDES)} or {EMPTY}"))

@@ -83,9 +83,18 @@ class TableTest(FolderTest):
                              ("--noresume", "always on"),
                              ("--threads=3", "--set-threads"),
                              ("gap=1", "is not a flag"),
+                             ("--gap 1 html", '"html" is not a flag'),
+                             ("--html 1", '"1" is not a flag'),
                              ('"--gap', "quotation")):
             self.table(f"s a.json - - - {flag}")
-            self.expect_error("line 2, flags", advice)
+            self.expect_error("line 2, flags", advice,
+                              known_flags={"gap": False, "html": True})
+
+    def test_names_of_folders_are_not_too_long(self):
+        self.table("s" * 100 + " a.json - - - -")
+        self.assertEqual(len(table.read_jobs(self.source)), 1)
+        self.table("s" * 101 + " a.json - - - -")
+        self.expect_error("line 2, participant_id", "has 101 characters", "allowed are 100")
 
     def test_flags_that_are_not_there(self):
         self.table("sub-1 a.json - - - --gap=0.2", "sub-2 a.json - - - --gpa=0.2",

@@ -88,11 +88,13 @@ TEST(RemeshMuscles, GivesTrianglesOfOneSizeThatCrossNothing) {
   }
   attachments.muscles["psoas"] = {upper};
   constexpr double kSize = 5;
-  const double error = RemeshMuscles(kSize, 1, Names(), &pose, &attachments);
+  const MuscleRemeshing result =
+      RemeshMuscles(kSize, 1, Names(), &pose, &attachments);
   const TriangleSoup& after = pose.muscles[0];
   // Chords of 4/3 of the size on a ball of 20 mm leave it by s^2 / (8 r) / 3 at
   // the middle of a triangle, and what is separated moves a little more.
-  EXPECT_LT(error, 0.7);
+  EXPECT_LT(result.max_error, 0.7);
+  EXPECT_TRUE(result.unchanged.empty());
   const double area = SurfaceArea(after.points, after.triangles);
   const double of_regular = std::sqrt(3.0) / 4 * kSize * kSize;
   EXPECT_NEAR(area / of_regular / after.triangles.rows(), 1, 0.4);

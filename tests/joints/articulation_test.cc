@@ -135,7 +135,7 @@ TEST(JointsFile, RefusesWhatIsNoJoint) {
     return [&] { ReadJoints(path); };
   };
   ExpectInputError(read(R"({"name": "hipp_r"})"),
-                   {"joints[0].name", "is no joint", "hip_r"});
+                   {"joints[0].name", "which is no joint", "hip_r"});
   ExpectInputError(read(R"({"name": "hip_r"})"), {"center_mm"});
   ExpectInputError(read(R"({"name": "hip_r", "center_mm": [0, 0, 0],
                "parent_axes": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]})"),

@@ -118,6 +118,10 @@ TEST(VtpReader, AFileThatContradictsItselfIsRefused) {
                    {"NumberOfPoints is '-1'"});
   ExpectVtpRefusal(With(vtp, "\"PolyData\"", "\"UnstructuredGrid\""),
                    {"only VTKFile of type PolyData"});
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) deep += "<a>";
+  ExpectVtpRefusal(With(vtp, "<Polys>", deep + "<Polys>"),
+                   {"more than 1000 deep"});
   // Would take a hundred gigabytes if it were believed.
   ExpectVtpRefusal(
       With(vtp, "NumberOfPoints=\"4\"", "NumberOfPoints=\"4000000000\""),

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/nesting.h"
 #include "opensim/read_models.h"
 
 namespace musclewarp {
@@ -24,6 +25,19 @@ TEST(OsimXml, PlacesNameTheLineTheElementAndItsName) {
   EXPECT_EQ(xml.Where(xml.root().child("c")),
             xml.path() + ": line 4, <c name=\"hip\">");
   ExpectInputError([&] { xml.Child(xml.root(), "d"); }, {"line 1", "no <d>"});
+}
+
+TEST(OsimXml, RefusesElementsThatAreTooDeepInEachOther) {
+  const auto nested = [](int depth) {
+    std::string text;
+    for (int i = 0; i < depth; ++i) text += "<a>";
+    for (int i = 0; i < depth; ++i) text += "</a>";
+    return text;
+  };
+  EXPECT_NO_THROW(Xml(nested(kDeepestNesting)));
+  ExpectInputError([&] { Xml(nested(kDeepestNesting + 2)); },
+                   {"part.osim", "more than 1000 deep"});
+  ExpectInputError([&] { Xml(nested(100000)); }, {"more than 1000 deep"});
 }
 
 TEST(OsimXml, NumbersMayBeSeparatedInAnyUsualWay) {

@@ -13,6 +13,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
+#include "musclewarp/run/frame_files.h"
 #include "support/input_errors.h"
 #include "support/temp_dir.h"
 
@@ -60,14 +61,20 @@ void ExpectStates(const SceneState& state, const SceneState& expected) {
   EXPECT_EQ(state.pose.path_lengths, expected.pose.path_lengths);
 }
 
+// Writes a frame and its log.
+void AddFrame(const ResumeLog& log, const std::string& dir, int index) {
+  std::filesystem::create_directories(dir + "/" + FrameFolder(index));
+  log.FrameDone(SomeFigures(index), SomeState(index));
+}
+
 TEST(ResumeLog, GivesBackWhatIsThereWithoutAGap) {
   const std::string dir = TestTempDir();
   const ResumeLog log(dir, "hash");
   log.StartAnew();
   SceneState state;
   EXPECT_TRUE(log.Continue({0, 5, 9}, &state).empty());
-  log.FrameDone(SomeFigures(0), SomeState(0));
-  log.FrameDone(SomeFigures(5), SomeState(5));
+  AddFrame(log, dir, 0);
+  AddFrame(log, dir, 5);
   const auto records = log.Continue({0, 5, 9}, &state);
   ASSERT_EQ(records.size(), 2u);
   EXPECT_TRUE(AreEqual(records[1], SomeFigures(5)));
@@ -88,12 +95,12 @@ TEST(ResumeLog, ForgetsWhenFinishedOrStartedAnew) {
   const std::string dir = TestTempDir();
   const ResumeLog log(dir, "hash");
   log.StartAnew();
-  log.FrameDone(SomeFigures(0), SomeState(0));
+  AddFrame(log, dir, 0);
   log.StartAnew();
   SceneState state;
   EXPECT_TRUE(log.Continue({0}, &state).empty());
   log.Finish();
-  EXPECT_TRUE(std::filesystem::is_empty(dir));
+  EXPECT_FALSE(std::filesystem::exists(dir + "/.resume"));
   EXPECT_TRUE(log.Continue({0}, &state).empty());
 }
 
@@ -109,48 +116,59 @@ TEST(ResumeLog, KeepsThePreparationWhenStartedAnew) {
   EXPECT_TRUE(std::filesystem::is_empty(dir));
 }
 
-TEST(ResumeLog, RefusesADamagedFile) {
+// Frames count up to the first that is damaged.
+TEST(ResumeLog, GoesOnBeforeADamagedFile) {
   const std::string dir = TestTempDir();
   const ResumeLog log(dir, "hash");
   log.StartAnew();
-  log.FrameDone(SomeFigures(0), SomeState(0));
-  WriteTextAtomically(dir + "/.resume/frame_0000.cbor", "not cbor");
+  AddFrame(log, dir, 0);
+  AddFrame(log, dir, 1);
+  const std::string file = dir + "/.resume/frame_0001.cbor";
+  const std::string whole = ReadFile(file);
   SceneState state;
-  ExpectInputError([&] { log.Continue({0}, &state); },
-                   {"frame_0000.cbor", "damaged", "without resume"});
+  ASSERT_EQ(log.Continue({0, 1}, &state).size(), 2u);
+  // Bits of the header, of the figures and of the state.
+  for (size_t at = 0; at < whole.size(); at += 1 + whole.size() / 97) {
+    std::string damaged = whole;
+    damaged[at] ^= 1;
+    WriteTextAtomically(file, damaged);
+    EXPECT_EQ(log.Continue({0, 1}, &state).size(), 1u) << at;
+    ExpectStates(state, SomeState(0));
+  }
+  for (const std::string& damaged : {std::string(), whole.substr(0, 40)}) {
+    WriteTextAtomically(file, damaged);
+    EXPECT_EQ(log.Continue({0, 1}, &state).size(), 1u);
+  }
 }
 
-// Expects that a log is refused once `change` has been done to the JSON of its
-// only frame.
-void ExpectRefused(const std::function<void(nlohmann::json*)>& change) {
+TEST(ResumeLog, TakesNoLogOfAnotherFrame) {
   const std::string dir = TestTempDir();
   const ResumeLog log(dir, "hash");
   log.StartAnew();
-  log.FrameDone(SomeFigures(0), SomeState(0));
-  const std::string file = dir + "/.resume/frame_0000.cbor";
-  auto json = nlohmann::json::from_cbor(ReadFile(file));
-  change(&json);
-  const auto bytes = nlohmann::json::to_cbor(json);
-  WriteTextAtomically(file, std::string(bytes.begin(), bytes.end()));
+  AddFrame(log, dir, 0);
+  AddFrame(log, dir, 1);
+  const std::string first = dir + "/.resume/frame_0000.cbor";
+  const std::string second = dir + "/.resume/frame_0001.cbor";
+  const std::string bytes = ReadFile(first);
+  WriteTextAtomically(first, ReadFile(second));
+  WriteTextAtomically(second, bytes);
   SceneState state;
-  ExpectInputError(
-      [&] { log.Continue({0}, &state); },
-      {"frame_0000.cbor", "this build", "run without resume", "out"});
+  EXPECT_TRUE(log.Continue({0, 1}, &state).empty());
 }
 
-TEST(ResumeLog, RefusesFramesOfAnotherLayout) {
-  using nlohmann::json;
-  ExpectRefused([](json* frame) { frame->erase("state"); });
-  ExpectRefused([](json* frame) { frame->erase("record"); });
-  ExpectRefused([](json* frame) { (*frame)["record"].erase("index"); });
-  ExpectRefused([](json* frame) { (*frame)["state"] = 5; });
-  // Too short, and with a number of muscles that no memory holds.
-  ExpectRefused([](json* frame) { (*frame)["state"] = json::binary({1}); });
-  ExpectRefused([](json* frame) {
-    auto& bytes = (*frame)["state"].get_binary();
-    std::fill(bytes.begin(), bytes.end(), 0x7f);
-  });
-  ExpectRefused([](json* frame) { *frame = json::array(); });
+TEST(ResumeLog, GoesOnBeforeAFrameThatWasRemoved) {
+  const std::string dir = TestTempDir();
+  const ResumeLog log(dir, "hash");
+  log.StartAnew();
+  for (const int index : {0, 1, 2}) AddFrame(log, dir, index);
+  std::filesystem::create_directories(dir + "/rest");
+  EXPECT_TRUE(log.Missing({0, 1, 2}).empty());
+  std::filesystem::remove_all(dir + "/frame_0001");
+  std::filesystem::remove_all(dir + "/rest");
+  EXPECT_EQ(log.Missing({0, 1, 2}),
+            std::vector<std::string>({"rest", "frame_0001"}));
+  SceneState state;
+  EXPECT_EQ(log.Continue({0, 1, 2}, &state).size(), 1u);
 }
 
 TEST(ResumeLog, RefusesLogsWithoutItsVersion) {

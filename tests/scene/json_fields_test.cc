@@ -28,6 +28,16 @@ void ExpectNotParsed(const std::string& text,
   ExpectInputError([&] { Parsed(text); }, words);
 }
 
+TEST(JsonField, RefusesWhatIsNestedTooDeep) {
+  const auto nested = [](int depth) {
+    return std::string(depth, '[') + std::string(depth, ']');
+  };
+  EXPECT_NO_THROW(Parsed(nested(1000)));
+  ExpectNotParsed(nested(1002), {"file.json", "more than 1000 deep"});
+  ExpectNotParsed(nested(100000), {"more than 1000 deep"});
+  ExpectNotParsed(std::string(100000, '['), {"more than 1000 deep"});
+}
+
 TEST(Shortened, EscapesControlCharactersAndCutsLongTexts) {
   EXPECT_EQ(Shortened("a\nb"), R"("a\nb")");
   EXPECT_EQ(Shortened(std::string("a\0b\x7f", 4)), R"("a\u0000b\u007f")");

@@ -200,6 +200,30 @@ TEST(CheckScene, NamesASceneInMemoryWithoutAFile) {
   ExpectInputError([&] { CheckScene(scene); }, {"the scene: ", "given twice"});
 }
 
+// Names that would give a column of a table twice.
+TEST(CheckScene, RefusesNamesThatShareAColumn) {
+  ExpectSceneRefused([](Scene* s) { s->muscles[0].name = "time"; },
+                     {"the column \"time\" twice", "the muscle \"time\""});
+  ExpectSceneRefused([](Scene* s) { s->muscles[0].lines[0].name = "time"; },
+                     {"the column \"time\" twice", "the line \"time\""});
+  ExpectSceneRefused(
+      [](Scene* s) {
+        ActionLine other = s->muscles[0].lines[0];
+        s->muscles[0].lines[0].name = "a b";
+        other.name = "a_b";
+        s->muscles[0].lines.push_back(other);
+        s->poses.clear();
+      },
+      {"the column \"a_b\" twice", "\"a b\"", "choose another name"});
+  ExpectSceneRefused(
+      [](Scene* s) {
+        ActionLine other = s->muscles[0].lines[0];
+        other.name += "_path";
+        s->muscles[0].lines.push_back(other);
+      },
+      {"_path\" twice"});
+}
+
 TEST(CheckPose, TakesAPoseThatTheSceneDoesNotHave) {
   const Scene scene = GoodScene();
   ScenePose pose;

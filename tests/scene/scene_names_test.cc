@@ -48,6 +48,29 @@ TEST(CheckFileName, RefusesControlCharactersAndShowsThemEscaped) {
   ExpectNoFileName("\x1b[31m", R"("\u001b[31m")");
 }
 
+// Characters in UTF-8, beside their numbers.
+TEST(CheckFileName, RefusesWhatBreaksLinesOrIsNotSeen) {
+  ExpectNoFileName("a\xc2\x80", "control character (U+0080)");
+  ExpectNoFileName("a\xc2\x9f", "control character (U+009F)");
+  ExpectNoFileName("a\xe2\x80\xa8", "separator of lines (U+2028)");
+  ExpectNoFileName("a\xe2\x80\xa9", "separator of lines (U+2029)");
+  ExpectNoFileName("a\xe2\x80\xae", "mark of direction (U+202E)");
+  ExpectNoFileName("a\xe2\x81\xa6", "mark of direction (U+2066)");
+  ExpectNoFileName("a\xe2\x80\x8b", "character without width (U+200B)");
+  ExpectNoFileName(
+      "\xef\xbb\xbf"
+      "a",
+      "character without width (U+FEFF)");
+  // A no-break space, joiners as Persian needs them, a letter beyond 16 bits.
+  for (const char* name : {"a\xc2\xa0"
+                           "b",
+                           "\xd9\x85\xdb\x8c\xe2\x80\x8c\xd8\xb1",
+                           "\xe2\x80\x8d",
+                           "\xf0\x9d\x92\x9c"}) {
+    EXPECT_NO_THROW(CheckFileName("scene.json", "muscle", name)) << name;
+  }
+}
+
 TEST(CheckFileName, RefusesLongNamesByTheirBytes) {
   ExpectNoFileName(std::string(kLongestName + 1, 'x'), "201 bytes");
   std::string umlauts;

@@ -244,6 +244,12 @@ TEST_F(ArticulateLeg, RefusesBadFlags) {
   ExpectRefused({"--motion", "\"x\"", "no number"});
   options_.motion = "hip_flexion_r:0:10:0";
   ExpectRefused({"frames", "1 to 100000"});
+  options_.motion = "hip_flexion_r:0:10:5,hip_flexion_r:0:20:5";
+  ExpectRefused({"--motion", "\"hip_flexion_r\" a second time"});
+  options_.motion = "hip_flexion_r:0:1e300:5";
+  ExpectRefused({"--motion", "\"1e300\" degrees", "-360 to 360"});
+  options_.motion = "hip_flexion_r:0:10:1";
+  ExpectRefused({"--motion", "\"hip_flexion_r\" in one frame"});
   options_.motion = "hip_flexion_l:0:10:5";
   ExpectRefused({"--motion", "hip_flexion_l", "hip_flexion_r"});
   options_.motion.clear();
@@ -257,6 +263,8 @@ TEST_F(ArticulateLeg, RefusesBadFlags) {
   options_.side = "both";
   options_.axes = "LLS";
   ExpectRefused({"--axes=LLS", "LPS"});
+  options_.axes = "RPS";
+  ExpectRefused({"--axes=RPS", "left-handed"});
   options_.axes = "LPS";
   options_.zero = "now";
   ExpectRefused({"--zero=now", "anatomy, scan"});

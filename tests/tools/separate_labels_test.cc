@@ -145,7 +145,8 @@ TEST(SeparateLabels, BadImagesLeaveNothingBehind) {
   };
   refused(dir + "/torn.mha", "torn.mha: is truncated");
   refused(dir + "/none.nii.gz", "none.nii.gz: does not exist");
-  refused(dir + "/whole.mha --labels=none.csv", "--labels=none.csv: does not exist");
+  refused(dir + "/whole.mha --labels=none.csv",
+          "--labels=none.csv: does not exist");
   refused("--labels=" + dir + "/labels.csv " + dir + "/whole.mha",
           "labels.csv: line 1: has the kind 'tendon'");
   refused("--bone=tibia " + dir + "/whole.mha",

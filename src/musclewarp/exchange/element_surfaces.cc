@@ -133,25 +133,33 @@ void BoneCoarsening::Apply(RecordedPose* pose) const {
   }
 }
 
-double RemeshMuscles(double edge_length,
-                     double body_size,
-                     const RecordedNames& names,
-                     RecordedPose* pose,
-                     RecordedAttachments* attachments) {
+MuscleRemeshing RemeshMuscles(double edge_length,
+                              double body_size,
+                              const RecordedNames& names,
+                              RecordedPose* pose,
+                              RecordedAttachments* attachments) {
   const std::vector<TriangleSoup> before = pose->muscles;
   ParallelFor(before.size(), [&](size_t i) {
     pose->muscles[i] = RemeshedWithoutCrossings(before[i], edge_length);
   });
+  MuscleRemeshing result;
+  for (size_t i = 0; i < before.size(); ++i) {
+    const Triangles& triangles = pose->muscles[i].triangles;
+    if (triangles.rows() == before[i].triangles.rows() &&
+        triangles == before[i].triangles) {
+      result.unchanged.push_back(names.muscles[i]);
+    }
+  }
   MoveApart(body_size, names, pose);
 
   const std::vector<TriangleBvh> old_trees = TreesOf(before);
-  double max_error = 0;
   for (size_t i = 0; i < before.size(); ++i) {
     const TriangleSoup& soup = pose->muscles[i];
     const TriangleBvh tree(soup.points, soup.triangles);
     for (Eigen::Index v = 0; v < before[i].points.rows(); ++v) {
-      max_error = std::max(max_error,
-                           tree.ClosestPoint(before[i].points.row(v)).distance);
+      result.max_error =
+          std::max(result.max_error,
+                   tree.ClosestPoint(before[i].points.row(v)).distance);
     }
     const auto areas = attachments->muscles.find(names.muscles[i]);
     if (areas == attachments->muscles.end()) continue;
@@ -160,7 +168,7 @@ double RemeshMuscles(double edge_length,
           Transferred(area.vertices, before[i], old_trees[i], soup.points);
     }
   }
-  return max_error;
+  return result;
 }
 
 }  // namespace musclewarp

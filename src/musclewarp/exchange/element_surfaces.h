@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "musclewarp/run/attachments_file.h"
@@ -50,16 +51,22 @@ class BoneCoarsening {
   std::vector<CoarseBone> coarse_;
 };
 
+struct MuscleRemeshing {
+  // The largest distance of an old vertex to the new surface of its muscle.
+  double max_error = 0;
+
+  // The muscles that keep their triangles, as new ones would cross each other.
+  std::vector<std::string> unchanged;
+};
+
 // Gives muscles triangles with edges of about `edge_length`
 // (RemeshedWithoutCrossings), and moves them apart where they then cross each
 // other or bones (SeparateInitially). Attachments go to the new vertices that
 // are nearest to attached ones. `body_size`: Scene::body_size of the run.
-// Returns the largest distance of an old vertex to the new surface of its
-// muscle.
-double RemeshMuscles(double edge_length,
-                     double body_size,
-                     const RecordedNames& names,
-                     RecordedPose* pose,
-                     RecordedAttachments* attachments);
+MuscleRemeshing RemeshMuscles(double edge_length,
+                              double body_size,
+                              const RecordedNames& names,
+                              RecordedPose* pose,
+                              RecordedAttachments* attachments);
 
 }  // namespace musclewarp

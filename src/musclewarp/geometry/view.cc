@@ -100,6 +100,10 @@ char SideLetter(const std::string& side) {
 
 }  // namespace
 
+bool AreRightHanded(const std::string& axes) {
+  return BodyFromMesh(axes).determinant() > 0;
+}
+
 bool AreBodyAxes(const std::string& axes) {
   return axes.size() == 3 && std::abs(BodyFromMesh(axes).determinant()) == 1;
 }

@@ -22,6 +22,10 @@ struct View {
 // ground and pelvis.
 bool AreBodyAxes(const std::string& axes);
 
+// Returns true if the axes make a right-handed frame, as body and image
+// coordinates do. Precondition: AreBodyAxes(axes).
+bool AreRightHanded(const std::string& axes);
+
 // Returns the view of a name, which is one of the following:
 // - anterior, posterior, left, right, superior or inferior: from that side;
 // - lateral or medial: from the outer or inner side of a limb, whose `side` is

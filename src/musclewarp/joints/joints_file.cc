@@ -10,6 +10,7 @@
 #include "musclewarp/base/angles.h"
 #include "musclewarp/joints/joint_building.h"
 #include "musclewarp/scene/json_fields.h"
+#include "musclewarp/scene/scene_names.h"
 
 namespace musclewarp {
 namespace {
@@ -105,7 +106,8 @@ JointId IdOf(const JsonField& name) {
       known += (known.empty() ? "" : ", ") + JointName(kind, side);
     }
   }
-  name.Fail("is no joint", "allowed: " + known);
+  name.Fail("is " + QuotedName(name.AsString()) + ", which is no joint",
+            "allowed: " + known);
 }
 
 Eigen::Vector3d ReadVector(const JsonField& field, bool is_length) {
@@ -224,7 +226,8 @@ std::vector<FoundJoint> ReadJoints(const JsonField& file) {
     const JsonField name = field.At("name");
     const JointId id = IdOf(name);
     if (!names.insert(name.AsString()).second) {
-      name.Fail("is given twice", "remove one");
+      name.Fail("is " + QuotedName(name.AsString()) + ", which is given twice",
+                "remove one");
     }
     if (field.Has("quality") && field.At("quality").AsString() == "failed" &&
         !field.Has("center_mm")) {

@@ -10,6 +10,7 @@
 
 #include "musclewarp/base/base64.h"
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/nesting.h"
 #include "musclewarp/mesh_files/export_advice.h"
 #include "musclewarp/mesh_files/soup_builder.h"
 #include "musclewarp/mesh_files/text_cursor.h"
@@ -148,6 +149,7 @@ void VtpReader::ReadTags() {
       AddArray(tag, open);
     }
     if (!tag.is_empty_element()) open.push_back(name);
+    CheckNesting(path_, static_cast<int>(open.size()));
   }
   if (!open.empty()) {
     Throw(path_, "has an element " + Quoted(open.back()) + " without end");

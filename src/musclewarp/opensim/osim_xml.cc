@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
+#include "musclewarp/base/nesting.h"
 #include "musclewarp/base/xml_text.h"
 #include "musclewarp/mesh_files/text_cursor.h"
 
@@ -22,6 +23,19 @@ int LineAt(const std::string& text, std::ptrdiff_t offset) {
                             text.begin() + std::max<std::ptrdiff_t>(0, end),
                             '\n'));
 }
+
+// Goes through the elements without entering itself again.
+class NestingCheck : public pugi::xml_tree_walker {
+ public:
+  explicit NestingCheck(const std::string& path) : path_(path) {}
+  bool for_each(pugi::xml_node& /*node*/) override {
+    CheckNesting(path_, depth());
+    return true;
+  }
+
+ private:
+  const std::string& path_;
+};
 
 bool IsBlank(char c) { return std::strchr(" \t\r\n,", c) != nullptr; }
 
@@ -43,6 +57,8 @@ OsimXml::OsimXml(const std::string& bytes, const std::string& path)
             (result ? "there is no element" : result.description()) + ")",
         "copy or export the file again");
   }
+  NestingCheck nesting(path_);
+  document_.traverse(nesting);
 }
 
 int OsimXml::LineOf(pugi::xml_node node) const {

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/run/resume_log.h"
 
+#include <glog/logging.h>
+
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/content_hash.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/output_file.h"
@@ -24,7 +29,7 @@ using OrderedJson = nlohmann::ordered_json;
 
 // The first line of the key file. The number grows whenever a file of the log
 // gets another layout; logs before the first number had no such line.
-constexpr char kFormat[] = "musclewarp resume log 8";
+constexpr char kFormat[] = "musclewarp resume log 9";
 
 constexpr char kAdvice[] = "run without {resume}, or choose another {out}";
 
@@ -42,17 +47,25 @@ LoggedFrame LoggedFrameFromJson(const nlohmann::json& json) {
   return frame;
 }
 
-LoggedFrame ReadLoggedFrame(const std::string& file) {
-  const nlohmann::json json = nlohmann::json::from_cbor(
-      ReadFile(file), true, /*allow_exceptions=*/false);
-  if (json.is_discarded()) throw InputError(file, "is damaged", kAdvice);
+// What a file of a frame begins with: the number of the frame and a checksum of
+// the rest, so that neither damage nor a file of another frame passes.
+std::string HeaderOf(int index, std::string_view bytes) {
+  ContentHash hash;
+  hash.Add(bytes);
+  return "frame " + std::to_string(index) + "\n" + hash.Hex() + "\n";
+}
+
+// Returns nothing for a file that is damaged or of another frame.
+std::optional<LoggedFrame> ReadLoggedFrame(const std::string& file, int index) {
   try {
-    return LoggedFrameFromJson(json);
-  } catch (const std::exception&) {  // of JSON, cereal or memory
-    throw InputError(
-        file,
-        "does not hold what this build of musclewarp keeps of a frame",
-        kAdvice);
+    const std::string contents = ReadFile(file);
+    const size_t size = HeaderOf(index, "").size();
+    if (contents.size() < size) return std::nullopt;
+    const std::string_view bytes = std::string_view(contents).substr(size);
+    if (contents.substr(0, size) != HeaderOf(index, bytes)) return std::nullopt;
+    return LoggedFrameFromJson(nlohmann::json::from_cbor(bytes));
+  } catch (const std::exception&) {  // of the file, JSON, cereal or memory
+    return std::nullopt;
   }
 }
 
@@ -72,6 +85,21 @@ std::string ResumeLog::KeyFile() const {
 
 std::string ResumeLog::KeyText() const {
   return kFormat + ("\n" + inputs_hash_ + "\n" + CodeKey());
+}
+
+std::string ResumeLog::FramePath(int index) const {
+  return (fs::path(folder_).parent_path() / FrameFolder(index)).string();
+}
+
+std::vector<std::string> ResumeLog::Missing(
+    const std::vector<int>& indices) const {
+  std::vector<std::string> missing;
+  const auto look = [&](const fs::path& path) {
+    if (!fs::exists(path)) missing.push_back(path.filename().string());
+  };
+  look(fs::path(folder_).parent_path() / kRestFolder);
+  for (const int index : indices) look(FramePath(index));
+  return missing;
 }
 
 std::string ResumeLog::FrameFile(int index) const {
@@ -102,9 +130,19 @@ std::vector<FrameFigures> ResumeLog::Continue(const std::vector<int>& selected,
   }
   for (const int index : selected) {
     if (!fs::exists(FrameFile(index))) break;
-    LoggedFrame frame = ReadLoggedFrame(FrameFile(index));
-    records.push_back(std::move(frame.record));
-    *state = std::move(frame.state);
+    if (!fs::exists(FramePath(index))) {
+      LOG(WARNING) << FramePath(index)
+                   << ": is missing; the run goes on from the frame before";
+      break;
+    }
+    std::optional<LoggedFrame> frame = ReadLoggedFrame(FrameFile(index), index);
+    if (!frame) {
+      LOG(WARNING) << FrameFile(index)
+                   << ": is damaged; the run goes on from the frame before";
+      break;
+    }
+    records.push_back(std::move(frame->record));
+    *state = std::move(frame->state);
   }
   return records;
 }
@@ -128,8 +166,9 @@ void ResumeLog::FrameDone(const FrameFigures& record,
       {"record", JsonOf(record)},
       {"state",
        OrderedJson::binary({state_bytes.begin(), state_bytes.end()})}});
+  const std::string text(bytes.begin(), bytes.end());
   WriteTextAtomically(FrameFile(record.index),
-                      std::string(bytes.begin(), bytes.end()));
+                      HeaderOf(record.index, text) + text);
 }
 
 void ResumeLog::Finish() const { fs::remove_all(folder_); }

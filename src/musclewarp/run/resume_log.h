@@ -30,9 +30,11 @@ class ResumeLog {
   static bool IsIn(const std::string& dir);
 
   // Returns the frames of an interrupted run of the same input, from the first
-  // of `selected` on without a gap. `state` becomes the one that was kept with
-  // the last of them, if there is one. Throws InputError if DIR holds an
-  // interrupted run of other input or options, or of other code of musclewarp.
+  // of `selected` on without a gap: up to the first whose folder is missing or
+  // whose log is damaged, which is logged. `state` becomes the one that was
+  // kept with the last of them, if there is one. Throws InputError if DIR holds
+  // an interrupted run of other input or options, or of other code of
+  // musclewarp.
   std::vector<FrameFigures> Continue(const std::vector<int>& selected,
                                      SceneState* state) const;
 
@@ -46,11 +48,16 @@ class ResumeLog {
   // Adds a frame. To be called once its files are complete.
   void FrameDone(const FrameFigures& record, const SceneState& state) const;
 
+  // Returns the folders of the rest pose and of these frames that are not
+  // there, as someone has removed them.
+  std::vector<std::string> Missing(const std::vector<int>& indices) const;
+
   // Deletes the log, as the run is complete.
   void Finish() const;
 
  private:
   std::string FrameFile(int index) const;
+  std::string FramePath(int index) const;  // the folder of its meshes
   // The file that names the layout, the input and the code, and its text.
   std::string KeyFile() const;
   std::string KeyText() const;

@@ -11,6 +11,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/input_file.h"
 #include "musclewarp/base/near_name.h"
+#include "musclewarp/base/nesting.h"
 #include "musclewarp/scene/coordinate_limits.h"
 #include "musclewarp/scene/length_unit.h"
 #include "musclewarp/scene/rigid_motion.h"
@@ -28,12 +29,13 @@ size_t CutLength(const std::string& text, size_t length) {
   return length;
 }
 
-// Parses a text and refuses duplicate keys, of which the parser would keep only
-// the last without notice.
+// Parses a text and refuses what is nested too deep, and duplicate keys, of
+// which the parser would keep only the last without notice.
 Json ParseText(const std::string& text, const std::string& file) {
   std::vector<std::vector<std::string>> open_objects;
   const Json::parser_callback_t refuse_duplicates =
-      [&](int, Json::parse_event_t event, Json& parsed) {
+      [&](int depth, Json::parse_event_t event, Json& parsed) {
+        CheckNesting(file, depth);
         if (event == Json::parse_event_t::object_start) {
           open_objects.emplace_back();
         } else if (event == Json::parse_event_t::object_end) {

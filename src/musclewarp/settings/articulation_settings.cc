@@ -44,6 +44,14 @@ ArticulationOptions OptionsOf(const ArticulationSettings& settings) {
                      "allowed: one letter each out of L or R, A or P, S or I, "
                      "such as LPS, or none");
   }
+  if (!options.axes.empty() && !AreRightHanded(options.axes)) {
+    throw InputError(
+        "{axes}=" + options.axes,
+        "is a left-handed frame, which shows bodies as in a mirror "
+        "and turns joints the other way",
+        "mirror the meshes, and give a right-handed frame such as "
+        "LPS");
+  }
   if (!settings.given.empty()) options.given = ReadJoints(settings.given);
   return options;
 }
