@@ -54,6 +54,9 @@ if(MUSCLEWARP_SANITIZE)
   add_compile_definitions(_GLIBCXX_ASSERTIONS EIGEN_MALLOC_ALREADY_ALIGNED=1)
   add_link_options(-fsanitize=address,undefined)
 endif()
+if(MUSCLEWARP_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
 
 # The sanitizers leave what calls this function optimised: it computes so much
 # that its tests would take longer than optimising it. All else compiles in half

@@ -36,6 +36,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr char kAdviceOnLoss[] = "--resume computes them again";
+
 // Returns a hash of everything except the code on which the result depends.
 std::string InputsHash(const Scene& scene, const DeformOptions& options) {
   ContentHash hash;
@@ -114,11 +116,14 @@ class DeformRun {
     Start(std::move(state));
     try {
       ComputeFrames();
-      CheckAllIsThere();
+      if (const std::string lost = Lost(); !lost.empty()) {
+        throw InputError("{out}=" + options_.out, lost, kAdviceOnLoss);
+      }
       writer_->WriteTables(run_.frames);
       run_.finished = true;
     } catch (const std::exception& error) {
-      run_.stopped = error.what();
+      const std::string lost = Lost();
+      run_.stopped = error.what() + (lost.empty() ? "" : "; " + lost);
     }
     return Finish();
   }
@@ -210,19 +215,17 @@ class DeformRun {
     }
   }
 
-  // Throws InputError if what has been written is no longer there.
-  void CheckAllIsThere() const {
+  // Returns what is no longer there of what has been written, as text.
+  std::string Lost() const {
     std::vector<int> indices;
     for (const FrameFigures& frame : run_.frames) {
       indices.push_back(frame.index);
     }
     const std::vector<std::string> missing = log_->Missing(indices);
-    if (missing.empty()) return;
     constexpr size_t kMostNamed = 5;
-    throw InputError("{out}=" + options_.out,
-                     ShortList(missing, kMostNamed) +
-                         " are missing: they were removed during the run",
-                     "--resume computes them again");
+    return missing.empty() ? ""
+                           : ShortList(missing, kMostNamed) +
+                                 " were removed during the run";
   }
 
   // Writes the report and the summary. A failure here is not a matter of bad

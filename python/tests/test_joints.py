@@ -231,7 +231,7 @@ def test_takes_corrected_joints_back(hip, tmp_path):
         assert joint.given
         np.testing.assert_array_equal(joint.center, (1, 2, 3))
     report["joints"][0]["name"] = "hipp_r"
-    with pytest.raises(mw.InputError, match=r"given: joints\[0\].name: is no"):
+    with pytest.raises(mw.InputError, match=r"given: joints\[0\].name: is \"hipp_r\""):
         mw.articulate(BONES, given=report)
 
 

@@ -6,7 +6,7 @@ import json
 import unittest
 
 from folder import FolderTest
-from musclewarp_cohort import table
+from musclewarp_cohort import flags, table
 from musclewarp_cohort.input_error import InputError
 
 
@@ -83,12 +83,24 @@ class TableTest(FolderTest):
                              ("--noresume", "always on"),
                              ("--threads=3", "--set-threads"),
                              ("gap=1", "is not a flag"),
-                             ("--gap 1 html", '"html" is not a flag'),
-                             ("--html 1", '"1" is not a flag'),
+
                              ('"--gap', "quotation")):
             self.table(f"s a.json - - - {flag}")
             self.expect_error("line 2, flags", advice,
                               known_flags={"gap": False, "html": True})
+
+    def test_words_among_flags_that_are_none(self):
+        known = {"gap": False, "html": True}
+
+        def where(value, allowed, advice):
+            return f'"{value}" {allowed}; {advice}'
+
+        self.assertEqual(flags.split("--gap 1 --html --nohtml", where, "s", known),
+                         ("--gap", "1", "--html", "--nohtml"))
+        for text, word in (("--gap 1 html", "html"), ("--html 1", "1"), ("--nohtml 1", "1")):
+            with self.assertRaises(InputError) as caught:
+                flags.split(text, where, "s", known)
+            self.assertIn(f'"{word}" is not a flag of musclewarp-deform', str(caught.exception))
 
     def test_names_of_folders_are_not_too_long(self):
         self.table("s" * 100 + " a.json - - - -")

@@ -103,6 +103,26 @@ TEST(DeformCommand, AnInterruptedRunSaysSoAndGoesOn) {
   EXPECT_TRUE(report["summary"]["stopped"].is_null());
 }
 
+// A run whose folder is emptied under it says what is missing, and is computed
+// again by --resume.
+TEST(DeformCommand, ARemovedFolderIsNoticed) {
+  DeformOptions options = SmallRun();
+  const auto remove = [&] { std::filesystem::remove_all(options.out); };
+  ActOnWords buffer("2 of 4", remove);
+  std::ostream screen(&buffer);
+  EXPECT_EQ(DeformCommand(options, screen), kExitNotUsable);
+  EXPECT_THAT(buffer.str(), HasSubstr("rest, frame_0000, frame_0001"));
+  EXPECT_THAT(buffer.str(), HasSubstr("were removed during the run"));
+  options.resume = true;
+  std::ostringstream again;
+  EXPECT_EQ(DeformCommand(options, again), kExitUsable);
+  for (const char* name : {"rest", "frame_0000", "frame_0003"}) {
+    EXPECT_TRUE(std::filesystem::exists(options.out + "/" + name)) << name;
+  }
+  const Json report = Json::parse(FileText(options.out + "/report.json"));
+  EXPECT_EQ(report["frames"].size(), 4u);
+}
+
 TEST(DeformCommand, TwoRunsDoNotWriteIntoOneFolder) {
   const DeformOptions options = SmallRun();
   ActOnWords buffer("2 of 4", [&] {

@@ -40,11 +40,12 @@ std::set<std::string> Names(const std::map<std::string, std::string>& files) {
 }
 
 // The report without times and without the command line, which differ from run
-// to run.
+// to run, and without "cached": a run that goes on reads its preparation.
 Json WithoutTimes(Json report) {
   if (report.is_object()) {
     report.erase("command");
     report.erase("options");
+    report.erase("cached");
   }
   if (report.is_structured()) {
     for (auto item = report.begin(); item != report.end();) {

@@ -12,8 +12,6 @@ namespace musclewarp {
 namespace {
 
 using Eigen::RowVector3d;
-using Corners = ElementCorners;
-using Face = FaceCorners;
 
 // The quality of a tetrahedron with these corners.
 double QualityAt(const std::array<RowVector3d, 4>& c) {
@@ -65,10 +63,10 @@ TetrahedralMesh ChangingElements::Result() const {
     if (number[v] >= 0) mesh.points.row(number[v]) = points_[v];
   }
   Eigen::Index rows = 0;
-  for (const Corners& corners : elements_) rows += corners[0] >= 0;
+  for (const ElementCorners& corners : elements_) rows += corners[0] >= 0;
   mesh.tetrahedra.resize(rows, 4);
   Eigen::Index t = 0;
-  for (const Corners& corners : elements_) {
+  for (const ElementCorners& corners : elements_) {
     if (corners[0] < 0) continue;
     for (int k = 0; k < 4; ++k) mesh.tetrahedra(t, k) = number[corners[k]];
     ++t;
@@ -76,12 +74,12 @@ TetrahedralMesh ChangingElements::Result() const {
   return mesh;
 }
 
-double ChangingElements::QualityOf(const Corners& c) const {
+double ChangingElements::QualityOf(const ElementCorners& c) const {
   return QualityAt(
       {points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]});
 }
 
-void ChangingElements::Add(const Corners& corners) {
+void ChangingElements::Add(const ElementCorners& corners) {
   for (const int v : corners) {
     elements_of_[v].push_back(static_cast<int>(elements_.size()));
   }
@@ -104,25 +102,25 @@ double ChangingElements::Worst(const std::vector<int>& elements) const {
 }
 
 void ChangingElements::Replace(const std::vector<int>& old,
-                               const std::vector<Corners>& fresh) {
+                               const std::vector<ElementCorners>& fresh) {
   for (const int t : old) Remove(t);
-  for (const Corners& corners : fresh) Add(corners);
+  for (const ElementCorners& corners : fresh) Add(corners);
 }
 
-double ChangingElements::QualityOf(const Face& f,
+double ChangingElements::QualityOf(const FaceCorners& f,
                                    const RowVector3d& place) const {
   // Seen from inside, the corners of an outward face run clockwise.
   return QualityAt({points_[f[0]], points_[f[2]], points_[f[1]], place});
 }
 
 void ChangingElements::JoinTo(const RowVector3d& place,
-                              const std::vector<Face>& border,
+                              const std::vector<FaceCorners>& border,
                               const std::vector<int>& elements) {
   const int v = static_cast<int>(points_.size());
   points_.push_back(place);
   elements_of_.emplace_back();
-  std::vector<Corners> fresh;
-  for (const Face& f : border) fresh.push_back({f[0], f[2], f[1], v});
+  std::vector<ElementCorners> fresh;
+  for (const FaceCorners& f : border) fresh.push_back({f[0], f[2], f[1], v});
   Replace(elements, fresh);
 }
 
@@ -134,15 +132,15 @@ void ChangingElements::MovePoint(int v, const RowVector3d& place) {
 std::vector<int> ChangingElements::ElementsAround(int a, int b) const {
   std::vector<int> around;
   for (const int t : elements_of_[a]) {
-    const Corners& c = elements_[t];
+    const ElementCorners& c = elements_[t];
     if (std::find(c.begin(), c.end(), b) != c.end()) around.push_back(t);
   }
   return around;
 }
 
-int ChangingElements::Neighbour(int t, const Face& face) const {
+int ChangingElements::Neighbour(int t, const FaceCorners& face) const {
   for (const int other : ElementsAround(face[0], face[1])) {
-    const Corners& c = elements_[other];
+    const ElementCorners& c = elements_[other];
     if (other != t && std::find(c.begin(), c.end(), face[2]) != c.end()) {
       return other;
     }
@@ -150,8 +148,8 @@ int ChangingElements::Neighbour(int t, const Face& face) const {
   return -1;
 }
 
-Face ChangingElements::FaceOf(int t, int f) const {
-  const Corners& c = elements_[t];
+FaceCorners ChangingElements::FaceOf(int t, int f) const {
+  const ElementCorners& c = elements_[t];
   const int* const k = kFaceCorners[f];
   return {c[k[0]], c[k[1]], c[k[2]]};
 }
@@ -160,7 +158,7 @@ std::vector<int> ChangingElements::RingOf(
     int a, int b, const std::vector<int>& around) const {
   std::map<int, int> next;
   for (const int t : around) {
-    Corners c = elements_[t];
+    ElementCorners c = elements_[t];
     // Even permutations bring a, then b, to the front.
     const int at_a =
         static_cast<int>(std::find(c.begin(), c.end(), a) - c.begin());
@@ -185,16 +183,16 @@ std::vector<int> ChangingElements::RingOf(
              : std::vector<int>();
 }
 
-int ChangingElements::CornerBeside(int t, const Face& face) const {
+int ChangingElements::CornerBeside(int t, const FaceCorners& face) const {
   for (const int v : elements_[t]) {
     if (std::find(face.begin(), face.end(), v) == face.end()) return v;
   }
   return -1;
 }
 
-Face ChangingElements::FaceOpposite(int t, int v) const {
+FaceCorners ChangingElements::FaceOpposite(int t, int v) const {
   for (int f = 0; f < 4; ++f) {
-    const Face face = FaceOf(t, f);
+    const FaceCorners face = FaceOf(t, f);
     if (std::find(face.begin(), face.end(), v) == face.end()) return face;
   }
   return {};
@@ -202,11 +200,11 @@ Face ChangingElements::FaceOpposite(int t, int v) const {
 
 std::vector<BorderFace> ChangingElements::BorderOf(
     const std::vector<int>& elements) const {
-  std::map<Face, BorderFace> border;  // by sorted corners
+  std::map<FaceCorners, BorderFace> border;  // by sorted corners
   for (const int t : elements) {
     for (int f = 0; f < 4; ++f) {
-      const Face face = FaceOf(t, f);
-      Face sorted = face;
+      const FaceCorners face = FaceOf(t, f);
+      FaceCorners sorted = face;
       std::sort(sorted.begin(), sorted.end());
       const auto [entry, is_new] = border.emplace(sorted, BorderFace{face, t});
       if (!is_new) border.erase(entry);

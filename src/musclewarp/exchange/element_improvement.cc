@@ -16,8 +16,6 @@ namespace musclewarp {
 namespace {
 
 using Eigen::RowVector3d;
-using Corners = ElementCorners;
-using Face = FaceCorners;
 
 class Improver {
  public:
@@ -49,7 +47,7 @@ class Improver {
   // good. Returns true if anything changed.
   bool Improve(int t) {
     if (!mesh_.IsThere(t)) return false;
-    const Corners corners = mesh_.corners(t);
+    const ElementCorners corners = mesh_.corners(t);
     for (int a = 0; a < 4; ++a) {
       for (int b = a + 1; b < 4; ++b) {
         if (RemoveEdge(corners[a], corners[b])) return true;
@@ -72,8 +70,11 @@ class Improver {
   }
 
   // The two elements that stand on a triangle of points around an edge.
-  static std::array<Corners, 2> OnTriangle(int a, int b, const Face& f) {
-    return {Corners{f[0], f[1], f[2], b}, Corners{f[0], f[2], f[1], a}};
+  static std::array<ElementCorners, 2> OnTriangle(int a,
+                                                  int b,
+                                                  const FaceCorners& f) {
+    return {ElementCorners{f[0], f[1], f[2], b},
+            ElementCorners{f[0], f[2], f[1], a}};
   }
 
   // Replaces the elements around an edge by the best that stand on triangles
@@ -95,7 +96,7 @@ class Improver {
                                : -std::numeric_limits<double>::infinity();
         for (int j = i + 1; j < k; ++j) {
           double worst = std::min(best[i][j], best[j][k]);
-          for (const Corners& c :
+          for (const ElementCorners& c :
                OnTriangle(a, b, {ring[i], ring[j], ring[k]})) {
             if (worst > best[i][k]) worst = std::min(worst, mesh_.QualityOf(c));
           }
@@ -106,14 +107,15 @@ class Improver {
       }
     }
     if (!IsBetter(best[0][n - 1], mesh_.Worst(around))) return false;
-    std::vector<Corners> fresh;
+    std::vector<ElementCorners> fresh;
     std::vector<std::pair<int, int>> spans = {{0, n - 1}};
     while (!spans.empty()) {
       const auto [i, k] = spans.back();
       spans.pop_back();
       if (k - i < 2) continue;
       const int j = middle[i][k];
-      for (const Corners& c : OnTriangle(a, b, {ring[i], ring[j], ring[k]})) {
+      for (const ElementCorners& c :
+           OnTriangle(a, b, {ring[i], ring[j], ring[k]})) {
         fresh.push_back(c);
       }
       spans.push_back({i, j});
@@ -126,12 +128,12 @@ class Improver {
   // Replaces two elements by three around the edge between the corners that
   // they do not share.
   bool RemoveFace(int t, int f) {
-    const Face face = mesh_.FaceOf(t, f);
+    const FaceCorners face = mesh_.FaceOf(t, f);
     const int other = mesh_.Neighbour(t, face);
     if (other < 0) return false;
     const int a = mesh_.CornerBeside(t, face);
     const int b = mesh_.CornerBeside(other, face);
-    std::vector<Corners> fresh;
+    std::vector<ElementCorners> fresh;
     double worst = std::numeric_limits<double>::infinity();
     for (int k = 0; k < 3; ++k) {
       // `face` runs counterclockwise seen from b.
@@ -145,7 +147,7 @@ class Improver {
 
   // Moves a point inside to where the worst of its elements is best.
   bool Move(int v) {
-    std::vector<Face> faces;
+    std::vector<FaceCorners> faces;
     for (const int t : mesh_.elements_of(v)) {
       faces.push_back(mesh_.FaceOpposite(t, v));
     }
@@ -156,8 +158,9 @@ class Improver {
     return true;
   }
 
-  static std::vector<Face> FacesOf(const std::vector<BorderFace>& border) {
-    std::vector<Face> faces;
+  static std::vector<FaceCorners> FacesOf(
+      const std::vector<BorderFace>& border) {
+    std::vector<FaceCorners> faces;
     for (const BorderFace& face : border) faces.push_back(face.face);
     return faces;
   }
@@ -165,7 +168,7 @@ class Improver {
   // Replaces elements by those that join the faces around them to a new point,
   // if these are better.
   bool Insert(const std::vector<int>& cavity) {
-    const std::vector<Face> faces = FacesOf(mesh_.BorderOf(cavity));
+    const std::vector<FaceCorners> faces = FacesOf(mesh_.BorderOf(cavity));
     const auto [place, quality] = BestPlace(
         faces, mesh_.MiddleOf(cavity[0]), ChangingElements::kInverted);
     if (!IsGain(place, quality, faces, cavity)) return false;
@@ -177,12 +180,12 @@ class Improver {
   // no more of them bad.
   bool IsGain(const RowVector3d& place,
               double quality,
-              const std::vector<Face>& faces,
+              const std::vector<FaceCorners>& faces,
               const std::vector<int>& cavity) const {
     if (!IsBetter(quality, mesh_.Worst(cavity))) return false;
     int before = 0, after = 0;
     for (const int t : cavity) before += mesh_.quality(t) < goal_;
-    for (const Face& face : faces)
+    for (const FaceCorners& face : faces)
       after += mesh_.QualityOf(face, place) < goal_;
     return after <= before;
   }
@@ -194,7 +197,7 @@ class Improver {
     std::vector<int> cavity = {t};
     while (cavity.size() < kMaxElements) {
       const std::vector<BorderFace> border = mesh_.BorderOf(cavity);
-      const std::vector<Face> faces = FacesOf(border);
+      const std::vector<FaceCorners> faces = FacesOf(border);
       const auto [place, quality] =
           BestPlace(faces, mesh_.MiddleOf(t), ChangingElements::kInverted);
       if (IsGain(place, quality, faces, cavity)) {
@@ -231,12 +234,13 @@ class Improver {
 
   // The place of a point where the worst of the elements that join outward
   // faces to it is best, and that quality: a pattern search from `start`.
-  std::pair<RowVector3d, double> BestPlace(const std::vector<Face>& faces,
-                                           const RowVector3d& start,
-                                           double start_quality) const {
+  std::pair<RowVector3d, double> BestPlace(
+      const std::vector<FaceCorners>& faces,
+      const RowVector3d& start,
+      double start_quality) const {
     const auto quality_at = [&](const RowVector3d& place, double enough) {
       double worst = std::numeric_limits<double>::infinity();
-      for (const Face& f : faces) {
+      for (const FaceCorners& f : faces) {
         worst = std::min(worst, mesh_.QualityOf(f, place));
         if (worst <= enough) break;
       }
@@ -244,7 +248,7 @@ class Improver {
     };
     RowVector3d middle = RowVector3d::Zero();
     double size = 0;
-    for (const Face& f : faces) {
+    for (const FaceCorners& f : faces) {
       middle += (mesh_.point(f[0]) + mesh_.point(f[1]) + mesh_.point(f[2])) /
                 (3.0 * faces.size());
       size = std::max(size, (mesh_.point(f[0]) - mesh_.point(f[1])).norm());

@@ -113,9 +113,11 @@ CoordinateMotion MotionOf(const Model& model,
     }
   }
   if (motion.given.empty()) {
+    constexpr size_t kMostNamed = 5;
     throw InputError(
         path,
-        "has no column that is a coordinate of " + model.path,
+        "has no column that is a coordinate of " + model.path + ", but " +
+            ShortList(table.labels, kMostNamed),
         "name columns after coordinates: " + KnownCoordinates(model));
   }
   const std::vector<std::string> beyond =

@@ -335,6 +335,7 @@ PreparedScene PrepareScene(const Scene& scene,
     const size_t m = i - num_bones;
     fine[m] = RepairMuscle(options, scene.muscles[m], &prepared.muscles[m]);
   };
+  if (num_meshes > 0) say_progress(0, "mesh of " + NameOfMesh(scene, 0));
   const ScopedStage repairing("reading and repair");
   ParallelFor(num_meshes, repair, [&](size_t i, size_t done) {
     say_progress(done, "mesh of " + NameOfMesh(scene, i));
