@@ -17,8 +17,8 @@ using MeshNumber = MeshKernel::FT;
 // What two closed meshes have in common, in exact arithmetic, without any code
 // of src/musclewarp/proximity, certificate or cgal.
 struct ExactPair {
-  int triangle_pairs = 0;  // that share a point
-  int inside = 0;          // vertices of one strictly inside the other
+  int triangle_pairs = 0;           // that share a point
+  int inside = 0;                   // vertices of one strictly inside the other
   MeshNumber squared_distance = 0;  // of triangles, mm^2
 };
 

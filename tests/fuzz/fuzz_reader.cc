@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Gives bytes of libFuzzer to a reader as a file. An InputError is an answer;
-// anything else that is thrown, a sanitizer, a signal or a time beyond the limit
-// of libFuzzer is a finding.
+// anything else that is thrown, a sanitizer, a signal or a time beyond the
+// limit of libFuzzer is a finding.
 
 #include <glog/logging.h>
 #include <unistd.h>

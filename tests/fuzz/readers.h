@@ -9,7 +9,7 @@ namespace musclewarp {
 
 // A reader of files from outside.
 struct FuzzedReader {
-  std::string name;       // of the target, fuzz_<name>
+  std::string name;  // of the target, fuzz_<name>
   std::string file;  // the name of the file that it reads
   std::function<void(const std::string& path)> read;
 };
