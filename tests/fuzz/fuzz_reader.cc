@@ -16,6 +16,11 @@
 #include "fuzz/readers.h"
 #include "musclewarp/base/input_error.h"
 
+// CMakeLists.txt sets it to a name of readers.cc.
+#ifndef MUSCLEWARP_READER
+#define MUSCLEWARP_READER "ply"
+#endif
+
 namespace {
 
 // A folder in memory, where writing takes little time.
