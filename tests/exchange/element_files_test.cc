@@ -312,7 +312,7 @@ TEST_F(ElementFiles, GmshHasEntitiesAndGroups) {
   std::map<int, int> triangles;  // by entity
   size_t at = 1;
   while (at < elements.size()) {
-    const Numbers block = elements[at++];
+    const Numbers& block = elements[at++];
     for (int i = 0; i < static_cast<int>(block[3]); ++i, ++at) {
       const Numbers& n = elements[at];
       if (block[2] == 2) {
