@@ -6,7 +6,6 @@
 
 #include <set>
 
-#include "musclewarp/base/content_hash.h"
 #include "musclewarp/scene/scene_names.h"
 #include "python/src/arrays.h"
 #include "python/src/bindings.h"
@@ -59,12 +58,6 @@ Attributes:
     names: of both.
     crossing_pairs: of triangles of different meshes, by exact tests.
     worst_volume_error: the largest size of a volume_error of a muscle.)";
-
-template <typename Numbers>
-void AddBytes(const Numbers& numbers, ContentHash* hash) {
-  hash->Add(std::string(reinterpret_cast<const char*>(numbers.data()),
-                        numbers.size() * sizeof(numbers(0))));
-}
 
 std::vector<MuscleOfFrame> MusclesOf(const SharedFrame& frame) {
   std::vector<MuscleOfFrame> muscles;
@@ -264,25 +257,18 @@ std::shared_ptr<const SceneParts> PartsOf(
     const PreparedScene& scene,
     const std::map<std::string, std::string>& keywords) {
   const auto parts = std::make_shared<SceneParts>();
-  ContentHash key;
-  for (const auto& [name, value] : keywords) key.Add(name + "=" + value);
+  parts->key = KeyOf(scene, keywords);
   for (const PreparedMuscle& muscle : scene.muscles) {
     auto& part = parts->muscles.emplace_back();
     part.name = muscle.model.name;
     part.triangles = muscle.model.fine_triangles;
     for (const ActionLine& line : muscle.model.lines) {
       part.lines.push_back(line.name);
-      AddBytes(line.rest, &key);
     }
-    AddBytes(muscle.model.fine_rest, &key);
-    AddBytes(part.triangles, &key);
   }
   for (const PreparedBone& bone : scene.bones) {
     parts->bones.push_back({bone.mesh.name, bone.rest.triangles, {}});
-    AddBytes(bone.rest.points, &key);
-    AddBytes(bone.rest.triangles, &key);
   }
-  parts->key = key.Hex();
   return parts;
 }
 

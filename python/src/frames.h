@@ -12,19 +12,21 @@
 
 namespace musclewarp::python {
 
-// What all frames of a deformer have in common. Frames keep it, so that they
-// outlive their deformer.
+// A muscle or a bone, in all frames.
 struct ScenePart {
   std::string name;
   Triangles triangles;
   std::vector<std::string> lines;  // the names of those of a muscle
 };
+
+// What all frames of a deformer have in common. Frames keep it, so that they
+// outlive their deformer.
 struct SceneParts {
   std::vector<ScenePart> muscles;
   std::vector<ScenePart> bones;
 
-  // A hash of the meshes in the rest pose and of the keywords of the deformer:
-  // deformers of one key compute the same frames, also in other processes.
+  // KeyOf() (pickling.h): deformers of one key compute the same frames, in
+  // other processes too.
   std::string key;
 };
 

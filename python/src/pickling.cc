@@ -123,6 +123,26 @@ void load(Archive& archive, RunOfDeformer& run) {
 
 namespace musclewarp::python {
 
+std::string KeyOf(const PreparedScene& scene,
+                  const std::map<std::string, std::string>& keywords) {
+  ContentHash key;
+  for (const auto& [name, value] : keywords) {
+    if (name != "cache") key.Add(name + "=" + value);
+  }
+  for (const PreparedMuscle& muscle : scene.muscles) {
+    const MuscleModel& model = muscle.model;
+    key.Add(ArchivedBytes(model.name,
+                          model.lines,
+                          model.attachments,
+                          model.fine_rest,
+                          model.fine_triangles));
+  }
+  for (const PreparedBone& bone : scene.bones) {
+    key.Add(ArchivedBytes(bone.mesh.name, bone.body, bone.rest));
+  }
+  return key.Hex();
+}
+
 template <typename T>
 pybind11::bytes StateForPickle(const T& object) {
   return pybind11::bytes(ArchivedBytes(object));

@@ -4,14 +4,21 @@
 
 #include <pybind11/pybind11.h>
 
+#include <map>
 #include <memory>
-#include <tuple>
+#include <string>
 
 #include "python/src/frames.h"
 #include "python/src/run_of_deformer.h"
 #include "python/src/scene.h"
 
 namespace musclewarp::python {
+
+// Returns a hash of all on which the frames of a deformer depend but their
+// poses: the meshes and lines at rest, the attachments, and the keywords but
+// `cache`.
+std::string KeyOf(const PreparedScene& scene,
+                  const std::map<std::string, std::string>& keywords);
 
 // The states of objects by which Python pickles and copies them. They are for
 // processes of the same version of the package.

@@ -38,6 +38,13 @@ def test_numbers_its_frames(run):
 def test_frames_of_another_deformer_are_refused(run):
     with pytest.raises(mw.InputError, match="another deformer"):
         run.append(quick(gap=0.2).rest_frame)
+    scene = small_scene()
+    psoas = scene.muscles[0]
+    area = mw.Attachment("femur", psoas.mesh.points[:3], 5)
+    scene.muscles[0] = mw.Muscle("psoas", psoas.mesh.points, psoas.mesh.triangles,
+                                 lines=psoas.lines, attachments=[area])
+    with pytest.raises(mw.InputError, match="another deformer"):
+        run.append(quick(scene).rest_frame)
 
 
 def test_the_report_is_a_dict(run):
