@@ -274,7 +274,7 @@ class ElementExport {
 
   // Simplifies the bones, once for all frames.
   void CoarsenBones(const std::vector<int>& frames) {
-    const double tolerance = options_.bone_tolerance;
+    const double tolerance = options_.bone_tolerance * run_.body_size;
     coarsening_.emplace(kMeshGapLimit * run_.body_size + tolerance);
     for (const int i : frames) {
       coarsening_->AddPose(ReadPose(run_.frames[i].folder, run_.names, rest_));

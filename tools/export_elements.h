@@ -48,8 +48,9 @@ constexpr auto FieldsOf(Described<ElementOptions>) {
       Field(&S::bones, "bones")
           .Text("bones as rigid surfaces beside the tetrahedra"),
       Field(&S::bone_tolerance, "bone_tolerance", "mm")
-          .Text("bones are simplified by at most so much, only where they are "
-                "more than 2 mm and this away from all muscles; 0: they stay")
+          .Text("bones are simplified by at most so much, times body_size, "
+                "only where they are more than 2 mm and this away from all "
+                "muscles; 0: they stay")
           .AtLeast(0),
       Field(&S::one_mesh, "one_mesh")
           .Text("the tetrahedra of the first frame, moved to the others"),

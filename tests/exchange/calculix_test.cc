@@ -73,5 +73,19 @@ TEST(Calculix, ReadsPointsNextToTheOrigin) {
   }
 }
 
+// CalculiX takes a gap below 1 / stiffness for closed at the start.
+TEST(Calculix, ContactIsStiffEnoughForTheSmallestGap) {
+  ElementModel model = MakeSmallModel().Model();
+  const std::string keyword =
+      "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n";
+  const auto stiffness = [&] {
+    const std::string text = AbaqusText(model);
+    return std::stod(text.substr(text.find(keyword) + keyword.size(), 20));
+  };
+  EXPECT_EQ(stiffness(), 100);
+  model.contacts[0].gap_mm = 0.002;
+  EXPECT_GT(stiffness() * model.contacts[0].gap_mm, 1);
+}
+
 }  // namespace
 }  // namespace musclewarp

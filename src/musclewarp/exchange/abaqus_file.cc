@@ -258,15 +258,25 @@ class AbaqusWriter {
     }
   }
 
+  // MPa/mm. CalculiX takes gaps below 1 / stiffness for closed at the start.
+  double ContactStiffness() const {
+    constexpr double kLeast = 100;
+    double stiffness = kLeast;
+    for (const ContactPair& pair : model_.contacts) {
+      if (pair.gap_mm > 0) stiffness = std::max(stiffness, 2 / pair.gap_mm);
+    }
+    return stiffness;
+  }
+
   void WriteContacts() {
     if (model_.contacts.empty()) return;
     for (const MuscleElements& muscle : model_.muscles) {
       faces_of_[muscle.name] = &muscle.faces;
     }
-    // CalculiX closes gaps below 1 / stiffness at the start.
     text_ +=
         "*SURFACE INTERACTION, NAME=CONTACT\n"
-        "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n100.\n";
+        "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n" +
+        AbaqusNumber(ContactStiffness()) + "\n";
     for (const ContactPair& pair : model_.contacts) {
       const std::string a = Name(pair.a + " to " + pair.b);
       const std::string b = Name(pair.b + " to " + pair.a);
