@@ -39,6 +39,43 @@ TEST(NiftiPair, TheHeaderIsFoundFromEitherFile) {
   EXPECT_EQ(CheckedNiftiHeader(dir + "/D.IMG"), dir + "/D.HDR");
 }
 
+// A header of NIfTI-1 or 2 that says nothing but its size and dimensions.
+std::string Header(std::int64_t size, std::int64_t dimensions, bool is_little) {
+  std::string bytes(352, '\0');
+  const auto put = [&](std::size_t at, std::size_t count, std::int64_t value) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t k = is_little ? i : count - 1 - i;
+      bytes[at + k] = static_cast<char>(value >> (8 * i) & 0xff);
+    }
+  };
+  put(0, 4, size);
+  size == 540 ? put(16, 8, dimensions) : put(40, 2, dimensions);
+  return bytes;
+}
+
+// VTK takes the number for the length of a list.
+TEST(NiftiDimensions, AreOneToSeven) {
+  const std::string path = TestTempDir() + "/image.nii";
+  for (const std::int64_t size : {348, 540}) {
+    for (const bool is_little : {true, false}) {
+      for (const std::int64_t dimensions : {1, 3, 7}) {
+        WriteTextAtomically(path, Header(size, dimensions, is_little));
+        EXPECT_NO_THROW(CheckNiftiDimensions(path));
+      }
+      for (const std::int64_t dimensions : {0, 8, 0x7f00}) {
+        WriteTextAtomically(path, Header(size, dimensions, is_little));
+        ExpectInputError([&] { CheckNiftiDimensions(path); },
+                         {"image.nii", "dimensions", "1 to 7"});
+      }
+    }
+  }
+  WriteTextAtomically(path, Header(347, 3, true));
+  ExpectInputError([&] { CheckNiftiDimensions(path); }, {"the size of"});
+  WriteTextAtomically(path, Header(348, 3, true).substr(0, 100));
+  ExpectInputError([&] { CheckNiftiDimensions(path); },
+                   {"ends after 100 bytes"});
+}
+
 TEST(NiftiPair, AnalyzeAndHalfPairsAreRefused) {
   const std::string dir = TestTempDir();
   WriteTextAtomically(dir + "/a.img", "voxels");

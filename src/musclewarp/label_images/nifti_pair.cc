@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/label_images/nifti_pair.h"
 
+#include <cstdint>
 #include <filesystem>
 
 #include "musclewarp/base/input_error.h"
@@ -50,6 +51,19 @@ std::string FileWithEnding(const std::string& path,
                    "put both files into one folder");
 }
 
+// Returns the integer of so many bytes at a place, first byte last or first.
+std::int64_t IntegerAt(const std::string& bytes,
+                       std::size_t at,
+                       std::size_t count,
+                       bool is_little) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t k = is_little ? count - 1 - i : i;
+    value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
+  }
+  return static_cast<std::int64_t>(value);
+}
+
 }  // namespace
 
 bool IsNiftiPairFile(const std::string& path) {
@@ -72,6 +86,33 @@ std::string CheckedNiftiHeader(const std::string& path) {
                    "is no header of NIfTI; ANALYZE 7.5, which looks the same, "
                    "does not say where left and right are",
                    "save the image as .nii.gz with the program that made it");
+}
+
+void CheckNiftiDimensions(const std::string& header) {
+  constexpr std::int64_t kNifti2Bytes = 540, kMostDimensions = 7;
+  const std::string bytes = ReadUnpacked(header, kNiftiBytes);
+  if (bytes.size() < kNiftiBytes) {
+    throw InputError(header,
+                     "cannot be read: it ends after " +
+                         std::to_string(bytes.size()) +
+                         " bytes, within the header of NIfTI",
+                     "copy or export the file again");
+  }
+  for (const bool is_little : {true, false}) {
+    const std::int64_t size = IntegerAt(bytes, 0, 4, is_little);
+    if (size != kNiftiBytes && size != kNifti2Bytes) continue;
+    const std::int64_t dimensions = size == kNifti2Bytes
+                                        ? IntegerAt(bytes, 16, 8, is_little)
+                                        : IntegerAt(bytes, 40, 2, is_little);
+    if (dimensions >= 1 && dimensions <= kMostDimensions) return;
+    throw InputError(header,
+                     "says that it has " + std::to_string(dimensions) +
+                         " dimensions; allowed: 1 to 7",
+                     "copy or export the file again");
+  }
+  throw InputError(header,
+                   "does not begin with the size of a header of NIfTI",
+                   "copy or export the file again");
 }
 
 }  // namespace musclewarp

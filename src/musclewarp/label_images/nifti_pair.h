@@ -15,4 +15,9 @@ bool IsNiftiPairFile(const std::string& path);
 // the same size but does not distinguish left from right.
 std::string CheckedNiftiHeader(const std::string& path);
 
+// Throws InputError if the header of a file of NIfTI (.nii or .hdr, compressed
+// or not) is damaged in its size or in its number of dimensions, which VTK
+// takes for the length of a list without a check.
+void CheckNiftiDimensions(const std::string& header);
+
 }  // namespace musclewarp
