@@ -61,7 +61,7 @@ void NumberReader::Skip(int numbers) {
 }
 
 void NumberReader::Fail(const std::string& problem) const {
-  throw InputError(path_, problem, "it is damaged");
+  throw InputError(path_, problem, "try another version of the mesher");
 }
 
 }  // namespace musclewarp
