@@ -31,7 +31,11 @@ FUNCTION = re.compile(
 CALLS = {"InputError": 1, "End": 1, "Finish": 1, "Interrupted": 0, "runtime_error": 0}
 PLACES = re.compile(r"\b(?:shortcomings|warnings|notes)_?(?:->|\.)(?:push|emplace)_back\("
                     r"|\bshortcomings\.insert\([^,]*,"
+                    r"|\bFrameFailure\{|return \{std::nullopt,|\bscreen_? <<(?= \"warning: )"
                     r"|\*error_? =|LOG\(WARNING\) <<|\bmessage = ")
+
+PYTHON_CALLS = re.compile(r"(?:InputError|ImportError|TypeError|^problems\.append|^_problem"
+                          r"|^where(?:\(.*\))?)$")
 
 
 def without_comments(text):
@@ -70,9 +74,13 @@ def pattern(words):
         word = re.sub(r"^(?:std::string)?\((.*)\)$", r"\1", word.strip(), flags=re.S)
         is_text = re.fullmatch(rf"(?:\s*{LITERAL})+\s*", word)
         text += "".join(re.findall(LITERAL, word)) if is_text else "…"
-    text = text.replace('\\"', '"').replace("\\\\", "\\")
+    text = text.replace('\\"', '"').replace("\\n", " ").replace("\\\\", "\\")
     text = re.sub(r"\{(\w+)\}", r"--\1", text)  # base/setting_names.h
     return " ".join(re.sub("…+", "…", text).split())
+
+
+def has_words(text):
+    return re.search(r"[^\W\d_]", text)
 
 
 class Sources:
@@ -149,7 +157,11 @@ class Sources:
                     for value in re.finditer(r"\breturn\s", body)
                     for one in self.patterns(parts(body, ";", value.end())[0][0],
                                              body[:value.start()], depth + 1)]
-        return [pattern(parts(expression, "+")[0])]
+        words, _ = parts(expression, "+")
+        if len(words) > 1 and not has_words(pattern(words)):
+            return [one for word in words
+                    for one in self.patterns(word, before, depth + 1)]
+        return [pattern(words)]
 
     def makers_for(self, path):
         """The calls that make messages in a file, with the place of the argument."""
@@ -184,11 +196,11 @@ class Sources:
                 begin = text.rfind("\n}", 0, at) + 1
                 line = text.count("\n", 0, at) + 1
                 for one in self.patterns(expression, text[begin:at]):
-                    yield f"{path}:{line}", one
+                    yield f"{path}:{line}", re.sub("^warning: ", "", one)
 
 
 def python_patterns(path, text):
-    """Yields the place and the pattern of each InputError of a Python file."""
+    """Yields the place and the pattern of each message of a Python file."""
     def pattern_of(node):
         if isinstance(node, ast.BinOp):
             return pattern_of(node.left) + pattern_of(node.right)
@@ -197,8 +209,12 @@ def python_patterns(path, text):
                        for value in values)
 
     for node in ast.walk(ast.parse(text)):
-        if isinstance(node, ast.Call) and "InputError" in ast.unparse(node.func):
-            for argument in node.args[1:2] or node.args[:1]:
+        if isinstance(node, ast.Call):
+            name = ast.unparse(node.func)
+            arguments = [] if not PYTHON_CALLS.search(name) else (
+                node.args[4:5] if name == "_problem" else node.args[1:2] or (
+                    [] if name == "where" else node.args[:1]))
+            for argument in arguments:
                 text = re.sub("…+", "…", " ".join(pattern_of(argument).split()))
                 yield f"{path}:{node.lineno}", text
 
@@ -217,7 +233,7 @@ def patterns_of_sources():
             told += python_patterns(path, text)
     found = {}
     for place, one in told:
-        if re.search(r"[^\W\d_]", one):
+        if has_words(one):
             found.setdefault(one, []).append(place)
     return found
 
