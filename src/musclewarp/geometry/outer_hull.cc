@@ -73,12 +73,12 @@ bool OuterHullOptions::IsValid(std::string* error) const {
   }
   if (!(count_tolerance > 0)) {
     *error = "OuterHullOptions::count_tolerance is " +
-             std::to_string(count_tolerance) + ", must be above 0";
+             std::to_string(count_tolerance) + ", allowed: above 0";
     return false;
   }
   if (max_wraps < 1) {
     *error = "OuterHullOptions::max_wraps is " + std::to_string(max_wraps) +
-             ", must be at least 1";
+             ", allowed: 1 or above";
     return false;
   }
   return true;
