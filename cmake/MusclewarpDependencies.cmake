@@ -1,6 +1,6 @@
 # The packages musclewarp links, one string each, as find_package takes them.
 # The build and, once installed, musclewarpConfig.cmake read this list; it
-# depends on MUSCLEWARP_WITH_VTK.
+# depends on MUSCLEWARP_WITH_VTK and MUSCLEWARP_WITH_OPENMP.
 set(MUSCLEWARP_PACKAGES
     "Eigen3 3.4"
     "glog"
@@ -10,8 +10,10 @@ set(MUSCLEWARP_PACKAGES
     "CGAL 5.5"
     "nlohmann_json 3.11"
     "pugixml 1.12"
-    "ZLIB"
-    "OpenMP COMPONENTS CXX")
+    "ZLIB")
+if(MUSCLEWARP_WITH_OPENMP)
+  list(APPEND MUSCLEWARP_PACKAGES "OpenMP COMPONENTS CXX")
+endif()
 if(MUSCLEWARP_WITH_VTK)
   list(APPEND MUSCLEWARP_PACKAGES
        "VTK 9.1 COMPONENTS CommonCore CommonDataModel CommonExecutionModel FiltersCore ImagingGeneral IOLegacy IOXML IOXMLParser IOImage RenderingCore RenderingFreeType RenderingOpenGL2 glew"

@@ -6,7 +6,7 @@ function(musclewarp_manuals COMPONENT)
   find_package(Python3 COMPONENTS Interpreter)
   if(NOT Python3_FOUND
      OR CMAKE_CROSSCOMPILING
-     OR MUSCLEWARP_SANITIZE)
+     OR MUSCLEWARP_SANITIZE OR MUSCLEWARP_SANITIZE_THREADS)
     return()
   endif()
   set(SCRIPT ${PROJECT_SOURCE_DIR}/packaging/manuals.py)

@@ -4,15 +4,18 @@
 """Deforms random anatomies (musclewarp-phantom --scene=random), one for each
 seed, and says what certified contact makes of them.
 
-  scripts/random_scenes.py --programs=build/release/tools --seeds=1-300 --out=DIR
+  scripts/random_scenes.py --build=build/release --seeds=1-300 --out=DIR --vary
 
-Every frame that the report calls usable is counted again by musclewarp-check.
-A seed has one of these outcomes:
+In every frame that the report calls usable, and at rest, CGAL looks for
+crossings (tests/certificate/frame_check.cc, which has nothing of musclewarp in
+it). With --vary the seed also decides on a size of 1e-3 to 1e3 times that of the
+scene, an offset of up to 9e6 mm along each axis, 50 to 50 000 vertices for each
+muscle and one to six poses. A seed has one of these outcomes:
 
   usable          every frame is usable
   not usable      musclewarp-deform says which frames are not, and why
   refused         musclewarp-deform refuses the scene (exit code 2) and says why
-  falsely usable  a frame is called usable, but musclewarp-check finds crossings
+  falsely usable  a frame is called usable, but CGAL finds crossings
   time-out        a program was still running after --timeout_s
   crash           a program was ended by a signal or had another exit code
 
@@ -30,8 +33,10 @@ import concurrent.futures
 import csv
 import dataclasses
 import json
+import math
 import os
 import pathlib
+import random
 import re
 import shutil
 import subprocess
@@ -45,6 +50,9 @@ OUTCOMES = [
     "time-out",
     "crash",
 ]
+# Of all muscles of a varied scene.
+MOST_VERTICES = 100_000
+
 FAILURES = {"falsely usable", "time-out", "crash"}
 
 
@@ -55,6 +63,9 @@ class Row:
     seed: int
     muscles: int = 0
     bones: int = 0
+    size: float = 1
+    offset_mm: float = 0
+    vertices: int = 0
     rest_crossings: int = 0
     frames: int = 0
     usable_frames: int = 0
@@ -102,31 +113,13 @@ def last_line(log):
     return lines[-1] if lines else "no output"
 
 
-def crossings(meshes, work, options):
-    """Counts with musclewarp-check the crossings of muscles with each other and
-    with bones in a folder of a frame. Returns (crossings, what crosses first);
-    the meshes of `meshes` are muscles, all others are bones."""
-    folder, muscles = meshes
-    result = work / "check.json"
-    command = [options.programs / "musclewarp-check", f"--json={result}"]
-    code = run([*command, *sorted(folder.glob("*.ply"))], work / "check.log", options)
-    if code != 0:
-        raise RuntimeError(f"musclewarp-check: {last_line(work / 'check.log')}")
-    check = json.loads(result.read_text())
-    count, first = 0, ""
-    for pair in check["pairs"]:
-        names = [pathlib.Path(pair[side]).stem for side in "ab"]
-        if not muscles.intersection(names):
-            continue
-        found = (
-            pair["triangle_pairs"]
-            + pair["a_vertices_inside_b"]
-            + pair["b_vertices_inside_a"]
-        )
-        if found and not count:
-            first = f"{folder.name}: {names[0]} x {names[1]}"
-        count += found
-    return count, first
+def crossings(folder, muscles, work, options):
+    """Returns what CGAL finds to cross in a folder of a frame, a line each."""
+    log = work / "check.log"
+    code = run([options.frame_check, folder, *sorted(muscles)], log, options)
+    if code not in (0, 1):
+        raise RuntimeError(f"frame_check: exit code {code}: {last_line(log)}")
+    return log.read_text().strip().splitlines()
 
 
 def read_report(row, report):
@@ -198,11 +191,24 @@ def classify(row, code, report, work, options):
     for frame in report["frames"]:
         if not frame["usable"]:
             continue
-        folder = work / "out" / f"frame_{frame['index']:04}"
-        count, first = crossings((folder, muscles), work, options)
-        if count:
-            row.outcome, row.detail = "falsely usable", f"{count} crossings, {first}"
+        name = f"frame_{frame['index']:04}"
+        found = crossings(work / "out" / name, muscles, work, options)
+        if found:
+            row.outcome, row.detail = "falsely usable", f"{name}: {found[0]}"
             return
+
+
+def varied(seed, row):
+    """Draws the size, place and numbers of the scene of a seed; returns flags of
+    musclewarp-phantom."""
+    draw = random.Random(seed)
+    row.size = 10 ** draw.uniform(-3, 3)
+    row.offset_mm = draw.choice([-1, 1]) * 10 ** draw.uniform(0, math.log10(9e6))
+    row.vertices = round(10 ** draw.uniform(math.log10(50), math.log10(50_000)))
+    muscles = draw.randint(2, max(2, min(20, MOST_VERTICES // row.vertices)))
+    return [f"--size={row.size!r}", f"--offset={row.offset_mm!r}",
+            f"--num_vertices={row.vertices}", f"--num_muscles={muscles}",
+            f"--num_poses={draw.randint(1, 6)}"]
 
 
 def run_seed(seed, options):
@@ -212,7 +218,9 @@ def run_seed(seed, options):
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
     command = [options.programs / "musclewarp-phantom", "--scene=random"]
-    command += [f"--seed={seed}", f"--num_muscles={options.num_muscles}"]
+    command += [f"--seed={seed}"]
+    command += (varied(seed, row) if options.vary
+                else [f"--num_muscles={options.num_muscles}"])
     log = work / "phantom.log"
     code = run([*command, f"--out={work / 'scene'}"], log, options)
     if code != 0:
@@ -286,7 +294,8 @@ def parse():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("--programs", required=True, type=pathlib.Path)
+    parser.add_argument("--build", required=True, type=pathlib.Path,
+                        help="folder of the build, with its tests")
     parser.add_argument("--seeds", required=True, type=seeds_of, help="1-300 or 3,7")
     parser.add_argument("--out", required=True, type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=1, help="seeds at a time")
@@ -297,6 +306,8 @@ def parse():
         "--timeout_s", type=float, default=600, help="for each program"
     )
     parser.add_argument("--num_muscles", type=int, default=0, help="0: drawn")
+    parser.add_argument("--vary", action="store_true",
+                        help="draw sizes, places and numbers, too")
     parser.add_argument("--keep_meshes", action="store_true")
     parser.add_argument("--table", type=pathlib.Path, help="file for the summary")
     options = parser.parse_args()
@@ -306,10 +317,12 @@ def parse():
         parser.error(f"--timeout_s is {options.timeout_s}; it must be above 0")
     if options.threads < 0:
         parser.error(f"--threads is {options.threads}; 0 or more is allowed")
-    for name in ("phantom", "deform", "check"):
-        if not (options.programs / f"musclewarp-{name}").exists():
-            parser.error(f"--programs: {options.programs} has no musclewarp-{name}")
-    options.programs = options.programs.resolve()
+    options.programs = (options.build / "tools").resolve()
+    options.frame_check = (options.build / "tests/certificate/frame_check").resolve()
+    for program in (options.programs / "musclewarp-phantom",
+                    options.programs / "musclewarp-deform", options.frame_check):
+        if not program.exists():
+            parser.error(f"--build: {program} is not built")
     options.threads = options.threads or max(1, (os.cpu_count() or 1) // options.jobs)
     return options
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/export_command.h"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <functional>

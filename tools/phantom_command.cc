@@ -8,6 +8,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/phantom/phantom_scene.h"
+#include "musclewarp/settings/checked_settings.h"
 
 namespace musclewarp {
 namespace {
@@ -31,8 +32,9 @@ void MakePhantom(const PhantomRequest& request, std::ostream& log) {
   if (request.out.empty()) {
     throw InputError("--out", "is not given", "name the folder to write to");
   }
+  CheckSettings(request);
   const PhantomScene scene =
-      MakePhantomScene(request.scene, request.seed, request.num_muscles);
+      MakePhantomScene(request.scene, request.seed, request);
   WritePhantomScene(scene, request.out);
   log << "mesh               vertices triangles    cm^3 duplicate degenerate "
          "flaps stray missing\n";

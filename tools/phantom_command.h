@@ -7,15 +7,15 @@
 #include <string>
 
 #include "musclewarp/base/described.h"
+#include "musclewarp/phantom/variation.h"
 
 namespace musclewarp {
 
 // The settings of musclewarp-phantom.
-struct PhantomRequest {
+struct PhantomRequest : Variation {
   std::string out;
   std::string scene = "hip";  // one of PhantomSceneNames()
   uint32_t seed = 1;
-  int num_muscles = 0;
 };
 
 constexpr auto FieldsOf(Described<PhantomRequest>) {
@@ -30,9 +30,7 @@ constexpr auto FieldsOf(Described<PhantomRequest>) {
       Field(&S::seed, "seed")
           .Text("places of the planted defects and bumps of the surfaces; in "
                 "the scene random everything"),
-      Field(&S::num_muscles, "num_muscles")
-          .Text("number of muscles of the scene random, 2 to 32; 0: drawn from "
-                "the seed, 2 to 20"));
+      Inherited<Variation>());
 }
 
 // Writes the scene, and lists its meshes and their defects on `log`. Throws

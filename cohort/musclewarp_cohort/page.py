@@ -7,6 +7,10 @@ import math
 from . import comparison, plots
 from .markup import escape, number, table
 
+# The page has no script, and loads nothing.
+POLICY = ("default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; "
+          "form-action 'none'")
+
 STYLE = """
 :root { color-scheme: light dark; --line: #8888; --good: #2a78b8; --bad: #c0392b; }
 body { font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 72rem;
@@ -113,6 +117,7 @@ def as_html(rows, out, measured=()):
     usable = sum(run[0].status == "usable" for run in runs)
     return f"""<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{POLICY}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{usable} of {len(runs)} usable</title><style>{STYLE}</style></head><body>
 <h1>{usable} of {len(runs)} runs usable</h1>

@@ -3,7 +3,6 @@
 #include "musclewarp/certificate/mesh_distance.h"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <random>
@@ -11,6 +10,7 @@
 
 #include "certificate/exact_distance.h"
 #include "certificate/surface_views.h"
+#include "musclewarp/base/threads.h"
 #include "musclewarp/mesh/box.h"
 #include "support/meshes.h"
 
@@ -134,12 +134,12 @@ TEST(DistanceSearch, DependsNeitherOnTheOrderNorOnThreads) {
   EXPECT_EQ(swapped->at_least, distance->at_least);
   EXPECT_EQ(swapped->at_most, distance->at_most);
   EXPECT_EQ(swapped->place, distance->place);
-  const int threads = omp_get_max_threads();
+  const int threads = NumThreads();
   for (const int count : {1, 2, 5}) {
-    omp_set_num_threads(count);
+    SetNumThreads(count);
     ExpectSame(*Distance(a, b), *distance);
   }
-  omp_set_num_threads(threads);
+  SetNumThreads(threads);
   TriangleSoup reversed = b;
   reversed.triangles = b.triangles.colwise().reverse().eval();
   const auto renumbered = Distance(a, reversed);

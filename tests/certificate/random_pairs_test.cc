@@ -1,7 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +9,7 @@
 
 #include "certificate/exact_meshes.h"
 #include "certificate/mesh_pairs.h"
+#include "musclewarp/base/threads.h"
 #include "musclewarp/certificate/scene_intersections.h"
 
 namespace musclewarp {
@@ -47,7 +47,7 @@ int NumberFrom(const char* variable, int otherwise) {
 
 TEST(RandomPairs, AreAsExactArithmeticHasThem) {
   // Threads that wait for such small meshes take more time than they save.
-  omp_set_num_threads(1);
+  SetNumThreads(1);
   const int count = NumberFrom("MUSCLEWARP_PAIRS", 500);
   const int first = NumberFrom("MUSCLEWARP_FIRST_PAIR", 1);
   std::map<std::string, int> kinds;

@@ -3,12 +3,12 @@
 #include "musclewarp/geometry/mean_value_coordinates.h"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <random>
 
+#include "musclewarp/base/threads.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -335,14 +335,14 @@ TEST(MeanValueCoordinates, DoNotDependOnPlaceTurnAndScale) {
 TEST(MeanValueCoordinates, DoNotDependOnTheNumberOfThreads) {
   const TriangleSoup cage = DentedCage();
   const Points queries = Spindle(20, 100, 3).points;
-  const int threads = omp_get_max_threads();
-  omp_set_num_threads(1);
+  const int threads = NumThreads();
+  SetNumThreads(1);
   const RowMajorMatrix one =
       MeanValueCoordinates(queries, cage.points, cage.triangles);
-  omp_set_num_threads(3);
+  SetNumThreads(3);
   const RowMajorMatrix three =
       MeanValueCoordinates(queries, cage.points, cage.triangles);
-  omp_set_num_threads(threads);
+  SetNumThreads(threads);
   EXPECT_EQ(one, three);
 }
 

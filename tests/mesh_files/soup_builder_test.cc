@@ -131,5 +131,21 @@ TEST(SoupBuilder, NoFacesAreRefused) {
   ExpectInputError([&] { builder.Build(); }, {"no faces"});
 }
 
+TEST(SoupBuilder, AMeshHasALargestSize) {
+  SoupBuilder builder("a.ply");
+  for (std::int64_t i = 0; i < kMostVertices; ++i) builder.AddPoint({0, 0, 0});
+  ExpectInputError(
+      [&] {
+        builder.AddPoint({0, 0, 0});
+      },
+      {"a.ply", "more than 5000000 vertices", "simplify"});
+  for (std::int64_t i = 0; i < kMostFaces; ++i) builder.AddPolygon({0, 1, 2});
+  ExpectInputError(
+      [&] {
+        builder.AddPolygon({0, 1, 2});
+      },
+      {"a.ply", "more than 10000000 faces"});
+}
+
 }  // namespace
 }  // namespace musclewarp

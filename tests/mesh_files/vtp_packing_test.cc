@@ -132,5 +132,23 @@ TEST(UnpackVtpArray, AbsurdSizesAreRefused) {
       {"4294967295 blocks"});
 }
 
+// 16 kB in the file for each 16 MB.
+TEST(UnpackVtpArray, WhatIsPackedHasALimit) {
+  constexpr std::uint32_t kBlock = 16000000;
+  const std::string block = Deflated(std::string(kBlock, '\0'));
+  const auto array_of = [&](std::uint32_t blocks) {
+    std::vector<std::uint32_t> header = {blocks, kBlock, 0};
+    header.resize(3 + blocks, static_cast<std::uint32_t>(block.size()));
+    std::string data = WordBytes(header);
+    for (std::uint32_t i = 0; i < blocks; ++i) data += block;
+    return data;
+  };
+  const std::uint32_t most = kMostArrayBytes / kBlock;
+  EXPECT_EQ(UnpackVtpArray("a", array_of(most), Zlib()).size(),
+            kMostArrayBytes);
+  ExpectInputError([&] { UnpackVtpArray("a", array_of(most + 1), Zlib()); },
+                   {"more than 240000000 bytes"});
+}
+
 }  // namespace
 }  // namespace musclewarp

@@ -3,8 +3,8 @@
 #include "musclewarp/paper_contact/gauss_newton_group.h"
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
+#include "musclewarp/base/threads.h"
 #include "support/muscle_groups.h"
 
 namespace musclewarp {
@@ -59,10 +59,10 @@ TEST_P(GaussNewtonGroup, IsTheSameToTheBitForEveryNumberOfThreads) {
   TouchingSpindles scene(GetParam());
   GroupIterationOptions options;
   options.max_iterations = 20;
-  const int threads = omp_get_max_threads();
+  const int threads = NumThreads();
   std::vector<std::vector<MuscleState>> results;
   for (const int count : {1, 4}) {
-    omp_set_num_threads(count);
+    SetNumThreads(count);
     GroupContact contact = scene.Contact();
     results.push_back(scene.RestStates());
     std::vector<SolverSummary> summaries;
@@ -73,7 +73,7 @@ TEST_P(GaussNewtonGroup, IsTheSameToTheBitForEveryNumberOfThreads) {
                           &results.back(),
                           &summaries);
   }
-  omp_set_num_threads(threads);
+  SetNumThreads(threads);
   for (size_t i = 0; i < scene.models.size(); ++i) {
     EXPECT_EQ(results[0][i].coarse, results[1][i].coarse);
     EXPECT_EQ(results[0][i].corrections.fine_offset,

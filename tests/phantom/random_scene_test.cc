@@ -4,15 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/angles.h"
 #include "musclewarp/mesh/defects.h"
 #include "musclewarp/proximity/mesh_intersection.h"
-#include "support/input_errors.h"
 
 namespace musclewarp {
 namespace {
@@ -159,11 +160,26 @@ TEST(RandomScene, WithoutANumberItIsDrawn) {
   }
 }
 
-TEST(RandomScene, AnotherNumberOfMusclesIsAnError) {
-  for (const int number : {-1, 1, 33}) {
-    ExpectInputError([&] { MakeRandomScene(1, number); },
-                     {"num_muscles", "is " + std::to_string(number), "32"});
+// The turn of a body, degrees.
+double TurnOf(const Eigen::Matrix4d& pose) {
+  const Eigen::Matrix3d turn = pose.topLeftCorner<3, 3>();
+  return DegreesOf(Eigen::AngleAxisd(turn).angle());
+}
+
+TEST(RandomScene, ASinglePoseIsTheLastOfTheSameMotion) {
+  const PhantomScene drawn = MakeRandomScene(9, 2),
+                     one = MakeRandomScene(9, 2, 1),
+                     six = MakeRandomScene(9, 2, 6);
+  ASSERT_EQ(one.scene.poses.size(), 1u);
+  ASSERT_EQ(six.scene.poses.size(), 6u);
+  double largest = 0;
+  for (const auto& [body, last] : drawn.scene.poses.back().bodies) {
+    EXPECT_EQ(one.scene.poses[0].bodies.at(body), last);
+    EXPECT_EQ(six.scene.poses[5].bodies.at(body), last);
+    EXPECT_EQ(TurnOf(six.scene.poses[0].bodies.at(body)), 0);
+    largest = std::max(largest, TurnOf(last));
   }
+  EXPECT_GE(largest, 8);  // the least turn of a drawn motion
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include "musclewarp/mesh_files/soup_builder.h"
 
 #include <Eigen/Geometry>
-#include <limits>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/mesh_files/export_advice.h"
@@ -89,10 +88,7 @@ void SoupBuilder::AddPoint(const Eigen::Vector3d& point, std::size_t line) {
                      "is at " + text + "), coordinates must be finite",
                      "repair the mesh where it was made and export it again");
   }
-  if (num_points() == std::numeric_limits<int>::max()) {
-    throw InputError(
-        path_, "has more than 2^31 - 1 vertices", "simplify the mesh");
-  }
+  if (num_points() == kMostVertices) ThrowTooLarge(kMostVertices, "vertices");
   points_.insert(points_.end(), point.data(), point.data() + 3);
 }
 
@@ -115,8 +111,15 @@ void SoupBuilder::AddFace(const std::vector<std::int64_t>& corners,
         "has " + std::to_string(corners.size()) + " corners, at least 3 needed",
         "remove edges and points from the mesh and export it again");
   }
+  if (num_faces() == kMostFaces) ThrowTooLarge(kMostFaces, "faces");
   corners_.insert(corners_.end(), corners.begin(), corners.end());
   faces_.push_back({corners_.size(), line, is_strip});
+}
+
+void SoupBuilder::ThrowTooLarge(std::int64_t most, const char* what) const {
+  throw InputError(path_,
+                   "has more than " + std::to_string(most) + " " + what,
+                   "simplify the mesh");
 }
 
 std::string SoupBuilder::Where(const char* element,

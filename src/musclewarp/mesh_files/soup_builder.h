@@ -13,12 +13,18 @@
 
 namespace musclewarp {
 
+// The largest mesh that is read. What segmentation gives is far below; a file
+// of more is damaged, or packed by someone who means harm.
+constexpr std::int64_t kMostVertices = 5000000;
+constexpr std::int64_t kMostFaces = 10000000;
+
 // Collects the points and faces that a reader finds in a mesh file, checks
 // them, and makes triangles of them, so that all formats have the same checks
 // and messages. Checked are: points are finite, a face has at least three
-// corners, its corners exist, and there is at least one face. Each failure is
-// an InputError that names the vertex or face, counted as the file counts, and
-// its line if the file has lines.
+// corners, its corners exist, there is at least one face, and no more vertices
+// and faces than are allowed. Each failure is an InputError that names the
+// vertex or face, counted as the file counts, and its line if the file has
+// lines.
 //
 //   SoupBuilder builder(path);
 //   builder.AddPoint({0, 0, 1.5}, cursor.line());
@@ -66,6 +72,7 @@ class SoupBuilder {
   void AddFace(const std::vector<std::int64_t>& corners,
                std::size_t line,
                bool is_strip);
+  [[noreturn]] void ThrowTooLarge(std::int64_t most, const char* what) const;
   std::string Where(const char* element,
                     std::int64_t index,
                     std::size_t line) const;

@@ -104,6 +104,12 @@ std::string UnpackBlocks(const std::string& where,
       ThrowTruncated(where, size, "unpacked bytes", packed);
     }
     const std::size_t begin = bytes.size();
+    if (begin + size > kMostArrayBytes) {
+      throw InputError(
+          where,
+          "unpacks to more than " + std::to_string(kMostArrayBytes) + " bytes",
+          "simplify the mesh, if the file is sound");
+    }
     bytes.resize(begin + size);
     const std::size_t unpacked = compressor->Uncompress(
         reinterpret_cast<const unsigned char*>(rest.data()),

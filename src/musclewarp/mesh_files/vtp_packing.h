@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -24,11 +25,15 @@ struct VtpPacking {
 // names `path`, if an attribute has an unknown value.
 VtpPacking VtpPackingFromTag(const std::string& path, const XmlTag& root);
 
+// The bytes that an array may unpack to: the corners of 10 million triangles,
+// in eight bytes each.
+constexpr std::uint64_t kMostArrayBytes = 240000000;
+
 // Unpacks the array at the start of `data`: a header with sizes, then plain
 // bytes or compressed blocks. More data may follow the array. The memory taken
 // is in proportion to the size of `data`, whatever the header promises, so that
 // a damaged file cannot exhaust it. Throws InputError with `where` as its place
-// if the data are cut off or damaged.
+// if the data are cut off or damaged, or unpack to more than kMostArrayBytes.
 std::string UnpackVtpArray(const std::string& where,
                            std::string_view data,
                            const VtpPacking& packing);

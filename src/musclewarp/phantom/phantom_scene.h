@@ -8,6 +8,7 @@
 
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/phantom/planted_defects.h"
+#include "musclewarp/phantom/variation.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
@@ -43,15 +44,14 @@ struct PhantomScene {
 std::vector<std::string> PhantomSceneNames();
 
 // Makes the scene of that name. The seed decides on bumps and places of
-// defects, and on everything in the scene "random", which has `num_muscles`
-// muscles, or a drawn number if that is 0 (see MakeRandomScene).
+// defects, and on everything in the scene "random" (see MakeRandomScene).
 //
 // Throws InputError that lists the known names for any other, and InputError
-// that names --num_muscles for a number that is not allowed, or one that is not
-// 0 for a scene that is not random.
+// that names the flag for a value of `variation` that the scene cannot have.
+// Precondition: its values are in the ranges of their fields.
 PhantomScene MakePhantomScene(const std::string& name,
                               uint32_t seed,
-                              int num_muscles = 0);
+                              const Variation& variation = {});
 
 // Writes a scene to a folder, which is made if need be: scene.json, a .ply file
 // for each mesh, and if the scene has a model, NAME.osim, NAME.mot and

@@ -135,10 +135,12 @@ bool FitLastTurn(const std::vector<RandomBone>& bones,
 
 std::vector<ScenePose> DrawPoses(const std::vector<RandomBone>& bones,
                                  const std::vector<RandomMuscle>& muscles,
-                                 RandomDraws* draws) {
+                                 RandomDraws* draws,
+                                 int num_poses) {
   constexpr int kAttempts = 12;
   const size_t count = draws->Chance(0.5) ? 1 : 2;
-  const int poses = draws->Integer(3, 5);
+  const int drawn = draws->Integer(3, 5);
+  const int poses = num_poses == 0 ? drawn : num_poses;
   std::vector<JointTurn> turns;
   for (int i = 0; i < kAttempts && turns.size() < count; ++i) {
     turns.push_back(DrawTurn(bones, muscles, draws));
@@ -156,7 +158,8 @@ std::vector<ScenePose> DrawPoses(const std::vector<RandomBone>& bones,
     ScenePose pose;
     pose.name = "step_" + std::to_string(i);
     pose.time = i;
-    pose.bodies = ByBody(bones, Transforms(bones, turns, i / (poses - 1.0)));
+    const double share = poses == 1 ? 1 : i / (poses - 1.0);
+    pose.bodies = ByBody(bones, Transforms(bones, turns, share));
     motion.push_back(pose);
   }
   return motion;

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "musclewarp/base/input_error.h"
 #include "musclewarp/phantom/random_bones.h"
 #include "musclewarp/phantom/random_draws.h"
 #include "musclewarp/phantom/random_muscles.h"
@@ -73,25 +72,17 @@ PhantomScene Assemble(std::vector<RandomBone> bones,
 
 }  // namespace
 
-PhantomScene MakeRandomScene(uint32_t seed, int num_muscles) {
-  if (num_muscles != 0 && (num_muscles < kFewestRandomMuscles ||
-                           num_muscles > kMostRandomMuscles)) {
-    throw InputError("{num_muscles}",
-                     "is " + std::to_string(num_muscles),
-                     "choose 0 (drawn from the seed) or a number from " +
-                         std::to_string(kFewestRandomMuscles) + " to " +
-                         std::to_string(kMostRandomMuscles));
-  }
+PhantomScene MakeRandomScene(uint32_t seed, int num_muscles, int num_poses) {
   constexpr int kAttempts = 100;
-  constexpr int kMostDrawn = 20;
   RandomDraws draws(seed);
-  const int drawn = draws.Integer(kFewestRandomMuscles, kMostDrawn);
+  const int drawn = draws.Integer(2, 20);
   const int count = num_muscles == 0 ? drawn : num_muscles;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     std::vector<RandomBone> bones = phantom::DrawBones(&draws);
     std::vector<RandomMuscle> muscles = DrawMuscles(bones, count, &draws);
     if (static_cast<int>(muscles.size()) < count) continue;
-    std::vector<ScenePose> poses = phantom::DrawPoses(bones, muscles, &draws);
+    std::vector<ScenePose> poses =
+        phantom::DrawPoses(bones, muscles, &draws, num_poses);
     if (poses.empty()) continue;
     return Assemble(std::move(bones), std::move(muscles), std::move(poses));
   }

@@ -8,10 +8,6 @@
 
 namespace musclewarp {
 
-// The numbers of muscles that a random scene may be asked for.
-constexpr int kFewestRandomMuscles = 2;
-constexpr int kMostRandomMuscles = 32;
-
 // Makes the scene "random": an anatomy that is nobody's, drawn from the seed.
 // It tests contact on shapes that nobody chose. It has two to six bones, each
 // with a body of its own; 2 to 20 muscles that run from bone to bone over other
@@ -26,8 +22,8 @@ constexpr int kMostRandomMuscles = 32;
 //
 // `num_muscles` fixes the number of muscles, 2 to 32; with 0 it is drawn from 2
 // to 20. A larger number gives the same bones and the same first muscles, with
-// more after them, unless so many find no room at these bones. Throws
-// InputError that names --num_muscles for any other value.
-PhantomScene MakeRandomScene(uint32_t seed, int num_muscles);
+// more after them, unless so many find no room at these bones. `num_poses`
+// fixes the number of poses of the same motion (see DrawPoses).
+PhantomScene MakeRandomScene(uint32_t seed, int num_muscles, int num_poses = 0);
 
 }  // namespace musclewarp

@@ -4,7 +4,6 @@
 
 #include <gflags/gflags.h>
 #include <glog/logging.h>
-#include <omp.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -14,6 +13,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/setting_names.h"
+#include "musclewarp/base/threads.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/program/flag_names.h"
 #include "musclewarp/program/flags.h"
@@ -109,7 +109,7 @@ int RunProgram(
 
 void UseThreads(const ThreadSettings& settings) {
   CheckSettings<ThreadSettings>(settings);
-  if (settings.threads > 0) omp_set_num_threads(settings.threads);
+  if (settings.threads > 0) SetNumThreads(settings.threads);
 }
 
 void RefuseArguments(const std::vector<std::string>& arguments) {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/run/machine.h"
 
-#include <omp.h>
-
 #include <fstream>
 #include <thread>
+
+#include "musclewarp/base/threads.h"
 
 namespace musclewarp {
 
@@ -13,7 +13,7 @@ Machine ThisMachine() {
   Machine machine;
   machine.processor = "unknown";
   machine.cores = static_cast<int>(std::thread::hardware_concurrency());
-  machine.threads = omp_get_max_threads();
+  machine.threads = NumThreads();
   std::ifstream cpuinfo("/proc/cpuinfo");
   std::string line;
   while (std::getline(cpuinfo, line)) {
