@@ -32,7 +32,7 @@ CALLS = {"InputError": 1, "End": 1, "Finish": 1, "Interrupted": 0, "runtime_erro
 PLACES = re.compile(r"\b(?:shortcomings|warnings|notes)_?(?:->|\.)(?:push|emplace)_back\("
                     r"|\bshortcomings\.insert\([^,]*,"
                     r"|\bFrameFailure\{|return \{std::nullopt,|\bscreen_? <<(?= \"warning: )"
-                    r"|\*error_? =|LOG\(WARNING\) <<|\bmessage = ")
+                    r"|\*error_? =|LOG\(WARNING\) <<|\bmessage =\s")
 
 PYTHON_CALLS = re.compile(r"(?:InputError|ImportError|TypeError|^problems\.append|^_problem"
                           r"|^where(?:\(.*\))?)$")

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "musclewarp/motion/certified_motion.h"
 #include "support/prepared_small_scene.h"
@@ -76,6 +77,30 @@ TEST_F(CertifiedStepperTest, SettlingEndsWhereNothingMoves) {
   ContactState state = certified_.rest;
   EXPECT_EQ(AdvanceToPose(mover_, advance, pose_, /*at=*/1, {}, &state).steps,
             1);
+}
+
+// A volume that is not a number reaches every coordinate by way of the
+// pressure.
+TEST_F(CertifiedStepperTest, AStepThatIsNotFiniteIsNeverTaken) {
+  AdvanceOptions advance;
+  advance.step = certified_.options.step;
+  advance.max_settling_steps = 2;
+  ContactState state = Aside();
+  state.withheld.assign(state.points.size(),
+                        std::numeric_limits<double>::quiet_NaN());
+  const AdvanceSummary summary =
+      AdvanceToPose(mover_, advance, FlexedPose(0.2), /*at=*/0, {}, &state);
+  EXPECT_TRUE(summary.is_broken);
+  EXPECT_EQ(summary.reached, 0);
+  for (const Points& points : state.points) EXPECT_TRUE(points.allFinite());
+
+  // At the pose there is nothing to be given up.
+  state = Aside();
+  state.withheld.assign(state.points.size(),
+                        std::numeric_limits<double>::quiet_NaN());
+  const ContactState before = state;
+  AdvanceToPose(mover_, advance, pose_, /*at=*/1, {}, &state);
+  EXPECT_EQ(state.points, before.points);
 }
 
 }  // namespace

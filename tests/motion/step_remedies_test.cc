@@ -26,6 +26,13 @@ TEST(StepRemedies, WhatPassesThroughABoneIsHalved) {
   EXPECT_THAT(RemediesOf(Outcome::kPassing), ElementsAre(Remedy::kHalve));
 }
 
+TEST(StepRemedies, WhatIsNotFiniteIsNeverTaken) {
+  EXPECT_THAT(RemediesOf(Outcome::kNotFinite),
+              ElementsAre(Remedy::kHalve, Remedy::kGoBack, Remedy::kGiveUp));
+  EXPECT_THAT(RemediesOf(Outcome::kSettledNotFinite),
+              ElementsAre(Remedy::kEndSettling));
+}
+
 // Shorter steps come first, as they lose nothing. More reach lets muscles move
 // farther than need be.
 TEST(StepRemedies, WhatCrossesIsTakenOnlyIfNothingElseIsLeft) {

@@ -236,7 +236,8 @@ MUSCLEWARP_ARCHIVE_WITHOUT(PreparedScene,
                            exempt,
                            bone_crossings,
                            warnings,
-                           as_delivered)
+                           as_delivered,
+                           memory_needed)
 
 // The separated rest pose.
 

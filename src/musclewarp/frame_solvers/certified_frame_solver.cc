@@ -30,11 +30,14 @@ std::optional<std::string> GivenUpShortcoming(const MotionSummary& motion,
   } else if (motion.stuck_at) {
     text << "given up, as triangles crossed for " << max_stuck_steps
          << (max_stuck_steps == 1 ? " step" : " steps in a row");
+  } else if (motion.broken_at) {
+    text << "given up, as every step came to coordinates that are not finite";
   } else {
     return std::nullopt;
   }
-  const double reached =
-      motion.timed_out_at ? *motion.timed_out_at : *motion.stuck_at;
+  const double reached = motion.timed_out_at ? *motion.timed_out_at
+                         : motion.stuck_at   ? *motion.stuck_at
+                                             : *motion.broken_at;
   text << ", at " << static_cast<int>(100 * reached)
        << " % of the motion; the remainder was computed without contact";
   return text.str();

@@ -8,6 +8,7 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/frames/frame_measures.h"
 #include "musclewarp/frames/moment_arms.h"
+#include "musclewarp/motion/muscle_solvers.h"
 #include "musclewarp/scene/line_targets.h"
 
 namespace musclewarp {
@@ -55,9 +56,13 @@ SolvedPose PaperFrameSolver::SolveGroup(const GroupSolver& solver,
     }
     contact.FollowOn(before->muscles, std::move(now_from_before));
   }
+  const std::vector<MuscleState> start = solved.states;
   const Stopwatch solving;
   solver(models, targets, &contact, &solved.states, &solved.summaries);
   solved.solve_ms = solving.Milliseconds();
+  for (size_t i = 0; i < start.size(); ++i) {
+    KeepFinite(start[i], &solved.states[i], &solved.summaries[i]);
+  }
   return solved;
 }
 

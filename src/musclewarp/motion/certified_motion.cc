@@ -342,6 +342,7 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
   motion.summary.steps = advanced.steps;
   if (advanced.is_timed_out) motion.summary.timed_out_at = advanced.reached;
   if (advanced.is_stuck) motion.summary.stuck_at = advanced.reached;
+  if (advanced.is_broken) motion.summary.broken_at = advanced.reached;
   motion.summary.summaries =
       InOrderOfScene(certified.order, std::move(advanced.solves));
   return motion;

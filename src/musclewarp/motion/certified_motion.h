@@ -177,10 +177,11 @@ struct MotionSummary {
   std::vector<SolverSummary> summaries;
   int steps = 0;  // including rejected ones
 
-  // If the motion timed out or was stuck, the fraction of it completed
-  // with contact.
+  // If the motion timed out, was stuck or came to coordinates that are not
+  // finite, the fraction of it completed with contact.
   std::optional<double> timed_out_at;
   std::optional<double> stuck_at;
+  std::optional<double> broken_at;
 };
 
 // The state after a motion, and the start of the next one.

@@ -42,6 +42,15 @@ StepLength ShorterSteps(StepLengthOptions options, int returns) {
   return StepLength(options);
 }
 
+bool IsFinite(const ContactState& state) {
+  for (const std::vector<Points>* points : {&state.coarse, &state.points}) {
+    for (const Points& of_muscle : *points) {
+      if (!of_muscle.allFinite()) return false;
+    }
+  }
+  return true;
+}
+
 // The state of AdvanceToPose between two steps.
 class PoseStepper {
  public:
@@ -78,6 +87,7 @@ class PoseStepper {
     return options_.max_stuck_steps > 0 &&
            stuck_steps_ >= options_.max_stuck_steps;
   }
+  bool IsBroken() const { return is_broken_; }
   double at() const { return at_; }
   AdvanceSummary TakeSummary() {
     VLOG(1) << "at most " << most_stuck_steps_
@@ -94,7 +104,9 @@ class PoseStepper {
     PoseStepResult attempt =
         Try({step_, pose, /*is_settling=*/false, length_.max_push()});
     StepOutcome outcome = StepOutcome::kClean;
-    if (attempt.summary.passes_bone) {
+    if (!IsFinite(attempt.state)) {
+      outcome = StepOutcome::kNotFinite;
+    } else if (attempt.summary.passes_bone) {
       outcome = StepOutcome::kPassing;
     } else if (attempt.summary.push > length_.max_push()) {
       outcome = StepOutcome::kPushedFar;
@@ -110,16 +122,18 @@ class PoseStepper {
     is_still_ = StillMuscles();
     PoseStepResult attempt =
         Try({step_, goal_, /*is_settling=*/true, kInfinity, is_still_});
-    Respond(Crosses(attempt.summary) ? StepOutcome::kSettledCrossing
-                                     : StepOutcome::kSettledClean,
+    Respond(!IsFinite(attempt.state)   ? StepOutcome::kSettledNotFinite
+            : Crosses(attempt.summary) ? StepOutcome::kSettledCrossing
+                                       : StepOutcome::kSettledClean,
             1,
             std::move(attempt));
   }
 
   // Computes the remainder of the motion without contact.
   void GiveUp() {
-    summary_.is_stuck = IsStuck();
-    summary_.is_timed_out = !summary_.is_stuck;
+    summary_.is_broken = IsBroken();
+    summary_.is_stuck = !IsBroken() && IsStuck();
+    summary_.is_timed_out = !IsBroken() && !IsStuck();
     summary_.reached = at_;
     if (!summary_.last_clean) summary_.last_clean = *state_;
     Accept(GoWithoutContact(context_, goal_, *state_));
@@ -160,6 +174,9 @@ class PoseStepper {
         return true;
       case StepRemedy::kEndSettling:
         is_settled_ = true;
+        return true;
+      case StepRemedy::kGiveUp:
+        is_broken_ = true;
         return true;
     }
     return false;
@@ -317,6 +334,7 @@ class PoseStepper {
   int stuck_steps_ = 0;  // the latest ones, accepted with crossing triangles
   int most_stuck_steps_ = 0;
   bool is_settled_ = false;
+  bool is_broken_ = false;  // no step from here has finite coordinates
   SettlingMuscles settling_;
   std::vector<char> is_still_;         // in the last settling step, by muscle
   double self_crossings_ = kInfinity;  // after the last settling step
@@ -341,7 +359,7 @@ AdvanceSummary AdvanceToPose(const MotionContext& context,
   PoseStepper stepper(context, options, goal, at, state);
   while (!stepper.IsAtGoal()) {
     say("moving", static_cast<int>(100 * stepper.at()), 100);
-    if (stepper.IsStuck() || stepper.IsTimedOut()) {
+    if (stepper.IsBroken() || stepper.IsStuck() || stepper.IsTimedOut()) {
       stepper.GiveUp();
       return stepper.TakeSummary();
     }

@@ -69,6 +69,7 @@ struct AdvanceSummary {
   // Why the remainder was computed without contact, if it was.
   bool is_timed_out = false;
   bool is_stuck = false;
+  bool is_broken = false;  // every step came to coordinates that are not finite
 
   // The last state without crossing triangles, if the final state has some or
   // the motion was given up.

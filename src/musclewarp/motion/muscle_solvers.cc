@@ -4,6 +4,18 @@
 
 namespace musclewarp {
 
+void KeepFinite(const MuscleState& before,
+                MuscleState* state,
+                SolverSummary* summary) {
+  if (state->coarse.allFinite() && state->corrections.fine_offset.allFinite()) {
+    return;
+  }
+  *state = before;
+  summary->stop_reason = StopReason::kFailed;
+  summary->message =
+      "coordinates that are not finite came up; the muscle stays where it was";
+}
+
 void SolveEachOnItsOwn(const MuscleSolver& solver,
                        const std::vector<const MuscleModel*>& models,
                        const std::vector<MuscleTarget>& targets,
@@ -17,7 +29,9 @@ void SolveEachOnItsOwn(const MuscleSolver& solver,
       (*summaries)[i] = NothingToSolve();
       continue;
     }
+    const MuscleState before = (*states)[i];
     solver(*models[i], targets[i], &(*states)[i].coarse, &(*summaries)[i]);
+    KeepFinite(before, &(*states)[i], &(*summaries)[i]);
   }
 }
 

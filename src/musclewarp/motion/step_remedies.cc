@@ -13,6 +13,7 @@ const std::vector<StepRemedy>& RemediesOf(StepOutcome outcome) {
       {Outcome::kClean, {Remedy::kAccept}},
       {Outcome::kPushedFar, {Remedy::kShorten}},
       {Outcome::kPassing, {Remedy::kHalve}},
+      {Outcome::kNotFinite, {Remedy::kHalve, Remedy::kGoBack, Remedy::kGiveUp}},
       {Outcome::kCrossing,
        {Remedy::kHalve,
         Remedy::kGoBack,
@@ -21,7 +22,8 @@ const std::vector<StepRemedy>& RemediesOf(StepOutcome outcome) {
       {Outcome::kStillStuck, {Remedy::kAcceptStuck}},
       {Outcome::kSettledClean, {Remedy::kSettle}},
       {Outcome::kSettledCrossing,
-       {Remedy::kReachFarther, Remedy::kEndSettling}}};
+       {Remedy::kReachFarther, Remedy::kEndSettling}},
+      {Outcome::kSettledNotFinite, {Remedy::kEndSettling}}};
   return kRemedies.at(outcome);
 }
 

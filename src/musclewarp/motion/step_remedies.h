@@ -11,6 +11,7 @@ enum class StepOutcome {
   kClean,      // no triangles cross
   kPushedFar,  // rejected, as contact pushes muscles too far
   kPassing,    // rejected, as a muscle would pass through a bone
+  kNotFinite,  // rejected, as it comes to coordinates that are not finite
 
   // Triangles start to cross, or still cross since an earlier accepted step. In
   // the latter case no remedy is tried until they are separated.
@@ -20,6 +21,7 @@ enum class StepOutcome {
   // The outcomes of a settling step.
   kSettledClean,
   kSettledCrossing,
+  kSettledNotFinite,
 };
 
 // The responses of the stepper to an outcome.
@@ -32,6 +34,7 @@ enum class StepRemedy {
   kReachFarther,  // retry with a larger reach
   kSettle,        // accept a settling step and test for convergence
   kEndSettling,   // reject the settling step and stop
+  kGiveUp,        // reject the step; the remainder is computed without contact
 };
 
 // Returns the remedies of an outcome in order of preference. The stepper

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "musclewarp/base/invalid_option.h"
+#include "musclewarp/base/memory.h"
 #include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/stopwatch.h"
@@ -17,6 +18,7 @@
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/preparation/dropped_piece_warnings.h"
 #include "musclewarp/preparation/exempt_areas.h"
+#include "musclewarp/preparation/memory_need.h"
 #include "musclewarp/preparation/muscle_interior.h"
 #include "musclewarp/preparation/repaired_meshes.h"
 #include "musclewarp/preparation/scale_warnings.h"
@@ -34,6 +36,15 @@ void AddBones(const std::vector<PreparedBone>& bones,
   for (const PreparedBone& bone : bones) {
     surroundings->AddBone(bone.body, bone.rest);
   }
+}
+
+// Returns all meshes of a scene, of which the muscles need no models yet.
+Surroundings SurroundingsOf(const std::vector<PreparedBone>& bones,
+                            const std::vector<TriangleSoup>& muscles) {
+  Surroundings surroundings;
+  AddBones(bones, &surroundings);
+  for (const TriangleSoup& muscle : muscles) surroundings.AddMuscle(muscle);
+  return surroundings;
 }
 
 // Returns all meshes of a scene whose muscles have models.
@@ -341,10 +352,10 @@ PreparedScene PrepareScene(const Scene& scene,
     say_progress(done, "mesh of " + NameOfMesh(scene, i));
   });
   LeaveOutBones(&prepared);
+  prepared.memory_needed = CheckedMemory(options, fine, prepared);
+  say_progress(num_meshes, MemoryText(prepared.memory_needed));
   const ScopedStage modelling("models of muscles");
-  Surroundings surroundings;
-  AddBones(prepared.bones, &surroundings);
-  for (const TriangleSoup& muscle : fine) surroundings.AddMuscle(muscle);
+  const Surroundings surroundings = SurroundingsOf(prepared.bones, fine);
   if (makes_lines) {
     AddLines(surroundings, options, &prepared, [&](size_t m, size_t done) {
       say_progress(num_meshes + done, "lines of " + scene.muscles[m].name);

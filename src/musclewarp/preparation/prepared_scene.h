@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/infinity.h"
 #include "musclewarp/base/progress.h"
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/certificate/scene_intersections.h"
@@ -53,6 +54,10 @@ struct PrepareOptions {
 
   // The fibres of every muscle; none by default.
   FibreOptions fibres;
+
+  // The memory that a run may take, bytes; a scene that needs more is refused
+  // before it is prepared (CheckMemory).
+  double max_memory = kInfinity;
 
   // Two meshes whose diagonals differ by more than this factor cause a warning,
   // as their units probably differ.
@@ -145,6 +150,8 @@ struct PreparedScene {
 
   // The intersections before the first reconstruction of a mesh, if any.
   std::optional<SceneIntersections> as_delivered;
+
+  double memory_needed = 0;  // bytes, see MemoryNeeded
 
   // True if the scene was read from disk (preparation_cache.h).
   bool is_cached = false;

@@ -5,10 +5,14 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
+#include <string>
 #include <utility>
 
+#include "musclewarp/base/input_error.h"
 #include "musclewarp/program/program.h"
 
 namespace musclewarp {
@@ -50,7 +54,11 @@ InterruptionScope::InterruptionScope(
     : give_up_(std::move(give_up)) {
   noted_signal = 0;
   if (pipe(wake_pipe.data()) != 0) {
-    throw std::runtime_error("no pipe for signals can be made");
+    throw InputError(
+        "a pipe for signals",
+        std::string("cannot be made (") + std::strerror(errno) + ")",
+        "close other programs, or raise the limit of open files "
+        "(ulimit -n)");
   }
   watcher_ = std::thread([this] { Watch(); });
   struct sigaction note = {};

@@ -1,8 +1,6 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/report/screen_report.h"
-#include "musclewarp/base/setting_names.h"
-#include "musclewarp/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/memory.h"
+#include "musclewarp/base/setting_names.h"
+#include "musclewarp/base/text.h"
 #include "musclewarp/report/remedies.h"
 #include "musclewarp/run/pose_name.h"
 #include "musclewarp/run/shape_warnings.h"
@@ -151,7 +152,7 @@ void PrintPreparation(const PreparedScene& scene,
     out << ", " << ToString(contact.kind) << " contact in "
         << contact.prepare_ms << " ms";
   }
-  out << "\n";
+  out << "; " << MemoryText(scene.memory_needed) << "\n";
   for (const std::string& note : scene.scene.notes) {
     out << "  " << WithFlags(note) << "\n";
   }

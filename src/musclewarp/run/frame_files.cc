@@ -98,6 +98,7 @@ void WriteMuscles(const PreparedScene& scene,
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
     const PreparedMuscle& muscle = scene.muscles[i];
     const MuscleFrame& moved = frame.muscles[i];
+    CHECK(moved.points.allFinite()) << muscle.model.name;  // KeepFinite
     const std::string file = muscle.model.name + "." + format;
     if (format != "vtp") {
       WriteTriangleSoup((folder / file).string(),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "musclewarp/base/memory.h"
 #include "musclewarp/build_info/build_info.h"
 #include "musclewarp/figures/figures_json.h"
 #include "musclewarp/frames/fibre_measures.h"
@@ -120,6 +121,7 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
   }
   OrderedJson json = {{"wall_ms", scene.wall_ms},
                       {"cached", scene.is_cached},
+                      {"memory_needed_gib", scene.memory_needed / kBytesPerGib},
                       {"notes", scene.scene.notes},
                       {"warnings", scene.warnings},
                       {"muscles", muscles},

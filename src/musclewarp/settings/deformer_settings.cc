@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/settings/deformer_settings.h"
 
+#include "musclewarp/base/memory.h"
 #include "musclewarp/settings/checked_settings.h"
 
 namespace musclewarp {
 namespace {
+
+// Of the memory that is left: the rest is for files and other programs.
+constexpr double kShareOfMemory = 0.8;
 
 void SetMuscleOptions(const DeformerSettings& settings,
                       MuscleModelOptions* muscle) {
@@ -64,6 +68,9 @@ DeformerOptions OptionsOf(const DeformerSettings& settings) {
   SetFrameOptions(settings, &options.frames);
   options.solver = SolverConfigurationNamed(settings.solver);
   SetIterationLimit(settings.max_iterations, &options.solver);
+  options.prepare.max_memory = settings.max_memory_gib > 0
+                                   ? settings.max_memory_gib * kBytesPerGib
+                                   : kShareOfMemory * AvailableMemory();
   if (settings.cache != "none") options.cache.folder = settings.cache;
   options.cache.options_key = KeyOf(settings);
   options.lengths_in_mm = LengthsInMillimetres(settings);

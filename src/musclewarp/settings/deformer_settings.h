@@ -37,6 +37,7 @@ struct DeformerSettings : RestSettings {
   int bone_coarse_vertices = PaperSceneOptions().bone_hull.coarse_vertices;
   unsigned seed = PaperContactOptions().seed;
   std::string cache = "none";
+  double max_memory_gib = 0;
 };
 
 constexpr auto FieldsOf(Described<DeformerSettings>) {
@@ -144,6 +145,12 @@ constexpr auto FieldsOf(Described<DeformerSettings>) {
           .Text("folder in which the preparation of the scene is kept for "
                 "later runs; none: every run prepares it anew")
           .Path()
+          .Changes(Effect::kNothing),
+      Field(&S::max_memory_gib, "max_memory_gib", "GiB")
+          .Text(
+              "memory that a run may take; a scene that needs more is refused "
+              "before it is prepared; 0: 80 % of what the machine has left")
+          .AtLeast(0)
           .Changes(Effect::kNothing));
 }
 

@@ -1,0 +1,77 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/preparation/memory_need.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/memory.h"
+
+namespace musclewarp {
+
+double MemoryNeeded(const std::vector<SizedMesh>& meshes,
+                    int coarse_vertices,
+                    bool is_certified) {
+  // The program itself, and what does not grow with the meshes.
+  constexpr double kProgram = 4e7;
+  // Of a vertex of a muscle: a weight for each vertex of the hull, in double
+  // precision, and with certified contact once more in single; and what is kept
+  // of its triangles: trees, planes, offsets.
+  const double of_weight = is_certified ? 12 : 8;
+  const double of_vertex = is_certified ? 6000 : 1500;
+  const double of_bone_vertex = is_certified ? 1200 : 600;
+  double bytes = kProgram;
+  for (const SizedMesh& mesh : meshes) {
+    bytes += mesh.vertices * (mesh.is_muscle
+                                  ? of_weight * coarse_vertices + of_vertex
+                                  : of_bone_vertex);
+  }
+  return bytes;
+}
+
+void CheckMemory(const std::vector<SizedMesh>& meshes,
+                 double needed,
+                 double allowed) {
+  if (needed <= allowed) return;
+  std::ostringstream problem;
+  problem.precision(2);
+  problem << std::fixed << "is " << allowed / kBytesPerGib
+          << ", but the run needs " << MemoryText(needed);
+  std::string advice = "allow more if the machine has it";
+  const auto largest =
+      std::max_element(meshes.begin(),
+                       meshes.end(),
+                       [](const SizedMesh& a, const SizedMesh& b) {
+                         return a.vertices < b.vertices;
+                       });
+  if (largest != meshes.end()) {
+    advice = "simplify the meshes, of which " + largest->name +
+             " is the largest (" +
+             std::to_string(static_cast<long>(largest->vertices)) +
+             " vertices), or " + advice;
+  }
+  throw InputError("{max_memory_gib}", problem.str(), advice);
+}
+
+double CheckedMemory(const PrepareOptions& options,
+                     const std::vector<TriangleSoup>& muscles,
+                     const PreparedScene& scene) {
+  std::vector<SizedMesh> meshes;
+  for (size_t i = 0; i < muscles.size(); ++i) {
+    meshes.push_back({scene.scene.muscles[i].name,
+                      static_cast<double>(muscles[i].points.rows()),
+                      true});
+  }
+  for (const PreparedBone& bone : scene.bones) {
+    meshes.push_back(
+        {bone.mesh.name, static_cast<double>(bone.rest.points.rows())});
+  }
+  const double needed = MemoryNeeded(meshes,
+                                     options.muscle.hull.coarse_vertices,
+                                     options.remove_self_crossings);
+  CheckMemory(meshes, needed, options.max_memory);
+  return needed;
+}
+
+}  // namespace musclewarp
