@@ -7,18 +7,23 @@
 #include <filesystem>
 #include <vector>
 
+#include "musclewarp/deformer/preparation_cache.h"
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/label_images/label_image.h"
 #include "musclewarp/label_images/label_table.h"
 #include "musclewarp/mesh_files/mesh_io.h"
+#include "musclewarp/motion/recorded_step.h"
 #include "musclewarp/opensim/model.h"
 #include "musclewarp/opensim/storage_table.h"
 #include "musclewarp/run/lines_file.h"
+#include "musclewarp/run/resume_log.h"
 #include "musclewarp/run/run_reader.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
 namespace {
+
+namespace fs = std::filesystem;
 
 void ReadMesh(const std::string& path) {
   std::vector<std::string> notes;
@@ -28,8 +33,36 @@ void ReadMesh(const std::string& path) {
 void ReadImage(const std::string& path) { ReadLabelImage(path); }
 
 void ReadReportOf(const std::string& path) {
-  const std::string dir = std::filesystem::path(path).parent_path().string();
+  const std::string dir = fs::path(path).parent_path().string();
   OutlineOf(dir, ReadReport(dir));
+}
+
+// Returns a folder beside the file, which is made on the first call.
+std::string FolderBeside(const std::string& path, const char* name) {
+  const fs::path folder = fs::path(path).parent_path() / name;
+  fs::create_directories(folder);
+  return folder.string();
+}
+
+// As the log of frame 0 of an interrupted run.
+void ReadLogOfFrame(const std::string& path) {
+  static const std::string run = FolderBeside(path, "run");
+  const ResumeLog log(run, "inputs");
+  if (!ResumeLog::IsIn(run)) log.StartAnew();
+  FolderBeside(path, "run/frame_0000");
+  fs::copy_file(path,
+                run + "/.resume/frame_0000.cbor",
+                fs::copy_options::overwrite_existing);
+  SceneState state;
+  log.Continue({0}, &state);
+}
+
+// As the preparation of a scene without muscles.
+void ReadCached(const std::string& path) {
+  static const PreparationCache cache({FolderBeside(path, "cache"), "options"},
+                                      Scene());
+  fs::copy_file(path, cache.path(), fs::copy_options::overwrite_existing);
+  cache.Read(Scene());
 }
 
 const std::vector<FuzzedReader>& Readers() {
@@ -49,7 +82,10 @@ const std::vector<FuzzedReader>& Readers() {
       {"labels", "labels.csv", [](const auto& path) { ReadLabelTable(path); }},
       {"nii", "image.nii", ReadImage},
       {"nrrd", "image.nrrd", ReadImage},
-      {"mha", "image.mha", ReadImage}};
+      {"mha", "image.mha", ReadImage},
+      {"log", "log.cbor", ReadLogOfFrame},
+      {"cache", "scene.preparation", ReadCached},
+      {"step", "step.bin", [](const auto& path) { ReadRecordedStep(path); }}};
   return kReaders;
 }
 

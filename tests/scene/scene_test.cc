@@ -77,6 +77,15 @@ TEST(Scene, ReadsEveryField) {
   EXPECT_EQ(scene.poses[0].lines.at("l")(1, 2), 8);
 }
 
+// As SECURITY.md says: segmentations and models are where they are.
+TEST(Scene, MayNameFilesOutsideOfItsFolder) {
+  const Scene beside = SceneOf(With("/muscles/0/mesh", "../others/m.ply"));
+  EXPECT_EQ(beside.muscles[0].mesh_path,
+            beside.path.substr(0, beside.path.rfind('/')) + "/../others/m.ply");
+  const Scene whole = SceneOf(With("/bones/0/mesh", "/data/p.ply"));
+  EXPECT_EQ(whole.bones[0].mesh_path, "/data/p.ply");
+}
+
 // The same scene in metres: every length is read in that unit, and is mm.
 TEST(Scene, UnitsAreThoseOfTheFile) {
   const Scene millimetres = SceneOf(GoodJson());
