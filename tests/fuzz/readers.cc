@@ -98,4 +98,10 @@ const FuzzedReader& ReaderNamed(const std::string& name) {
   LOG(FATAL) << "no reader " << name;
 }
 
+std::vector<std::string> NamesOfReaders() {
+  std::vector<std::string> names;
+  for (const FuzzedReader& reader : Readers()) names.push_back(reader.name);
+  return names;
+}
+
 }  // namespace musclewarp

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace musclewarp {
 
@@ -16,5 +17,8 @@ struct FuzzedReader {
 
 // Returns the reader of a name. Precondition (CHECKed): there is one.
 const FuzzedReader& ReaderNamed(const std::string& name);
+
+// Returns the names of all readers.
+std::vector<std::string> NamesOfReaders();
 
 }  // namespace musclewarp
