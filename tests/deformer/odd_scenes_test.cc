@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Scenes that no anatomy has, but damaged data do. Each has a clear answer: a
-// refusal, a usable frame whose certificate holds, or a frame that says why it is
-// not usable.
+// refusal, a usable frame whose certificate holds, or a frame that says why it
+// is not usable.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -69,12 +69,18 @@ TEST(OddScenes, AMuscleOfFourVertices) {
 }
 
 TEST(OddScenes, MusclesThatAreFlat) {
-  std::cout << AnswerOf(WithMuscle(MovedBy(Box(0, 20, 110), kLeft)), FlexedPose(0.1)) << "\n";
-  std::cout << AnswerOf(WithMuscle(MovedBy(Box(0.01, 20, 110), kLeft)), FlexedPose(0.1)) << "\n";
+  std::cout << AnswerOf(WithMuscle(MovedBy(Box(0, 20, 110), kLeft)),
+                        FlexedPose(0.1))
+            << "\n";
+  std::cout << AnswerOf(WithMuscle(MovedBy(Box(0.01, 20, 110), kLeft)),
+                        FlexedPose(0.1))
+            << "\n";
 }
 
 TEST(OddScenes, ANeedle) {
-  std::cout << AnswerOf(WithMuscle(MovedBy(Box(0.05, 0.05, 112), kLeft)), FlexedPose(0.1)) << "\n";
+  std::cout << AnswerOf(WithMuscle(MovedBy(Box(0.05, 0.05, 112), kLeft)),
+                        FlexedPose(0.1))
+            << "\n";
 }
 
 TEST(OddScenes, EqualMusclesInOnePlace) {
@@ -84,11 +90,14 @@ TEST(OddScenes, EqualMusclesInOnePlace) {
 }
 
 TEST(OddScenes, AMuscleInABone) {
-  std::cout << AnswerOf(WithBone("cage", Icosphere(100, 3)), FlexedPose(0.1)) << "\n";
+  std::cout << AnswerOf(WithBone("cage", Icosphere(100, 3)), FlexedPose(0.1))
+            << "\n";
 }
 
 TEST(OddScenes, ABoneInAMuscle) {
-  std::cout << AnswerOf(WithBone("stone", SphereAt(kLeft, 4, 2)), FlexedPose(0.1)) << "\n";
+  std::cout << AnswerOf(WithBone("stone", SphereAt(kLeft, 4, 2)),
+                        FlexedPose(0.1))
+            << "\n";
 }
 
 TEST(OddScenes, MusclesThatShareAFace) {

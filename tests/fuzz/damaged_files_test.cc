@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Gives the seeds of the fuzzed readers to them, damaged at random: what cannot
-// be read is refused, and nothing else happens. scripts/fuzz.sh does the same at
-// length, guided by what the damage reaches.
+// be read is refused, and nothing else happens. scripts/fuzz.sh does the same
+// at length, guided by what the damage reaches.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -32,8 +32,8 @@ double AvailableInSystem() {
   return kUnknown;
 }
 
-// Returns the bytes of files that the system keeps in memory for a control group
-// and gives up when memory is needed.
+// Returns the bytes of files that the system keeps in memory for a control
+// group and gives up when memory is needed.
 double ReclaimableIn(const std::string& path) {
   std::ifstream statistics(path);
   std::string name;

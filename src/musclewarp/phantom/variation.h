@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <tuple>
-
-#include "musclewarp/base/described.h"
-
 namespace musclewarp {
 
 struct PhantomScene;
@@ -18,36 +14,9 @@ struct Variation {
   int num_vertices = 0;
   int num_poses = 0;
 
-  double size = 1;
-  double offset = 0;
+  double size = 1;    // factor of all lengths
+  double offset = 0;  // mm, along each axis, after it has its size
 };
-
-constexpr auto FieldsOf(Described<Variation>) {
-  using S = Variation;
-  return std::make_tuple(
-      Field(&S::num_muscles, "num_muscles")
-          .Text("number of muscles of the scene random; 0: drawn from the "
-                "seed, 2 to 20")
-          .Within(2, 32)
-          .Or(0),
-      Field(&S::num_vertices, "num_vertices")
-          .Text("number of vertices of each muscle of the scene random, about; "
-                "0: as the seed has it, at most some 4000")
-          .Within(20, 1e6)
-          .Or(0),
-      Field(&S::num_poses, "num_poses")
-          .Text("number of poses of the scene random; 1 is the last of the "
-                "motion alone; 0: drawn from the seed, 3 to 5")
-          .Within(1, 1e6)
-          .Or(0),
-      Field(&S::size, "size")
-          .Text("factor of all lengths of the scene")
-          .Within(1e-6, 1e6),
-      Field(&S::offset, "offset", "mm")
-          .Text("by how much the scene is moved along each axis, after it has "
-                "its size")
-          .Within(-1e9, 1e9));
-}
 
 // Gives each muscle of a scene about as many vertices: its surface is remeshed
 // or simplified. If that would cross itself, the muscle keeps its vertices. Its

@@ -39,12 +39,10 @@ void CheckMemory(const std::vector<SizedMesh>& meshes,
   problem << std::fixed << "is " << allowed / kBytesPerGib
           << ", but the run needs " << MemoryText(needed);
   std::string advice = "allow more if the machine has it";
-  const auto largest =
-      std::max_element(meshes.begin(),
-                       meshes.end(),
-                       [](const SizedMesh& a, const SizedMesh& b) {
-                         return a.vertices < b.vertices;
-                       });
+  const auto largest = std::max_element(
+      meshes.begin(), meshes.end(), [](const SizedMesh& a, const SizedMesh& b) {
+        return a.vertices < b.vertices;
+      });
   if (largest != meshes.end()) {
     advice = "simplify the meshes, of which " + largest->name +
              " is the largest (" +

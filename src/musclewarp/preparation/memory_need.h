@@ -25,8 +25,8 @@ double MemoryNeeded(const std::vector<SizedMesh>& meshes,
                     int coarse_vertices,
                     bool is_certified);
 
-// Throws InputError, which names --max_memory_gib and the largest mesh, if a run
-// needs more bytes than are allowed.
+// Throws InputError, which names --max_memory_gib and the largest mesh, if a
+// run needs more bytes than are allowed.
 void CheckMemory(const std::vector<SizedMesh>& meshes,
                  double needed,
                  double allowed);
