@@ -51,7 +51,7 @@ OUTCOMES = [
     "crash",
 ]
 # Of all muscles of a varied scene.
-MOST_VERTICES = 100_000
+MOST_VERTICES = 40_000
 
 FAILURES = {"falsely usable", "time-out", "crash"}
 

@@ -45,8 +45,6 @@ struct Part {
   std::unique_ptr<Tree> tree = {};
 };
 
-// Reads a binary PLY file of doubles, and triangles with a count of one byte
-// and indices of four.
 void ReadMesh(const fs::path& path, Part* part) {
   std::vector<Kernel::Point_3> points;
   std::vector<std::vector<std::size_t>> faces;
@@ -59,8 +57,6 @@ void ReadMesh(const fs::path& path, Part* part) {
     pmp::orient_polygon_soup(points, faces);
   }
   pmp::polygon_soup_to_polygon_mesh(points, faces, part->mesh);
-  part->tree = std::make_unique<Tree>(
-      part->mesh.faces_begin(), part->mesh.faces_end(), part->mesh);
 }
 
 std::vector<Part> ReadParts(const fs::path& dir,
@@ -82,6 +78,10 @@ std::vector<Part> ReadParts(const fs::path& dir,
   std::sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
     return a.name < b.name;
   });
+  for (Part& part : parts) {  // which do not move any more
+    part.tree = std::make_unique<Tree>(
+        part.mesh.faces_begin(), part.mesh.faces_end(), part.mesh);
+  }
   return parts;
 }
 
