@@ -43,6 +43,23 @@ TEST(ModelReader, ReadsBothVersions) {
   }
 }
 
+std::string ModelOfBodies(size_t count) {
+  std::string bodies;
+  for (size_t i = 0; i < count; ++i) {
+    bodies += "<Body name=\"b" + std::to_string(i) + "\"/>";
+  }
+  return "<OpenSimDocument Version=\"40000\"><Model name=\"m\"><BodySet>"
+         "<objects>" +
+         bodies + "</objects></BodySet></Model></OpenSimDocument>";
+}
+
+TEST(ModelReader, AModelHasALargestNumberOfParts) {
+  EXPECT_EQ(ReadText(ModelOfBodies(kMostModelParts)).bodies.size(),
+            kMostModelParts + 1);  // and the ground
+  ExpectRefused(ModelOfBodies(kMostModelParts + 1),
+                {"has 5001 bodies", "at most 5000"});
+}
+
 TEST(ModelReader, TellsCoordinatesOfOneNameApartByTheirJoints) {
   // A further joint between ground and shank, of the same coordinates.
   const std::string second =

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -187,13 +188,18 @@ struct Model {
 // several of the name.
 std::string WhyNoCoordinate(const Model& model, const std::string& name);
 
+// The bodies, joints and muscles that a model may have of each. The largest
+// published ones have some hundreds.
+constexpr std::size_t kMostModelParts = 5000;
+
 // Reads a model of OpenSim 2 to 4 from an .osim file.
 //
 // Throws InputError, which names the file, the line and the element, if the
 // file is not well-formed XML, if an element is missing or is not a number, if
-// a name refers to nothing, or if the joints of bodies form a cycle. Joints and
-// functions that are not supported, and frames that are not known, are errors
-// only where they are needed; see CheckBodyIsSupported.
+// a name refers to nothing, if the joints of bodies form a cycle, or if there
+// are more parts than are allowed. Joints and functions that are not supported,
+// and frames that are not known, are errors only where they are needed; see
+// CheckBodyIsSupported.
 Model ReadModel(const std::string& path);
 
 // Does the same with the contents of a file. `path` is for messages, and the

@@ -50,6 +50,21 @@ std::vector<pugi::xml_node> BodiesOf(pugi::xml_node model) {
   return PartsOf(model, "BodySet", IsBody);
 }
 
+void CheckNumber(const OsimXml& xml, const char* what, size_t count) {
+  if (count <= kMostModelParts) return;
+  throw InputError(xml.path(),
+                   "has " + std::to_string(count) + " " + what +
+                       "; allowed: at most " + std::to_string(kMostModelParts),
+                   "take out what the motion does not need");
+}
+
+// Parts are searched for by their paths, from all that name them.
+void CheckNumbers(const OsimXml& xml, pugi::xml_node model) {
+  CheckNumber(xml, "bodies", BodiesOf(model).size());
+  CheckNumber(xml, "joints", PartsOf(model, "JointSet", IsJoint).size());
+  CheckNumber(xml, "muscles", PartsOf(model, "ForceSet", HasPath).size());
+}
+
 // Adds the ground. OpenSim 3 has it among the bodies, OpenSim 4 on its own.
 void ReadGround(const OsimXml& xml, pugi::xml_node node, Model* model) {
   Body ground;
@@ -264,6 +279,7 @@ Model ModelFromText(std::string text, const std::string& path) {
         path, "has no element <Model>", "give an OpenSim model (.osim)");
   }
   model.name = node.attribute("name").value();
+  CheckNumbers(xml, node);
   ReadBodies(xml, node, &model);
   const OffsetFrames frames(xml, model);
   ReadJoints(xml, node, frames, &model);

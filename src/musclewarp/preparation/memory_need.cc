@@ -3,10 +3,11 @@
 #include "musclewarp/preparation/memory_need.h"
 
 #include <algorithm>
-#include <sstream>
+#include <string>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/memory.h"
+#include "musclewarp/base/text.h"
 
 namespace musclewarp {
 
@@ -34,10 +35,6 @@ void CheckMemory(const std::vector<SizedMesh>& meshes,
                  double needed,
                  double allowed) {
   if (needed <= allowed) return;
-  std::ostringstream problem;
-  problem.precision(2);
-  problem << std::fixed << "is " << allowed / kBytesPerGib
-          << ", but the run needs " << MemoryText(needed);
   std::string advice = "allow more if the machine has it";
   const auto largest = std::max_element(
       meshes.begin(), meshes.end(), [](const SizedMesh& a, const SizedMesh& b) {
@@ -49,7 +46,10 @@ void CheckMemory(const std::vector<SizedMesh>& meshes,
              std::to_string(static_cast<long>(largest->vertices)) +
              " vertices), or " + advice;
   }
-  throw InputError("{max_memory_gib}", problem.str(), advice);
+  throw InputError("{max_memory_gib}",
+                   "is " + FixedText(allowed / kBytesPerGib, 2) +
+                       ", but the run needs " + MemoryText(needed),
+                   advice);
 }
 
 double CheckedMemory(const PrepareOptions& options,
