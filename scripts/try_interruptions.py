@@ -28,6 +28,8 @@ import time
 
 from run_contents import contents, difference
 
+WHAT_TO_DO = ["--resume goes on from there", "nothing was written"]
+
 SIGNALS = [signal.SIGKILL, signal.SIGINT, signal.SIGTERM]
 
 
@@ -40,7 +42,7 @@ class Deform:
         self.began = time.monotonic()
         self.process = subprocess.Popen(
             [str(word) for word in command] + ["--resume"] * resume,
-            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
             env={"OMP_WAIT_POLICY": "passive", **os.environ})
 
     def interrupt(self, moment, number):
@@ -55,7 +57,7 @@ class Deform:
 
     def end(self):
         """Returns the exit code and what was said."""
-        said = self.process.communicate()[1]
+        said = self.process.communicate()[0]
         return self.process.returncode, said.strip()
 
 
@@ -64,7 +66,8 @@ def complaint(number, code, said):
     if number == signal.SIGKILL:
         return "" if code == -number else f"exit code {code} after SIGKILL"
     if code in (0, 1) or code == -number or code == 128 + number:
-        return "" if code == 0 or "resume" in said else (
+        is_told = any(words in said for words in WHAT_TO_DO)
+        return "" if code == 0 or is_told else (
             f"exit code {code}, but not how to go on: {said[-200:]}")
     return f"exit code {code}: {said[-200:]}"
 
