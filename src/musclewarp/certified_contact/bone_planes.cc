@@ -213,7 +213,9 @@ void BoneSearch::FindAnew(const Path& path, Guarded* guarded) const {
         return other.SquaredDistance(box) <= radius * radius;
       });
   if (found.distance > path.need) {
-    guarded->clearance = std::min(found.distance, radius);
+    // Nothing is known of the distance of a triangle that touches the bone.
+    guarded->clearance =
+        found.touches ? 0 : std::min(found.distance, radius);
     return;
   }
   guarded->new_spaces = std::move(found.spaces);

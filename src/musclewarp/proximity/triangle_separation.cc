@@ -170,6 +170,7 @@ ObstacleSeparation SeparateFromObstacles(const Corners& triangle,
       const ClosestPair pair = ClosestPointsOfTriangles(triangle, other);
       if (pair.squared_distance >= least) continue;
       const double distance = std::sqrt(pair.squared_distance);
+      separation.touches |= distance < kTouching;
       next.is_done = distance > options.radius || distance < kTouching;
       if (next.is_done) continue;
       least = pair.squared_distance;

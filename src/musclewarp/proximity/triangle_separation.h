@@ -51,9 +51,12 @@ struct ObstacleOptions {
 struct ObstacleSeparation {
   std::vector<HalfSpace> spaces;  // those of the nearest obstacles first
 
-  // A lower bound of the distance of the nearest obstacle, mm; infinite if
-  // there are no half-spaces.
+  // A lower bound of the distance of the nearest obstacle that has a half-space,
+  // mm; infinite if there is none.
   double distance = std::numeric_limits<double>::infinity();
+
+  // True if the triangle touches or crosses an obstacle, which has none.
+  bool touches = false;
 };
 
 // Returns half-spaces whose common part meets none of the `num_near` triangles
