@@ -5,10 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <utility>
 
 #include "fibres/ball_bones.h"
+#include "musclewarp/base/angles.h"
 #include "musclewarp/fibres/fibres.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/skeleton/polyline.h"
@@ -53,6 +55,12 @@ class ContinueLinesTest : public ::testing::Test {
     }
     FindSoftEnds(&parts);
     return parts;
+  }
+
+  // A turn about the y axis.
+  static Eigen::Matrix3d TurnFromDown(double degrees) {
+    return Eigen::AngleAxisd(RadiansOf(degrees), Eigen::Vector3d::UnitY())
+        .toRotationMatrix();
   }
 
   BallBones bones_;
@@ -138,6 +146,40 @@ TEST_F(ContinueLinesTest, DoNotTurnBack) {
   }
 }
 
+// A tendon that leans by an angle, with a bone at its end; 60 degrees are the
+// limit. The lines of a tendon follow its axis to some degrees.
+TEST_F(ContinueLinesTest, TurnByUpToSixtyDegrees) {
+  const auto goes_on_over_a_turn_of = [&](double degrees) {
+    meshes_.clear();
+    bones_ = BallBones();
+    bones_.Add("femur", {0, 0, 107});
+    const Eigen::Vector3d along = TurnFromDown(degrees).col(2);
+    bones_.Add("foot", -87 * along.transpose());
+    AddMuscle();
+    // From 6 mm inside the muscle to 80 mm beyond it.
+    TriangleSoup tendon = MovedBy(Spindle(4, 43, 4), {0, 0, -37});
+    tendon.points *= TurnFromDown(degrees).transpose();
+    AddPart(tendon);
+    return !ContinueLines(0, Parts(), bones_.bodies()).through.empty();
+  };
+  EXPECT_TRUE(goes_on_over_a_turn_of(0));
+  EXPECT_TRUE(goes_on_over_a_turn_of(50));
+  EXPECT_FALSE(goes_on_over_a_turn_of(68));
+}
+
+// Between parts that belong together there may be a gap of 3 mm.
+TEST_F(ContinueLinesTest, GoOnOverAGapOfAVoxel) {
+  const auto goes_on_over = [&](double gap) {
+    meshes_.clear();
+    AddMuscle();
+    AddPart(MovedBy(Spindle(4, 32, 4), {0, 0, -32 - gap}));
+    return !ContinueLines(0, Parts(), bones_.bodies()).through.empty();
+  };
+  // The tip of the muscle is the centre of its last voxel, up to 2 mm within.
+  EXPECT_TRUE(goes_on_over(0.9));
+  EXPECT_FALSE(goes_on_over(3.1));
+}
+
 TEST_F(ContinueLinesTest, DoNotTurnSharply) {
   AddMuscle();
   TriangleSoup across = Spindle(4, 40, 4);  // along x
@@ -182,6 +224,52 @@ TEST(LiesOnSoftPart, CountsHalfOfTheTip) {
   tip(1, 2) = 25;
   EXPECT_FALSE(LiesOnSoftPart(tip, {&tree}));
   EXPECT_FALSE(LiesOnSoftPart(tip, {}));
+}
+
+// A point that is at most 1 mm away touches, from a plane side of a box.
+TEST(LiesOnSoftPart, TouchesWithinAMillimetre) {
+  const TriangleSoup box = Box(20, 20, 20);
+  const TriangleBvh tree(box.points, box.triangles);
+  const auto lies_at = [&](double distance) {
+    return LiesOnSoftPart(Points(Eigen::RowVector3d(0, 0, 10 + distance)),
+                          {&tree});
+  };
+  EXPECT_TRUE(lies_at(0.95));
+  EXPECT_FALSE(lies_at(1.05));
+}
+
+// Two of four points are half of them, two of five are not.
+TEST(LiesOnSoftPart, AsksForHalfOfThePoints) {
+  const TriangleSoup box = Box(20, 20, 20);
+  const TriangleBvh tree(box.points, box.triangles);
+  Points tip = Points::Zero(5, 3);
+  tip.col(2) << 0, 0, 30, 30, 30;
+  EXPECT_TRUE(LiesOnSoftPart(tip.topRows(4), {&tree}));
+  EXPECT_FALSE(LiesOnSoftPart(tip, {&tree}));
+  EXPECT_FALSE(LiesOnSoftPart(tip.bottomRows(1), {&tree}));
+}
+
+// Attachments that the scene names are enough if there are two.
+TEST(EndsOf, AreThoseOfTheSceneAndThenThoseThatWereFound) {
+  Attachment named;
+  named.body = "pelvis";
+  named.points = Eigen::RowVector3d(1, 2, 3);
+  FoundAttachment found;
+  found.attachment.body = "femur";
+  found.attachment.points = Eigen::RowVector3d(4, 5, 6);
+  found.is_on_bones = false;
+  found.tip << 7, 8, 9;
+  SceneMuscle muscle;
+  muscle.attachments = {named, named};
+  EXPECT_EQ(EndsOf(muscle, {found}).size(), 2u);
+  muscle.attachments = {named};
+  const std::vector<SoftPartEnd> ends = EndsOf(muscle, {found});
+  ASSERT_EQ(ends.size(), 2u);
+  EXPECT_EQ(ends[0].body, "pelvis");
+  EXPECT_TRUE(ends[0].is_on_bones);
+  EXPECT_EQ(ends[1].Middle(), Eigen::RowVector3d(4, 5, 6));
+  EXPECT_FALSE(ends[1].is_on_bones);
+  EXPECT_EQ(ends[1].tip, Eigen::RowVector3d(7, 8, 9));
 }
 
 }  // namespace

@@ -104,6 +104,139 @@ TEST(LaplacianFlow, SpreadsOverAnEndThatRunsAlongTheMuscle) {
   EXPECT_NEAR(ends.mean(), 15, 3);
 }
 
+// What flows into a voxel flows out of it, but for the residual of the solver.
+void ExpectNothingIsLost(const LaplacianFlow& flow) {
+  const VoxelGrid& grid = *flow.grid;
+  const double most = flow.outflow.cwiseAbs().maxCoeff();
+  double through = 0;
+  for (int v = 0; v < grid.num_voxels(); ++v) {
+    double out = 0;
+    for (int k = 0; k < 3; ++k) {
+      for (const int step : {-1, 1}) {
+        VoxelGrid::Cell beside = grid.cells[v];
+        beside[k] += step;
+        const int next = grid.At(beside);
+        out += next < 0 ? flow.outflow[v]
+                        : flow.potential[next] - flow.potential[v];
+        if (next < 0) through += std::max(0.0, flow.outflow[v]);
+      }
+    }
+    EXPECT_NEAR(out, 0, 1e-3 * most) << v;
+  }
+  EXPECT_GT(through, 0);
+}
+
+TEST(LaplacianFlow, NothingIsLostOnTheWay) {
+  const Bar bar;
+  ExpectNothingIsLost(bar.flow);
+  const VoxelGrid grid = Voxelize(Spindle(9, 30, 3), 1500);
+  ExpectNothingIsLost(
+      SolveFlow(grid, Beyond(grid, -20, false), Beyond(grid, 10, true)));
+}
+
+// Through all of the surface of an end alike, and none elsewhere.
+TEST(LaplacianFlow, EntersAndLeavesEvenly) {
+  const Bar bar;
+  const double in = bar.flow.outflow.minCoeff();
+  const double out = bar.flow.outflow.maxCoeff();
+  EXPECT_LT(in, 0);
+  for (int v = 0; v < bar.grid.num_voxels(); ++v) {
+    const double z = bar.grid.Center(v)[2];
+    EXPECT_EQ(bar.flow.outflow[v], z < -27 ? in : z > 27 ? out : 0);
+  }
+}
+
+// An end inside the muscle is extended until it reaches the surface.
+TEST(LaplacianFlow, EntersThroughTheSurfaceNextToAnEndInside) {
+  const VoxelGrid grid = Voxelize(Box(10, 10, 60), 3000);
+  const int inside = grid.Nearest(Eigen::RowVector3d(0, 0, -20));
+  const LaplacianFlow flow = SolveFlow(grid, {inside}, Beyond(grid, 27, true));
+  ExpectNothingIsLost(flow);
+  for (int v = 0; v < grid.num_voxels(); ++v) {
+    if (flow.outflow[v] >= 0) continue;
+    // A layer after layer, each by one voxel more, until 5 mm are reached.
+    EXPECT_LT((grid.Center(v) - grid.Center(inside)).cwiseAbs().maxCoeff(),
+              5 + 4 * grid.size);
+  }
+}
+
+// The flow (x, -y), whose potential (x^2 - y^2) / 2 on a square of voxels from
+// (1, 1) to (6, 6) has velocities that are linear in each of them: stream lines
+// are exact, on which x y is the same everywhere.
+TEST(StreamLine, IsExactIfVelocitiesAreLinear) {
+  constexpr int kCells = 5;
+  VoxelGrid grid;
+  grid.origin << 1, 1, 0;
+  grid.size = 1;
+  grid.counts = {kCells, kCells, 1};
+  LaplacianFlow flow;
+  flow.grid = &grid;
+  flow.potential.resize(kCells * kCells);
+  flow.outflow.setZero(kCells * kCells);
+  for (int j = 0; j < kCells; ++j) {
+    for (int i = 0; i < kCells; ++i) {
+      const int v = grid.num_voxels();
+      grid.index_of.push_back(v);
+      grid.cells.push_back({i, j, 0});
+      const double x = 1.5 + i, y = 1.5 + j;
+      flow.potential[v] = (x * x - y * y) / 2;
+      // In from the left (1) and from above (6), out to the right (6) and below
+      // (1); corners, which have one of both, are not passed.
+      if (i == 0) flow.outflow[v] = -1;
+      if (j == kCells - 1) flow.outflow[v] = -6;
+      if (j == 0) flow.outflow[v] = 1;
+      if (i == kCells - 1) flow.outflow[v] = 6;
+    }
+  }
+  for (const auto& [x, y] : {std::pair(4.25, 4.75), {3.5, 3.6}, {2.6, 5.2}}) {
+    const Points line = StreamLine(flow, {x, y, 0.5});
+    ASSERT_GT(line.rows(), 4);
+    for (const auto& p : line.rowwise()) {
+      EXPECT_NEAR(p[0] * p[1], x * y, 1e-9);
+      EXPECT_EQ(p[2], 0.5);
+      const bool is_start = p[0] == x && p[1] == y;
+      EXPECT_TRUE(is_start || std::abs(p[0] - std::round(p[0])) < 1e-12 ||
+                  std::abs(p[1] - std::round(p[1])) < 1e-12);
+    }
+    // From above to the right; each face between once.
+    EXPECT_EQ(line(0, 1), 6);
+    EXPECT_EQ(line(line.rows() - 1, 0), 6);
+    for (Eigen::Index i = 1; i < line.rows(); ++i) {
+      EXPECT_GT(line(i, 0), line(i - 1, 0));
+      EXPECT_LT(line(i, 1), line(i - 1, 1));
+    }
+  }
+}
+
+// The widest section of a spindle is its middle.
+TEST(SpreadOverSection, IsTheWidestSection) {
+  const VoxelGrid grid = Voxelize(MovedBy(Spindle(10, 40, 3), {0, 0, 5}), 3000);
+  const LaplacianFlow flow =
+      SolveFlow(grid, Beyond(grid, -28, false), Beyond(grid, 38, true));
+  const Points seeds = SpreadOverSection(flow, 20);
+  ASSERT_EQ(seeds.rows(), 20);
+  // Within 18 mm of the middle a section has four fifths of its area.
+  EXPECT_NEAR(seeds.col(2).mean(), 5, 18);
+  // A section of constant potential is a plane but for the voxels.
+  EXPECT_LT(seeds.col(2).maxCoeff() - seeds.col(2).minCoeff(), 3 * grid.size);
+  // The mean square distance from the axis of a disc of 10 mm is half of 100;
+  // of four fifths of it 40.
+  EXPECT_NEAR(seeds.leftCols<2>().rowwise().squaredNorm().mean(), 45, 9);
+}
+
+// Two thirds of the flow have left where the bar is twice as thick.
+TEST(SpreadOverSection, IsOneThroughWhichNearlyAllFlows) {
+  TriangleSoup flask = LatticeBox(10, 10, 40);
+  for (auto p : flask.points.rowwise()) {
+    if (p[2] > 20) p[0] = 2 * p[0] - 5;
+  }
+  const VoxelGrid grid = Voxelize(flask, 3000);
+  std::vector<int> insertion;
+  for (const int v : Beyond(grid, 22, true)) insertion.push_back(v);
+  const LaplacianFlow flow = SolveFlow(grid, Beyond(grid, 2, false), insertion);
+  EXPECT_LT(SpreadOverSection(flow, 10).col(2).maxCoeff(), 25);
+}
+
 TEST(LaplacianFlow, SeedsSpreadEvenlyOverTheSection) {
   const Bar bar;
   const Points seeds = SpreadOverSection(bar.flow, 25);
@@ -116,6 +249,7 @@ TEST(LaplacianFlow, SeedsSpreadEvenlyOverTheSection) {
     }
   }
   EXPECT_LT(seeds.colwise().mean().head<2>().norm(), 0.3);
+  EXPECT_EQ(SpreadOverSection(bar.flow, 0).rows(), 0);
   EXPECT_EQ(SpreadOverSection(bar.flow, 1).rows(), 1);
   EXPECT_LT(SpreadOverSection(bar.flow, 1).row(0).head<2>().norm(),
             bar.grid.size);

@@ -160,6 +160,82 @@ TEST_F(MuscleEndsTest, AnOriginAlongTheMuscleIsClearOfTheOtherBone) {
   EXPECT_GT(lowest(EndExtent::kFarPart), 5);
 }
 
+// How far the upper tip is away from the area by the pelvis, as a share of the
+// length; 0 without an area.
+double ShareBeyond(const TriangleSoup& muscle, const BallBones& bones) {
+  const auto near = VerticesNearBones(muscle.points, bones.bodies());
+  double highest = -50;
+  for (const int v : near[0]) highest = std::max(highest, muscle.points(v, 2));
+  return near[0].empty() ? 0 : (50 - highest) / 100;
+}
+
+// A tip that is farther from all areas than three tenths of the length has lost
+// its bone. Places are known to a voxel, which is 1.9 mm, at both ends.
+TEST_F(MuscleEndsTest, ATipIsLoneBeyondThreeTenthsOfTheLength) {
+  const auto height_of_origin = [&](double share) {
+    double z = 40;
+    do {
+      bones_ = BallBones();
+      bones_.Add("pelvis", {18, 0, z -= 0.5});
+    } while (ShareBeyond(muscle_, bones_) < share);
+    bones_.Add("femur", {0, 0, -56});
+    return MeanHeight(Find().origin);
+  };
+  EXPECT_LT(height_of_origin(0.26), 25);
+  EXPECT_GT(height_of_origin(0.34), 30);
+}
+
+// Where a line ends at the tip, a tenth is enough.
+TEST_F(MuscleEndsTest, ATipWithALineIsLoneBeyondATenthOfTheLength) {
+  ActionLine line;
+  line.name = "line";
+  line.rest.resize(2, 3);
+  line.rest << 0, 0, -50, 0, 0, 49;
+  line.bodies = {"femur", "vertebra"};
+  const auto body_above = [&](double share) {
+    double z = 56;
+    do {
+      bones_ = BallBones();
+      bones_.Add("pelvis", {16, 0, z -= 0.5});
+    } while (ShareBeyond(muscle_, bones_) < share);
+    bones_.Add("femur", {0, 0, -56});
+    const MuscleEnds ends = Find({}, {line});
+    return MeanHeight(ends.origin) > 0 ? ends.origin.body : ends.insertion.body;
+  };
+  EXPECT_EQ(body_above(0.06), "pelvis");
+  EXPECT_EQ(body_above(0.14), "vertebra");
+}
+
+// Points at heights above a plate, by distance.
+TEST(VerticesNearBones, AreNoFartherThanThreeMillimetresFromTheNearest) {
+  const TriangleSoup plate = MovedBy(Box(50, 50, 2), {0, 0, -1});
+  const TriangleBvh tree(plate.points, plate.triangles);
+  const std::vector<BodySurface> bodies = {{"pelvis", {&tree}}};
+  EXPECT_EQ(bodies[0].Distance({0, 0, 4}), 4);
+  const auto near = [&](const std::vector<double>& heights) {
+    Points points = Points::Zero(static_cast<Eigen::Index>(heights.size()), 3);
+    for (size_t i = 0; i < heights.size(); ++i) points(i, 2) = heights[i];
+    return VerticesNearBones(points, bodies)[0];
+  };
+  EXPECT_EQ(near({4.1, 1, 3.9}), (std::vector<int>{1, 2}));
+  EXPECT_EQ(near({12.8, 9.9, 13.1}), (std::vector<int>{0, 1}));
+  EXPECT_TRUE(near({10.1, 11}).empty());
+  EXPECT_TRUE(near({}).empty());
+}
+
+TEST(VerticesNearBones, AreOfTheNearestBodyOnly) {
+  const TriangleSoup low = MovedBy(Box(50, 50, 2), {0, 0, -1});
+  const TriangleSoup high = MovedBy(Box(50, 50, 2), {0, 0, 5});
+  const TriangleBvh low_tree(low.points, low.triangles);
+  const TriangleBvh high_tree(high.points, high.triangles);
+  Points points = Points::Zero(4, 3);
+  points.col(2) << 0.5, 1.9, 2.1, 3.5;
+  const auto near = VerticesNearBones(
+      points, {{"pelvis", {&low_tree}}, {"femur", {&high_tree}}});
+  EXPECT_EQ(near[0], (std::vector<int>{0, 1}));
+  EXPECT_EQ(near[1], (std::vector<int>{2, 3}));
+}
+
 TEST_F(MuscleEndsTest, PointsNearBonesAreThoseOfTheNearestBody) {
   bones_.Add("pelvis", {0, 0, 56});
   bones_.Add("femur", {0, 0, -56});

@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <limits>
+
+#include <algorithm>
 #include <cmath>
 
 #include "fibres/tendon_muscle.h"
@@ -111,6 +115,58 @@ TEST(VoxelGrid, DistancesGoThroughTheMesh) {
     EXPECT_LT(distances[v], kLongest * straight + kRounding);
     EXPECT_GT(distances[v], kShortest * straight - kRounding);
   }
+}
+
+// In a box the shortest way goes along diagonals first: of the differences
+// along the axes the least along diagonals of cubes (5/3 of an edge), the next
+// along those of squares (4/3), and the rest straight.
+TEST(VoxelGrid, DistancesInABoxAreThoseOfDiagonalSteps) {
+  const VoxelGrid grid = Voxelize(Box(10, 10, 20), 1000);
+  const int start = grid.Nearest(Eigen::RowVector3d(-3, 2, -6));
+  ASSERT_GE(start, 0);
+  const Eigen::VectorXd distances = DistancesWithin(grid, {start});
+  for (int v = 0; v < grid.num_voxels(); ++v) {
+    std::array<int, 3> steps;
+    for (int k = 0; k < 3; ++k) {
+      steps[k] = std::abs(grid.cells[v][k] - grid.cells[start][k]);
+    }
+    std::sort(steps.begin(), steps.end());
+    const int thirds =
+        5 * steps[0] + 4 * (steps[1] - steps[0]) + 3 * (steps[2] - steps[1]);
+    EXPECT_NEAR(distances[v], grid.size * thirds / 3, 1e-9);
+  }
+}
+
+TEST(VoxelGrid, DistancesAreFromTheNearestSource) {
+  const VoxelGrid grid = Voxelize(Box(10, 10, 20), 1000);
+  const int low = grid.Nearest(Eigen::RowVector3d(0, 0, -9));
+  const int high = grid.Nearest(Eigen::RowVector3d(0, 0, 9));
+  const Eigen::VectorXd both = DistancesWithin(grid, {low, high});
+  EXPECT_EQ(
+      both,
+      DistancesWithin(grid, {low}).cwiseMin(DistancesWithin(grid, {high})));
+}
+
+// Three voxels in a row, the middle one of which is none.
+TEST(VoxelGrid, NothingIsReachedAcrossAGap) {
+  VoxelGrid grid;
+  grid.origin.setZero();
+  grid.size = 2;
+  grid.counts = {3, 1, 1};
+  grid.index_of = {0, -1, 1};
+  grid.cells = {{0, 0, 0}, {2, 0, 0}};
+  EXPECT_EQ(DistancesWithin(grid, {0})[1],
+            std::numeric_limits<double>::infinity());
+  EXPECT_EQ(grid.Center(1), Eigen::RowVector3d(5, 1, 1));
+  EXPECT_EQ(grid.CellOf({5.9, 1, -0.1}), (VoxelGrid::Cell{2, 0, -1}));
+  EXPECT_EQ(grid.At({3, 0, 0}), -1);
+  EXPECT_EQ(grid.At({0, 0, 1}), -1);
+  // Two cells away, and three.
+  EXPECT_EQ(grid.Nearest({9.9, 1, 1}), 1);
+  EXPECT_EQ(grid.Nearest({10.1, 1, 1}), -1);
+  EXPECT_EQ(grid.Nearest({-3.9, -3.9, 5.9}), 0);
+  EXPECT_EQ(grid.Nearest({2.9, 1, 1}), 0);
+  EXPECT_EQ(grid.Nearest({3.1, 1, 1}), 1);
 }
 
 }  // namespace

@@ -56,8 +56,9 @@ PrepareOptions SmallHulls() {
   return options;
 }
 
-RestResult Separate(ReconstructionKind kind, PreparedScene* scene) {
-  RestSeparationOptions options;
+RestResult Separate(ReconstructionKind kind,
+                    PreparedScene* scene,
+                    RestSeparationOptions options = {}) {
   options.prepare = SmallHulls();
   options.reconstruction.kind = kind;
   return SeparateRest(options, ReferenceSolvers().single, {}, scene);
@@ -161,6 +162,55 @@ TEST(SeparateRest, RefusesAMuscleOfWhichLittleIsLeft) {
   PreparedScene scene = PreparedSmallScene(raw);
   ExpectInputError([&] { Separate(ReconstructionKind::kAuto, &scene); },
                    {"psoas", "% of the muscle", "in one frame"});
+}
+
+// Steps would push back what crosses itself.
+RestSeparationOptions WithoutSteps() {
+  RestSeparationOptions options;
+  options.contact.max_rest_steps = 0;
+  return options;
+}
+
+// A muscle one vertex of which has been pulled out through its other side.
+PreparedScene SceneWithAMuscleThatCrossesItself() {
+  Scene raw = SmallScene();
+  raw.muscles.pop_back();
+  PreparedScene scene = PreparedSmallScene(raw);
+  Points& points = scene.muscles[0].model.fine_rest;
+  int lowest = 0;
+  points.col(1).minCoeff(&lowest);
+  points(lowest, 1) = 20;  // the muscle ends at 12
+  return scene;
+}
+
+// However far from all others it is.
+TEST(SeparateRest, RefusesAMuscleThatCrossesItself) {
+  PreparedScene scene = SceneWithAMuscleThatCrossesItself();
+  ExpectInputError(
+      [&] { Separate(ReconstructionKind::kNever, &scene, WithoutSteps()); },
+      {"left crosses itself in", "pairs of triangles", "remake=auto"});
+}
+
+TEST(SeparateRest, RemakesAMuscleThatCrossesItself) {
+  PreparedScene scene = SceneWithAMuscleThatCrossesItself();
+  const RestResult rest =
+      Separate(ReconstructionKind::kAuto, &scene, WithoutSteps());
+  ASSERT_EQ(rest.reconstructed, std::vector<int>{0});
+  EXPECT_EQ(scene.muscles[0].mesh.reconstruction.reason,
+            ReconstructionReason::kCrossesItself);
+  EXPECT_EQ(rest.intersections.self_pairs, 0);
+  EXPECT_THAT(scene.warnings.back(), HasSubstr("(it crossed itself)"));
+}
+
+TEST(SeparateRest, LeavesWhatIsOnlyDisplacedIfThatIsAskedFor) {
+  PreparedScene scene = PreparedSmallScene(SceneWithAnEndCutOff());
+  RestSeparationOptions options;
+  options.prepare = SmallHulls();
+  options.reconstruction.reconstructs_displaced = false;
+  const RestResult rest =
+      SeparateRest(options, ReferenceSolvers().single, {}, &scene);
+  EXPECT_EQ(rest.displaced, std::vector<int>{0});
+  EXPECT_TRUE(rest.reconstructed.empty());
 }
 
 // Muscles without lines have nothing to be solved for, and separate all the

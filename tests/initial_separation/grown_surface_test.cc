@@ -12,8 +12,8 @@
 namespace musclewarp {
 namespace {
 
-// Of the volume: the growth is looked for with coarser samples.
-constexpr double kVolumeTolerance = 0.01;
+// Of the volume: what a search stops at (growth_search.h), and rounding.
+constexpr double kVolumeTolerance = 2.1e-3;
 
 double VolumeOf(const TriangleSoup& soup) {
   return SignedVolume(soup.points, soup.triangles);
@@ -90,6 +90,59 @@ TEST(SurfaceGrowth, ABodyThatWasCutNowhereGrowsEvenly) {
   for (const auto p : grown.points.rowwise()) {
     EXPECT_NEAR(p.norm(), 10.15, 0.2);
   }
+}
+
+// A muscle of 20 x 20 x 60 mm of which the upper half is left, asked for more
+// than it can have. Below the cut, where a place is as far from the cut as from
+// the body, growth by t reaches t - d / 3 = d: three quarters of t.
+TEST(SurfaceGrowth, ReachesNoFartherThanSixTimesWhatWasCutOff) {
+  const Solid muscle(Box(20, 20, 60));
+  const TriangleSoup body = MovedBy(Box(20, 20, 30), {0, 0, 15});
+  CellSurfaceOptions options;
+  options.spacing = 2;
+  const auto depth_for = [&](double thickness) {
+    const double volume = VolumeOf(body) + thickness * 20 * 20;
+    SurfaceGrowth growth(options, body, muscle.distance, {}, {}, volume);
+    const TriangleSoup grown = growth.UpTo(100 * volume);
+    EXPECT_TRUE(CountDefects(grown).IsClean());
+    return -grown.points.col(2).minCoeff();
+  };
+  // Distances are linear below the cut: a surface between samples is exact, but
+  // for what keeps it off their ends (marching_tetrahedra_test.cc).
+  constexpr double kPlace = 0.1;  // mm
+  EXPECT_NEAR(depth_for(2), 0.75 * 6 * 2, kPlace);
+  EXPECT_NEAR(depth_for(4), 0.75 * 6 * 4, kPlace);
+  // 30 mm at most, and as far as samples are apart at least.
+  EXPECT_NEAR(depth_for(6), 0.75 * 30, kPlace);
+  EXPECT_NEAR(depth_for(0.1), 0.75 * options.spacing, kPlace);
+}
+
+// A third less for each millimetre away from the cut: nothing from three times
+// the reach on.
+TEST(SurfaceGrowth, DeclinesAwayFromTheCut) {
+  const Solid muscle(Box(20, 20, 100));
+  const TriangleSoup body = MovedBy(Box(20, 20, 50), {0, 0, 25});
+  CellSurfaceOptions options;
+  options.spacing = 2;
+  SurfaceGrowth growth(
+      options, body, muscle.distance, {}, {}, VolumeOf(body) + 1.5 * 400);
+  const TriangleSoup grown = growth.UpTo(2 * VolumeOf(body));  // by 9 mm
+  for (const auto p : grown.points.rowwise()) {
+    const double aside = p.head<2>().cwiseAbs().maxCoeff() - 10;
+    // Beside the wall the cut is farther than its height above it.
+    EXPECT_LT(aside, std::max(0.0, 9 - p[2] / 3) + 0.2);
+    if (p[2] > 30 && p[2] < 49) {
+      EXPECT_LT(aside, 0.2);
+    }
+  }
+  EXPECT_GT(grown.points.leftCols<2>().maxCoeff(), 10 + 0.5 * 9);
+}
+
+TEST(SurfaceGrowth, LeavesABodyThatIsLargeEnough) {
+  const Solid muscle(Box(20, 20, 60));
+  const TriangleSoup body = MovedBy(Box(20, 20, 30), {0, 0, 15});
+  SurfaceGrowth growth({}, body, muscle.distance, {}, {}, VolumeOf(body));
+  EXPECT_EQ(growth.UpTo(VolumeOf(body)).points, body.points);
 }
 
 }  // namespace

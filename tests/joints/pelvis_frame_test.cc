@@ -27,6 +27,18 @@ TEST(PelvisFrame, TellsAWholePelvisFromOneHipBone) {
   EXPECT_TRUE(IsOneHipBone(right / 32, {head.center / 32, head.radius / 32}));
 }
 
+// One half, and its mirror image in the plane through its innermost point.
+TEST(PelvisFrame, TheOtherHalfIsTheMirrorImageAtTheMiddle) {
+  Points hip_bone(2, 3);
+  hip_bone << 10, 1, 2, 60, 3, 4;  // x to the right
+  const Eigen::Vector3d right = Eigen::Vector3d::UnitX();
+  Points expected(4, 3);
+  expected << hip_bone, 10, 1, 2, -40, 3, 4;
+  EXPECT_EQ(WithMirrorImage(hip_bone, Side::kRight, right), expected);
+  expected.bottomRows(2) << 110, 1, 2, 60, 3, 4;
+  EXPECT_EQ(WithMirrorImage(hip_bone, Side::kLeft, right), expected);
+}
+
 // The made pelvis is a block about one head of a femur.
 TEST(PelvisFrame, OneHipBoneThatIsCalledAPelvisIsTakenForWhatItIs) {
   const Articulation found = Articulate(LegOf(Side::kRight).bones, {});

@@ -5,10 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "joints/made_leg.h"
 #include "musclewarp/joints/articulation.h"
+#include "support/meshes.h"
 
 namespace musclewarp {
 namespace {
@@ -32,6 +35,29 @@ TEST(SkeletonSize, IsOneForPeopleOfAnySizeAndForPartsOfBones) {
 TEST(SkeletonSize, IsThePowerOfTwoByWhichASkeletonIsLarger) {
   for (const double factor : {1.0 / 32, 1.0 / 4, 8.0}) {
     EXPECT_EQ(SkeletonSizeOf(ScaledLeg(factor)), factor);
+  }
+}
+
+// By each kind of bone alone: the made boxes have the diagonal of an adult's.
+TEST(SkeletonSize, IsThatOfAnyLongBone) {
+  for (const auto& [kind, diagonal] : {std::pair(BoneKind::kFemur, 460.0),
+                                       {BoneKind::kHumerus, 330.0},
+                                       {BoneKind::kHipBone, 280.0},
+                                       {BoneKind::kRadius, 250.0}}) {
+    const auto size_with = [kind = kind](double length) {
+      Bone bone;
+      bone.kind = kind;
+      bone.mesh = Box(
+          length / std::sqrt(3), length / std::sqrt(3), length / std::sqrt(3));
+      return SkeletonSizeOf({bone});
+    };
+    // From a newborn child to twice an adult nobody is scaled.
+    EXPECT_EQ(size_with(0.31 * diagonal), 1);
+    EXPECT_EQ(size_with(0.29 * diagonal), 0.25);
+    EXPECT_EQ(size_with(1.99 * diagonal), 1);
+    EXPECT_EQ(size_with(2.01 * diagonal), 2);
+    EXPECT_EQ(size_with(diagonal / 63), 1.0 / 64);
+    EXPECT_EQ(size_with(diagonal / 65), 1);
   }
 }
 

@@ -123,6 +123,14 @@ TEST(LabelMeshes, PiecesOfALabelAreLostOrMeshesOfTheirOwn) {
   }
 }
 
+// A label that lost a fiftieth of its volume is not what was delivered any
+// more.
+TEST(LabelMeshes, ALossIsNotedFromTwoPerCentOn) {
+  EXPECT_FALSE(IsLossWorthANote(1.9, 100));
+  EXPECT_TRUE(IsLossWorthANote(2.1, 100));
+  EXPECT_FALSE(IsLossWorthANote(0, 0));
+}
+
 // MetaImage and NRRD without "space units" have the unit that is stated.
 TEST(LabelMeshes, TheUnitOfAnImageThatHasNoneIsStated) {
   const std::string path = WriteImage(TestTempDir(), WithShapes());

@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/frame_solvers/certified_frame_solver.h"
 
-#include <algorithm>
-#include <functional>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "musclewarp/base/infinity.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/frame_solvers/certified_frame.h"
+#include "musclewarp/frame_solvers/further_motions.h"
 #include "musclewarp/frames/moment_arms.h"
 
 namespace musclewarp {
@@ -41,52 +39,6 @@ std::optional<std::string> GivenUpShortcoming(const MotionSummary& motion,
   text << ", at " << static_cast<int>(100 * reached)
        << " % of the motion; the remainder was computed without contact";
   return text.str();
-}
-
-// A step keeps muscles in the planes of what was near when it began. Along a
-// rugged bone they may slide to where it comes nearer than the gap; another
-// motion to the same pose then finds the planes that were missing.
-constexpr int kMaxFurtherMotions = 2;
-
-// Returns the narrowest gap of meshes that do not intersect, mm, or infinity.
-// Attachment areas that may penetrate have none.
-double NarrowestGap(const Frame& frame) {
-  double narrowest = kInfinity;
-  for (const MeshGap& gap : frame.intersections.gaps) {
-    if (gap.at_most_mm > 0) narrowest = std::min(narrowest, gap.at_least_mm);
-  }
-  return narrowest;
-}
-
-// A motion to a pose, and its frame.
-struct CertifiedMove {
-  CertifiedMotion motion;
-  Frame frame;
-  double moving_ms = 0, certifying_ms = 0;
-
-  bool Crosses() const {
-    return motion.last_clean || frame.intersections.triangle_pairs > 0;
-  }
-};
-
-// Moves on from `start`, and again to the same pose while surfaces are nearer
-// than the gap (mm) without crossing and that helps.
-CertifiedMove MoveUntilApart(
-    const std::function<CertifiedMove(const ContactState&)>& move,
-    const ContactState& start,
-    double gap) {
-  CertifiedMove best = move(start);
-  for (int further = 0; further < kMaxFurtherMotions; ++further) {
-    const double narrowest = NarrowestGap(best.frame);
-    if (best.Crosses() || narrowest >= gap) break;
-    CertifiedMove next = move(best.motion.state);
-    next.motion.summary.steps += best.motion.summary.steps;
-    next.moving_ms += best.moving_ms;
-    next.certifying_ms += best.certifying_ms;
-    if (next.Crosses() || NarrowestGap(next.frame) <= narrowest) break;
-    best = std::move(next);
-  }
-  return best;
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <unordered_map>
 
 #include "musclewarp/base/infinity.h"
+#include "musclewarp/initial_separation/growth_search.h"
 #include "musclewarp/initial_separation/marching_tetrahedra.h"
 #include "musclewarp/mesh/measures.h"
 
@@ -33,11 +34,8 @@ constexpr double kReachPerThickness = 6;
 // 1, in spite of kDecline.
 constexpr double kSlope = 1 / (1 + kDecline);
 
-// The spacing, in multiples, with which the search for the growth begins, the
-// relative accuracy of the volume, and the largest number of steps.
+// The spacing, in multiples, with which the search for the growth begins.
 constexpr double kCoarser = 2;
-constexpr double kAccuracy = 2e-3;
-constexpr int kMostSteps = 14;
 
 // Returns the triangles of a body that lie more than `depth` (mm) inside the
 // muscle: its cuts.
@@ -236,7 +234,7 @@ struct Growth {
 };
 
 // Returns the growth with which a body has a volume (mm^3), or `reach` if that
-// is not enough, by false position, beginning with `t`. `left` is the volume
+// is not enough, beginning with `t` (SearchGrowth). `left` is the volume
 // without growth.
 Growth GrowthFor(const GrowingBody& body,
                  double left,
@@ -244,30 +242,15 @@ Growth GrowthFor(const GrowingBody& body,
                  double spacing,
                  double reach,
                  double t) {
-  double low = 0, high = reach;
-  double low_volume = left, high_volume = kInfinity;
   Growth growth;
-  for (int step = 0; step < kMostSteps; ++step) {
-    growth = {t, body.GrownBy(t, spacing)};
+  const auto volume_at = [&](double tried) {
+    growth = {tried, body.GrownBy(tried, spacing)};
     const double now = SignedVolume(growth.body.points, growth.body.triangles);
-    VLOG(1) << "a body grown by " << t << " mm has " << now << " of " << volume
-            << " mm3";
-    if (std::abs(now - volume) < kAccuracy * volume) break;
-    if (now < volume) {
-      if (t == reach) break;
-      low = t;
-      low_volume = now;
-    } else {
-      high = t;
-      high_volume = now;
-    }
-    if (high_volume == kInfinity) {
-      t = std::min(1.5 * t, reach);
-      continue;
-    }
-    const double part = (volume - low_volume) / (high_volume - low_volume);
-    t = low + std::clamp(part, 0.1, 0.9) * (high - low);
-  }
+    VLOG(1) << "a body grown by " << tried << " mm has " << now << " of "
+            << volume << " mm3";
+    return now;
+  };
+  SearchGrowth(volume_at, left, volume, reach, t);
   return growth;
 }
 

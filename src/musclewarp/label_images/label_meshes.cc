@@ -25,6 +25,11 @@ std::vector<LabelEntry> RowsOfTable(const LabelMeshOptions& options) {
   return options.rows.empty() ? ReadLabelTable(options.table) : options.rows;
 }
 
+bool IsLossWorthANote(double lost_volume, double voxel_volume) {
+  constexpr double kLostWorthANote = 0.02;  // of the voxels
+  return lost_volume > kLostWorthANote * voxel_volume;
+}
+
 #ifdef MUSCLEWARP_WITH_VTK
 namespace {
 
@@ -37,9 +42,6 @@ constexpr double kEdgesOfVoxel = 2;
 
 // Larger boxes take too much memory: about 20 bytes per voxel.
 constexpr double kMostBoxVoxels = 3e8;
-
-// Losses of a smaller share of a label are not reported.
-constexpr double kLostWorthANote = 0.02;
 
 using Boxes = std::map<int, LabelBox>;
 
@@ -253,7 +255,7 @@ class MeshesOfLabel {
     mesh.voxel_volume = static_cast<double>(region.voxels) * voxel_;
     mesh.volume = surface.volume;
     mesh.delivered_volume = mesh.voxel_volume;
-    if (surface.lost_volume > kLostWorthANote * mesh.voxel_volume) {
+    if (IsLossWorthANote(surface.lost_volume, mesh.voxel_volume)) {
       Note(name,
            "loses " + Cm3(surface.lost_volume) +
                ": parts that are so thin, or hang on the rest by so little, "

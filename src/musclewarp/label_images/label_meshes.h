@@ -74,6 +74,10 @@ struct LabelMeshOptions {
 // empty.
 std::vector<LabelEntry> RowsOfTable(const LabelMeshOptions& options);
 
+// Returns true if a surface has lost so much of the volume of its voxels (both
+// mm^3) that a note says so: more than 2 %.
+bool IsLossWorthANote(double lost_volume, double voxel_volume);
+
 // Reads a label image (label_image.h) and makes a mesh of each label, with
 // cavities filled (label_regions.h, label_surface.h).
 //
