@@ -206,16 +206,24 @@ void BoneSearch::FindOnPath(const Path& path, Guarded* guarded) const {
 void BoneSearch::FindAnew(const Path& path, Guarded* guarded) const {
   const double radius = path.need + options_.planes.kept_slack;
   const Box3 box = BoxOf(path.before);
+  const auto separate_within = [&](double distance) {
+    return Separate(path.before, distance, [&](const Box3& other) {
+      return other.SquaredDistance(box) <= distance * distance;
+    });
+  };
   guarded->clearance = DistanceBound(obstacles_, box, radius);
   if (guarded->clearance >= path.need) return;
-  ObstacleSeparation found =
-      Separate(path.before, radius, [&](const Box3& other) {
-        return other.SquaredDistance(box) <= radius * radius;
-      });
-  if (found.distance > path.need) {
+  ObstacleSeparation found = separate_within(radius);
+  // Whether there are planes must not depend on what is known from steps
+  // before: where the lower bound does not tell, the distance itself does.
+  const bool is_far =
+      found.distance > path.need || (found.distance_of_first > path.need &&
+                                     separate_within(path.need).spaces.empty());
+  if (is_far) {
     // Nothing is known of the distance of a triangle that touches the bone.
     guarded->clearance =
-        found.touches ? 0 : std::min(found.distance, radius);
+        found.touches ? 0
+                      : std::min(std::max(found.distance, path.need), radius);
     return;
   }
   guarded->new_spaces = std::move(found.spaces);

@@ -179,7 +179,10 @@ ObstacleSeparation SeparateFromObstacles(const Corners& triangle,
                     0.5 * std::max(0.0, distance - options.gap) + overlooked;
     }
     if (least > most) break;
-    if (planes == 0) separation.distance = std::sqrt(std::min(least, nearest));
+    if (planes == 0) {
+      separation.distance = std::sqrt(std::min(least, nearest));
+      separation.distance_of_first = std::sqrt(least);
+    }
     separation.spaces.push_back(
         {plane.normal,
          plane.level + (1 - options.overlooked_fraction) * options.gap});

@@ -51,9 +51,13 @@ struct ObstacleOptions {
 struct ObstacleSeparation {
   std::vector<HalfSpace> spaces;  // those of the nearest obstacles first
 
-  // A lower bound of the distance of the nearest obstacle that has a half-space,
-  // mm; infinite if there is none.
+  // A lower bound of the distance of the nearest obstacle that has a
+  // half-space, mm; infinite if there is none.
   double distance = std::numeric_limits<double>::infinity();
+
+  // The distance of the obstacle of the first half-space, mm, which may be more
+  // than that of others behind it; infinite if there is none.
+  double distance_of_first = std::numeric_limits<double>::infinity();
 
   // True if the triangle touches or crosses an obstacle, which has none.
   bool touches = false;
