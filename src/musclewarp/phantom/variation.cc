@@ -39,7 +39,13 @@ Points Placed(const Points& points, double size, double offset) {
 void GiveVertices(int num_vertices, PhantomScene* scene) {
   for (size_t i = 0; i < scene->scene.muscles.size(); ++i) {
     PhantomMesh& mesh = scene->meshes[i];
-    const TriangleSoup other = WithVertices(mesh.surface, num_vertices);
+    TriangleSoup other = WithVertices(mesh.surface, num_vertices);
+    // A thin muscle needs more, or its sides cross.
+    for (int more = 2 * num_vertices;
+         more < mesh.surface.points.rows() && !phantom::IsSoundSurface(other);
+         more *= 2) {
+      other = WithVertices(mesh.surface, more);
+    }
     if (!phantom::IsSoundSurface(other)) continue;
     mesh.surface = other;
     mesh.delivered = other;

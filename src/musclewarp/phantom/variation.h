@@ -19,7 +19,7 @@ struct Variation {
 };
 
 // Gives each muscle of a scene about as many vertices: its surface is remeshed
-// or simplified. If that would cross itself, the muscle keeps its vertices. Its
+// or simplified, twice as finely as long as it would cross itself. Its
 // attachments are made anew of points of the mesh; lines stay, and may leave a
 // mesh that has become coarse.
 void GiveVertices(int num_vertices, PhantomScene* scene);
