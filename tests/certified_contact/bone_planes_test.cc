@@ -207,8 +207,8 @@ TEST(FindPlanesOfBones, AreFoundAnewOnceATriangleHasMoved) {
   ExpectEqual(renewed, PlanesAtRest(group).planes);
 }
 
-// They are not stored with a state. On a rough bone the nearest plane leaves out
-// more of what is behind it, whose distance is only bounded.
+// They are not stored with a state. On a rough bone the nearest plane leaves
+// out more of what is behind it, whose distance is only bounded.
 TEST(FindPlanesOfBones, DoNotDependOnClearances) {
   TriangleSoup rough = SphereAt({0, 0, -20}, 20, 4);
   rough.points += 0.6 * RandomPoints(rough.points.rows(), 1);

@@ -39,8 +39,12 @@ TEST(NiftiPair, TheHeaderIsFoundFromEitherFile) {
   EXPECT_EQ(CheckedNiftiHeader(dir + "/D.IMG"), dir + "/D.HDR");
 }
 
-// A header of NIfTI-1 or 2 that says nothing but its size and dimensions.
-std::string Header(std::int64_t size, std::int64_t dimensions, bool is_little) {
+// A header of NIfTI-1 or 2 that says nothing but its size, its dimensions and
+// the type of its voxels.
+std::string Header(std::int64_t size,
+                   std::int64_t dimensions,
+                   bool is_little,
+                   std::int64_t type = 4) {
   std::string bytes(352, '\0');
   const auto put = [&](std::size_t at, std::size_t count, std::int64_t value) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -50,6 +54,7 @@ std::string Header(std::int64_t size, std::int64_t dimensions, bool is_little) {
   };
   put(0, 4, size);
   size == 540 ? put(16, 8, dimensions) : put(40, 2, dimensions);
+  put(size == 540 ? 12 : 70, 2, type);
   return bytes;
 }
 
@@ -60,20 +65,37 @@ TEST(NiftiDimensions, AreOneToSeven) {
     for (const bool is_little : {true, false}) {
       for (const std::int64_t dimensions : {1, 3, 7}) {
         WriteTextAtomically(path, Header(size, dimensions, is_little));
-        EXPECT_NO_THROW(CheckNiftiDimensions(path));
+        EXPECT_NO_THROW(CheckNiftiFields(path));
       }
       for (const std::int64_t dimensions : {0, 8, 0x7f00}) {
         WriteTextAtomically(path, Header(size, dimensions, is_little));
-        ExpectInputError([&] { CheckNiftiDimensions(path); },
+        ExpectInputError([&] { CheckNiftiFields(path); },
                          {"image.nii", "dimensions", "1 to 7"});
       }
     }
   }
   WriteTextAtomically(path, Header(347, 3, true));
-  ExpectInputError([&] { CheckNiftiDimensions(path); }, {"the size of"});
+  ExpectInputError([&] { CheckNiftiFields(path); }, {"the size of"});
   WriteTextAtomically(path, Header(348, 3, true).substr(0, 100));
-  ExpectInputError([&] { CheckNiftiDimensions(path); },
-                   {"ends after 100 bytes"});
+  ExpectInputError([&] { CheckNiftiFields(path); }, {"ends after 100 bytes"});
+}
+
+// VTK looks for it in a list, and beyond the end of the list.
+TEST(NiftiVoxelType, IsOneOfTheFormat) {
+  const std::string path = TestTempDir() + "/image.nii";
+  for (const std::int64_t size : {348, 540}) {
+    for (const bool is_little : {true, false}) {
+      for (const std::int64_t type : {2, 8, 512, 1280}) {
+        WriteTextAtomically(path, Header(size, 3, is_little, type));
+        EXPECT_NO_THROW(CheckNiftiFields(path));
+      }
+      for (const std::int64_t type : {0, 1, 1536, 14134}) {
+        WriteTextAtomically(path, Header(size, 3, is_little, type));
+        ExpectInputError([&] { CheckNiftiFields(path); },
+                         {"image.nii", "of type " + std::to_string(type)});
+      }
+    }
+  }
 }
 
 TEST(NiftiPair, AnalyzeAndHalfPairsAreRefused) {

@@ -139,7 +139,8 @@ TEST(SoupBuilder, AMeshHasALargestSize) {
         builder.AddPoint({0, 0, 0});
       },
       {"a.ply", "more than 5000000 vertices", "simplify"});
-  for (std::int64_t i = 0; i < kMostFaces; ++i) builder.AddPolygon({0, 1, 2});
+  const std::vector<std::int64_t> corners = {0, 1, 2};
+  for (std::int64_t i = 0; i < kMostFaces; ++i) builder.AddPolygon(corners);
   ExpectInputError(
       [&] {
         builder.AddPolygon({0, 1, 2});

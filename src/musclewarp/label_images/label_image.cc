@@ -237,7 +237,7 @@ void ReadNifti(double mm_per_unit, LabelImage* image) {
   const std::string path = IsNiftiPairFile(image->path)
                                ? CheckedNiftiHeader(image->path)
                                : image->path;
-  CheckNiftiDimensions(path);
+  CheckNiftiFields(path);
   vtkNew<vtkNIFTIImageReader> reader;
   reader->SetFileName(path.c_str());
   WithVtkErrors(path, [&] { reader->UpdateInformation(); });

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/label_images/nifti_pair.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 
@@ -64,6 +65,30 @@ std::int64_t IntegerAt(const std::string& bytes,
   return static_cast<std::int64_t>(value);
 }
 
+void CheckDimensions(const std::string& header, std::int64_t dimensions) {
+  constexpr std::int64_t kMostDimensions = 7;
+  if (dimensions >= 1 && dimensions <= kMostDimensions) return;
+  throw InputError(header,
+                   "says that it has " + std::to_string(dimensions) +
+                       " dimensions; allowed: 1 to 7",
+                   "copy or export the file again");
+}
+
+void CheckVoxelType(const std::string& header, std::int64_t type) {
+  // Whole numbers of 1 to 8 bytes with and without sign, and real numbers of 4
+  // and 8 bytes; complex numbers and colours, which are refused elsewhere.
+  constexpr std::int64_t kTypes[] = {
+      2, 4, 8, 16, 32, 64, 128, 256, 512, 768, 1024, 1280, 1792, 2304};
+  if (std::find(std::begin(kTypes), std::end(kTypes), type) !=
+      std::end(kTypes)) {
+    return;
+  }
+  throw InputError(header,
+                   "says that its voxels are of type " + std::to_string(type) +
+                       ", which is not read",
+                   "save the labels as whole numbers of 1, 2 or 4 bytes");
+}
+
 }  // namespace
 
 bool IsNiftiPairFile(const std::string& path) {
@@ -88,8 +113,8 @@ std::string CheckedNiftiHeader(const std::string& path) {
                    "save the image as .nii.gz with the program that made it");
 }
 
-void CheckNiftiDimensions(const std::string& header) {
-  constexpr std::int64_t kNifti2Bytes = 540, kMostDimensions = 7;
+void CheckNiftiFields(const std::string& header) {
+  constexpr std::int64_t kNifti2Bytes = 540;
   const std::string bytes = ReadUnpacked(header, kNiftiBytes);
   if (bytes.size() < kNiftiBytes) {
     throw InputError(header,
@@ -101,14 +126,12 @@ void CheckNiftiDimensions(const std::string& header) {
   for (const bool is_little : {true, false}) {
     const std::int64_t size = IntegerAt(bytes, 0, 4, is_little);
     if (size != kNiftiBytes && size != kNifti2Bytes) continue;
-    const std::int64_t dimensions = size == kNifti2Bytes
-                                        ? IntegerAt(bytes, 16, 8, is_little)
-                                        : IntegerAt(bytes, 40, 2, is_little);
-    if (dimensions >= 1 && dimensions <= kMostDimensions) return;
-    throw InputError(header,
-                     "says that it has " + std::to_string(dimensions) +
-                         " dimensions; allowed: 1 to 7",
-                     "copy or export the file again");
+    const bool is_second = size == kNifti2Bytes;
+    CheckDimensions(header,
+                    is_second ? IntegerAt(bytes, 16, 8, is_little)
+                              : IntegerAt(bytes, 40, 2, is_little));
+    CheckVoxelType(header, IntegerAt(bytes, is_second ? 12 : 70, 2, is_little));
+    return;
   }
   throw InputError(header,
                    "does not begin with the size of a header of NIfTI",

@@ -16,8 +16,9 @@ bool IsNiftiPairFile(const std::string& path);
 std::string CheckedNiftiHeader(const std::string& path);
 
 // Throws InputError if the header of a file of NIfTI (.nii or .hdr, compressed
-// or not) is damaged in its size or in its number of dimensions, which VTK
-// takes for the length of a list without a check.
-void CheckNiftiDimensions(const std::string& header);
+// or not) is damaged in its size, in its number of dimensions, which VTK takes
+// for the length of a list without a check, or in the type of its voxels, which
+// VTK searches for beyond the end of a list.
+void CheckNiftiFields(const std::string& header);
 
 }  // namespace musclewarp

@@ -83,6 +83,12 @@ std::string UnpackBlocks(const std::string& where,
   if (num_blocks > header.rest().size()) {
     ThrowTruncated(where, num_blocks, "blocks", header.rest().size());
   }
+  if (num_blocks > 0 && block_size > kMostArrayBytes / num_blocks) {
+    throw InputError(
+        where,
+        "unpacks to more than " + std::to_string(kMostArrayBytes) + " bytes",
+        "simplify the mesh, if the file is sound");
+  }
   std::vector<std::uint64_t> packed_sizes;
   for (std::uint64_t i = 0; i < num_blocks; ++i) {
     packed_sizes.push_back(header.Next());
@@ -104,12 +110,6 @@ std::string UnpackBlocks(const std::string& where,
       ThrowTruncated(where, size, "unpacked bytes", packed);
     }
     const std::size_t begin = bytes.size();
-    if (begin + size > kMostArrayBytes) {
-      throw InputError(
-          where,
-          "unpacks to more than " + std::to_string(kMostArrayBytes) + " bytes",
-          "simplify the mesh, if the file is sound");
-    }
     bytes.resize(begin + size);
     const std::size_t unpacked = compressor->Uncompress(
         reinterpret_cast<const unsigned char*>(rest.data()),
