@@ -4,6 +4,7 @@
 // Gives the seeds of the fuzzed readers to them, damaged at random: what cannot
 // be read is refused, and nothing else happens. scripts/fuzz.sh does the same
 // at length, guided by what the damage reaches.
+#include <glog/logging.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,6 +67,7 @@ class Damage {
 class DamagedFiles : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(DamagedFiles, AreReadOrRefused) {
+  FLAGS_minloglevel = google::GLOG_FATAL;  // damage is warned of
   const FuzzedReader& reader = ReaderNamed(GetParam());
   const std::string path = TestTempDir() + "/" + reader.file;
   std::vector<std::string> seeds = {"x"};
