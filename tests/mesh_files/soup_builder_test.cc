@@ -132,20 +132,25 @@ TEST(SoupBuilder, NoFacesAreRefused) {
 }
 
 TEST(SoupBuilder, AMeshHasALargestSize) {
-  SoupBuilder builder("a.ply");
-  for (std::int64_t i = 0; i < kMostVertices; ++i) builder.AddPoint({0, 0, 0});
+  MeshLimits limits;
+  EXPECT_EQ(limits.vertices, 5000000);
+  EXPECT_EQ(limits.faces, 10000000);
+  limits = {3, 2};
+  SoupBuilder builder("a.ply", 0, limits);
+  AddPoints(Circle(3), &builder);
   ExpectInputError(
       [&] {
         builder.AddPoint({0, 0, 0});
       },
-      {"a.ply", "more than 5000000 vertices", "simplify"});
-  const std::vector<std::int64_t> corners = {0, 1, 2};
-  for (std::int64_t i = 0; i < kMostFaces; ++i) builder.AddPolygon(corners);
+      {"a.ply", "more than 3 vertices", "simplify"});
+  builder.AddPolygon({0, 1, 2});
+  builder.AddPolygon({0, 2, 1});
   ExpectInputError(
       [&] {
         builder.AddPolygon({0, 1, 2});
       },
-      {"a.ply", "more than 10000000 faces"});
+      {"a.ply", "more than 2 faces"});
+  EXPECT_EQ(builder.Build().triangles.rows(), 2);
 }
 
 }  // namespace

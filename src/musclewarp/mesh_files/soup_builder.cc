@@ -74,8 +74,10 @@ void AppendStrip(const PolygonCorners& corners, std::vector<int>* triangles) {
 
 }  // namespace
 
-SoupBuilder::SoupBuilder(std::string path, int first_index)
-    : path_(std::move(path)), first_index_(first_index) {}
+SoupBuilder::SoupBuilder(std::string path,
+                         int first_index,
+                         const MeshLimits& limits)
+    : path_(std::move(path)), first_index_(first_index), limits_(limits) {}
 
 void SoupBuilder::AddPoint(const Eigen::Vector3d& point, std::size_t line) {
   if (!point.allFinite()) {
@@ -88,7 +90,9 @@ void SoupBuilder::AddPoint(const Eigen::Vector3d& point, std::size_t line) {
                      "is at " + text + "), coordinates must be finite",
                      "repair the mesh where it was made and export it again");
   }
-  if (num_points() == kMostVertices) ThrowTooLarge(kMostVertices, "vertices");
+  if (num_points() == limits_.vertices) {
+    ThrowTooLarge(limits_.vertices, "vertices");
+  }
   points_.insert(points_.end(), point.data(), point.data() + 3);
 }
 
@@ -111,7 +115,7 @@ void SoupBuilder::AddFace(const std::vector<std::int64_t>& corners,
         "has " + std::to_string(corners.size()) + " corners, at least 3 needed",
         "remove edges and points from the mesh and export it again");
   }
-  if (num_faces() == kMostFaces) ThrowTooLarge(kMostFaces, "faces");
+  if (num_faces() == limits_.faces) ThrowTooLarge(limits_.faces, "faces");
   corners_.insert(corners_.end(), corners.begin(), corners.end());
   faces_.push_back({corners_.size(), line, is_strip});
 }

@@ -15,8 +15,10 @@ namespace musclewarp {
 
 // The largest mesh that is read. What segmentation gives is far below; a file
 // of more is damaged, or packed by someone who means harm.
-constexpr std::int64_t kMostVertices = 5000000;
-constexpr std::int64_t kMostFaces = 10000000;
+struct MeshLimits {
+  std::int64_t vertices = 5000000;
+  std::int64_t faces = 10000000;
+};
 
 // Collects the points and faces that a reader finds in a mesh file, checks
 // them, and makes triangles of them, so that all formats have the same checks
@@ -35,7 +37,9 @@ class SoupBuilder {
  public:
   // `path` is the file, for messages. `first_index` is the number that the
   // format gives to the first vertex and the first face.
-  explicit SoupBuilder(std::string path, int first_index = 0);
+  explicit SoupBuilder(std::string path,
+                       int first_index = 0,
+                       const MeshLimits& limits = {});
 
   // Adds a point, mm. `line` is the line of the file, 0 for binary files.
   void AddPoint(const Eigen::Vector3d& point, std::size_t line = 0);
@@ -80,6 +84,7 @@ class SoupBuilder {
 
   std::string path_;
   int first_index_;
+  MeshLimits limits_;
   std::vector<double> points_;
   std::vector<std::int64_t> corners_;
   std::vector<Face> faces_;

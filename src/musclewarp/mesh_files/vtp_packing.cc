@@ -75,7 +75,8 @@ class HeaderReader {
 // each block.
 std::string UnpackBlocks(const std::string& where,
                          std::string_view data,
-                         const VtpPacking& packing) {
+                         const VtpPacking& packing,
+                         std::uint64_t most) {
   HeaderReader header(where, data, packing);
   const std::uint64_t num_blocks = header.Next();
   const std::uint64_t block_size = header.Next();
@@ -83,11 +84,10 @@ std::string UnpackBlocks(const std::string& where,
   if (num_blocks > header.rest().size()) {
     ThrowTruncated(where, num_blocks, "blocks", header.rest().size());
   }
-  if (num_blocks > 0 && block_size > kMostArrayBytes / num_blocks) {
-    throw InputError(
-        where,
-        "unpacks to more than " + std::to_string(kMostArrayBytes) + " bytes",
-        "simplify the mesh, if the file is sound");
+  if (num_blocks > 0 && block_size > most / num_blocks) {
+    throw InputError(where,
+                     "unpacks to more than " + std::to_string(most) + " bytes",
+                     "simplify the mesh, if the file is sound");
   }
   std::vector<std::uint64_t> packed_sizes;
   for (std::uint64_t i = 0; i < num_blocks; ++i) {
@@ -162,8 +162,11 @@ VtpPacking VtpPackingFromTag(const std::string& path, const XmlTag& root) {
 
 std::string UnpackVtpArray(const std::string& where,
                            std::string_view data,
-                           const VtpPacking& packing) {
-  if (!packing.compressor.empty()) return UnpackBlocks(where, data, packing);
+                           const VtpPacking& packing,
+                           std::uint64_t most) {
+  if (!packing.compressor.empty()) {
+    return UnpackBlocks(where, data, packing, most);
+  }
   HeaderReader header(where, data, packing);
   const std::uint64_t size = header.Next();
   if (size > header.rest().size()) {

@@ -33,9 +33,11 @@ constexpr std::uint64_t kMostArrayBytes = 240000000;
 // bytes or compressed blocks. More data may follow the array. The memory taken
 // is in proportion to the size of `data`, whatever the header promises, so that
 // a damaged file cannot exhaust it. Throws InputError with `where` as its place
-// if the data are cut off or damaged, or unpack to more than kMostArrayBytes.
+// if the data are cut off or damaged, or unpack to more than `most`
+// bytes.
 std::string UnpackVtpArray(const std::string& where,
                            std::string_view data,
-                           const VtpPacking& packing);
+                           const VtpPacking& packing,
+                           std::uint64_t most = kMostArrayBytes);
 
 }  // namespace musclewarp
