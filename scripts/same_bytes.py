@@ -8,7 +8,7 @@ and working directories, and with other builds.
   scripts/same_bytes.py --build=build/release [--other_build=DIR...] \\
       --out=DIR -- --scene=FILE [flags of musclewarp-deform]
 
-Compared are all files; of report.json what is a result. Without flags behind
+Compared are all files; of reports what is a result. Without flags behind
 "--" the scene is the embedded one. Muscles in another order are one of the
 surroundings: their files have to be the same, and those that list the muscles
 are left out of the comparison.

@@ -34,6 +34,9 @@ SHARES_OF_TIME = [0, 0.3, 0.6, 0.95]  # after which a folder is removed
 # because its preparation cannot be kept for the next one.
 OPTIONAL = {"cache": "cache/"}
 
+# Files of which it can be told whether they have their end.
+TELL_THEIR_END = (".json", ".html", ".csv", ".sto")
+
 # What has its input in the folder, too, which cannot be removed meanwhile.
 READS_FOLDER = ["demo"]
 
@@ -132,7 +135,7 @@ class Whole:
     def lacks(self, folder, optional=""):
         """Returns what is not as it should in a folder that should have all,
         but for names that begin with `optional`, or ""."""
-        found = contents_of_damaged(folder)
+        found = contents(folder)
         expected = {name: digest for name, digest in self.files.items()
                     if not optional or not name.startswith(optional)
                     or name in found}
@@ -146,12 +149,18 @@ class Whole:
     def half_written(self, folder):
         """Returns what a folder has that is neither whole nor marked as not
         done, or "". Tables and reports of fewer frames are whole."""
-        found = contents_of_damaged(folder)
+        found = contents(folder)
         wrong = [name for name, digest in found.items()
                  if not is_marked(name) and self.files.get(name) != digest
-                 and not (name in self.files and
-                          has_shape(folder / name, self.folder / name))]
+                 and not self.may_differ(name, folder)]
         return f"half-written: {', '.join(wrong[:3])}" if wrong else ""
+
+
+    def may_differ(self, name, folder):
+        """Returns true for a whole file that has times, or is of fewer frames."""
+        is_known = name in self.with_times or (
+            name in self.files and pathlib.Path(name).suffix in TELL_THEIR_END)
+        return is_known and has_shape(folder / name, self.folder / name)
 
 
 def is_marked(name):
@@ -160,8 +169,8 @@ def is_marked(name):
 
 
 def has_shape(path, model):
-    """Returns true if a file is one of its format to the end; if it is of a
-    format that does not tell, whether it has the size of the model."""
+    """Returns true if a file of TELL_THEIR_END has its end, and if another has
+    the size of the model."""
     if path.suffix == ".json":
         try:
             return bool(json.loads(path.read_text()))
@@ -179,13 +188,6 @@ def is_table(text):
     rows = [re.split("[,\t]", line) for line in text.splitlines()]
     return (text.endswith("\n") and
             (len(rows) < 2 or len(rows[-1]) == len(rows[-2])))
-
-
-def contents_of_damaged(folder):
-    try:
-        return contents(folder)
-    except ValueError:  # of a report that is no JSON
-        return {"report.json": "no JSON"}
 
 
 def make_anew(folder):
@@ -295,8 +297,8 @@ def try_kind(name, writer, options):
     tried += [("two at once", place.two_at_once)]
     wrong = [f"  {obstacle}: {found}" for obstacle, attempt in tried
              if (found := attempt())]
-    print(f"{name}: {len(whole.files)} files, {len(tried) - len(wrong)} of "
-          f"{len(tried)} as they should", *wrong, sep="\n", flush=True)
+    print(f"{name}: {len(whole.files)} files, {len(whole.with_times)} with times, "
+          f"{len(tried) - len(wrong)} of {len(tried)} as they should", *wrong, sep="\n", flush=True)
     return len(wrong)
 
 
