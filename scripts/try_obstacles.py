@@ -2,10 +2,11 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
 """Has every kind of file written where it cannot be: to a disk that is full after
-a part of it, to one that is read-only, to a folder that is removed meanwhile, and
-to one to which a second program writes the same. Each time the program has to
-say what is wrong and where, with exit code 1 or 2, or everything is there; and a
-file that has its name has to be whole.
+a part of it, to one that is read-only, to a folder in one that must not be
+entered, to one that is removed meanwhile, and to one to which a second program
+writes the same. Each time the program has to say what is wrong and where, with
+exit code 1 or 2, or everything is there; and a file that has its name has to be
+whole.
 
   scripts/try_obstacles.py --build=build/release --out=DIR [--kind=TEXT]
 
@@ -33,6 +34,8 @@ SHARES_OF_TIME = [0, 0.3, 0.6, 0.95]  # after which a folder is removed
 # What may be missing if the program says so and where: a run does not fail
 # because its preparation cannot be kept for the next one.
 OPTIONAL = {"cache": "cache/"}
+
+WITHOUT_RIGHTS = ["setpriv", "--inh-caps=-all", "--bounding-set=-all"]
 
 # Files of which it can be told whether they have their end.
 TELL_THEIR_END = (".json", ".html", ".csv", ".sto")
@@ -84,17 +87,18 @@ class Writer:
     def __init__(self, build, words):
         self.build, self.words = build, words
 
-    def start(self, out):
-        command = [self.build / f"tools/musclewarp-{self.words[0]}"]
+    def start(self, out, before=()):
+        """`before`: the words of a command that calls the program."""
+        command = [*before, self.build / f"tools/musclewarp-{self.words[0]}"]
         command += [str(word).replace("{out}", str(out))
                     for word in self.words[1:]]
         return subprocess.Popen([str(word) for word in command],
                                 stdout=subprocess.PIPE,
                                 stderr=subprocess.STDOUT, text=True)
 
-    def run(self, out):
+    def run(self, out, before=()):
         """Returns the exit code and what was said."""
-        return end(self.start(out))
+        return end(self.start(out, before))
 
 
 def end(process):
@@ -245,6 +249,17 @@ class Obstacles:
         finally:
             unmount(self.place)
 
+    def locked(self):
+        """Writes to a folder in one that must not be entered, without the rights
+        of an administrator."""
+        make_anew(self.place)
+        (self.place / "locked").mkdir(mode=0)
+        out = self.place / "locked/out"
+        code, said = self.writer.run(out, WITHOUT_RIGHTS)
+        if code not in (1, 2):
+            return f"exit code {code}: {said[-300:]}"
+        return "" if str(self.place) in said else f"no place: {said[-300:]}"
+
     def removed(self, share):
         """Removes the folder after a share of the time; if that is 0, as soon as
         it has something. It is renamed, which is done at once."""
@@ -290,7 +305,8 @@ def try_kind(name, writer, options):
               lambda share=share: place.full_disk(share))
              for share in SHARES_OF_DISK]
     tried += [("read-only", lambda: place.read_only("")),
-              ("read-only, without the folder", lambda: place.read_only("out"))]
+              ("read-only, without the folder", lambda: place.read_only("out")),
+              ("locked", place.locked)]
     tried += [(f"removed after {share:.0%} of the time",
                lambda share=share: place.removed(share))
               for share in SHARES_OF_TIME if name not in READS_FOLDER]
