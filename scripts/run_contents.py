@@ -2,13 +2,20 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is in the folder of a run, for scripts that compare runs byte by byte."""
 
+import base64
 import hashlib
 import json
 import pathlib
+import re
+import zlib
 
 # What a report says of the run rather than of its results: how it was called,
-# on what machine, and whether a part of it had been computed before.
-OF_THE_RUN = {"command", "options", "machine", "cached", "threads"}
+# by what build, on what machine, and whether a part of it had been computed
+# before.
+OF_THE_RUN = {"code", "command", "options", "machine", "cached", "threads"}
+
+# The reports in a page, which are compressed, as bytes of its text.
+REPORTS_OF_PAGE = re.compile(rb'(?<=id="runs">)[^<]+')
 
 
 def _of_results(value):
@@ -22,17 +29,33 @@ def _of_results(value):
     return value
 
 
-def _digest(path):
+def _bytes_of_results(text):
+    return json.dumps(_of_results(json.loads(text))).encode()
+
+
+def _results(path):
+    """Returns the bytes of a file, or the results if it is a report or a page."""
+    data = path.read_bytes()
     if path.name == "report.json":
-        data = json.dumps(_of_results(json.loads(path.read_text()))).encode()
-    else:
+        return _bytes_of_results(data)
+    if path.suffix == ".html":
+        return REPORTS_OF_PAGE.sub(
+            lambda found: _bytes_of_results(
+                zlib.decompress(base64.b64decode(found[0]))), data)
+    return data
+
+
+def _digest(path):
+    try:
+        data = _results(path)
+    except (ValueError, zlib.error):  # of a damaged file
         data = path.read_bytes()
     return hashlib.sha256(data).hexdigest()
 
 
 def contents(folder):
-    """Returns a digest of each file below a folder by its name, with reports as
-    far as they are results."""
+    """Returns a digest of each file below a folder by its name, with reports, and
+    those in pages, as far as they are results."""
     folder = pathlib.Path(folder)
     return {str(path.relative_to(folder)): _digest(path)
             for path in sorted(folder.rglob("*")) if path.is_file()}

@@ -26,7 +26,8 @@ TEST(FindProgram, LooksInThePath) {
   EXPECT_EQ(FindProgram("no-such-program-of-musclewarp"), "");
   EXPECT_EQ(FindProgram(""), "");
   EXPECT_EQ(FindProgram("/bin/sh"), "/bin/sh");
-  EXPECT_EQ(FindProgram("/etc/passwd"), "");  // not to be executed
+  EXPECT_EQ(FindProgram("/etc/passwd"), "");          // not to be executed
+  EXPECT_EQ(FindProgram(std::string(300, 'a')), "");  // longer than names are
 }
 
 TEST(RunChild, GivesExitCodeAndOutput) {

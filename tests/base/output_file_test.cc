@@ -65,6 +65,30 @@ TEST(OutputFolder, AppearsCompleteAndReplacesTheOldOne) {
   EXPECT_EQ(TextOf(dir + "/new.txt"), "new");
 }
 
+TEST(OutputFolder, MayBeNamedWithASlashAtTheEnd) {
+  const std::string dir = TestTempDir() + "/frame";
+  for (const char* text : {"old", "new"}) {
+    WriteFolderAtomically(dir + "/", [&](const std::string& partial) {
+      WriteTextAtomically(partial + "/a.txt", text);
+    });
+    EXPECT_EQ(TextOf(dir + "/a.txt"), text);
+  }
+}
+
+// As if another program had removed what was being written.
+TEST(OutputFolder, AFolderThatCannotBeReplacedIsPutBack) {
+  const std::string parent = TestTempDir();
+  WriteFolderAtomically(parent + "/frame", [](const std::string& partial) {
+    WriteTextAtomically(partial + "/old.txt", "old");
+  });
+  EXPECT_THROW(WriteFolderAtomically(
+                   parent + "/frame",
+                   [](const std::string& partial) { fs::remove_all(partial); }),
+               InputError);
+  EXPECT_EQ(TextOf(parent + "/frame/old.txt"), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(parent), {}), 1);
+}
+
 TEST(OutputFolder, AFailedWriteLeavesTheOldFolderAndNothingElse) {
   const std::string parent = TestTempDir();
   WriteFolderAtomically(parent + "/frame", [](const std::string& partial) {

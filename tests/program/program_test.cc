@@ -113,6 +113,15 @@ TEST(RunProgram, PrintsBadInputUnderItsName) {
       << run.errors;
 }
 
+// As with a file in a folder that must not be searched.
+TEST(RunProgram, NamesAFileThatCannotBeReached) {
+  const std::string too_long = std::string(300, 'a') + ".ply";
+  const ProgramRun run = RunCommandLine(MUSCLEWARP_CHECK, too_long);
+  EXPECT_EQ(run.exit_code, kExitBadInput);
+  EXPECT_THAT(run.errors,
+              HasSubstr("musclewarp-check: " + too_long + ": cannot be "));
+}
+
 TEST(UseThreads, AllowsFromAllCoresToAThousand) {
   for (const int threads : {-1, 1025, 1000000}) {
     ExpectInputError([&] { UseThreads({threads}); },

@@ -77,7 +77,7 @@ constexpr char kAfterRemove[] = "MUSCLEWARP_KILL_AFTER_REMOVE";
 constexpr Kill kKills[] = {
     {kBeforeRename, "/.resume/inputs"},
     {kAfterRename, "/.resume/inputs"},
-    {kBeforeRename, "/.frame_0000.partial/shank.ply"},  // among its meshes
+    {kBeforeRename, ".frame_0000/shank.ply"},  // among its meshes
     {kBeforeRename, "/frame_0000"},
     {kBeforeRename, "/.resume/frame_0000.cbor"},
     // No frame is done yet: what is there of the first is removed.
@@ -85,7 +85,7 @@ constexpr Kill kKills[] = {
     {kAfterRemove, "muscle.ply"},
     {kAfterRename, "/.resume/frame_0000.cbor"},
     // The rest pose is written anew over that of the run before.
-    {kAfterRename, "/.rest.partial.replaced"},
+    {kAfterRename, ".rest.replaced"},
     {kAfterRemove, "muscle.ply"},
     {kBeforeRename, "/frame_0006"},
     {kBeforeRename, "/.resume/frame_0006.cbor"},

@@ -15,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
+#include <system_error>
 #include <thread>
 
 #include "musclewarp/base/input_error.h"
@@ -29,8 +30,10 @@ namespace fs = std::filesystem;
 
 constexpr char kOutputFile[] = "output.txt";
 
+// Also asked of folders of PATH that must not be searched.
 bool IsExecutable(const fs::path& path) {
-  return fs::is_regular_file(path) && access(path.c_str(), X_OK) == 0;
+  std::error_code error;
+  return fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0;
 }
 
 // Returns the last part of a file, as much as a message may want.

@@ -18,6 +18,21 @@ namespace {
 // The part of a name that marks what is being written.
 constexpr char kPartial[] = ".partial";
 
+// Returns the path of a folder without a slash at the end, so that it has a
+// name.
+fs::path NamedFolder(const std::string& path) {
+  const fs::path folder(path);
+  return folder.has_filename() ? folder : folder.parent_path();
+}
+
+// Puts a folder back that was moved away, or removes it if another program has
+// written to its place meanwhile.
+void PutBack(const fs::path& moved, const fs::path& target) {
+  std::error_code ignored;
+  fs::rename(moved, target, ignored);
+  if (fs::exists(target, ignored)) fs::remove_all(moved, ignored);
+}
+
 }  // namespace
 
 std::string ObstacleToWriting(const std::string& dir) {
@@ -83,10 +98,17 @@ void RemoveFolderAtomically(const std::string& path) {
 void WriteFolderAtomically(
     const std::string& path,
     const std::function<void(const std::string&)>& write) {
-  const fs::path target(path);
+  const fs::path target = NamedFolder(path);
+  // Programs that write the same folder at once must not share this one.
   const fs::path partial =
-      target.parent_path() / ("." + target.filename().string() + kPartial);
+      target.parent_path() /
+      (kPartial + std::to_string(getpid()) + "." + target.filename().string());
   const fs::path replaced = partial.string() + ".replaced";
+  const auto give_up = [&] {
+    std::error_code ignored;
+    fs::remove_all(partial, ignored);
+    PutBack(replaced, target);
+  };
   try {
     fs::remove_all(partial);
     fs::remove_all(replaced);
@@ -98,14 +120,12 @@ void WriteFolderAtomically(
     fs::rename(partial, target);
     fs::remove_all(replaced);
   } catch (const fs::filesystem_error& error) {
-    std::error_code ignored;
-    fs::remove_all(partial, ignored);
+    give_up();
     throw InputError(path,
                      "cannot be written (" + error.code().message() + ")",
                      "choose a folder that can be written and has room");
   } catch (...) {
-    std::error_code ignored;
-    fs::remove_all(partial, ignored);
+    give_up();
     throw;
   }
 }

@@ -62,6 +62,18 @@ class ScreenLog : public google::LogSink {
   }
 };
 
+int PrintBadInput(const std::string& program, const InputError& error) {
+  std::cerr << program << ": " << error.WithFlags() << "\n";
+  return kExitBadInput;
+}
+
+// What a look at a file throws if it cannot be told whether it is there.
+InputError InputErrorOf(const std::filesystem::filesystem_error& error) {
+  return InputError(error.path1().string(),
+                    "cannot be reached (" + error.code().message() + ")",
+                    "check the name, and the rights of its folders");
+}
+
 void LogToScreen(const char* program) {
   for (int severity = 0; severity < google::NUM_SEVERITIES; ++severity) {
     google::SetLogDestination(severity, "");  // no log files
@@ -102,8 +114,9 @@ int RunProgram(
     }
     return command(std::vector<std::string>(argv + 1, argv + argc));
   } catch (const InputError& error) {
-    std::cerr << name << ": " << error.WithFlags() << "\n";
-    return kExitBadInput;
+    return PrintBadInput(name, error);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return PrintBadInput(name, InputErrorOf(error));
   }
 }
 
