@@ -75,6 +75,7 @@ class Deformer(_core.Deformer):
                  bone_coarse_vertices: int = 1000,
                  seed: int = 1,
                  cache: Union[str, "os.PathLike[str]"] = "none",
+                 max_memory_gib: float = 0.0,
                  # End of settings.
                  ) -> None:
         settings = settings_among("DeformerSettings", locals())
