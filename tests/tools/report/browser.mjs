@@ -6,6 +6,7 @@
 import { mkdirSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
+import { pathToFileURL } from "node:url";
 
 const require = createRequire(
   new URL("../../../tools/report/package.json", import.meta.url),
@@ -56,6 +57,7 @@ export class Browser {
     // Without a graphics card, beside other tests, pictures take their time.
     context.setDefaultTimeout(180_000);
     const page = await context.newPage();
+    const address = pathToFileURL(file).href;
     page.complaints = [];
     page.on("console", (message) => {
       // Drivers complain of pictures being read, which only tests do.
@@ -68,7 +70,7 @@ export class Browser {
     page.on("request", (request) => {
       const url = request.url();
       if (
-        url.replace(/#.*/, "") !== `file://${file}` &&
+        url.replace(/#.*/, "") !== address &&
         !/^(data|blob):/.test(url)
       ) {
         page.complaints.push(`request of ${url}`);
@@ -79,7 +81,7 @@ export class Browser {
       void dialog.dismiss();
     });
     await page.addInitScript(before);
-    await page.goto(`file://${file}${hash}`);
+    await page.goto(address + hash);
     return page;
   }
 
