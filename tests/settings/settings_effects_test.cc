@@ -90,7 +90,8 @@ const std::map<std::string, Perturbation>& Perturbations() {
       {"bone_coarse_vertices",
        {[](S s) { s->bone_coarse_vertices = 300; }, Paper}},
       {"seed", {[](S s) { s->seed = 2; }, Paper, Where::kRarely}},
-      {"cache", {[](S s) { s->cache = TestTempDir() + "/cache"; }, Certified}}};
+      {"cache", {[](S s) { s->cache = TestTempDir() + "/cache"; }, Certified}},
+      {"max_memory_gib", {[](S s) { s->max_memory_gib = 4; }}}};
   return kAll;
 }
 
