@@ -89,7 +89,8 @@ struct MadeElbow {
     for (int i = 0; i < kAround; ++i) {
       const double angle = RadiansOf(degrees) * ((i + 0.5) / kAround - 0.5);
       for (int k = 0; k < kAlong; ++k) {
-        const double x = k - kAlong / 2;
+        const int from_waist = k - kAlong / 2;
+        const double x = from_waist;
         const double slope = x / 60;  // of radius + x^2 / 120
         const Eigen::RowVector3d out(0, std::sin(angle), -std::cos(angle));
         const int row = kAlong * i + k;
