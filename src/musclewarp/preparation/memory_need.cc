@@ -20,7 +20,7 @@ double MemoryNeeded(const std::vector<SizedMesh>& meshes,
   // precision, and with certified contact once more in single; and what is kept
   // of its triangles: trees, planes, offsets.
   const double of_weight = is_certified ? 12 : 8;
-  const double of_vertex = is_certified ? 6000 : 1500;
+  const double of_vertex = is_certified ? 6000 : 3700;
   const double of_bone_vertex = is_certified ? 1200 : 600;
   double bytes = kProgram;
   for (const SizedMesh& mesh : meshes) {
