@@ -20,7 +20,8 @@ struct SizedMesh {
 // Returns the memory, bytes, that a run holds at most at a time, as measured on
 // muscles and bones of up to a million vertices (docs/limits.md): the
 // preparation and a frame at a time, without what the report keeps of frames,
-// some 20 kB for each and each muscle. `coarse_vertices` is the size of the hull of a muscle.
+// some 20 kB for each and each muscle. `coarse_vertices` is the size of the
+// hull of a muscle.
 double MemoryNeeded(const std::vector<SizedMesh>& meshes,
                     int coarse_vertices,
                     bool is_certified);
