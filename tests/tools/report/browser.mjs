@@ -69,10 +69,7 @@ export class Browser {
     page.on("pageerror", (error) => page.complaints.push(String(error)));
     page.on("request", (request) => {
       const url = request.url();
-      if (
-        url.replace(/#.*/, "") !== address &&
-        !/^(data|blob):/.test(url)
-      ) {
+      if (url.replace(/#.*/, "") !== address && !/^(data|blob):/.test(url)) {
         page.complaints.push(`request of ${url}`);
       }
     });
