@@ -90,7 +90,7 @@ TEST_F(CertifiedStepperTest, AStepThatIsNotFiniteIsNeverTaken) {
                         std::numeric_limits<double>::quiet_NaN());
   const AdvanceSummary summary =
       AdvanceToPose(mover_, advance, FlexedPose(0.2), /*at=*/0, {}, &state);
-  EXPECT_TRUE(summary.is_broken);
+  EXPECT_EQ(summary.given_up, GivenUp::kNotFinite);
   EXPECT_EQ(summary.reached, 0);
   for (const Points& points : state.points) EXPECT_TRUE(points.allFinite());
 

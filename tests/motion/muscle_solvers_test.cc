@@ -70,5 +70,17 @@ TEST(SolveEachOnItsOwn, AMuscleThatIsNotFiniteStaysWhereItWas) {
   EXPECT_GT((states[1].coarse - models[1]->coarse_rest).norm(), 1);
 }
 
+TEST(KeepFinite, AStartThatIsNotFiniteEitherLeavesTheRestPose) {
+  const PreparedScene scene = PreparedSmallScene();
+  const MuscleModel& model = scene.muscles[0].model;
+  MuscleState broken = {model.coarse_rest, {}};
+  broken.coarse(0, 0) = std::numeric_limits<double>::infinity();
+  MuscleState state = broken;
+  SolverSummary summary = NothingToSolve();
+  KeepFinite(model, broken, &state, &summary);
+  EXPECT_EQ(state.coarse, model.coarse_rest);
+  EXPECT_EQ(summary.stop_reason, StopReason::kFailed);
+}
+
 }  // namespace
 }  // namespace musclewarp

@@ -3,19 +3,23 @@
 #include "musclewarp/base/memory.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <limits>
-#include <sstream>
-#include <utility>
+#include <string>
+
+#include "musclewarp/base/text.h"
 
 namespace musclewarp {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
 // Returns the number in a file of one number; infinity for "max" and for a file
 // that is not there.
-double NumberIn(const std::string& path) {
+double NumberIn(const fs::path& path) {
   std::ifstream file(path);
   double number = 0;
   return file >> number ? number : kUnknown;
@@ -34,7 +38,7 @@ double AvailableInSystem() {
 
 // Returns the bytes of files that the system keeps in memory for a control
 // group and gives up when memory is needed.
-double ReclaimableIn(const std::string& path) {
+double ReclaimableIn(const fs::path& path) {
   std::ifstream statistics(path);
   std::string name;
   double bytes = 0, reclaimable = 0;
@@ -47,32 +51,51 @@ double ReclaimableIn(const std::string& path) {
   return reclaimable;
 }
 
-// Of the first and the second version of control groups.
-double LeftInControlGroup() {
-  const std::string second = "/sys/fs/cgroup/memory.";
-  const std::string first = "/sys/fs/cgroup/memory/memory.";
-  const auto left = [](const std::string& files,
-                       const std::string& limit,
-                       const std::string& usage) {
-    const double most = NumberIn(files + limit), used = NumberIn(files + usage);
-    if (most == kUnknown || used == kUnknown) return kUnknown;
-    return std::max(0.0, most - used + ReclaimableIn(files + "stat"));
-  };
-  return std::min(left(second, "max", "current"),
-                  left(first, "limit_in_bytes", "usage_in_bytes"));
+// Returns what the limit of one control group leaves, by the files of the first
+// or the second version of control groups; infinity if it has no limit.
+double LeftInGroup(const fs::path& group, bool is_second) {
+  const double most =
+      NumberIn(group / (is_second ? "memory.max" : "memory.limit_in_bytes"));
+  const double used = NumberIn(
+      group / (is_second ? "memory.current" : "memory.usage_in_bytes"));
+  if (most == kUnknown || used == kUnknown) return kUnknown;
+  return std::max(0.0, most - used + ReclaimableIn(group / "memory.stat"));
 }
 
 }  // namespace
 
+double LeftInControlGroups(const std::string& root) {
+  std::ifstream groups(root + "/proc/self/cgroup");
+  double left = kUnknown;
+  for (std::string line; std::getline(groups, line);) {
+    // "4:memory:/slurm/job_7" or, of the second version, "0::/user.slice".
+    const size_t first = line.find(':');
+    const size_t second = line.find(':', first + 1);
+    if (second == std::string::npos) continue;
+    const std::string controllers = line.substr(first + 1, second - first - 1);
+    const bool is_second = controllers.empty();
+    if (!is_second && controllers != "memory") continue;
+    const fs::path mount =
+        root + (is_second ? "/sys/fs/cgroup" : "/sys/fs/cgroup/memory");
+    // Limits of the groups around it hold as well. A container sees only the
+    // innermost, as the mount itself.
+    fs::path group = line.substr(second + 1);
+    while (group.has_relative_path()) {
+      left =
+          std::min(left, LeftInGroup(mount / group.relative_path(), is_second));
+      group = group.parent_path();
+    }
+    left = std::min(left, LeftInGroup(mount, is_second));
+  }
+  return left;
+}
+
 std::string MemoryText(double bytes) {
-  std::ostringstream text;
-  text.precision(1);
-  text << "about " << std::fixed << bytes / kBytesPerGib << " GiB of memory";
-  return text.str();
+  return "about " + FixedText(bytes / kBytesPerGib, 1) + " GiB of memory";
 }
 
 double AvailableMemory() {
-  return std::min(AvailableInSystem(), LeftInControlGroup());
+  return std::min(AvailableInSystem(), LeftInControlGroups(""));
 }
 
 }  // namespace musclewarp

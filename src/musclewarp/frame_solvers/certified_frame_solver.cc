@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/frame_solvers/certified_frame_solver.h"
 
-#include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,29 +14,23 @@
 namespace musclewarp {
 namespace {
 
-// `wall_ms` is the time of the whole frame so far.
-// Returns why a motion was given up before its pose, or nothing if it was not.
-// `wall_ms`: the time that it took.
-std::optional<std::string> GivenUpShortcoming(const MotionSummary& motion,
-                                              int max_stuck_steps,
-                                              double wall_ms) {
-  std::ostringstream text;
-  if (motion.timed_out_at) {
-    text << "timed out after " << static_cast<int>(wall_ms / 1000) << " s";
-  } else if (motion.stuck_at) {
-    text << "given up, as triangles crossed for " << max_stuck_steps
-         << (max_stuck_steps == 1 ? " step" : " steps in a row");
-  } else if (motion.broken_at) {
-    text << "given up, as every step came to coordinates that are not finite";
-  } else {
-    return std::nullopt;
+// Returns why a motion was given up, in words. `wall_ms`: the time that it
+// took.
+std::string WhyGivenUp(GivenUp reason, int max_stuck_steps, double wall_ms) {
+  switch (reason) {
+    case GivenUp::kNot:
+      break;
+    case GivenUp::kTimedOut:
+      return "timed out after " +
+             std::to_string(static_cast<int>(wall_ms / 1000)) + " s";
+    case GivenUp::kStuck:
+      return "given up, as triangles crossed for " +
+             std::to_string(max_stuck_steps) +
+             (max_stuck_steps == 1 ? " step" : " steps in a row");
+    case GivenUp::kNotFinite:
+      return "given up, as every step came to coordinates that are not finite";
   }
-  const double reached = motion.timed_out_at ? *motion.timed_out_at
-                         : motion.stuck_at   ? *motion.stuck_at
-                                             : *motion.broken_at;
-  text << ", at " << static_cast<int>(100 * reached)
-       << " % of the motion; the remainder was computed without contact";
-  return text.str();
+  return "";
 }
 
 }  // namespace
@@ -106,10 +98,15 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
   SolvedFrame result;
   result.frame = std::move(moved.frame);
   Frame& frame = result.frame;
-  const auto given_up = GivenUpShortcoming(
-      motion.summary, options_.certified.max_stuck_steps, moved.moving_ms);
-  if (given_up) {
-    frame.shortcomings.insert(frame.shortcomings.begin(), *given_up);
+  if (motion.summary.given_up != GivenUp::kNot) {
+    frame.shortcomings.insert(
+        frame.shortcomings.begin(),
+        WhyGivenUp(motion.summary.given_up,
+                   options_.certified.max_stuck_steps,
+                   moved.moving_ms) +
+            ", at " +
+            std::to_string(static_cast<int>(100 * motion.summary.reached)) +
+            " % of the motion; the remainder was computed without contact");
   }
   frame.pose_steps = motion.summary.steps;
   frame.wall_ms = moved.moving_ms;

@@ -61,7 +61,7 @@ SolvedPose PaperFrameSolver::SolveGroup(const GroupSolver& solver,
   solver(models, targets, &contact, &solved.states, &solved.summaries);
   solved.solve_ms = solving.Milliseconds();
   for (size_t i = 0; i < start.size(); ++i) {
-    KeepFinite(start[i], &solved.states[i], &solved.summaries[i]);
+    KeepFinite(*models[i], start[i], &solved.states[i], &solved.summaries[i]);
   }
   return solved;
 }

@@ -340,9 +340,8 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
       context, advance, pose, /*at=*/0, on_progress, &motion.state);
   motion.last_clean = std::move(advanced.last_clean);
   motion.summary.steps = advanced.steps;
-  if (advanced.is_timed_out) motion.summary.timed_out_at = advanced.reached;
-  if (advanced.is_stuck) motion.summary.stuck_at = advanced.reached;
-  if (advanced.is_broken) motion.summary.broken_at = advanced.reached;
+  motion.summary.reached = advanced.reached;
+  motion.summary.given_up = advanced.given_up;
   motion.summary.summaries =
       InOrderOfScene(certified.order, std::move(advanced.solves));
   return motion;

@@ -14,6 +14,7 @@
 #include "musclewarp/frames/muscle_shapes.h"
 #include "musclewarp/frames/plane_rates.h"
 #include "musclewarp/initial_separation/initial_separation.h"
+#include "musclewarp/motion/given_up.h"
 #include "musclewarp/motion/pose_steps.h"
 #include "musclewarp/motion/recorded_step.h"
 #include "musclewarp/motion/solved_pose.h"
@@ -177,11 +178,8 @@ struct MotionSummary {
   std::vector<SolverSummary> summaries;
   int steps = 0;  // including rejected ones
 
-  // If the motion timed out, was stuck or came to coordinates that are not
-  // finite, the fraction of it completed with contact.
-  std::optional<double> timed_out_at;
-  std::optional<double> stuck_at;
-  std::optional<double> broken_at;
+  double reached = 1;  // the fraction of the motion, with contact
+  GivenUp given_up = GivenUp::kNot;
 };
 
 // The state after a motion, and the start of the next one.

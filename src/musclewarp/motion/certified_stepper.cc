@@ -83,11 +83,15 @@ class PoseStepper {
     return options_.timeout_s > 0 &&
            watch_.Milliseconds() > 1000 * options_.timeout_s;
   }
-  bool IsStuck() const {
-    return options_.max_stuck_steps > 0 &&
-           stuck_steps_ >= options_.max_stuck_steps;
+  // Why no further step to the pose may start.
+  GivenUp WhyGivenUp() const {
+    const bool is_stuck = options_.max_stuck_steps > 0 &&
+                          stuck_steps_ >= options_.max_stuck_steps;
+    return is_broken_     ? GivenUp::kNotFinite
+           : is_stuck     ? GivenUp::kStuck
+           : IsTimedOut() ? GivenUp::kTimedOut
+                          : GivenUp::kNot;
   }
-  bool IsBroken() const { return is_broken_; }
   double at() const { return at_; }
   AdvanceSummary TakeSummary() {
     VLOG(1) << "at most " << most_stuck_steps_
@@ -130,10 +134,8 @@ class PoseStepper {
   }
 
   // Computes the remainder of the motion without contact.
-  void GiveUp() {
-    summary_.is_broken = IsBroken();
-    summary_.is_stuck = !IsBroken() && IsStuck();
-    summary_.is_timed_out = !IsBroken() && !IsStuck();
+  void GiveUp(GivenUp why) {
+    summary_.given_up = why;
     summary_.reached = at_;
     if (!summary_.last_clean) summary_.last_clean = *state_;
     Accept(GoWithoutContact(context_, goal_, *state_));
@@ -359,8 +361,9 @@ AdvanceSummary AdvanceToPose(const MotionContext& context,
   PoseStepper stepper(context, options, goal, at, state);
   while (!stepper.IsAtGoal()) {
     say("moving", static_cast<int>(100 * stepper.at()), 100);
-    if (stepper.IsBroken() || stepper.IsStuck() || stepper.IsTimedOut()) {
-      stepper.GiveUp();
+    const GivenUp why = stepper.WhyGivenUp();
+    if (why != GivenUp::kNot) {
+      stepper.GiveUp(why);
       return stepper.TakeSummary();
     }
     stepper.Advance();

@@ -7,6 +7,7 @@
 
 #include "musclewarp/base/progress.h"
 #include "musclewarp/certified_contact/step.h"
+#include "musclewarp/motion/given_up.h"
 #include "musclewarp/motion/motion_context.h"
 #include "musclewarp/motion/recorded_step.h"
 #include "musclewarp/motion/step_length.h"
@@ -66,10 +67,7 @@ struct AdvanceSummary {
   int steps = 0;       // including rejected ones
   double reached = 1;  // the fraction of the motion, with contact
 
-  // Why the remainder was computed without contact, if it was.
-  bool is_timed_out = false;
-  bool is_stuck = false;
-  bool is_broken = false;  // every step came to coordinates that are not finite
+  GivenUp given_up = GivenUp::kNot;
 
   // The last state without crossing triangles, if the final state has some or
   // the motion was given up.

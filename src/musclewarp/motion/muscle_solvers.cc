@@ -4,16 +4,23 @@
 
 namespace musclewarp {
 
-void KeepFinite(const MuscleState& before,
+namespace {
+
+bool IsFinite(const MuscleState& state) {
+  return state.coarse.allFinite() && state.corrections.fine_offset.allFinite();
+}
+
+}  // namespace
+
+void KeepFinite(const MuscleModel& model,
+                const MuscleState& before,
                 MuscleState* state,
                 SolverSummary* summary) {
-  if (state->coarse.allFinite() && state->corrections.fine_offset.allFinite()) {
-    return;
-  }
-  *state = before;
+  if (IsFinite(*state)) return;
+  *state = IsFinite(before) ? before : MuscleState{model.coarse_rest, {}};
   summary->stop_reason = StopReason::kFailed;
   summary->message =
-      "coordinates that are not finite came up; the muscle stays where it was";
+      "coordinates that are not finite came up, and were thrown away";
 }
 
 void SolveEachOnItsOwn(const MuscleSolver& solver,
@@ -31,7 +38,7 @@ void SolveEachOnItsOwn(const MuscleSolver& solver,
     }
     const MuscleState before = (*states)[i];
     solver(*models[i], targets[i], &(*states)[i].coarse, &(*summaries)[i]);
-    KeepFinite(before, &(*states)[i], &(*summaries)[i]);
+    KeepFinite(*models[i], before, &(*states)[i], &(*summaries)[i]);
   }
 }
 

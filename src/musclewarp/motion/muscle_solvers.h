@@ -38,17 +38,18 @@ struct MuscleSolvers {
 };
 
 // Puts a muscle back to where it was before a solve that came to coordinates
-// which are not finite, and says so in the summary, whose stop reason is then
-// kFailed. Every result of a solver passes through here: boxes and predicates
-// of what is not finite would be silent.
-void KeepFinite(const MuscleState& before,
+// which are not finite, or to rest if its start was not finite either, and says
+// so in the summary, whose stop reason is then kFailed. Every result of a
+// solver passes through here: boxes and predicates of what is not finite would
+// be silent.
+void KeepFinite(const MuscleModel& model,
+                const MuscleState& before,
                 MuscleState* state,
                 SolverSummary* summary);
 
 // Solves every muscle on its own, in parallel by OpenMP. The result does not
 // depend on the number of threads. A muscle without lines keeps its state and
-// counts as converged; one whose solve comes to coordinates that are not finite
-// keeps it, too (KeepFinite).
+// counts as converged. What is not finite is thrown away (KeepFinite).
 void SolveEachOnItsOwn(const MuscleSolver& solver,
                        const std::vector<const MuscleModel*>& models,
                        const std::vector<MuscleTarget>& targets,
