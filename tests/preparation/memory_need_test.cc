@@ -30,9 +30,9 @@ TEST(MemoryNeed, MoreThanIsAllowedIsRefused) {
   CheckMemory(kMeshes, needed, needed);
   ExpectInputError([&] { CheckMemory(kMeshes, needed, 0.75 * needed); },
                    {"max_memory_gib",
-                    "2.25",
-                    "about 3.0 GiB",
-                    "soleus is the largest (4000 vertices)"});
+                    "needs about 3.00 GiB",
+                    "allowed: 2.25 GiB",
+                    "soleus takes most (4000 vertices)"});
 }
 
 TEST(MemoryNeed, ASceneIsRefusedBeforeItIsPrepared) {

@@ -91,7 +91,7 @@ double LeftInControlGroups(const std::string& root) {
 }
 
 std::string MemoryText(double bytes) {
-  return "about " + FixedText(bytes / kBytesPerGib, 1) + " GiB of memory";
+  return FixedText(bytes / kBytesPerGib, 1) + " GiB of memory";
 }
 
 double AvailableMemory() {

@@ -19,7 +19,7 @@ double AvailableMemory();
 // tests a folder in place of "/".
 double LeftInControlGroups(const std::string& root);
 
-// Returns "about 0.7 GiB of memory".
+// Returns "0.734 GiB of memory".
 std::string MemoryText(double bytes);
 
 }  // namespace musclewarp

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/memory.h"
-#include "musclewarp/base/text.h"
 
 namespace musclewarp {
 
@@ -35,20 +35,23 @@ void CheckMemory(const std::vector<SizedMesh>& meshes,
                  double needed,
                  double allowed) {
   if (needed <= allowed) return;
+  // A vertex of a bone takes little.
+  const auto takes_less = [](const SizedMesh& a, const SizedMesh& b) {
+    return std::pair(a.is_muscle, a.vertices) <
+           std::pair(b.is_muscle, b.vertices);
+  };
+  const auto largest =
+      std::max_element(meshes.begin(), meshes.end(), takes_less);
   std::string advice = "allow more if the machine has it";
-  const auto largest = std::max_element(
-      meshes.begin(), meshes.end(), [](const SizedMesh& a, const SizedMesh& b) {
-        return a.vertices < b.vertices;
-      });
   if (largest != meshes.end()) {
     advice = "simplify the meshes, of which " + largest->name +
-             " is the largest (" +
+             " takes most (" +
              std::to_string(static_cast<long>(largest->vertices)) +
              " vertices), or " + advice;
   }
   throw InputError("{max_memory_gib}",
-                   "is " + FixedText(allowed / kBytesPerGib, 2) +
-                       ", but the run needs " + MemoryText(needed),
+                   "the run needs about " + MemoryText(needed) +
+                       "; allowed: " + MemoryText(allowed),
                    advice);
 }
 

@@ -353,7 +353,7 @@ PreparedScene PrepareScene(const Scene& scene,
   });
   LeaveOutBones(&prepared);
   prepared.memory_needed = CheckedMemory(options, fine, prepared);
-  say_progress(num_meshes, MemoryText(prepared.memory_needed));
+  say_progress(num_meshes, "about " + MemoryText(prepared.memory_needed));
   const ScopedStage modelling("models of muscles");
   const Surroundings surroundings = SurroundingsOf(prepared.bones, fine);
   if (makes_lines) {

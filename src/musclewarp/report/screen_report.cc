@@ -152,7 +152,7 @@ void PrintPreparation(const PreparedScene& scene,
     out << ", " << ToString(contact.kind) << " contact in "
         << contact.prepare_ms << " ms";
   }
-  out << "; " << MemoryText(scene.memory_needed) << "\n";
+  out << "; about " << MemoryText(scene.memory_needed) << "\n";
   for (const std::string& note : scene.scene.notes) {
     out << "  " << WithFlags(note) << "\n";
   }
