@@ -47,8 +47,12 @@ class ContinueLinesTest : public ::testing::Test {
       SoftPart part;
       part.surface = trees_.back().get();
       part.volume = SignedVolume(mesh.points, mesh.triangles);
-      part.lines = MakeLines(
-          "part" + std::to_string(p), mesh, bones_.bodies(), {}, /*count=*/1);
+      part.lines = MakeLines("part" + std::to_string(p),
+                             mesh,
+                             bones_.bodies(),
+                             {},
+                             /*count=*/1,
+                             LinePoints::kNine);
       part.ends = EndsOf({}, FindAttachments(mesh, bones_.bodies(), {}));
       if (p < ends_on.size()) part.ends_on = ends_on[p];
       parts.push_back(std::move(part));

@@ -55,7 +55,8 @@ TEST(FibresData, EveryMuscleHasLinesAndFibresBetweenItsBones) {
     const std::string name = expected.muscle;
     const TriangleSoup muscle =
         ReadTriangleSoup(folder + "uniform/" + name + ".obj");
-    const auto lines = MakeLines(name, muscle, bodies, {}, 3);
+    const auto lines =
+        MakeLines(name, muscle, bodies, {}, 3, LinePoints::kNine);
     ASSERT_EQ(lines.size(), 3u) << name;
     for (const ActionLine& line : lines) {
       EXPECT_EQ(line.bodies.front(), expected.origin) << name;

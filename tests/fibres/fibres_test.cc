@@ -74,7 +74,8 @@ TEST_F(FibresTest, TheSameEveryTime) {
 }
 
 TEST_F(FibresTest, LinesFollowTheBonesTheyAreNearestTo) {
-  const auto lines = MakeLines("m", muscle_, bones_.bodies(), {}, 3);
+  const auto lines =
+      MakeLines("m", muscle_, bones_.bodies(), {}, 3, LinePoints::kNine);
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[0].name, "m_1");
   EXPECT_EQ(lines[2].name, "m_3");
@@ -89,7 +90,8 @@ TEST_F(FibresTest, LinesFollowTheBonesTheyAreNearestTo) {
 }
 
 TEST_F(FibresTest, OneLineIsTheCentreLine) {
-  const auto lines = MakeLines("m", muscle_, bones_.bodies(), {}, 1);
+  const auto lines =
+      MakeLines("m", muscle_, bones_.bodies(), {}, 1, LinePoints::kNine);
   ASSERT_EQ(lines.size(), 1u);
   const Eigen::RowVector3d middle = lines[0].rest.row(4);
   // In the middle of the section at z = 0, whose radius is 10.
@@ -103,7 +105,8 @@ TEST_F(FibresTest, LinesReachTheTipsThroughATendon) {
   const TriangleSoup muscle = MuscleWithTendon();
   const TriangleBvh surface(muscle.points, muscle.triangles);
   const InsideTest inside(muscle.points, muscle.triangles, 3);
-  for (const ActionLine& line : MakeLines("m", muscle, bones.bodies(), {}, 3)) {
+  for (const ActionLine& line :
+       MakeLines("m", muscle, bones.bodies(), {}, 3, LinePoints::kNine)) {
     // 95 % of the 120 mm of the muscle.
     EXPECT_LT(line.rest(0, 2), -57);
     EXPECT_GT(line.rest(8, 2), 57);
@@ -119,7 +122,8 @@ TEST_F(FibresTest, LinesReachTheTipsThroughATendon) {
 
 TEST_F(FibresTest, AMuscleOverThreeBodiesFollowsTheOneBetween) {
   bones_.Add("knee", {-20, 0, 0});
-  const auto lines = MakeLines("m", muscle_, bones_.bodies(), {}, 1);
+  const auto lines =
+      MakeLines("m", muscle_, bones_.bodies(), {}, 1, LinePoints::kNine);
   EXPECT_THAT(lines[0].bodies,
               ElementsAre("pelvis",
                           "pelvis",
@@ -135,11 +139,13 @@ TEST_F(FibresTest, AMuscleOverThreeBodiesFollowsTheOneBetween) {
 TEST_F(FibresTest, AFilmHasNoRoomForEither) {
   const TriangleSoup film = Box(80, 80, 0.001);
   EXPECT_TRUE(MakeFibres(film, bones_.bodies(), {}, FibreOptions()).empty());
-  EXPECT_THROW(MakeLines("m", film, bones_.bodies(), {}, 1), InputError);
+  EXPECT_THROW(MakeLines("m", film, bones_.bodies(), {}, 1, LinePoints::kNine),
+               InputError);
 }
 
 TEST_F(FibresTest, LinesNeedABone) {
-  EXPECT_THROW(MakeLines("m", muscle_, {}, {}, 1), InputError);
+  EXPECT_THROW(MakeLines("m", muscle_, {}, {}, 1, LinePoints::kNine),
+               InputError);
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ std::vector<ActionLine> LinesOf(const Scene& scene) {
   for (const SceneMuscle& muscle : scene.muscles) {
     surroundings.AddMuscle({muscle.points, muscle.triangles});
   }
-  return MakeSceneLines(surroundings, 3, {}, scene)[0].lines;
+  return MakeSceneLines(surroundings, {3, LineCourse::kTaut}, {}, scene)[0]
+      .lines;
 }
 
 std::set<std::string> BodiesIn(const std::vector<ActionLine>& lines) {

@@ -39,27 +39,26 @@ Scene LegScene() {
   return scene;
 }
 
-TEST(PathLengthIn, IsThatOfTheTargetOfALineOfItsOwn) {
+TEST(PathLengthsIn, IsThatOfTheTargetOfALineOfItsOwn) {
   ActionLine line;
   line.name = "l";
   line.rest.resize(3, 3);
   line.rest << 0, 0, 0, 3, 4, 0, 3, 4, 12;
   ScenePose pose;
-  EXPECT_EQ(PathLengthIn(pose, line), 17);
+  EXPECT_EQ(PathLengthsIn(pose, {line})[0], 17);
   pose.lines["l"] = 2 * line.rest;
-  EXPECT_EQ(PathLengthIn(pose, line), 34);
+  EXPECT_EQ(PathLengthsIn(pose, {line})[0], 34);
   // What the model knows comes first: it counts points that come and go.
   pose.path_lengths["l"] = 40;
-  EXPECT_EQ(PathLengthIn(pose, line), 40);
+  EXPECT_EQ(PathLengthsIn(pose, {line})[0], 40);
 }
 
 TEST(PathMomentArms, AreTheSameForAPathAndALineBetweenItsPoints) {
   const Scene scene = LegScene();
   for (const double knee : {-1.0, 0.0, 0.5}) {
     const ScenePose pose = PoseAt(*scene.model, {knee});
-    EXPECT_NEAR(PathLengthIn(pose, scene.muscles[0].lines[0]),
-                PathLengthIn(pose, scene.muscles[0].lines[1]),
-                kTransformRounding);
+    const auto lengths = PathLengthsIn(pose, scene.muscles[0].lines);
+    EXPECT_NEAR(lengths[0], lengths[1], kTransformRounding);
     const auto arms =
         PathMomentArms(scene, pose, PerturbedPosesOf(*scene.model, pose));
     EXPECT_NEAR(arms.at("m").at("knee"), arms.at("own").at("knee"), kDifference)
@@ -71,8 +70,8 @@ TEST(PathMomentArms, AreMinusTheSlopeOfTheLength) {
   const Scene scene = LegScene();
   constexpr double kStep = 1e-3;
   const auto length = [&](double knee) {
-    return PathLengthIn(PoseAt(*scene.model, {knee}),
-                        scene.muscles[0].lines[0]);
+    return PathLengthsIn(PoseAt(*scene.model, {knee}),
+                         scene.muscles[0].lines)[0];
   };
   const double slope = (length(0.5 + kStep) - length(0.5 - kStep)) / 2 / kStep;
   // The second-order error of a step of 1e-3, of arms of some 30 mm.

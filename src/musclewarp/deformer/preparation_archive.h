@@ -54,7 +54,18 @@ void load(Archive& archive, musclewarp::SparseMatrix& matrix) {
 namespace musclewarp {
 
 MUSCLEWARP_ARCHIVE(TriangleSoup, points, triangles)
-MUSCLEWARP_ARCHIVE(ActionLine, name, rest, bodies, slides)
+MUSCLEWARP_ARCHIVE(LineTie, other, stiffness)
+MUSCLEWARP_ARCHIVE(LineSupports,
+                   bends,
+                   loads,
+                   stiffness,
+                   outward,
+                   plane_stiffness,
+                   clearance,
+                   hold,
+                   onset,
+                   ties)
+MUSCLEWARP_ARCHIVE(ActionLine, name, rest, bodies, slides, supports)
 MUSCLEWARP_ARCHIVE(
     Attachment, body, soft_part, points, radius, is_outline, may_penetrate)
 MUSCLEWARP_ARCHIVE(SceneMuscle,

@@ -5,6 +5,8 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
@@ -18,6 +20,9 @@
 
 namespace musclewarp {
 namespace {
+
+// The points of the shortest lines that are made.
+constexpr int kFewestPoints = 9;
 
 // Smooths out the steps of the voxels in a line. Its ends stay fixed.
 void Smooth(int rounds, Points* line) {
@@ -144,8 +149,11 @@ struct Courses {
 
 struct CourseOptions {
   int count;
-  int points;  // of each course
+  int smoothed;  // points of a course, on which its smoothing depends
   int voxels;
+
+  // The points of each course; without a value as many as NumLinePoints().
+  std::optional<int> points;
 
   // If true, a course continues through the ends of the muscle to the tips.
   bool reaches_tips;
@@ -187,11 +195,16 @@ Courses FindCourses(const TriangleSoup& muscle,
            line,
            WayToTip(grid, line.row(line.rows() - 1), to_origin)});
     }
-    line = Resampled(line, kFine * (options.points - 1) + 1);
+    line = Resampled(line, kFine * (options.smoothed - 1) + 1);
     Smooth(kRounds, &line);
-    line = Resampled(line, options.points);
-    PullInside(grid, inside, surface, options.reaches_tips, &line);
     courses.lines.push_back(std::move(line));
+  }
+  if (courses.lines.empty()) return courses;
+  const int points =
+      options.points ? *options.points : NumLinePoints(courses.lines);
+  for (Points& line : courses.lines) {
+    line = Resampled(line, points);
+    PullInside(grid, inside, surface, options.reaches_tips, &line);
   }
   DropShort(&courses.lines);
   return courses;
@@ -225,15 +238,28 @@ std::vector<Points> MakeFibres(const TriangleSoup& muscle,
                      {options.fibres,
                       options.segments + 1,
                       options.voxels,
+                      options.segments + 1,
                       /*reaches_tips=*/false})
       .lines;
+}
+
+int NumLinePoints(const std::vector<Points>& lines) {
+  constexpr double kSpacing = 10;  // mm
+  CHECK(!lines.empty());
+  double length = 0;
+  for (const Points& line : lines) {
+    length += PolylineLength(line) / static_cast<double>(lines.size());
+  }
+  return std::max(kFewestPoints,
+                  static_cast<int>(std::lround(length / kSpacing)) + 1);
 }
 
 std::vector<ActionLine> MakeLines(const std::string& name,
                                   const TriangleSoup& muscle,
                                   const std::vector<BodySurface>& bodies,
                                   const std::vector<Attachment>& attachments,
-                                  int count) {
+                                  int count,
+                                  LinePoints points) {
   CHECK_GT(count, 0);
   if (bodies.empty()) {
     throw InputError(
@@ -241,12 +267,11 @@ std::vector<ActionLine> MakeLines(const std::string& name,
         "has no lines, and the scene has no bones to make them from",
         "add \"bones\" or \"lines\"");
   }
-  constexpr int kPoints = 9;
+  CourseOptions options = {
+      count, kFewestPoints, FibreOptions().voxels, {}, attachments.empty()};
+  if (points == LinePoints::kNine) options.points = kFewestPoints;
   const Courses courses =
-      FindCourses(muscle,
-                  bodies,
-                  {attachments, {}},
-                  {count, kPoints, FibreOptions().voxels, attachments.empty()});
+      FindCourses(muscle, bodies, {attachments, {}}, options);
   std::vector<ActionLine> lines;
   for (const Points& course : courses.lines) {
     ActionLine line;

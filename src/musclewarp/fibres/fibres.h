@@ -47,9 +47,20 @@ std::vector<Points> MakeFibres(const TriangleSoup& muscle,
                                const KnownEnds& known,
                                const FibreOptions& options);
 
+// How many points a made line has.
+enum class LinePoints {
+  // One every 10 mm, at least nine; all lines of a muscle have equally many.
+  kEvery10Mm,
+  kNine,
+};
+
+// Returns how many points lines at distances of 10 mm (of the mean length)
+// have, at least nine. Precondition (CHECKed): there is a line.
+int NumLinePoints(const std::vector<Points>& lines);
+
 // Returns action lines for a muscle that has none in the scene: its centre line
 // if `count` is 1, otherwise `count` of its fibres, spread like a fan. A line
-// has nine points (mm) and is called `name`_1, `name`_2 and so on.
+// is called `name`_1, `name`_2 and so on; points are in mm.
 //
 // Lines extend to the tips of the muscle, also through its tendons; with
 // attachments, they end at these. The ends of a line are fixed to the bodies of
@@ -63,6 +74,7 @@ std::vector<ActionLine> MakeLines(const std::string& name,
                                   const TriangleSoup& muscle,
                                   const std::vector<BodySurface>& bodies,
                                   const std::vector<Attachment>& attachments,
-                                  int count);
+                                  int count,
+                                  LinePoints points);
 
 }  // namespace musclewarp

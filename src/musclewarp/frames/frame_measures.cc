@@ -69,8 +69,9 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
                         pose),
       frame.points);
   AddLines(muscle, coarse, &frame);
-  for (const ActionLine& line : model.lines) {
-    frame.path_lengths[line.name] = PathLengthIn(pose, line);
+  const std::vector<double> lengths = PathLengthsIn(pose, model.lines);
+  for (size_t k = 0; k < lengths.size(); ++k) {
+    frame.path_lengths[model.lines[k].name] = lengths[k];
   }
   return frame;
 }

@@ -288,6 +288,17 @@ class MomentArms {
   std::vector<Muscle> muscles_;
 };
 
+// Returns the poses on both sides of a pose, with taut lines moved on by their
+// derivatives.
+std::vector<PerturbedPoses> PosesBeside(const Scene& scene,
+                                        const ScenePose& pose) {
+  std::vector<PerturbedPoses> beside = PerturbedPosesOf(*scene.model, pose);
+  for (const SceneMuscle& muscle : scene.muscles) {
+    SetTautLines(muscle.lines, pose, &beside);
+  }
+  return beside;
+}
+
 }  // namespace
 
 void AddMomentArms(const PreparedScene& scene,
@@ -298,8 +309,7 @@ void AddMomentArms(const PreparedScene& scene,
   if (!scene.scene.model) return;
   const ScopedStage stage("moment arms");
   const Stopwatch watch;
-  const std::vector<PerturbedPoses> beside =
-      PerturbedPosesOf(*scene.scene.model, pose);
+  const std::vector<PerturbedPoses> beside = PosesBeside(scene.scene, pose);
   frame->path_moment_arms = PathMomentArms(scene.scene, pose, beside);
   MomentArms(scene, pose, pre_rotation, shapes, beside, frame).Add();
   frame->moment_arms_ms = watch.Milliseconds();
@@ -310,8 +320,8 @@ void AddPathMomentArms(const PreparedScene& scene,
                        Frame* frame) {
   if (!scene.scene.model) return;
   const Stopwatch watch;
-  frame->path_moment_arms = PathMomentArms(
-      scene.scene, pose, PerturbedPosesOf(*scene.scene.model, pose));
+  frame->path_moment_arms =
+      PathMomentArms(scene.scene, pose, PosesBeside(scene.scene, pose));
   frame->moment_arms_ms = watch.Milliseconds();
 }
 

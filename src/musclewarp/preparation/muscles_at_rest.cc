@@ -36,8 +36,8 @@ std::vector<MuscleAtRest> MusclesAtRest(const Scene& scene,
     if (bone.left_out.empty()) surroundings.AddBone(bone.body, bone.rest);
   }
   for (const TriangleSoup& mesh : meshes) surroundings.AddMuscle(mesh);
-  std::vector<ContinuedLines> made =
-      MakeSceneLines(surroundings, options.auto_lines, {}, scene);
+  std::vector<ContinuedLines> made = MakeSceneLines(
+      surroundings, {options.auto_lines, options.made_lines}, {}, scene);
   std::vector<MuscleAtRest> muscles(scene.muscles.size());
   for (size_t m = 0; m < muscles.size(); ++m) {
     const std::vector<ActionLine>& given = scene.muscles[m].lines;

@@ -165,16 +165,24 @@ void LeaveOutBones(PreparedScene* prepared) {
       prepared->bones.end());
 }
 
-// Makes lines for the muscles that have none.
+// Makes lines for the muscles that have none, and finds what holds those that
+// slide.
 void AddLines(const Surroundings& surroundings,
               const PrepareOptions& options,
               PreparedScene* prepared,
               const std::function<void(size_t, size_t)>& on_item) {
-  std::vector<ContinuedLines> made = MakeSceneLines(
-      surroundings, options.auto_lines, on_item, prepared->scene);
+  std::vector<ContinuedLines> made =
+      MakeSceneLines(surroundings,
+                     {options.auto_lines, options.made_lines},
+                     on_item,
+                     prepared->scene);
   for (size_t m = 0; m < made.size(); ++m) {
     SceneMuscle& muscle = prepared->scene.muscles[m];
-    if (!muscle.lines.empty()) continue;
+    if (made[m].lines.empty()) continue;
+    if (!muscle.lines.empty()) {
+      muscle.lines = std::move(made[m].lines);
+      continue;
+    }
     for (const int other : made[m].tied_to) {
       const std::string& carrier = prepared->scene.muscles[other].name;
       prepared->scene.notes.push_back(muscle.name + " ends on " + carrier +
@@ -332,7 +340,8 @@ PreparedScene PrepareScene(const Scene& scene,
   const size_t num_bones = scene.bones.size();
   const size_t num_muscles = scene.muscles.size();
   const size_t num_meshes = num_bones + num_muscles;
-  const bool makes_lines = options.makes_lines && LacksLines(scene);
+  const bool makes_lines =
+      options.makes_lines && NeedsLines(scene, options.made_lines);
   const size_t num_steps =
       num_meshes + (makes_lines ? 2 * num_muscles : num_muscles);
   const auto say_progress = SayingProgress(num_steps, on_progress);

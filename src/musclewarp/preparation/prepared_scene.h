@@ -22,6 +22,7 @@
 #include "musclewarp/preparation/attachments.h"
 #include "musclewarp/preparation/bones_at_rest.h"
 #include "musclewarp/preparation/line_ends.h"
+#include "musclewarp/preparation/scene_lines.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/scene/exempt_area.h"
 #include "musclewarp/scene/scene.h"
@@ -48,6 +49,9 @@ struct PrepareOptions {
 
   // The number of action lines that are made for a muscle without any.
   int auto_lines = 3;
+
+  // How these, and sliding lines of the scene, go in a pose.
+  LineCourse made_lines = LineCourse::kTaut;
 
   // If false, a muscle without lines gets none, and only contact moves it.
   bool makes_lines = true;

@@ -6,8 +6,11 @@
 #include <utility>
 
 #include "musclewarp/base/parallel_for.h"
+#include "musclewarp/fibres/bodies_along.h"
 #include "musclewarp/fibres/fibres.h"
+#include "musclewarp/fibres/found_supports.h"
 #include "musclewarp/mesh/measures.h"
+#include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp {
 namespace {
@@ -51,8 +54,6 @@ void PutEndsOnBodies(const std::vector<BodySurface>& bodies,
   }
 }
 
-}  // namespace
-
 bool LacksLines(const Scene& scene) {
   return std::any_of(
       scene.muscles.begin(),
@@ -60,17 +61,58 @@ bool LacksLines(const Scene& scene) {
       [](const SceneMuscle& muscle) { return muscle.lines.empty(); });
 }
 
+bool HasSlidingLines(const SceneMuscle& muscle) {
+  return std::any_of(muscle.lines.begin(),
+                     muscle.lines.end(),
+                     [](const ActionLine& line) { return line.slides; });
+}
+
+// Gives all lines of a muscle equally many points again, after some of them
+// were continued.
+void PlaceEvenly(const std::vector<BodySurface>& bodies,
+                 std::vector<ActionLine>* lines) {
+  std::vector<Points> courses;
+  for (const ActionLine& line : *lines) courses.push_back(line.rest);
+  const int count = NumLinePoints(courses);
+  for (ActionLine& line : *lines) {
+    if (line.rest.rows() == count) continue;
+    line.rest = Resampled(line.rest, count);
+    line.bodies =
+        BodiesAlong(line.rest, line.bodies.front(), line.bodies.back(), bodies);
+  }
+}
+
+std::vector<int> WithOwn(int own, std::vector<int> others) {
+  others.insert(others.begin(), own);
+  return others;
+}
+
+}  // namespace
+
+std::string ToString(LineCourse course) {
+  return course == LineCourse::kTaut ? "taut" : "guided";
+}
+
+bool NeedsLines(const Scene& scene, LineCourse course) {
+  return LacksLines(scene) ||
+         (course == LineCourse::kTaut &&
+          std::any_of(
+              scene.muscles.begin(), scene.muscles.end(), HasSlidingLines));
+}
+
 std::vector<ContinuedLines> MakeSceneLines(
     const Surroundings& surroundings,
-    int lines_each,
+    const SceneLineOptions& options,
     const std::function<void(size_t, size_t)>& on_item,
     const Scene& scene) {
   const size_t count = scene.muscles.size();
+  const bool is_taut = options.course == LineCourse::kTaut;
+  const bool makes_lines = LacksLines(scene);
   std::vector<ContinuedLines> made(count);
-  if (!LacksLines(scene)) return made;
   std::vector<SoftPart> parts(count);
   const auto make = [&](size_t m) {
     const SceneMuscle& muscle = scene.muscles[m];
+    if (!makes_lines && !(is_taut && HasSlidingLines(muscle))) return;
     const TriangleSoup& mesh = surroundings.muscle(m);
     const std::vector<BodySurface> bodies = surroundings.BodiesOf(muscle);
     SoftPart& part = parts[m];
@@ -79,8 +121,12 @@ std::vector<ContinuedLines> MakeSceneLines(
     part.lines =
         !muscle.lines.empty()
             ? muscle.lines
-            : MakeLines(
-                  muscle.name, mesh, bodies, muscle.attachments, lines_each);
+            : MakeLines(muscle.name,
+                        mesh,
+                        bodies,
+                        muscle.attachments,
+                        options.lines_each,
+                        is_taut ? LinePoints::kEvery10Mm : LinePoints::kNine);
     if (muscle.lines.empty() && !muscle.end_bodies.empty()) {
       PutEndsOnBodies(bodies, &part.lines);
     }
@@ -88,11 +134,26 @@ std::vector<ContinuedLines> MakeSceneLines(
     part.ends_on = NamedEnds(muscle, scene);
   };
   ParallelFor(count, make, on_item);
-  FindSoftEnds(&parts);
-  for (size_t m = 0; m < count; ++m) {
-    if (!scene.muscles[m].lines.empty()) continue;
-    made[m] = ContinueLines(static_cast<int>(m), parts, surroundings.bodies());
-  }
+  if (makes_lines) FindSoftEnds(&parts);
+  ParallelFor(count, [&](size_t m) {
+    const SceneMuscle& muscle = scene.muscles[m];
+    if (muscle.lines.empty()) {
+      made[m] =
+          ContinueLines(static_cast<int>(m), parts, surroundings.bodies());
+      if (is_taut) PlaceEvenly(surroundings.bodies(), &made[m].lines);
+    } else if (is_taut && HasSlidingLines(muscle)) {
+      made[m].lines = muscle.lines;
+    }
+    if (!is_taut || made[m].lines.empty()) return;
+    LineSurroundings around;
+    around.bodies = surroundings.bodies();
+    for (const int part : WithOwn(static_cast<int>(m), made[m].through)) {
+      around.soft.push_back(&surroundings.surface_of(part));
+      const std::vector<SoftPartEnd>& ends = parts[part].ends;
+      around.ends.insert(around.ends.end(), ends.begin(), ends.end());
+    }
+    FindSupports(around, &made[m].lines);
+  });
   return made;
 }
 

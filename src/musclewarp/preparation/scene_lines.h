@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "musclewarp/fibres/continued_lines.h"
@@ -11,19 +12,33 @@
 
 namespace musclewarp {
 
-// Returns true if a muscle of the scene has no lines.
-bool LacksLines(const Scene& scene);
+// How sliding lines go between their ends in a pose.
+enum class LineCourse {
+  kTaut,    // as short as what supports them allows (taut_lines.h)
+  kGuided,  // each point with the nearest body
+};
 
-// Makes `lines_each` lines for each muscle of a scene that has none (MakeLines)
-// and continues them through the soft parts on which these muscles end
-// (ContinueLines). `surroundings` has the repaired meshes of the scene. Returns
-// the continued lines of each muscle, and none for muscles with lines of their
-// own. `on_item`, which may be empty, is called on the calling thread with the
-// number of a muscle before its lines are made, and of the finished muscles
-// (ParallelFor). Throws InputError as MakeLines does.
+std::string ToString(LineCourse course);
+
+// Returns true if MakeSceneLines has anything to do.
+bool NeedsLines(const Scene& scene, LineCourse course);
+
+struct SceneLineOptions {
+  int lines_each = 3;  // for each muscle without lines
+  LineCourse course = LineCourse::kTaut;
+};
+
+// Makes lines for each muscle of a scene that has none (MakeLines), continues
+// them through the soft parts on which these muscles end (ContinueLines), and
+// finds what holds them where they are to be taut (FindSupports); this also for
+// sliding lines of the scene. `surroundings` has the repaired meshes of the
+// scene. Returns the lines of each muscle for which it made or changed any, and
+// none for the others. `on_item`, which may be empty, is called on the calling
+// thread with the number of a muscle before its lines are made, and of the
+// finished muscles (ParallelFor). Throws InputError as MakeLines does.
 std::vector<ContinuedLines> MakeSceneLines(
     const Surroundings& surroundings,
-    int lines_each,
+    const SceneLineOptions& options,
     const std::function<void(size_t m, size_t done)>& on_item,
     const Scene& scene);
 

@@ -26,23 +26,27 @@ bool CouldSlide(const ActionLine& line, const ScenePose& pose) {
 std::vector<std::string> FoldedLineWarnings(const Scene& scene) {
   std::vector<std::string> warnings;
   for (const SceneMuscle& muscle : scene.muscles) {
-    for (const ActionLine& line : muscle.lines) {
-      double sharpest = kSharpestTurn;
-      const ScenePose* folded = nullptr;
-      for (const ScenePose& pose : scene.poses) {
-        const double turn = SharpestTurn(LineTargets({line}, pose)[0].points);
-        if (turn <= sharpest) continue;
-        sharpest = turn;
-        folded = &pose;
+    std::vector<double> sharpest(muscle.lines.size(), kSharpestTurn);
+    std::vector<const ScenePose*> folded(muscle.lines.size(), nullptr);
+    for (const ScenePose& pose : scene.poses) {
+      const std::vector<LineTarget> targets = LineTargets(muscle.lines, pose);
+      for (size_t k = 0; k < targets.size(); ++k) {
+        const double turn = SharpestTurn(targets[k].points);
+        if (turn <= sharpest[k]) continue;
+        sharpest[k] = turn;
+        folded[k] = &pose;
       }
-      if (!folded) continue;
+    }
+    for (size_t k = 0; k < muscle.lines.size(); ++k) {
+      if (!folded[k]) continue;
+      const ActionLine& line = muscle.lines[k];
       std::ostringstream text;
       text << "line " << line.name << " of muscle " << muscle.name
-           << " turns back on itself in pose " << folded->name << ", by "
-           << std::round(sharpest * kDegreesPerRadian)
+           << " turns back on itself in pose " << folded[k]->name << ", by "
+           << std::round(sharpest[k] * kDegreesPerRadian)
            << " degrees from a segment to the next, where the muscle will have "
               "folds: leave out points near the joint";
-      if (CouldSlide(line, *folded)) {
+      if (CouldSlide(line, *folded[k])) {
         text << ", or let the line slide (\"slides\": true)";
       }
       warnings.push_back(text.str());

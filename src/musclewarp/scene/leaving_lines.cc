@@ -44,7 +44,8 @@ std::optional<LeavingLine> FindLeavingLine(
   if (!end.line) return std::nullopt;
   LeavingLine leaving;
   for (const ScenePose& pose : poses) {
-    const Points target = LineTargets({*end.line}, pose)[0].points;
+    const Points target =
+        LineTargets(lines, pose)[end.line - lines.data()].points;
     const Points attached = Transformed(end.line->rest.row(end.point),
                                         BodyTransform(pose, attachment.body));
     const double distance = (target.row(end.point) - attached).norm();

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/scene/line_targets.h"
 
+#include <utility>
+
 #include "musclewarp/skeleton/polyline.h"
+#include "musclewarp/skeleton/taut_lines.h"
 
 namespace musclewarp {
 namespace {
-
-using Transforms = std::vector<Eigen::Matrix4d>;
 
 // Returns the weight with which each point of a sliding line (row) moves with
 // the body of each point (column), #P x #P: a binomial filter along the line,
@@ -25,10 +26,10 @@ Eigen::MatrixXd SharesOfBodies(Eigen::Index count) {
   return shares;
 }
 
-// Returns the target points of a sliding line. Points near a joint move with
-// the bodies on both sides of it: if each moved with only one, the line would
-// fold back on itself where the joint closes.
-Points SlidPoints(const ActionLine& line, const Transforms& transforms) {
+// Returns the target points of a sliding line that is not taut. Points near a
+// joint move with the bodies on both sides of it: if each moved with only one,
+// the line would fold back on itself where the joint closes.
+Points GuidedPoints(const ActionLine& line, const PointMotions& transforms) {
   const Eigen::MatrixXd shares = SharesOfBodies(line.rest.rows());
   Points points = Points::Zero(line.rest.rows(), 3);
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
@@ -41,21 +42,39 @@ Points SlidPoints(const ActionLine& line, const Transforms& transforms) {
   return PointsAtShares(points, SharesAlong(line.rest));
 }
 
-LineTarget TargetOf(const ActionLine& line, const ScenePose& pose) {
+// Returns the motions of the points of each line, none where it has no bodies.
+std::vector<PointMotions> MotionsOf(const std::vector<ActionLine>& lines,
+                                    const ScenePose& pose) {
+  std::vector<PointMotions> motions(lines.size());
+  for (size_t k = 0; k < lines.size(); ++k) {
+    for (const std::string& body : lines[k].bodies) {
+      motions[k].push_back(BodyTransform(pose, body));
+    }
+  }
+  return motions;
+}
+
+LineTarget TargetOf(const ActionLine& line,
+                    const ScenePose& pose,
+                    const PointMotions& motions,
+                    Points taut) {
   LineTarget target;
-  target.points = line.rest;
-  Transforms transforms;
-  for (size_t i = 0; i < line.bodies.size(); ++i) {
-    transforms.push_back(BodyTransform(pose, line.bodies[i]));
-    target.points.row(i) = Transformed(line.rest.row(i), transforms[i]);
+  for (const Eigen::Matrix4d& motion : motions) {
     target.body_rotations.push_back(
-        Eigen::Matrix3d(transforms[i].topLeftCorner<3, 3>()));
+        Eigen::Matrix3d(motion.topLeftCorner<3, 3>()));
   }
   const auto given = pose.lines.find(line.name);
   if (given != pose.lines.end()) {
     target.points = given->second;
-  } else if (line.slides && !transforms.empty()) {
-    target.points = SlidPoints(line, transforms);
+  } else if (line.supports) {
+    target.points = std::move(taut);
+  } else if (line.slides && !motions.empty()) {
+    target.points = GuidedPoints(line, motions);
+  } else {
+    target.points = line.rest;
+    for (size_t i = 0; i < motions.size(); ++i) {
+      target.points.row(i) = Transformed(line.rest.row(i), motions[i]);
+    }
   }
   return target;
 }
@@ -70,9 +89,47 @@ Eigen::Matrix4d BodyTransform(const ScenePose& pose, const std::string& body) {
 
 std::vector<LineTarget> LineTargets(const std::vector<ActionLine>& lines,
                                     const ScenePose& pose) {
+  const std::vector<PointMotions> motions = MotionsOf(lines, pose);
+  std::vector<Points> taut = TautPoints(lines, motions);
   std::vector<LineTarget> targets;
-  for (const auto& line : lines) targets.push_back(TargetOf(line, pose));
+  for (size_t k = 0; k < lines.size(); ++k) {
+    targets.push_back(TargetOf(lines[k], pose, motions[k], std::move(taut[k])));
+  }
   return targets;
+}
+
+void SetTautLines(const std::vector<ActionLine>& lines,
+                  const ScenePose& pose,
+                  std::vector<PerturbedPoses>* beside) {
+  const std::vector<PointMotions> motions = MotionsOf(lines, pose);
+  const std::vector<Points> points = TautPoints(lines, motions);
+  for (PerturbedPoses& poses : *beside) {
+    std::vector<PointMotions> rates(lines.size());
+    for (size_t k = 0; k < lines.size(); ++k) {
+      for (const std::string& body : lines[k].bodies) {
+        rates[k].push_back(RateBetween(BodyTransform(poses.before, body),
+                                       BodyTransform(poses.after, body)));
+      }
+    }
+    const std::vector<Points> velocities =
+        TautRates(lines, motions, points, rates);
+    for (size_t k = 0; k < lines.size(); ++k) {
+      if (!lines[k].supports || pose.lines.count(lines[k].name) > 0) continue;
+      // As the first body sees it, so that a line moves along with all of its
+      // bodies exactly.
+      const std::string& body = lines[k].bodies[0];
+      const Eigen::Matrix4d back = RigidInverse(BodyTransform(pose, body));
+      const Points seen = velocities[k] - (points[k].rowwise().homogeneous() *
+                                           rates[k][0].transpose())
+                                              .leftCols<3>();
+      for (const double side : {-1.0, 1.0}) {
+        ScenePose& there = side < 0 ? poses.before : poses.after;
+        there.lines[lines[k].name] =
+            Transformed(points[k] + side * PerturbedPoses::kStep * seen,
+                        BodyTransform(there, body) * back);
+      }
+    }
+  }
 }
 
 }  // namespace musclewarp

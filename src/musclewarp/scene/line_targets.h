@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/scene/perturbed_poses.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
@@ -14,12 +15,23 @@ namespace musclewarp {
 Eigen::Matrix4d BodyTransform(const ScenePose& pose, const std::string& body);
 
 // Returns the targets of the lines of a muscle in a pose, one for each line:
-// the target points that the pose gives, or else the rest points moved with
-// their bodies, or else the rest points. The inner points of a sliding line
-// also move with the bodies of neighbouring points, and are then distributed
-// along the line as at rest. If a line names bodies, its target also has their
-// rotations, for the twist of the muscle about the line. Points are #P x 3, mm.
+// the target points that the pose gives, or else those of a taut line
+// (taut_lines.h), or else the rest points moved with their bodies, or else the
+// rest points. The inner points of a sliding line that is not taut also move
+// with the bodies of neighbouring points, and are then distributed along the
+// line as at rest. If a line names bodies, its target also has their rotations,
+// for the twist of the muscle about the line. Points are #P x 3, mm. `lines`
+// are all lines of the muscle, as they may be tied to each other.
 std::vector<LineTarget> LineTargets(const std::vector<ActionLine>& lines,
                                     const ScenePose& pose);
+
+// Gives the taut lines of a muscle to the poses beside `pose`, by coordinate:
+// their points
+// there, moved on by their exact derivative (TautRates), so that differences
+// between the two poses do not depend on where in between a support begins to
+// bear. Lines to which `pose` gives points stay as they are.
+void SetTautLines(const std::vector<ActionLine>& lines,
+                  const ScenePose& pose,
+                  std::vector<PerturbedPoses>* beside);
 
 }  // namespace musclewarp

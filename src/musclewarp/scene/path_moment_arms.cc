@@ -7,10 +7,17 @@
 
 namespace musclewarp {
 
-double PathLengthIn(const ScenePose& pose, const ActionLine& line) {
-  const auto known = pose.path_lengths.find(line.name);
-  if (known != pose.path_lengths.end()) return known->second;
-  return PolylineLength(LineTargets({line}, pose)[0].points);
+std::vector<double> PathLengthsIn(const ScenePose& pose,
+                                  const std::vector<ActionLine>& lines) {
+  const std::vector<LineTarget> targets = LineTargets(lines, pose);
+  std::vector<double> lengths;
+  for (size_t k = 0; k < lines.size(); ++k) {
+    const auto known = pose.path_lengths.find(lines[k].name);
+    lengths.push_back(known != pose.path_lengths.end()
+                          ? known->second
+                          : PolylineLength(targets[k].points));
+  }
+  return lengths;
 }
 
 std::map<std::string, std::map<std::string, double>> PathMomentArms(
@@ -18,23 +25,25 @@ std::map<std::string, std::map<std::string, double>> PathMomentArms(
     const ScenePose& pose,
     const std::vector<PerturbedPoses>& beside) {
   std::map<std::string, std::map<std::string, double>> arms;
-  for (const SceneMuscle& muscle : scene.muscles) {
-    for (const ActionLine& line : muscle.lines) {
-      // The lengths of muscle paths account for conditional points.
-      const bool is_path = pose.path_lengths.count(line.name) > 0;
-      for (const PerturbedPoses& poses : beside) {
-        arms[line.name][poses.name] =
-            is_path
+  for (const PerturbedPoses& poses : beside) {
+    for (const SceneMuscle& muscle : scene.muscles) {
+      const std::vector<double> before =
+          PathLengthsIn(poses.before, muscle.lines);
+      const std::vector<double> after =
+          PathLengthsIn(poses.after, muscle.lines);
+      for (size_t k = 0; k < muscle.lines.size(); ++k) {
+        const std::string& line = muscle.lines[k].name;
+        // The lengths of muscle paths account for conditional points.
+        arms[line][poses.name] =
+            pose.path_lengths.count(line) > 0
                 ? PathMomentArm(
                       scene.model->model,
                       scene.model->model
-                          .muscles[scene.model->model.FindMuscle(line.name)],
+                          .muscles[scene.model->model.FindMuscle(line)],
                       poses.coordinate,
                       pose.model_values) /
                       scene.model->body_size
-                : -(PathLengthIn(poses.after, line) -
-                    PathLengthIn(poses.before, line)) /
-                      (2 * PerturbedPoses::kStep);
+                : -(after[k] - before[k]) / (2 * PerturbedPoses::kStep);
       }
     }
   }

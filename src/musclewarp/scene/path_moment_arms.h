@@ -11,13 +11,14 @@
 
 namespace musclewarp {
 
-// Returns the length of a line in a pose, mm: the sum of its straight segments.
-// If the line is the path of a muscle of the model, it passes through all
-// points that are active in the pose, including conditional ones.
-double PathLengthIn(const ScenePose& pose, const ActionLine& line);
+// Returns the lengths of the lines of a muscle in a pose, mm: the sums of their
+// straight segments. A line that is the path of a muscle of the model passes
+// through all points that are active in the pose, including conditional ones.
+std::vector<double> PathLengthsIn(const ScenePose& pose,
+                                  const std::vector<ActionLine>& lines);
 
 // Returns the moment arms of all lines of a scene with a model in a pose, by
-// line and coordinate: -dl/dq of the length l (PathLengthIn), in mm/rad, or
+// line and coordinate: -dl/dq of the length l (PathLengthsIn), in mm/rad, or
 // mm/m for a translational coordinate. They are central differences over
 // `beside`, the poses on both sides of `pose` (PerturbedPosesOf).
 std::map<std::string, std::map<std::string, double>> PathMomentArms(

@@ -27,7 +27,10 @@ void ScaleTranslation(double factor, Eigen::Matrix4d* motion) {
   motion->topRightCorner<3, 1>() *= factor;
 }
 
-void ScaleLengths(double factor, ActionLine* line) { line->rest *= factor; }
+void ScaleLengths(double factor, ActionLine* line) {
+  line->rest *= factor;
+  if (line->supports) ScaleLengths(factor, &*line->supports);
+}
 
 void ScaleLengths(double factor, Attachment* attachment) {
   attachment->points *= factor;

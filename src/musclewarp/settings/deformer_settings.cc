@@ -64,6 +64,8 @@ DeformerOptions OptionsOf(const DeformerSettings& settings) {
       : settings.attachments == "scene" ? AttachmentKind::kScene
                                         : AttachmentKind::kNone;
   options.prepare.auto_lines = settings.auto_lines;
+  options.prepare.made_lines =
+      Named(settings.made_lines, {LineCourse::kTaut, LineCourse::kGuided});
   options.prepare.fibres.fibres = settings.fibres;
   SetFrameOptions(settings, &options.frames);
   options.solver = SolverConfigurationNamed(settings.solver);

@@ -17,6 +17,7 @@ struct DeformerSettings : RestSettings {
   std::string solver = "ceres";
   std::string attachments = "auto";
   int auto_lines = PrepareOptions().auto_lines;
+  std::string made_lines = "taut";
   int fibres = PrepareOptions().fibres.fibres;
   double max_torn_patch = FrameRequirements().max_torn_patch;
   int coarse_vertices = OuterHullOptions().coarse_vertices;
@@ -69,6 +70,11 @@ constexpr auto FieldsOf(Described<DeformerSettings>) {
           .Text("number of action lines that are made for a muscle without "
                 "any; 1: a centre line")
           .AtLeast(1),
+      Field(&S::made_lines, "made_lines")
+          .Text("course of lines that are made, and of those that slide: taut "
+                "(as short as what supports them at rest allows) or guided "
+                "(each point moves with the nearest body)")
+          .OneOf("taut, guided"),
       Field(&S::fibres, "fibres")
           .Text("number of fibres of each muscle, written with vtp and as "
                 "tables")

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/skeleton/line_supports.h"
 
 namespace musclewarp {
 
@@ -28,6 +29,11 @@ struct ActionLine {
   // between them, and all of it is stretched by the same factor. The bodies of
   // the points between only guide the line. Needs `bodies`.
   bool slides = false;
+
+  // What holds the line where it is taut (taut_lines.h), for sliding lines.
+  // Made in the preparation (fibres/found_supports.h); without a value the
+  // points between the ends move with the bodies that guide them.
+  std::optional<LineSupports> supports = {};
 };
 
 // A line of action in the pose to which a muscle is deformed.
