@@ -108,6 +108,87 @@ TEST(LineTargets, ASlidingLineMovesRigidlyWithAllBodies) {
             kRounding);
 }
 
+// The sliding line with bends that yield and some that do not.
+ActionLine TautLine() {
+  ActionLine line = SlidingLine();
+  line.name = "taut";
+  line.rest(3, 1) += 2;
+  line.rest(5, 1) += 2;
+  LineSupports supports;
+  supports.bends = supports.outward = Points::Zero(9, 3);
+  supports.loads = supports.stiffness = supports.plane_stiffness =
+      supports.hold = Eigen::VectorXd::Zero(9);
+  for (int i = 2; i <= 6; ++i) {
+    const Eigen::RowVector3d bend =
+        (line.rest.row(i + 1) - line.rest.row(i)).normalized() -
+        (line.rest.row(i) - line.rest.row(i - 1)).normalized();
+    supports.loads[i] = bend.norm();
+    supports.bends.row(i) = bend.normalized();
+    supports.stiffness[i] = i < 5 ? bend.norm() / 5 : 10;
+  }
+  line.supports = supports;
+  return line;
+}
+
+TEST(LineTargets, ATautLineIsAtRestWithItsBodies) {
+  EXPECT_EQ(LineTargets({TautLine()}, Turned(0))[0].points, TautLine().rest);
+}
+
+TEST(LineTargets, ATautLineHasTheRotationsOfItsBodies) {
+  const LineTarget target = LineTargets({TautLine()}, Turned(0.4))[0];
+  ASSERT_EQ(target.body_rotations.size(), 9u);
+  EXPECT_TRUE(target.body_rotations[0]->isIdentity(0));
+  EXPECT_NEAR((*target.body_rotations[8])(1, 0), std::sin(0.4), kRounding);
+}
+
+TEST(SetTautLines, MovesThemOnByTheirDerivative) {
+  constexpr double kAngle = 0.3;
+  const auto at = [](double angle) {
+    return LineTargets({TautLine()}, Turned(angle))[0].points;
+  };
+  std::vector<PerturbedPoses> beside(1);
+  beside[0].before = Turned(kAngle - PerturbedPoses::kStep);
+  beside[0].after = Turned(kAngle + PerturbedPoses::kStep);
+  SetTautLines({TautLine()}, Turned(kAngle), &beside);
+  // Second derivatives of some 100 mm, of a step of 1e-4: 1e-6 mm.
+  EXPECT_LT(
+      (beside[0].after.lines.at("taut") - at(kAngle + PerturbedPoses::kStep))
+          .cwiseAbs()
+          .maxCoeff(),
+      1e-5);
+  EXPECT_LT(
+      (beside[0].before.lines.at("taut") - at(kAngle - PerturbedPoses::kStep))
+          .cwiseAbs()
+          .maxCoeff(),
+      1e-5);
+}
+
+TEST(SetTautLines, MovesThemExactlyWithBodiesThatMoveAsOne) {
+  const auto both = [](double angle) {
+    ScenePose pose = Turned(angle);
+    pose.bodies["pelvis"] = pose.bodies["femur"];
+    return pose;
+  };
+  std::vector<PerturbedPoses> beside(1);
+  beside[0].before = both(0.3 - PerturbedPoses::kStep);
+  beside[0].after = both(0.3 + PerturbedPoses::kStep);
+  SetTautLines({TautLine()}, both(0.3), &beside);
+  EXPECT_LT((beside[0].after.lines.at("taut") -
+             Transformed(TautLine().rest, beside[0].after.bodies["femur"]))
+                .cwiseAbs()
+                .maxCoeff(),
+            1e-11);
+}
+
+TEST(SetTautLines, LeavesLinesToWhichThePoseGivesPoints) {
+  ScenePose pose = Turned(0.3);
+  pose.lines["taut"] = TautLine().rest;
+  std::vector<PerturbedPoses> beside(1);
+  beside[0].before = beside[0].after = pose;
+  SetTautLines({TautLine()}, pose, &beside);
+  EXPECT_EQ(beside[0].after.lines.at("taut"), TautLine().rest);
+}
+
 TEST(LineTargets, PointsMoveWithTheirBodies) {
   const LineTarget target = LineTargets({Line()}, Pose())[0];
   Points expected(3, 3);

@@ -34,7 +34,7 @@ LineSupports NoSupports(Eigen::Index count) {
   LineSupports supports;
   supports.bends = supports.outward = Points::Zero(count, 3);
   supports.loads = supports.stiffness = supports.plane_stiffness =
-      supports.clearance = supports.hold = Eigen::VectorXd::Zero(count);
+      supports.hold = Eigen::VectorXd::Zero(count);
   return supports;
 }
 
@@ -73,7 +73,6 @@ ActionLine WindingLine(double beside = 0) {
     line.supports->outward.row(i) =
         Eigen::RowVector3d(0.1, -1, 0.2 * i).normalized();
     line.supports->plane_stiffness[i] = i % 3 == 0 ? 10 : 2;
-    line.supports->clearance[i] = i % 2;
     line.supports->hold[i] = i < 3 ? 0.4 : 0;
   }
   return line;
@@ -124,8 +123,6 @@ Eigen::Matrix4d Mirrored(const Eigen::Matrix4d& motion) {
   const Eigen::DiagonalMatrix<double, 4> mirror(1, -1, 1, 1);
   return mirror * motion * mirror;
 }
-
-}  // namespace
 
 TEST(TautLines, RestBodiesGiveTheLinesAtRestExactly) {
   const std::vector<ActionLine> lines = TiedLines();
@@ -320,4 +317,5 @@ TEST(TautLines, ARetinaculumYieldsByItsShare) {
   EXPECT_NEAR(points[0](1, 1), lift, kSolved);
 }
 
+}  // namespace
 }  // namespace musclewarp

@@ -61,9 +61,9 @@ MUSCLEWARP_ARCHIVE(LineSupports,
                    stiffness,
                    outward,
                    plane_stiffness,
-                   clearance,
                    hold,
                    onset,
+                   plane_onset,
                    ties)
 MUSCLEWARP_ARCHIVE(ActionLine, name, rest, bodies, slides, supports)
 MUSCLEWARP_ARCHIVE(
@@ -164,7 +164,13 @@ MUSCLEWARP_ARCHIVE(MeshPreparation,
 // Prepared scenes.
 
 MUSCLEWARP_ARCHIVE(SegmentPoint, line, segment, t)
-MUSCLEWARP_ARCHIVE(GuidePath, lines, shares, places, rest_length, compliance)
+MUSCLEWARP_ARCHIVE(GuidePath,
+                   lines,
+                   shares,
+                   places,
+                   rest_length,
+                   compliance,
+                   half_borne)
 MUSCLEWARP_ARCHIVE(Guides, rule, lines, paths)
 MUSCLEWARP_ARCHIVE(RotationField, places, weights)
 MUSCLEWARP_ARCHIVE(SoftCarrier, lines, guides, field)
@@ -207,6 +213,7 @@ MUSCLEWARP_ARCHIVE(PreparedMuscle,
                    area_on_bones,
                    lines_through,
                    tied_to,
+                   is_tendon,
                    line_ends,
                    attachment_warnings,
                    hull_encloses,

@@ -25,10 +25,6 @@ constexpr double kHard = 10;
 constexpr double kTouchedBone = 5;
 // A muscle lies beside a bone that is at most this far from its surface, mm.
 constexpr double kBoneBeside = 10;
-// A line may come nearer to its bone by the gap between the two, but at most by
-// this, mm. Were it none, most lines would touch their planes in the very pose
-// of the scan, and moment arms would step there.
-constexpr double kClearance = 1;
 // The stiffness of an attachment by length of the line, 1/mm^2, and the length
 // over which it fades beyond the middle of the attachment, mm.
 constexpr double kHold = 0.04;
@@ -156,12 +152,11 @@ LineSupports SupportsOf(const ActionLine& line,
   LineSupports supports;
   supports.bends = supports.outward = Points::Zero(count, 3);
   supports.loads = supports.stiffness = supports.plane_stiffness =
-      supports.clearance = VectorXd::Zero(count);
+      VectorXd::Zero(count);
   supports.hold = HoldOf(line, around.ends);
   for (Index i = 1; i + 1 < count; ++i) {
     const BoneBeside bone = BoneAt(i, line, around);
     supports.outward.row(i) = bone.outward;
-    supports.clearance[i] = std::clamp(bone.gap, 0.0, kClearance);
     supports.plane_stiffness[i] =
         kHard * bone.beside * Fade(bone.gap, kBoneBeside);
     const RowVector3d turn = (rest.row(i + 1) - rest.row(i)).normalized() -

@@ -58,6 +58,10 @@ Surroundings SurroundingsOf(const PreparedScene& scene) {
   return surroundings;
 }
 
+bool Contains(const std::vector<int>& numbers, int number) {
+  return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+}
+
 // Prepares all data that depends on the mesh of a muscle, except its hull and
 // attachments: `hull` is the coarse mesh, and `muscle` has the attachments of
 // the scene or the detected ones.
@@ -78,10 +82,13 @@ void PrepareModel(const Surroundings& surroundings,
   MuscleInterior interior;
   if (!muscle.lines.empty()) {
     std::vector<const TriangleSoup*> beyond;
+    const bool is_taut = options.made_lines == LineCourse::kTaut;
     for (const int other : prepared->lines_through) {
+      if (is_taut && Contains(prepared->tied_to, other)) continue;
       beyond.push_back(&surroundings.muscle(other));
     }
     interior = InteriorOf(fine, bodies, ends, beyond, options.fibres);
+    interior.points.is_tendon = prepared->is_tendon;
   }
   prepared->model = PrepareMuscle(muscle, fine, hull, interior, model_options);
   if (options.attachments != AttachmentKind::kNone) {
@@ -185,6 +192,7 @@ void AddLines(const Surroundings& surroundings,
     }
     for (const int other : made[m].tied_to) {
       const std::string& carrier = prepared->scene.muscles[other].name;
+      prepared->muscles[other].is_tendon = true;
       prepared->scene.notes.push_back(muscle.name + " ends on " + carrier +
                                       ", and its lines go on through it to a "
                                       "bone (\"ends_on\" in the scene "

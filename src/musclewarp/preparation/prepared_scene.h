@@ -113,6 +113,9 @@ struct PreparedMuscle {
   // attached.
   std::vector<int> tied_to;
 
+  // True if other muscles are attached to it: it is a tendon.
+  bool is_tendon = false;
+
   // The ends of its lines if they were made; empty for lines of the scene.
   std::vector<LineEnd> line_ends;
 

@@ -82,6 +82,49 @@ void PlaceEvenly(const std::vector<BodySurface>& bodies,
   }
 }
 
+bool Contains(const std::vector<int>& numbers, int number) {
+  return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+}
+
+// Returns true if the lines of a muscle that is no tendon itself go through the
+// tendon `other`, on which it or a tendon between the two ends.
+bool PullsOn(int other, int muscle, const std::vector<ContinuedLines>& made) {
+  return Contains(made[muscle].through, other) &&
+         std::none_of(made.begin(), made.end(), [&](const auto& third) {
+           return Contains(third.tied_to, muscle);
+         });
+}
+
+// Gives the tendons with meshes of their own the lines of the muscles that end
+// on them, so that both go the same way in each pose.
+void GiveTendonsTheirMuscles(const Scene& scene,
+                             std::vector<ContinuedLines>* made) {
+  const std::vector<ContinuedLines> before = *made;
+  const int count = static_cast<int>(before.size());
+  for (int tendon = 0; tendon < count; ++tendon) {
+    const bool is_tendon =
+        std::any_of(before.begin(), before.end(), [&](const auto& other) {
+          return Contains(other.tied_to, tendon);
+        });
+    if (!is_tendon || !scene.muscles[tendon].lines.empty()) continue;
+    ContinuedLines lines;
+    for (int m = 0; m < count; ++m) {
+      if (m == tendon || !PullsOn(tendon, m, before)) continue;
+      const int first = static_cast<int>(lines.lines.size());
+      for (ActionLine line : before[m].lines) {
+        for (LineTie& tie : line.supports->ties) tie.other += first;
+        line.name = scene.muscles[tendon].name + "_" +
+                    std::to_string(lines.lines.size() + 1);
+        lines.lines.push_back(std::move(line));
+      }
+      lines.through.push_back(m);
+    }
+    if (lines.lines.empty()) continue;
+    lines.tied_to = before[tendon].tied_to;
+    (*made)[tendon] = std::move(lines);
+  }
+}
+
 std::vector<int> WithOwn(int own, std::vector<int> others) {
   others.insert(others.begin(), own);
   return others;
@@ -154,6 +197,7 @@ std::vector<ContinuedLines> MakeSceneLines(
     }
     FindSupports(around, &made[m].lines);
   });
+  if (is_taut) GiveTendonsTheirMuscles(scene, &made);
   return made;
 }
 

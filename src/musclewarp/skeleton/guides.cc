@@ -27,11 +27,12 @@ constexpr double kSamePlace = 0.01;
 // largest area of the muscle, as belly above the second.
 constexpr double kTendonArea = 0.075;
 constexpr double kBellyArea = 0.225;
-// When the belly would have to be stretched by this share of its length so that
-// the tendon keeps its own, it bears half of the tendon's stretch. It bears
-// more of a smaller stretch, and less of a larger one, until all of the muscle
-// is stretched alike.
-constexpr double kHalfBorne = 0.1;
+// GuidePath::half_borne of taut lines: a belly bears more of a smaller stretch,
+// and less of a larger one, until all of the muscle is stretched alike. The
+// fibres of calf muscles shorten by a third (Narici et al. 1996).
+constexpr double kHalfBorneByTaut = 0.3;
+// The share of a path that has to be belly.
+constexpr double kLeastBelly = 0.05;
 // Rounds of a binomial filter over the areas of neighbouring segments.
 constexpr int kSmoothingRounds = 2;
 
@@ -160,7 +161,9 @@ Eigen::VectorXd Smoothed(const Eigen::VectorXd& values) {
 // Sets the compliance of all paths from the points inside of the muscle: the
 // area across a segment is the number of points nearest to it by its length.
 // Lines may run together in another part, each with an equal share of it.
-void FindCompliance(const InsidePoints& inside, Guides* guides) {
+void FindCompliance(const InsidePoints& inside,
+                    bool is_tendon,
+                    Guides* guides) {
   std::vector<Eigen::VectorXd> areas;
   for (const ActionLine& line : guides->lines) {
     areas.push_back(Eigen::VectorXd::Zero(line.rest.rows() - 1));
@@ -173,13 +176,21 @@ void FindCompliance(const InsidePoints& inside, Guides* guides) {
   const double count = static_cast<double>(areas.size());
   for (size_t g = 0; g < areas.size(); ++g) {
     const std::vector<ActionLine> alone = {guides->lines[g]};
+    const Eigen::ArrayXd along_own =
+        is_tendon ? Eigen::ArrayXd((areas[g].array() > 0).cast<double>())
+                  : Eigen::ArrayXd::Zero(areas[g].size());
     for (Eigen::Index i = 0; i < inside.beyond.rows(); ++i) {
       const SegmentPoint nearest = NearestSegment(inside.beyond.row(i), alone);
       areas[g][nearest.segment] += inside.weights[i] / count;
     }
     const Eigen::VectorXd lengths = SegmentLengths(guides->lines[g].rest);
     areas[g].array() /= lengths.array().max(kSamePlace);
-    guides->paths[g].compliance = Compliance(Smoothed(areas[g]));
+    Eigen::VectorXd& compliance = guides->paths[g].compliance;
+    compliance = Compliance(Smoothed(areas[g])).array() * (1 - along_own);
+    // Something has to bear the stretch, if only the tendon itself.
+    if (compliance.dot(lengths) < kLeastBelly * lengths.sum()) {
+      compliance.setOnes();
+    }
   }
 }
 
@@ -196,7 +207,7 @@ Eigen::VectorXd SharesAt(const GuidePath& path, double length) {
   const double stretch = length / path.rest_length - 1;
   const double mean = at_rest.dot(path.compliance);
   // The tendon is stretched by what the belly does not bear for it.
-  const double whole = stretch / (kHalfBorne * mean);
+  const double whole = stretch / (path.half_borne * mean);
   const double borne = 1 / (1 + whole * whole);
   const double shared = (1 - borne) * stretch;
   const double by_compliance = borne * stretch / mean;
@@ -260,7 +271,16 @@ Guides GuidesOf(const std::vector<ActionLine>& lines,
         {lines[path.lines[0]].name, PointsAtShares(points, path.shares), {}});
     guides.paths.push_back(std::move(path));
   }
-  if (rule == LineRule::kTendon) FindCompliance(inside, &guides);
+  if (rule == LineRule::kTendon) {
+    const bool is_taut =
+        std::any_of(lines.begin(), lines.end(), [](const ActionLine& line) {
+          return line.supports.has_value();
+        });
+    FindCompliance(inside, is_taut && inside.is_tendon, &guides);
+    if (is_taut) {
+      for (GuidePath& path : guides.paths) path.half_borne = kHalfBorneByTaut;
+    }
+  }
   return guides;
 }
 

@@ -37,6 +37,11 @@ struct GuidePath {
   // How much of the stretch of the path each segment bears, #Q - 1, from 0
   // to 1.
   Eigen::VectorXd compliance;
+
+  // When the belly would have to be stretched or shortened by this share of its
+  // length so that the tendon keeps its own, it bears half of the tendon's
+  // stretch.
+  double half_borne = 0.1;
 };
 
 // The polylines that a muscle follows, made of its lines of action. A guide
@@ -61,6 +66,11 @@ struct InsidePoints {
   Points own;               // #I x 3
   Points beyond;            // #J x 3
   Eigen::VectorXd weights;  // #J: how many points of `own` each counts for
+
+  // True for a tendon with a mesh of its own. Taut lines keep their lengths
+  // along it, whatever lies beside it; the tendons on which a muscle ends have
+  // no points in `beyond`, so that its lines keep theirs there, too.
+  bool is_tendon = false;
 };
 
 // Makes the guides of a muscle with the given lines of action. From the points

@@ -8,8 +8,8 @@ void ScaleLengths(double factor, LineSupports* supports) {
   supports->stiffness /= factor;
   supports->plane_stiffness /= factor;
   supports->hold /= factor;
-  supports->clearance *= factor;
   supports->onset *= factor;
+  supports->plane_onset *= factor;
   for (LineTie& tie : supports->ties) tie.stiffness /= factor;
 }
 

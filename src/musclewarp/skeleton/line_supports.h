@@ -29,19 +29,20 @@ struct LineSupports {
   Eigen::VectorXd loads;
   Eigen::VectorXd stiffness;
 
-  // One-sided planes that keep the points from coming nearer to their bones
-  // than at rest, less a clearance: outward directions (#P x 3), stiffnesses
-  // (#P), and the clearances (#P, mm).
+  // One-sided planes through the points at rest, which keep them from coming
+  // nearer to their bones: outward directions (#P x 3) and stiffnesses (#P).
   Points outward;
   Eigen::VectorXd plane_stiffness;
-  Eigen::VectorXd clearance;
 
   // The stiffness with which points along the attachments are held at their
   // places on the bodies, #P.
   Eigen::VectorXd hold;
 
-  // A support or plane is fully stiff when it is pressed by this, mm.
+  // A support is fully stiff when it is pressed by `onset`, a plane when it is
+  // by `plane_onset`, mm: what lies between a line and its bone gets stiffer as
+  // it is pressed.
   double onset = 0.5;
+  double plane_onset = 50;
 
   std::vector<LineTie> ties;
 };

@@ -169,8 +169,7 @@ double Energy(const PosedGroup& group, const std::vector<Points>& x) {
                     Potential(line.bends.row(i).dot(moved) + line.offsets[i],
                               on.onset) +
                 on.plane_stiffness[i] *
-                    Potential(-line.outward.row(i).dot(moved) - on.clearance[i],
-                              on.onset) +
+                    Potential(-line.outward.row(i).dot(moved), on.plane_onset) +
                 on.hold[i] / 2 * moved.squaredNorm();
     }
   }
@@ -199,8 +198,7 @@ VectorXd Forces(const PosedGroup& group, const std::vector<Points>& x) {
           (x[a].row(i) - x[a].row(i - 1)) / line.lengths[i - 1] -
           on.stiffness[i] * Push(bend.dot(moved) + line.offsets[i], on.onset) *
               bend +
-          on.plane_stiffness[i] *
-              Push(-out.dot(moved) - on.clearance[i], on.onset) * out -
+          on.plane_stiffness[i] * Push(-out.dot(moved), on.plane_onset) * out -
           on.hold[i] * moved;
       at(i, a) += force.transpose();
     }
@@ -239,8 +237,7 @@ SymmetricBand Hessian(const PosedGroup& group, const std::vector<Points>& x) {
           on.stiffness[i] *
           PushSlope(bend.dot(moved) + line.offsets[i], on.onset);
       const double plane =
-          on.plane_stiffness[i] *
-          PushSlope(-out.dot(moved) - on.clearance[i], on.onset);
+          on.plane_stiffness[i] * PushSlope(-out.dot(moved), on.plane_onset);
       const Index row = group.Row(i, a);
       AddToDiagonal(row,
                     along * Matrix3d::Identity() +
@@ -353,15 +350,15 @@ VectorXd ForceRates(const PosedGroup& group,
       const RowVector3d out_rate = TurnedBy(rate[i], out);
       const RowVector3d speed = VelocityOf(line.carried.row(i), rate[i]);
       const double bent = bend.dot(moved) + line.offsets[i];
-      const double pressed = -out.dot(moved) - on.clearance[i];
+      const double pressed = -out.dot(moved);
       at(i, a) += (-on.stiffness[i] *
                        (PushSlope(bent, on.onset) *
                             (bend_rate.dot(moved) - bend.dot(speed)) * bend +
                         Push(bent, on.onset) * bend_rate) +
                    on.plane_stiffness[i] *
-                       (PushSlope(pressed, on.onset) *
+                       (PushSlope(pressed, on.plane_onset) *
                             (out.dot(speed) - out_rate.dot(moved)) * out +
-                        Push(pressed, on.onset) * out_rate) +
+                        Push(pressed, on.plane_onset) * out_rate) +
                    on.hold[i] * speed)
                       .transpose();
     }

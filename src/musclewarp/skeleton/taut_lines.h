@@ -15,16 +15,16 @@ namespace musclewarp {
 //
 //   sum |x_(i+1) - x_i|^2 / (2 l_i)             the band, equally stretched
 //   + sum k_i P(u_i' . (x_i - p_i') + z_i)      its supports (stiffness, bends)
-//   + sum c_i P(-n_i' . (x_i - p_i') - d_i)     its planes (plane_stiffness)
+//   + sum c_i P(-n_i' . (x_i - p_i'))           its planes (plane_stiffness)
 //   + sum h_i / 2 |x_i - p_i'|^2                where it is held (hold)
 //   + sum t_i / 2 |x_i - y_i - r_i'|^2          ties to other lines y (ties)
 //
 // with the ends on their bodies. Here p are the points at rest, l the lengths
-// of the segments, d the clearances, and primes mean: moved with the body of
-// the point; r' is the mean of what the bodies of both lines make of the
-// difference at rest. P' is 0 for negative arguments, g^2 / (2 w) up to the
-// onset w, and g - w / 2 beyond it; z_i is such that the supports bear exactly
-// the loads at rest.
+// of the segments, and primes mean: moved with the body of the point; r' is the
+// mean of what the bodies of both lines make of the difference at rest. P' is 0
+// for negative arguments, g^2 / (2 w) up to the onset w (of planes:
+// plane_onset), and g - w / 2 beyond it; z_i is such that the supports bear
+// exactly the loads at rest.
 //
 // E is strictly convex, so that the shape is unique and a continuous function
 // of the pose, without history. At rest it is the line at rest, and a rigid
