@@ -8,7 +8,8 @@
 #
 # usage: benchmarks/validation.sh DATA [OUT] [options]
 #
-#   DATA             the folder with lhdl_hip, bodyparts3d and literature
+#   DATA             the folder with lhdl_hip, bodyparts3d, bodyparts3d_shank,
+#                    bodyparts3d_shoulder and literature
 #   OUT              where the runs are kept; without it they are removed
 #   --all            also the thigh of BodyParts3D, which takes minutes more
 #   --pictures       also pictures of the ends of the motions, before and after;
@@ -40,7 +41,7 @@ for word in "$@"; do
   esac
 done
 [[ -n $data ]] || usage
-for part in lhdl_hip bodyparts3d literature; do
+for part in lhdl_hip bodyparts3d bodyparts3d_shank bodyparts3d_shoulder literature; do
   if [[ ! -d $data/$part ]]; then
     echo "validation: $data has no folder $part" >&2
     exit 2
@@ -88,7 +89,7 @@ deform() {
     echo "validation: musclewarp-deform failed with exit code $code" >&2
     exit 1
   fi
-  echo "musclewarp-deform ${words[*]} --data_root=DATA --out=OUT/$name" \
+  echo "musclewarp-deform ${words[*]/$out/OUT} --data_root=DATA --out=OUT/$name" \
     >"$out/$name/command.txt"
   echo "validation: $name took $((SECONDS - started)) s"
 }
@@ -110,6 +111,52 @@ fi
 deform bodyparts3d_hip data/scenes/bodyparts3d_hip.json
 deform bodyparts3d_hamstrings data/scenes/bodyparts3d_hamstrings.json
 [[ -z $all ]] || deform bodyparts3d_thigh data/scenes/bodyparts3d_thigh.json
+
+# Lines that are made from the meshes, taut and guided, over joints that are
+# found on the bones.
+# articulate NAME MOTION FOLDER "SOFT PART..." BONE...: the scene in OUT/NAME_scene
+# from meshes of a folder of DATA, of which each is FOLDER/PART.obj or a path.
+articulate() {
+  local name=$1 motion=$2 folder=$3 part muscles=() bones=()
+  for part in $4; do muscles+=("$data/$folder/$part.obj"); done
+  shift 4
+  for part in "$@"; do
+    [[ $part == */* ]] || part=$folder/$part
+    bones+=("$data/$part.obj")
+  done
+  local words=("--muscles=$(IFS=,; echo "${muscles[*]}")" "--motion=$motion" --side=right
+    "${bones[@]}")
+  if [[ -z $reuse || ! -e $out/${name}_scene/scene.json ]]; then
+    "$programs/musclewarp-articulate" --out="$out/${name}_scene" "${words[@]}" \
+      >"$out/${name}_scene.log" 2>&1
+  fi
+  made "$name" "$out/${name}_scene/scene.json"
+}
+made() {
+  deform "$1" "$2"
+  deform "$1_guided" "$2" --made_lines=guided
+}
+knee='semimembranosus semitendinosus biceps_femoris_long biceps_femoris_short gracilis'
+thigh=(hip_bone femur bodyparts3d/tibia bodyparts3d/fibula)
+articulate made_knee knee_angle_r:0:90:10 bodyparts3d/uniform "$knee" "${thigh[@]}"
+articulate made_hamstrings hip_flexion_r:-10:100:12 bodyparts3d/uniform "$knee" "${thigh[@]}"
+calf=(calcaneal_tendon extensor_digitorum_longus extensor_hallucis_longus fibularis_tertius
+  flexor_hallucis_longus gastrocnemius_lateral gastrocnemius_medial plantaris popliteus soleus
+  tibialis_anterior tibialis_posterior)
+foot=()
+for file in "$data"/bodyparts3d_shank/uniform/*.obj; do
+  part=$(basename "$file" .obj)
+  [[ " ${calf[*]} " == *" $part "* ]] || foot+=("$part")
+done
+articulate made_ankle ankle_angle_r:20:-30:11 bodyparts3d_shank/uniform "${calf[*]}" "${foot[@]}"
+articulate made_gastrocnemii knee_angle_r:0:90:10 bodyparts3d_shank/uniform "${calf[*]}" "${foot[@]}"
+made made_hip data/scenes/lhdl_hip_made_lines.json
+cuff='deltoid_acromial deltoid_clavicular deltoid_spinal infraspinatus subscapularis
+  supraspinatus teres_major teres_minor'
+articulate made_abduction arm_add_r:0:-80:9 bodyparts3d_shoulder/uniform "$cuff" \
+  scapula clavicle humerus
+articulate made_arm_flexion arm_flex_r:0:80:9 bodyparts3d_shoulder/uniform "$cuff" \
+  scapula clavicle humerus
 if [[ -n $table ]]; then
   scripts/compare_moment_arms.py motion "$table" hip_flexion_r "$out/opensim.mot"
   deform opensim $hip --motion="$out/opensim.mot" --contact=none

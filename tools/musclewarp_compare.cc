@@ -7,6 +7,7 @@
 #include "musclewarp/program/program.h"
 #include "tools/compare_command.h"
 #include "tools/convergence_command.h"
+#include "tools/literature_command.h"
 #include "tools/posture_command.h"
 
 namespace musclewarp {
@@ -16,20 +17,24 @@ const ProgramText kText = {
     "musclewarp-compare --scene=FILE [--out=DIR] [flags]\n"
     "musclewarp-compare --convergence --scene=FILE [--out=DIR] [flags]\n"
     "musclewarp-compare --posture=MESH --in=RUN --muscle=NAME [--frame=N] "
-    "[--out=DIR]\n\n"
+    "[--out=DIR]\n"
+    "musclewarp-compare --literature=TABLE.csv --in=RUN [--out=DIR]\n\n"
     "Solves the poses of a scene with several solvers and puts iterations, "
     "times, cost,\nvolume, distance to the reference and intersections side "
     "by side.\nWith --convergence, solves them with hulls, samples and "
     "meshes of several sizes, and says\nhow far each shape is from that with "
     "the finest.\nWith --posture, compares a muscle of a frame with a mesh "
     "that was segmented in that\nposture: distances of the surfaces, volumes "
-    "and their overlap.\nExit code: 0 the table is complete (a solver that "
+    "and their overlap.\nWith --literature, compares the moment arms of a run "
+    "with measured ones.\nExit code: 0 the table is complete (a solver that "
     "failed is a row that says so),\n2 bad input.",
     {{"musclewarp-compare --scene=hip.json --frames=0:10 --out=compared",
       "solves eleven poses with all solvers"},
      {"musclewarp-compare --posture=bent.ply --in=run --muscle=psoas "
       "--frame=10",
-      "compares a muscle of a frame with one that was segmented"}},
+      "compares a muscle of a frame with one that was segmented"},
+     {"musclewarp-compare --literature=measured.csv --in=run",
+      "compares the moment arms of a run with measured ones"}},
     {"scene", "out", "frames", "configurations", "contact"}};
 
 // All settings of the program.
@@ -38,6 +43,7 @@ struct Settings {
   DeformerSettings deformer;
   CompareSettings compare;
   PostureOptions posture;
+  LiteratureOptions literature;
   ConvergenceSettings convergence;
 };
 
@@ -72,6 +78,27 @@ void RefuseFlags(const std::vector<const char*>& flags,
     if (!IsGiven(flag)) continue;
     throw InputError(std::string("--") + flag, problem, advice);
   }
+}
+
+LiteratureOptions LiteratureOptionsOf(const Settings& settings) {
+  RefuseFlags({"scene",
+               "motion",
+               "frames",
+               "frame",
+               "muscle",
+               "mesh",
+               "posture",
+               "configurations",
+               "contact",
+               "repeat",
+               "convergence"},
+              "cannot be used with --literature, which compares a run with a "
+              "table",
+              "leave one of them out");
+  LiteratureOptions options = settings.literature;
+  options.in = settings.posture.in;
+  options.out = settings.compare.out;
+  return options;
 }
 
 PostureOptions PostureOptionsOf(const Settings& settings) {
@@ -110,9 +137,12 @@ ConvergenceOptions ConvergenceOptionsOf(const Settings& settings) {
 // flags that mean nothing without it.
 bool ComparesPostures(const Settings& settings) {
   if (!settings.posture.posture.empty()) return true;
-  RefuseFlags({"mesh", "in", "frame", "muscle", "posture_spacing"},
+  RefuseFlags({"mesh", "frame", "muscle", "posture_spacing"},
               "needs --posture",
               "give the mesh that was segmented in the posture");
+  RefuseFlags({"in"},
+              "needs --posture or --literature",
+              "give the mesh of a posture, or a table of measured arms");
   return false;
 }
 
@@ -126,6 +156,9 @@ bool StudiesConvergence(const Settings& settings) {
 }
 
 int Run(const Settings& settings) {
+  if (!settings.literature.literature.empty()) {
+    return LiteratureCommand(LiteratureOptionsOf(settings), std::cout);
+  }
   if (ComparesPostures(settings)) {
     return PostureCommand(PostureOptionsOf(settings), std::cout);
   }
@@ -145,6 +178,7 @@ int main(int argc, char** argv) {
   RegisterFlags(&settings.compare);
   RegisterFlags(&settings.convergence);
   RegisterFlags<PostureSettings>(&settings.posture);
+  RegisterFlags<LiteratureSettings>(&settings.literature);
   RegisterFlags(&settings.deformer, {"contact", "solver", "fibres", "cache"});
   RegisterFlags<ThreadSettings>(&settings.run);
   return RunProgram(

@@ -36,7 +36,8 @@ constexpr auto FieldsOf(Described<PostureSettings>) {
           .Text("with {posture}, mesh file to compare")
           .Path(),
       Field(&S::in, "in")
-          .Text("with {posture}, folder of a run of musclewarp-deform")
+          .Text("with {posture} or {literature}, folder of a run of "
+                "musclewarp-deform")
           .Path(),
       Field(&S::frame, "frame")
           .Text("with {posture}, frame of {in}, last or a number; without it "

@@ -21,6 +21,7 @@ import dostal
 import fine_fibres
 import frames
 import literature
+import made_lines
 import pictures
 import straight
 import stretch
@@ -85,12 +86,16 @@ def sections_of(data, out, plots, render):
     """The sections, and the runs that are asked something, by name."""
     runs = finished_runs(out, [*MOTIONS, *POSES])
     by_found = finished_runs(out, [FOUND])[FOUND]
+    names = made_lines.MOTIONS
+    guided = [name + made_lines.GUIDED for name in names]
+    made = finished_runs(out, [*names, *guided])
     motions, every = [runs[name] for name in MOTIONS], list(runs.values())
     flexion, *others = motions
     sections = [
         arms.opensim_section(flexion, data, out, REPOSITORY / "docs/results.md"),
-        literature.fibres_section(motions, by_found, data, plots, psoas_number=6),
+        literature.fibres_section(motions, by_found, data, plots, psoas_number=7),
         fine_fibres.fine_section(motions, data, fibres_number=2),
+        made_lines.made_lines_section(made, data, plots),
         straight.pairs_section(flexion, data),
         dostal.dostal_section(motions, data),
         arms.psoas_section(flexion, data, plots),

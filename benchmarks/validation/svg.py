@@ -38,6 +38,14 @@ class Curve:
     width: float = 2
 
 
+@dataclasses.dataclass
+class Dots:
+    label: str
+    x: np.ndarray
+    y: np.ndarray
+    color: str
+
+
 def ticks(low, high, about=7):
     """Returns round numbers from low to high."""
     step = 10 ** math.floor(math.log10((high - low) / about))
@@ -53,8 +61,9 @@ def color_style(item):
     if isinstance(item, Curve):
         dashes = f' stroke-dasharray="{item.dashes}"' if item.dashes else ""
         return f'fill="none" stroke="{item.color}" stroke-width="{item.width}"{dashes}'
-    if item.filled:
-        return f'fill="{item.color}" fill-opacity="{item.opacity}" stroke="none"'
+    if isinstance(item, Dots) or item.filled:
+        opacity = 1 if isinstance(item, Dots) else item.opacity
+        return f'fill="{item.color}" fill-opacity="{opacity}" stroke="none"'
     return f'fill="none" stroke="{item.color}" stroke-width="2"'
 
 
@@ -65,7 +74,7 @@ class Plot:
         self.title, self.x_label, self.y_label = title, x_label, y_label
         self.items = items
         x = np.concatenate([item.x for item in items])
-        y = [[i.y] if isinstance(i, Curve) else [i.low, i.high] for i in items]
+        y = [[i.low, i.high] if isinstance(i, Band) else [i.y] for i in items]
         y = np.concatenate([values for pair in y for values in pair])
         margin = 0.05 * (y.max() - y.min() or 1)
         self.x_range = x.min(), x.max()
@@ -86,6 +95,12 @@ class Plot:
         if isinstance(item, Curve):
             points = self._points(item.x, item.y)
             return f'<polyline {color_style(item)} points="{points}"/>'
+        if isinstance(item, Dots):
+            return "".join(
+                f'<circle {color_style(item)} cx="{self._x(x):.1f}" '
+                f'cy="{self._y(y):.1f}" r="3.5"/>'
+                for x, y in zip(item.x, item.y)
+            )
         x = np.concatenate([item.x, item.x[::-1]])
         points = self._points(x, np.concatenate([item.low, item.high[::-1]]))
         return f'<polygon {color_style(item)} points="{points}"/>'

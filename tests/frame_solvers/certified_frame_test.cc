@@ -40,6 +40,7 @@ struct SeparatedScene {
                           requirements,
                           state,
                           {},
+                          {},
                           std::vector<SolverSummary>(scene.muscles.size()),
                           meshes.get());
   }

@@ -102,8 +102,11 @@ TEST(Guides, LinesThatFollowEachOtherAreOnePath) {
 // The factors by which the segments of a straight muscle are stretched that has
 // a belly of `belly` mm and a tendon, 100 mm together, if all of it is by
 // `stretch`.
-Eigen::VectorXd StretchesOfSegments(double belly, double stretch) {
-  const ActionLine line = Line("line", {{0, 0, 0}, {100, 0, 0}}, "pelvis");
+Eigen::VectorXd StretchesOfSegments(double belly,
+                                    double stretch,
+                                    bool is_taut = false) {
+  ActionLine line = Line("line", {{0, 0, 0}, {100, 0, 0}}, "pelvis");
+  if (is_taut) line.supports.emplace();
   // Ten points in a millimetre of the belly, one in two of the tendon.
   std::vector<double> places;
   for (double x = 0.05; x < belly; x += 0.1) places.push_back(x);
@@ -129,6 +132,36 @@ TEST(Guides, TendonsKeepTheirLength) {
     // The seventh segment lies between belly and tendon.
     EXPECT_NEAR(factors[0] - 1, (stretch - 1) / 0.7, 0.005);
   }
+}
+
+// Along taut lines the tendon keeps its length up to larger stretches.
+TEST(Guides, TautTendonsKeepTheirLengthLonger) {
+  const double taut = StretchesOfSegments(50, 0.9, true)[9];
+  EXPECT_LT(std::abs(taut - 1), 0.04);
+  EXPECT_GT(std::abs(StretchesOfSegments(50, 0.9)[9] - 1), 0.07);
+}
+
+// What runs along a tendon with a mesh of its own keeps its length, also where
+// a belly lies beside it; where nothing else bears the stretch, all of it does.
+TEST(Guides, TendonsWithAMeshKeepTheirLength) {
+  ActionLine line = Line("line", {{0, 0, 0}, {100, 0, 0}}, "pelvis");
+  line.supports.emplace();
+  InsidePoints inside;
+  inside.is_tendon = true;
+  inside.own = Points::Zero(50, 3);
+  inside.own.col(0).setLinSpaced(0, 49);
+  inside.beyond = Points::Zero(1000, 3);
+  inside.beyond.col(0).setLinSpaced(0, 100);
+  inside.weights = Eigen::VectorXd::Ones(1000);
+  const auto moved = [&](const InsidePoints& points) {
+    const Guides guides = GuidesOf({line}, LineRule::kTendon, points);
+    return GuideTargets(guides, {{1.02 * line.rest, {}}})[0].points;
+  };
+  EXPECT_NEAR(moved(inside)(5, 0), 50, 0.05);
+  inside.beyond.resize(0, 3);
+  inside.weights.resize(0);
+  inside.own.col(0).setLinSpaced(0, 100);
+  EXPECT_NEAR(moved(inside)(5, 0), 51, 1e-9);
 }
 
 // The tendon of a short belly gives earlier, so that no belly is stretched by a

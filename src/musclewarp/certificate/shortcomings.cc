@@ -170,7 +170,10 @@ void AddShortcomingsOf(const JudgedMuscle& judged,
   }
   const double body_size = requirements.body_size;
   const double depth = muscle.depth_without_contact;
-  const double farthest = LargestDisplacement(requirements, muscle);
+  const double farthest =
+      std::max({LargestDisplacement(requirements, muscle),
+                judged.moved_at_rest + requirements.displacement_allowance,
+                requirements.least_displacement});
   if (!(muscle.max_contact_displacement <= farthest)) {
     std::ostringstream chain;
     if (muscle.pushed_by.size() > 1) {
@@ -206,6 +209,7 @@ bool FrameRequirements::IsValid(std::string* error) const {
       .IsWithin("max_folded_fraction", max_folded_fraction, 0, 1)
       .IsAtLeast("displacement_per_depth", displacement_per_depth, 0)
       .IsAtLeast("displacement_allowance", displacement_allowance, 0)
+      .IsAtLeast("least_displacement", least_displacement, 0)
       .IsWithin("touching_distance", touching_distance, 0, kMeshGapLimit)
       .IsWithin("gap", gap, 0, kMeshGapLimit)
       .is_valid();

@@ -48,6 +48,10 @@ struct FrameRequirements {
   double displacement_per_depth = 2;
   double displacement_allowance = 1;
 
+  // A displacement by contact that no frame is blamed for, mm: contact acts on
+  // hulls whose vertices are some 10 mm apart.
+  double least_displacement = 2.5;
+
   // Muscles that are nearer to each other than this, mm, at most kMeshGapLimit,
   // pass a push on.
   double touching_distance = 0.5;
@@ -69,6 +73,10 @@ struct JudgedMuscle {
   double delivered_volume = 0;  // mm^3
   int num_triangles = 0;        // of the fine mesh
   SurfaceReconstruction reconstruction;
+
+  // How far contact moved a vertex of it in the separated rest pose, mm, which
+  // a frame may keep; 0 for the rest pose itself.
+  double moved_at_rest = 0;
 };
 
 // Returns how far contact may move a vertex of a muscle, mm: what

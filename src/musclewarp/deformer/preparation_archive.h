@@ -164,13 +164,8 @@ MUSCLEWARP_ARCHIVE(MeshPreparation,
 // Prepared scenes.
 
 MUSCLEWARP_ARCHIVE(SegmentPoint, line, segment, t)
-MUSCLEWARP_ARCHIVE(GuidePath,
-                   lines,
-                   shares,
-                   places,
-                   rest_length,
-                   compliance,
-                   half_borne)
+MUSCLEWARP_ARCHIVE(
+    GuidePath, lines, shares, places, rest_length, compliance, half_borne)
 MUSCLEWARP_ARCHIVE(Guides, rule, lines, paths)
 MUSCLEWARP_ARCHIVE(RotationField, places, weights)
 MUSCLEWARP_ARCHIVE(SoftCarrier, lines, guides, field)
@@ -259,7 +254,12 @@ MUSCLEWARP_ARCHIVE_WITHOUT(PreparedScene,
 
 // The separated rest pose.
 
-MUSCLEWARP_ARCHIVE_WITHOUT(
-    RestResult, (wall_ms), state, intersections, displaced, reconstructed)
+MUSCLEWARP_ARCHIVE_WITHOUT(RestResult,
+                           (wall_ms),
+                           state,
+                           intersections,
+                           displaced,
+                           moved,
+                           reconstructed)
 
 }  // namespace musclewarp

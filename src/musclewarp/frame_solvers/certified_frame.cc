@@ -105,10 +105,14 @@ void MeasureContact(const PreparedScene& scene,
 // Lists the violated requirements as shortcomings of the frame.
 void Judge(const PreparedScene& scene,
            const FrameRequirements& requirements,
+           const std::vector<double>& moved_at_rest,
            Frame* frame) {
   std::vector<JudgedMuscle> muscles;
   for (size_t i = 0; i < frame->muscles.size(); ++i) {
     muscles.push_back(JudgedMuscleOf(scene.muscles[i], frame->muscles[i]));
+    if (!moved_at_rest.empty()) {
+      muscles.back().moved_at_rest = moved_at_rest[i];
+    }
   }
   frame->shortcomings =
       Shortcomings(requirements, frame->intersections, muscles);
@@ -140,17 +144,17 @@ void AddBoneOverlaps(const PreparedScene& scene,
   frame->bone_overlaps = BoneOverlaps(meshes.bones(), bodies);
 }
 
-// Returns the indices of the muscles whose displacement by contact in the
-// separated rest pose exceeds the requirements. `intersections`: those of the
-// rest pose.
-std::vector<int> MusclesDisplacedAtRest(const PreparedScene& scene,
-                                        const CertifiedScene& certified,
-                                        const FrameRequirements& requirements,
-                                        const SceneIntersections& intersections,
-                                        SceneMeshes* meshes) {
+// Sets how far contact moves the muscles in the separated rest pose, and the
+// muscles for which this exceeds the requirements. result->intersections are
+// those of the rest pose.
+void MeasureDisplacements(const PreparedScene& scene,
+                          const CertifiedScene& certified,
+                          const FrameRequirements& requirements,
+                          SceneMeshes* meshes,
+                          RestResult* result) {
   Frame rest;
   MuscleShapes shapes = ShapesOf(certified, certified.rest);
-  rest.intersections = intersections;
+  rest.intersections = result->intersections;
   for (const PreparedBone& bone : scene.bones) {
     rest.bones.push_back(bone.rest.points);
   }
@@ -165,14 +169,13 @@ std::vector<int> MusclesDisplacedAtRest(const PreparedScene& scene,
                  requirements.touching_distance,
                  meshes,
                  &rest);
-  std::vector<int> displaced;
   for (size_t i = 0; i < rest.muscles.size(); ++i) {
+    result->moved.push_back(rest.muscles[i].max_contact_displacement);
     if (rest.muscles[i].max_contact_displacement >
         LargestDisplacement(requirements, rest.muscles[i])) {
-      displaced.push_back(static_cast<int>(i));
+      result->displaced.push_back(static_cast<int>(i));
     }
   }
-  return displaced;
 }
 
 }  // namespace
@@ -181,6 +184,7 @@ Frame CertifiedFrame(const PreparedScene& scene,
                      const CertifiedScene& certified,
                      const FrameRequirements& requirements,
                      const ContactState& state,
+                     const std::vector<double>& moved_at_rest,
                      const std::vector<Points>& before,
                      std::vector<SolverSummary> summaries,
                      SceneMeshes* meshes,
@@ -198,7 +202,7 @@ Frame CertifiedFrame(const PreparedScene& scene,
   FrameRequirements with_gap = requirements;
   with_gap.gap = std::max(requirements.gap, certified.options.step.gap);
   with_gap.body_size = scene.scene.body_size;
-  Judge(scene, with_gap, &frame);
+  Judge(scene, with_gap, moved_at_rest, &frame);
   AddBoneOverlaps(scene, *meshes, &frame);
   return frame;
 }
@@ -210,8 +214,7 @@ RestResult RestResultOf(const PreparedScene& scene,
   RestResult result;
   result.intersections =
       IntersectAtRest(scene, ShapesOf(certified, certified.rest).fine, meshes);
-  result.displaced = MusclesDisplacedAtRest(
-      scene, certified, requirements, result.intersections, meshes);
+  MeasureDisplacements(scene, certified, requirements, meshes, &result);
   result.state = std::move(certified.rest);
   return result;
 }

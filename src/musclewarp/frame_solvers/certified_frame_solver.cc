@@ -41,7 +41,8 @@ CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
                                            RestResult rest)
     : FrameSolver(scene, options, std::move(meshes)),
       certified_(RestoreCertifiedScene(
-          scene, *meshes_, options.certified, std::move(rest.state))) {
+          scene, *meshes_, options.certified, std::move(rest.state))),
+      moved_at_rest_(std::move(rest.moved)) {
   contact_.rest = std::move(rest.intersections);
   contact_.displaced_at_rest = std::move(rest.displaced);
   contact_.gap = options.certified.step.gap;
@@ -86,6 +87,7 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
                                  certified_,
                                  options_.requirements,
                                  moved.motion.state,
+                                 moved_at_rest_,
                                  points_before,
                                  moved.motion.summary.summaries,
                                  meshes_.get(),

@@ -94,6 +94,13 @@ bool HasAllWords(const std::string& muscle, const std::string& measured) {
          });
 }
 
+// Returns true if a measured arm is that of the tendon of a muscle.
+bool PullsOn(const std::string& measured, const std::string& muscle) {
+  return HasAllWords("calcaneal_tendon", measured) &&
+         (HasAllWords(muscle, "soleus") ||
+          HasAllWords(muscle, "gastrocnemius"));
+}
+
 // Returns whether a coordinate of a run is the measured one, and if so whether
 // it counts the other way.
 std::optional<bool> TurnedIn(const ArmsOfRun::Coordinate& coordinate,
@@ -132,6 +139,8 @@ MeasuredArms ReadMeasuredArms(const std::string& path) {
     arm.arm_mm = *value;
     arm.sd_mm = table.Number(row, "sd_mm");
     arm.source = table.Text(row, "source");
+    arm.method = table.Text(row, "method");
+    arm.condition = table.Text(row, "condition");
     for (const char* column :
          {"method", "condition", "read_as", "where", "doi_or_pmcid"}) {
       const std::string text = table.Text(row, column);
@@ -143,10 +152,39 @@ MeasuredArms ReadMeasuredArms(const std::string& path) {
   return measured;
 }
 
+void AddArms(const std::vector<std::string>& rotations,
+             const std::vector<FrameFigures>& frames,
+             ArmsOfRun* arms) {
+  for (const FrameFigures& frame : frames) {
+    for (const MuscleFigures& muscle : frame.muscles) {
+      if (std::count(arms->muscles.begin(), arms->muscles.end(), muscle.name) ==
+          0) {
+        arms->muscles.push_back(muscle.name);
+      }
+    }
+  }
+  for (const std::string& name : rotations) {
+    if (std::any_of(arms->coordinates.begin(),
+                    arms->coordinates.end(),
+                    [&](const auto& other) { return other.name == name; })) {
+      continue;
+    }
+    arms->coordinates.push_back({name, 0});
+    double& lowest = arms->coordinates.back().lowest_deg;
+    for (const FrameFigures& frame : frames) {
+      const auto value = frame.coordinates.find(name);
+      if (value == frame.coordinates.end()) continue;
+      lowest = std::min(lowest, value->second);
+    }
+  }
+}
+
 std::optional<ArmPlace> PlaceOf(const MeasuredArm& arm, const ArmsOfRun& run) {
   ArmPlace place;
   for (const std::string& muscle : run.muscles) {
-    if (HasAllWords(muscle, arm.muscle)) place.muscles.push_back(muscle);
+    if (HasAllWords(muscle, arm.muscle) || PullsOn(arm.muscle, muscle)) {
+      place.muscles.push_back(muscle);
+    }
   }
   if (place.muscles.empty()) return std::nullopt;
   for (const ArmsOfRun::Coordinate& coordinate : run.coordinates) {

@@ -332,31 +332,8 @@ OrderedJson MeasuredJson(const MeasuredArms& measured, const ArmsOfRun& run) {
 
 ArmsOfRun ArmsOf(const std::vector<RecordedRun>& runs) {
   ArmsOfRun arms;
-  std::set<std::string> muscles, coordinates;
   for (const RecordedRun& run : runs) {
-    for (const RecordedMuscle& muscle : run.muscles) {
-      if (muscles.insert(muscle.name).second) {
-        arms.muscles.push_back(muscle.name);
-      }
-    }
-    const OrderedJson motion = run.report.value("motion", OrderedJson());
-    if (motion.is_null()) continue;
-    for (const OrderedJson& coordinate : motion.at("coordinates")) {
-      const std::string name = coordinate.at("name");
-      if (!coordinate.at("moves").get<bool>() ||
-          coordinate.at("unit") != "degrees" ||
-          !coordinates.insert(name).second) {
-        continue;
-      }
-      arms.coordinates.push_back({name, 0});
-      double& lowest = arms.coordinates.back().lowest_deg;
-      for (const FrameFigures& frame : run.frames) {
-        const auto value = frame.coordinates.find(name);
-        if (value != frame.coordinates.end()) {
-          lowest = std::min(lowest, value->second);
-        }
-      }
-    }
+    AddArms(MovingRotations(run.report), run.frames, &arms);
   }
   return arms;
 }

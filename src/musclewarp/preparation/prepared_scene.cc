@@ -58,10 +58,6 @@ Surroundings SurroundingsOf(const PreparedScene& scene) {
   return surroundings;
 }
 
-bool Contains(const std::vector<int>& numbers, int number) {
-  return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
-}
-
 // Prepares all data that depends on the mesh of a muscle, except its hull and
 // attachments: `hull` is the coarse mesh, and `muscle` has the attachments of
 // the scene or the detected ones.
@@ -82,9 +78,8 @@ void PrepareModel(const Surroundings& surroundings,
   MuscleInterior interior;
   if (!muscle.lines.empty()) {
     std::vector<const TriangleSoup*> beyond;
-    const bool is_taut = options.made_lines == LineCourse::kTaut;
-    for (const int other : prepared->lines_through) {
-      if (is_taut && Contains(prepared->tied_to, other)) continue;
+    for (const int other : BesideTendons(
+             options.made_lines, prepared->lines_through, prepared->tied_to)) {
       beyond.push_back(&surroundings.muscle(other));
     }
     interior = InteriorOf(fine, bodies, ends, beyond, options.fibres);
@@ -204,6 +199,10 @@ void AddLines(const Surroundings& surroundings,
     prepared->muscles[m].lines_through = std::move(made[m].through);
     prepared->muscles[m].tied_to = std::move(made[m].tied_to);
   }
+}
+
+bool MakesLines(const PrepareOptions& options, const Scene& scene) {
+  return options.makes_lines && NeedsLines(scene, options.made_lines);
 }
 
 // Finds crossing bones, and poses that dislocate joints.
@@ -348,8 +347,7 @@ PreparedScene PrepareScene(const Scene& scene,
   const size_t num_bones = scene.bones.size();
   const size_t num_muscles = scene.muscles.size();
   const size_t num_meshes = num_bones + num_muscles;
-  const bool makes_lines =
-      options.makes_lines && NeedsLines(scene, options.made_lines);
+  const bool makes_lines = MakesLines(options, scene);
   const size_t num_steps =
       num_meshes + (makes_lines ? 2 * num_muscles : num_muscles);
   const auto say_progress = SayingProgress(num_steps, on_progress);

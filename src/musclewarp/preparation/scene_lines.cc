@@ -201,4 +201,15 @@ std::vector<ContinuedLines> MakeSceneLines(
   return made;
 }
 
+std::vector<int> BesideTendons(LineCourse course,
+                               const std::vector<int>& through,
+                               const std::vector<int>& tied_to) {
+  std::vector<int> beside;
+  for (const int part : through) {
+    if (course == LineCourse::kTaut && Contains(tied_to, part)) continue;
+    beside.push_back(part);
+  }
+  return beside;
+}
+
 }  // namespace musclewarp

@@ -42,4 +42,10 @@ std::vector<ContinuedLines> MakeSceneLines(
     const std::function<void(size_t m, size_t done)>& on_item,
     const Scene& scene);
 
+// Returns of the soft parts `through` which lines go on those that are no
+// tendons to which the muscle is tied. Guided lines count them all.
+std::vector<int> BesideTendons(LineCourse course,
+                               const std::vector<int>& through,
+                               const std::vector<int>& tied_to);
+
 }  // namespace musclewarp

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <utility>
 
-#include "musclewarp/mesh/transformed.h"
 #include "musclewarp/skeleton/banded_cholesky.h"
+#include "musclewarp/skeleton/posed_lines.h"
 
 namespace musclewarp {
 namespace {
@@ -32,126 +32,6 @@ double Push(double g, double onset) {
 }
 double PushSlope(double g, double onset) {
   return g <= 0 ? 0 : std::min(g / onset, 1.0);
-}
-
-// Returns z with k P'(z) = load.
-double Offset(double load, double stiffness, double onset) {
-  if (stiffness <= 0) return 0;
-  const double push = load / stiffness;
-  return push > onset / 2 ? push + onset / 2 : std::sqrt(2 * onset * push);
-}
-
-RowVector3d TurnedBy(const Eigen::Matrix4d& motion,
-                     const RowVector3d& at_rest) {
-  return at_rest * motion.topLeftCorner<3, 3>().transpose();
-}
-
-// The terms of one line, moved with its bodies.
-struct PosedLine {
-  const LineSupports* supports;
-  VectorXd lengths;  // of the segments at rest, #P - 1
-  VectorXd offsets;  // z, #P
-  Points carried, bends, outward;
-};
-
-// The terms between two lines of a group.
-struct PosedTie {
-  int a, b;
-  const VectorXd* stiffness;
-  Points difference;  // d', #P x 3
-};
-
-// Lines that are solved together, as they are tied to each other.
-struct PosedGroup {
-  std::vector<int> members;  // indices of the lines
-  std::vector<PosedLine> lines;
-  std::vector<PosedTie> ties;
-  Index num_points;
-
-  int size() const { return static_cast<int>(lines.size()); }
-
-  // The row of the first of the three unknowns of an inner point.
-  Index Row(Index point, int line) const {
-    return 3 * ((point - 1) * size() + line);
-  }
-  Index num_unknowns() const { return 3 * (num_points - 2) * size(); }
-};
-
-PosedLine Posed(const ActionLine& line, const PointMotions& motions) {
-  const Index count = line.rest.rows();
-  CHECK_EQ(static_cast<Index>(motions.size()), count);
-  const LineSupports& supports = *line.supports;
-  PosedLine posed;
-  posed.supports = &supports;
-  posed.lengths =
-      (line.rest.bottomRows(count - 1) - line.rest.topRows(count - 1))
-          .rowwise()
-          .norm();
-  posed.offsets.resize(count);
-  posed.carried.resize(count, 3);
-  posed.bends.resize(count, 3);
-  posed.outward.resize(count, 3);
-  for (Index i = 0; i < count; ++i) {
-    posed.offsets[i] =
-        Offset(supports.loads[i], supports.stiffness[i], supports.onset);
-    posed.carried.row(i) = Transformed(line.rest.row(i), motions[i]);
-    posed.bends.row(i) = TurnedBy(motions[i], supports.bends.row(i));
-    posed.outward.row(i) = TurnedBy(motions[i], supports.outward.row(i));
-  }
-  return posed;
-}
-
-Points DifferenceAtRest(const ActionLine& a, const ActionLine& b) {
-  return a.rest - b.rest;
-}
-
-PosedGroup GroupOf(int first,
-                   const std::vector<ActionLine>& lines,
-                   const std::vector<PointMotions>& motions) {
-  PosedGroup group;
-  group.members = {first};
-  for (const LineTie& tie : lines[first].supports->ties) {
-    CHECK_LT(tie.other, static_cast<int>(lines.size()));
-    group.members.push_back(tie.other);
-  }
-  group.num_points = lines[first].rest.rows();
-  for (const int member : group.members) {
-    CHECK_EQ(lines[member].rest.rows(), group.num_points);
-    CHECK(lines[member].supports);
-    group.lines.push_back(Posed(lines[member], motions[member]));
-  }
-  for (int a = 0; a < group.size(); ++a) {
-    for (const LineTie& tie : lines[group.members[a]].supports->ties) {
-      for (int b = a + 1; b < group.size(); ++b) {
-        if (group.members[b] != tie.other) continue;
-        PosedTie& posed = group.ties.emplace_back();
-        posed = {a, b, &tie.stiffness, {}};
-        const Points at_rest =
-            DifferenceAtRest(lines[group.members[a]], lines[tie.other]);
-        posed.difference.resize(group.num_points, 3);
-        for (Index i = 0; i < group.num_points; ++i) {
-          posed.difference.row(i) =
-              (TurnedBy(motions[group.members[a]][i], at_rest.row(i)) +
-               TurnedBy(motions[tie.other][i], at_rest.row(i))) /
-              2;
-        }
-      }
-    }
-  }
-  return group;
-}
-
-// Returns the groups of the taut lines among `lines`.
-std::vector<PosedGroup> Groups(const std::vector<ActionLine>& lines,
-                               const std::vector<PointMotions>& motions) {
-  std::vector<PosedGroup> groups;
-  std::vector<char> is_taken(lines.size(), 0);
-  for (size_t i = 0; i < lines.size(); ++i) {
-    if (is_taken[i] || !lines[i].supports) continue;
-    groups.push_back(GroupOf(static_cast<int>(i), lines, motions));
-    for (const int member : groups.back().members) is_taken[member] = 1;
-  }
-  return groups;
 }
 
 // The functions below take the points of the lines of a group, x.
@@ -365,7 +245,7 @@ VectorXd ForceRates(const PosedGroup& group,
   }
   for (const PosedTie& tie : group.ties) {
     const int a = group.members[tie.a], b = group.members[tie.b];
-    const Points at_rest = DifferenceAtRest(lines[a], lines[b]);
+    const Points at_rest = lines[a].rest - lines[b].rest;
     for (Index i = 1; i < last; ++i) {
       const RowVector3d turning =
           TurnedBy(rates[a][i], TurnedBy(motions[a][i], at_rest.row(i))) +
@@ -384,7 +264,7 @@ std::vector<Points> TautPoints(const std::vector<ActionLine>& lines,
                                const std::vector<PointMotions>& motions) {
   CHECK_EQ(lines.size(), motions.size());
   std::vector<Points> points(lines.size());
-  for (const PosedGroup& group : Groups(lines, motions)) {
+  for (const PosedGroup& group : PosedGroups(lines, motions)) {
     std::vector<Points> solved = Minimum(group);
     for (int a = 0; a < group.size(); ++a) {
       points[group.members[a]] = std::move(solved[a]);
@@ -397,7 +277,7 @@ double TautEnergy(const std::vector<ActionLine>& lines,
                   const std::vector<PointMotions>& motions,
                   const std::vector<Points>& points) {
   double energy = 0;
-  for (const PosedGroup& group : Groups(lines, motions)) {
+  for (const PosedGroup& group : PosedGroups(lines, motions)) {
     std::vector<Points> x;
     for (const int member : group.members) x.push_back(points[member]);
     energy += Energy(group, x);
@@ -411,7 +291,7 @@ std::vector<Points> TautRates(const std::vector<ActionLine>& lines,
                               const std::vector<PointMotions>& rates) {
   CHECK_EQ(lines.size(), rates.size());
   std::vector<Points> velocities(lines.size());
-  for (const PosedGroup& group : Groups(lines, motions)) {
+  for (const PosedGroup& group : PosedGroups(lines, motions)) {
     std::vector<Points> x, of_group;
     for (const int member : group.members) {
       x.push_back(points[member]);
