@@ -19,8 +19,6 @@
 namespace musclewarp {
 namespace {
 
-using PointRows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-
 // Muscles that end on a tendon or a tract that is not part of their mesh, or
 // whose tendon is not all there.
 bool EndsBeforeItsBone(const std::string& muscle, const std::string& landmark) {
@@ -36,17 +34,17 @@ bool EndsBeforeItsBone(const std::string& muscle, const std::string& landmark) {
 
 // The points of a right side in the frame of BonePlace. BodyParts3D has x to
 // the left, y backward and z up.
-PointRows ReadPoints(const std::string& path) {
+Points ReadPoints(const std::string& path) {
   const TriangleSoup mesh = ReadTriangleSoup(path);
-  PointRows points(mesh.vertices.rows(), 3);
-  points.col(0) = -mesh.vertices.col(1);
-  points.col(1) = mesh.vertices.col(2);
-  points.col(2) = -mesh.vertices.col(0);
+  Points points(mesh.points.rows(), 3);
+  points.col(0) = -mesh.points.col(1);
+  points.col(1) = mesh.points.col(2);
+  points.col(2) = -mesh.points.col(0);
   return points;
 }
 
-std::map<std::string, PointRows> ReadSets(const std::string& root) {
-  std::map<std::string, PointRows> meshes;
+std::map<std::string, Points> ReadSets(const std::string& root) {
+  std::map<std::string, Points> meshes;
   for (const char* set :
        {"bodyparts3d", "bodyparts3d_shank", "bodyparts3d_shoulder"}) {
     const std::string folder = root + "/" + set + "/uniform";
@@ -60,8 +58,8 @@ std::map<std::string, PointRows> ReadSets(const std::string& root) {
 }
 
 // The direction in which the bone is longest, from its beginning to its end.
-Eigen::Vector3d AxisOfShape(const PointRows& bone, const std::string& name) {
-  const PointRows centered = bone.rowwise() - bone.colwise().mean();
+Eigen::Vector3d AxisOfShape(const Points& bone, const std::string& name) {
+  const Points centered = bone.rowwise() - bone.colwise().mean();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
       centered.transpose() * centered);
   const Eigen::Vector3d axis = solver.eigenvectors().col(2);
@@ -70,9 +68,7 @@ Eigen::Vector3d AxisOfShape(const PointRows& bone, const std::string& name) {
 
 // The distance (mm) from a bone of those points of a muscle that lie beside
 // the part of the bone's length that a place names.
-double GapAt(const BonePlace& place,
-             const PointRows& muscle,
-             const PointRows& bone) {
+double GapAt(const BonePlace& place, const Points& muscle, const Points& bone) {
   const Eigen::Vector3d axis = AxisOfShape(bone, place.bone);
   const Eigen::VectorXd along_bone = bone * axis;
   const double begin = along_bone.minCoeff();
@@ -95,7 +91,7 @@ TEST(BonePlacesData, AreWhereTheMusclesOfBodyParts3DTouchTheirBones) {
   const double touching = 5;
   const int least_ends = 50;  // the three sets have some 65
   if (DataRoot().empty()) GTEST_SKIP() << kNoDataRoot;
-  const std::map<std::string, PointRows> meshes = ReadSets(DataRoot());
+  const std::map<std::string, Points> meshes = ReadSets(DataRoot());
   int count = 0;
   for (const auto& [name, muscle] : meshes) {
     const MuscleFacts* facts = FindMuscleFacts(name);
