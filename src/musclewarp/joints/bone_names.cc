@@ -67,20 +67,6 @@ const std::map<std::string, BoneKind>& KnownNames() {
   return *names;
 }
 
-std::vector<std::string> WordsOf(const std::string& name) {
-  std::vector<std::string> words(1);
-  for (const char letter : name) {
-    if (std::isalnum(static_cast<unsigned char>(letter)) != 0) {
-      words.back() +=
-          static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    } else if (!words.back().empty()) {
-      words.emplace_back();
-    }
-  }
-  if (words.back().empty()) words.pop_back();
-  return words;
-}
-
 bool IsNumber(const std::string& word) {
   return std::all_of(word.begin(), word.end(), [](unsigned char letter) {
     return std::isdigit(letter) != 0;
@@ -125,6 +111,20 @@ bool HasWordOfOtherBones(const std::vector<std::string>& words) {
 
 }  // namespace
 
+std::vector<std::string> WordsOfName(const std::string& name) {
+  std::vector<std::string> words(1);
+  for (const char letter : name) {
+    if (std::isalnum(static_cast<unsigned char>(letter)) != 0) {
+      words.back() +=
+          static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
 std::string ToString(Side side) {
   return side == Side::kRight ? "right" : "left";
 }
@@ -139,7 +139,7 @@ std::optional<Side> ParseSide(const std::string& text) {
 
 NamedBone ParseBoneName(const std::string& name) {
   NamedBone bone;
-  std::vector<std::string> words = WordsOf(name);
+  std::vector<std::string> words = WordsOfName(name);
   if (words.size() > 1) {
     bone.side = ParseSide(words.back());
     if (bone.side) {
@@ -159,14 +159,14 @@ NamedBone ParseBoneName(const std::string& name) {
 }
 
 std::optional<BoneKind> ParseBoneKind(const std::string& name) {
-  const auto known = KnownNames().find(Joined(WordsOf(name)));
+  const auto known = KnownNames().find(Joined(WordsOfName(name)));
   if (known == KnownNames().end()) return std::nullopt;
   return known->second;
 }
 
 std::vector<std::string> NearestBoneNames(const std::string& name) {
   constexpr size_t kMost = 3;
-  std::vector<std::string> words = WordsOf(name);
+  std::vector<std::string> words = WordsOfName(name);
   if (words.size() > 1 && ParseSide(words.back())) words.pop_back();
   if (words.size() > 1 && ParseSide(words.front())) words.erase(words.begin());
   const std::string joined = Joined(words);

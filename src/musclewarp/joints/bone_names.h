@@ -10,6 +10,10 @@
 
 namespace musclewarp {
 
+// Returns the words of a name in lower case: what lies between signs that are
+// neither letters nor digits.
+std::vector<std::string> WordsOfName(const std::string& name);
+
 // The kind and side of a bone, by its name.
 struct NamedBone {
   // False for a name that is not known as that of a bone.
