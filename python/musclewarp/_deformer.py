@@ -56,6 +56,7 @@ class Deformer(_core.Deformer):
                  solver: str = "ceres",
                  attachments: str = "auto",
                  auto_lines: int = 3,
+                 made_lines: str = "taut",
                  fibres: int = 0,
                  coarse_vertices: int = 200,
                  laplacian: str = "area",

@@ -15,6 +15,8 @@ namespace {
 
 // Studies within this of an angle are about the same angle, degrees.
 constexpr double kNearAngle = 7.5;
+// A motion reaches an angle to this, degrees.
+constexpr double kSameAngle = 0.1;
 // The width of a band beyond what was measured.
 constexpr double kWidening = 0.1;
 constexpr double kSingleStudy = 0.3;
@@ -204,8 +206,9 @@ std::vector<ScoredMuscle> ScoreArms(const MeasuredArms& measured,
         continue;
       }
       const ArmCurve curve = CurveOf(frames, muscle, *place, ArmKind::kPath);
-      if (curve.size() < 2 || *arm.angle_deg < curve.front().angle_deg ||
-          *arm.angle_deg > curve.back().angle_deg) {
+      if (curve.size() < 2 ||
+          *arm.angle_deg < curve.front().angle_deg - kSameAngle ||
+          *arm.angle_deg > curve.back().angle_deg + kSameAngle) {
         continue;
       }
       auto& group = found[{place->coordinate, arm.muscle}];
