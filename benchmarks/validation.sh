@@ -76,21 +76,24 @@ deform() {
   local name=$1 scene=$2 code=0 started=$SECONDS
   shift 2
   local words=("--scene=$scene" "$@")
+  # Scenes in OUT name their files themselves.
+  [[ $scene == "$out"/* ]] || words+=("--data_root=$data")
   if [[ -n $reuse && -e $out/$name/command.txt ]] &&
     grep -q '"finished": *true' "$out/$name/report.json"; then
     echo "validation: $name is there"
     return
   fi
   rm -rf "${out:?}/$name"
-  "$programs/musclewarp-deform" "${words[@]}" --data_root="$data" \
+  "$programs/musclewarp-deform" "${words[@]}" \
     --out="$out/$name" >"$out/$name.log" 2>&1 || code=$?
   if ((code > 1)); then
     tail -n 20 "$out/$name.log" >&2
     echo "validation: musclewarp-deform failed with exit code $code" >&2
     exit 1
   fi
-  echo "musclewarp-deform ${words[*]/$out/OUT} --data_root=DATA --out=OUT/$name" \
-    >"$out/$name/command.txt"
+  local command="musclewarp-deform ${words[*]} --out=$out/$name"
+  command=${command//$out/OUT}
+  echo "${command//$data/DATA}" >"$out/$name/command.txt"
   echo "validation: $name took $((SECONDS - started)) s"
 }
 
