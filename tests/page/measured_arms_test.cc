@@ -69,7 +69,9 @@ TEST(MeasuredArms, FindsMusclesByTheirWords) {
   EXPECT_THAT(muscles("psoas"), ElementsAre("psoas_major_r"));
   EXPECT_THAT(muscles("gastrocnemius_medialis"),
               ElementsAre("gastrocnemius_medial_r"));
-  EXPECT_THAT(muscles("achilles_tendon"), ElementsAre("calcaneal_tendon_r"));
+  // The arm of a tendon is that of the muscles that pull on it.
+  EXPECT_THAT(muscles("achilles_tendon"),
+              ElementsAre("gastrocnemius_medial_r", "calcaneal_tendon_r"));
   EXPECT_THAT(muscles("peroneus_longus"), ElementsAre("fibularis_longus_r"));
   EXPECT_THAT(muscles("gluteus_maximus"), ElementsAre("Gluteus Maximus"));
   EXPECT_THAT(muscles("gluteus_medius"), ElementsAre());
