@@ -168,11 +168,7 @@ int Run(const Settings& settings) {
   return CompareCommand(CompareOptionsOf(settings), std::cout);
 }
 
-}  // namespace
-}  // namespace musclewarp
-
-int main(int argc, char** argv) {
-  using namespace musclewarp;
+int Main(int argc, char** argv) {
   Settings settings;
   RegisterFlags<SceneSettings>(&settings.run);
   RegisterFlags(&settings.compare);
@@ -187,3 +183,8 @@ int main(int argc, char** argv) {
         return Run(settings);
       });
 }
+
+}  // namespace
+}  // namespace musclewarp
+
+int main(int argc, char** argv) { return musclewarp::Main(argc, argv); }

@@ -36,12 +36,12 @@ std::vector<MuscleAtRest> MusclesAtRest(const Scene& scene,
     if (bone.left_out.empty()) surroundings.AddBone(bone.body, bone.rest);
   }
   for (const TriangleSoup& mesh : meshes) surroundings.AddMuscle(mesh);
-  std::vector<ContinuedLines> made = MakeSceneLines(
+  const std::vector<ContinuedLines> made = MakeSceneLines(
       surroundings, {options.auto_lines, options.made_lines}, {}, scene);
   std::vector<MuscleAtRest> muscles(scene.muscles.size());
   for (size_t m = 0; m < muscles.size(); ++m) {
     const std::vector<ActionLine>& given = scene.muscles[m].lines;
-    muscles[m].lines = given.empty() ? std::move(made[m].lines) : given;
+    muscles[m].lines = given.empty() ? made[m].lines : given;
     muscles[m].volume = prepared[m].mesh.delivered_volume;
   }
   return muscles;
