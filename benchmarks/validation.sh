@@ -8,8 +8,8 @@
 #
 # usage: benchmarks/validation.sh DATA [OUT] [options]
 #
-#   DATA             the folder with lhdl_hip, bodyparts3d, bodyparts3d_shank,
-#                    bodyparts3d_shoulder and literature
+#   DATA             the folder with lhdl_hip, bodyparts3d, bodyparts3d_shank
+#                    and literature
 #   OUT              where the runs are kept; without it they are removed
 #   --all            also the thigh of BodyParts3D, which takes minutes more
 #   --pictures       also pictures of the ends of the motions, before and after;
@@ -41,7 +41,7 @@ for word in "$@"; do
   esac
 done
 [[ -n $data ]] || usage
-for part in lhdl_hip bodyparts3d bodyparts3d_shank bodyparts3d_shoulder literature; do
+for part in lhdl_hip bodyparts3d bodyparts3d_shank literature; do
   if [[ ! -d $data/$part ]]; then
     echo "validation: $data has no folder $part" >&2
     exit 2
@@ -154,12 +154,6 @@ done
 articulate made_ankle ankle_angle_r:20:-30:11 bodyparts3d_shank/uniform "${calf[*]}" "${foot[@]}"
 articulate made_gastrocnemii knee_angle_r:0:90:10 bodyparts3d_shank/uniform "${calf[*]}" "${foot[@]}"
 made made_hip data/scenes/lhdl_hip_made_lines.json
-cuff='deltoid_acromial deltoid_clavicular deltoid_spinal infraspinatus subscapularis
-  supraspinatus teres_major teres_minor'
-articulate made_abduction arm_add_r:0:-80:9 bodyparts3d_shoulder/uniform "$cuff" \
-  scapula clavicle humerus
-articulate made_arm_flexion arm_flex_r:0:80:9 bodyparts3d_shoulder/uniform "$cuff" \
-  scapula clavicle humerus
 if [[ -n $table ]]; then
   scripts/compare_moment_arms.py motion "$table" hip_flexion_r "$out/opensim.mot"
   deform opensim $hip --motion="$out/opensim.mot" --contact=none

@@ -21,8 +21,6 @@ MOTIONS = {
     "made_ankle": ("ankle", "plantarflexion", -1),
     "made_gastrocnemii": ("knee", "flexion", 1),
     "made_hip": ("hip", "flexion", 1),
-    "made_abduction": ("shoulder", "abduction", -1),
-    "made_arm_flexion": ("shoulder", "flexion", 1),
 }
 KINDS = {"path": "path_moment_arms_mm", "carried": "line_moment_arms_mm"}
 
@@ -63,11 +61,6 @@ def at(angle):
 
 def ratio(angle, to):
     return lambda x, arms: np.interp(angle, x, arms) / np.interp(to, x, arms)
-
-
-def growth(angle, to):
-    """By how much an arm grows from one angle to another, mm."""
-    return lambda x, arms: np.interp(to, x, arms) - np.interp(angle, x, arms)
 
 
 def peak(x, arms):
@@ -123,45 +116,7 @@ def criteria():
         size("made_hip", "psoas_major", 0, 90, 20, 50),
         change("made_hip", "psoas_major", 90, 30, 1.1, 1.8),
     ]
-    return listed + shoulder_criteria()
-
-
-def shoulder_criteria():
-    def grows(run, muscle, first, last, sign, words):
-        low, high = (1, 999) if sign > 0 else (-999, -1)
-        return Criterion(run, [muscle], words, growth(first, last), low, high)
-
-    return [
-        grows("made_abduction", "deltoid_acromial", 10, 60, 1, "rises from 10 to 60"),
-        Criterion(
-            "made_abduction", ["deltoid_acromial"], "13 to 29 mm within 30 %",
-            over(10, 80), 9, 38,
-        ),
-        grows("made_arm_flexion", "deltoid_clavicular", 10, 80, 1, "rises from 10 to 80"),
-        Criterion(
-            "made_arm_flexion", ["deltoid_spinal"], "extends throughout",
-            over(10, 80), -999, -1,
-        ),
-        grows("made_abduction", "supraspinatus", 10, 80, -1, "falls from 10 to 80"),
-        Criterion(
-            "made_abduction", ["supraspinatus"], "15 to 30 mm below 30 degrees",
-            over(10, 30), 15, 30,
-        ),
-        Criterion(
-            "made_abduction", ["infraspinatus"], "0 to 20 mm over 10 to 80 degrees",
-            over(10, 80), 0, 20,
-        ),
-        Criterion(
-            "made_abduction", ["teres_minor"], "size below 10 mm", over(10, 80), -10, 10
-        ),
-        Criterion(
-            "made_abduction", ["teres_major"], "adducts throughout", over(10, 80), -999, -1
-        ),
-        Criterion(
-            "made_arm_flexion", ["teres_major"], "extends throughout",
-            over(10, 80), -999, -1,
-        ),
-    ]
+    return listed
 
 
 def muscles_of(words):
@@ -213,8 +168,6 @@ PLOTS = [
     ("made_ankle", "gastrocnemius_medial", "achilles"),
     ("made_ankle", "tibialis_anterior", "tibialis_anterior"),
     ("made_hip", "psoas_major", "psoas"),
-    ("made_abduction", "deltoid_acromial", "deltoid_middle"),
-    ("made_abduction", "supraspinatus", "supraspinatus"),
 ]
 
 
@@ -275,10 +228,10 @@ def made_lines_section(runs, data, plots):
     shown = [runs[name].command for name in MOTIONS]
     body = paragraphs(
         prose(
-            "Lines that are made from the meshes, at knee, ankle, hip and shoulder,",
+            "Lines that are made from the meshes, at knee, ankle and hip,",
             "beside measured moment arms (DATA/literature/moment_arms.csv, whose README",
             "has the sources and a fair criterion for each muscle). Signs are those of",
-            "the literature: plantarflexion, flexion and abduction positive. An arm is",
+            "the literature: plantarflexion and flexion positive. An arm is",
             "the mean over the lines of a muscle; a criterion in whole millimetres is",
             "met to half of one. *Path* is the line itself, *carried* the line as the",
             "mesh carries it. *Guided* has `--made_lines=guided`. 🔴 marks what is",
