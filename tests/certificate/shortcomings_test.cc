@@ -30,7 +30,6 @@ struct Deformed {
   double max_contact_displacement = 0;
   double depth_without_contact = 0;
   double push_depth = 0;
-  double moved_at_rest = 0;
   std::vector<std::string> pushed_by;
 
   std::vector<std::string> Shortcomings(
@@ -58,7 +57,6 @@ struct Deformed {
     measures.max_contact_displacement = max_contact_displacement;
     measures.depth_without_contact = depth_without_contact;
     measures.push_depth = push_depth;
-    judged.moved_at_rest = moved_at_rest;
     measures.pushed_by = pushed_by;
     return musclewarp::Shortcomings(requirements, intersections, {judged});
   }
@@ -172,16 +170,6 @@ TEST(Shortcomings, NameAMuscleThatContactMovedTooFar) {
   EXPECT_THAT(deformed.Shortcomings(),
               ElementsAre("psoas: moved by 7.5 mm by contact, allowed 7 (3 mm "
                           "deep without)"));
-}
-
-TEST(Shortcomings, AllowWhatTheRestPoseWasMovedBy) {
-  Deformed deformed;
-  deformed.depth_without_contact = 1;
-  deformed.moved_at_rest = 6;
-  deformed.max_contact_displacement = 7;
-  EXPECT_THAT(deformed.Shortcomings(), IsEmpty());
-  deformed.max_contact_displacement = 7.5;
-  EXPECT_THAT(deformed.Shortcomings(), ElementsAre(HasSubstr("allowed 7 (")));
 }
 
 TEST(Shortcomings, AllowSmallDisplacements) {

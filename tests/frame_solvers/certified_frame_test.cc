@@ -40,7 +40,6 @@ struct SeparatedScene {
                           requirements,
                           state,
                           {},
-                          {},
                           std::vector<SolverSummary>(scene.muscles.size()),
                           meshes.get());
   }

@@ -71,12 +71,15 @@ TEST(MeasuredArms, FindsMusclesByTheirWords) {
               ElementsAre("gastrocnemius_medial_r"));
   // The arm of a tendon is that of the muscles that pull on it.
   EXPECT_THAT(muscles("achilles_tendon"),
-              ElementsAre("gastrocnemius_medial_r", "calcaneal_tendon_r"));
+              ElementsAre("gastrocnemius_medial_r"));
   EXPECT_THAT(muscles("peroneus_longus"), ElementsAre("fibularis_longus_r"));
   EXPECT_THAT(muscles("gluteus_maximus"), ElementsAre("Gluteus Maximus"));
   EXPECT_THAT(muscles("gluteus_medius"), ElementsAre());
   EXPECT_THAT(muscles("psoas_minor"), ElementsAre());
   EXPECT_THAT(muscles("r"), ElementsAre());
+  const auto alone = PlaceOf(ArmOf("hip", "flexion", "achilles_tendon"),
+                             {{{"hip_flexion_r", 0}}, {"calcaneal_tendon"}});
+  EXPECT_THAT(alone->muscles, ElementsAre("calcaneal_tendon"));
 }
 
 TEST(MeasuredArms, FindsCoordinatesAndTheirSense) {

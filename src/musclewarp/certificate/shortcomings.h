@@ -73,10 +73,6 @@ struct JudgedMuscle {
   double delivered_volume = 0;  // mm^3
   int num_triangles = 0;        // of the fine mesh
   SurfaceReconstruction reconstruction;
-
-  // How far contact moved a vertex of it in the separated rest pose, mm, which
-  // a frame may keep; 0 for the rest pose itself.
-  double moved_at_rest = 0;
 };
 
 // Returns how far contact may move a vertex of a muscle, mm: what

@@ -57,7 +57,6 @@ MeshSeparation SeparateSized(const Scene& scene,
       certified,
       options.requirements,
       result.rest.state,
-      /*moved_at_rest=*/{},
       /*before=*/{},
       std::vector<SolverSummary>(scene.muscles.size(), NothingToSolve()),
       &meshes);

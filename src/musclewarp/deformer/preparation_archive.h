@@ -254,12 +254,7 @@ MUSCLEWARP_ARCHIVE_WITHOUT(PreparedScene,
 
 // The separated rest pose.
 
-MUSCLEWARP_ARCHIVE_WITHOUT(RestResult,
-                           (wall_ms),
-                           state,
-                           intersections,
-                           displaced,
-                           moved,
-                           reconstructed)
+MUSCLEWARP_ARCHIVE_WITHOUT(
+    RestResult, (wall_ms), state, intersections, displaced, reconstructed)
 
 }  // namespace musclewarp

@@ -105,14 +105,10 @@ void MeasureContact(const PreparedScene& scene,
 // Lists the violated requirements as shortcomings of the frame.
 void Judge(const PreparedScene& scene,
            const FrameRequirements& requirements,
-           const std::vector<double>& moved_at_rest,
            Frame* frame) {
   std::vector<JudgedMuscle> muscles;
   for (size_t i = 0; i < frame->muscles.size(); ++i) {
     muscles.push_back(JudgedMuscleOf(scene.muscles[i], frame->muscles[i]));
-    if (!moved_at_rest.empty()) {
-      muscles.back().moved_at_rest = moved_at_rest[i];
-    }
   }
   frame->shortcomings =
       Shortcomings(requirements, frame->intersections, muscles);
@@ -144,17 +140,17 @@ void AddBoneOverlaps(const PreparedScene& scene,
   frame->bone_overlaps = BoneOverlaps(meshes.bones(), bodies);
 }
 
-// Sets how far contact moves the muscles in the separated rest pose, and the
-// muscles for which this exceeds the requirements. result->intersections are
-// those of the rest pose.
-void MeasureDisplacements(const PreparedScene& scene,
-                          const CertifiedScene& certified,
-                          const FrameRequirements& requirements,
-                          SceneMeshes* meshes,
-                          RestResult* result) {
+// Returns the indices of the muscles whose displacement by contact in the
+// separated rest pose exceeds the requirements. `intersections`: those of the
+// rest pose.
+std::vector<int> MusclesDisplacedAtRest(const PreparedScene& scene,
+                                        const CertifiedScene& certified,
+                                        const FrameRequirements& requirements,
+                                        const SceneIntersections& intersections,
+                                        SceneMeshes* meshes) {
   Frame rest;
   MuscleShapes shapes = ShapesOf(certified, certified.rest);
-  rest.intersections = result->intersections;
+  rest.intersections = intersections;
   for (const PreparedBone& bone : scene.bones) {
     rest.bones.push_back(bone.rest.points);
   }
@@ -169,13 +165,14 @@ void MeasureDisplacements(const PreparedScene& scene,
                  requirements.touching_distance,
                  meshes,
                  &rest);
+  std::vector<int> displaced;
   for (size_t i = 0; i < rest.muscles.size(); ++i) {
-    result->moved.push_back(rest.muscles[i].max_contact_displacement);
     if (rest.muscles[i].max_contact_displacement >
         LargestDisplacement(requirements, rest.muscles[i])) {
-      result->displaced.push_back(static_cast<int>(i));
+      displaced.push_back(static_cast<int>(i));
     }
   }
+  return displaced;
 }
 
 }  // namespace
@@ -184,7 +181,6 @@ Frame CertifiedFrame(const PreparedScene& scene,
                      const CertifiedScene& certified,
                      const FrameRequirements& requirements,
                      const ContactState& state,
-                     const std::vector<double>& moved_at_rest,
                      const std::vector<Points>& before,
                      std::vector<SolverSummary> summaries,
                      SceneMeshes* meshes,
@@ -202,7 +198,7 @@ Frame CertifiedFrame(const PreparedScene& scene,
   FrameRequirements with_gap = requirements;
   with_gap.gap = std::max(requirements.gap, certified.options.step.gap);
   with_gap.body_size = scene.scene.body_size;
-  Judge(scene, with_gap, moved_at_rest, &frame);
+  Judge(scene, with_gap, &frame);
   AddBoneOverlaps(scene, *meshes, &frame);
   return frame;
 }
@@ -214,7 +210,8 @@ RestResult RestResultOf(const PreparedScene& scene,
   RestResult result;
   result.intersections =
       IntersectAtRest(scene, ShapesOf(certified, certified.rest).fine, meshes);
-  MeasureDisplacements(scene, certified, requirements, meshes, &result);
+  result.displaced = MusclesDisplacedAtRest(
+      scene, certified, requirements, result.intersections, meshes);
   result.state = std::move(certified.rest);
   return result;
 }

@@ -17,15 +17,13 @@ namespace musclewarp {
 
 // Returns the frame of a state in contact, measured and judged by the
 // certificate: violated requirements are listed as its shortcomings. The caller
-// adds times and moment arms. `moved_at_rest`: RestResult::moved, or nothing;
-// `before`: the fine meshes before the motion, as
+// adds times and moment arms. `before`: the fine meshes before the motion, as
 // for MeasureFrame(); `summaries`: those of the solves; both in the order of
 // the scene. `meshes`: the meshes of the scene, which are moved.
 Frame CertifiedFrame(const PreparedScene& scene,
                      const CertifiedScene& certified,
                      const FrameRequirements& requirements,
                      const ContactState& state,
-                     const std::vector<double>& moved_at_rest,
                      const std::vector<Points>& before,
                      std::vector<SolverSummary> summaries,
                      SceneMeshes* meshes,

@@ -41,8 +41,7 @@ CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
                                            RestResult rest)
     : FrameSolver(scene, options, std::move(meshes)),
       certified_(RestoreCertifiedScene(
-          scene, *meshes_, options.certified, std::move(rest.state))),
-      moved_at_rest_(std::move(rest.moved)) {
+          scene, *meshes_, options.certified, std::move(rest.state))) {
   contact_.rest = std::move(rest.intersections);
   contact_.displaced_at_rest = std::move(rest.displaced);
   contact_.gap = options.certified.step.gap;
@@ -87,7 +86,6 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
                                  certified_,
                                  options_.requirements,
                                  moved.motion.state,
-                                 moved_at_rest_,
                                  points_before,
                                  moved.motion.summary.summaries,
                                  meshes_.get(),

@@ -31,7 +31,6 @@ class CertifiedFrameSolver : public FrameSolver {
 
  private:
   const CertifiedScene certified_;
-  const std::vector<double> moved_at_rest_;  // RestResult::moved
 };
 
 }  // namespace musclewarp

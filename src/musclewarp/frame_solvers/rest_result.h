@@ -23,9 +23,6 @@ struct RestResult {
   // them.
   std::vector<int> displaced;
 
-  // How far contact moves a vertex of each muscle, mm.
-  std::vector<double> moved;
-
   // The muscles with reconstructed meshes. MeshPreparation::reconstruction has
   // the reason and the place.
   std::vector<int> reconstructed;

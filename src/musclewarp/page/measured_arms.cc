@@ -182,8 +182,12 @@ void AddArms(const std::vector<std::string>& rotations,
 std::optional<ArmPlace> PlaceOf(const MeasuredArm& arm, const ArmsOfRun& run) {
   ArmPlace place;
   for (const std::string& muscle : run.muscles) {
-    if (HasAllWords(muscle, arm.muscle) || PullsOn(arm.muscle, muscle)) {
-      place.muscles.push_back(muscle);
+    if (PullsOn(arm.muscle, muscle)) place.muscles.push_back(muscle);
+  }
+  // A tendon alone stands for its muscles.
+  if (place.muscles.empty()) {
+    for (const std::string& muscle : run.muscles) {
+      if (HasAllWords(muscle, arm.muscle)) place.muscles.push_back(muscle);
     }
   }
   if (place.muscles.empty()) return std::nullopt;

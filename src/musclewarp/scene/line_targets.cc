@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/scene/line_targets.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "musclewarp/skeleton/polyline.h"
@@ -90,7 +91,12 @@ Eigen::Matrix4d BodyTransform(const ScenePose& pose, const std::string& body) {
 std::vector<LineTarget> LineTargets(const std::vector<ActionLine>& lines,
                                     const ScenePose& pose) {
   const std::vector<PointMotions> motions = MotionsOf(lines, pose);
-  std::vector<Points> taut = TautPoints(lines, motions);
+  const bool solves =
+      std::any_of(lines.begin(), lines.end(), [&](const ActionLine& line) {
+        return line.supports && pose.lines.count(line.name) == 0;
+      });
+  std::vector<Points> taut(lines.size());
+  if (solves) taut = TautPoints(lines, motions);
   std::vector<LineTarget> targets;
   for (size_t k = 0; k < lines.size(); ++k) {
     targets.push_back(TargetOf(lines[k], pose, motions[k], std::move(taut[k])));

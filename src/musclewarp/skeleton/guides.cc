@@ -28,8 +28,10 @@ constexpr double kSamePlace = 0.01;
 constexpr double kTendonArea = 0.075;
 constexpr double kBellyArea = 0.225;
 // GuidePath::half_borne of taut lines: a belly bears more of a smaller stretch,
-// and less of a larger one, until all of the muscle is stretched alike. The
-// fibres of calf muscles shorten by a third (Narici et al. 1996).
+// and less of a larger one, until all of the muscle is stretched alike. Fibres
+// of the calf shorten by a third from 15 degrees of dorsiflexion to 30 of
+// plantarflexion (Maganaris et al. 1998, doi
+// 10.1111/j.1469-7793.1998.603be.x).
 constexpr double kHalfBorneByTaut = 0.3;
 // The share of a path that has to be belly.
 constexpr double kLeastBelly = 0.05;
