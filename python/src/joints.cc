@@ -16,7 +16,7 @@
 #include "musclewarp/joints/articulated_model.h"
 #include "musclewarp/joints/articulated_scene.h"
 #include "musclewarp/joints/articulation.h"
-#include "musclewarp/joints/bone_names.h"
+#include "musclewarp/anatomy/bone_names.h"
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/scene/scene_names.h"

@@ -42,7 +42,7 @@
 #include "musclewarp/joints/articulated_model.h"
 #include "musclewarp/joints/articulated_scene.h"
 #include "musclewarp/joints/articulation.h"
-#include "musclewarp/joints/bone_names.h"
+#include "musclewarp/anatomy/bone_names.h"
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/run/frame_files.h"
 #include "musclewarp/scene/scene.h"

@@ -96,10 +96,10 @@ TEST(BonePlacesData, AreWhereTheMusclesOfBodyParts3DTouchTheirBones) {
   for (const auto& [name, muscle] : meshes) {
     const MuscleFacts* facts = FindMuscleFacts(name);
     if (facts == nullptr) continue;
-    std::vector<MuscleEnd> ends = facts->origin_ends;
+    std::vector<AnatomicalEnd> ends = facts->origin_ends;
     ends.insert(
         ends.end(), facts->insertion_ends.begin(), facts->insertion_ends.end());
-    for (const MuscleEnd& end : ends) {
+    for (const AnatomicalEnd& end : ends) {
       if (EndsBeforeItsBone(name, end.landmark)) continue;
       const BonePlace& place = end.places.front();
       const auto bone = meshes.find(place.bone);

@@ -7,8 +7,8 @@
 
 #include <set>
 
+#include "musclewarp/anatomy/bone_names.h"
 #include "musclewarp/anatomy/bone_place_rows.h"
-#include "musclewarp/joints/bone_names.h"
 
 namespace musclewarp {
 namespace {

@@ -10,8 +10,8 @@
 #include <map>
 #include <set>
 
+#include "musclewarp/anatomy/bone_names.h"
 #include "musclewarp/anatomy/muscle_names.h"
-#include "musclewarp/joints/bone_names.h"
 
 namespace musclewarp {
 namespace {
@@ -42,8 +42,8 @@ std::string With(char sign, std::string text) {
   return text;
 }
 
-std::vector<MuscleEnd> EndsOfBothSides(const MuscleFacts& facts) {
-  std::vector<MuscleEnd> ends = facts.origin_ends;
+std::vector<AnatomicalEnd> EndsOfBothSides(const MuscleFacts& facts) {
+  std::vector<AnatomicalEnd> ends = facts.origin_ends;
   ends.insert(
       ends.end(), facts.insertion_ends.begin(), facts.insertion_ends.end());
   return ends;
@@ -93,7 +93,7 @@ TEST(MuscleFacts, HaveEndsWithBonesAndSources) {
   for (const MuscleFacts& facts : AllMuscleFacts()) {
     EXPECT_FALSE(facts.origin_ends.empty()) << facts.name;
     EXPECT_FALSE(facts.insertion_ends.empty()) << facts.name;
-    for (const MuscleEnd& end : EndsOfBothSides(facts)) {
+    for (const AnatomicalEnd& end : EndsOfBothSides(facts)) {
       EXPECT_FALSE(end.places.empty()) << facts.name << " " << end.landmark;
       EXPECT_NE(end.source, "") << facts.name << " " << end.landmark;
     }
@@ -108,7 +108,7 @@ TEST(MuscleFacts, ListTheMainBoneOfEachEndOnce) {
       EXPECT_EQ(bones.front(), ends.front().places.front().bone) << facts.name;
       const std::set<std::string> different(bones.begin(), bones.end());
       EXPECT_EQ(different.size(), bones.size()) << facts.name;
-      for (const MuscleEnd& end : ends) {
+      for (const AnatomicalEnd& end : ends) {
         EXPECT_THAT(bones, Contains(end.places.front().bone)) << facts.name;
       }
       for (const std::string& bone : bones) {
@@ -138,7 +138,7 @@ TEST(MuscleFacts, ConceptsBelongToOneMuscle) {
 TEST(MuscleFacts, UseEveryLandmark) {
   std::set<std::string> used;
   for (const MuscleFacts& facts : AllMuscleFacts()) {
-    for (const MuscleEnd& end : EndsOfBothSides(facts)) {
+    for (const AnatomicalEnd& end : EndsOfBothSides(facts)) {
       used.insert(end.landmark);
     }
   }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "joints/ideal_surfaces.h"
-#include "musclewarp/joints/bone.h"
+#include "musclewarp/anatomy/bone.h"
 #include "musclewarp/mesh/connectivity.h"
 #include "support/made_bones.h"
 #include "support/meshes.h"

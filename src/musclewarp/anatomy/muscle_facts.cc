@@ -14,8 +14,8 @@
 namespace musclewarp {
 namespace {
 
-std::vector<MuscleEnd> EndsOf(const char* landmarks, const char* source) {
-  std::vector<MuscleEnd> ends;
+std::vector<AnatomicalEnd> EndsOf(const char* landmarks, const char* source) {
+  std::vector<AnatomicalEnd> ends;
   std::istringstream stream(landmarks);
   for (std::string landmark; stream >> landmark;) {
     ends.push_back({landmark, PlacesOfLandmark(landmark), source});
@@ -24,9 +24,9 @@ std::vector<MuscleEnd> EndsOf(const char* landmarks, const char* source) {
   return ends;
 }
 
-std::vector<std::string> MainBones(const std::vector<MuscleEnd>& ends) {
+std::vector<std::string> MainBones(const std::vector<AnatomicalEnd>& ends) {
   std::vector<std::string> bones;
-  for (const MuscleEnd& end : ends) {
+  for (const AnatomicalEnd& end : ends) {
     const std::string& bone = end.places.front().bone;
     if (std::find(bones.begin(), bones.end(), bone) == bones.end()) {
       bones.push_back(bone);

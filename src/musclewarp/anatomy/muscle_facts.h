@@ -10,7 +10,7 @@
 namespace musclewarp {
 
 // One end of a muscle, or one of several ends on its side.
-struct MuscleEnd {
+struct AnatomicalEnd {
   // "calcaneal_tuberosity", one of LandmarkNames().
   std::string landmark;
 
@@ -38,8 +38,8 @@ struct MuscleFacts {
 
   // The same with landmarks. What ends in a fascia has the bone that the fascia
   // goes to; the membranes and septa between bones are left out.
-  std::vector<MuscleEnd> origin_ends;
-  std::vector<MuscleEnd> insertion_ends;
+  std::vector<AnatomicalEnd> origin_ends;
+  std::vector<AnatomicalEnd> insertion_ends;
 
   // Other names; that they are found in other spellings, too, is said at
   // MuscleKey().

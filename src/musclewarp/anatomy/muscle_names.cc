@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "musclewarp/joints/bone_names.h"
+#include "musclewarp/anatomy/bone_names.h"
 
 namespace musclewarp {
 namespace {

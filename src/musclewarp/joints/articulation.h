@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/joints/bone.h"
+#include "musclewarp/anatomy/bone.h"
 #include "musclewarp/joints/found_joint.h"
 
 namespace musclewarp {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/joints/bone.h"
+#include "musclewarp/anatomy/bone.h"
 #include "musclewarp/joints/limb.h"
 
 namespace musclewarp {

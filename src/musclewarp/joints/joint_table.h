@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/joints/bone.h"
+#include "musclewarp/anatomy/bone.h"
 
 namespace musclewarp {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "musclewarp/joints/bone.h"
+#include "musclewarp/anatomy/bone.h"
 #include "musclewarp/joints/femur_shape.h"
 #include "musclewarp/joints/joint_search.h"
 #include "musclewarp/joints/knee.h"

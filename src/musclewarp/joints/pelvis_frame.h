@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "musclewarp/joints/bone.h"
+#include "musclewarp/anatomy/bone.h"
 #include "musclewarp/joints/sphere_fit.h"
 #include "musclewarp/mesh/triangle_soup.h"
 

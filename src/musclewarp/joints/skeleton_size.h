@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "musclewarp/joints/bone.h"
+#include "musclewarp/anatomy/bone.h"
 #include "musclewarp/joints/found_joint.h"
 
 namespace musclewarp {

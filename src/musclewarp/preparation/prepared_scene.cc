@@ -15,18 +15,14 @@
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/outer_hull.h"
-#include "musclewarp/mesh/measures.h"
-#include "musclewarp/preparation/dropped_piece_warnings.h"
 #include "musclewarp/preparation/exempt_areas.h"
 #include "musclewarp/preparation/memory_need.h"
 #include "musclewarp/preparation/muscle_interior.h"
 #include "musclewarp/preparation/repaired_meshes.h"
-#include "musclewarp/preparation/scale_warnings.h"
 #include "musclewarp/preparation/scene_lines.h"
+#include "musclewarp/preparation/scene_warnings.h"
 #include "musclewarp/preparation/soft_attachments.h"
 #include "musclewarp/preparation/surroundings.h"
-#include "musclewarp/scene/far_lines.h"
-#include "musclewarp/scene/folded_lines.h"
 
 namespace musclewarp {
 namespace {
@@ -215,47 +211,6 @@ void CheckBones(PreparedScene* prepared) {
   prepared->warnings = BoneMoveWarnings(prepared->scene, bones);
 }
 
-// Adds the findings of the preparation to the warnings of the scene, and logs
-// all warnings.
-void AddWarnings(const PrepareOptions& options, PreparedScene* prepared) {
-  std::vector<std::string>& warnings = prepared->warnings;
-  const double body_size = prepared->scene.body_size;
-  const auto add = [&](const std::vector<std::string>& more) {
-    warnings.insert(warnings.end(), more.begin(), more.end());
-  };
-  add(prepared->scene.warnings);
-  for (const PreparedBone& bone : prepared->bones) {
-    add(bone.mesh.notes);
-    add(DroppedPieceWarnings(bone.mesh.name, bone.mesh.repairs, body_size));
-  }
-  for (const PreparedMuscle& muscle : prepared->muscles) {
-    add(muscle.mesh.notes);
-    add(DroppedPieceWarnings(
-        muscle.model.name, muscle.mesh.repairs, body_size));
-    add(muscle.attachment_warnings);
-    add(FarEndWarnings(muscle.model.name, muscle.line_ends, body_size));
-    if (muscle.fibres.num_lines() >= options.fibres.fibres) continue;
-    warnings.push_back(muscle.model.name + " has room for " +
-                       std::to_string(muscle.fibres.num_lines()) +
-                       " fibres of " + std::to_string(options.fibres.fibres));
-  }
-  std::vector<MeshSize> sizes;
-  for (const PreparedBone& bone : prepared->bones) {
-    sizes.push_back(
-        {bone.mesh.name, body_size * BoundingBoxDiagonal(bone.rest.points)});
-  }
-  for (size_t i = 0; i < prepared->muscles.size(); ++i) {
-    const MuscleModel& model = prepared->muscles[i].model;
-    sizes.push_back(
-        {model.name, body_size * BoundingBoxDiagonal(model.fine_rest)});
-    add(FarLineWarnings(
-        prepared->scene.muscles[i], model.fine_rest, body_size));
-  }
-  add(FoldedLineWarnings(prepared->scene));
-  add(ScaleWarnings(sizes, options.scale_warning_ratio));
-  for (const std::string& warning : warnings) LOG(WARNING) << warning;
-}
-
 // Returns a function that reports how many of the steps of a preparation are
 // done, and which part of the scene the next one is about.
 std::function<void(size_t, const std::string&)> SayingProgress(
@@ -392,7 +347,7 @@ PreparedScene PrepareScene(const Scene& scene,
   AddSoftCarriers(&prepared);
   prepared.exempt = ExemptAreas(prepared);
   CheckBones(&prepared);
-  AddWarnings(options, &prepared);
+  AddSceneWarnings(options, &prepared);
   prepared.wall_ms = stopwatch.Milliseconds();
   return prepared;
 }

@@ -6,7 +6,7 @@
 #include "musclewarp/base/short_list.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/geometry/view.h"
-#include "musclewarp/joints/bone_names.h"
+#include "musclewarp/anatomy/bone_names.h"
 #include "musclewarp/joints/joint_table.h"
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/scene/scene_names.h"

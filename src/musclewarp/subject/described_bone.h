@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "musclewarp/joints/bone_names.h"
+#include "musclewarp/anatomy/bone_names.h"
 #include "musclewarp/label_images/label_table.h"
 
 namespace musclewarp {

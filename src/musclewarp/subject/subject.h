@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/joints/bone.h"
-#include "musclewarp/joints/bone_names.h"
+#include "musclewarp/anatomy/bone.h"
+#include "musclewarp/anatomy/bone_names.h"
 #include "musclewarp/label_images/label_meshes.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/mesh_repair/repair.h"
