@@ -9,6 +9,7 @@
 #include <iomanip>
 #include <utility>
 
+#include "musclewarp/anatomy/bone_names.h"
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/output_file.h"
@@ -19,7 +20,6 @@
 #include "musclewarp/geometry/view.h"
 #include "musclewarp/joints/articulated_model.h"
 #include "musclewarp/joints/articulated_scene.h"
-#include "musclewarp/anatomy/bone_names.h"
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/mesh_path.h"

@@ -36,13 +36,13 @@
 //
 // Lengths are in millimetres, angles in radians. Bad input throws InputError.
 
+#include "musclewarp/anatomy/bone_names.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/deformer/deformer.h"
 #include "musclewarp/frames/frame.h"
 #include "musclewarp/joints/articulated_model.h"
 #include "musclewarp/joints/articulated_scene.h"
 #include "musclewarp/joints/articulation.h"
-#include "musclewarp/anatomy/bone_names.h"
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/run/frame_files.h"
 #include "musclewarp/scene/scene.h"

@@ -170,9 +170,8 @@ void AddShortcomingsOf(const JudgedMuscle& judged,
   }
   const double body_size = requirements.body_size;
   const double depth = muscle.depth_without_contact;
-  const double farthest =
-      std::max(LargestDisplacement(requirements, muscle),
-               requirements.least_displacement);
+  const double farthest = std::max(LargestDisplacement(requirements, muscle),
+                                   requirements.least_displacement);
   if (!(muscle.max_contact_displacement <= farthest)) {
     std::ostringstream chain;
     if (muscle.pushed_by.size() > 1) {

@@ -82,8 +82,8 @@ struct ArmPlace {
 // dorsiflexion and shoulder adduction positive. A knee that goes below -20
 // degrees counts flexion negative. A measured arm is of each muscle whose name
 // has all its words, in any order: "psoas" of psoas_major_r; that of the
-// Achilles tendon is of soleus and gastrocnemius, where the run has any. Returns nothing if the
-// run has no such coordinate or muscle.
+// Achilles tendon is of soleus and gastrocnemius, where the run has any.
+// Returns nothing if the run has no such coordinate or muscle.
 std::optional<ArmPlace> PlaceOf(const MeasuredArm& arm, const ArmsOfRun& run);
 
 // Returns a sentence that says how many of the arms belong to the run, and why

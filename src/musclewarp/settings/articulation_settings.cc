@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/settings/articulation_settings.h"
 
+#include "musclewarp/anatomy/bone_names.h"
 #include "musclewarp/base/near_name.h"
 #include "musclewarp/base/short_list.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/geometry/view.h"
-#include "musclewarp/anatomy/bone_names.h"
 #include "musclewarp/joints/joint_table.h"
 #include "musclewarp/joints/joints_file.h"
 #include "musclewarp/scene/scene_names.h"
