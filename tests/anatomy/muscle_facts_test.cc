@@ -141,6 +141,9 @@ TEST(MuscleFacts, UseEveryLandmark) {
     for (const AnatomicalEnd& end : EndsOfBothSides(facts)) {
       used.insert(end.landmark);
     }
+    for (const AnatomicalEnd& pulley : facts.pulleys) {
+      used.insert(pulley.landmark);
+    }
   }
   for (const std::string& landmark : LandmarkNames()) {
     EXPECT_EQ(used.count(landmark), 1u) << landmark;

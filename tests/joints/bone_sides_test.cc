@@ -59,14 +59,6 @@ std::optional<Side> SideAfter(const SampledBone& bone,
   return others.back().bone.side;
 }
 
-TEST(DirectionsOfAxes, AreForwardUpAndRight) {
-  EXPECT_EQ(DirectionsOfAxes("LPS"), AxesOfLps());
-  Eigen::Matrix3d of_model;  // as OpenSim has them
-  of_model << 1, 0, 0, 0, 1, 0, 0, 0, 1;
-  EXPECT_EQ(DirectionsOfAxes("ASR"), of_model);
-  EXPECT_EQ(DirectionsOfAxes("PIL"), Eigen::Matrix3d(-of_model));
-}
-
 TEST(HasSide, IsTrueOfBonesThatThereAreTwoOf) {
   for (const BoneKind kind :
        {BoneKind::kPelvis, BoneKind::kSacrum, BoneKind::kOther}) {

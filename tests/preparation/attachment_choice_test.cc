@@ -27,7 +27,8 @@ class ChooseAttachmentsTest : public ::testing::Test {
  protected:
   ChooseAttachmentsTest() {
     for (const SceneBone& bone : scene_.bones) {
-      surroundings_.AddBone(bone.name, {bone.points, bone.triangles});
+      surroundings_.AddBone(
+          bone.name, bone.name, {bone.points, bone.triangles});
     }
     for (const SceneMuscle& muscle : scene_.muscles) {
       surroundings_.AddMuscle({muscle.points, muscle.triangles});
@@ -108,7 +109,7 @@ class TipWithoutBoneTest : public ::testing::Test {
  protected:
   TipWithoutBoneTest() {
     const TriangleSoup bone = SphereAt({0, 0, 107}, 8, 2);
-    surroundings_.AddBone("femur", bone);
+    surroundings_.AddBone("femur", "femur", bone);
     surroundings_.AddMuscle({muscle_.points, muscle_.triangles});
   }
 
@@ -161,8 +162,8 @@ TEST(Surroundings, JoinTheBonesOfABody) {
   const Scene scene = SmallScene();
   Surroundings surroundings;
   for (const char* body : {"pelvis", "femur", "pelvis"}) {
-    surroundings.AddBone(body,
-                         {scene.bones[0].points, scene.bones[0].triangles});
+    surroundings.AddBone(
+        body, body, {scene.bones[0].points, scene.bones[0].triangles});
   }
   ASSERT_EQ(surroundings.bodies().size(), 2u);
   EXPECT_EQ(surroundings.bodies()[0].body, "pelvis");

@@ -27,8 +27,8 @@ ActionLine UprightLine(double from, double to) {
 // Balls of 10 mm with a pole at (0, 0, 0) and at (0, 0, 100).
 TEST(LineEndsOf, AreTheMeanDistancesFromTheBones) {
   Surroundings bones;
-  bones.AddBone("low", SphereAt({0, 0, -10}, 10, 3));
-  bones.AddBone("high", SphereAt({0, 0, 110}, 10, 3));
+  bones.AddBone("low", "low", SphereAt({0, 0, -10}, 10, 3));
+  bones.AddBone("high", "high", SphereAt({0, 0, 110}, 10, 3));
   const std::vector<LineEnd> ends =
       LineEndsOf({UprightLine(2, 90), UprightLine(4, 70)}, bones.bodies());
   ASSERT_EQ(ends.size(), 2u);
@@ -55,7 +55,7 @@ TEST(FarEndWarnings, SayOnceWhatIsTrueOfBothEnds) {
 
 TEST(LineEndsOf, LeaveOutBodiesWithoutBones) {
   Surroundings bones;
-  bones.AddBone("low", SphereAt({0, 0, -10}, 10, 3));
+  bones.AddBone("low", "low", SphereAt({0, 0, -10}, 10, 3));
   EXPECT_EQ(LineEndsOf({UprightLine(2, 90)}, bones.bodies()).size(), 1u);
 }
 

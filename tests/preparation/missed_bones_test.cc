@@ -34,7 +34,7 @@ std::vector<std::string> Warnings(const std::string& muscle,
                                   const std::vector<SceneBone>& bones) {
   SceneMuscle named;
   named.name = muscle;
-  return MissedBoneWarnings(named, ends, bones);
+  return MissedBones(named, ends, bones);
 }
 
 TEST(MissedBones, NameTheBoneThatABellyDoesNotReach) {
@@ -73,7 +73,7 @@ TEST(MissedBones, AreNotGuessed) {
   SceneMuscle named;
   named.name = "soleus";
   named.end_bodies = {"tibia_r", "calcn_r"};
-  EXPECT_THAT(MissedBoneWarnings(named, belly, Leg()), IsEmpty());
+  EXPECT_THAT(MissedBones(named, belly, Leg()), IsEmpty());
 }
 
 TEST(MissedBones, AreOfTheSideOfTheMuscle) {

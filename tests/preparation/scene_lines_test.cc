@@ -43,10 +43,10 @@ Scene SceneWithATendon() {
   return scene;
 }
 
-std::vector<ContinuedLines> Made(const Scene& scene, LineCourse course) {
+std::vector<MadeLines> Made(const Scene& scene, LineCourse course) {
   Surroundings surroundings;
   for (const SceneBone& bone : scene.bones) {
-    surroundings.AddBone(bone.name, {bone.points, bone.triangles});
+    surroundings.AddBone(bone.name, bone.name, {bone.points, bone.triangles});
   }
   for (const SceneMuscle& muscle : scene.muscles) {
     surroundings.AddMuscle({muscle.points, muscle.triangles});
@@ -110,7 +110,7 @@ TEST(MakeSceneLines, GuidedLinesHaveNinePointsAndNoSupports) {
   const auto made = Made(SceneWithATendon(), LineCourse::kGuided);
   EXPECT_EQ(BesideTendons(LineCourse::kGuided, {0}, {0}), std::vector<int>{0});
   EXPECT_TRUE(BesideTendons(LineCourse::kTaut, {0}, {0}).empty());
-  for (const ContinuedLines& lines : made) {
+  for (const MadeLines& lines : made) {
     for (const ActionLine& line : lines.lines) EXPECT_FALSE(line.supports);
   }
   EXPECT_EQ(

@@ -137,6 +137,18 @@ std::optional<Side> ParseSide(const std::string& text) {
   return std::nullopt;
 }
 
+std::optional<Side> SideOfName(const std::string& name) {
+  const std::vector<std::string> words = WordsOfName(name);
+  if (words.empty()) return std::nullopt;
+  if (const auto side = ParseSide(words.back())) return side;
+  if (const auto side = ParseSide(words.front())) return side;
+  for (const std::string& word : words) {
+    if (word.size() == 1) continue;  // an initial, perhaps
+    if (const auto side = ParseSide(word)) return side;
+  }
+  return std::nullopt;
+}
+
 NamedBone ParseBoneName(const std::string& name) {
   NamedBone bone;
   std::vector<std::string> words = WordsOfName(name);

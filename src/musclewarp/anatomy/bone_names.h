@@ -38,6 +38,10 @@ std::optional<BoneKind> ParseBoneKind(const std::string& name);
 // Returns the side that a text names, or nothing.
 std::optional<Side> ParseSide(const std::string& text);
 
+// Returns the side that a name tells, or nothing: right for "tib_ant_r", "Right
+// soleus" and "long head of right biceps femoris".
+std::optional<Side> SideOfName(const std::string& name);
+
 // Returns the known names that are nearest to a name by the number of letters
 // to change, at most three.
 std::vector<std::string> NearestBoneNames(const std::string& name);

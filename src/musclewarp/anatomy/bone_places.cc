@@ -75,7 +75,8 @@ Eigen::Vector3d DirectionOfWords(const std::string& words) {
 
 Eigen::Vector3d LongAxisOf(const std::string& bone) {
   if (bone == "clavicle") return Eigen::Vector3d::UnitZ();
-  for (const char* of_foot : {"calcaneus",
+  for (const char* of_foot : {"talus",
+                              "calcaneus",
                               "navicular",
                               "cuboid",
                               "cuneiform",

@@ -97,6 +97,11 @@ constexpr PlaceRow kPlacesOfArm[] = {
     {"middle_back_of_radius", "radius", 0.33, 0.65, "posterior"},
     {"lower_back_of_radius", "radius", 0.5, 0.75, "posterior"},
     {"low_front_of_radius", "radius", 0.75, 0.96, "anterior"},
+    {"front_of_wrist", "radius", 0.92, 1, "palmar"},
+    {"back_of_wrist", "radius", 0.92, 1, "posterior"},
+    {"side_of_wrist", "radius", 0.92, 1, "lateral"},
+    {"ulnar_front_of_wrist", "ulna", 0.92, 1, "palmar medial"},
+    {"ulnar_back_of_wrist", "ulna", 0.92, 1, "posterior medial"},
     {"styloid_of_radius", "radius", 0.9, 1, "lateral"},
     // Hand.
     {"pisiform", "carpals", 0, 0.7, "palmar medial"},

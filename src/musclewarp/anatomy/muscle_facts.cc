@@ -20,7 +20,6 @@ std::vector<AnatomicalEnd> EndsOf(const char* landmarks, const char* source) {
   for (std::string landmark; stream >> landmark;) {
     ends.push_back({landmark, PlacesOfLandmark(landmark), source});
   }
-  CHECK(!ends.empty()) << "no landmark in: " << landmarks;
   return ends;
 }
 
@@ -50,6 +49,9 @@ MuscleFacts FactsOf(const MuscleRow& row) {
   facts.fma_id = row.fma_id;
   facts.origin_ends = EndsOf(row.origins, row.source);
   facts.insertion_ends = EndsOf(row.insertions, row.source);
+  CHECK(!facts.origin_ends.empty() && !facts.insertion_ends.empty())
+      << row.name << " has no end";
+  facts.pulleys = EndsOf(row.pulleys, row.source);
   facts.origins = MainBones(facts.origin_ends);
   facts.insertions = MainBones(facts.insertion_ends);
   facts.aliases = AliasesOf(row.aliases);

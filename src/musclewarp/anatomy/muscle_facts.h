@@ -41,6 +41,10 @@ struct MuscleFacts {
   std::vector<AnatomicalEnd> origin_ends;
   std::vector<AnatomicalEnd> insertion_ends;
 
+  // What keeps the tendon to the insertion near the bones, from the muscle on:
+  // grooves, and what lies below retinacula.
+  std::vector<AnatomicalEnd> pulleys;
+
   // Other names; that they are found in other spellings, too, is said at
   // MuscleKey().
   std::vector<std::string> aliases;

@@ -8,6 +8,7 @@ namespace musclewarp {
 
 // A muscle as the tables have it. The ends are names of landmarks with blanks
 // between them, the main one first, the aliases names with commas between them.
+// `pulleys` are landmarks, too: see MuscleFacts.
 struct MuscleRow {
   const char* name;
   const char* fma_id;
@@ -15,6 +16,7 @@ struct MuscleRow {
   const char* origins;
   const char* insertions;
   const char* aliases;
+  const char* pulleys = "";
 };
 
 // The tables, by regions of the body.

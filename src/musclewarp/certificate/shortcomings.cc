@@ -99,6 +99,9 @@ void AddShortcomingsOfShape(const JudgedMuscle& judged,
                                      " times its length, allowed ",
                                      requirements.max_stretch));
   }
+  shortcomings->insert(shortcomings->end(),
+                       judged.missed_bones.begin(),
+                       judged.missed_bones.end());
 }
 
 void AddLosses(const JudgedMuscle& judged,

@@ -73,6 +73,9 @@ struct JudgedMuscle {
   double delivered_volume = 0;  // mm^3
   int num_triangles = 0;        // of the fine mesh
   SurfaceReconstruction reconstruction;
+
+  // What is wrong with where its lines end, a sentence each.
+  std::vector<std::string> missed_bones;
 };
 
 // Returns how far contact may move a vertex of a muscle, mm: what
@@ -81,8 +84,8 @@ double LargestDisplacement(const FrameRequirements& requirements,
                            const MuscleFigures& muscle);
 
 // Returns what muscles do not hold of the requirements by themselves, a
-// sentence each: volume and stretch. Precondition (CHECKed): the requirements
-// are valid.
+// sentence each: volume, stretch, and bones on which it does not end.
+// Precondition (CHECKed): the requirements are valid.
 std::vector<std::string> ShapeShortcomings(
     const FrameRequirements& requirements,
     const std::vector<JudgedMuscle>& muscles);

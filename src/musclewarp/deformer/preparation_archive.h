@@ -65,7 +65,8 @@ MUSCLEWARP_ARCHIVE(LineSupports,
                    onset,
                    plane_onset,
                    ties)
-MUSCLEWARP_ARCHIVE(ActionLine, name, rest, bodies, slides, supports)
+MUSCLEWARP_ARCHIVE(
+    ActionLine, name, rest, bodies, slides, bare_begin, bare_end, supports)
 MUSCLEWARP_ARCHIVE(
     Attachment, body, soft_part, points, radius, is_outline, may_penetrate)
 MUSCLEWARP_ARCHIVE(SceneMuscle,
@@ -201,6 +202,8 @@ MUSCLEWARP_ARCHIVE_WITHOUT(MuscleModel,
                            coarse_rest_volume,
                            rest_area)
 MUSCLEWARP_ARCHIVE(LineEnd, body, distance)
+MUSCLEWARP_ARCHIVE(
+    BareTendon, is_at_origin, body, bone, landmark, length, evidence)
 MUSCLEWARP_ARCHIVE(PreparedMuscle,
                    mesh,
                    model,
@@ -210,6 +213,8 @@ MUSCLEWARP_ARCHIVE(PreparedMuscle,
                    tied_to,
                    is_tendon,
                    line_ends,
+                   bare_tendons,
+                   missed_bones,
                    attachment_warnings,
                    hull_encloses,
                    lines,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "musclewarp/fibres/distance_outside.h"
+#include "musclewarp/fibres/tendon_course.h"
 #include "musclewarp/skeleton/nearest_segment.h"
 #include "musclewarp/skeleton/polyline.h"
 
@@ -120,7 +121,14 @@ struct BoneBeside {
   double beside = 0;
 };
 
+// Returns true if a point of a line, `along` mm from its beginning, lies where
+// the line stands for a tendon without a mesh.
+bool IsBare(const ActionLine& line, double along, double length) {
+  return along < line.bare_begin || length - along < line.bare_end;
+}
+
 BoneBeside BoneAt(Index i,
+                  bool is_bare,
                   const ActionLine& line,
                   const LineSurroundings& around) {
   BoneBeside bone;
@@ -128,11 +136,13 @@ BoneBeside BoneAt(Index i,
     if (body.body != line.bodies[i]) continue;
     const RowVector3d point = line.rest.row(i);
     const PlaceBeside place = PlaceBesideMeshes(body.bones, point);
-    double inside = kInfinity;
-    for (const TriangleBvh* surface : around.soft) {
-      inside = std::min(inside, surface->ClosestPoint(point).distance);
+    double inside = is_bare ? kTendonClearance : kInfinity;
+    if (!is_bare) {
+      for (const TriangleBvh* surface : around.soft) {
+        inside = std::min(inside, surface->ClosestPoint(point).distance);
+      }
     }
-    bone.gap = place.distance - (around.soft.empty() ? 0 : inside);
+    bone.gap = place.distance - (std::isfinite(inside) ? inside : 0);
     const Index last = line.rest.rows() - 1;
     const RowVector3d direction = (line.rest.row(std::min(i + 1, last)) -
                                    line.rest.row(std::max<Index>(i - 1, 0)))
@@ -154,8 +164,10 @@ LineSupports SupportsOf(const ActionLine& line,
   supports.loads = supports.stiffness = supports.plane_stiffness =
       VectorXd::Zero(count);
   supports.hold = HoldOf(line, around.ends);
+  const VectorXd along = Along(rest);
   for (Index i = 1; i + 1 < count; ++i) {
-    const BoneBeside bone = BoneAt(i, line, around);
+    const BoneBeside bone =
+        BoneAt(i, IsBare(line, along[i], along[count - 1]), line, around);
     supports.outward.row(i) = bone.outward;
     supports.plane_stiffness[i] =
         kHard * bone.beside * Fade(bone.gap, kBoneBeside);

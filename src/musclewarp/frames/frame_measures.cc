@@ -163,7 +163,8 @@ JudgedMuscle JudgedMuscleOf(const PreparedMuscle& muscle,
   return {figures,
           muscle.mesh.delivered_volume,
           static_cast<int>(muscle.model.fine_triangles.rows()),
-          muscle.mesh.reconstruction};
+          muscle.mesh.reconstruction,
+          muscle.missed_bones};
 }
 
 Frame RestFrame(const PreparedScene& scene,

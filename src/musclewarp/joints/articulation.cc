@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "musclewarp/anatomy/image_directions.h"
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/text.h"

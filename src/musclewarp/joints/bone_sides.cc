@@ -142,30 +142,6 @@ bool HasSide(BoneKind kind) {
          kind != BoneKind::kSacrum;
 }
 
-Eigen::Matrix3d DirectionsOfAxes(const std::string& axes) {
-  CHECK_EQ(axes.size(), 3u);
-  Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
-  for (int axis = 0; axis < 3; ++axis) {
-    switch (axes[axis]) {
-      case 'A':
-      case 'P':
-        directions(axis, 0) = axes[axis] == 'A' ? 1 : -1;
-        break;
-      case 'S':
-      case 'I':
-        directions(axis, 1) = axes[axis] == 'S' ? 1 : -1;
-        break;
-      case 'R':
-      case 'L':
-        directions(axis, 2) = axes[axis] == 'R' ? 1 : -1;
-        break;
-      default:
-        LOG(FATAL) << "no axes: " << axes;
-    }
-  }
-  return directions;
-}
-
 bool AgreeWithImage(const std::vector<SampledBone>& bones,
                     const Eigen::Matrix3d& image_axes) {
   const double least = std::sqrt(0.5);  // 45 degrees

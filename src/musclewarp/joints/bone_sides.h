@@ -22,11 +22,6 @@ struct SampledBone {
 // Returns true for bones that exist on both sides of the body.
 bool HasSide(BoneKind kind);
 
-// Returns the directions forward, up and right, in columns, in a frame with the
-// given axes ("LPS"). Precondition (CHECKed): the axes are valid, as those of a
-// scene.
-Eigen::Matrix3d DirectionsOfAxes(const std::string& axes);
-
 // Returns false if a femur contradicts the axes of the image: if its upward or
 // backward direction is off by more than 45 degrees.
 bool AgreeWithImage(const std::vector<SampledBone>& bones,

@@ -18,6 +18,16 @@ namespace {
 // than this share of the part that the muscle covers.
 constexpr double kBeyondShare = 0.1;
 
+// Returns true if a line goes on along a tendon without a mesh at the end of
+// the muscle at which an area lies, wherever that area was found: a muscle does
+// not end beside its tendon.
+bool GoesOnBare(const ActionLine& line, const Points& area) {
+  const CoveredPart part = PartAlong(line.rest, area);
+  const bool is_at_begin =
+      part.begin + part.end < line.bare_begin + part.length - line.bare_end;
+  return (is_at_begin ? line.bare_begin : line.bare_end) > 0;
+}
+
 // Returns true if a line continues beyond the tip of a muscle (#P x 3), to the
 // structure on which the muscle pulls.
 bool GoesOnBeyond(const ActionLine& line,
@@ -34,7 +44,7 @@ bool GoesOnBeyond(const ActionLine& line,
 
 // Returns the detected attachments to bodies. A tip without a bone is omitted
 // if it lies on another soft part, or if a line of the muscle continues beyond
-// it.
+// it, and any area where a tendon has no mesh.
 std::vector<Attachment> HeldAreas(
     const std::vector<FoundAttachment>& found,
     const std::vector<ActionLine>& lines,
@@ -43,13 +53,17 @@ std::vector<Attachment> HeldAreas(
   std::vector<Attachment> held;
   for (const FoundAttachment& area : found) {
     const Points& tip = area.attachment.points;
+    const bool is_at_tendon =
+        std::any_of(lines.begin(), lines.end(), [&](const ActionLine& line) {
+          return GoesOnBare(line, tip);
+        });
     const bool is_soft =
         !area.is_on_bones &&
         (LiesOnSoftPart(tip, soft_parts) ||
          std::any_of(lines.begin(), lines.end(), [&](const ActionLine& line) {
            return GoesOnBeyond(line, tip, muscle);
          }));
-    if (!is_soft) held.push_back(area.attachment);
+    if (!is_soft && !is_at_tendon) held.push_back(area.attachment);
   }
   return held;
 }

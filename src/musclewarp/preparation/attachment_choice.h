@@ -23,12 +23,13 @@ enum class AttachmentKind {
 // Returns the attachments to bodies of a muscle with the fine mesh `fine`:
 // those of the scene or, if it has none and `kind` is kAuto, those detected on
 // the meshes (`found`, by FindAttachments). Detected tips that lie on other
-// soft parts, or beyond which a line continues, are omitted, since the lines
-// determine their motion. A line that leaves an attachment in some pose
-// contradicts it (FindLeavingLine): a detected attachment is then dropped,
-// because the lines are more reliable than the meshes; an attachment of the
-// scene is kept. `warnings` is set to a sentence per contradiction. Lengths are
-// in units of `body_size` mm (Scene::body_size).
+// soft parts, or beyond which a line continues, and areas at the end of a
+// tendon without a mesh are omitted, since the lines determine their motion. A
+// line that leaves an attachment in some pose contradicts it (FindLeavingLine):
+// a detected attachment is then dropped, because the lines are more reliable
+// than the meshes; an attachment of the scene is kept. `warnings` is set to a
+// sentence per contradiction. Lengths are in units of `body_size` mm
+// (Scene::body_size).
 std::vector<Attachment> ChooseAttachments(
     AttachmentKind kind,
     const SceneMuscle& muscle,

@@ -13,14 +13,6 @@
 namespace musclewarp {
 namespace {
 
-// Returns the side that the first or the last word of a name tells.
-std::optional<Side> SideOf(const std::string& name) {
-  const std::vector<std::string> words = WordsOfName(name);
-  if (words.empty()) return std::nullopt;
-  const std::optional<Side> last = ParseSide(words.back());
-  return last ? last : ParseSide(words.front());
-}
-
 // Returns the bodies of the bones of a scene that are of the same kind as one
 // of `named`.
 std::set<std::string> BodiesOf(const std::vector<std::string>& named,
@@ -54,31 +46,30 @@ std::string Joined(const std::set<std::string>& names, const char* between) {
 
 }  // namespace
 
-std::vector<std::string> MissedBoneWarnings(
-    const SceneMuscle& muscle,
-    const std::vector<LineEnd>& ends,
-    const std::vector<SceneBone>& bones) {
+std::vector<std::string> MissedBones(const SceneMuscle& muscle,
+                                     const std::vector<LineEnd>& ends,
+                                     const std::vector<SceneBone>& bones) {
   const MuscleFacts* facts = FindMuscleFacts(muscle.name);
   if (!facts || ends.empty() || !muscle.end_bodies.empty()) return {};
-  const std::optional<Side> side = SideOf(muscle.name);
+  const std::optional<Side> side = SideOfName(muscle.name);
   const auto origins = BodiesOf(facts->origins, side, bones);
   const auto insertions = BodiesOf(facts->insertions, side, bones);
   if (Meet(origins, insertions)) return {};
   std::set<std::string> reached;
   for (const LineEnd& end : ends) reached.insert(end.body);
-  std::vector<std::string> warnings;
+  std::vector<std::string> shortcomings;
   for (const auto& [named, bodies] :
        {std::pair(facts->origins, origins),
         std::pair(facts->insertions, insertions)}) {
     if (bodies.empty() || Meet(bodies, reached)) continue;
-    warnings.push_back(
+    shortcomings.push_back(
         muscle.name + " by its name ends on the " + named.front() +
         ", which moves with " + Joined(bodies, " or ") +
         ", but its lines end on " + Joined(reached, " and ") +
         ": is its tendon missing from the mesh? Add it to the mesh, or as a "
         "mesh of its own, or name the bodies in \"end_bodies\"");
   }
-  return warnings;
+  return shortcomings;
 }
 
 }  // namespace musclewarp

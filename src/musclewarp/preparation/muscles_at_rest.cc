@@ -33,10 +33,11 @@ std::vector<MuscleAtRest> MusclesAtRest(const Scene& scene,
   });
   Surroundings surroundings;
   for (const PreparedBone& bone : bones) {
-    if (bone.left_out.empty()) surroundings.AddBone(bone.body, bone.rest);
+    if (!bone.left_out.empty()) continue;
+    surroundings.AddBone(bone.mesh.name, bone.body, bone.rest);
   }
   for (const TriangleSoup& mesh : meshes) surroundings.AddMuscle(mesh);
-  const std::vector<ContinuedLines> made = MakeSceneLines(
+  const std::vector<MadeLines> made = MakeSceneLines(
       surroundings, {options.auto_lines, options.made_lines}, {}, scene);
   std::vector<MuscleAtRest> muscles(scene.muscles.size());
   for (size_t m = 0; m < muscles.size(); ++m) {

@@ -17,6 +17,7 @@
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/preparation/exempt_areas.h"
 #include "musclewarp/preparation/memory_need.h"
+#include "musclewarp/preparation/missed_bones.h"
 #include "musclewarp/preparation/muscle_interior.h"
 #include "musclewarp/preparation/repaired_meshes.h"
 #include "musclewarp/preparation/scene_lines.h"
@@ -30,7 +31,7 @@ namespace {
 void AddBones(const std::vector<PreparedBone>& bones,
               Surroundings* surroundings) {
   for (const PreparedBone& bone : bones) {
-    surroundings->AddBone(bone.body, bone.rest);
+    surroundings->AddBone(bone.mesh.name, bone.body, bone.rest);
   }
 }
 
@@ -169,7 +170,7 @@ void AddLines(const Surroundings& surroundings,
               const PrepareOptions& options,
               PreparedScene* prepared,
               const std::function<void(size_t, size_t)>& on_item) {
-  std::vector<ContinuedLines> made =
+  std::vector<MadeLines> made =
       MakeSceneLines(surroundings,
                      {options.auto_lines, options.made_lines},
                      on_item,
@@ -190,8 +191,11 @@ void AddLines(const Surroundings& surroundings,
                                       "overrides this)");
     }
     muscle.lines = std::move(made[m].lines);
+    prepared->muscles[m].bare_tendons = std::move(made[m].bare_tendons);
     prepared->muscles[m].line_ends =
         LineEndsOf(muscle.lines, surroundings.bodies());
+    prepared->muscles[m].missed_bones = MissedBones(
+        muscle, prepared->muscles[m].line_ends, prepared->scene.bones);
     prepared->muscles[m].lines_through = std::move(made[m].through);
     prepared->muscles[m].tied_to = std::move(made[m].tied_to);
   }

@@ -20,6 +20,7 @@
 #include "musclewarp/mesh_repair/sliver_removal.h"
 #include "musclewarp/preparation/attachment_choice.h"
 #include "musclewarp/preparation/attachments.h"
+#include "musclewarp/preparation/bare_tendons.h"
 #include "musclewarp/preparation/bones_at_rest.h"
 #include "musclewarp/preparation/line_ends.h"
 #include "musclewarp/preparation/scene_lines.h"
@@ -118,6 +119,13 @@ struct PreparedMuscle {
 
   // The ends of its lines if they were made; empty for lines of the scene.
   std::vector<LineEnd> line_ends;
+
+  // The tendons of which there is no mesh, but along which its lines go on.
+  std::vector<BareTendon> bare_tendons;
+
+  // A sentence for each side on which its lines end on another bone than
+  // anatomy has it (missed_bones.h).
+  std::vector<std::string> missed_bones;
 
   // One sentence per line that contradicts an attachment.
   std::vector<std::string> attachment_warnings;

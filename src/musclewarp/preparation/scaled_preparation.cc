@@ -55,6 +55,7 @@ void ScaleLengths(double factor, PreparedMuscle* muscle) {
   ScaleLengths(factor, &muscle->model);
   for (auto& [body, area] : muscle->area_on_bones) area *= factor * factor;
   for (LineEnd& end : muscle->line_ends) end.distance *= factor;
+  for (BareTendon& tendon : muscle->bare_tendons) tendon.length *= factor;
 }
 
 void ScaleLengths(double factor, PreparedBone* bone) {

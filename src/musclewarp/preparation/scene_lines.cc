@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "musclewarp/anatomy/image_directions.h"
 #include "musclewarp/base/parallel_for.h"
 #include "musclewarp/fibres/bodies_along.h"
 #include "musclewarp/fibres/fibres.h"
@@ -88,7 +89,7 @@ bool Contains(const std::vector<int>& numbers, int number) {
 
 // Returns true if the lines of a muscle that is no tendon itself go through the
 // tendon `other`, on which it or a tendon between the two ends.
-bool PullsOn(int other, int muscle, const std::vector<ContinuedLines>& made) {
+bool PullsOn(int other, int muscle, const std::vector<MadeLines>& made) {
   return Contains(made[muscle].through, other) &&
          std::none_of(made.begin(), made.end(), [&](const auto& third) {
            return Contains(third.tied_to, muscle);
@@ -97,9 +98,8 @@ bool PullsOn(int other, int muscle, const std::vector<ContinuedLines>& made) {
 
 // Gives the tendons with meshes of their own the lines of the muscles that end
 // on them, so that both go the same way in each pose.
-void GiveTendonsTheirMuscles(const Scene& scene,
-                             std::vector<ContinuedLines>* made) {
-  const std::vector<ContinuedLines> before = *made;
+void GiveTendonsTheirMuscles(const Scene& scene, std::vector<MadeLines>* made) {
+  const std::vector<MadeLines> before = *made;
   const int count = static_cast<int>(before.size());
   for (int tendon = 0; tendon < count; ++tendon) {
     const bool is_tendon =
@@ -107,7 +107,7 @@ void GiveTendonsTheirMuscles(const Scene& scene,
           return Contains(other.tied_to, tendon);
         });
     if (!is_tendon || !scene.muscles[tendon].lines.empty()) continue;
-    ContinuedLines lines;
+    MadeLines lines;
     for (int m = 0; m < count; ++m) {
       if (m == tendon || !PullsOn(tendon, m, before)) continue;
       const int first = static_cast<int>(lines.lines.size());
@@ -143,7 +143,7 @@ bool NeedsLines(const Scene& scene, LineCourse course) {
               scene.muscles.begin(), scene.muscles.end(), HasSlidingLines));
 }
 
-std::vector<ContinuedLines> MakeSceneLines(
+std::vector<MadeLines> MakeSceneLines(
     const Surroundings& surroundings,
     const SceneLineOptions& options,
     const std::function<void(size_t, size_t)>& on_item,
@@ -151,8 +151,9 @@ std::vector<ContinuedLines> MakeSceneLines(
   const size_t count = scene.muscles.size();
   const bool is_taut = options.course == LineCourse::kTaut;
   const bool makes_lines = LacksLines(scene);
-  std::vector<ContinuedLines> made(count);
+  std::vector<MadeLines> made(count);
   std::vector<SoftPart> parts(count);
+  const Eigen::Matrix3d image = DirectionsOfAxes(scene.axes);
   const auto make = [&](size_t m) {
     const SceneMuscle& muscle = scene.muscles[m];
     if (!makes_lines && !(is_taut && HasSlidingLines(muscle))) return;
@@ -181,9 +182,13 @@ std::vector<ContinuedLines> MakeSceneLines(
   ParallelFor(count, [&](size_t m) {
     const SceneMuscle& muscle = scene.muscles[m];
     if (muscle.lines.empty()) {
-      made[m] =
-          ContinueLines(static_cast<int>(m), parts, surroundings.bodies());
-      if (is_taut) PlaceEvenly(surroundings.bodies(), &made[m].lines);
+      made[m] = {
+          ContinueLines(static_cast<int>(m), parts, surroundings.bodies()), {}};
+      if (is_taut) {
+        made[m].bare_tendons =
+            AddBareTendons(muscle, surroundings, image, &made[m].lines);
+        PlaceEvenly(surroundings.bodies(), &made[m].lines);
+      }
     } else if (is_taut && HasSlidingLines(muscle)) {
       made[m].lines = muscle.lines;
     }

@@ -6,7 +6,6 @@
 
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/preparation/dropped_piece_warnings.h"
-#include "musclewarp/preparation/missed_bones.h"
 #include "musclewarp/preparation/scale_warnings.h"
 #include "musclewarp/scene/far_lines.h"
 #include "musclewarp/scene/folded_lines.h"
@@ -31,8 +30,8 @@ void AddSceneWarnings(const PrepareOptions& options, PreparedScene* prepared) {
         muscle.model.name, muscle.mesh.repairs, body_size));
     add(muscle.attachment_warnings);
     add(FarEndWarnings(muscle.model.name, muscle.line_ends, body_size));
-    add(MissedBoneWarnings(
-        prepared->scene.muscles[m], muscle.line_ends, prepared->scene.bones));
+    add(muscle.missed_bones);
+    add(BareTendonWarnings(muscle.model.name, muscle.bare_tendons, body_size));
     if (muscle.fibres.num_lines() >= options.fibres.fibres) continue;
     warnings.push_back(muscle.model.name + " has room for " +
                        std::to_string(muscle.fibres.num_lines()) +

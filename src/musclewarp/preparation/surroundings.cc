@@ -4,10 +4,17 @@
 
 #include <algorithm>
 
+#include "musclewarp/anatomy/bone_names.h"
+
 namespace musclewarp {
 
-void Surroundings::AddBone(const std::string& body, const TriangleSoup& bone) {
-  bones_.push_back(std::make_unique<TriangleBvh>(bone.points, bone.triangles));
+void Surroundings::AddBone(const std::string& name,
+                           const std::string& body,
+                           const TriangleSoup& bone) {
+  bones_.push_back(BoneOfName(name, bone));
+  bones_.back().body = body;
+  bone_surfaces_.push_back(
+      std::make_unique<TriangleBvh>(bone.points, bone.triangles));
   auto surface = std::find_if(
       bodies_.begin(), bodies_.end(), [&](const BodySurface& other) {
         return other.body == body;
@@ -16,7 +23,13 @@ void Surroundings::AddBone(const std::string& body, const TriangleSoup& bone) {
     bodies_.push_back({body, {}});
     surface = bodies_.end() - 1;
   }
-  surface->bones.push_back(bones_.back().get());
+  surface->bones.push_back(bone_surfaces_.back().get());
+}
+
+std::vector<const TriangleBvh*> Surroundings::SurfacesOfBones() const {
+  std::vector<const TriangleBvh*> surfaces;
+  for (const auto& surface : bone_surfaces_) surfaces.push_back(surface.get());
+  return surfaces;
 }
 
 void Surroundings::AddMuscle(const TriangleSoup& muscle) {

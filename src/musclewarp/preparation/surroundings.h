@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/anatomy/bone.h"
 #include "musclewarp/fibres/muscle_ends.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/proximity/triangle_bvh.h"
@@ -17,7 +18,9 @@ namespace musclewarp {
 // the bones, by body, and the other muscles. Meshes are copied; units are mm.
 class Surroundings {
  public:
-  void AddBone(const std::string& body, const TriangleSoup& bone);
+  void AddBone(const std::string& name,
+               const std::string& body,
+               const TriangleSoup& bone);
 
   // Muscles are numbered in the order in which they are added.
   void AddMuscle(const TriangleSoup& muscle);
@@ -29,6 +32,13 @@ class Surroundings {
   // order, or all. Precondition: the muscle passes CheckScene.
   std::vector<BodySurface> BodiesOf(const SceneMuscle& muscle) const;
 
+  // The bones, in the order in which they were added.
+  const std::vector<Bone>& bones() const { return bones_; }
+  const TriangleBvh& surface_of_bone(size_t bone) const {
+    return *bone_surfaces_[bone];
+  }
+  std::vector<const TriangleBvh*> SurfacesOfBones() const;
+
   const TriangleSoup& muscle(size_t muscle) const { return meshes_[muscle]; }
   const TriangleBvh& surface_of(size_t muscle) const {
     return *muscles_[muscle];
@@ -38,7 +48,8 @@ class Surroundings {
   std::vector<const TriangleBvh*> MusclesBeside(int muscle) const;
 
  private:
-  std::vector<std::unique_ptr<TriangleBvh>> bones_, muscles_;
+  std::vector<Bone> bones_;
+  std::vector<std::unique_ptr<TriangleBvh>> bone_surfaces_, muscles_;
   std::vector<TriangleSoup> meshes_;  // of the muscles
   std::vector<BodySurface> bodies_;
 };

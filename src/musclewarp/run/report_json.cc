@@ -69,6 +69,19 @@ OrderedJson LineEndsJson(const std::vector<LineEnd>& ends) {
   return list;
 }
 
+OrderedJson BareTendonsJson(const std::vector<BareTendon>& tendons) {
+  OrderedJson list = OrderedJson::array();
+  for (const BareTendon& tendon : tendons) {
+    list.push_back({{"end", tendon.is_at_origin ? "origin" : "insertion"},
+                    {"body", tendon.body},
+                    {"bone", tendon.bone},
+                    {"landmark", tendon.landmark},
+                    {"length_mm", tendon.length},
+                    {"evidence", ToString(tendon.evidence)}});
+  }
+  return list;
+}
+
 OrderedJson PrepareJson(const PreparedScene& scene) {
   OrderedJson muscles = OrderedJson::array();
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
@@ -87,6 +100,7 @@ OrderedJson PrepareJson(const PreparedScene& scene) {
          {"skeleton_samples", muscle.model.samples.size()},
          {"lines", muscle.model.lines.size()},
          {"line_ends", LineEndsJson(muscle.line_ends)},
+         {"bare_tendons", BareTendonsJson(muscle.bare_tendons)},
          {"fibres", muscle.fibres.num_lines()},
          {"fibres_ms", muscle.fibres_ms},
          {"shortest_fibre_mm", fibres.shortest},

@@ -29,6 +29,8 @@ void ScaleTranslation(double factor, Eigen::Matrix4d* motion) {
 
 void ScaleLengths(double factor, ActionLine* line) {
   line->rest *= factor;
+  line->bare_begin *= factor;
+  line->bare_end *= factor;
   if (line->supports) ScaleLengths(factor, &*line->supports);
 }
 

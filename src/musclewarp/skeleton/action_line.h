@@ -30,6 +30,11 @@ struct ActionLine {
   // the points between only guide the line. Needs `bodies`.
   bool slides = false;
 
+  // The lengths at its beginning and its end along which it stands for a tendon
+  // without a mesh (preparation/bare_tendons.h), mm.
+  double bare_begin = 0;
+  double bare_end = 0;
+
   // What holds the line where it is taut (taut_lines.h), for sliding lines.
   // Made in the preparation (fibres/found_supports.h); without a value the
   // points between the ends move with the bodies that guide them.
