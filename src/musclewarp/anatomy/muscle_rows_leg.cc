@@ -17,7 +17,7 @@ constexpr MuscleRow kMusclesOfLeg[] = {
      "side_of_tibia",
      "first_ray_medial",
      "tib ant, tibialis anticus",
-     "front_of_ankle top_of_navicular"},
+     "front_of_ankle inside_of_navicular"},
     {"extensor_digitorum_longus",
      "FMA22534",
      kLeg,
@@ -104,7 +104,7 @@ constexpr MuscleRow kMusclesOfLeg[] = {
      "lateral_back_of_tibia inside_of_fibula",
      "tuberosity_of_navicular",
      "tib post, tibialis posticus",
-     "behind_medial_malleolus"},
+     "behind_medial_malleolus inside_of_talus"},
     {"flexor_digitorum_longus",
      "FMA51071",
      kLeg,
@@ -118,7 +118,7 @@ constexpr MuscleRow kMusclesOfLeg[] = {
      "lower_back_of_fibula",
      "sole_of_toe_1",
      "fhl, flex hal",
-     "back_of_talus below_sustentaculum sole_of_metatarsal_1"},
+     "back_of_talus side_of_sustentaculum sole_of_metatarsal_1"},
     {"leg_anterior_compartment",
      "FMA45163",
      kLeg,
@@ -126,7 +126,7 @@ constexpr MuscleRow kMusclesOfLeg[] = {
      "first_ray_medial top_of_toe_1 top_of_toe_3 top_of_toe_2 top_of_toe_4 "
      "top_of_toe_5 top_of_metatarsal_5",
      "anterior compartment of leg, anterior leg compartment",
-     "front_of_ankle top_of_navicular"},
+     "front_of_ankle inside_of_navicular"},
     {"leg_lateral_compartment",
      "",
      kLeg,
@@ -143,7 +143,7 @@ constexpr MuscleRow kMusclesOfLeg[] = {
      "sole_of_toe_4 sole_of_toe_5",
      "deep posterior compartment of leg, deep posterior compartment, deep "
      "posterior leg compartment",
-     "behind_medial_malleolus"},
+     "behind_medial_malleolus inside_of_talus"},
 };
 
 }  // namespace

@@ -153,18 +153,36 @@ Points CornersTo(const RowVector3d& from,
   return course;
 }
 
-// Lets a line go on from its last point.
+// Returns the line without what turns to the tip of the mesh, which may be the
+// edge of a cut: the tendon leaves the middle of the muscle.
+Points WithoutTip(const Points& line) {
+  constexpr double kTipShare = 0.1;
+  constexpr double kShortestTip = 10, kLongestTip = 30;  // mm
+  constexpr double kMostOfLine = 0.3;
+  const double length = PolylineLength(line);
+  const double tip =
+      std::min(std::clamp(kTipShare * length, kShortestTip, kLongestTip),
+               kMostOfLine * length);
+  const Eigen::VectorXd along = length * SharesAlong(line);
+  Index kept = 1;
+  while (kept < line.rows() && along[kept] < length - tip) ++kept;
+  return line.topRows(kept);
+}
+
+// Lets a line go on at its end.
 void GoOn(const Surroundings& surroundings,
           const std::vector<Target>& pulleys,
           const Target& target,
           ActionLine* line) {
-  const Points course = TendonCourse(
-      CornersTo(line->rest.row(line->rest.rows() - 1), pulleys, target),
-      surroundings.SurfacesOfBones());
-  Points rest(line->rest.rows() + course.rows() - 1, 3);
-  rest << line->rest, course.bottomRows(course.rows() - 1);
+  const Points inside = WithoutTip(line->rest);
+  const double tip = PolylineLength(line->rest) - PolylineLength(inside);
+  const Points course =
+      TendonCourse(CornersTo(inside.row(inside.rows() - 1), pulleys, target),
+                   surroundings.SurfacesOfBones());
+  Points rest(inside.rows() + course.rows() - 1, 3);
+  rest << inside, course.bottomRows(course.rows() - 1);
   line->rest = std::move(rest);
-  line->bare_end = PolylineLength(course);
+  line->bare_end = std::max(PolylineLength(course) - tip, 0.0);
   line->bodies = BodiesAlong(line->rest,
                              line->bodies.front(),
                              surroundings.bones()[target.place.bone].body,
@@ -231,19 +249,20 @@ Sides SidesOf(const SceneMuscle& muscle,
   return sides;
 }
 
-// Returns true if the first point of a line is on the side of the origin. The
-// sides are not both empty.
+// Returns true if the first point of a line is on the side of the origin, as
+// told by the sides that are missed, of which there is one: an origin may run
+// along most of a bone.
 bool BeginsAtOrigin(const Surroundings& surroundings,
                     const Sides& sides,
                     const ActionLine& line) {
   const RowVector3d first = line.rest.row(0),
                     last = line.rest.row(line.rest.rows() - 1);
   double forward = 0, backward = 0;
-  if (!sides.origin.bodies.empty()) {
+  if (sides.misses_origin) {
     forward += DistanceTo(surroundings, sides.origin, first);
     backward += DistanceTo(surroundings, sides.origin, last);
   }
-  if (!sides.insertion.bodies.empty()) {
+  if (sides.misses_insertion) {
     forward += DistanceTo(surroundings, sides.insertion, last);
     backward += DistanceTo(surroundings, sides.insertion, first);
   }

@@ -33,6 +33,9 @@ constexpr double kBellyArea = 0.225;
 // plantarflexion (Maganaris et al. 1998, doi
 // 10.1111/j.1469-7793.1998.603be.x).
 constexpr double kHalfBorneByTaut = 0.3;
+// The same for a path along a tendon without a mesh, which is known to be
+// tendon: it gives way only where a mesh is too short for the belly.
+constexpr double kHalfBorneByBare = 1;
 // The share of a path that has to be belly.
 constexpr double kLeastBelly = 0.05;
 // Rounds of a binomial filter over the areas of neighbouring segments.
@@ -196,6 +199,13 @@ void FindCompliance(const InsidePoints& inside,
   }
 }
 
+// Returns true if a path stands for a tendon without a mesh somewhere.
+bool IsBare(const GuidePath& path, const std::vector<ActionLine>& lines) {
+  return std::any_of(path.lines.begin(), path.lines.end(), [&](int line) {
+    return lines[line].bare_begin + lines[line].bare_end > 0;
+  });
+}
+
 // Returns at which shares of its length a path has its points when its length
 // is `length`, mm.
 Eigen::VectorXd SharesAt(const GuidePath& path, double length) {
@@ -280,7 +290,10 @@ Guides GuidesOf(const std::vector<ActionLine>& lines,
         });
     FindCompliance(inside, is_taut && inside.is_tendon, &guides);
     if (is_taut) {
-      for (GuidePath& path : guides.paths) path.half_borne = kHalfBorneByTaut;
+      for (GuidePath& path : guides.paths) {
+        path.half_borne =
+            IsBare(path, lines) ? kHalfBorneByBare : kHalfBorneByTaut;
+      }
     }
   }
   return guides;
