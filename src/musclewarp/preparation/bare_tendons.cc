@@ -21,6 +21,10 @@ namespace {
 using Eigen::Index;
 using Eigen::RowVector3d;
 
+// How far from the bone a pulley holds the middle of a tendon, mm: half of its
+// thickness, and its sheath.
+constexpr double kPulleyHeight = 5;
+
 // A place on a bone at which a tendon may end.
 struct Target {
   std::string landmark;
@@ -136,7 +140,7 @@ Points CornersTo(const RowVector3d& from,
   std::vector<RowVector3d> corners;
   for (const Target& pulley : pulleys) {
     corners.emplace_back(pulley.place.point +
-                         kTendonClearance * pulley.place.outward);
+                         kPulleyHeight * pulley.place.outward);
   }
   corners.push_back(target.place.point);
   size_t passed = 0;
