@@ -228,6 +228,9 @@ class ArticulateRun {
                  "for them: "
               << WithFlags(made.why_none) << "\n";
     }
+    for (const std::string& warning : made.warnings) {
+      screen_ << "warning: " << WithFlags(warning) << "\n";
+    }
     muscles_ = std::move(made.muscles);
     if (muscles_.empty()) return;
     screen_ << "model.osim has " << muscles_.size()

@@ -34,6 +34,8 @@ Attributes:
         negative inside of one; at most 5.
     lines: the action lines as the muscle carries them, (p, 3) each, mm.
     fibres: the same of fibres.
+    bare_tendons: where its lines go on along tendons that have no mesh,
+        (p, 3) each, mm.
     path_lengths: of the action lines straight through their points, mm.
     shape: stretch, area ratios, bend (degrees), change (mm), and the quantiles
         and the largest patch (mm2) of the stretch of triangles, by name.
@@ -197,6 +199,10 @@ void BindMuscle(py::module_* module) {
       .def_property_readonly(
           "fibres",
           [](const MuscleOfFrame& m) { return Views(m.muscle().fibres, m.of); })
+      .def_property_readonly("bare_tendons",
+                             [](const MuscleOfFrame& m) {
+                               return Views(m.muscle().bare_tendons, m.of);
+                             })
       .def_property_readonly("path_lengths", &PathLengthsOf)
       .def_property_readonly(
           "shape",

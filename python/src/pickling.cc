@@ -48,8 +48,12 @@ template <class Archive>
 void save(Archive& archive, const Frame& frame) {
   archive(nlohmann::ordered_json::to_cbor(JsonOf(FiguresOf(frame))));
   for (const MuscleFrame& muscle : frame.muscles) {
-    archive(
-        muscle.solver, muscle.points, muscle.gaps, muscle.lines, muscle.fibres);
+    archive(muscle.solver,
+            muscle.points,
+            muscle.gaps,
+            muscle.lines,
+            muscle.fibres,
+            muscle.bare_tendons);
   }
   archive(frame.bones, frame.bones_from_rest);
 }
@@ -66,8 +70,12 @@ void load(Archive& archive, Frame& frame) {
         std::move(muscle);
   }
   for (MuscleFrame& muscle : frame.muscles) {
-    archive(
-        muscle.solver, muscle.points, muscle.gaps, muscle.lines, muscle.fibres);
+    archive(muscle.solver,
+            muscle.points,
+            muscle.gaps,
+            muscle.lines,
+            muscle.fibres,
+            muscle.bare_tendons);
   }
   archive(frame.bones, frame.bones_from_rest);
 }

@@ -24,16 +24,16 @@ const Matrix3d kOwnFrame = Matrix3d::Identity();
 
 // A box of a bone where the bone lies in a standing body, with its long axis
 // upright.
-Bone StandingBox(const std::string& name, double length) {
+MeasuredBone StandingBox(const std::string& name, double length) {
   TriangleSoup box = Box(20, length, 20);
-  const Vector3d middle = FindStandingBone(name)->middle;
+  const Vector3d middle = FindStandingBone(name)->Middle();
   const Eigen::RowVector3d own =
       (box.points.colwise().minCoeff() + box.points.colwise().maxCoeff()) / 2;
   box.points.rowwise() += middle.transpose() - own;
-  return BoneOfName(name, box);
+  return Measured(BoneOfName(name, box));
 }
 
-std::vector<Bone> Leg() {
+std::vector<MeasuredBone> Leg() {
   return {StandingBox("femur", 440),
           StandingBox("tibia", 345),
           StandingBox("fibula", 350),
@@ -43,9 +43,10 @@ std::vector<Bone> Leg() {
           StandingBox("metatarsal_5", 30)};
 }
 
-void Turn(const Matrix3d& turn, std::vector<Bone>* bones) {
-  for (Bone& bone : *bones) {
-    bone.mesh.points = bone.mesh.points * turn.transpose();
+void Turn(const Matrix3d& turn, std::vector<MeasuredBone>* bones) {
+  for (MeasuredBone& bone : *bones) {
+    bone.bone.mesh.points = bone.bone.mesh.points * turn.transpose();
+    bone = Measured(bone.bone);
   }
 }
 
@@ -67,7 +68,7 @@ TEST(BoneAxes, TurnWithTheBonesWhateverTheImageSays) {
   const Matrix3d turn =
       Eigen::AngleAxisd(2.1, Vector3d(1, -2, 0.5).normalized())
           .toRotationMatrix();
-  std::vector<Bone> bones = Leg();
+  std::vector<MeasuredBone> bones = Leg();
   Turn(turn, &bones);
   const BoneAxes axes = AxesAt(1, bones, Side::kRight, kOwnFrame);
   EXPECT_TRUE(axes.are_from_bones);
@@ -76,7 +77,7 @@ TEST(BoneAxes, TurnWithTheBonesWhateverTheImageSays) {
 
 TEST(BoneAxes, AreMirroredOnTheLeft) {
   const Matrix3d mirror = Vector3d(1, 1, -1).asDiagonal();
-  std::vector<Bone> bones = Leg();
+  std::vector<MeasuredBone> bones = Leg();
   Turn(mirror, &bones);
   EXPECT_LT(
       Difference(AxesAt(1, bones, Side::kLeft, kOwnFrame).directions, mirror),
@@ -90,15 +91,16 @@ TEST(BoneAxes, AreMirroredOnTheLeft) {
 }
 
 TEST(BoneAxes, OfTheShankHardlyFollowAPointedFoot) {
-  std::vector<Bone> bones = Leg();
+  std::vector<MeasuredBone> bones = Leg();
   const Matrix3d turn =
       Eigen::AngleAxisd(-0.7, Vector3d::UnitZ()).toRotationMatrix();
   const Vector3d ankle(60, 70, 80);
   for (size_t bone = 3; bone < bones.size(); ++bone) {
-    Points& points = bones[bone].mesh.points;
+    Points& points = bones[bone].bone.mesh.points;
     points.rowwise() -= ankle.transpose();
     points = points * turn.transpose();
     points.rowwise() += ankle.transpose();
+    bones[bone] = Measured(bones[bone].bone);
   }
   // 40 degrees at the ankle turn the shank's directions by less than 6, and
   // the foot's by more than 30.
@@ -111,7 +113,7 @@ TEST(BoneAxes, OfTheShankHardlyFollowAPointedFoot) {
 }
 
 TEST(BoneAxes, ComeFromTheImageWhereTheBonesLeaveThemOpen) {
-  const std::vector<Bone> alone = {StandingBox("tibia", 345)};
+  const std::vector<MeasuredBone> alone = {StandingBox("tibia", 345)};
   const BoneAxes axes = AxesAt(0, alone, Side::kRight, kOwnFrame);
   EXPECT_FALSE(axes.are_from_bones);
   EXPECT_LT(Difference(axes.directions, Matrix3d::Identity()), 1e-6);

@@ -18,8 +18,8 @@ namespace musclewarp {
 namespace {
 
 // The bones of the leg of BodyParts3D, turned.
-std::vector<Bone> BonesOfLeg(const Eigen::Matrix3d& turn) {
-  std::vector<Bone> bones;
+std::vector<MeasuredBone> BonesOfLeg(const Eigen::Matrix3d& turn) {
+  std::vector<MeasuredBone> bones;
   const std::string folder = DataRoot() + "/bodyparts3d_shank/uniform";
   for (const auto& file : std::filesystem::directory_iterator(folder)) {
     const std::string name = file.path().stem().string();
@@ -28,14 +28,14 @@ std::vector<Bone> BonesOfLeg(const Eigen::Matrix3d& turn) {
     }
     TriangleSoup mesh = ReadTriangleSoup(file.path().string());
     mesh.points = mesh.points * turn.transpose();
-    bones.push_back(BoneOfName(name, mesh));
+    bones.push_back(Measured(BoneOfName(name, mesh)));
   }
   return bones;
 }
 
 // The landmark at which the insertion of a muscle lies.
 LandmarkPoint InsertionOf(const std::string& muscle,
-                          const std::vector<Bone>& bones) {
+                          const std::vector<MeasuredBone>& bones) {
   const auto found =
       FindLandmark(FindMuscleFacts(muscle)->insertion_ends.front().places,
                    bones,
@@ -47,7 +47,8 @@ LandmarkPoint InsertionOf(const std::string& muscle,
 
 TEST(LandmarkPointData, IsWhereTheTendonsOfBodyParts3DEnd) {
   if (DataRoot().empty()) GTEST_SKIP() << kNoDataRoot;
-  const std::vector<Bone> bones = BonesOfLeg(Eigen::Matrix3d::Identity());
+  const std::vector<MeasuredBone> bones =
+      BonesOfLeg(Eigen::Matrix3d::Identity());
   // An attachment of the foot is some 10 mm wide, and the place of a landmark
   // is as good as that.
   const double near = 12;
@@ -62,7 +63,7 @@ TEST(LandmarkPointData, IsWhereTheTendonsOfBodyParts3DEnd) {
         DataRoot() + "/bodyparts3d_shank/uniform/" + muscle + ".obj");
     const double gap =
         (mesh.points.rowwise() - place.point).rowwise().norm().minCoeff();
-    EXPECT_LT(gap, near) << muscle << " on " << bones[place.bone].name;
+    EXPECT_LT(gap, near) << muscle << " on " << bones[place.bone].bone.name;
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 // A tibia of 345 mm upright around the origin, whose radius is 12 mm, and the
 // fibula beside it on the right; forward, up and right are the axes.
-std::vector<Bone> Shank() {
+std::vector<MeasuredBone> Shank() {
   TriangleSoup tibia = Spindle(12, 172.5, 5), fibula = Spindle(6, 170, 5);
   for (TriangleSoup* bone : {&tibia, &fibula}) {
     const Points points = bone->points;
@@ -20,8 +20,8 @@ std::vector<Bone> Shank() {
     bone->points.col(1) = points.col(2);
     bone->points.col(2) = points.col(0);
   }
-  return {BoneOfName("tibia", tibia),
-          BoneOfName("fibula", MovedBy(fibula, {-18, -16, 29}))};
+  return {Measured(BoneOfName("tibia", tibia)),
+          Measured(BoneOfName("fibula", MovedBy(fibula, {-18, -16, 29})))};
 }
 
 std::optional<LandmarkPoint> Find(const std::vector<BonePlace>& places) {
@@ -52,8 +52,8 @@ TEST(FindLandmark, TakesTheFirstBoneThatIsThere) {
 }
 
 TEST(FindLandmark, IgnoresBonesOfTheOtherSide) {
-  std::vector<Bone> bones = Shank();
-  for (Bone& bone : bones) bone.side = Side::kLeft;
+  std::vector<MeasuredBone> bones = Shank();
+  for (MeasuredBone& bone : bones) bone.bone.side = Side::kLeft;
   EXPECT_FALSE(FindLandmark({{"tibia", 0, 1, DirectionOfWords("anterior")}},
                             bones,
                             Side::kRight,

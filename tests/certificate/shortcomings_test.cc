@@ -129,6 +129,17 @@ TEST(Shortcomings, NameAStretchThatMakesNoSense) {
                           "allowed 20"));
 }
 
+TEST(Shortcomings, NameBonesThatItsLinesMiss) {
+  JudgedMuscle muscle;
+  muscle.figures.name = "soleus";
+  muscle.figures.volume_ratio = 1;
+  muscle.missed_bones = {"soleus misses the calcaneus"};
+  EXPECT_THAT(Shortcomings({}, {}, {muscle}),
+              ElementsAre("soleus misses the calcaneus"));
+  EXPECT_THAT(ShapeShortcomings({}, {muscle}),
+              ElementsAre("soleus misses the calcaneus"));
+}
+
 TEST(Shortcomings, NameTrianglesThatCrossTheMuscleItself) {
   // A vertex goes through the opposite side. Volume is not what is looked at.
   Deformed deformed;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/skeleton/polyline.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -78,6 +79,23 @@ TEST_F(FoundSupports, AreHardOverABoneThatIsTouched) {
   // push doubles over 5 mm.
   MakeLines(1, 12);
   FindSupports(Around(), &lines_);
+  const LineSupports& supports = *lines_[0].supports;
+  EXPECT_DOUBLE_EQ(supports.stiffness[9], supports.loads[9] / 5);
+}
+
+TEST_F(FoundSupports, AreHardWhereATendonWithoutAMeshTouchesTheBone) {
+  // Far from its muscle, which says nothing of the tendon's thickness.
+  const TriangleSoup far = SphereAt({0, 0, -300}, 10, 3);
+  const TriangleBvh muscle(far.points, far.triangles);
+  LineSurroundings around = Around();
+  around.soft = {&muscle};
+  lines_[0].bare_end = PolylineLength(lines_[0].rest);
+  FindSupports(around, &lines_);
+  EXPECT_GT(lines_[0].supports->stiffness[9], 9);  // of 10 / mm
+  // 15 mm above the bone nothing touches it.
+  MakeLines(1, 15);
+  lines_[0].bare_end = PolylineLength(lines_[0].rest);
+  FindSupports(around, &lines_);
   const LineSupports& supports = *lines_[0].supports;
   EXPECT_DOUBLE_EQ(supports.stiffness[9], supports.loads[9] / 5);
 }

@@ -153,6 +153,16 @@ TEST_F(TipWithoutBoneTest, IsNotHeldWhereALineGoesOn) {
   EXPECT_EQ(NumHeld(), 1u);
 }
 
+// Even on a bone: the muscle does not end beside its tendon.
+TEST_F(TipWithoutBoneTest, IsNotHeldWhereATendonHasNoMesh) {
+  const TriangleSoup bone = SphereAt({0, 0, -11}, 10, 3);
+  surroundings_.AddBone("tibia", "tibia", bone);
+  AddLineTo(-8);
+  EXPECT_EQ(NumHeld(), 2u);
+  muscle_.lines[0].bare_end = 8;
+  EXPECT_EQ(NumHeld(), 1u);
+}
+
 TEST_F(TipWithoutBoneTest, IsHeldWhereALineEndsSomewhatBeyond) {
   AddLineTo(-8);
   EXPECT_EQ(NumHeld(), 2u);

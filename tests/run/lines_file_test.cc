@@ -17,7 +17,7 @@ TEST(LinesFile, ComesBackToTheLastBit) {
   const std::string path = TestTempDir() + "/lines.json";
   WriteLinesFile(path,
                  {{"a \"muscle\"", {{"l1", line}, {"l2", 2 * line}}, {}},
-                  {"b", {}, {line, line.topRows(2)}}});
+                  {"b", {}, {line, line.topRows(2)}, {line.topRows(3)}}});
   const std::vector<MuscleLines> muscles = ReadLinesFile(path);
   ASSERT_EQ(muscles.size(), 2u);
   EXPECT_EQ(muscles[0].name, "a \"muscle\"");
@@ -26,6 +26,9 @@ TEST(LinesFile, ComesBackToTheLastBit) {
   EXPECT_EQ(muscles[0].lines[1].points, 2 * line);
   ASSERT_EQ(muscles[1].fibres.size(), 2u);
   EXPECT_EQ(muscles[1].fibres[1], line.topRows(2));
+  EXPECT_TRUE(muscles[0].tendons.empty());
+  ASSERT_EQ(muscles[1].tendons.size(), 1u);
+  EXPECT_EQ(muscles[1].tendons[0], line.topRows(3));
 }
 
 TEST(LinesFile, DamageIsNamed) {

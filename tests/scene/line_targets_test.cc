@@ -141,6 +141,22 @@ TEST(LineTargets, ATautLineHasTheRotationsOfItsBodies) {
   EXPECT_NEAR((*target.body_rotations[8])(1, 0), std::sin(0.4), kRounding);
 }
 
+TEST(WithTautLines, GivesWhatLineTargetsWouldSolve) {
+  Scene scene;
+  SceneMuscle& muscle = scene.muscles.emplace_back();
+  muscle.lines = {TautLine()};
+  const ScenePose pose = WithTautLines(scene, Turned(0.4));
+  EXPECT_EQ(pose.taut_lines.points.at("taut"),
+            LineTargets(muscle.lines, Turned(0.4))[0].points);
+  EXPECT_EQ(LineTargets(muscle.lines, pose)[0].points,
+            pose.taut_lines.points.at("taut"));
+  // Not for other positions of the bodies.
+  ScenePose moved = pose;
+  moved.bodies = Turned(0.5).bodies;
+  EXPECT_EQ(LineTargets(muscle.lines, moved)[0].points,
+            LineTargets(muscle.lines, Turned(0.5))[0].points);
+}
+
 TEST(SetTautLines, MovesThemOnByTheirDerivative) {
   constexpr double kAngle = 0.3;
   const auto at = [](double angle) {

@@ -104,9 +104,11 @@ TEST(Guides, LinesThatFollowEachOtherAreOnePath) {
 // `stretch`.
 Eigen::VectorXd StretchesOfSegments(double belly,
                                     double stretch,
-                                    bool is_taut = false) {
+                                    bool is_taut = false,
+                                    bool is_bare = false) {
   ActionLine line = Line("line", {{0, 0, 0}, {100, 0, 0}}, "pelvis");
   if (is_taut) line.supports.emplace();
+  if (is_bare) line.bare_end = 100 - belly;
   // Ten points in a millimetre of the belly, one in two of the tendon.
   std::vector<double> places;
   for (double x = 0.05; x < belly; x += 0.1) places.push_back(x);
@@ -139,6 +141,14 @@ TEST(Guides, TautTendonsKeepTheirLengthLonger) {
   const double taut = StretchesOfSegments(50, 0.9, true)[9];
   EXPECT_LT(std::abs(taut - 1), 0.04);
   EXPECT_GT(std::abs(StretchesOfSegments(50, 0.9)[9] - 1), 0.07);
+}
+
+// A line along a tendon without a mesh is known to be tendon there.
+TEST(Guides, TendonsWithoutAMeshKeepTheirLengthLongest) {
+  const double taut = StretchesOfSegments(50, 0.9, true)[9];
+  const double bare = StretchesOfSegments(50, 0.9, true, true)[9];
+  EXPECT_LT(std::abs(bare - 1), 0.005);
+  EXPECT_LT(std::abs(bare - 1), std::abs(taut - 1) / 4);
 }
 
 // What runs along a tendon with a mesh of its own keeps its length, also where

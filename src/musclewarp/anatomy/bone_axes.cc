@@ -8,7 +8,6 @@
 #include "musclewarp/anatomy/bone_match.h"
 #include "musclewarp/anatomy/bone_places.h"
 #include "musclewarp/anatomy/standing_bones.h"
-#include "musclewarp/mesh/long_axis.h"
 
 namespace musclewarp {
 namespace {
@@ -40,10 +39,10 @@ struct KnownBone {
   Vector3d Along() const { return (ends.row(1) - ends.row(0)).transpose(); }
 };
 
-std::optional<KnownBone> KnownBoneOf(const Bone& bone) {
-  const StandingBone* standing = FindStandingBone(bone.name);
-  if (!standing || bone.mesh.triangles.rows() == 0) return std::nullopt;
-  return KnownBone{standing, LongAxis(bone.mesh.points, bone.mesh.triangles)};
+std::optional<KnownBone> KnownBoneOf(const MeasuredBone& bone) {
+  const StandingBone* standing = FindStandingBone(bone.bone.name);
+  if (!standing || bone.ends.rows() == 0) return std::nullopt;
+  return KnownBone{standing, bone.ends};
 }
 
 // The sum of weight * (direction in the scene) * (the same in the body)^T.
@@ -93,7 +92,7 @@ Evidence EvidenceOf(BodyPart part,
   for (const KnownBone& from : known) {
     if (from.standing->part != part) continue;
     for (const KnownBone& to : known) {
-      const Vector3d in_body = to.standing->middle - from.standing->middle;
+      const Vector3d in_body = to.standing->Middle() - from.standing->Middle();
       const Vector3d in_scene = to.Middle() - from.Middle();
       if (in_body.isZero() || in_scene.isZero()) continue;
       const double near = std::min(1.0, in_body.norm() / kNearBones);
@@ -123,12 +122,12 @@ Matrix3d MirroredForLeft(Matrix3d image, double handedness) {
 }  // namespace
 
 BoneAxes AxesAt(size_t bone,
-                const std::vector<Bone>& bones,
+                const std::vector<MeasuredBone>& bones,
                 const std::optional<Side>& side,
                 const Matrix3d& image) {
   std::vector<KnownBone> known;
-  for (const Bone& other : bones) {
-    if (side && other.side && *side != *other.side) continue;
+  for (const MeasuredBone& other : bones) {
+    if (side && other.bone.side && *side != *other.bone.side) continue;
     if (const auto entry = KnownBoneOf(other)) known.push_back(*entry);
   }
   const auto own = KnownBoneOf(bones[bone]);

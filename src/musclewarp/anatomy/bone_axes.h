@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "musclewarp/anatomy/bone.h"
+#include "musclewarp/anatomy/measured_bone.h"
 
 namespace musclewarp {
 
@@ -30,7 +30,7 @@ struct BoneAxes {
 // the directions forward, up and right of the frame of the meshes in columns,
 // for bones that leave the directions open, such as a femur and a tibia alone.
 BoneAxes AxesAt(size_t bone,
-                const std::vector<Bone>& bones,
+                const std::vector<MeasuredBone>& bones,
                 const std::optional<Side>& side,
                 const Eigen::Matrix3d& image);
 

@@ -6,7 +6,6 @@
 
 #include "musclewarp/anatomy/bone_axes.h"
 #include "musclewarp/anatomy/bone_match.h"
-#include "musclewarp/mesh/long_axis.h"
 
 namespace musclewarp {
 namespace {
@@ -43,16 +42,17 @@ Points CentresWithin(const TriangleSoup& mesh,
 
 // Returns the point of a mesh at a place, given the directions at the bone.
 RowVector3d PointAt(const BonePlace& place,
-                    const TriangleSoup& mesh,
+                    const MeasuredBone& bone,
                     const Eigen::Matrix3d& directions) {
-  Points axis = LongAxis(mesh.points, mesh.triangles);
+  Points axis = bone.ends;
   const RowVector3d down = (directions * LongAxisOf(place.bone)).transpose();
   if ((axis.row(1) - axis.row(0)).dot(down) < 0) {
     axis.row(0).swap(axis.row(1));
   }
   Points region;
   for (double wider = 0; region.rows() == 0; wider += kWidening) {
-    region = CentresWithin(mesh, axis, place.begin - wider, place.end + wider);
+    region = CentresWithin(
+        bone.bone.mesh, axis, place.begin - wider, place.end + wider);
   }
   const Eigen::VectorXd reach = region * (directions * place.direction);
   const double least =
@@ -70,10 +70,6 @@ RowVector3d PointAt(const BonePlace& place,
   return region.row(nearest);
 }
 
-bool IsStandIn(const BonePlace& place, const std::vector<BonePlace>& places) {
-  return place.bone != places.front().bone;
-}
-
 }  // namespace
 
 std::string ToString(LandmarkEvidence evidence) {
@@ -88,30 +84,42 @@ std::string ToString(LandmarkEvidence evidence) {
   return "";
 }
 
-std::optional<LandmarkPoint> FindLandmark(const std::vector<BonePlace>& places,
-                                          const std::vector<Bone>& bones,
-                                          const std::optional<Side>& side,
-                                          const Eigen::Matrix3d& image) {
-  for (const BonePlace& place : places) {
+std::optional<PlaceOnBone> FindPlace(const std::vector<BonePlace>& places,
+                                     const std::vector<MeasuredBone>& bones,
+                                     const std::optional<Side>& side) {
+  for (size_t p = 0; p < places.size(); ++p) {
     for (size_t b = 0; b < bones.size(); ++b) {
-      const Bone& bone = bones[b];
+      const Bone& bone = bones[b].bone;
       if (side && bone.side && *side != *bone.side) continue;
-      if (bone.mesh.triangles.rows() == 0 ||
-          !NamesBone(bone.name, place.bone)) {
-        continue;
+      if (bones[b].ends.rows() > 0 && NamesBone(bone.name, places[p].bone)) {
+        return PlaceOnBone{p, b};
       }
-      const BoneAxes axes = AxesAt(b, bones, side ? side : bone.side, image);
-      LandmarkPoint found;
-      found.bone = b;
-      found.point = PointAt(place, bone.mesh, axes.directions);
-      found.outward = (axes.directions * place.direction).transpose();
-      found.evidence = !axes.are_from_bones       ? LandmarkEvidence::kGuessed
-                       : IsStandIn(place, places) ? LandmarkEvidence::kWeak
-                                                  : LandmarkEvidence::kFound;
-      return found;
     }
   }
   return std::nullopt;
+}
+
+std::optional<LandmarkPoint> FindLandmark(
+    const std::vector<BonePlace>& places,
+    const std::vector<MeasuredBone>& bones,
+    const std::optional<Side>& side,
+    const Eigen::Matrix3d& image) {
+  const auto on_bone = FindPlace(places, bones, side);
+  if (!on_bone) return std::nullopt;
+  const BonePlace& place = places[on_bone->place];
+  const MeasuredBone& bone = bones[on_bone->bone];
+  const BoneAxes axes =
+      AxesAt(on_bone->bone, bones, side ? side : bone.bone.side, image);
+  LandmarkPoint found;
+  found.bone = on_bone->bone;
+  found.point = PointAt(place, bone, axes.directions);
+  found.outward = (axes.directions * place.direction).transpose();
+  if (!axes.are_from_bones) {
+    found.evidence = LandmarkEvidence::kGuessed;
+  } else if (place.bone != places.front().bone) {
+    found.evidence = LandmarkEvidence::kWeak;  // it stands in
+  }
+  return found;
 }
 
 }  // namespace musclewarp

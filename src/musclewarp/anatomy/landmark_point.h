@@ -9,6 +9,7 @@
 
 #include "musclewarp/anatomy/bone.h"
 #include "musclewarp/anatomy/bone_places.h"
+#include "musclewarp/anatomy/measured_bone.h"
 
 namespace musclewarp {
 
@@ -21,6 +22,19 @@ enum class LandmarkEvidence {
 
 std::string ToString(LandmarkEvidence evidence);
 
+// One of the places of a landmark, and the bone that it is on, by index.
+struct PlaceOnBone {
+  size_t place = 0;
+  size_t bone = 0;
+};
+
+// Returns the first of the places of a landmark (PlacesOfLandmark) whose bone
+// is among `bones`. Only bones of `side` count where both sides are known.
+// Nothing is returned if no bone of it is there.
+std::optional<PlaceOnBone> FindPlace(const std::vector<BonePlace>& places,
+                                     const std::vector<MeasuredBone>& bones,
+                                     const std::optional<Side>& side);
+
 // A landmark on the bones of a scene, in the frame of the meshes.
 struct LandmarkPoint {
   size_t bone = 0;                                          // index
@@ -29,14 +43,13 @@ struct LandmarkPoint {
   LandmarkEvidence evidence = LandmarkEvidence::kFound;
 };
 
-// Finds a landmark on the first of its places (PlacesOfLandmark) whose bone is
-// among `bones`, where the bone reaches farthest to the side that the place
-// names within the named part of its length. Only bones of `side` count where
-// both sides are known; without one, those without a side, or of either.
-// `image` is as for AxesAt. Nothing is returned if no bone of it is there.
-std::optional<LandmarkPoint> FindLandmark(const std::vector<BonePlace>& places,
-                                          const std::vector<Bone>& bones,
-                                          const std::optional<Side>& side,
-                                          const Eigen::Matrix3d& image);
+// Finds a landmark on the bone that FindPlace() returns, where it reaches
+// farthest to the side that the place names within the named part of its
+// length. `image` is as for AxesAt.
+std::optional<LandmarkPoint> FindLandmark(
+    const std::vector<BonePlace>& places,
+    const std::vector<MeasuredBone>& bones,
+    const std::optional<Side>& side,
+    const Eigen::Matrix3d& image);
 
 }  // namespace musclewarp

@@ -26,9 +26,10 @@ struct StandingBone {
   const char* bone;  // as in BonePlace
   BodyPart part;
 
-  // The middle of its long axis: anterior, superior, and to the side of the
-  // bone, mm.
-  Eigen::Vector3d middle;
+  // The middle of its long axis, mm: lateral is to the side of the bone.
+  double anterior, superior, lateral;
+
+  Eigen::Vector3d Middle() const { return {anterior, superior, lateral}; }
 };
 
 // Returns the entry of the bone that a mesh is, by its name, or nullptr if the

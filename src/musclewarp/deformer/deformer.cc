@@ -175,8 +175,10 @@ int Deformer::ExpectedSteps(const ScenePose* from,
 SolvedFrame Deformer::Solve(const ScenePose& pose, const SceneState* before) {
   std::optional<StageRecording> recording;
   if (options_.record_stages) recording.emplace();
-  SolvedFrame solved =
-      frame_solver_->Solve(solvers_, pose, before, options_.on_progress);
+  SolvedFrame solved = frame_solver_->Solve(solvers_,
+                                            WithTautLines(scene_->scene, pose),
+                                            before,
+                                            options_.on_progress);
   if (recording) solved.frame.stages = recording->times();
   return solved;
 }

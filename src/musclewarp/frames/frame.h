@@ -23,6 +23,10 @@ struct MuscleFrame : MuscleFigures {
   // 3 each, mm.
   std::vector<Points> lines;
   std::vector<Points> fibres;
+
+  // Where its lines go on along tendons that have no mesh, #P x 3 each, mm
+  // (frames/bare_tendon_lines.h).
+  std::vector<Points> bare_tendons;
 };
 
 // Gaps to other meshes are measured up to this distance, mm.

@@ -7,6 +7,7 @@
 
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/certificate/delivered_crossings.h"
+#include "musclewarp/frames/bare_tendon_lines.h"
 #include "musclewarp/frames/fibre_measures.h"
 #include "musclewarp/frames/shape_measures.h"
 #include "musclewarp/geometry/folded_triangles.h"
@@ -69,6 +70,7 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
                         pose),
       frame.points);
   AddLines(muscle, coarse, &frame);
+  frame.bare_tendons = BareTendonLines(model.lines, &pose);
   const std::vector<double> lengths = PathLengthsIn(pose, model.lines);
   for (size_t k = 0; k < lengths.size(); ++k) {
     frame.path_lengths[model.lines[k].name] = lengths[k];
@@ -179,6 +181,7 @@ Frame RestFrame(const PreparedScene& scene,
         muscle.model.rest_volume / muscle.mesh.delivered_volume;
     at_rest.volume = at_rest.volume_ratio * muscle.mesh.delivered_volume;
     AddLines(muscle, muscle.model.coarse_rest, &at_rest);
+    at_rest.bare_tendons = BareTendonLines(muscle.model.lines, nullptr);
     frame.muscles.push_back(std::move(at_rest));
   }
   for (const PreparedBone& bone : scene.bones) {

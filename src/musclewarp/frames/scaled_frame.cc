@@ -19,6 +19,7 @@ void ScaleLengths(double factor, MuscleFrame* muscle) {
   muscle->gaps *= factor;
   for (Points& line : muscle->lines) line *= factor;
   for (Points& fibre : muscle->fibres) fibre *= factor;
+  for (Points& tendon : muscle->bare_tendons) tendon *= factor;
 }
 
 }  // namespace

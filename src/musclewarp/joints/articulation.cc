@@ -372,8 +372,7 @@ class Articulator {
 
   const ArticulationOptions& options_;
   std::vector<SampledBone> bones_;
-  std::optional<Eigen::Matrix3d> image_axes_;
-  std::optional<Eigen::Matrix3d> pelvis_axes_;
+  std::optional<Eigen::Matrix3d> image_axes_, pelvis_axes_;
   std::map<std::string, std::string> body_of_;  // by the body of the table
   bool lacks_sides_ = false;  // a bone has none, although its kind does
   Articulation result_;

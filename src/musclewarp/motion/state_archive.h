@@ -55,12 +55,14 @@ void load(Archive& archive, std::shared_ptr<const T>& pointer) {
 
 namespace musclewarp {
 
+MUSCLEWARP_ARCHIVE(SolvedLines, bodies, points)
 MUSCLEWARP_ARCHIVE(ScenePose,
                    name,
                    time,
                    coordinates,
                    bodies,
                    lines,
+                   taut_lines,
                    model_values,
                    path_lengths)
 

@@ -99,7 +99,7 @@ OrderedJson MuscleJson(const RecordedMuscle& muscle,
                        MotionPacker* packer) {
   std::vector<int> gaps;
   std::vector<const Points*> points;
-  std::vector<std::vector<const Points*>> lines, fibres;
+  std::vector<std::vector<const Points*>> lines, fibres, tendons;
   for (std::size_t pose = 0; pose < muscle.points.size(); ++pose) {
     points.push_back(&muscle.points[pose]);
     for (const double gap : muscle.gaps[pose]) {
@@ -115,6 +115,10 @@ OrderedJson MuscleJson(const RecordedMuscle& muscle,
     fibres.emplace_back();
     for (const Points& fibre : muscle.lines[pose].fibres) {
       fibres.back().push_back(&fibre);
+    }
+    tendons.emplace_back();
+    for (const Points& tendon : muscle.lines[pose].tendons) {
+      tendons.back().push_back(&tendon);
     }
   }
   OrderedJson names = OrderedJson::array();
@@ -132,7 +136,8 @@ OrderedJson MuscleJson(const RecordedMuscle& muscle,
           {"gaps", packed->Add(gaps, vertices)},
           {"attached", AreasJson(muscle.attached, packed)},
           {"lines", line_json},
-          {"fibres", PolylinesJson(fibres, packer)}};
+          {"fibres", PolylinesJson(fibres, packer)},
+          {"tendons", PolylinesJson(tendons, packer)}};
 }
 
 OrderedJson BoneJson(const RecordedBone& bone,

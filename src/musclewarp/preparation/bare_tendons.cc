@@ -3,7 +3,7 @@
 #include "musclewarp/preparation/bare_tendons.h"
 
 #include <algorithm>
-#include <set>
+#include <optional>
 #include <utility>
 
 #include "musclewarp/anatomy/bone_names.h"
@@ -12,7 +12,7 @@
 #include "musclewarp/base/text.h"
 #include "musclewarp/fibres/bodies_along.h"
 #include "musclewarp/fibres/tendon_course.h"
-#include "musclewarp/preparation/line_ends.h"
+#include "musclewarp/preparation/missed_sides.h"
 #include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp {
@@ -25,64 +25,14 @@ using Eigen::RowVector3d;
 // thickness, and its sheath.
 constexpr double kPulleyHeight = 5;
 
+// Corners of a course that are nearer to each other than this are one, mm.
+constexpr double kSamePlace = 1;
+
 // A place on a bone at which a tendon may end.
 struct Target {
   std::string landmark;
   LandmarkPoint place;
 };
-
-// Where one side of a muscle ends: on one of the bodies, at the targets on
-// them, if there are any.
-struct Destination {
-  std::set<std::string> bodies;
-  std::vector<Target> targets;
-};
-
-// What is known of the muscle and the bones around it.
-struct Anatomy {
-  const Surroundings& surroundings;
-  const std::optional<Side> side;
-  const Eigen::Matrix3d& image;
-
-  std::vector<Target> TargetsOf(const std::vector<AnatomicalEnd>& ends) const {
-    std::vector<Target> targets;
-    for (const AnatomicalEnd& end : ends) {
-      const auto place =
-          FindLandmark(end.places, surroundings.bones(), side, image);
-      if (place) targets.push_back({end.landmark, *place});
-    }
-    return targets;
-  }
-
-  const std::string& BodyOf(const Target& target) const {
-    return surroundings.bones()[target.place.bone].body;
-  }
-};
-
-Destination DestinationOf(const Anatomy& anatomy,
-                          const std::vector<AnatomicalEnd>& ends) {
-  Destination destination;
-  destination.targets = anatomy.TargetsOf(ends);
-  for (const Target& target : destination.targets) {
-    destination.bodies.insert(anatomy.BodyOf(target));
-  }
-  return destination;
-}
-
-// A body that the scene names; of the targets only those on it count.
-Destination NamedDestination(const Anatomy& anatomy,
-                             const std::string& body,
-                             Destination by_name) {
-  std::vector<Target>& targets = by_name.targets;
-  targets.erase(std::remove_if(targets.begin(),
-                               targets.end(),
-                               [&](const Target& target) {
-                                 return anatomy.BodyOf(target) != body;
-                               }),
-                targets.end());
-  by_name.bodies = {body};
-  return by_name;
-}
 
 // Returns the point of the bones of a body that is nearest to a point, as a
 // guess of where the muscle ends.
@@ -92,7 +42,7 @@ Target NearestTarget(const Surroundings& surroundings,
   Target nearest;
   double least = kInfinity;
   for (size_t b = 0; b < surroundings.bones().size(); ++b) {
-    if (surroundings.bones()[b].body != body) continue;
+    if (surroundings.bones()[b].bone.body != body) continue;
     const auto closest = surroundings.surface_of_bone(b).ClosestPoint(point);
     if (closest.distance >= least || closest.distance == 0) continue;
     least = closest.distance;
@@ -104,31 +54,38 @@ Target NearestTarget(const Surroundings& surroundings,
   return nearest;
 }
 
-Target TargetFor(const Surroundings& surroundings,
-                 const Destination& destination,
-                 const RowVector3d& point) {
-  if (destination.targets.empty()) {
-    return NearestTarget(surroundings, *destination.bodies.begin(), point);
-  }
-  return *std::min_element(destination.targets.begin(),
-                           destination.targets.end(),
-                           [&](const Target& a, const Target& b) {
-                             return (a.place.point - point).norm() <
-                                    (b.place.point - point).norm();
-                           });
-}
+// A side of a muscle at which its lines are to go on.
+struct Goal {
+  bool is_origin = false;
+  std::string body;             // for want of landmarks
+  std::vector<Target> targets;  // its landmarks
 
-double DistanceTo(const Surroundings& surroundings,
-                  const Destination& destination,
-                  const RowVector3d& point) {
-  return (TargetFor(surroundings, destination, point).place.point - point)
-      .norm();
-}
+  Target NearestTo(const RowVector3d& point,
+                   const Surroundings& surroundings) const {
+    if (targets.empty()) return NearestTarget(surroundings, body, point);
+    return *std::min_element(
+        targets.begin(), targets.end(), [&](const Target& a, const Target& b) {
+          return (a.place.point - point).norm() <
+                 (b.place.point - point).norm();
+        });
+  }
+
+  double DistanceTo(const RowVector3d& point,
+                    const Surroundings& surroundings) const {
+    return (NearestTo(point, surroundings).place.point - point).norm();
+  }
+};
 
 void Reverse(ActionLine* line) {
   line->rest = Points(line->rest.colwise().reverse());
   std::reverse(line->bodies.begin(), line->bodies.end());
   std::swap(line->bare_begin, line->bare_end);
+}
+
+Points AsPoints(const std::vector<RowVector3d>& rows) {
+  Points points(static_cast<Index>(rows.size()), 3);
+  for (size_t i = 0; i < rows.size(); ++i) points.row(i) = rows[i];
+  return points;
 }
 
 // Returns the corners of the course from a point to a target, past those
@@ -149,12 +106,17 @@ Points CornersTo(const RowVector3d& from,
       passed = c + 1;
     }
   }
-  Points course(static_cast<Index>(corners.size() - passed) + 1, 3);
-  course.row(0) = from;
+  // The target stays, whatever is beside it.
+  std::vector<RowVector3d> course = {from};
   for (size_t c = passed; c < corners.size(); ++c) {
-    course.row(static_cast<Index>(c - passed) + 1) = corners[c];
+    const bool is_target = c + 1 == corners.size();
+    if ((corners[c] - course.back()).norm() > kSamePlace) {
+      course.push_back(corners[c]);
+    } else if (is_target && course.size() > 1) {
+      course.back() = corners[c];
+    }
   }
-  return course;
+  return AsPoints(course);
 }
 
 // Returns the line without what turns to the tip of the mesh, which may be the
@@ -180,119 +142,56 @@ void GoOn(const Surroundings& surroundings,
           ActionLine* line) {
   const Points inside = WithoutTip(line->rest);
   const double tip = PolylineLength(line->rest) - PolylineLength(inside);
-  const Points course =
-      TendonCourse(CornersTo(inside.row(inside.rows() - 1), pulleys, target),
-                   surroundings.SurfacesOfBones());
+  const Points corners =
+      CornersTo(inside.row(inside.rows() - 1), pulleys, target);
+  if (corners.rows() < 2) return;
+  const Points course = TendonCourse(corners, surroundings.SurfacesOfBones());
   Points rest(inside.rows() + course.rows() - 1, 3);
   rest << inside, course.bottomRows(course.rows() - 1);
   line->rest = std::move(rest);
   line->bare_end = std::max(PolylineLength(course) - tip, 0.0);
   line->bodies = BodiesAlong(line->rest,
                              line->bodies.front(),
-                             surroundings.bones()[target.place.bone].body,
+                             surroundings.bones()[target.place.bone].bone.body,
                              surroundings.bodies());
 }
 
-bool Meet(const std::set<std::string>& a, const std::set<std::string>& b) {
-  return std::any_of(a.begin(), a.end(), [&](const std::string& body) {
-    return b.count(body) > 0;
-  });
-}
-
-std::set<std::string> EndBodies(const std::vector<ActionLine>& lines) {
-  std::set<std::string> bodies;
-  for (const ActionLine& line : lines) {
-    bodies.insert({line.bodies.front(), line.bodies.back()});
-  }
-  return bodies;
-}
-
-// Both sides of a muscle, and which of them its lines do not reach.
-struct Sides {
-  Destination origin, insertion;
-  bool misses_origin = false, misses_insertion = false;
-};
-
-bool IsFarFrom(const std::string& body,
-               const std::vector<ActionLine>& lines,
-               const Surroundings& surroundings) {
-  const auto ends = LineEndsOf(lines, surroundings.bodies());
-  const bool is_there =
-      std::any_of(ends.begin(), ends.end(), [&](const LineEnd& end) {
-        return end.body == body && end.distance <= kFarEnd;
-      });
-  return !is_there;
-}
-
-Sides SidesOf(const SceneMuscle& muscle,
-              const Anatomy& anatomy,
-              const MuscleFacts* facts,
-              const std::vector<ActionLine>& lines) {
-  Sides sides;
-  if (facts) {
-    sides.origin = DestinationOf(anatomy, facts->origin_ends);
-    sides.insertion = DestinationOf(anatomy, facts->insertion_ends);
-  }
-  if (muscle.end_bodies.size() == 2) {
-    const std::string &origin = muscle.end_bodies[0],
-                      &insertion = muscle.end_bodies[1];
-    sides.origin = NamedDestination(anatomy, origin, std::move(sides.origin));
-    sides.insertion =
-        NamedDestination(anatomy, insertion, std::move(sides.insertion));
-    if (origin == insertion) return sides;
-    sides.misses_origin = IsFarFrom(origin, lines, anatomy.surroundings);
-    sides.misses_insertion = IsFarFrom(insertion, lines, anatomy.surroundings);
-    return sides;
-  }
-  if (Meet(sides.origin.bodies, sides.insertion.bodies)) return sides;
-  const std::set<std::string> reached = EndBodies(lines);
-  sides.misses_origin =
-      !sides.origin.bodies.empty() && !Meet(sides.origin.bodies, reached);
-  sides.misses_insertion =
-      !sides.insertion.bodies.empty() && !Meet(sides.insertion.bodies, reached);
-  return sides;
-}
-
 // Returns true if the first point of a line is on the side of the origin, as
-// told by the sides that are missed, of which there is one: an origin may run
-// along most of a bone.
+// told by the sides at which lines go on: an origin may run along most of a
+// bone, and says less.
 bool BeginsAtOrigin(const Surroundings& surroundings,
-                    const Sides& sides,
+                    const std::vector<Goal>& goals,
                     const ActionLine& line) {
-  const RowVector3d first = line.rest.row(0),
-                    last = line.rest.row(line.rest.rows() - 1);
   double forward = 0, backward = 0;
-  if (sides.misses_origin) {
-    forward += DistanceTo(surroundings, sides.origin, first);
-    backward += DistanceTo(surroundings, sides.origin, last);
-  }
-  if (sides.misses_insertion) {
-    forward += DistanceTo(surroundings, sides.insertion, last);
-    backward += DistanceTo(surroundings, sides.insertion, first);
+  for (const Goal& goal : goals) {
+    const double from_first = goal.DistanceTo(line.rest.row(0), surroundings);
+    const double from_last =
+        goal.DistanceTo(line.rest.row(line.rest.rows() - 1), surroundings);
+    forward += goal.is_origin ? from_first : from_last;
+    backward += goal.is_origin ? from_last : from_first;
   }
   return forward <= backward;
 }
 
-// Lets the lines go on at one side, and returns the tendon there.
-BareTendon GoOnAtSide(bool is_at_origin,
+// Lets the lines go on at the side of `goal`, and returns the tendon there.
+// `are_forward`: which lines begin at the origin.
+BareTendon GoOnAtSide(const Goal& goal,
+                      const std::vector<bool>& are_forward,
                       const Surroundings& surroundings,
-                      const Sides& sides,
                       const std::vector<Target>& pulleys,
                       std::vector<ActionLine>* lines) {
-  const Destination& destination =
-      is_at_origin ? sides.origin : sides.insertion;
   BareTendon tendon;
-  tendon.is_at_origin = is_at_origin;
-  for (ActionLine& line : *lines) {
-    const bool reverses =
-        BeginsAtOrigin(surroundings, sides, line) == is_at_origin;
+  tendon.is_at_origin = goal.is_origin;
+  for (size_t i = 0; i < lines->size(); ++i) {
+    ActionLine& line = (*lines)[i];
+    const bool reverses = are_forward[i] == goal.is_origin;
     if (reverses) Reverse(&line);
-    const Target target = TargetFor(
-        surroundings, destination, line.rest.row(line.rest.rows() - 1));
+    const Target target =
+        goal.NearestTo(line.rest.row(line.rest.rows() - 1), surroundings);
     GoOn(surroundings, pulleys, target, &line);
     tendon.length += line.bare_end / static_cast<double>(lines->size());
     if (reverses) Reverse(&line);
-    const Bone& bone = surroundings.bones()[target.place.bone];
+    const Bone& bone = surroundings.bones()[target.place.bone].bone;
     tendon.body = bone.body;
     tendon.bone = bone.name;
     tendon.landmark = target.landmark;
@@ -314,24 +213,34 @@ std::vector<BareTendon> AddBareTendons(const SceneMuscle& muscle,
                                        const Surroundings& surroundings,
                                        const Eigen::Matrix3d& image,
                                        std::vector<ActionLine>* lines) {
+  const std::optional<Side> side = SideOfName(muscle.name);
+  const auto targets_of = [&](const std::vector<AnatomicalEnd>& ends) {
+    std::vector<Target> targets;
+    for (const AnatomicalEnd& end : ends) {
+      const auto place =
+          FindLandmark(end.places, surroundings.bones(), side, image);
+      if (place) targets.push_back({end.landmark, *place});
+    }
+    return targets;
+  };
+  std::vector<Goal> goals;
+  for (const MissedSide& missed : MissedSides(muscle, *lines, surroundings)) {
+    goals.push_back(
+        {missed.is_origin, missed.body, targets_of(missed.landmarks)});
+  }
+  std::vector<bool> are_forward;
+  for (const ActionLine& line : *lines) {
+    are_forward.push_back(BeginsAtOrigin(surroundings, goals, line));
+  }
   const MuscleFacts* facts = FindMuscleFacts(muscle.name);
-  const bool have_bodies =
-      std::all_of(lines->begin(), lines->end(), [](const ActionLine& line) {
-        return !line.bodies.empty();
-      });
-  if ((!facts && muscle.end_bodies.empty()) || lines->empty() || !have_bodies) {
-    return {};
-  }
-  const Anatomy anatomy = {surroundings, SideOfName(muscle.name), image};
-  const Sides sides = SidesOf(muscle, anatomy, facts, *lines);
   std::vector<BareTendon> tendons;
-  if (sides.misses_origin) {
-    tendons.push_back(GoOnAtSide(true, surroundings, sides, {}, lines));
-  }
-  if (sides.misses_insertion) {
-    const std::vector<Target> pulleys =
-        facts ? anatomy.TargetsOf(facts->pulleys) : std::vector<Target>();
-    tendons.push_back(GoOnAtSide(false, surroundings, sides, pulleys, lines));
+  for (const Goal& goal : goals) {
+    // Pulleys are those of the tendon to the insertion.
+    const std::vector<Target> pulleys = facts && !goal.is_origin
+                                            ? targets_of(facts->pulleys)
+                                            : std::vector<Target>();
+    tendons.push_back(
+        GoOnAtSide(goal, are_forward, surroundings, pulleys, lines));
   }
   return tendons;
 }

@@ -24,15 +24,12 @@ struct BareTendon {
   LandmarkEvidence evidence = LandmarkEvidence::kFound;
 };
 
-// Most segmentations leave tendons out, and what is left of a muscle crosses no
-// joint. Lets the lines that were made for a muscle go on to the bones on which
-// it ends: those that the scene names (end_bodies), or those of anatomy, by the
-// name of the muscle (FindMuscleFacts), if no line ends on a body of these, and
-// the ends of a named body are more than kFarEnd away. The lines go on to the
-// landmark, as the shortest way over the bones and past the pulleys of the
-// muscle (TendonCourse), and are marked there (ActionLine::bare_begin,
-// bare_end). `image` is as for AxesAt. Returns the tendons, none if all is well
-// or nothing is known.
+// Lets the lines that were made for a muscle go on at the sides that they miss
+// (MissedSides): to the landmark there that is nearest, or to the nearest point
+// of the bones of the body, as the shortest way over the bones and past the
+// pulleys of the muscle (TendonCourse). Lines are marked there
+// (ActionLine::bare_begin, bare_end). `image` is as for AxesAt. Returns the
+// tendons.
 std::vector<BareTendon> AddBareTendons(const SceneMuscle& muscle,
                                        const Surroundings& surroundings,
                                        const Eigen::Matrix3d& image,

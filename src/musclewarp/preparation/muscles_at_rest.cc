@@ -43,6 +43,7 @@ std::vector<MuscleAtRest> MusclesAtRest(const Scene& scene,
   for (size_t m = 0; m < muscles.size(); ++m) {
     const std::vector<ActionLine>& given = scene.muscles[m].lines;
     muscles[m].lines = given.empty() ? made[m].lines : given;
+    if (given.empty()) muscles[m].bare_tendons = made[m].bare_tendons;
     muscles[m].volume = prepared[m].mesh.delivered_volume;
   }
   return muscles;

@@ -14,6 +14,9 @@ namespace musclewarp {
 struct MuscleAtRest {
   std::vector<ActionLine> lines;  // those of the scene, or else made
   double volume = 0;              // MeshPreparation::delivered_volume, mm^3
+
+  // Along which lines that were made go on to bones without a mesh.
+  std::vector<BareTendon> bare_tendons;
 };
 
 // Returns the muscles of a scene in its order: repairs its meshes and makes

@@ -17,7 +17,7 @@
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/preparation/exempt_areas.h"
 #include "musclewarp/preparation/memory_need.h"
-#include "musclewarp/preparation/missed_bones.h"
+#include "musclewarp/preparation/missed_sides.h"
 #include "musclewarp/preparation/muscle_interior.h"
 #include "musclewarp/preparation/repaired_meshes.h"
 #include "musclewarp/preparation/scene_lines.h"
@@ -194,8 +194,8 @@ void AddLines(const Surroundings& surroundings,
     prepared->muscles[m].bare_tendons = std::move(made[m].bare_tendons);
     prepared->muscles[m].line_ends =
         LineEndsOf(muscle.lines, surroundings.bodies());
-    prepared->muscles[m].missed_bones = MissedBones(
-        muscle, prepared->muscles[m].line_ends, prepared->scene.bones);
+    prepared->muscles[m].missed_bones =
+        MissedBones(muscle, muscle.lines, surroundings);
     prepared->muscles[m].lines_through = std::move(made[m].through);
     prepared->muscles[m].tied_to = std::move(made[m].tied_to);
   }

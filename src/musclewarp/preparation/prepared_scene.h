@@ -124,7 +124,7 @@ struct PreparedMuscle {
   std::vector<BareTendon> bare_tendons;
 
   // A sentence for each side on which its lines end on another bone than
-  // anatomy has it (missed_bones.h).
+  // anatomy has it (missed_sides.h).
   std::vector<std::string> missed_bones;
 
   // One sentence per line that contradicts an attachment.

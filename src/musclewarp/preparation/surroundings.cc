@@ -11,8 +11,8 @@ namespace musclewarp {
 void Surroundings::AddBone(const std::string& name,
                            const std::string& body,
                            const TriangleSoup& bone) {
-  bones_.push_back(BoneOfName(name, bone));
-  bones_.back().body = body;
+  bones_.push_back(Measured(BoneOfName(name, bone)));
+  bones_.back().bone.body = body;
   bone_surfaces_.push_back(
       std::make_unique<TriangleBvh>(bone.points, bone.triangles));
   auto surface = std::find_if(

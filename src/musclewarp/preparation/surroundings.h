@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/anatomy/bone.h"
+#include "musclewarp/anatomy/measured_bone.h"
 #include "musclewarp/fibres/muscle_ends.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/proximity/triangle_bvh.h"
@@ -33,7 +33,7 @@ class Surroundings {
   std::vector<BodySurface> BodiesOf(const SceneMuscle& muscle) const;
 
   // The bones, in the order in which they were added.
-  const std::vector<Bone>& bones() const { return bones_; }
+  const std::vector<MeasuredBone>& bones() const { return bones_; }
   const TriangleBvh& surface_of_bone(size_t bone) const {
     return *bone_surfaces_[bone];
   }
@@ -48,7 +48,7 @@ class Surroundings {
   std::vector<const TriangleBvh*> MusclesBeside(int muscle) const;
 
  private:
-  std::vector<Bone> bones_;
+  std::vector<MeasuredBone> bones_;
   std::vector<std::unique_ptr<TriangleBvh>> bone_surfaces_, muscles_;
   std::vector<TriangleSoup> meshes_;  // of the muscles
   std::vector<BodySurface> bodies_;

@@ -74,7 +74,8 @@ std::vector<MuscleLines> NamedLines(const PreparedScene& scene,
   std::vector<MuscleLines> muscles;
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
     const MuscleModel& model = scene.muscles[i].model;
-    MuscleLines lines{model.name, {}, frame.muscles[i].fibres};
+    MuscleLines lines{
+        model.name, {}, frame.muscles[i].fibres, frame.muscles[i].bare_tendons};
     for (size_t k = 0; k < model.lines.size(); ++k) {
       lines.lines.push_back({model.lines[k].name, frame.muscles[i].lines[k]});
     }

@@ -32,6 +32,9 @@ void WriteLinesFile(const std::string& path,
     for (const Points& fibre : muscle.fibres) fibres.push_back(ToJson(fibre));
     all.push_back(
         {{"name", muscle.name}, {"lines", lines}, {"fibres", fibres}});
+    for (const Points& tendon : muscle.tendons) {
+      all.back()["tendons"].push_back(ToJson(tendon));
+    }
   }
   const nlohmann::ordered_json file = {{"units", "mm"}, {"muscles", all}};
   // Names of an .osim may not be UTF-8.
@@ -55,6 +58,12 @@ std::vector<MuscleLines> ReadLinesFile(const std::string& path) {
     const JsonField fibres = field.At("fibres");
     for (size_t k = 0; k < fibres.ArraySize(); ++k) {
       muscle.fibres.push_back(fibres.At(k).AsPoints());
+    }
+    if (field.Has("tendons")) {
+      const JsonField tendons = field.At("tendons");
+      for (size_t k = 0; k < tendons.ArraySize(); ++k) {
+        muscle.tendons.push_back(tendons.At(k).AsPoints());
+      }
     }
     muscles.push_back(std::move(muscle));
   }

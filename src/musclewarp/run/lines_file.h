@@ -23,12 +23,17 @@ struct MuscleLines {
   std::string name;  // of the muscle
   std::vector<NamedLine> lines;
   std::vector<Points> fibres;  // #P x 3 each, mm
+
+  // Where its lines go on along tendons that have no mesh, #P x 3 each, mm.
+  std::vector<Points> tendons = {};
 };
 
 // Writes a lines file, to the last bit:
 //
 //   { "units": "mm", "muscles": [ { "name", "lines": [ { "name", "points":
 //   [[x, y, z], ...] } ], "fibres": [ [[x, y, z], ...] ] } ] }
+//
+// A muscle with tendons has them under "tendons", as fibres.
 void WriteLinesFile(const std::string& path,
                     const std::vector<MuscleLines>& muscles);
 

@@ -56,20 +56,26 @@ std::vector<MuscleLines> LinesIn(const std::string& folder,
   throw InputError(file, "names other muscles than report.json", kRunAgain);
 }
 
+bool HaveSameSizes(const std::vector<Points>& a, const std::vector<Points>& b) {
+  return std::equal(a.begin(),
+                    a.end(),
+                    b.begin(),
+                    b.end(),
+                    [](const Points& one, const Points& other) {
+                      return one.rows() == other.rows();
+                    });
+}
+
 bool HaveSameSizes(const MuscleLines& a, const MuscleLines& b) {
-  if (a.lines.size() != b.lines.size() || a.fibres.size() != b.fibres.size()) {
-    return false;
-  }
+  if (a.lines.size() != b.lines.size()) return false;
   for (std::size_t i = 0; i < a.lines.size(); ++i) {
     if (a.lines[i].name != b.lines[i].name ||
         a.lines[i].points.rows() != b.lines[i].points.rows()) {
       return false;
     }
   }
-  for (std::size_t i = 0; i < a.fibres.size(); ++i) {
-    if (a.fibres[i].rows() != b.fibres[i].rows()) return false;
-  }
-  return true;
+  return HaveSameSizes(a.fibres, b.fibres) &&
+         HaveSameSizes(a.tendons, b.tendons);
 }
 
 TriangleSoup ReadMesh(const FrameFiles& files,

@@ -82,12 +82,15 @@ OrderedJson BareTendonsJson(const std::vector<BareTendon>& tendons) {
   return list;
 }
 
+FibreSpread SpreadAtRest(const PreparedMuscle& muscle) {
+  return SpreadOf(LinesAt(muscle.fibres, muscle.model.coarse_rest));
+}
+
 OrderedJson PrepareJson(const PreparedScene& scene) {
   OrderedJson muscles = OrderedJson::array();
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
     const PreparedMuscle& muscle = scene.muscles[i];
-    const FibreSpread fibres =
-        SpreadOf(LinesAt(muscle.fibres, muscle.model.coarse_rest));
+    const FibreSpread fibres = SpreadAtRest(muscle);
     const bool has_named = !scene.scene.muscles[i].attachments.empty();
     muscles.push_back(
         {{"name", muscle.model.name},

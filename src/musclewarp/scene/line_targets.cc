@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "musclewarp/base/parallel_for.h"
 #include "musclewarp/skeleton/polyline.h"
 #include "musclewarp/skeleton/taut_lines.h"
 
@@ -55,6 +56,25 @@ std::vector<PointMotions> MotionsOf(const std::vector<ActionLine>& lines,
   return motions;
 }
 
+// Returns the points of the taut lines of a muscle, and none for the others:
+// those that the pose has for its bodies, or solved.
+std::vector<Points> TautPointsIn(const std::vector<ActionLine>& lines,
+                                 const ScenePose& pose,
+                                 const std::vector<PointMotions>& motions) {
+  const auto& solved = pose.taut_lines.points;
+  const bool has_all =
+      !solved.empty() && pose.taut_lines.bodies == pose.bodies &&
+      std::all_of(lines.begin(), lines.end(), [&](const ActionLine& line) {
+        return !line.supports || solved.count(line.name) > 0;
+      });
+  if (!has_all) return TautPoints(lines, motions);
+  std::vector<Points> points(lines.size());
+  for (size_t k = 0; k < lines.size(); ++k) {
+    if (lines[k].supports) points[k] = solved.at(lines[k].name);
+  }
+  return points;
+}
+
 LineTarget TargetOf(const ActionLine& line,
                     const ScenePose& pose,
                     const PointMotions& motions,
@@ -96,7 +116,7 @@ std::vector<LineTarget> LineTargets(const std::vector<ActionLine>& lines,
         return line.supports && pose.lines.count(line.name) == 0;
       });
   std::vector<Points> taut(lines.size());
-  if (solves) taut = TautPoints(lines, motions);
+  if (solves) taut = TautPointsIn(lines, pose, motions);
   std::vector<LineTarget> targets;
   for (size_t k = 0; k < lines.size(); ++k) {
     targets.push_back(TargetOf(lines[k], pose, motions[k], std::move(taut[k])));
@@ -104,11 +124,29 @@ std::vector<LineTarget> LineTargets(const std::vector<ActionLine>& lines,
   return targets;
 }
 
+ScenePose WithTautLines(const Scene& scene, ScenePose pose) {
+  std::vector<std::vector<Points>> points(scene.muscles.size());
+  pose.taut_lines = {};
+  ParallelFor(scene.muscles.size(), [&](size_t m) {
+    const std::vector<ActionLine>& lines = scene.muscles[m].lines;
+    points[m] = TautPoints(lines, MotionsOf(lines, pose));
+  });
+  pose.taut_lines.bodies = pose.bodies;
+  for (size_t m = 0; m < points.size(); ++m) {
+    for (size_t k = 0; k < points[m].size(); ++k) {
+      const ActionLine& line = scene.muscles[m].lines[k];
+      if (!line.supports) continue;
+      pose.taut_lines.points[line.name] = std::move(points[m][k]);
+    }
+  }
+  return pose;
+}
+
 void SetTautLines(const std::vector<ActionLine>& lines,
                   const ScenePose& pose,
                   std::vector<PerturbedPoses>* beside) {
   const std::vector<PointMotions> motions = MotionsOf(lines, pose);
-  const std::vector<Points> points = TautPoints(lines, motions);
+  const std::vector<Points> points = TautPointsIn(lines, pose, motions);
   for (PerturbedPoses& poses : *beside) {
     std::vector<PointMotions> rates(lines.size());
     for (size_t k = 0; k < lines.size(); ++k) {

@@ -25,6 +25,10 @@ Eigen::Matrix4d BodyTransform(const ScenePose& pose, const std::string& body);
 std::vector<LineTarget> LineTargets(const std::vector<ActionLine>& lines,
                                     const ScenePose& pose);
 
+// Returns a pose with the taut lines of all muscles of a scene solved
+// (ScenePose::taut_lines), so that LineTargets() need not solve them again.
+ScenePose WithTautLines(const Scene& scene, ScenePose pose);
+
 // Gives the taut lines of a muscle to the poses beside `pose`, by coordinate:
 // their points
 // there, moved on by their exact derivative (TautRates), so that differences

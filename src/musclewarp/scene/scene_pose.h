@@ -11,6 +11,13 @@
 
 namespace musclewarp {
 
+// The points of taut lines (#P x 3, mm) by name, and the positions of the
+// bodies for which they were solved.
+struct SolvedLines {
+  std::map<std::string, Eigen::Matrix4d> bodies;
+  std::map<std::string, Points> points;
+};
+
 // One pose of a scene: the positions of its bodies and lines.
 struct ScenePose {
   std::string name;
@@ -28,6 +35,10 @@ struct ScenePose {
   // Target points (#P x 3, mm) of each line by name. A line that is not named
   // moves with its bodies.
   std::map<std::string, Points> lines;
+
+  // Taut lines, once they were solved (WithTautLines): they count only as long
+  // as `bodies` are those for which they were.
+  SolvedLines taut_lines;
 
   // Only for poses of an OpenSim model: the values of all its coordinates (rad
   // or m), and the lengths (mm) of the lines that are paths of its muscles,

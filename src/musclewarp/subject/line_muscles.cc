@@ -45,23 +45,29 @@ Scene ArticulatedRestScene(const Subject& subject,
   return scene;
 }
 
-std::vector<LineMuscle> LineMusclesOf(Scene scene) {
+LineMuscles LineMusclesOf(Scene scene) {
   CheckScene(scene);
   scene = InBodyUnits(std::move(scene));
   PrepareOptions options;
   // As certified contact has it (Deformer).
   options.remove_self_crossings = true;
   options.remove_slivers = true;
-  std::vector<LineMuscle> muscles;
-  for (MuscleAtRest& muscle : MusclesAtRest(scene, options)) {
+  LineMuscles result;
+  std::vector<MuscleAtRest> muscles = MusclesAtRest(scene, options);
+  for (size_t m = 0; m < muscles.size(); ++m) {
+    MuscleAtRest& muscle = muscles[m];
+    for (std::string& warning : BareTendonWarnings(
+             scene.muscles[m].name, muscle.bare_tendons, scene.body_size)) {
+      result.warnings.push_back(std::move(warning));
+    }
     const double volume = std::pow(scene.body_size, 3) * muscle.volume /
                           static_cast<double>(muscle.lines.size());
     for (ActionLine& line : muscle.lines) {
       ScaleLengths(scene.body_size, &line);
-      muscles.push_back({std::move(line), volume});
+      result.muscles.push_back({std::move(line), volume});
     }
   }
-  return muscles;
+  return result;
 }
 
 }  // namespace
@@ -73,7 +79,7 @@ LineMuscles LineMusclesOf(const Subject& subject,
   if (subject.muscles.empty()) return result;
   Scene scene = ArticulatedRestScene(subject, articulation, mm_per_unit);
   try {
-    result.muscles = LineMusclesOf(std::move(scene));
+    result = LineMusclesOf(std::move(scene));
   } catch (const InputError& error) {
     result.why_none = error.where() + ": " + error.problem();
   }

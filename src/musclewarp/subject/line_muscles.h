@@ -18,6 +18,9 @@ struct LineMuscles {
   // Lines of a muscle have equal shares of its volume.
   std::vector<LineMuscle> muscles;
 
+  // A sentence for each tendon of which there is no mesh (bare_tendons.h).
+  std::vector<std::string> warnings;
+
   // Why there are none although the subject has muscles, such as a mesh that
   // cannot be repaired, or muscles without bones near. Empty if all is well.
   std::string why_none;

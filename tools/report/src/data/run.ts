@@ -29,6 +29,7 @@ interface MuscleJson {
   attached: { body: string; vertices: NumbersRef }[];
   lines: PolylinesJson & { names: string[] };
   fibres: PolylinesJson;
+  tendons: PolylinesJson;
 }
 
 interface BoneJson extends BoneShapeJson {
@@ -104,6 +105,8 @@ export interface Muscle {
   attached: { body: string; vertices: Int32Array }[];
   lines: Polylines & { names: string[] };
   fibres: Polylines;
+  // Where lines go on to a bone without a mesh.
+  tendons: Polylines;
 }
 
 export interface Bone extends BoneShape {
@@ -174,6 +177,7 @@ function muscleFrom(
     })),
     lines: { ...polylinesFrom(json.lines, packed), names: json.lines.names },
     fibres: polylinesFrom(json.fibres, packed),
+    tendons: polylinesFrom(json.tendons, packed),
   };
 }
 

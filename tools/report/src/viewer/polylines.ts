@@ -38,7 +38,10 @@ export interface LineLook {
   // Otherwise: drawn as if it were nearer to the viewer, mm. It is seen through
   // as much of the muscle that it is in, and hidden by what is farther in front.
   lift?: number;
+  isDashed?: boolean;
 }
+
+const dash = 4; // mm, and as much between dashes
 
 const rimColor = "#ffffff";
 const rimWidth = 1.5;
@@ -55,13 +58,16 @@ function lineMaterial(
   linewidth: number,
   clippingPlanes: Plane[],
 ): LineMaterial {
-  const { color, lift = 0, isOnTop = false } = look;
+  const { color, lift = 0, isOnTop = false, isDashed = false } = look;
   const material = new LineMaterial({
     color,
     linewidth,
     transparent: isOnTop,
     depthTest: !isOnTop,
     clippingPlanes,
+    dashed: isDashed,
+    dashSize: dash,
+    gapSize: dash,
   });
   material.uniforms.lift = { value: lift };
   material.vertexShader =
@@ -73,10 +79,11 @@ function lineMaterial(
 export class PolylineObject {
   readonly object = new Group();
   private readonly geometry = new LineSegmentsGeometry();
+  private readonly drawn: LineSegments2[] = [];
 
   constructor(
     private readonly polylines: Polylines,
-    look: LineLook,
+    private readonly look: LineLook,
     clippingPlanes: Plane[],
   ) {
     const add = (look: LineLook, width: number, renderOrder: number) => {
@@ -87,6 +94,7 @@ export class PolylineObject {
       line.frustumCulled = false;
       line.renderOrder = renderOrder;
       this.object.add(line);
+      this.drawn.push(line);
     };
     const { isOnTop, width } = look;
     if (isOnTop) {
@@ -102,5 +110,6 @@ export class PolylineObject {
   setPose(pose: number): void {
     if (this.isEmpty) return;
     this.geometry.setPositions(segments(this.polylines, pose));
+    if (this.look.isDashed) this.drawn[0].computeLineDistances();
   }
 }

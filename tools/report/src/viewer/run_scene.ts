@@ -59,6 +59,7 @@ export class RunScene {
   readonly bones: BoneSurface[];
   private readonly content = new Group();
   private readonly lines: PolylineObject[];
+  private readonly tendons: PolylineObject[];
   private readonly fibres: PolylineObject[];
   private readonly section: Section;
   private pose = -1;
@@ -93,6 +94,20 @@ export class RunScene {
           planes,
         ),
     );
+    this.tendons = run.muscles.map(
+      (muscle) =>
+        new PolylineObject(
+          muscle.tendons,
+          {
+            color: new Color(colorOf(muscle.name))
+              .multiplyScalar(lineShade)
+              .getStyle(),
+            width: 1.5,
+            isDashed: true,
+          },
+          planes,
+        ),
+    );
     this.fibres = run.muscles.map(
       (muscle) =>
         new PolylineObject(
@@ -115,6 +130,7 @@ export class RunScene {
       ...this.bones.map((bone) => bone.mesh),
       ...this.muscles.map((muscle) => muscle.group),
       ...this.lines.map((line) => line.object),
+      ...this.tendons.map((tendon) => tendon.object),
       ...this.fibres.map((fibre) => fibre.object),
       this.section.group,
     );
@@ -158,6 +174,7 @@ export class RunScene {
       surface.group.visible = visible;
       for (const [polylines, isOn] of [
         [this.lines[i], state.lines],
+        [this.tendons[i], state.lines],
         [this.fibres[i], state.fibres],
       ] as const) {
         polylines.object.visible = visible && isOn && !polylines.isEmpty;
