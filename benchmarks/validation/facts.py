@@ -7,7 +7,9 @@ import re
 
 from table import plain
 
-MESH = " (mesh)"  # ends the mark of a fact of the meshes as they came
+# They end the mark of a fact that says nothing of how muscles are deformed:
+# it is of the meshes as they came, or what the method imposes.
+MESH, IMPOSED = " (mesh)", " (imposed)"
 
 HEAD = ["muscle", "what", "measured", "ours", "held?", "source"]
 

@@ -198,14 +198,14 @@ def draw(runs, name, muscle, words, data, plots):
     return f"![Moment arms of {muscle} over {coordinate}]({plots.name}/{file})"
 
 
-def scored(asked, runs, instead=None):
+def scored(asked, runs, instead=None, endings=(GUIDED, "")):
     """The cells of criteria, and which are met by kind of line and arm; of
     another run than they name, if one is given."""
     cells, held = [], {}
     for criterion in asked:
         name = instead or criterion.run
         row = [criterion.muscles[0].replace("_", " "), name, criterion.words]
-        for ending in (GUIDED, ""):
+        for ending in endings:
             for kind in KINDS:
                 angles, arms = arms_of(runs[name + ending], criterion.muscles, kind)
                 shown, met = criterion.value(angles, arms)
@@ -215,11 +215,26 @@ def scored(asked, runs, instead=None):
     return cells, held
 
 
+def usable_words(runs):
+    """Which of the taut runs have frames that are not usable."""
+    counts = {name: [frame["usable"] for frame in runs[name].frames] for name in MOTIONS}
+    short = [f"`{n}` {sum(u)} of {len(u)}" for n, u in counts.items() if not all(u)]
+    if not short:
+        return "All frames of the taut runs are usable."
+    return f"""Not all frames of all taut runs are usable ({", ".join(short)}): contact
+        moves a muscle farther there than it overlaps without. They count all the same."""
+
+
 def bellies_parts(runs):
     """What is said of bellies without tendons."""
     asked = [criterion for criterion in criteria() if criterion.run == "made_ankle"]
-    cells, held = scored(asked, runs, BELLIES)
+    cells, held = scored(asked, runs, BELLIES, [""])
     met = {name: f"{sum(mets)} of {len(mets)}" for name, mets in held.items()}
+    guided = [
+        np.abs(arms_of(runs[BELLIES + GUIDED], criterion.muscles, kind)[1]).max()
+        for criterion in asked
+        for kind in KINDS
+    ]
     words = prose(
         f"`{BELLIES}` is `made_ankle` with bellies without tendons, as most",
         "segmentations have them: there is no mesh of the calcaneal tendon, and the",
@@ -227,9 +242,10 @@ def bellies_parts(runs):
         "Their lines go on to the bones",
         "[along tendons that no mesh has](method.md#tendons-without-a-mesh). Of these",
         f"criteria the paths meet {met['path']}, and the muscles as they carry them",
-        f"{met['carried']}. Guided lines end where the meshes end, and have no arm.",
+        f"{met['carried']}. Guided lines end where the meshes end, and have arms of",
+        f"{max(guided):.0f} mm.",
     )
-    return [words, table(HEAD, cells)]
+    return [words, table([*HEAD[:3], *HEAD[-2:]], cells)]
 
 
 def made_lines_section(runs, data, plots):
@@ -265,6 +281,7 @@ def made_lines_section(runs, data, plots):
             "80 degrees on, as nothing in the data says what holds them; measured arms of",
             "the hamstrings at the knee are few. benchmarks/validation.sh makes the scenes",
             "by musclewarp-articulate.",
+            usable_words(runs),
         ),
         commands(shown),
         table_of(rows),

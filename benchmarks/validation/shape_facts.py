@@ -8,7 +8,7 @@ import numpy as np
 import sections
 import svg
 from courses import Course
-from facts import HEAD, MESH, Facts, line_of, values
+from facts import HEAD, IMPOSED, MESH, Facts, line_of, values
 from table import Row, Section, commands, paragraphs, plain, power, prose, table
 from table import table_of
 
@@ -81,9 +81,11 @@ def tibialis_lines(facts, runs):
     short, long = course.lengths[[0, -1]]
     rise = 100 * (long / short - 1)
     first, last = course.largest_sections()[1][[0, -1]]
+    kept, risen = f"changes by {power(change)}", f"{rise:+.0f} %"
+    risen += f" ({long:.0f} to {short:.0f} mm long)"
     return [
-        line_of(volume, "constant", f"changes by {power(change)}", change < 1e-3),
-        line_of(mean, "", f"{rise:+.0f} % ({long:.0f} to {short:.0f} mm)", rise > 0),
+        line_of(volume, "constant", kept, change < 1e-3, note=IMPOSED),
+        line_of(mean, "", risen, rise > 0, note=IMPOSED),
         line_of(
             place, "", f"{last:.0f} to {first:.0f} mm from the upper end", first < last
         ),
@@ -159,7 +161,11 @@ def seat_line(facts, runs):
     wanted, spread = float(row["value"]), float(row["sd"])
     measured = f"{wanted:g} ± {spread:g} %"
     shown = f"{ours:.0f} % ({before:.0f} to {after:.0f} mm)"
-    return line_of(row, measured, shown, abs(ours - wanted) <= DEVIATIONS * spread)
+    held = abs(ours - wanted) <= DEVIATIONS * spread
+    unusable = [run.place(k) for k in frames if not run.frames[k]["usable"]]
+    if unusable:
+        shown += f"; the frame at {' and '.join(unusable)} is not usable"
+    return line_of(row, measured, shown, held and not unusable)
 
 
 COLORS = [svg.ORANGE, svg.BLUE, svg.GREEN]
@@ -197,19 +203,20 @@ def draw(runs, name, sign, words, muscles, plots):
 
 
 ABOUT = f"""
-Facts of DATA/literature/shape_facts.csv of which the runs of section 4 say something:
-how long muscles are, where and how thick. The length of a muscle or belly is the mean
-of its lines, from end to end; that of fibres is the mean of up to 50. Our fibres
-follow the lines and end on attachments, not on aponeuroses: pennation, short
-fascicles in a long belly, and active muscles are not modelled, and what depends on
-these is 🔴 or left out. 🔴 of a trend means that it is not there. Sections are across
-the mean of the lines; those of the thigh at rest are across the femur, whose length
-is from its lowest to its highest point. They are of the meshes as they came (*mesh*),
-so they say how far this body is like those of the study rather than how well it is
-deformed; to be held they have to be within {NEAR} % of the thigh. *Much more* is
-taken as at least twice. The thickness of the gluteus maximus is the mean along
-straight lines backwards from the tuberosity ({PATCH} mm around its hindmost point),
-and is held within two standard deviations.
+Facts of DATA/literature/shape_facts.csv of which the runs of [section
+4](#4-lines-made-from-meshes-against-measured-moment-arms) say something: how long
+muscles are, where and how thick. The length of a muscle or belly is the mean of its
+lines, from end to end; that of fibres is the mean of up to 50. Our fibres follow the
+lines and end on attachments, not on aponeuroses: pennation, short fascicles in a long
+belly, and active muscles are not modelled, and what depends on these is 🔴 or left
+out. 🔴 of a trend means that it is not there. Sections are across the mean of the
+lines; those of the thigh at rest are across the femur, whose length is from its
+lowest to its highest point. They are of the meshes as they came (*mesh*), so they say
+how far this body is like those of the study rather than how well it is deformed; to
+be held they have to be within {NEAR} % of the thigh. *Much more* is taken as at least
+twice. The thickness of the gluteus maximus is the mean along straight lines backwards
+from the tuberosity ({PATCH} mm around its hindmost point), and is held within two
+standard deviations, of frames that are usable.
 """
 
 WRONG = """
@@ -217,10 +224,12 @@ What is wrong: the fibres of the calf are nearly as long as the belly and shorte
 nearly as much, which is too many millimetres for fascicles, and in relation to their
 length less than half of what is measured. Semitendinosus and biceps change their
 length more than semimembranosus, and the biceps shortens too much by the knee, where
-it bowstrings (section 4). That volumes are kept, and that the mean section therefore
-rises as a muscle shortens, is how the method works, and no finding. The places of the
-largest sections of the thigh at rest are another matter: the meshes differ there from
-the study, whatever deforms them.
+it bowstrings (section 4). The gluteus maximus thins by less than the mean of the
+people measured, at the edge of what would be held, and in a frame that contact has
+moved too far. Not counted is what the method imposes (*imposed*): it keeps volumes,
+and so the mean section rises as a muscle shortens. Nor are the places of the largest
+sections of the thigh at rest: the meshes differ there from the study, whatever
+deforms them.
 """
 
 
@@ -233,7 +242,7 @@ def shapes_section(runs, data, plots):
         seat_line(facts, runs),
     ]
     marks = [line[HEAD.index("held?")] for line in lines]
-    asked = [mark for mark in marks if not mark.endswith(MESH)]
+    asked = [mark for mark in marks if not mark.endswith((MESH, IMPOSED))]
     held = sum(mark.startswith("🟢") for mark in asked)
     row = Row(
         "measured facts on the change of lengths and shapes that runs show",
