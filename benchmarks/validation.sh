@@ -118,15 +118,13 @@ deform bodyparts3d_hamstrings data/scenes/bodyparts3d_hamstrings.json
 # Lines that are made from the meshes, taut and guided, over joints that are
 # found on the bones.
 # articulate NAME MOTION FOLDER "SOFT PART..." BONE...: the scene in OUT/NAME_scene
-# from meshes of a folder of DATA, of which each is FOLDER/PART.obj or a path.
+# from meshes of a folder of DATA, of which each is FOLDER/PART.obj or a path in
+# DATA or in the file system.
 articulate() {
   local name=$1 motion=$2 folder=$3 part muscles=() bones=()
-  for part in $4; do muscles+=("$data/$folder/$part.obj"); done
+  for part in $4; do muscles+=("$(path_of "$folder" "$part")"); done
   shift 4
-  for part in "$@"; do
-    [[ $part == */* ]] || part=$folder/$part
-    bones+=("$data/$part.obj")
-  done
+  for part in "$@"; do bones+=("$(path_of "$folder" "$part")"); done
   local words=("--muscles=$(IFS=,; echo "${muscles[*]}")" "--motion=$motion" --side=right
     "${bones[@]}")
   if [[ -z $reuse || ! -e $out/${name}_scene/scene.json ]]; then
@@ -135,9 +133,16 @@ articulate() {
   fi
   made "$name" "$out/${name}_scene/scene.json"
 }
+path_of() {
+  case $2 in
+    /*) echo "$2.obj" ;;
+    */*) echo "$data/$2.obj" ;;
+    *) echo "$data/$1/$2.obj" ;;
+  esac
+}
 made() {
-  deform "$1" "$2"
-  deform "$1_guided" "$2" --made_lines=guided
+  deform "$1" "$2" --fibres=50
+  deform "$1_guided" "$2" --fibres=50 --made_lines=guided
 }
 knee='semimembranosus semitendinosus biceps_femoris_long biceps_femoris_short gracilis'
 thigh=(hip_bone femur bodyparts3d/tibia bodyparts3d/fibula)
@@ -153,6 +158,11 @@ for file in "$data"/bodyparts3d_shank/uniform/*.obj; do
 done
 articulate made_ankle ankle_angle_r:20:-30:11 bodyparts3d_shank/uniform "${calf[*]}" "${foot[@]}"
 articulate made_gastrocnemii knee_angle_r:0:90:10 bodyparts3d_shank/uniform "${calf[*]}" "${foot[@]}"
+# The same without tendons, as most segmentations are.
+/usr/bin/python3 -B benchmarks/validation/bellies.py "$data" "$out/bellies"
+bellies=()
+for file in "$out"/bellies/*.obj; do bellies+=("${file%.obj}"); done
+articulate made_bellies ankle_angle_r:20:-30:11 bodyparts3d_shank/uniform "${bellies[*]}" "${foot[@]}"
 made made_hip data/scenes/lhdl_hip_made_lines.json
 if [[ -n $table ]]; then
   scripts/compare_moment_arms.py motion "$table" hip_flexion_r "$out/opensim.mot"

@@ -21,11 +21,15 @@ MOTIONS = {
     "made_ankle": ("ankle", "plantarflexion", -1),
     "made_gastrocnemii": ("knee", "flexion", 1),
     "made_hip": ("hip", "flexion", 1),
+    "made_bellies": ("ankle", "plantarflexion", -1),
 }
+BELLIES = "made_bellies"  # as made_ankle, without tendons
 KINDS = {"path": "path_moment_arms_mm", "carried": "line_moment_arms_mm"}
 
 HAMSTRINGS = ["biceps_femoris_long", "semimembranosus", "semitendinosus"]
 TRICEPS = ["soleus", "gastrocnemius_medial", "gastrocnemius_lateral"]
+HEAD = ["muscle", "run", "criterion", "guided, path", "guided, carried"]
+HEAD += ["taut, path", "taut, carried"]
 HALF = 0.5  # mm: criteria are whole numbers
 
 
@@ -194,20 +198,60 @@ def draw(runs, name, muscle, words, data, plots):
     return f"![Moment arms of {muscle} over {coordinate}]({plots.name}/{file})"
 
 
-def made_lines_section(runs, data, plots):
-    """The section of lines that are made: `runs` by name, of which those with
-    --made_lines=guided end on GUIDED."""
-    rows, cells = [], []
-    held = {}
-    for criterion in criteria():
-        row = [criterion.muscles[0].replace("_", " "), criterion.run, criterion.words]
-        for ending in (GUIDED, ""):
+def scored(asked, runs, instead=None, endings=(GUIDED, "")):
+    """The cells of criteria, and which are met by kind of line and arm; of
+    another run than they name, if one is given."""
+    cells, held = [], {}
+    for criterion in asked:
+        name = instead or criterion.run
+        row = [criterion.muscles[0].replace("_", " "), name, criterion.words]
+        for ending in endings:
             for kind in KINDS:
-                run = runs[criterion.run + ending]
-                shown, met = criterion.value(*arms_of(run, criterion.muscles, kind))
+                angles, arms = arms_of(runs[name + ending], criterion.muscles, kind)
+                shown, met = criterion.value(angles, arms)
                 row.append(f"{shown} {'🟢' if met else '🔴'}")
                 held.setdefault(ending + kind, []).append(met)
         cells.append(row)
+    return cells, held
+
+
+def usable_words(runs):
+    """Which of the taut runs have frames that are not usable."""
+    counts = {name: [frame["usable"] for frame in runs[name].frames] for name in MOTIONS}
+    short = [f"`{n}` {sum(u)} of {len(u)}" for n, u in counts.items() if not all(u)]
+    if not short:
+        return "All frames of the taut runs are usable."
+    return f"""Not all frames of all taut runs are usable ({", ".join(short)}): contact
+        moves a muscle farther there than it overlaps without. They count all the same."""
+
+
+def bellies_parts(runs):
+    """What is said of bellies without tendons."""
+    asked = [criterion for criterion in criteria() if criterion.run == "made_ankle"]
+    cells, held = scored(asked, runs, BELLIES, [""])
+    met = {name: f"{sum(mets)} of {len(mets)}" for name, mets in held.items()}
+    guided = [
+        np.abs(arms_of(runs[BELLIES + GUIDED], criterion.muscles, kind)[1]).max()
+        for criterion in asked
+        for kind in KINDS
+    ]
+    words = prose(
+        f"`{BELLIES}` is `made_ankle` with bellies without tendons, as most",
+        "segmentations have them: there is no mesh of the calcaneal tendon, and the",
+        "other muscles end above the ankle, cut by benchmarks/validation/bellies.py.",
+        "Their lines go on to the bones",
+        "[along tendons that no mesh has](method.md#tendons-without-a-mesh). Of these",
+        f"criteria the paths meet {met['path']}, and the muscles as they carry them",
+        f"{met['carried']}. Guided lines end where the meshes end, and have arms of",
+        f"{max(guided):.0f} mm.",
+    )
+    return [words, table([*HEAD[:3], *HEAD[-2:]], cells)]
+
+
+def made_lines_section(runs, data, plots):
+    """The section of lines that are made: `runs` by name, of which those with
+    --made_lines=guided end on GUIDED."""
+    cells, held = scored(criteria(), runs)
     count = {name: f"{sum(mets)} of {len(mets)}" for name, mets in held.items()}
     rows = [
         Row(
@@ -223,8 +267,6 @@ def made_lines_section(runs, data, plots):
             sum(held["carried"]) > sum(held[GUIDED + "carried"]),
         ),
     ]
-    head = ["muscle", "run", "criterion", "guided, path", "guided, carried"]
-    head += ["taut, path", "taut, carried"]
     shown = [runs[name].command for name in MOTIONS]
     body = paragraphs(
         prose(
@@ -239,10 +281,12 @@ def made_lines_section(runs, data, plots):
             "80 degrees on, as nothing in the data says what holds them; measured arms of",
             "the hamstrings at the knee are few. benchmarks/validation.sh makes the scenes",
             "by musclewarp-articulate.",
+            usable_words(runs),
         ),
         commands(shown),
         table_of(rows),
-        table(head, cells),
+        table(HEAD, cells),
+        *bellies_parts(runs),
         "\n".join(draw(runs, *plot, data, plots) for plot in PLOTS),
     )
     return Section("Lines made from meshes against measured moment arms", body, rows)

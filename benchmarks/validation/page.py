@@ -23,6 +23,7 @@ import frames
 import literature
 import made_lines
 import pictures
+import shape_facts
 import straight
 import stretch
 from runs import Run
@@ -96,6 +97,7 @@ def sections_of(data, out, plots, render):
         literature.fibres_section(motions, by_found, data, plots, psoas_number=7),
         fine_fibres.fine_section(motions, data, fibres_number=2),
         made_lines.made_lines_section(made, data, plots),
+        shape_facts.shapes_section(made, data, plots),
         straight.pairs_section(flexion, data),
         dostal.dostal_section(motions, data),
         arms.psoas_section(flexion, data, plots),

@@ -104,19 +104,19 @@ class Cut:
         i, j = self.edges
         return (1 - self.at) * points[i] + self.at * points[j]
 
+    def extended(self, points, column=0):
+        """Returns the points over which `below` and `fans` are, with the centres
+        of a column of weights."""
+        places = self._places(points)
+        centres = np.zeros((self.loop.max() + 1, 3))
+        np.add.at(centres, self.loop, self.weights[:, column, None] * places)
+        return np.concatenate([points, places, centres])
+
     def volumes(self, points):
         """Returns the volume of the part below, with either set of centres."""
         points = points - points.mean(axis=0)
-        points = np.concatenate([points, self._places(points)])
-        below = volume_of(points, self.below)
-        places = points[-len(self.at) :]
-        volumes = []
-        for weights in self.weights.T:
-            centres = np.zeros((self.loop.max() + 1, 3))
-            np.add.at(centres, self.loop, weights[:, None] * places)
-            extended = np.concatenate([points, centres])
-            volumes.append(below + volume_of(extended, self.fans))
-        return np.array(volumes)
+        closed = np.concatenate([self.below, self.fans])
+        return np.array([volume_of(self.extended(points, k), closed) for k in (0, 1)])
 
 
 class Slices:

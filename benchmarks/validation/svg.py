@@ -142,7 +142,7 @@ class Plot:
             else:
                 lines.append(f'<rect {style} x="{x}" y="36" width="22" height="11"/>')
             lines.append(text(x + 27, 46, item.label))
-            x += 41 + round(6.7 * len(item.label))
+            x += 41 + round(6.7 * len(item.label) + 4 * item.label.count("m"))
         return lines
 
     def write(self, path):
