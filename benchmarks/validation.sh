@@ -8,8 +8,8 @@
 #
 # usage: benchmarks/validation.sh DATA [OUT] [options]
 #
-#   DATA             the folder with lhdl_hip, bodyparts3d, bodyparts3d_shank
-#                    and literature
+#   DATA             the folder with lhdl_hip, bodyparts3d, bodyparts3d_shank,
+#                    bodyparts3d_shoulder and literature
 #   OUT              where the runs are kept; without it they are removed
 #   --all            also the thigh of BodyParts3D, which takes minutes more
 #   --pictures       also pictures of the ends of the motions, before and after;
@@ -41,7 +41,7 @@ for word in "$@"; do
   esac
 done
 [[ -n $data ]] || usage
-for part in lhdl_hip bodyparts3d bodyparts3d_shank literature; do
+for part in lhdl_hip bodyparts3d bodyparts3d_shank bodyparts3d_shoulder literature; do
   if [[ ! -d $data/$part ]]; then
     echo "validation: $data has no folder $part" >&2
     exit 2
@@ -164,6 +164,10 @@ bellies=()
 for file in "$out"/bellies/*.obj; do bellies+=("${file%.obj}"); done
 articulate made_bellies ankle_angle_r:20:-30:11 bodyparts3d_shank/uniform "${bellies[*]}" "${foot[@]}"
 made made_hip data/scenes/lhdl_hip_made_lines.json
+cuff='deltoid_clavicular deltoid_acromial deltoid_spinal supraspinatus infraspinatus subscapularis
+  teres_major teres_minor'
+articulate made_shoulder arm_add_r:0:-80:9 bodyparts3d_shoulder/uniform "$cuff" \
+  scapula clavicle humerus
 if [[ -n $table ]]; then
   scripts/compare_moment_arms.py motion "$table" hip_flexion_r "$out/opensim.mot"
   deform opensim $hip --motion="$out/opensim.mot" --contact=none

@@ -15,6 +15,7 @@
 #include "musclewarp/figures/scaled_figures.h"
 #include "musclewarp/frames/scaled_frame.h"
 #include "musclewarp/preparation/scaled_preparation.h"
+#include "musclewarp/scene/line_targets.h"
 #include "musclewarp/scene/scaled_scene.h"
 #include "musclewarp/scene/scene_checks.h"
 

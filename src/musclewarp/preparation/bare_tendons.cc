@@ -157,11 +157,13 @@ void GoOn(const Surroundings& surroundings,
 }
 
 // Returns true if the first point of a line is on the side of the origin, as
-// told by the sides at which lines go on: an origin may run along most of a
-// bone, and says less.
+// told by the bodies that the scene names, or by the sides at which lines go
+// on: an origin may run along most of a bone, and says less.
 bool BeginsAtOrigin(const Surroundings& surroundings,
                     const std::vector<Goal>& goals,
+                    const std::vector<std::string>& end_bodies,
                     const ActionLine& line) {
+  if (!end_bodies.empty()) return line.bodies.front() == end_bodies.front();
   double forward = 0, backward = 0;
   for (const Goal& goal : goals) {
     const double from_first = goal.DistanceTo(line.rest.row(0), surroundings);
@@ -230,7 +232,8 @@ std::vector<BareTendon> AddBareTendons(const SceneMuscle& muscle,
   }
   std::vector<bool> are_forward;
   for (const ActionLine& line : *lines) {
-    are_forward.push_back(BeginsAtOrigin(surroundings, goals, line));
+    are_forward.push_back(
+        BeginsAtOrigin(surroundings, goals, muscle.end_bodies, line));
   }
   const MuscleFacts* facts = FindMuscleFacts(muscle.name);
   std::vector<BareTendon> tendons;
