@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stopwatch.h"
 
 namespace musclewarp {
@@ -41,13 +42,13 @@ std::vector<MuscleState> Predict(const MuscleModels& models,
                                  const ScenePose& from,
                                  const ScenePose& pose,
                                  const PreRotationOptions& pre_rotation) {
-  for (size_t i = 0; i < models.size(); ++i) {
+  ParallelFor(models.size(), [&](size_t i) {
     const MuscleModel& model = *models[i];
-    if (!model.HasLines()) continue;
+    if (!model.HasLines()) return;
     before[i].coarse +=
         UnconstrainedMinimizer(model, TargetOf(model, pose, pre_rotation)) -
         UnconstrainedMinimizer(model, TargetOf(model, from, pre_rotation));
-  }
+  });
   return before;
 }
 
@@ -56,10 +57,10 @@ SolvedPose SolvePose(const MuscleModels& models,
                      const PreRotationOptions& pre_rotation,
                      const MuscleSolver& solver,
                      std::vector<MuscleState> start) {
-  std::vector<MuscleTarget> targets;
-  for (const MuscleModel* model : models) {
-    targets.push_back(TargetOf(*model, pose, pre_rotation));
-  }
+  std::vector<MuscleTarget> targets(models.size());
+  ParallelFor(models.size(), [&](size_t i) {
+    targets[i] = TargetOf(*models[i], pose, pre_rotation);
+  });
   SolvedPose solved;
   solved.states = std::move(start);
   const Stopwatch solving;
