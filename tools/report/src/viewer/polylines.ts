@@ -3,7 +3,12 @@
 
 // Lines of action and fibres.
 
-import { Group, Plane } from "three";
+import {
+  Group,
+  InstancedInterleavedBuffer,
+  InterleavedBufferAttribute,
+  Plane,
+} from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
@@ -28,6 +33,28 @@ function segments(polylines: Polylines, pose: number): Float32Array {
     from += 3 * count;
   }
   return ends;
+}
+
+// How far the ends of these segments are from the last point of their polyline,
+// mm: dashes of polylines that meet there lie on each other.
+function distancesFromLast(
+  { counts }: Polylines,
+  ends: Float32Array,
+): Float32Array {
+  const distances = new Float32Array(ends.length / 3);
+  let first = 0;
+  for (const count of counts) {
+    const last = first + Math.max(0, count - 1);
+    let along = 0;
+    for (let s = last - 1; s >= first; --s) {
+      const [ax, ay, az, bx, by, bz] = ends.subarray(6 * s, 6 * s + 6);
+      distances[2 * s + 1] = along;
+      along += Math.hypot(bx - ax, by - ay, bz - az);
+      distances[2 * s] = along;
+    }
+    first = last;
+  }
+  return distances;
 }
 
 export interface LineLook {
@@ -79,7 +106,6 @@ function lineMaterial(
 export class PolylineObject {
   readonly object = new Group();
   private readonly geometry = new LineSegmentsGeometry();
-  private readonly drawn: LineSegments2[] = [];
 
   constructor(
     private readonly polylines: Polylines,
@@ -94,7 +120,6 @@ export class PolylineObject {
       line.frustumCulled = false;
       line.renderOrder = renderOrder;
       this.object.add(line);
-      this.drawn.push(line);
     };
     const { isOnTop, width } = look;
     if (isOnTop) {
@@ -109,7 +134,22 @@ export class PolylineObject {
 
   setPose(pose: number): void {
     if (this.isEmpty) return;
-    this.geometry.setPositions(segments(this.polylines, pose));
-    if (this.look.isDashed) this.drawn[0].computeLineDistances();
+    const ends = segments(this.polylines, pose);
+    this.geometry.setPositions(ends);
+    if (!this.look.isDashed) return;
+    const distances = new InstancedInterleavedBuffer(
+      distancesFromLast(this.polylines, ends),
+      2,
+      1,
+    );
+    for (const [name, offset] of [
+      ["instanceDistanceStart", 0],
+      ["instanceDistanceEnd", 1],
+    ] as const) {
+      this.geometry.setAttribute(
+        name,
+        new InterleavedBufferAttribute(distances, 1, offset),
+      );
+    }
   }
 }
