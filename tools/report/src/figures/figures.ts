@@ -57,9 +57,11 @@ class FigurePanel implements Panel {
         "header",
         {},
         element("h4", {}, title),
-        button("SVG", `Download "${title}" as SVG`, () =>
-          downloadFigure(id, "svg", svgFileText(this.plot!.svg, title)),
-        ),
+        button("SVG", `Download "${title}" as SVG`, () => {
+          // It is drawn a moment after its part of the page is opened.
+          if (!this.plot) return;
+          downloadFigure(id, "svg", svgFileText(this.plot.svg, title));
+        }),
         button("CSV", `Download "${title}" as CSV`, () =>
           downloadFigure(
             id,
