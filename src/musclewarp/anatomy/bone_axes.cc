@@ -71,7 +71,7 @@ Fit FitTo(const Evidence& evidence, double handedness) {
       handedness * (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0
           ? -1
           : 1;
-  const Vector3d values = svd.singularValues();
+  const Vector3d& values = svd.singularValues();
   Fit fit;
   fit.directions = svd.matrixU() * Vector3d(1, 1, sign).asDiagonal() *
                    svd.matrixV().transpose();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/run/lines_file.h"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "musclewarp/base/output_file.h"

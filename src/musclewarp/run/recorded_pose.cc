@@ -3,6 +3,7 @@
 #include "musclewarp/run/recorded_pose.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <filesystem>
 
 #include "musclewarp/base/input_error.h"
