@@ -56,14 +56,15 @@ void AddDirection(double weight,
       weight * in_scene.normalized() * in_body.normalized().transpose();
 }
 
-// Returns the directions that fit best, with the determinant `handedness`, how
-// well they fit, and what turning them costs at least.
+// The directions that fit best, how well they do, and what turning them costs
+// at least.
 struct Fit {
   Matrix3d directions;
   double score = 0;
   double cost_of_turning = 0;
 };
 
+// Returns the directions with the determinant `handedness` that fit best.
 Fit FitTo(const Evidence& evidence, double handedness) {
   const Eigen::JacobiSVD<Matrix3d> svd(
       evidence, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -82,9 +83,9 @@ Fit FitTo(const Evidence& evidence, double handedness) {
 
 bool IsOpen(const Fit& fit) { return fit.cost_of_turning < kOpen * fit.score; }
 
-// Adds where bones lie from those of one part of the body, and the axes of the
-// long ones among these. Which end of an axis is which follows from the places,
-// and from the image where these do not tell.
+// Returns where bones lie from those of one part of the body, and the axes of
+// the long ones among these. Which end of an axis is which follows from the
+// places, and from the image where these do not tell.
 Evidence EvidenceOf(BodyPart part,
                     const std::vector<KnownBone>& known,
                     const Evidence& of_image) {

@@ -9,6 +9,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/stage_times.h"
+#include "musclewarp/base/stopwatch.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/deformer/body_size.h"
 #include "musclewarp/deformer/length_options.h"
@@ -176,10 +177,12 @@ int Deformer::ExpectedSteps(const ScenePose* from,
 SolvedFrame Deformer::Solve(const ScenePose& pose, const SceneState* before) {
   std::optional<StageRecording> recording;
   if (options_.record_stages) recording.emplace();
-  SolvedFrame solved = frame_solver_->Solve(solvers_,
-                                            WithTautLines(scene_->scene, pose),
-                                            before,
-                                            options_.on_progress);
+  const Stopwatch stopwatch;
+  const ScenePose with_lines = WithTautLines(scene_->scene, pose);
+  const double lines_ms = stopwatch.Milliseconds();
+  SolvedFrame solved =
+      frame_solver_->Solve(solvers_, with_lines, before, options_.on_progress);
+  solved.frame.wall_ms += lines_ms;
   if (recording) solved.frame.stages = recording->times();
   return solved;
 }

@@ -20,8 +20,9 @@ using Eigen::RowVector3d;
 constexpr double kSpacing = 6;
 // That of the course, mm.
 constexpr double kSpacingOfCourse = 10;
-// Sweeps over the points, each of which halves the way that is left to the
-// shortest course between two corners ten points apart about ten times.
+// Sweeps over the points. The start is straight between corners, so that only
+// what bones push aside has to be shortened: of that, a twentieth is left where
+// corners are twenty points apart.
 constexpr int kSweeps = 120;
 // Bones farther from the corners than this do not matter, mm.
 constexpr double kFarBone = 30;
