@@ -6,6 +6,9 @@
 
 #include <Eigen/Geometry>
 
+#include "musclewarp/solver/muscle_model.h"
+#include "support/meshes.h"
+
 namespace musclewarp {
 namespace {
 
@@ -29,10 +32,19 @@ Points Area() {
   return area;
 }
 
-SoftCarrier Carrier() {
-  const std::vector<ActionLine> lines = {LineAlongZ()};
-  return CarrierOf(Area(), lines, GuidesOf(lines, LineRule::kSlide, {}));
+// A tendon along the line.
+MuscleModel Tendon() {
+  const TriangleSoup hull = MovedBy(Spindle(8, 105, 2), {0, 0, 100});
+  MuscleModel model;
+  model.name = "tendon";
+  model.lines = {LineAlongZ()};
+  model.guides = GuidesOf(model.lines, LineRule::kSlide, {});
+  model.coarse_rest = hull.points;
+  model.coarse_triangles = hull.triangles;
+  return model;
 }
+
+SoftCarrier Carrier() { return CarrierOf(Area(), Tendon()); }
 
 Matrix4d Motion(const Eigen::AngleAxisd& turn, const Eigen::Vector3d& by) {
   Matrix4d motion = Matrix4d::Identity();
@@ -66,6 +78,17 @@ TEST(SoftCarrier, MovesAsItsPlaceOnTheLine) {
   EXPECT_NEAR(moved(2, 3), -16, 0.5);
   const Eigen::Matrix3d rotation = moved.topLeftCorner<3, 3>();
   EXPECT_LT((rotation - Eigen::Matrix3d::Identity()).norm(), 1e-9);
+}
+
+TEST(SoftCarrier, GoesAlongWithThePushOfBonesOnThePart) {
+  const Eigen::RowVector3d push(3, -2, 1);
+  ScenePose pose;
+  pose.pushes["tendon"] =
+      Points(push.replicate(Tendon().coarse_rest.rows(), 1));
+  const Matrix4d moved = TransformOf(Carrier(), pose);
+  EXPECT_LT((moved.topRightCorner<3, 1>() - push.transpose()).norm(), 1e-9);
+  EXPECT_LT((moved.topLeftCorner<3, 3>() - Eigen::Matrix3d::Identity()).norm(),
+            1e-9);
 }
 
 }  // namespace

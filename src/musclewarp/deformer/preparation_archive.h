@@ -169,13 +169,13 @@ MUSCLEWARP_ARCHIVE(
     GuidePath, lines, shares, places, rest_length, compliance, half_borne)
 MUSCLEWARP_ARCHIVE(Guides, rule, lines, paths)
 MUSCLEWARP_ARCHIVE(RotationField, places, weights)
-MUSCLEWARP_ARCHIVE(SoftCarrier, lines, guides, field)
+MUSCLEWARP_ARCHIVE(SoftCarrier, muscle, lines, guides, field, from_coarse)
 MUSCLEWARP_ARCHIVE(BendingRows, from_coarse, weights, points, rest, field)
 MUSCLEWARP_ARCHIVE(EmbeddedLines, from_coarse, starts)
 MUSCLEWARP_ARCHIVE(AttachedVertices, vertices, attachment)
-// The normal matrix is computed from the other fields.
+// The normal matrix and the push of bones are computed from the other fields.
 MUSCLEWARP_ARCHIVE_WITHOUT(MuscleModel,
-                           (normal_matrix),
+                           (normal_matrix, bone_push),
                            name,
                            lines,
                            guides,

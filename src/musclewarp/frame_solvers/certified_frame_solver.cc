@@ -10,6 +10,7 @@
 #include "musclewarp/frame_solvers/certified_frame.h"
 #include "musclewarp/frame_solvers/further_motions.h"
 #include "musclewarp/frames/moment_arms.h"
+#include "musclewarp/motion/pose_pushes.h"
 
 namespace musclewarp {
 namespace {
@@ -64,9 +65,12 @@ int CertifiedFrameSolver::ExpectedSteps(const ScenePose* from,
 }
 
 SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
-                                        const ScenePose& pose,
+                                        const ScenePose& given_pose,
                                         const SceneState* before,
                                         const ProgressCallback& on_progress) {
+  const Stopwatch pushing;
+  const ScenePose pose = WithPushes(scene_, options_.pre_rotation, given_pose);
+  const double pushing_ms = pushing.Milliseconds();
   const ContactState& from = before ? *before->contact : certified_.rest;
   const std::vector<Points> points_before =
       before ? ShapesOf(certified_, from).fine : std::vector<Points>();
@@ -109,8 +113,8 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
             " % of the motion; the remainder was computed without contact");
   }
   frame.pose_steps = motion.summary.steps;
-  frame.wall_ms = moved.moving_ms;
-  frame.solve_ms = moved.moving_ms;
+  frame.wall_ms = pushing_ms + moved.moving_ms;
+  frame.solve_ms = frame.wall_ms;
   frame.certify_ms = moved.certifying_ms;
   AddMomentArms(scene_,
                 pose,

@@ -8,6 +8,7 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/frames/frame_measures.h"
 #include "musclewarp/frames/moment_arms.h"
+#include "musclewarp/motion/pose_pushes.h"
 #include "musclewarp/motion/solved_pose.h"
 
 namespace musclewarp {
@@ -27,11 +28,12 @@ int FreeFrameSolver::ExpectedSteps(const ScenePose* /*from*/,
 }
 
 SolvedFrame FreeFrameSolver::Solve(const MuscleSolvers& solvers,
-                                   const ScenePose& pose,
+                                   const ScenePose& given_pose,
                                    const SceneState* before,
                                    const ProgressCallback& on_progress) {
   if (on_progress) on_progress({"moving", 0, 1, ""});
   const Stopwatch moving;
+  const ScenePose pose = WithPushes(scene_, options_.pre_rotation, given_pose);
   const MuscleModels models = ModelsOf(scene_);
   SolvedPose solved = SolvePose(models,
                                 pose,

@@ -8,32 +8,24 @@
 #include <string>
 #include <utility>
 
+#include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/frames/plane_rates.h"
 #include "musclewarp/geometry/dense_product.h"
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/preparation/soft_attachments.h"
 #include "musclewarp/scene/line_targets.h"
+#include "musclewarp/scene/moved_pose.h"
 #include "musclewarp/scene/path_moment_arms.h"
 #include "musclewarp/scene/perturbed_poses.h"
+#include "musclewarp/solver/bone_push_rates.h"
 #include "musclewarp/solver/shape_derivative.h"
 
 namespace musclewarp {
 namespace {
 
 using Eigen::Matrix4d;
-
-// Returns a pose moved by `here_from_there`: with it a body that is there is
-// here, and everything else is as that body sees it.
-ScenePose SeenFrom(ScenePose pose, const Matrix4d& here_from_there) {
-  for (auto& body : pose.bodies) {
-    body.second = here_from_there * body.second;
-  }
-  for (auto& line : pose.lines) {
-    line.second = Transformed(line.second, here_from_there);
-  }
-  return pose;
-}
 
 bool IsSamePlace(const Matrix4d& a, const Matrix4d& b) {
   const Matrix4d difference = (a - b).cwiseAbs();
@@ -123,19 +115,23 @@ class MomentArms {
              const ScenePose& pose,
              const PreRotationOptions& pre_rotation,
              const ConvergedShapes& shapes,
-             const std::vector<PerturbedPoses>& beside,
+             std::vector<PerturbedPoses> beside,
              Frame* frame)
       : scene_(scene),
         pose_(pose),
         pre_rotation_(pre_rotation),
         shapes_(shapes),
-        beside_(beside),
+        beside_(std::move(beside)),
         frame_(*frame),
         muscles_(scene.muscles.size()) {}
 
   void Add() {
     FindCarriers();
     const int count = static_cast<int>(muscles_.size());
+    for (const std::vector<int>& group : CarriersFirst(scene_)) {
+      ParallelFor(group.size(), [&](size_t k) { FindRates(group[k]); });
+      for (const int i : group) SetPushes(i);
+    }
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < count; ++i) SolveFree(i);
 #pragma omp parallel for schedule(dynamic, 1)
@@ -153,6 +149,7 @@ class MomentArms {
     MuscleTarget target;
     std::vector<Matrix4d> reference;  // by coordinate: the rate of its body
     std::vector<TargetRate> rates;    // by coordinate, as that body sees it
+    std::vector<Points> push_rates;   // of which `rates` takes account
     std::vector<ShapeRate> free, held;
   };
 
@@ -191,9 +188,9 @@ class MomentArms {
       const Matrix4d after = BodyTransform(poses.after, body);
       muscle.reference.push_back(RateBetween(before, after));
       const ScenePose seen_before =
-          SeenFrom(poses.before, here * RigidInverse(before));
+          MovedPose(poses.before, here * RigidInverse(before));
       const ScenePose seen_after =
-          SeenFrom(poses.after, here * RigidInverse(after));
+          MovedPose(poses.after, here * RigidInverse(after));
       TargetRate& rate = muscle.rates.emplace_back();
       rate.linear =
           AskTheSame(seen_before, seen_after, model)
@@ -201,11 +198,65 @@ class MomentArms {
               : Difference(TargetOf(model, seen_before, pre_rotation_),
                            TargetOf(model, seen_after, pre_rotation_));
     }
+    AddPushRates(i);
+  }
+
+  // How the bodies of the bones that push a muscle move with a coordinate, as
+  // the body of the muscle sees it.
+  std::vector<Matrix4d> PushingBodies(int i, size_t c) const {
+    std::vector<Matrix4d> bodies;
+    for (const BodyField& body : scene_.muscles[i].model.bone_push->bodies) {
+      bodies.push_back(RateBetween(BodyTransform(beside_[c].before, body.body),
+                                   BodyTransform(beside_[c].after, body.body)) -
+                       muscles_[i].reference[c]);
+    }
+    return bodies;
+  }
+
+  // Adds how the push of bones on a muscle changes.
+  void AddPushRates(int i) {
+    const MuscleModel& model = scene_.muscles[i].model;
+    Muscle& muscle = muscles_[i];
+    const auto push = pose_.pushes.find(model.name);
+    if (push == pose_.pushes.end()) return;
+    const Points zero = Points::Zero(push->second.rows(), 3);
+    std::vector<PushMotion> motions;
+    for (size_t c = 0; c < beside_.size(); ++c) {
+      motions.push_back({model.normal_matrix.solve(LinearDescent(
+                             model, muscle.rates[c].linear, zero)),
+                         PushingBodies(i, c)});
+    }
+    muscle.push_rates =
+        PushRates(*model.bone_push,
+                  pose_,
+                  UnconstrainedMinimizer(model, muscle.target) - push->second,
+                  push->second,
+                  motions);
+    for (size_t c = 0; c < beside_.size(); ++c) {
+      AddRowsOf(model, muscle.push_rates[c], &muscle.rates[c].linear);
+    }
+  }
+
+  // Sets the push on a muscle in the poses beside, for what goes along with it.
+  void SetPushes(int i) {
+    const MuscleModel& model = scene_.muscles[i].model;
+    const std::string body = BodyOf(model);
+    const Matrix4d back = RigidInverse(BodyTransform(pose_, body));
+    for (size_t c = 0; c < muscles_[i].push_rates.size(); ++c) {
+      for (const double side : {-1.0, 1.0}) {
+        ScenePose& there = side < 0 ? beside_[c].before : beside_[c].after;
+        const Eigen::Matrix3d turn =
+            (BodyTransform(there, body) * back).topLeftCorner<3, 3>();
+        there.pushes[model.name] =
+            (pose_.pushes.at(model.name) +
+             side * PerturbedPoses::kStep * muscles_[i].push_rates[c]) *
+            turn.transpose();
+      }
+    }
   }
 
   // Finds how a muscle moves without contact, if planes go along with it.
   void SolveFree(int i) {
-    FindRates(i);
     Muscle& muscle = muscles_[i];
     if (!muscle.carries_planes) return;
     const MuscleModel& model = scene_.muscles[i].model;
@@ -283,7 +334,7 @@ class MomentArms {
   const ScenePose& pose_;
   const PreRotationOptions& pre_rotation_;
   const ConvergedShapes& shapes_;
-  const std::vector<PerturbedPoses>& beside_;
+  std::vector<PerturbedPoses> beside_;
   Frame& frame_;
   std::vector<Muscle> muscles_;
 };

@@ -13,9 +13,11 @@
 #include "musclewarp/base/infinity.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/certified_contact/moves.h"
+#include "musclewarp/motion/pose_pushes.h"
 #include "musclewarp/motion/pose_step.h"
 #include "musclewarp/motion/settling_muscles.h"
 #include "musclewarp/motion/step_remedies.h"
+#include "musclewarp/scene/line_targets.h"
 
 namespace musclewarp {
 namespace {
@@ -104,7 +106,13 @@ class PoseStepper {
   void Advance() {
     const double to = length_.NextFrom(at_);
     const ScenePose pose =
-        to == 1 ? goal_ : PoseBetween(context_.scene.scene, from_, goal_, to);
+        to == 1 ? goal_
+                : WithPushes(
+                      context_.scene,
+                      context_.pre_rotation,
+                      WithTautLines(
+                          context_.scene.scene,
+                          PoseBetween(context_.scene.scene, from_, goal_, to)));
     PoseStepResult attempt =
         Try({step_, pose, /*is_settling=*/false, length_.max_push()});
     StepOutcome outcome = StepOutcome::kClean;

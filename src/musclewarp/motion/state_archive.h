@@ -63,6 +63,7 @@ MUSCLEWARP_ARCHIVE(ScenePose,
                    bodies,
                    lines,
                    taut_lines,
+                   pushes,
                    model_values,
                    path_lengths)
 

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/preparation/soft_attachments.h"
 
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "musclewarp/fibres/attachment_outline.h"
@@ -53,13 +57,36 @@ void AddSoftCarriers(PreparedScene* scene) {
             other.model.name != attachment.soft_part) {
           continue;
         }
-        model.carriers.emplace(
-            static_cast<int>(a),
-            CarrierOf(
-                attachment.points, other.model.lines, other.model.guides));
+        model.carriers.emplace(static_cast<int>(a),
+                               CarrierOf(attachment.points, other.model));
       }
     }
   }
+}
+
+std::vector<std::vector<int>> CarriersFirst(const PreparedScene& scene) {
+  std::vector<int> open(scene.muscles.size());
+  std::iota(open.begin(), open.end(), 0);
+  std::vector<std::vector<int>> groups;
+  while (!open.empty()) {
+    std::set<std::string> names;
+    for (const int i : open) names.insert(scene.muscles[i].model.name);
+    std::vector<int> ready, waiting;
+    for (const int i : open) {
+      const MuscleModel& model = scene.muscles[i].model;
+      const bool waits =
+          std::any_of(model.carriers.begin(),
+                      model.carriers.end(),
+                      [&](const auto& carrier) {
+                        return names.count(carrier.second.muscle) > 0;
+                      });
+      (waits ? waiting : ready).push_back(i);
+    }
+    if (ready.empty()) std::swap(ready, waiting);
+    groups.push_back(std::move(ready));
+    open = std::move(waiting);
+  }
+  return groups;
 }
 
 }  // namespace musclewarp

@@ -28,4 +28,9 @@ std::optional<Attachment> TakeSoftAttachment(
 // called whenever models have been prepared.
 void AddSoftCarriers(PreparedScene* scene);
 
+// Returns the indices of all muscles in groups: what carries those of a group
+// is in the groups before. Muscles that carry each other are together in the
+// last one.
+std::vector<std::vector<int>> CarriersFirst(const PreparedScene& scene);
+
 }  // namespace musclewarp

@@ -41,6 +41,7 @@ void ScaleLengths(double factor, Attachment* attachment) {
 
 void ScaleLengths(double factor, ScenePose* pose) {
   pose->taut_lines = {};
+  pose->pushes.clear();
   for (auto& [body, motion] : pose->bodies) ScaleTranslation(factor, &motion);
   for (auto& [line, points] : pose->lines) points *= factor;
   for (auto& [line, length] : pose->path_lengths) length *= factor;

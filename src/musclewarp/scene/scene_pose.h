@@ -40,6 +40,11 @@ struct ScenePose {
   // as `bodies` are those for which they were.
   SolvedLines taut_lines;
 
+  // How bones push the free shapes of muscles aside (bone_push.h): by muscle,
+  // the displacements of its coarse vertices, N x 3, mm, from where it is
+  // without. Those that no bone pushes are not named.
+  std::map<std::string, Points> pushes;
+
   // Only for poses of an OpenSim model: the values of all its coordinates (rad
   // or m), and the lengths (mm) of the lines that are paths of its muscles,
   // straight through all active points.

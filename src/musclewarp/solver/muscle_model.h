@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "musclewarp/skeleton/guides.h"
 #include "musclewarp/skeleton/rotation_field.h"
 #include "musclewarp/solver/bending_rows.h"
+#include "musclewarp/solver/bone_push.h"
 #include "musclewarp/solver/soft_carrier.h"
 
 namespace musclewarp {
@@ -120,6 +122,9 @@ struct MuscleModel {
 
   // The Cholesky factorisation A = U^T U. Empty without lines.
   Eigen::LLT<Eigen::MatrixXd> normal_matrix;
+
+  // How bones push it aside; null if none can.
+  std::shared_ptr<const BonePush> bone_push;
 
   // False of a muscle without lines: its place is not determined, so that it
   // cannot be solved for, and stays as it is.

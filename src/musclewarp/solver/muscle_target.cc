@@ -63,7 +63,18 @@ MuscleTarget TargetOf(const MuscleModel& model,
                                                 options.use_body_twist),
                                     StretchesAt(model, guides));
   }
+  const auto push = pose.pushes.find(model.name);
+  if (push != pose.pushes.end()) AddRowsOf(model, push->second, &target);
   return target;
+}
+
+void AddRowsOf(const MuscleModel& model,
+               const Points& displacements,
+               MuscleTarget* target) {
+  target->laplacian += model.laplacian * displacements;
+  target->skeleton += model.skeleton * displacements;
+  target->attachment += model.attachment * displacements;
+  target->bending += model.bending.from_coarse * displacements;
 }
 
 Points LinearDescent(const MuscleModel& model,

@@ -37,10 +37,18 @@ struct PreRotationOptions {
 // with their bodies; fibres are to keep the curvature that they have at rest
 // (bending_rows.h). At the rest pose the target equals J_f X_0, and a rigid
 // motion of all bodies yields the target of the rigidly moved muscle. Bodies
-// that the pose does not name stay where they are.
+// that the pose does not name stay where they are. If bones push the muscle
+// aside (ScenePose::pushes), the minimiser of its linear energy is moved by the
+// push.
 MuscleTarget TargetOf(const MuscleModel& model,
                       const ScenePose& pose,
                       const PreRotationOptions& options);
+
+// Adds J_f times displacements of the coarse vertices (N x 3, mm) to a target,
+// so that they move the minimiser of the linear energy.
+void AddRowsOf(const MuscleModel& model,
+               const Points& displacements,
+               MuscleTarget* target);
 
 // The three functions below evaluate the linear energy and leave the one-sided
 // rows out. `coarse` is X, N x 3, mm.

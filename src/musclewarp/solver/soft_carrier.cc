@@ -6,22 +6,28 @@
 
 #include <algorithm>
 
+#include "musclewarp/geometry/mean_value_coordinates.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/skeleton/sampling.h"
+#include "musclewarp/solver/muscle_model.h"
 
 namespace musclewarp {
 
-SoftCarrier CarrierOf(const Points& area,
-                      const std::vector<ActionLine>& lines,
-                      const Guides& guides) {
+SoftCarrier CarrierOf(const Points& area, const MuscleModel& part) {
   CHECK_GT(area.rows(), 0);
+  CHECK(part.HasLines());
   constexpr double kLeastRadius = 2;  // mm
   const Eigen::RowVector3d middle = area.colwise().mean();
   const double radius = (area.rowwise() - middle).rowwise().norm().mean();
-  return {lines,
-          guides,
-          SmoothRotations(
-              Points(middle), guides.lines, std::max(radius, kLeastRadius))};
+  return {
+      part.name,
+      part.lines,
+      part.guides,
+      SmoothRotations(
+          Points(middle), part.guides.lines, std::max(radius, kLeastRadius)),
+      MeanValueCoordinates(area, part.coarse_rest, part.coarse_triangles)
+          .colwise()
+          .mean()};
 }
 
 Eigen::Matrix4d TransformOf(const SoftCarrier& carrier, const ScenePose& pose) {
@@ -38,6 +44,8 @@ Eigen::Matrix4d TransformOf(const SoftCarrier& carrier, const ScenePose& pose) {
   }
   const Eigen::Matrix3d rotation =
       RotationsOf(carrier.field, guides, targets, /*use_body_twist=*/true)[0];
+  const auto push = pose.pushes.find(carrier.muscle);
+  if (push != pose.pushes.end()) after += carrier.from_coarse * push->second;
   Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
   transform.topLeftCorner<3, 3>() = rotation;
   transform.topRightCorner<3, 1>() =

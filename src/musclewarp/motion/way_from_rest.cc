@@ -1,0 +1,43 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/motion/way_from_rest.h"
+
+#include <algorithm>
+#include <string>
+
+#include "musclewarp/base/angles.h"
+#include "musclewarp/mesh/transformed.h"
+#include "musclewarp/motion/pose_steps.h"
+#include "musclewarp/scene/line_targets.h"
+#include "musclewarp/scene/moved_pose.h"
+
+namespace musclewarp {
+
+std::vector<ScenePose> WayFromRest(const Scene& scene, const ScenePose& pose) {
+  const StepLimits kLimits = {RadiansOf(10), 20};
+  constexpr int kMostSteps = 16;
+  const std::vector<std::string> bodies = BodiesInUse(scene);
+  const std::string body = bodies.empty() ? "" : bodies[0];
+  const Eigen::Matrix4d here = BodyTransform(pose, body);
+  const ScenePose rest = RestPose(scene);
+  const ScenePose seen =
+      MovedPose(pose, BodyTransform(rest, body) * RigidInverse(here));
+  const int steps =
+      std::min(StepsBetween(scene, rest, seen, kLimits), kMostSteps);
+  std::vector<ScenePose> way;
+  for (int k = 1; k < steps; ++k) {
+    const ScenePose between =
+        PoseBetween(scene,
+                    rest,
+                    scene.model ? pose : seen,
+                    static_cast<double>(k) / static_cast<double>(steps));
+    way.push_back(WithTautLines(
+        scene,
+        MovedPose(between,
+                  here * RigidInverse(BodyTransform(between, body)))));
+  }
+  way.push_back(pose);
+  return way;
+}
+
+}  // namespace musclewarp

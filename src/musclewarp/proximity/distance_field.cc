@@ -1,0 +1,125 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/proximity/distance_field.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "musclewarp/base/infinity.h"
+
+namespace musclewarp {
+namespace {
+
+// The weights of three samples along an axis, by the number of derivatives: a
+// quadratic B-spline at the offset f (-1/2 to 1/2) from the sample in the
+// middle.
+using SplineWeights = Eigen::Matrix3d;  // derivatives x samples
+
+SplineWeights WeightsAt(double f) {
+  SplineWeights weights;
+  weights << 0.5 * (0.5 - f) * (0.5 - f), 0.75 - f * f,
+      0.5 * (0.5 + f) * (0.5 + f),  //
+      f - 0.5, -2 * f, f + 0.5,     //
+      1, -2, 1;
+  return weights;
+}
+
+}  // namespace
+
+DistanceField::DistanceField(const std::vector<TriangleSoup>& surfaces,
+                             double spacing,
+                             double reach)
+    : spacing_(spacing), reach_(reach) {
+  CHECK(!surfaces.empty());
+  CHECK_GT(spacing, 0);
+  for (const TriangleSoup& surface : surfaces) {
+    surfaces_.push_back(std::make_unique<SearchableMesh>(surface));
+    const Box3& box = surfaces_.back()->bvh().box();
+    if (surfaces_.size() == 1) box_ = box;
+    for (int c = 0; c < 3; ++c) {
+      box_.lower[c] = std::min(box_.lower[c], box.lower[c]);
+      box_.upper[c] = std::max(box_.upper[c], box.upper[c]);
+    }
+  }
+  constexpr int kMargin = 2;  // samples, beside the reach
+  const int more = static_cast<int>(std::ceil(reach / spacing)) + kMargin;
+  for (int c = 0; c < 3; ++c) {
+    first_[c] = static_cast<int>(std::floor(box_.lower[c] / spacing)) - more;
+    size_[c] = static_cast<int>(std::ceil(box_.upper[c] / spacing)) + more -
+               first_[c] + 1;
+  }
+  const size_t count = size_.cast<size_t>().prod();
+  samples_ = std::make_unique<std::atomic<float>[]>(count);
+  for (size_t i = 0; i < count; ++i) {
+    samples_[i].store(std::numeric_limits<float>::quiet_NaN(),
+                      std::memory_order_relaxed);
+  }
+}
+
+double DistanceField::Sample(const Place& at) const {
+  std::atomic<float>& sample =
+      samples_[(static_cast<size_t>(at[2]) * size_[1] + at[1]) * size_[0] +
+               at[0]];
+  const float known = sample.load(std::memory_order_relaxed);
+  if (!std::isnan(known)) return known;
+  const Eigen::RowVector3d place =
+      spacing_ * (first_ + at).cast<double>().matrix();
+  double least = reach_;
+  for (const auto& surface : surfaces_) {
+    const bool is_inside = surface->winding().IsInside(place);
+    const double distance =
+        surface->bvh().ClosestPoint(place, is_inside ? kInfinity : reach_)
+            .distance;
+    least = std::min(least, is_inside ? -distance : distance);
+  }
+  sample.store(static_cast<float>(least), std::memory_order_relaxed);
+  return static_cast<float>(least);
+}
+
+bool DistanceField::IsBelow(double limit,
+                            const Eigen::RowVector3d& place,
+                            Value* value) const {
+  Place base;
+  std::array<SplineWeights, 3> weights;
+  for (int c = 0; c < 3; ++c) {
+    const double at = place[c] / spacing_ - first_[c];
+    if (!(at > 1 && at < size_[c] - 2)) return false;
+    base[c] = static_cast<int>(std::floor(at + 0.5));
+    weights[c] = WeightsAt(at - base[c]);
+  }
+  // The spline takes means of samples within two and a half spacings of one
+  // another.
+  if (Sample(base) > limit + 2.5 * spacing_) return false;
+  // Derivatives along y and z (rows), and along x (columns), of each layer.
+  std::array<Eigen::Matrix3d, 3> layers;
+  for (int z = 0; z < 3; ++z) {
+    Eigen::Matrix3d samples;  // y x x
+    for (int y = 0; y < 3; ++y) {
+      for (int x = 0; x < 3; ++x) {
+        samples(y, x) = Sample(base + Place(x - 1, y - 1, z - 1));
+      }
+    }
+    layers[z] = weights[1] * samples * weights[0].transpose();
+  }
+  const auto derivative = [&](int x, int y, int z) {
+    return (weights[2](z, 0) * layers[0](y, x) +
+            weights[2](z, 1) * layers[1](y, x) +
+            weights[2](z, 2) * layers[2](y, x)) /
+           std::pow(spacing_, x + y + z);
+  };
+  value->distance = derivative(0, 0, 0);
+  if (!(value->distance < limit)) return false;
+  value->gradient << derivative(1, 0, 0), derivative(0, 1, 0),
+      derivative(0, 0, 1);
+  const double xy = derivative(1, 1, 0), xz = derivative(1, 0, 1),
+               yz = derivative(0, 1, 1);
+  value->curvature << derivative(2, 0, 0), xy, xz,  //
+      xy, derivative(0, 2, 0), yz,                  //
+      xz, yz, derivative(0, 0, 2);
+  return true;
+}
+
+}  // namespace musclewarp

@@ -1,0 +1,60 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "musclewarp/geometry/mean_value_coordinates.h"
+#include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/proximity/distance_field.h"
+#include "musclewarp/scene/scene_pose.h"
+
+namespace musclewarp {
+
+struct MuscleModel;
+
+// The bones of a body: how far a place is from them, at rest.
+struct BodyField {
+  std::string body;
+  std::shared_ptr<const DistanceField> field;
+};
+
+// What bones need to push the free shape of a muscle aside, which without
+// contact is the least of its linear energy. The push is the displacement dX of
+// its coarse vertices that minimises
+//
+//   1/2 |J_f dX|^2 + k sum_vb phi(c_vb - d_b(p_v + W_v dX))
+//
+// where d_b is the distance to the bones of body b in the pose, p_v is the place
+// of sample v without the push and c_vb is what it keeps: its distance at rest,
+// and at most a clearance, so that a muscle may lie in a bone as deep as it does
+// at rest. So bending, lines and attachments resist bones as they resist
+// contact, and dX is a smooth function of the pose where the same samples touch.
+// S samples, N coarse vertices and B bodies.
+struct BonePush {
+  std::vector<BodyField> bodies;
+  RowMajorMatrix fine_from_coarse;  // S x N: the rows of W of the samples
+  Eigen::MatrixXd clearances;       // S x B, mm: c
+  Eigen::MatrixXd reach;            // N x S: how a force on a sample moves X
+  Eigen::MatrixXd response;         // S x S: and the samples
+  double stiffness = 0;             // k
+  double onset = 0;                 // mm: where phi'' comes to 1
+};
+
+// Prepares the push of a muscle, whose normal matrix is factorised. Returns
+// null if it has no lines or there are no bodies.
+std::shared_ptr<const BonePush> PrepareBonePush(
+    const std::vector<BodyField>& bodies, const MuscleModel& model);
+
+// Follows the push of a muscle along a way: `way` are poses from near rest on,
+// and `free` are its coarse vertices without the push in each of them, N x 3,
+// mm. Returns the displacements in each pose, N x 3, mm: all zero as long as
+// nothing touches.
+std::vector<Points> FollowPush(const BonePush& push,
+                               const std::vector<ScenePose>& way,
+                               const std::vector<Points>& free);
+
+}  // namespace musclewarp

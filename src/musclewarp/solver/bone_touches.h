@@ -1,0 +1,43 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/scene/scene_pose.h"
+#include "musclewarp/solver/bone_push.h"
+
+namespace musclewarp {
+
+// A sample of a muscle near the bones of a body, in a pose.
+struct BoneTouch {
+  int sample = 0;
+  int body = 0;  // index into BonePush::bodies
+
+  // What it lacks of the distance that it keeps, c - d, mm; below zero if it
+  // does not touch.
+  double lack = 0;
+
+  // The gradient of the distance and its second derivatives, as the pose has
+  // them.
+  Eigen::RowVector3d normal = Eigen::RowVector3d::Zero();
+  Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();
+};
+
+// k phi of BonePush, and its derivatives: energy, force and stiffness of what
+// lacks `lack` mm.
+struct BoneForce {
+  double energy = 0, force = 0, stiffness = 0;
+};
+BoneForce ForceAt(const BonePush& push, double lack);
+
+// Returns the samples at the given places (S x 3, mm) in a pose that lack more
+// than -margin (mm), by body and then by sample.
+std::vector<BoneTouch> TouchesAt(const BonePush& push,
+                                 const ScenePose& pose,
+                                 const Points& places,
+                                 double margin = 0);
+
+}  // namespace musclewarp

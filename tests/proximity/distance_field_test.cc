@@ -1,0 +1,99 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/proximity/distance_field.h"
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr double kSpacing = 3;  // mm
+constexpr double kReach = 6;    // mm
+
+DistanceField BallField() { return {{Icosphere(20, 4)}, kSpacing, kReach}; }
+
+// Means of samples two spacings apart are off by the curvature of the distance
+// times half a spacing squared, and by the flat triangles of the ball.
+constexpr double kTolerance = kSpacing * kSpacing / 20;
+
+TEST(DistanceField, IsTheDistanceToABall) {
+  const DistanceField field = BallField();
+  DistanceField::Value value;
+  for (const double radius : {12.0, 17.3, 20.0, 23.9}) {
+    const Eigen::RowVector3d place =
+        radius * Eigen::RowVector3d(1, -2, 0.5).normalized();
+    ASSERT_TRUE(field.IsBelow(5, place, &value));
+    EXPECT_NEAR(value.distance, radius - 20, kTolerance);
+    EXPECT_LT((value.gradient - place.normalized()).norm(), 0.1);
+  }
+}
+
+TEST(DistanceField, KnowsWhatIsBeyondTheLimit) {
+  const DistanceField field = BallField();
+  DistanceField::Value value;
+  EXPECT_FALSE(field.IsBelow(1, {0, 0, 24}, &value));
+  EXPECT_FALSE(field.IsBelow(5, {0, 300, 0}, &value));
+  EXPECT_TRUE(field.IsBelow(5, {0, 0, 24}, &value));
+}
+
+TEST(DistanceField, DerivativesAreThoseOfTheDistance) {
+  const DistanceField field = BallField();
+  // Off the planes where the second derivatives jump.
+  const Eigen::RowVector3d place(7.1, 11.9, -12.2);
+  constexpr double kStep = 1e-4;
+  DistanceField::Value here, before, after;
+  ASSERT_TRUE(field.IsBelow(5, place, &here));
+  for (int c = 0; c < 3; ++c) {
+    Eigen::RowVector3d step = Eigen::RowVector3d::Zero();
+    step[c] = kStep;
+    ASSERT_TRUE(field.IsBelow(5, place - step, &before));
+    ASSERT_TRUE(field.IsBelow(5, place + step, &after));
+    EXPECT_NEAR(here.gradient[c],
+                (after.distance - before.distance) / (2 * kStep),
+                1e-9);  // of a parabola, exact to rounding
+    const Eigen::RowVector3d bend =
+        (after.gradient - before.gradient) / (2 * kStep);
+    EXPECT_LT((here.curvature.row(c) - bend).norm(), 1e-7);
+  }
+}
+
+TEST(DistanceField, TheGradientIsContinuousBetweenCells) {
+  const DistanceField field = BallField();
+  DistanceField::Value below, above;
+  // Cells begin halfway between samples.
+  ASSERT_TRUE(field.IsBelow(5, {16.5 - 1e-9, 4, 3}, &below));
+  ASSERT_TRUE(field.IsBelow(5, {16.5 + 1e-9, 4, 3}, &above));
+  EXPECT_NEAR(below.distance, above.distance, 1e-8);
+  EXPECT_LT((below.gradient - above.gradient).norm(), 1e-8);
+}
+
+TEST(DistanceField, IsNegativeInAnyOfSeveralSurfaces) {
+  const DistanceField field(
+      {SphereAt({-15, 0, 0}, 10, 3), SphereAt({15, 0, 0}, 10, 3)}, 2, kReach);
+  DistanceField::Value value;
+  ASSERT_TRUE(field.IsBelow(0, {-15, 2, 1}, &value));
+  ASSERT_TRUE(field.IsBelow(0, {15, 2, 1}, &value));
+  EXPECT_FALSE(field.IsBelow(0, {0, 0, 0}, &value));
+}
+
+TEST(DistanceField, AMirroredSurfaceHasTheMirroredField) {
+  const TriangleSoup ball = SphereAt({7.7, 3, -2}, 12, 3);
+  TriangleSoup mirrored = ball;
+  mirrored.points.col(0) *= -1;
+  mirrored.triangles.col(0).swap(mirrored.triangles.col(1));
+  const DistanceField field({ball}, kSpacing, kReach);
+  const DistanceField other({mirrored}, kSpacing, kReach);
+  DistanceField::Value here, there;
+  for (const Eigen::RowVector3d& place :
+       {Eigen::RowVector3d(10, 9, 3), Eigen::RowVector3d(-3.3, 4, 2)}) {
+    ASSERT_TRUE(field.IsBelow(5, place, &here));
+    ASSERT_TRUE(other.IsBelow(
+        5, place.cwiseProduct(Eigen::RowVector3d(-1, 1, 1)), &there));
+    EXPECT_NEAR(here.distance, there.distance, 1e-6);  // samples are floats
+  }
+}
+
+}  // namespace
+}  // namespace musclewarp
