@@ -25,6 +25,16 @@ CertifiedMove MoveTo(double apart) {
   return move;
 }
 
+// A move after which contact has moved a muscle by so much (mm) more than
+// allowed.
+CertifiedMove ExcessiveMoveTo(double apart, double excess) {
+  CertifiedMove move = MoveTo(apart);
+  MuscleFrame& muscle = move.frame.muscles.emplace_back();
+  muscle.max_contact_displacement =
+      LargestDisplacement(FrameRequirements(), muscle) + excess;
+  return move;
+}
+
 CertifiedMove CrossingMoveTo(double apart) {
   CertifiedMove move = MoveTo(apart);
   move.frame.intersections.triangle_pairs = 1;
@@ -35,6 +45,7 @@ CertifiedMove CrossingMoveTo(double apart) {
 struct Outcome {
   CertifiedMove move;
   int made = 0;
+  std::vector<Settling> settlings;
 
   double Apart() const { return move.frame.intersections.gaps[0].at_least_mm; }
 };
@@ -45,26 +56,28 @@ Outcome MovedBy(std::vector<CertifiedMove> moves) {
   Outcome outcome;
   ContactState start;
   start.withheld = {0};
-  outcome.move = MoveUntilApart(
-      [&](const ContactState& from) {
+  outcome.move = MoveUntilSound(
+      [&](const ContactState& from, Settling settling) {
         EXPECT_EQ(from.withheld[0], outcome.made);
+        outcome.settlings.push_back(settling);
         CertifiedMove& move = moves.at(outcome.made++);
         move.motion.state.withheld = {static_cast<double>(outcome.made)};
         return move;
       },
       start,
-      kGap);
+      kGap,
+      FrameRequirements());
   return outcome;
 }
 
-TEST(MoveUntilApart, MovesOnceIfTheGapIsKept) {
+TEST(MoveUntilSound, MovesOnceIfTheGapIsKept) {
   EXPECT_EQ(MovedBy({MoveTo(kGap)}).made, 1);
   CertifiedMove free = MoveTo(kGap);
   free.frame.intersections.gaps.clear();
   EXPECT_EQ(MovedBy({free}).made, 1);
 }
 
-TEST(MoveUntilApart, MovesAgainUntilTheGapIsKept) {
+TEST(MoveUntilSound, MovesAgainUntilTheGapIsKept) {
   const Outcome outcome = MovedBy({MoveTo(0.19), MoveTo(0.21), MoveTo(0.3)});
   EXPECT_EQ(outcome.made, 2);
   EXPECT_EQ(outcome.Apart(), 0.21);
@@ -74,7 +87,7 @@ TEST(MoveUntilApart, MovesAgainUntilTheGapIsKept) {
   EXPECT_EQ(outcome.move.certifying_ms, 2);
 }
 
-TEST(MoveUntilApart, MovesAtMostTwiceMore) {
+TEST(MoveUntilSound, MovesAtMostTwiceMore) {
   const Outcome outcome =
       MovedBy({MoveTo(0.1), MoveTo(0.12), MoveTo(0.14), MoveTo(0.3)});
   EXPECT_EQ(outcome.made, 3);
@@ -82,7 +95,7 @@ TEST(MoveUntilApart, MovesAtMostTwiceMore) {
   EXPECT_EQ(outcome.move.motion.summary.steps, 6);
 }
 
-TEST(MoveUntilApart, StaysWhereItWasIfMovingOnDoesNotHelp) {
+TEST(MoveUntilSound, StaysWhereItWasIfMovingOnDoesNotHelp) {
   for (const double next : {0.1, 0.09}) {
     const Outcome outcome = MovedBy({MoveTo(0.1), MoveTo(next)});
     EXPECT_EQ(outcome.made, 2);
@@ -92,7 +105,7 @@ TEST(MoveUntilApart, StaysWhereItWasIfMovingOnDoesNotHelp) {
 }
 
 // However wide the gaps of all other meshes are then.
-TEST(MoveUntilApart, TakesNoFurtherMotionThatCrosses) {
+TEST(MoveUntilSound, TakesNoFurtherMotionThatCrosses) {
   const Outcome crossing = MovedBy({MoveTo(0.1), CrossingMoveTo(0.3)});
   EXPECT_EQ(crossing.made, 2);
   EXPECT_EQ(crossing.Apart(), 0.1);
@@ -101,15 +114,40 @@ TEST(MoveUntilApart, TakesNoFurtherMotionThatCrosses) {
   EXPECT_EQ(MovedBy({MoveTo(0.1), given_up}).Apart(), 0.1);
 }
 
-TEST(MoveUntilApart, DoesNotMoveOnAcrossAMesh) {
+TEST(MoveUntilSound, DoesNotMoveOnAcrossAMesh) {
   EXPECT_EQ(MovedBy({CrossingMoveTo(0.1)}).made, 1);
 }
 
 // Attachments may be inside their bones: that gap is none.
-TEST(MoveUntilApart, DoesNotAskForAGapOfWhatMayPenetrate) {
+TEST(MoveUntilSound, DoesNotAskForAGapOfWhatMayPenetrate) {
   CertifiedMove move = MoveTo(0.3);
   move.frame.intersections.gaps.emplace_back();
   EXPECT_EQ(MovedBy({move}).made, 1);
+}
+
+TEST(MoveUntilSound, SettlesFullyWhatIsMovedTooFar) {
+  const Outcome outcome = MovedBy({ExcessiveMoveTo(kGap, 3),
+                                   ExcessiveMoveTo(kGap, 1),
+                                   ExcessiveMoveTo(kGap, -1)});
+  EXPECT_EQ(outcome.made, 3);
+  EXPECT_EQ(outcome.settlings,
+            (std::vector<Settling>{
+                Settling::kIfPushed, Settling::kFully, Settling::kFully}));
+  EXPECT_EQ(outcome.move.motion.summary.steps, 6);
+}
+
+TEST(MoveUntilSound, DoesNotSettleWhatIsMovedLittle) {
+  EXPECT_EQ(MovedBy({ExcessiveMoveTo(kGap, 0)}).made, 1);
+}
+
+// Neither for nothing nor at the price of the gap.
+TEST(MoveUntilSound, StaysWhereItWasIfSettlingDoesNotHelp) {
+  for (const CertifiedMove& next :
+       {ExcessiveMoveTo(kGap, 3), ExcessiveMoveTo(0.1, 1)}) {
+    const Outcome outcome = MovedBy({ExcessiveMoveTo(kGap, 3), next});
+    EXPECT_EQ(outcome.made, 2);
+    EXPECT_EQ(outcome.move.motion.state.withheld[0], 1);
+  }
 }
 
 }  // namespace

@@ -29,8 +29,14 @@ CertifiedMotion Move(const PreparedScene& scene,
                      const CertifiedScene& certified,
                      const ScenePose& pose,
                      const ContactState& before) {
-  return MoveCertified(
-      scene, certified, pose, {}, ReferenceSolvers().single, before, {});
+  return MoveCertified(scene,
+                       certified,
+                       pose,
+                       {},
+                       ReferenceSolvers().single,
+                       before,
+                       Settling::kIfPushed,
+                       {});
 }
 
 TEST(PrepareCertifiedScene, LeavesARestPoseInWhichNothingIsNear) {

@@ -29,8 +29,14 @@ class RecordedStepTest : public ::testing::Test {
     certified_ = PrepareCertifiedScene(
         scene_, SceneMeshes(scene_), options, {}, solver_, {});
     num_rest_steps_ = steps_.size();
-    MoveCertified(
-        scene_, certified_, FlexedPose(0.3), {}, solver_, certified_.rest, {});
+    MoveCertified(scene_,
+                  certified_,
+                  FlexedPose(0.3),
+                  {},
+                  solver_,
+                  certified_.rest,
+                  Settling::kIfPushed,
+                  {});
   }
 
   // Takes a step that was recorded, with the scene as it was then.

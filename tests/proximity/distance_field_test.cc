@@ -9,14 +9,14 @@
 namespace musclewarp {
 namespace {
 
-constexpr double kSpacing = 3;  // mm
-constexpr double kReach = 6;    // mm
+constexpr double kCell = 3;    // mm
+constexpr double kReach = 12;  // mm
 
-DistanceField BallField() { return {{Icosphere(20, 4)}, kSpacing, kReach}; }
+DistanceField BallField() { return {{Icosphere(20, 4)}, kCell, kReach}; }
 
 // Means of samples two spacings apart are off by the curvature of the distance
 // times half a spacing squared, and by the flat triangles of the ball.
-constexpr double kTolerance = kSpacing * kSpacing / 20;
+constexpr double kTolerance = kCell * kCell / 20;
 
 TEST(DistanceField, IsTheDistanceToABall) {
   const DistanceField field = BallField();
@@ -83,8 +83,8 @@ TEST(DistanceField, AMirroredSurfaceHasTheMirroredField) {
   TriangleSoup mirrored = ball;
   mirrored.points.col(0) *= -1;
   mirrored.triangles.col(0).swap(mirrored.triangles.col(1));
-  const DistanceField field({ball}, kSpacing, kReach);
-  const DistanceField other({mirrored}, kSpacing, kReach);
+  const DistanceField field({ball}, kCell, kReach);
+  const DistanceField other({mirrored}, kCell, kReach);
   DistanceField::Value here, there;
   for (const Eigen::RowVector3d& place :
        {Eigen::RowVector3d(10, 9, 3), Eigen::RowVector3d(-3.3, 4, 2)}) {

@@ -48,10 +48,6 @@ struct FrameRequirements {
   double displacement_per_depth = 2;
   double displacement_allowance = 1;
 
-  // A displacement by contact that no frame is blamed for, mm: contact acts on
-  // hulls whose vertices are some 10 mm apart.
-  double least_displacement = 2.5;
-
   // Muscles that are nearer to each other than this, mm, at most kMeshGapLimit,
   // pass a push on.
   double touching_distance = 0.5;

@@ -15,6 +15,7 @@
 #include "musclewarp/deformer/length_options.h"
 #include "musclewarp/figures/scaled_figures.h"
 #include "musclewarp/frames/scaled_frame.h"
+#include "musclewarp/preparation/bone_pushes.h"
 #include "musclewarp/preparation/scaled_preparation.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/scene/scaled_scene.h"
@@ -97,6 +98,9 @@ Deformer::Deformer(const SizedScene& sized, DeformerOptions options)
   std::optional<StageRecording> recording;
   if (options_.record_stages) recording.emplace();
   Preparation preparation = Prepare(sized.scene);
+  if (options_.bone_push && options_.frames.contact != ContactKind::kPaper) {
+    AddBonePushes(&preparation.scene);
+  }
   const auto scene =
       std::make_shared<PreparedScene>(std::move(preparation.scene));
   scene_ = scene;

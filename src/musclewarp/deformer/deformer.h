@@ -31,6 +31,11 @@ struct DeformerOptions {
   // Reconstruction of meshes that cannot be separated in the rest pose.
   ReconstructionOptions reconstruction;
 
+  // If true, bones push the shapes that muscles have without contact aside
+  // (bone_push.h), so that contact has less to do. With the contact of the
+  // paper they never do.
+  bool bone_push = true;
+
   SolverConfiguration solver;
 
   // Lengths among these options are those that suit people; in bodies of other

@@ -21,7 +21,6 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/deformer/preparation_archive.h"
 #include "musclewarp/mesh_files/mesh_path.h"
-#include "musclewarp/preparation/bone_pushes.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
@@ -185,7 +184,6 @@ std::optional<Preparation> PreparationCache::Read(const Scene& scene) const {
       preparation.scene.scene.muscles[i].lines = std::move(lines.at(i));
       FactorNormalMatrix(&preparation.scene.muscles.at(i).model);
     }
-    AddBonePushes(&preparation.scene);
     preparation.scene.is_cached = true;
     preparation.scene.wall_ms = reading.Milliseconds();
     return preparation;

@@ -74,7 +74,7 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
   const ContactState& from = before ? *before->contact : certified_.rest;
   const std::vector<Points> points_before =
       before ? ShapesOf(certified_, from).fine : std::vector<Points>();
-  const auto move = [&](const ContactState& start) {
+  const auto move = [&](const ContactState& start, Settling settling) {
     const Stopwatch moving;
     CertifiedMove moved;
     moved.motion = MoveCertified(scene_,
@@ -83,6 +83,7 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
                                  options_.pre_rotation,
                                  solvers.single,
                                  start,
+                                 settling,
                                  on_progress);
     moved.moving_ms = moving.Milliseconds();
     const Stopwatch certifying;
@@ -97,7 +98,8 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
     moved.certifying_ms = certifying.Milliseconds();
     return moved;
   };
-  CertifiedMove moved = MoveUntilApart(move, from, options_.certified.step.gap);
+  CertifiedMove moved = MoveUntilSound(
+      move, from, options_.certified.step.gap, options_.requirements);
   CertifiedMotion& motion = moved.motion;
   SolvedFrame result;
   result.frame = std::move(moved.frame);

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "musclewarp/certificate/shortcomings.h"
 #include "musclewarp/certified_contact/contact_state.h"
 #include "musclewarp/frames/frame.h"
 #include "musclewarp/motion/certified_motion.h"
@@ -21,16 +22,25 @@ struct CertifiedMove {
   }
 };
 
-// Moves on from `start`, and again to the same pose while surfaces are nearer
-// than the gap (mm) without crossing and that helps, at most twice: a step
-// keeps muscles in the planes of what was near when it began. Along a rugged
-// bone they may slide to where it comes nearer than the gap; another motion to
-// the same pose then finds the planes that were missing. `move(state)` moves to
-// the pose from a state. Steps and times are those of all motions up to the one
-// that is returned.
-CertifiedMove MoveUntilApart(
-    const std::function<CertifiedMove(const ContactState&)>& move,
-    const ContactState& start,
-    double gap);
+// Moves to a pose from a state.
+using MoveFrom =
+    std::function<CertifiedMove(const ContactState& start, Settling settling)>;
+
+// Moves on from `start`, and again to the same pose while that helps, at most
+// twice for either reason:
+//
+// - Surfaces are nearer than the gap (mm) without crossing. A step keeps
+// muscles
+//   in the planes of what was near when it began. Along a rugged bone they may
+//   slide to where it comes nearer than the gap; another motion to the same
+//   pose then finds the planes that were missing.
+// - Contact has moved a muscle farther than allowed (LargestDisplacement). What
+//   it moved in an earlier pose comes back slowly; muscles then settle fully.
+//
+// Steps and times are those of all motions up to the one that is returned.
+CertifiedMove MoveUntilSound(const MoveFrom& move,
+                             const ContactState& start,
+                             double gap,
+                             const FrameRequirements& requirements);
 
 }  // namespace musclewarp

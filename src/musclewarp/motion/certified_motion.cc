@@ -214,6 +214,7 @@ bool CertifiedContactOptions::IsValid(std::string* error) const {
              .IsAbove("max_reach", max_reach, 0)
              .IsAtLeast("max_settling_steps", max_settling_steps, 0)
              .IsAbove("settling_tolerance", settling_tolerance, 0)
+             .IsAbove("full_settling_tolerance", full_settling_tolerance, 0)
              .IsAbove("max_push", max_push, 0)
              .IsWithin("unchecked_fraction", unchecked_fraction, 1e-3, 1)
              .IsWithin("max_halvings", max_halvings, 0, 20)
@@ -315,6 +316,7 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
                               const PreRotationOptions& pre_rotation,
                               const MuscleSolver& solver,
                               const ContactState& before,
+                              Settling settling,
                               const ProgressCallback& on_progress) {
   const MotionContext context = {scene, certified, pre_rotation, solver};
   const CertifiedContactOptions& options = certified.options;
@@ -331,7 +333,10 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
   advance.reach_growth = options.reach_growth;
   advance.max_reach = options.max_reach;
   advance.max_settling_steps = options.max_settling_steps;
-  advance.settling_tolerance = options.settling_tolerance;
+  advance.always_settles = settling == Settling::kFully;
+  advance.settling_tolerance = advance.always_settles
+                                   ? options.full_settling_tolerance
+                                   : options.settling_tolerance;
   advance.on_step = options.on_step;
   SetEnd(options, &advance);
   CertifiedMotion motion;

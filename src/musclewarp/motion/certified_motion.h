@@ -92,6 +92,9 @@ struct CertifiedContactOptions {
   int max_settling_steps = 8;
   double settling_tolerance = 0.9;
 
+  // The tolerance of Settling::kFully, mm.
+  double full_settling_tolerance = 0.1;
+
   // After so many steps in a row that leave crossing triangles, the remainder
   // of the motion is computed without contact; 0: no limit. Once the solver has
   // backtracked, they are a sixteenth of the unchecked length, 32 of them a
@@ -192,6 +195,12 @@ struct CertifiedMotion {
   MotionSummary summary;
 };
 
+// When muscles settle at the end of a motion.
+enum class Settling {
+  kIfPushed,  // those that contact pushes by the reach, roughly
+  kFully,     // all, to CertifiedContactOptions::full_settling_tolerance
+};
+
 // Moves a scene from `before` to a pose in steps. An intersection-free start
 // yields an intersection-free result unless the shortest step still leaves
 // crossing triangles. Such a step is accepted all the same, as later steps may
@@ -202,6 +211,7 @@ CertifiedMotion MoveCertified(const PreparedScene& scene,
                               const PreRotationOptions& pre_rotation,
                               const MuscleSolver& solver,
                               const ContactState& before,
+                              Settling settling,
                               const ProgressCallback& on_progress);
 
 // Returns the coarse and fine vertices of a state, in the order of the scene.

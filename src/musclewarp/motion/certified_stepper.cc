@@ -197,10 +197,11 @@ class PoseStepper {
     // Muscles that are pushed by less than the reach need no settling, unless
     // too many triangles are folded: a step from here may unfold them.
     const bool is_folded = attempt->summary.defects.folded_triangles > 0;
-    is_settled_ = attempt->summary.is_short_of_reach && !is_folded;
+    is_settled_ = attempt->summary.is_short_of_reach && !is_folded &&
+                  !options_.always_settles;
     settling_.MoveOnly(attempt->summary.is_pushed_far);
     // Defects of a muscle that stands still are not looked for.
-    if (is_folded) settling_.MoveAll();
+    if (is_folded || options_.always_settles) settling_.MoveAll();
     Accept(std::move(*attempt));
     at_ = to;
   }

@@ -42,6 +42,10 @@ struct AdvanceOptions {
   int max_settling_steps = 0;
   double settling_tolerance = 0;
 
+  // True if settling steps follow even if contact pushes no muscle by the
+  // reach.
+  bool always_settles = false;
+
   // True if `state` is a rest pose just after its separation, from which
   // vertices have far to go: steps then reach as far as the last one moved
   // muscles, times `reach_growth`, and self-crossings do not count as

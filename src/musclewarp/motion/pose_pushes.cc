@@ -18,7 +18,7 @@ ScenePose WithPushes(const PreparedScene& scene,
                      ScenePose pose) {
   const ScopedStage stage("push of bones");
   pose.pushes.clear();
-  std::vector<ScenePose> way = WayFromRest(scene.scene, pose);
+  std::vector<ScenePose> way = WayFromRest(scene.scene, pose, kPushSteps);
   for (const auto& group : CarriersFirst(scene)) {
     std::vector<std::vector<Points>> pushes(group.size());
     ParallelFor(group.size(), [&](size_t i) {
@@ -34,7 +34,8 @@ ScenePose WithPushes(const PreparedScene& scene,
     for (size_t i = 0; i < group.size(); ++i) {
       for (size_t k = 0; k < pushes[i].size(); ++k) {
         if (pushes[i][k].isZero(0)) continue;
-        way[k].pushes.emplace(scene.muscles[group[i]].model.name, std::move(pushes[i][k]));
+        way[k].pushes.emplace(scene.muscles[group[i]].model.name,
+                              std::move(pushes[i][k]));
       }
     }
   }

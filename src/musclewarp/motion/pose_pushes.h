@@ -8,8 +8,8 @@
 
 namespace musclewarp {
 
-// Returns a pose with the pushes of bones on all muscles (ScenePose::pushes), of
-// which TargetOf() takes account. They are found along the way from rest
+// Returns a pose with the pushes of bones on all muscles (ScenePose::pushes),
+// of which TargetOf() takes account. They are found along the way from rest
 // (WayFromRest), so that they depend on the pose alone. Muscles that carry
 // others come first, as what they carry goes along.
 ScenePose WithPushes(const PreparedScene& scene,

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "musclewarp/base/angles.h"
+#include "musclewarp/base/parallel_for.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/motion/pose_steps.h"
 #include "musclewarp/scene/line_targets.h"
@@ -13,9 +14,10 @@
 
 namespace musclewarp {
 
-std::vector<ScenePose> WayFromRest(const Scene& scene, const ScenePose& pose) {
-  const StepLimits kLimits = {RadiansOf(10), 20};
-  constexpr int kMostSteps = 16;
+std::vector<ScenePose> WayFromRest(const Scene& scene,
+                                   const ScenePose& pose,
+                                   int max_steps) {
+  const StepLimits kLimits = {RadiansOf(20), 40};
   const std::vector<std::string> bodies = BodiesInUse(scene);
   const std::string body = bodies.empty() ? "" : bodies[0];
   const Eigen::Matrix4d here = BodyTransform(pose, body);
@@ -23,20 +25,20 @@ std::vector<ScenePose> WayFromRest(const Scene& scene, const ScenePose& pose) {
   const ScenePose seen =
       MovedPose(pose, BodyTransform(rest, body) * RigidInverse(here));
   const int steps =
-      std::min(StepsBetween(scene, rest, seen, kLimits), kMostSteps);
-  std::vector<ScenePose> way;
-  for (int k = 1; k < steps; ++k) {
-    const ScenePose between =
-        PoseBetween(scene,
-                    rest,
-                    scene.model ? pose : seen,
-                    static_cast<double>(k) / static_cast<double>(steps));
-    way.push_back(WithTautLines(
+      std::min(StepsBetween(scene, rest, seen, kLimits), max_steps);
+  std::vector<ScenePose> way(steps + 1);
+  way.back() = pose;
+  ParallelFor(steps, [&](size_t k) {
+    const ScenePose between = k == 0
+                                  ? rest
+                                  : PoseBetween(scene,
+                                                rest,
+                                                scene.model ? pose : seen,
+                                                static_cast<double>(k) / steps);
+    way[k] = WithTautLines(
         scene,
-        MovedPose(between,
-                  here * RigidInverse(BodyTransform(between, body)))));
-  }
-  way.push_back(pose);
+        MovedPose(between, here * RigidInverse(BodyTransform(between, body))));
+  });
   return way;
 }
 

@@ -6,8 +6,8 @@
 
 namespace musclewarp {
 
-// Sets MuscleModel::bone_push of all muscles. Must be called whenever models
-// have been prepared or read.
+// Sets MuscleModel::bone_push of all muscles, so that bones push them aside
+// (WithPushes). The time adds to that of the preparation.
 void AddBonePushes(PreparedScene* scene);
 
 }  // namespace musclewarp

@@ -22,8 +22,13 @@ double MemoryNeeded(const std::vector<SizedMesh>& meshes,
   const double of_weight = is_certified ? 12 : 8;
   const double of_vertex = is_certified ? 6000 : 3700;
   const double of_bone_vertex = is_certified ? 1200 : 600;
+  // Of a muscle that bones push: how its samples, four a vertex of the hull,
+  // move each other and the hull (bone_push.h), in double precision.
+  const double samples = 4.0 * coarse_vertices;
+  const double of_muscle = 8 * samples * (samples + 2 * coarse_vertices);
   double bytes = kProgram;
   for (const SizedMesh& mesh : meshes) {
+    if (mesh.is_muscle) bytes += of_muscle;
     bytes += mesh.vertices * (mesh.is_muscle
                                   ? of_weight * coarse_vertices + of_vertex
                                   : of_bone_vertex);

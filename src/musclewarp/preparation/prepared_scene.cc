@@ -15,7 +15,6 @@
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/geometry/outer_hull.h"
-#include "musclewarp/preparation/bone_pushes.h"
 #include "musclewarp/preparation/exempt_areas.h"
 #include "musclewarp/preparation/memory_need.h"
 #include "musclewarp/preparation/missed_sides.h"
@@ -267,7 +266,6 @@ void ReplaceMuscleMeshes(const PrepareOptions& options,
         surroundings, options, prepared->scene, muscles[k], meshes[k], &muscle);
   });
   AddSoftCarriers(prepared);
-  AddBonePushes(prepared);
   prepared->exempt = ExemptAreas(*prepared);
 }
 
@@ -291,7 +289,6 @@ void RetriangulateMuscles(const PrepareOptions& options,
                  &prepared_muscle);
   });
   AddSoftCarriers(prepared);
-  AddBonePushes(prepared);
   prepared->exempt = ExemptAreas(*prepared);
 }
 
@@ -352,7 +349,6 @@ PreparedScene PrepareScene(const Scene& scene,
   });
   say_progress(num_steps, "attachments and bones");
   AddSoftCarriers(&prepared);
-  AddBonePushes(&prepared);
   prepared.exempt = ExemptAreas(prepared);
   CheckBones(&prepared);
   AddSceneWarnings(options, &prepared);

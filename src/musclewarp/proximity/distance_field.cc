@@ -71,7 +71,8 @@ double DistanceField::Sample(const Place& at) const {
   for (const auto& surface : surfaces_) {
     const bool is_inside = surface->winding().IsInside(place);
     const double distance =
-        surface->bvh().ClosestPoint(place, is_inside ? kInfinity : reach_)
+        surface->bvh()
+            .ClosestPoint(place, is_inside ? kInfinity : reach_)
             .distance;
     least = std::min(least, is_inside ? -distance : distance);
   }

@@ -36,7 +36,9 @@ class DistanceField {
 
   // Returns true if the distance at a place is below `limit` (mm, at most the
   // reach), and then sets `value`.
-  bool IsBelow(double limit, const Eigen::RowVector3d& place, Value* value) const;
+  bool IsBelow(double limit,
+               const Eigen::RowVector3d& place,
+               Value* value) const;
 
   // The box of the surfaces.
   const Box3& box() const { return box_; }

@@ -29,6 +29,7 @@ struct DeformerSettings : RestSettings {
   double attachment_weight = MuscleModelOptions().attachment_weight;
   double bending_weight = MuscleModelOptions().bending_weight;
   bool body_twist = PreRotationOptions().use_body_twist;
+  bool bone_push = DeformerOptions().bone_push;
   int max_rounds = StepOptions().max_rounds;
   double max_step_turn = DegreesOf(CertifiedContactOptions().limits.max_turn);
   double max_step_move = CertifiedContactOptions().limits.max_move;
@@ -115,6 +116,9 @@ constexpr auto FieldsOf(Described<DeformerSettings>) {
       Field(&S::body_twist, "body_twist")
           .Text("turn muscles about their lines as the bones at their ends "
                 "turn"),
+      Field(&S::bone_push, "bone_push")
+          .Text("bones push muscles aside before contact does; never with "
+                "{contact}=paper"),
       Field(&S::max_rounds, "max_rounds")
           .Text("rounds in which a step of certified contact resolves what "
                 "still crosses, before a shorter step replaces it")

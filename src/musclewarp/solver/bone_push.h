@@ -16,6 +16,10 @@ namespace musclewarp {
 
 struct MuscleModel;
 
+// The distance fields of bones: between samples, and outside of the bones, mm.
+constexpr double kPushFieldSpacing = 3;
+constexpr double kPushFieldReach = 6;
+
 // The bones of a body: how far a place is from them, at rest.
 struct BodyField {
   std::string body;
@@ -24,16 +28,19 @@ struct BodyField {
 
 // What bones need to push the free shape of a muscle aside, which without
 // contact is the least of its linear energy. The push is the displacement dX of
-// its coarse vertices that minimises
+// its coarse vertices that is followed along the way from rest to a pose: in
+// each step it minimises
 //
-//   1/2 |J_f dX|^2 + k sum_vb phi(c_vb - d_b(p_v + W_v dX))
+//   1/2 |J_f dX|^2 + m/2 |J_f (dX - dX before)|^2
+//     + k sum_vb phi(c_vb - d_b(p_v + W_v dX))
 //
-// where d_b is the distance to the bones of body b in the pose, p_v is the place
-// of sample v without the push and c_vb is what it keeps: its distance at rest,
-// and at most a clearance, so that a muscle may lie in a bone as deep as it does
-// at rest. So bending, lines and attachments resist bones as they resist
-// contact, and dX is a smooth function of the pose where the same samples touch.
-// S samples, N coarse vertices and B bodies.
+// where d_b is the distance to the bones of body b, p_v is the place of sample
+// v without the push and c_vb is what it keeps: its distance at rest, and at
+// most a clearance, so that a muscle may lie in a bone as deep as it does at
+// rest. So bending, lines and attachments resist bones as they resist contact.
+// The second term, with m = 1, makes it a flow that is a step behind the least
+// energy, which alone jumps where a muscle slips over a bone. S samples, N
+// coarse vertices and B bodies.
 struct BonePush {
   std::vector<BodyField> bodies;
   RowMajorMatrix fine_from_coarse;  // S x N: the rows of W of the samples
@@ -49,9 +56,14 @@ struct BonePush {
 std::shared_ptr<const BonePush> PrepareBonePush(
     const std::vector<BodyField>& bodies, const MuscleModel& model);
 
-// Follows the push of a muscle along a way: `way` are poses from near rest on,
-// and `free` are its coarse vertices without the push in each of them, N x 3,
-// mm. Returns the displacements in each pose, N x 3, mm: all zero as long as
+// The steps in which a push is followed along a way, and m, what holds it back
+// in each.
+constexpr int kPushSteps = 24;
+constexpr double kPushDrag = 1;
+
+// Follows the push of a muscle along a way: `way` are poses from rest on, and
+// `free` are its coarse vertices without the push in each of them, N x 3, mm.
+// Returns the displacements in each pose, N x 3, mm: all zero as long as
 // nothing touches.
 std::vector<Points> FollowPush(const BonePush& push,
                                const std::vector<ScenePose>& way,

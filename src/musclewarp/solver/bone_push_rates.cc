@@ -21,6 +21,10 @@ Matrix3d ForceGradient(const BonePush& push, const BoneTouch& touch) {
          bone.stiffness * touch.normal.transpose() * touch.normal;
 }
 
+// The share by which the flow gives way to a force, if it has given way alike in
+// the step before.
+constexpr double kGivesWay = 1 / (1 + kPushDrag / kPushSteps);
+
 // I - K G: with it the changes of all forces, 3 T, give those that the bodies
 // and the shape without the push ask for, as each force moves all samples.
 Eigen::MatrixXd SystemOf(const BonePush& push,
@@ -31,7 +35,8 @@ Eigen::MatrixXd SystemOf(const BonePush& push,
     const Matrix3d gradient = ForceGradient(push, touches[a]);
     for (Index b = 0; b < count; ++b) {
       system.block<3, 3>(3 * a, 3 * b) -=
-          push.response(touches[a].sample, touches[b].sample) * gradient;
+          kGivesWay * push.response(touches[a].sample, touches[b].sample) *
+          gradient;
     }
   }
   return system;
@@ -56,7 +61,8 @@ Eigen::VectorXd AskedChanges(const BonePush& push,
     is_still &= carried.norm() < kStill;
     changes.segment<3>(3 * static_cast<Index>(a)) =
         ForceGradient(push, touch) * (moved.transpose() - carried) +
-        ForceAt(push, touch.lack).force * body.topLeftCorner<3, 3>() * touch.normal.transpose();
+        ForceAt(push, touch.lack).force * body.topLeftCorner<3, 3>() *
+            touch.normal.transpose();
   }
   if (is_still) changes.setZero();
   return changes;
@@ -83,7 +89,7 @@ std::vector<Points> PushRates(const BonePush& push,
   for (size_t c = 0; c < motions.size(); ++c) {
     Points& rate = rates.emplace_back(Points::Zero(free.rows(), 3));
     for (Index a = 0; a < count; ++a) {
-      rate += push.reach.col(touches[a].sample) *
+      rate += kGivesWay * push.reach.col(touches[a].sample) *
               changes.block<3, 1>(3 * a, static_cast<Index>(c)).transpose();
     }
   }

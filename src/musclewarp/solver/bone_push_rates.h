@@ -18,10 +18,10 @@ struct PushMotion {
   std::vector<Eigen::Matrix4d> bodies;  // of BonePush::bodies (RateBetween)
 };
 
-// Differentiates a push implicitly, with respect to several coordinates: returns
-// the derivatives of its displacements, N x 3 each, mm. `free`: the coarse
-// vertices without it in the pose, `push_now`: the displacements, N x 3, mm. The
-// samples that touch stay the same.
+// Differentiates a push implicitly, with respect to several coordinates:
+// returns the derivatives of its displacements, N x 3 each, mm. `free`: the
+// coarse vertices without it in the pose, `push_now`: the displacements, N x 3,
+// mm. The samples that touch stay the same.
 std::vector<Points> PushRates(const BonePush& push,
                               const ScenePose& pose,
                               const Points& free,

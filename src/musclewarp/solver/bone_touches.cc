@@ -14,11 +14,12 @@ BoneForce ForceAt(const BonePush& push, double lack) {
   const double s = push.onset, k = push.stiffness;
   if (lack <= 0) return {};
   if (lack < s) {
-    return {k * lack * lack * lack / (6 * s), k * lack * lack / (2 * s),
+    return {k * lack * lack * lack / (6 * s),
+            k * lack * lack / (2 * s),
             k * lack / s};
   }
-  return {k * (lack * lack / 2 - lack * s / 2 + s * s / 6), k * (lack - s / 2),
-          k};
+  return {
+      k * (lack * lack / 2 - lack * s / 2 + s * s / 6), k * (lack - s / 2), k};
 }
 
 std::vector<BoneTouch> TouchesAt(const BonePush& push,
