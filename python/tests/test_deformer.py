@@ -17,7 +17,8 @@ def test_muscles_give_way_and_keep_their_volume(deformer):
     frame = deformer.move_to(pushed(10))  # 4 mm into the iliacus
     assert frame.usable, frame
     assert frame.crossing_pairs == 0
-    assert frame["iliacus"].max_contact_displacement > 1
+    iliacus = frame["iliacus"]
+    assert iliacus.max_bone_push + iliacus.max_contact_displacement > 1
     # What both solvers and contact keep the volume to.
     assert frame.worst_volume_error < 2e-8
     assert frame.smallest_gap >= 0.1

@@ -84,6 +84,7 @@ void ExpectScaled(double factor, const Frame& frame, const Frame& scaled) {
     EXPECT_EQ(factor * a.gaps, b.gaps);
     EXPECT_EQ(a.volume_ratio, b.volume_ratio);
     EXPECT_EQ(a.solver.iterations, b.solver.iterations);
+    EXPECT_EQ(factor * a.max_bone_push, b.max_bone_push);
     EXPECT_EQ(factor * a.max_contact_displacement, b.max_contact_displacement);
     ASSERT_EQ(a.fibres.size(), b.fibres.size());
     for (size_t k = 0; k < a.fibres.size(); ++k) {

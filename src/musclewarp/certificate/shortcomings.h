@@ -44,9 +44,10 @@ struct FrameRequirements {
 
   // Contact may move a vertex by this factor of the depth to which its muscle
   // is in another mesh without contact, by what the chain of muscles that push
-  // it adds to that depth (push_chains.h), and by the allowance, mm.
+  // it adds to that depth (push_chains.h), and by the allowance, mm: planes
+  // hold a muscle that far off a rugged bone in which it is not deep.
   double displacement_per_depth = 2;
-  double displacement_allowance = 1;
+  double displacement_allowance = 1.5;
 
   // Muscles that are nearer to each other than this, mm, at most kMeshGapLimit,
   // pass a push on.

@@ -23,6 +23,7 @@ struct MuscleFigures {
   double min_gap = 0;  // at most kGapLimit
   int folded_triangles = 0;
   int self_pairs = 0;
+  double max_bone_push = 0;
   double max_contact_displacement = 0;
   double mean_contact_displacement = 0;
   double depth_without_contact = 0;
@@ -72,6 +73,10 @@ constexpr auto FieldsOf(Described<MuscleFigures>) {
           .AtLeast(0),
       Field(&F::self_pairs, "self_pairs")
           .Text("pairs of triangles of this muscle that cross each other")
+          .AtLeast(0),
+      Field(&F::max_bone_push, "max_bone_push_mm", "mm")
+          .Text("how far bones pushed a fine vertex of the shape without "
+                "contact aside, at most")
           .AtLeast(0),
       Field(&F::max_contact_displacement, "max_contact_displacement_mm", "mm")
           .Text("with `{contact}=certified`: how far contact moved a fine "

@@ -10,6 +10,7 @@
 #include "musclewarp/frames/bare_tendon_lines.h"
 #include "musclewarp/frames/fibre_measures.h"
 #include "musclewarp/frames/shape_measures.h"
+#include "musclewarp/geometry/dense_product.h"
 #include "musclewarp/geometry/folded_triangles.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/transformed.h"
@@ -71,6 +72,13 @@ MuscleFrame FrameOf(const PreparedMuscle& muscle,
       frame.points);
   AddLines(muscle, coarse, &frame);
   frame.bare_tendons = BareTendonLines(model.lines, &pose);
+  const auto push = pose.pushes.find(model.name);
+  if (push != pose.pushes.end()) {
+    frame.max_bone_push = Product(model.fine_from_coarse, push->second)
+                              .rowwise()
+                              .norm()
+                              .maxCoeff();
+  }
   const std::vector<double> lengths = PathLengthsIn(pose, model.lines);
   for (size_t k = 0; k < lengths.size(); ++k) {
     frame.path_lengths[model.lines[k].name] = lengths[k];

@@ -21,8 +21,8 @@ Matrix3d ForceGradient(const BonePush& push, const BoneTouch& touch) {
          bone.stiffness * touch.normal.transpose() * touch.normal;
 }
 
-// The share by which the flow gives way to a force, if it has given way alike in
-// the step before.
+// The share by which the flow gives way to a force, if it has given way alike
+// in the step before.
 constexpr double kGivesWay = 1 / (1 + kPushDrag / kPushSteps);
 
 // I - K G: with it the changes of all forces, 3 T, give those that the bodies
