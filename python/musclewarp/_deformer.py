@@ -67,6 +67,7 @@ class Deformer(_core.Deformer):
                  attachment_weight: float = 8.0,
                  bending_weight: float = 2.0,
                  body_twist: bool = True,
+                 bone_push: bool = True,
                  max_rounds: int = 6,
                  max_step_turn: float = 20.0,
                  max_step_move: float = 80.0,

@@ -13,6 +13,19 @@
 #include "musclewarp/scene/moved_pose.h"
 
 namespace musclewarp {
+namespace {
+
+// Names the bodies that do not move, too, so that they can be seen from another
+// one.
+ScenePose WithAllBodies(const std::vector<std::string>& bodies,
+                        ScenePose pose) {
+  for (const std::string& body : bodies) {
+    pose.bodies.emplace(body, Eigen::Matrix4d::Identity());
+  }
+  return pose;
+}
+
+}  // namespace
 
 std::vector<ScenePose> WayFromRest(const Scene& scene,
                                    const ScenePose& pose,
@@ -21,9 +34,10 @@ std::vector<ScenePose> WayFromRest(const Scene& scene,
   const std::vector<std::string> bodies = BodiesInUse(scene);
   const std::string body = bodies.empty() ? "" : bodies[0];
   const Eigen::Matrix4d here = BodyTransform(pose, body);
-  const ScenePose rest = RestPose(scene);
+  const ScenePose rest = WithAllBodies(bodies, RestPose(scene));
   const ScenePose seen =
-      MovedPose(pose, BodyTransform(rest, body) * RigidInverse(here));
+      MovedPose(WithAllBodies(bodies, pose),
+                BodyTransform(rest, body) * RigidInverse(here));
   const int steps =
       std::min(StepsBetween(scene, rest, seen, kLimits), max_steps);
   std::vector<ScenePose> way(steps + 1);

@@ -24,6 +24,8 @@ constexpr int kSamplesPerCoarseVertex = 4;
 constexpr int kMostSamples = 1600;
 constexpr double kClearance = 1;  // that samples keep
 constexpr double kOnset = 1;
+constexpr double kDrag = 1;                // m
+constexpr double kMostBehind = 3;          // the least energy
 constexpr double kRelativeStiffness = 40;  // against the response of samples
 constexpr double kNear = 1.5;              // samples that a step looks at
 constexpr double kClose = 1e-6;            // of the least energy
@@ -38,12 +40,13 @@ struct Push {
 // 1/2 |dX|^2 + m/2 |dX - dX before|^2 and the energy of the touches.
 double EnergyOf(const BonePush& push,
                 const Push& before,
+                double drag,
                 const Push& now,
                 const std::vector<BoneTouch>& touches) {
   const double shape = now.forces.cwiseProduct(now.moved).sum();
   const double change =
       (now.forces - before.forces).cwiseProduct(now.moved - before.moved).sum();
-  double energy = (shape + kPushDrag * change) / 2;
+  double energy = (shape + drag * change) / 2;
   for (const BoneTouch& touch : touches) {
     energy += ForceAt(push, touch.lack).energy;
   }
@@ -54,8 +57,9 @@ double EnergyOf(const BonePush& push,
 Push NextPush(const BonePush& push,
               const std::vector<BoneTouch>& touches,
               const Push& before,
+              double drag,
               const Push& now) {
-  const double kept = kPushDrag / (1 + kPushDrag);
+  const double kept = drag / (1 + drag);
   const auto count = static_cast<Eigen::Index>(touches.size());
   std::vector<int> samples;
   Points normals(count, 3);
@@ -71,9 +75,9 @@ Push NextPush(const BonePush& push,
   const Eigen::MatrixXd response =
       push.response(samples, samples)
           .cwiseProduct(normals * normals.transpose()) /
-      (1 + kPushDrag);
+      (1 + drag);
   const Points forces = LinearPushForces(push, response, lack).asDiagonal() *
-                        normals / (1 + kPushDrag);
+                        normals / (1 + drag);
   Push next = {
       kept * before.forces,
       kept * before.moved + push.response(Eigen::all, samples) * forces};
@@ -129,15 +133,16 @@ Points PlacesAt(const std::vector<Points>& places, int k, double t) {
 void Settle(const BonePush& push,
             const ScenePose& pose,
             const Points& places,
+            double drag,
             int max_rounds,
             Push* now) {
   constexpr int kMostHalvings = 6;
   const Push before = *now;
   std::vector<BoneTouch> touches =
       TouchesAt(push, pose, places + now->moved, kNear);
-  double energy = EnergyOf(push, before, *now, touches);
+  double energy = EnergyOf(push, before, drag, *now, touches);
   for (int round = 0; round < max_rounds && energy > 0; ++round) {
-    const Push next = NextPush(push, touches, before, *now);
+    const Push next = NextPush(push, touches, before, drag, *now);
     const double longest =
         (next.moved - now->moved).rowwise().norm().maxCoeff();
     if (longest < kClose) break;
@@ -145,13 +150,26 @@ void Settle(const BonePush& push,
     for (int halving = 0;; ++halving, share /= 2) {
       Push tried = Between(*now, next, share);
       touches = TouchesAt(push, pose, places + tried.moved, kNear);
-      const double then = EnergyOf(push, before, tried, touches);
+      const double then = EnergyOf(push, before, drag, tried, touches);
       if (then > energy && halving < kMostHalvings) continue;
       energy = then;
       *now = std::move(tried);
       break;
     }
   }
+}
+
+// Returns the least energy near where the flow has come to, which is a step
+// behind; where the muscle slips, no farther than kMostBehind from there.
+Push NearLeast(const BonePush& push,
+               const ScenePose& pose,
+               const Points& places,
+               const Push& flow) {
+  Push least = flow;
+  Settle(push, pose, places, /*drag=*/0, kLastRounds, &least);
+  const double behind = (least.moved - flow.moved).rowwise().norm().maxCoeff();
+  return behind > kMostBehind ? Between(flow, least, kMostBehind / behind)
+                              : least;
 }
 
 }  // namespace
@@ -207,12 +225,15 @@ std::vector<Points> FollowPush(const BonePush& push,
       Settle(push,
              PartOf(push, way[k - 1], motions, part),
              PlacesAt(places, k, part),
+             kDrag,
              kRounds,
              &now);
     }
-    Settle(push, way[k], places[k], k == last ? kLastRounds : kRounds, &now);
+    Settle(push, way[k], places[k], kDrag, kRounds, &now);
     displacements.push_back(push.reach * now.forces);
   }
+  displacements.back() =
+      push.reach * NearLeast(push, way[last], places[last], now).forces;
   return displacements;
 }
 

@@ -39,8 +39,9 @@ struct BodyField {
 // most a clearance, so that a muscle may lie in a bone as deep as it does at
 // rest. So bending, lines and attachments resist bones as they resist contact.
 // The second term, with m = 1, makes it a flow that is a step behind the least
-// energy, which alone jumps where a muscle slips over a bone. S samples, N
-// coarse vertices and B bodies.
+// energy, which alone jumps where a muscle slips over a bone. In the pose
+// itself the push goes on to the least energy, unless that is far from there. S
+// samples, N coarse vertices and B bodies.
 struct BonePush {
   std::vector<BodyField> bodies;
   RowMajorMatrix fine_from_coarse;  // S x N: the rows of W of the samples
@@ -56,10 +57,8 @@ struct BonePush {
 std::shared_ptr<const BonePush> PrepareBonePush(
     const std::vector<BodyField>& bodies, const MuscleModel& model);
 
-// The steps in which a push is followed along a way, and m, what holds it back
-// in each.
+// The steps in which a push is followed along a way.
 constexpr int kPushSteps = 24;
-constexpr double kPushDrag = 1;
 
 // Follows the push of a muscle along a way: `way` are poses from rest on, and
 // `free` are its coarse vertices without the push in each of them, N x 3, mm.

@@ -21,10 +21,6 @@ Matrix3d ForceGradient(const BonePush& push, const BoneTouch& touch) {
          bone.stiffness * touch.normal.transpose() * touch.normal;
 }
 
-// The share by which the flow gives way to a force, if it has given way alike
-// in the step before.
-constexpr double kGivesWay = 1 / (1 + kPushDrag / kPushSteps);
-
 // I - K G: with it the changes of all forces, 3 T, give those that the bodies
 // and the shape without the push ask for, as each force moves all samples.
 Eigen::MatrixXd SystemOf(const BonePush& push,
@@ -35,8 +31,7 @@ Eigen::MatrixXd SystemOf(const BonePush& push,
     const Matrix3d gradient = ForceGradient(push, touches[a]);
     for (Index b = 0; b < count; ++b) {
       system.block<3, 3>(3 * a, 3 * b) -=
-          kGivesWay * push.response(touches[a].sample, touches[b].sample) *
-          gradient;
+          push.response(touches[a].sample, touches[b].sample) * gradient;
     }
   }
   return system;
@@ -89,7 +84,7 @@ std::vector<Points> PushRates(const BonePush& push,
   for (size_t c = 0; c < motions.size(); ++c) {
     Points& rate = rates.emplace_back(Points::Zero(free.rows(), 3));
     for (Index a = 0; a < count; ++a) {
-      rate += kGivesWay * push.reach.col(touches[a].sample) *
+      rate += push.reach.col(touches[a].sample) *
               changes.block<3, 1>(3 * a, static_cast<Index>(c)).transpose();
     }
   }

@@ -17,10 +17,11 @@
 #include "musclewarp/skeleton/guides.h"
 #include "musclewarp/skeleton/rotation_field.h"
 #include "musclewarp/solver/bending_rows.h"
-#include "musclewarp/solver/bone_push.h"
 #include "musclewarp/solver/soft_carrier.h"
 
 namespace musclewarp {
+
+struct BonePush;  // bone_push.h
 
 struct MuscleModelOptions {
   // How the coarse hull is made, and how its Laplacian is weighted and bounded.
