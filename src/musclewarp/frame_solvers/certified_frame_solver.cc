@@ -34,6 +34,16 @@ std::string WhyGivenUp(GivenUp reason, int max_stuck_steps, double wall_ms) {
   return "";
 }
 
+// Returns a sentence if a motion was given up.
+std::vector<std::string> GivenUpIn(const MotionSummary& summary,
+                                   int max_stuck_steps,
+                                   double wall_ms) {
+  if (summary.given_up == GivenUp::kNot) return {};
+  return {WhyGivenUp(summary.given_up, max_stuck_steps, wall_ms) + ", at " +
+          std::to_string(static_cast<int>(100 * summary.reached)) +
+          " % of the motion; the remainder was computed without contact"};
+}
+
 }  // namespace
 
 CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
@@ -104,16 +114,12 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
   SolvedFrame result;
   result.frame = std::move(moved.frame);
   Frame& frame = result.frame;
-  if (motion.summary.given_up != GivenUp::kNot) {
-    frame.shortcomings.insert(
-        frame.shortcomings.begin(),
-        WhyGivenUp(motion.summary.given_up,
-                   options_.certified.max_stuck_steps,
-                   moved.moving_ms) +
-            ", at " +
-            std::to_string(static_cast<int>(100 * motion.summary.reached)) +
-            " % of the motion; the remainder was computed without contact");
-  }
+  const std::vector<std::string> given_up =
+      GivenUpIn(motion.summary,
+                options_.certified.max_stuck_steps,
+                moved.moving_ms);
+  frame.shortcomings.insert(
+      frame.shortcomings.begin(), given_up.begin(), given_up.end());
   frame.pose_steps = motion.summary.steps;
   frame.wall_ms = pushing_ms + moved.moving_ms;
   frame.solve_ms = frame.wall_ms;
