@@ -63,8 +63,7 @@ TEST(ForceAt, HasTheSlopesOfTheEnergy) {
     const BoneForce here = ForceAt(push, lack);
     const BoneForce before = ForceAt(push, lack - kStep);
     const BoneForce after = ForceAt(push, lack + kStep);
-    EXPECT_NEAR(
-        here.force, (after.energy - before.energy) / (2 * kStep), 1e-5);
+    EXPECT_NEAR(here.force, (after.energy - before.energy) / (2 * kStep), 1e-5);
     EXPECT_NEAR(
         here.stiffness, (after.force - before.force) / (2 * kStep), 1e-3);
   }

@@ -114,10 +114,8 @@ SolvedFrame CertifiedFrameSolver::Solve(const MuscleSolvers& solvers,
   SolvedFrame result;
   result.frame = std::move(moved.frame);
   Frame& frame = result.frame;
-  const std::vector<std::string> given_up =
-      GivenUpIn(motion.summary,
-                options_.certified.max_stuck_steps,
-                moved.moving_ms);
+  const std::vector<std::string> given_up = GivenUpIn(
+      motion.summary, options_.certified.max_stuck_steps, moved.moving_ms);
   frame.shortcomings.insert(
       frame.shortcomings.begin(), given_up.begin(), given_up.end());
   frame.pose_steps = motion.summary.steps;
