@@ -72,7 +72,7 @@ inline Scene TwoOverAKnee() {
 }
 
 inline PreparedScene Prepared(double skeleton_weight = 1,
-                       const Scene& scene = TwoOverAKnee()) {
+                              const Scene& scene = TwoOverAKnee()) {
   PrepareOptions options;
   options.muscle.hull.coarse_vertices = 60;
   options.muscle.skeleton_weight = skeleton_weight;
@@ -94,9 +94,9 @@ inline MuscleSolver TightReference() {
 }
 
 inline ScenePose At(const PreparedScene& scene,
-             double hip,
-             double knee,
-             double lean = 0) {
+                    double hip,
+                    double knee,
+                    double lean = 0) {
   const Model& model = scene.scene.model->model;
   CoordinateValues values = DefaultValues(model);
   values[model.FindCoordinate("hip")] = hip;
@@ -107,7 +107,7 @@ inline ScenePose At(const PreparedScene& scene,
 
 // The lengths of all lines, then of all fibres, of all muscles.
 inline std::vector<double> Lengths(const PreparedScene& scene,
-                            const std::vector<Points>& coarse) {
+                                   const std::vector<Points>& coarse) {
   std::vector<double> lengths;
   for (size_t i = 0; i < coarse.size(); ++i) {
     for (const EmbeddedLines* lines :
@@ -121,8 +121,8 @@ inline std::vector<double> Lengths(const PreparedScene& scene,
 }
 
 inline std::vector<Points> SolvedFree(const PreparedScene& scene,
-                               const MuscleSolver& solver,
-                               const ScenePose& pose) {
+                                      const MuscleSolver& solver,
+                                      const ScenePose& pose) {
   const SolvedPose solved =
       SolvePose(ModelsOf(scene), pose, {}, solver, RestState(scene).muscles);
   for (const SolverSummary& summary : solved.summaries) {
@@ -132,8 +132,8 @@ inline std::vector<Points> SolvedFree(const PreparedScene& scene,
 }
 
 inline Frame FrameWithArms(const PreparedScene& scene,
-                    const ScenePose& pose,
-                    ConvergedShapes shapes) {
+                           const ScenePose& pose,
+                           ConvergedShapes shapes) {
   Frame frame;
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
     frame.muscles.emplace_back().points =
