@@ -12,7 +12,7 @@ namespace {
 constexpr double kCell = 3;    // mm
 constexpr double kReach = 12;  // mm
 
-DistanceField BallField() { return {{Icosphere(20, 4)}, kCell, kReach}; }
+DistanceField BallField() { return {Icosphere(20, 4), kCell, kReach}; }
 
 // Means of samples two spacings apart are off by the curvature of the distance
 // times half a spacing squared, and by the flat triangles of the ball.
@@ -69,13 +69,14 @@ TEST(DistanceField, TheGradientIsContinuousBetweenCells) {
   EXPECT_LT((below.gradient - above.gradient).norm(), 1e-8);
 }
 
-TEST(DistanceField, IsNegativeInAnyOfSeveralSurfaces) {
-  const DistanceField field(
-      {SphereAt({-15, 0, 0}, 10, 3), SphereAt({15, 0, 0}, 10, 3)}, 2, kReach);
+// As with units mixed up: no more memory than for any other.
+TEST(DistanceField, HasCoarserSamplesOfAHugeSurface) {
+  const double radius = 1e7;
+  const DistanceField field(Icosphere(radius, 4), kCell, kReach);
   DistanceField::Value value;
-  ASSERT_TRUE(field.IsBelow(0, {-15, 2, 1}, &value));
-  ASSERT_TRUE(field.IsBelow(0, {15, 2, 1}, &value));
-  EXPECT_FALSE(field.IsBelow(0, {0, 0, 0}, &value));
+  ASSERT_TRUE(field.IsBelow(0, {0, 0, 0.9 * radius}, &value));
+  EXPECT_NEAR(value.distance, -0.1 * radius, 0.01 * radius);
+  EXPECT_FALSE(field.IsBelow(0, {0, 0, 1.1 * radius}, &value));
 }
 
 TEST(DistanceField, AMirroredSurfaceHasTheMirroredField) {
@@ -83,8 +84,8 @@ TEST(DistanceField, AMirroredSurfaceHasTheMirroredField) {
   TriangleSoup mirrored = ball;
   mirrored.points.col(0) *= -1;
   mirrored.triangles.col(0).swap(mirrored.triangles.col(1));
-  const DistanceField field({ball}, kCell, kReach);
-  const DistanceField other({mirrored}, kCell, kReach);
+  const DistanceField field(ball, kCell, kReach);
+  const DistanceField other(mirrored, kCell, kReach);
   DistanceField::Value here, there;
   for (const Eigen::RowVector3d& place :
        {Eigen::RowVector3d(10, 9, 3), Eigen::RowVector3d(-3.3, 4, 2)}) {

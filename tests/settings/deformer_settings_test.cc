@@ -74,6 +74,7 @@ TEST(DeformerSettings, ReachTheOptionsOfFrames) {
   settings.contact_level = "fine";
   settings.remake = "never";
   settings.body_twist = false;
+  settings.bone_push = false;
   settings.gap = 0.25;
   settings.max_rounds = 9;
   settings.max_step_turn = 90;
@@ -91,6 +92,7 @@ TEST(DeformerSettings, ReachTheOptionsOfFrames) {
   EXPECT_EQ(options.frames.paper.group.level, ContactLevel::kFine);
   EXPECT_EQ(options.reconstruction.kind, ReconstructionKind::kNever);
   EXPECT_FALSE(options.frames.pre_rotation.use_body_twist);
+  EXPECT_FALSE(options.bone_push);
   const CertifiedContactOptions& certified = options.frames.certified;
   EXPECT_EQ(certified.step.gap, 0.25);
   EXPECT_EQ(certified.step.max_rounds, 9);

@@ -84,6 +84,7 @@ const std::map<std::string, Perturbation>& Perturbations() {
       {"attachment_weight", {[](S s) { s->attachment_weight = 1; }}},
       {"bending_weight", {[](S s) { s->bending_weight = 0; }}},
       {"body_twist", {[](S s) { s->body_twist = false; }}},
+      {"bone_push", {[](S s) { s->bone_push = false; }}},
       {"max_rounds",
        {[](S s) { s->max_rounds = 1; }, Certified, Where::kRarely}},
       {"max_step_turn", {[](S s) { s->max_step_turn = 2; }, Certified}},

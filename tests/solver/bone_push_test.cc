@@ -22,9 +22,9 @@ namespace musclewarp {
 namespace {
 
 // A ball of bone of the body "ball" beside the spindle, 1 mm from it at rest.
-std::vector<BodyField> Ball() {
-  const std::vector<TriangleSoup> surfaces = {SphereAt({33, 0, 0}, 20, 4)};
-  return {{"ball", std::make_shared<const DistanceField>(surfaces, 3, 6)}};
+std::vector<BoneField> Ball() {
+  const TriangleSoup surface = SphereAt({33, 0, 0}, 20, 4);
+  return {{"ball", std::make_shared<const DistanceField>(surface, 3, 6)}};
 }
 
 ScenePose BallAt(const Eigen::Vector3d& moved, double turn = 0) {
@@ -56,7 +56,7 @@ double DeepestIn(const BonePush& push,
                                      RigidInverse(pose.bodies.at("ball")));
   DistanceField::Value value;
   for (Eigen::Index v = 0; v < at_rest.rows(); ++v) {
-    if (!push.bodies[0].field->IsBelow(0, at_rest.row(v), &value)) continue;
+    if (!push.bones[0].field->IsBelow(0, at_rest.row(v), &value)) continue;
     deepest = std::max(deepest, -value.distance);
   }
   return deepest;
@@ -86,10 +86,9 @@ TEST_F(BonePushTest, TakesTheMuscleOutOfTheBone) {
 }
 
 TEST_F(BonePushTest, KeepsTheDepthAtRest) {
-  const std::vector<TriangleSoup> surfaces = {SphereAt({28, 0, 0}, 20, 4)};
+  const TriangleSoup surface = SphereAt({28, 0, 0}, 20, 4);
   const auto deep = PrepareBonePush(
-      {{"ball", std::make_shared<const DistanceField>(surfaces, 3, 6)}},
-      model_);
+      {{"ball", std::make_shared<const DistanceField>(surface, 3, 6)}}, model_);
   EXPECT_TRUE(PushIn(*deep, model_, BallAt({0, 0, 0})).isZero(0));
   EXPECT_FALSE(PushIn(*deep, model_, BallAt({-1, 0, 0})).isZero(0));
 }

@@ -62,7 +62,8 @@ TEST(CertifiedContact, MovesTheLinesThatAreCarried) {
   const std::string scene = PhantomScene("stress_edge", dir);
   const auto lines = [&](const std::string& contact) {
     const std::string out = dir + "/" + contact;
-    DeformScene(scene, "--frames=3 --contact=" + contact, out);
+    DeformScene(
+        scene, "--frames=3 --bone_push=false --contact=" + contact, out);
     return Json::parse(FileText(
         out + "/frame_0003/lines.json"))["muscles"][0]["lines"][0]["points"];
   };

@@ -77,7 +77,8 @@ constexpr auto FieldsOf(Described<MuscleFigures>) {
       Field(&F::max_bone_push, "max_bone_push_mm", "mm")
           .Text("how far bones pushed a fine vertex of the shape without "
                 "contact aside, at most")
-          .AtLeast(0),
+          .AtLeast(0)
+          .Later(),
       Field(&F::max_contact_displacement, "max_contact_displacement_mm", "mm")
           .Text("with `{contact}=certified`: how far contact moved a fine "
                 "vertex from the shape without contact, at most")

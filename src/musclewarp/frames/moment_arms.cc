@@ -205,7 +205,7 @@ class MomentArms {
   // the body of the muscle sees it.
   std::vector<Matrix4d> PushingBodies(int i, size_t c) const {
     std::vector<Matrix4d> bodies;
-    for (const BodyField& body : scene_.muscles[i].model.bone_push->bodies) {
+    for (const BoneField& body : scene_.muscles[i].model.bone_push->bones) {
       bodies.push_back(RateBetween(BodyTransform(beside_[c].before, body.body),
                                    BodyTransform(beside_[c].after, body.body)) -
                        muscles_[i].reference[c]);

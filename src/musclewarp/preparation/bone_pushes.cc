@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/preparation/bone_pushes.h"
 
-#include <map>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "musclewarp/base/parallel_for.h"
@@ -15,16 +13,13 @@
 namespace musclewarp {
 namespace {
 
-std::vector<BodyField> FieldsOf(const std::vector<PreparedBone>& bones) {
-  std::map<std::string, std::vector<TriangleSoup>> surfaces;
+std::vector<BoneField> FieldsOf(const std::vector<PreparedBone>& bones) {
+  std::vector<BoneField> fields;
   for (const PreparedBone& bone : bones) {
-    surfaces[bone.body].push_back(bone.rest);
-  }
-  std::vector<BodyField> fields;
-  for (const auto& [body, of_body] : surfaces) {
-    fields.push_back({body,
+    if (bone.rest.triangles.rows() == 0) continue;
+    fields.push_back({bone.body,
                       std::make_shared<const DistanceField>(
-                          of_body, kPushFieldSpacing, kPushFieldReach)});
+                          bone.rest, kPushFieldSpacing, kPushFieldReach)});
   }
   return fields;
 }
@@ -34,7 +29,7 @@ std::vector<BodyField> FieldsOf(const std::vector<PreparedBone>& bones) {
 void AddBonePushes(PreparedScene* scene) {
   const ScopedStage stage("push of bones");
   const Stopwatch watch;
-  const std::vector<BodyField> fields = FieldsOf(scene->bones);
+  const std::vector<BoneField> fields = FieldsOf(scene->bones);
   ParallelFor(scene->muscles.size(), [&](size_t i) {
     MuscleModel& model = scene->muscles[i].model;
     model.bone_push = PrepareBonePush(fields, model);

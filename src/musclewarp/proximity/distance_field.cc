@@ -29,31 +29,29 @@ SplineWeights WeightsAt(double f) {
 
 }  // namespace
 
-DistanceField::DistanceField(const std::vector<TriangleSoup>& surfaces,
+DistanceField::DistanceField(const TriangleSoup& surface,
                              double spacing,
                              double reach)
-    : spacing_(spacing), reach_(reach) {
-  CHECK(!surfaces.empty());
+    : surface_(surface), spacing_(spacing), reach_(reach) {
+  CHECK_GT(surface.triangles.rows(), 0);
   CHECK_GT(spacing, 0);
-  for (const TriangleSoup& surface : surfaces) {
-    surfaces_.push_back(std::make_unique<SearchableMesh>(surface));
-    const Box3& box = surfaces_.back()->bvh().box();
-    if (surfaces_.size() == 1) box_ = box;
-    for (int c = 0; c < 3; ++c) {
-      box_.lower[c] = std::min(box_.lower[c], box.lower[c]);
-      box_.upper[c] = std::max(box_.upper[c], box.upper[c]);
-    }
-  }
+  constexpr double kMostSamples = 1 << 24;
   constexpr int kMargin = 2;  // samples, beside the reach
-  const int more = static_cast<int>(std::ceil(reach / spacing)) + kMargin;
-  for (int c = 0; c < 3; ++c) {
-    first_[c] = static_cast<int>(std::floor(box_.lower[c] / spacing)) - more;
-    size_[c] = static_cast<int>(std::ceil(box_.upper[c] / spacing)) + more -
-               first_[c] + 1;
+  double count = kInfinity;
+  for (;; spacing_ *= 1.5) {
+    Eigen::Array<double, 1, 3> size;
+    for (int c = 0; c < 3; ++c) {
+      const double more = std::ceil(reach / spacing_) + kMargin;
+      first_[c] = std::floor(box().lower[c] / spacing_) - more;
+      size[c] = std::ceil(box().upper[c] / spacing_) + more - first_[c] + 1;
+    }
+    count = size.prod();
+    if (count > kMostSamples) continue;
+    size_ = size.cast<int>();
+    break;
   }
-  const size_t count = size_.cast<size_t>().prod();
-  samples_ = std::make_unique<std::atomic<float>[]>(count);
-  for (size_t i = 0; i < count; ++i) {
+  samples_ = std::make_unique<std::atomic<float>[]>(static_cast<size_t>(count));
+  for (size_t i = 0; i < static_cast<size_t>(count); ++i) {
     samples_[i].store(std::numeric_limits<float>::quiet_NaN(),
                       std::memory_order_relaxed);
   }
@@ -66,18 +64,14 @@ double DistanceField::Sample(const Place& at) const {
   const float known = sample.load(std::memory_order_relaxed);
   if (!std::isnan(known)) return known;
   const Eigen::RowVector3d place =
-      spacing_ * (first_ + at).cast<double>().matrix();
-  double least = reach_;
-  for (const auto& surface : surfaces_) {
-    const bool is_inside = surface->winding().IsInside(place);
-    const double distance =
-        surface->bvh()
-            .ClosestPoint(place, is_inside ? kInfinity : reach_)
-            .distance;
-    least = std::min(least, is_inside ? -distance : distance);
-  }
-  sample.store(static_cast<float>(least), std::memory_order_relaxed);
-  return static_cast<float>(least);
+      spacing_ * (first_ + at.cast<double>()).matrix();
+  const bool is_inside = surface_.winding().IsInside(place);
+  const double far = is_inside ? kInfinity : reach_;
+  const double distance =
+      std::min(surface_.bvh().ClosestPoint(place, far).distance, far);
+  const auto value = static_cast<float>(is_inside ? -distance : distance);
+  sample.store(value, std::memory_order_relaxed);
+  return value;
 }
 
 bool DistanceField::IsBelow(double limit,

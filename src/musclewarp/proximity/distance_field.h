@@ -6,18 +6,17 @@
 #include <array>
 #include <atomic>
 #include <memory>
-#include <vector>
 
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 
 namespace musclewarp {
 
-// A smooth signed distance to closed surfaces, negative inside: a quadratic
+// A smooth signed distance to a closed surface, negative inside: a quadratic
 // B-spline over samples of the distance on a lattice, so that its gradient is
 // continuous. Samples are taken when they are first asked for, from any thread,
 // and do not depend on which. The lattice is that of the multiples of the
-// spacing, whatever the box of the surfaces.
+// spacing, whatever the box of the surface.
 class DistanceField {
  public:
   // What a place in the field has, lengths in mm.
@@ -27,12 +26,11 @@ class DistanceField {
     Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();  // second derivatives
   };
 
-  // Takes the surfaces, of which there is at least one (CHECKed), and the
-  // spacing of the samples (mm). Outside, distances beyond `reach` (mm) are not
-  // known.
-  DistanceField(const std::vector<TriangleSoup>& surfaces,
-                double spacing,
-                double reach);
+  // Takes the surface, which has triangles (CHECKed), and the spacing of the
+  // samples (mm), which is larger for a surface so large that there would be
+  // more than 2^24. Outside, samples are `reach` (mm) at most, so that
+  // distances are right up to the reach less three spacings.
+  DistanceField(const TriangleSoup& surface, double spacing, double reach);
 
   // Returns true if the distance at a place is below `limit` (mm, at most the
   // reach), and then sets `value`.
@@ -40,18 +38,18 @@ class DistanceField {
                const Eigen::RowVector3d& place,
                Value* value) const;
 
-  // The box of the surfaces.
-  const Box3& box() const { return box_; }
+  // The box of the surface.
+  const Box3& box() const { return surface_.bvh().box(); }
 
  private:
   using Place = Eigen::Array<int, 1, 3>;
 
   double Sample(const Place& at) const;
 
-  std::vector<std::unique_ptr<SearchableMesh>> surfaces_;
+  SearchableMesh surface_;
   double spacing_, reach_;
-  Box3 box_;
-  Place first_, size_;
+  Eigen::Array<double, 1, 3> first_;  // in spacings
+  Place size_;
   mutable std::unique_ptr<std::atomic<float>[]> samples_;  // NaN: not yet taken
 };
 

@@ -78,11 +78,11 @@ Push NextPush(const BonePush& push,
       (1 + drag);
   const Points forces = LinearPushForces(push, response, lack).asDiagonal() *
                         normals / (1 + drag);
-  Push next = {
-      kept * before.forces,
-      kept * before.moved + push.response(Eigen::all, samples) * forces};
+  Push next = {kept * before.forces, kept * before.moved};
   for (Eigen::Index a = 0; a < count; ++a) {
+    if (forces.row(a).isZero(0)) continue;
     next.forces.row(samples[a]) += forces.row(a);
+    next.moved += push.response.col(samples[a]) * forces.row(a);
   }
   return next;
 }
@@ -97,9 +97,9 @@ std::vector<ScrewMotion> MotionsBetween(const BonePush& push,
                                         const ScenePose& from,
                                         const ScenePose& to) {
   std::vector<ScrewMotion> motions;
-  for (const BodyField& body : push.bodies) {
-    motions.emplace_back(BodyTransform(to, body.body) *
-                         RigidInverse(BodyTransform(from, body.body)));
+  for (const BoneField& bone : push.bones) {
+    motions.emplace_back(BodyTransform(to, bone.body) *
+                         RigidInverse(BodyTransform(from, bone.body)));
   }
   return motions;
 }
@@ -110,7 +110,7 @@ ScenePose PartOf(const BonePush& push,
                  double part) {
   ScenePose pose;
   for (size_t b = 0; b < motions.size(); ++b) {
-    const std::string& body = push.bodies[b].body;
+    const std::string& body = push.bones[b].body;
     pose.bodies[body] = motions[b].Part(part) * BodyTransform(from, body);
   }
   return pose;
@@ -175,21 +175,21 @@ Push NearLeast(const BonePush& push,
 }  // namespace
 
 std::shared_ptr<const BonePush> PrepareBonePush(
-    const std::vector<BodyField>& bodies, const MuscleModel& model) {
-  if (!model.HasLines() || bodies.empty()) return nullptr;
+    const std::vector<BoneField>& bones, const MuscleModel& model) {
+  if (!model.HasLines() || bones.empty()) return nullptr;
   auto push = std::make_shared<BonePush>();
-  push->bodies = bodies;
+  push->bones = bones;
   const int coarse_vertices = static_cast<int>(model.coarse_rest.rows());
   const std::vector<int> samples = SpreadPoints(
       model.fine_rest,
       std::min(kMostSamples, kSamplesPerCoarseVertex * coarse_vertices));
   push->fine_from_coarse = model.fine_from_coarse(samples, Eigen::all);
   const Points rest = push->fine_from_coarse * model.coarse_rest;
-  push->clearances.setConstant(samples.size(), bodies.size(), kClearance);
-  for (size_t b = 0; b < bodies.size(); ++b) {
+  push->clearances.setConstant(samples.size(), bones.size(), kClearance);
+  for (size_t b = 0; b < bones.size(); ++b) {
     DistanceField::Value value;
     for (Eigen::Index v = 0; v < rest.rows(); ++v) {
-      if (bodies[b].field->IsBelow(kClearance, rest.row(v), &value)) {
+      if (bones[b].field->IsBelow(kClearance, rest.row(v), &value)) {
         push->clearances(v, b) = value.distance;
       }
     }

@@ -20,8 +20,8 @@ struct MuscleModel;
 constexpr double kPushFieldSpacing = 3;
 constexpr double kPushFieldReach = 6;
 
-// The bones of a body: how far a place is from them, at rest.
-struct BodyField {
+// A bone at rest: how far a place is from it.
+struct BoneField {
   std::string body;
   std::shared_ptr<const DistanceField> field;
 };
@@ -34,16 +34,16 @@ struct BodyField {
 //   1/2 |J_f dX|^2 + m/2 |J_f (dX - dX before)|^2
 //     + k sum_vb phi(c_vb - d_b(p_v + W_v dX))
 //
-// where d_b is the distance to the bones of body b, p_v is the place of sample
+// where d_b is the distance to bone b, p_v is the place of sample
 // v without the push and c_vb is what it keeps: its distance at rest, and at
 // most a clearance, so that a muscle may lie in a bone as deep as it does at
 // rest. So bending, lines and attachments resist bones as they resist contact.
 // The second term, with m = 1, makes it a flow that is a step behind the least
 // energy, which alone jumps where a muscle slips over a bone. In the pose
 // itself the push goes on to the least energy, unless that is far from there. S
-// samples, N coarse vertices and B bodies.
+// samples, N coarse vertices and B bones.
 struct BonePush {
-  std::vector<BodyField> bodies;
+  std::vector<BoneField> bones;
   RowMajorMatrix fine_from_coarse;  // S x N: the rows of W of the samples
   Eigen::MatrixXd clearances;       // S x B, mm: c
   Eigen::MatrixXd reach;            // N x S: how a force on a sample moves X
@@ -53,9 +53,9 @@ struct BonePush {
 };
 
 // Prepares the push of a muscle, whose normal matrix is factorised. Returns
-// null if it has no lines or there are no bodies.
+// null if it has no lines or there are no bones.
 std::shared_ptr<const BonePush> PrepareBonePush(
-    const std::vector<BodyField>& bodies, const MuscleModel& model);
+    const std::vector<BoneField>& bones, const MuscleModel& model);
 
 // The steps in which a push is followed along a way.
 constexpr int kPushSteps = 24;

@@ -48,7 +48,7 @@ Eigen::VectorXd AskedChanges(const BonePush& push,
   bool is_still = motion.free.isZero(0);
   for (size_t a = 0; a < touches.size(); ++a) {
     const BoneTouch& touch = touches[a];
-    const Eigen::Matrix4d& body = motion.bodies[touch.body];
+    const Eigen::Matrix4d& body = motion.bones[touch.bone];
     const Eigen::RowVector3d moved =
         push.fine_from_coarse.row(touch.sample) * motion.free;
     const Vector3d carried =

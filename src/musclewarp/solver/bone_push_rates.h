@@ -14,8 +14,8 @@ namespace musclewarp {
 // How what a push depends on changes with a coordinate of the skeleton, by rad
 // or m.
 struct PushMotion {
-  Points free;                          // N x 3, mm: of the shape without it
-  std::vector<Eigen::Matrix4d> bodies;  // of BonePush::bodies (RateBetween)
+  Points free;                         // N x 3, mm: of the shape without it
+  std::vector<Eigen::Matrix4d> bones;  // of BonePush::bones (RateBetween)
 };
 
 // Differentiates a push implicitly, with respect to several coordinates:

@@ -11,10 +11,10 @@
 
 namespace musclewarp {
 
-// A sample of a muscle near the bones of a body, in a pose.
+// A sample of a muscle near a bone, in a pose.
 struct BoneTouch {
   int sample = 0;
-  int body = 0;  // index into BonePush::bodies
+  int bone = 0;  // index into BonePush::bones
 
   // What it lacks of the distance that it keeps, c - d, mm; below zero if it
   // does not touch.
@@ -34,7 +34,7 @@ struct BoneForce {
 BoneForce ForceAt(const BonePush& push, double lack);
 
 // Returns the samples at the given places (S x 3, mm) in a pose that lack more
-// than -margin (mm), by body and then by sample.
+// than -margin (mm), by bone and then by sample.
 std::vector<BoneTouch> TouchesAt(const BonePush& push,
                                  const ScenePose& pose,
                                  const Points& places,

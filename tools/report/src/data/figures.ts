@@ -51,7 +51,7 @@ export interface MuscleFigures {
   min_gap_mm: number;
   folded_triangles: number;
   self_pairs: number;
-  max_bone_push_mm: number;
+  max_bone_push_mm?: number;
   max_contact_displacement_mm: number;
   mean_contact_displacement_mm: number;
   depth_without_contact_mm: number;
