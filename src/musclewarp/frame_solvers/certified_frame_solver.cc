@@ -38,10 +38,13 @@ std::string WhyGivenUp(GivenUp reason, int max_stuck_steps, double wall_ms) {
 std::vector<std::string> GivenUpIn(const MotionSummary& summary,
                                    int max_stuck_steps,
                                    double wall_ms) {
-  if (summary.given_up == GivenUp::kNot) return {};
-  return {WhyGivenUp(summary.given_up, max_stuck_steps, wall_ms) + ", at " +
-          std::to_string(static_cast<int>(100 * summary.reached)) +
-          " % of the motion; the remainder was computed without contact"};
+  std::vector<std::string> shortcomings;
+  if (summary.given_up == GivenUp::kNot) return shortcomings;
+  shortcomings.push_back(
+      WhyGivenUp(summary.given_up, max_stuck_steps, wall_ms) + ", at " +
+      std::to_string(static_cast<int>(100 * summary.reached)) +
+      " % of the motion; the remainder was computed without contact");
+  return shortcomings;
 }
 
 }  // namespace
