@@ -175,16 +175,17 @@ TEST(Shortcomings, NameTrianglesThatFolded) {
 TEST(Shortcomings, NameAMuscleThatContactMovedTooFar) {
   Deformed deformed;
   deformed.depth_without_contact = 3;
-  deformed.max_contact_displacement = 7.5;  // twice the depth and 1.5 mm
+  deformed.max_contact_displacement = 7;  // twice the depth and 1 mm
   EXPECT_THAT(deformed.Shortcomings(), IsEmpty());
-  deformed.max_contact_displacement = 8;
+  deformed.max_contact_displacement = 7.5;
   EXPECT_THAT(deformed.Shortcomings(),
-              ElementsAre("psoas: moved by 8 mm by contact, allowed 7.5 (3 mm "
+              ElementsAre("psoas: moved by 7.5 mm by contact, allowed 7 (3 mm "
                           "deep without)"));
 }
 
 TEST(Shortcomings, AllowSmallDisplacements) {
   Deformed deformed;
+  deformed.depth_without_contact = 0.1;
   deformed.max_contact_displacement = 1.5;
   EXPECT_THAT(deformed.Shortcomings(), IsEmpty());
   deformed.max_contact_displacement = 1.6;
@@ -196,12 +197,12 @@ TEST(Shortcomings, AllowAMuscleToBePushedByOthers) {
   deformed.depth_without_contact = 3;
   deformed.push_depth = 5;
   deformed.pushed_by = {"iliacus", "psoas"};
-  // Twice the depth, the 2 mm that the other one adds, and 1.5 mm.
-  deformed.max_contact_displacement = 9.5;
+  // Twice the depth, the 2 mm that the other one adds, and 1 mm.
+  deformed.max_contact_displacement = 9;
   EXPECT_THAT(deformed.Shortcomings(), IsEmpty());
-  deformed.max_contact_displacement = 10;
+  deformed.max_contact_displacement = 9.5;
   EXPECT_THAT(deformed.Shortcomings(),
-              ElementsAre("psoas: moved by 10 mm by contact, allowed 9.5 (3 "
+              ElementsAre("psoas: moved by 9.5 mm by contact, allowed 9 (3 "
                           "mm deep without, 5 mm along the chain iliacus, "
                           "psoas)"));
 }

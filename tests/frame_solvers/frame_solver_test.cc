@@ -135,6 +135,7 @@ TEST(FrameSolver, CertifiedFramesAreJudged) {
   const PreparedScene scene = PreparedSmallScene();
   FrameSolverOptions options;
   options.requirements.displacement_allowance = 0;
+  options.requirements.least_displacement = 0;
   options.requirements.displacement_per_depth = 0;
   options.requirements.max_volume_error = 0;
   const auto solver = SolverFor(scene, options);

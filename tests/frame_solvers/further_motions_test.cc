@@ -31,7 +31,7 @@ CertifiedMove ExcessiveMoveTo(double apart, double excess) {
   CertifiedMove move = MoveTo(apart);
   MuscleFrame& muscle = move.frame.muscles.emplace_back();
   muscle.max_contact_displacement =
-      LargestDisplacement(FrameRequirements(), muscle) + excess;
+      AllowedDisplacement(FrameRequirements(), muscle) + excess;
   return move;
 }
 

@@ -173,7 +173,7 @@ void AddShortcomingsOf(const JudgedMuscle& judged,
   }
   const double body_size = requirements.body_size;
   const double depth = muscle.depth_without_contact;
-  const double farthest = LargestDisplacement(requirements, muscle);
+  const double farthest = AllowedDisplacement(requirements, muscle);
   if (!(muscle.max_contact_displacement <= farthest)) {
     std::ostringstream chain;
     if (muscle.pushed_by.size() > 1) {
@@ -209,6 +209,7 @@ bool FrameRequirements::IsValid(std::string* error) const {
       .IsWithin("max_folded_fraction", max_folded_fraction, 0, 1)
       .IsAtLeast("displacement_per_depth", displacement_per_depth, 0)
       .IsAtLeast("displacement_allowance", displacement_allowance, 0)
+      .IsAtLeast("least_displacement", least_displacement, 0)
       .IsWithin("touching_distance", touching_distance, 0, kMeshGapLimit)
       .IsWithin("gap", gap, 0, kMeshGapLimit)
       .is_valid();
@@ -220,6 +221,12 @@ double LargestDisplacement(const FrameRequirements& requirements,
   return requirements.displacement_per_depth * depth +
          std::max(0.0, muscle.push_depth - depth) +
          requirements.displacement_allowance;
+}
+
+double AllowedDisplacement(const FrameRequirements& requirements,
+                           const MuscleFigures& muscle) {
+  return std::max(LargestDisplacement(requirements, muscle),
+                  requirements.least_displacement);
 }
 
 std::vector<std::string> ShapeShortcomings(

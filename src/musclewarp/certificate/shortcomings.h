@@ -44,10 +44,13 @@ struct FrameRequirements {
 
   // Contact may move a vertex by this factor of the depth to which its muscle
   // is in another mesh without contact, by what the chain of muscles that push
-  // it adds to that depth (push_chains.h), and by the allowance, mm: planes
-  // hold a muscle that far off a rugged bone in which it is not deep.
+  // it adds to that depth (push_chains.h), and by the allowance, mm.
   double displacement_per_depth = 2;
-  double displacement_allowance = 1.5;
+  double displacement_allowance = 1;
+
+  // A displacement by contact that no frame is blamed for, mm: planes hold a
+  // muscle that far off a rugged bone in which it is not deep.
+  double least_displacement = 1.5;
 
   // Muscles that are nearer to each other than this, mm, at most kMeshGapLimit,
   // pass a push on.
@@ -78,6 +81,11 @@ struct JudgedMuscle {
 // Returns how far contact may move a vertex of a muscle, mm: what
 // FrameRequirements says of the depths that were measured.
 double LargestDisplacement(const FrameRequirements& requirements,
+                           const MuscleFigures& muscle);
+
+// Returns what is allowed in a frame: that, or the least_displacement if it is
+// more.
+double AllowedDisplacement(const FrameRequirements& requirements,
                            const MuscleFigures& muscle);
 
 // Returns what muscles do not hold of the requirements by themselves, a

@@ -25,6 +25,7 @@ RestSeparationOptions MeshSeparationOptions() {
   options.contact.max_rest_steps += options.contact.max_settling_steps;
   // A mesh moves farther than it is deep if a part has to leave a pocket.
   options.requirements.displacement_allowance = 5;
+  options.requirements.least_displacement = 0;
   options.reconstruction.reconstructs_displaced = false;
   options.prepare.makes_lines = false;
   options.prepare.attachments = AttachmentKind::kNone;

@@ -29,7 +29,7 @@ double ExcessOf(const FrameRequirements& requirements, const Frame& frame) {
   for (const MuscleFrame& muscle : frame.muscles) {
     excess = std::max(excess,
                       muscle.max_contact_displacement -
-                          LargestDisplacement(requirements, muscle));
+                          AllowedDisplacement(requirements, muscle));
   }
   return excess;
 }

@@ -29,12 +29,11 @@ using MoveFrom =
 // Moves on from `start`, and again to the same pose while that helps, at most
 // twice for either reason:
 //
-// - Surfaces are nearer than the gap (mm) without crossing. A step keeps
-// muscles
-//   in the planes of what was near when it began. Along a rugged bone they may
-//   slide to where it comes nearer than the gap; another motion to the same
-//   pose then finds the planes that were missing.
-// - Contact has moved a muscle farther than allowed (LargestDisplacement). What
+// - Surfaces are nearer than the gap (mm) without crossing: a step keeps
+//   muscles in the planes of what was near when it began. Along a rugged bone
+//   they may slide to where it comes nearer than the gap; another motion to the
+//   same pose then finds the planes that were missing.
+// - Contact has moved a muscle farther than allowed (AllowedDisplacement). What
 //   it moved in an earlier pose comes back slowly; muscles then settle fully.
 //
 // Steps and times are those of all motions up to the one that is returned.

@@ -5,6 +5,7 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -105,6 +106,17 @@ std::vector<double> MomentArmsOf(const EmbeddedLines& carried,
   return arms;
 }
 
+// The names of the soft parts to which muscles are attached.
+std::set<std::string> NamesOfCarriers(const PreparedScene& scene) {
+  std::set<std::string> names;
+  for (const PreparedMuscle& muscle : scene.muscles) {
+    for (const auto& carrier : muscle.model.carriers) {
+      names.insert(carrier.second.muscle);
+    }
+  }
+  return names;
+}
+
 // The moment arms of a scene, step by step.
 //
 // Each muscle is seen from a body of its own, so that a coordinate that moves
@@ -128,9 +140,12 @@ class MomentArms {
   void Add() {
     FindCarriers();
     const int count = static_cast<int>(muscles_.size());
+    const std::set<std::string> carriers = NamesOfCarriers(scene_);
     for (const std::vector<int>& group : CarriersFirst(scene_)) {
       ParallelFor(group.size(), [&](size_t k) { FindRates(group[k]); });
-      for (const int i : group) SetPushes(i);
+      for (const int i : group) {
+        if (carriers.count(scene_.muscles[i].model.name) > 0) SetPushes(i);
+      }
     }
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < count; ++i) SolveFree(i);

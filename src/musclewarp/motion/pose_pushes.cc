@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/motion/pose_pushes.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,12 +14,25 @@
 #include "musclewarp/solver/bone_push.h"
 
 namespace musclewarp {
+namespace {
+
+bool IsAnyPushed(const PreparedScene& scene) {
+  return std::any_of(scene.muscles.begin(),
+                     scene.muscles.end(),
+                     [](const PreparedMuscle& muscle) {
+                       return muscle.model.bone_push != nullptr;
+                     });
+}
+
+}  // namespace
+
 ScenePose WithPushes(const PreparedScene& scene,
                      const PreRotationOptions& pre_rotation,
                      ScenePose pose) {
   const ScopedStage stage("push of bones");
   pose.pushes.clear();
-  std::vector<ScenePose> way = WayFromRest(scene.scene, pose, kPushSteps);
+  if (!IsAnyPushed(scene)) return pose;
+  std::vector<ScenePose> way = WayFromRest(scene.scene, pose);
   for (const auto& group : CarriersFirst(scene)) {
     std::vector<std::vector<Points>> pushes(group.size());
     ParallelFor(group.size(), [&](size_t i) {

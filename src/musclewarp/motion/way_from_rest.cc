@@ -27,31 +27,31 @@ ScenePose WithAllBodies(const std::vector<std::string>& bodies,
 
 }  // namespace
 
-std::vector<ScenePose> WayFromRest(const Scene& scene,
-                                   const ScenePose& pose,
-                                   int max_steps) {
+std::vector<ScenePose> WayFromRest(const Scene& scene, const ScenePose& pose) {
   const StepLimits kLimits = {RadiansOf(20), 40};
+  constexpr int kMostSteps = 24;
   const std::vector<std::string> bodies = BodiesInUse(scene);
   const std::string body = bodies.empty() ? "" : bodies[0];
   const Eigen::Matrix4d here = BodyTransform(pose, body);
-  const ScenePose rest = WithAllBodies(bodies, RestPose(scene));
+  const ScenePose rest =
+      WithTautLines(scene, WithAllBodies(bodies, RestPose(scene)));
   const ScenePose seen =
       MovedPose(WithAllBodies(bodies, pose),
                 BodyTransform(rest, body) * RigidInverse(here));
   const int steps =
-      std::min(StepsBetween(scene, rest, seen, kLimits), max_steps);
+      std::min(StepsBetween(scene, rest, seen, kLimits), kMostSteps);
+  const auto from_here = [&](const ScenePose& between) {
+    return MovedPose(between,
+                     here * RigidInverse(BodyTransform(between, body)));
+  };
   std::vector<ScenePose> way(steps + 1);
+  way.front() = from_here(rest);
   way.back() = pose;
-  ParallelFor(steps, [&](size_t k) {
-    const ScenePose between = k == 0
-                                  ? rest
-                                  : PoseBetween(scene,
-                                                rest,
-                                                scene.model ? pose : seen,
-                                                static_cast<double>(k) / steps);
-    way[k] = WithTautLines(
+  ParallelFor(steps - 1, [&](size_t k) {
+    const double part = static_cast<double>(k + 1) / steps;
+    way[k + 1] = WithTautLines(
         scene,
-        MovedPose(between, here * RigidInverse(BodyTransform(between, body))));
+        from_here(PoseBetween(scene, rest, scene.model ? pose : seen, part)));
   });
   return way;
 }

@@ -14,10 +14,8 @@ namespace musclewarp {
 // first body in use, which in all of them is where it is in `pose`. So whatever
 // moves everything has no part in the way. There are more of them the farther
 // the pose is from rest, one more for each 20 degrees of turn or 40 mm of a
-// point of a line, and at most `max_steps` more. Taut lines are solved
+// point of a line, and at most 24 more. Taut lines are solved
 // (WithTautLines).
-std::vector<ScenePose> WayFromRest(const Scene& scene,
-                                   const ScenePose& pose,
-                                   int max_steps);
+std::vector<ScenePose> WayFromRest(const Scene& scene, const ScenePose& pose);
 
 }  // namespace musclewarp

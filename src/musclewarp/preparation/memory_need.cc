@@ -8,6 +8,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/memory.h"
+#include "musclewarp/solver/bone_push.h"
 
 namespace musclewarp {
 
@@ -22,9 +23,9 @@ double MemoryNeeded(const std::vector<SizedMesh>& meshes,
   const double of_weight = is_certified ? 12 : 8;
   const double of_vertex = is_certified ? 6000 : 3700;
   const double of_bone_vertex = is_certified ? 1200 : 600;
-  // Of a muscle that bones push: how its samples, four a vertex of the hull,
-  // move each other and the hull (bone_push.h), in double precision.
-  const double samples = 4.0 * coarse_vertices;
+  // Of a muscle that bones push: how its samples move each other and the hull,
+  // in double precision.
+  const double samples = NumPushSamples(coarse_vertices);
   const double of_muscle = 8 * samples * (samples + 2 * coarse_vertices);
   double bytes = kProgram;
   for (const SizedMesh& mesh : meshes) {

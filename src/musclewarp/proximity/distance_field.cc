@@ -78,16 +78,18 @@ bool DistanceField::IsBelow(double limit,
                             const Eigen::RowVector3d& place,
                             Value* value) const {
   Place base;
-  std::array<SplineWeights, 3> weights;
+  std::array<double, 3> offsets;
   for (int c = 0; c < 3; ++c) {
     const double at = place[c] / spacing_ - first_[c];
     if (!(at > 1 && at < size_[c] - 2)) return false;
-    base[c] = static_cast<int>(std::floor(at + 0.5));
-    weights[c] = WeightsAt(at - base[c]);
+    base[c] = static_cast<int>(at + 0.5);
+    offsets[c] = at - base[c];
   }
-  // The spline takes means of samples within two and a half spacings of one
-  // another.
-  if (Sample(base) > limit + 2.5 * spacing_) return false;
+  // The spline is a mean of samples that are at most sqrt(3 / 2) spacings from
+  // this one in root mean square, and distances differ by no more than that.
+  if (Sample(base) > limit + 1.23 * spacing_) return false;
+  const std::array<SplineWeights, 3> weights = {
+      WeightsAt(offsets[0]), WeightsAt(offsets[1]), WeightsAt(offsets[2])};
   // Derivatives along y and z (rows), and along x (columns), of each layer.
   std::array<Eigen::Matrix3d, 3> layers;
   for (int z = 0; z < 3; ++z) {
@@ -99,11 +101,12 @@ bool DistanceField::IsBelow(double limit,
     }
     layers[z] = weights[1] * samples * weights[0].transpose();
   }
+  const std::array<double, 3> scale = {1, spacing_, spacing_ * spacing_};
   const auto derivative = [&](int x, int y, int z) {
     return (weights[2](z, 0) * layers[0](y, x) +
             weights[2](z, 1) * layers[1](y, x) +
             weights[2](z, 2) * layers[2](y, x)) /
-           std::pow(spacing_, x + y + z);
+           scale[x + y + z];
   };
   value->distance = derivative(0, 0, 0);
   if (!(value->distance < limit)) return false;

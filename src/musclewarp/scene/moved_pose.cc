@@ -14,7 +14,12 @@ ScenePose MovedPose(ScenePose pose, const Eigen::Matrix4d& here_from_there) {
   for (auto& push : pose.pushes) {
     push.second *= here_from_there.topLeftCorner<3, 3>().transpose();
   }
-  pose.taut_lines = {};
+  for (auto& body : pose.taut_lines.bodies) {
+    body.second = here_from_there * body.second;
+  }
+  for (auto& line : pose.taut_lines.points) {
+    line.second = Transformed(line.second, here_from_there);
+  }
   return pose;
 }
 

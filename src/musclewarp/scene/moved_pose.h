@@ -9,8 +9,7 @@
 namespace musclewarp {
 
 // Returns a pose moved by a rigid motion: what was there is here, and
-// everything is to everything else as it was. Taut lines are to be solved
-// again.
+// everything is to everything else as it was.
 ScenePose MovedPose(ScenePose pose, const Eigen::Matrix4d& here_from_there);
 
 }  // namespace musclewarp

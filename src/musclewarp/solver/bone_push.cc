@@ -18,19 +18,22 @@
 namespace musclewarp {
 namespace {
 
-// The numbers of the push; docs/method.md has what it takes to halve and double
-// them. Lengths are in mm.
-constexpr int kSamplesPerCoarseVertex = 4;
-constexpr int kMostSamples = 1600;
-constexpr double kClearance = 1;  // that samples keep
-constexpr double kOnset = 1;
-constexpr double kDrag = 1;                // m
-constexpr double kMostBehind = 3;          // the least energy
+// The numbers of the push, lengths in mm: docs/method.md says what halving and
+// doubling them does.
+constexpr double kClearance = 1;           // that samples keep
+constexpr double kOnset = 1;               // over which forces begin
 constexpr double kRelativeStiffness = 40;  // against the response of samples
-constexpr double kNear = 1.5;              // samples that a step looks at
-constexpr double kClose = 1e-6;            // of the least energy
-constexpr int kRounds = 2;                 // of a step on the way
-constexpr int kLastRounds = 40;            // of the last step, at most
+constexpr double kDrag = 1;                // m
+constexpr double kMostBehind = 3;          // of the flow, that is made up for
+
+// A round looks at samples so near to touching, and moves them no farther.
+constexpr double kNear = 1.5;
+
+// Rounds end when none would move a sample by as much, or after so many: in a
+// step on the way, and in the pose itself.
+constexpr double kClose = 1e-6;
+constexpr int kRounds = 2;
+constexpr int kLastRounds = 40;
 
 // The forces on samples, and how they move the samples.
 struct Push {
@@ -137,6 +140,7 @@ void Settle(const BonePush& push,
             int max_rounds,
             Push* now) {
   constexpr int kMostHalvings = 6;
+  constexpr double kRounding = 1e-12;
   const Push before = *now;
   std::vector<BoneTouch> touches =
       TouchesAt(push, pose, places + now->moved, kNear);
@@ -151,7 +155,7 @@ void Settle(const BonePush& push,
       Push tried = Between(*now, next, share);
       touches = TouchesAt(push, pose, places + tried.moved, kNear);
       const double then = EnergyOf(push, before, drag, tried, touches);
-      if (then > energy && halving < kMostHalvings) continue;
+      if (then > energy * (1 + kRounding) && halving < kMostHalvings) continue;
       energy = then;
       *now = std::move(tried);
       break;
@@ -174,15 +178,20 @@ Push NearLeast(const BonePush& push,
 
 }  // namespace
 
+int NumPushSamples(int coarse_vertices) {
+  constexpr int kPerCoarseVertex = 4;
+  constexpr int kMost = 1600;
+  return std::min(kMost, kPerCoarseVertex * coarse_vertices);
+}
+
 std::shared_ptr<const BonePush> PrepareBonePush(
     const std::vector<BoneField>& bones, const MuscleModel& model) {
   if (!model.HasLines() || bones.empty()) return nullptr;
   auto push = std::make_shared<BonePush>();
   push->bones = bones;
-  const int coarse_vertices = static_cast<int>(model.coarse_rest.rows());
-  const std::vector<int> samples = SpreadPoints(
-      model.fine_rest,
-      std::min(kMostSamples, kSamplesPerCoarseVertex * coarse_vertices));
+  const std::vector<int> samples =
+      SpreadPoints(model.fine_rest,
+                   NumPushSamples(static_cast<int>(model.coarse_rest.rows())));
   push->fine_from_coarse = model.fine_from_coarse(samples, Eigen::all);
   const Points rest = push->fine_from_coarse * model.coarse_rest;
   push->clearances.setConstant(samples.size(), bones.size(), kClearance);
@@ -213,15 +222,11 @@ std::vector<Points> FollowPush(const BonePush& push,
   }
   std::vector<Points> displacements = {Points::Zero(free[0].rows(), 3)};
   Push now = {Points::Zero(count, 3), Points::Zero(count, 3)};
-  int done = 0;
   for (int k = 1; k <= last; ++k) {
     const std::vector<ScrewMotion> motions =
         MotionsBetween(push, way[k - 1], way[k]);
-    // The steps of this part of the way.
-    const int steps = kPushSteps * k / last - done;
-    done += steps;
-    for (int j = 1; j < steps; ++j) {
-      const double part = static_cast<double>(j) / steps;
+    for (int j = 1; j < kPushSteps; ++j) {
+      const double part = static_cast<double>(j) / kPushSteps;
       Settle(push,
              PartOf(push, way[k - 1], motions, part),
              PlacesAt(places, k, part),

@@ -57,8 +57,12 @@ struct BonePush {
 std::shared_ptr<const BonePush> PrepareBonePush(
     const std::vector<BoneField>& bones, const MuscleModel& model);
 
-// The steps in which a push is followed along a way.
-constexpr int kPushSteps = 24;
+// Returns how many samples of a muscle bones push, for a hull with so many
+// vertices.
+int NumPushSamples(int coarse_vertices);
+
+// The steps in which a push is followed from one pose of a way to the next.
+constexpr int kPushSteps = 8;
 
 // Follows the push of a muscle along a way: `way` are poses from rest on, and
 // `free` are its coarse vertices without the push in each of them, N x 3, mm.

@@ -4,25 +4,11 @@
 
 #include <algorithm>
 
+#include "musclewarp/mesh/box.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/scene/line_targets.h"
 
 namespace musclewarp {
-namespace {
-
-// Whether points (#P x 3) are farther than a distance from a box, as their own
-// box tells.
-bool AreApart(const Points& points, const Box3& box, double distance) {
-  Box3 around;
-  for (int c = 0; c < 3; ++c) {
-    around.lower[c] = points.col(c).minCoeff();
-    around.upper[c] = points.col(c).maxCoeff();
-  }
-  return around.SquaredDistance(box) > distance * distance;
-}
-
-}  // namespace
-
 // phi is x^3 / 6s up to the onset s and then a parabola with phi'' = 1, so that
 // a touch begins without a kink.
 BoneForce ForceAt(const BonePush& push, double lack) {
@@ -43,16 +29,17 @@ std::vector<BoneTouch> TouchesAt(const BonePush& push,
                                  double margin) {
   // Lacks of rounding are no touches.
   constexpr double kLeastLack = 1e-9;  // mm
+  const Box3 box = BoxOf(places);
   std::vector<BoneTouch> touches;
   for (int b = 0; b < static_cast<int>(push.bones.size()); ++b) {
     const Eigen::Matrix4d motion = BodyTransform(pose, push.bones[b].body);
+    // Most bones are far from most muscles.
+    const double near =
+        std::max(0.0, margin + push.clearances.col(b).maxCoeff());
+    const Box3 bone = Transformed(push.bones[b].field->box(), motion);
+    if (box.SquaredDistance(bone) > near * near) continue;
     const Eigen::Matrix3d rotation = motion.topLeftCorner<3, 3>();
     const Points at_rest = Transformed(places, RigidInverse(motion));
-    if (AreApart(at_rest,
-                 push.bones[b].field->box(),
-                 margin + push.clearances.col(b).maxCoeff())) {
-      continue;
-    }
     DistanceField::Value value;
     for (int v = 0; v < static_cast<int>(at_rest.rows()); ++v) {
       const double kept = push.clearances(v, b) - kLeastLack;
