@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -36,6 +38,24 @@ TEST(DistanceField, KnowsWhatIsBeyondTheLimit) {
   EXPECT_FALSE(field.IsBelow(1, {0, 0, 24}, &value));
   EXPECT_FALSE(field.IsBelow(5, {0, 300, 0}, &value));
   EXPECT_TRUE(field.IsBelow(5, {0, 0, 24}, &value));
+}
+
+// Law: nowhere within r of a place is the distance less than its bound less r.
+TEST(DistanceField, IsNotBelowItsBound) {
+  const DistanceField field = BallField();
+  DistanceField::Value value;
+  const Eigen::RowVector3d way = Eigen::RowVector3d(-2, 1, 1).normalized();
+  for (double radius = 1; radius < 30; radius += 0.7) {
+    const Eigen::RowVector3d place = radius * way;
+    const double bound = field.LowerBound(place);
+    EXPECT_GT(bound, std::min(radius - 20, kReach) - 3 * kCell);
+    for (const double r : {0.0, 1.0, 4.0, 8.0}) {
+      EXPECT_FALSE(field.IsBelow(bound - r - 1e-6, place - r * way, &value) &&
+                   radius > r)
+          << radius << " " << r;
+    }
+  }
+  EXPECT_EQ(field.LowerBound({0, 300, 0}), 0);
 }
 
 TEST(DistanceField, DerivativesAreThoseOfTheDistance) {

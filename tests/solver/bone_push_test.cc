@@ -100,7 +100,7 @@ TEST_F(BonePushTest, IsAMinimum) {
   const Points push = PushIn(*push_, model_, pose);
   Points forces = Points::Zero(push_->fine_from_coarse.rows(), 3);
   for (const BoneTouch& touch :
-       TouchesAt(*push_, pose, push_->fine_from_coarse * (free + push))) {
+       BoneTouches(*push_).At(pose, push_->fine_from_coarse * (free + push))) {
     forces.row(touch.sample) +=
         ForceAt(*push_, touch.lack).force * touch.normal;
   }

@@ -74,17 +74,33 @@ double DistanceField::Sample(const Place& at) const {
   return value;
 }
 
+bool DistanceField::FindNearest(const Eigen::RowVector3d& place,
+                                Place* sample,
+                                std::array<double, 3>* offsets) const {
+  for (int c = 0; c < 3; ++c) {
+    const double at = place[c] / spacing_ - first_[c];
+    if (!(at > 1 && at < size_[c] - 2)) return false;
+    (*sample)[c] = static_cast<int>(at + 0.5);
+    (*offsets)[c] = at - (*sample)[c];
+  }
+  return true;
+}
+
+double DistanceField::LowerBound(const Eigen::RowVector3d& place) const {
+  Place nearest;
+  std::array<double, 3> offsets;
+  if (!FindNearest(place, &nearest, &offsets)) return 0;
+  // The place is at most sqrt(3 / 4) spacings from the nearest sample. The
+  // samples of the second place are so far from it in root mean square.
+  return Sample(nearest) - 1.74 * spacing_;
+}
+
 bool DistanceField::IsBelow(double limit,
                             const Eigen::RowVector3d& place,
                             Value* value) const {
   Place base;
   std::array<double, 3> offsets;
-  for (int c = 0; c < 3; ++c) {
-    const double at = place[c] / spacing_ - first_[c];
-    if (!(at > 1 && at < size_[c] - 2)) return false;
-    base[c] = static_cast<int>(at + 0.5);
-    offsets[c] = at - base[c];
-  }
+  if (!FindNearest(place, &base, &offsets)) return false;
   // The spline is a mean of samples that are at most sqrt(3 / 2) spacings from
   // this one in root mean square, and distances differ by no more than that.
   if (Sample(base) > limit + 1.23 * spacing_) return false;

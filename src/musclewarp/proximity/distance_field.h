@@ -38,12 +38,23 @@ class DistanceField {
                const Eigen::RowVector3d& place,
                Value* value) const;
 
+  // Returns a distance that is not reached near a place: where a second place
+  // is r mm away, the distance there is larger than what is returned less r.
+  // It is some two spacings less than the distance, at most the reach, and 0
+  // where the field does not tell.
+  double LowerBound(const Eigen::RowVector3d& place) const;
+
   // The box of the surface.
   const Box3& box() const { return surface_.bvh().box(); }
 
  private:
   using Place = Eigen::Array<int, 1, 3>;
 
+  // Finds the sample that is nearest to a place, and where the place is from
+  // it, in spacings; returns false if the place is not inside of the lattice.
+  bool FindNearest(const Eigen::RowVector3d& place,
+                   Place* sample,
+                   std::array<double, 3>* offsets) const;
   double Sample(const Place& at) const;
 
   SearchableMesh surface_;

@@ -134,6 +134,7 @@ Points PlacesAt(const std::vector<Points>& places, int k, double t) {
 // Brings a push to the least energy in a pose, from where it is. `places`: of
 // the samples without the push.
 void Settle(const BonePush& push,
+            BoneTouches* near,
             const ScenePose& pose,
             const Points& places,
             double drag,
@@ -142,8 +143,7 @@ void Settle(const BonePush& push,
   constexpr int kMostHalvings = 6;
   constexpr double kRounding = 1e-12;
   const Push before = *now;
-  std::vector<BoneTouch> touches =
-      TouchesAt(push, pose, places + now->moved, kNear);
+  std::vector<BoneTouch> touches = near->At(pose, places + now->moved, kNear);
   double energy = EnergyOf(push, before, drag, *now, touches);
   for (int round = 0; round < max_rounds && energy > 0; ++round) {
     const Push next = NextPush(push, touches, before, drag, *now);
@@ -153,7 +153,7 @@ void Settle(const BonePush& push,
     double share = std::min(1.0, kNear / longest);
     for (int halving = 0;; ++halving, share /= 2) {
       Push tried = Between(*now, next, share);
-      touches = TouchesAt(push, pose, places + tried.moved, kNear);
+      touches = near->At(pose, places + tried.moved, kNear);
       const double then = EnergyOf(push, before, drag, tried, touches);
       if (then > energy * (1 + kRounding) && halving < kMostHalvings) continue;
       energy = then;
@@ -166,11 +166,12 @@ void Settle(const BonePush& push,
 // Returns the least energy near where the flow has come to, which is a step
 // behind; where the muscle slips, no farther than kMostBehind from there.
 Push NearLeast(const BonePush& push,
+               BoneTouches* near,
                const ScenePose& pose,
                const Points& places,
                const Push& flow) {
   Push least = flow;
-  Settle(push, pose, places, /*drag=*/0, kLastRounds, &least);
+  Settle(push, near, pose, places, /*drag=*/0, kLastRounds, &least);
   const double behind = (least.moved - flow.moved).rowwise().norm().maxCoeff();
   return behind > kMostBehind ? Between(flow, least, kMostBehind / behind)
                               : least;
@@ -222,23 +223,25 @@ std::vector<Points> FollowPush(const BonePush& push,
   }
   std::vector<Points> displacements = {Points::Zero(free[0].rows(), 3)};
   Push now = {Points::Zero(count, 3), Points::Zero(count, 3)};
+  BoneTouches near(push);
   for (int k = 1; k <= last; ++k) {
     const std::vector<ScrewMotion> motions =
         MotionsBetween(push, way[k - 1], way[k]);
     for (int j = 1; j < kPushSteps; ++j) {
       const double part = static_cast<double>(j) / kPushSteps;
       Settle(push,
+             &near,
              PartOf(push, way[k - 1], motions, part),
              PlacesAt(places, k, part),
              kDrag,
              kRounds,
              &now);
     }
-    Settle(push, way[k], places[k], kDrag, kRounds, &now);
+    Settle(push, &near, way[k], places[k], kDrag, kRounds, &now);
     displacements.push_back(push.reach * now.forces);
   }
   displacements.back() =
-      push.reach * NearLeast(push, way[last], places[last], now).forces;
+      push.reach * NearLeast(push, &near, way[last], places[last], now).forces;
   return displacements;
 }
 

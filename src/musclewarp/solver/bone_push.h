@@ -18,7 +18,7 @@ struct MuscleModel;
 
 // The distance fields of bones: between samples, and outside of the bones, mm.
 constexpr double kPushFieldSpacing = 3;
-constexpr double kPushFieldReach = 6;
+constexpr double kPushFieldReach = 15;
 
 // A bone at rest: how far a place is from it.
 struct BoneField {

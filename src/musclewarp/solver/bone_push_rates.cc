@@ -71,7 +71,7 @@ std::vector<Points> PushRates(const BonePush& push,
                               const Points& push_now,
                               const std::vector<PushMotion>& motions) {
   const Points places = push.fine_from_coarse * (free + push_now);
-  const std::vector<BoneTouch> touches = TouchesAt(push, pose, places);
+  const std::vector<BoneTouch> touches = BoneTouches(push).At(pose, places);
   const auto count = static_cast<Index>(touches.size());
   Eigen::MatrixXd asked(3 * count, static_cast<Index>(motions.size()));
   for (size_t c = 0; c < motions.size(); ++c) {

@@ -33,11 +33,30 @@ struct BoneForce {
 };
 BoneForce ForceAt(const BonePush& push, double lack);
 
-// Returns the samples at the given places (S x 3, mm) in a pose that lack more
-// than -margin (mm), by bone and then by sample.
-std::vector<BoneTouch> TouchesAt(const BonePush& push,
-                                 const ScenePose& pose,
-                                 const Points& places,
-                                 double margin = 0);
+// Finds the samples of a muscle that are near bones. Along a way, one that was
+// far from a bone is not looked at again before it can have come near.
+class BoneTouches {
+ public:
+  // Keeps a reference to `push`.
+  explicit BoneTouches(const BonePush& push);
+
+  // Returns the samples at the given places (S x 3, mm) in a pose that lack
+  // more than -margin (mm), by bone and then by sample. What was asked before
+  // has no influence on it.
+  std::vector<BoneTouch> At(const ScenePose& pose,
+                            const Points& places,
+                            double margin = 0);
+
+ private:
+  // Where the samples were last looked at, as the bone is at rest, and how far
+  // from it they were at least, mm.
+  struct Seen {
+    Points places;           // S x 3
+    Eigen::VectorXd bounds;  // S
+  };
+
+  const BonePush& push_;
+  std::vector<Seen> seen_;  // by bone
+};
 
 }  // namespace musclewarp
