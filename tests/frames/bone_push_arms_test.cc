@@ -20,7 +20,7 @@ PreparedScene PreparedWithASpur() {
   const TriangleSoup spur = MovedBy(Icosphere(8, 3), {25, -430, 32});
   scene.bones.push_back({"spur", spur.points, spur.triangles, "shank"});
   PreparedScene prepared = Prepared(1, scene);
-  AddBonePushes(&prepared);
+  AddBonePushes({}, &prepared);
   return prepared;
 }
 

@@ -24,7 +24,7 @@ PreparedScene SceneWithABall() {
   const TriangleSoup ball = SphereAt({0, 35, 0}, 20, 3);
   scene.bones.push_back({"ball", ball.points, ball.triangles});
   PreparedScene prepared = PreparedSmallScene(scene);
-  AddBonePushes(&prepared);
+  AddBonePushes({}, &prepared);
   return prepared;
 }
 

@@ -92,7 +92,7 @@ TEST(DeformerSettings, ReachTheOptionsOfFrames) {
   EXPECT_EQ(options.frames.paper.group.level, ContactLevel::kFine);
   EXPECT_EQ(options.reconstruction.kind, ReconstructionKind::kNever);
   EXPECT_FALSE(options.frames.pre_rotation.use_body_twist);
-  EXPECT_FALSE(options.bone_push);
+  EXPECT_FALSE(options.bone_push.enabled);
   const CertifiedContactOptions& certified = options.frames.certified;
   EXPECT_EQ(certified.step.gap, 0.25);
   EXPECT_EQ(certified.step.max_rounds, 9);

@@ -65,7 +65,8 @@ double DeepestIn(const BonePush& push,
 class BonePushTest : public testing::Test {
  protected:
   const MuscleModel model_ = SpindleModel();
-  const std::shared_ptr<const BonePush> push_ = PrepareBonePush(Ball(), model_);
+  const std::shared_ptr<const BonePush> push_ =
+      PrepareBonePush({}, Ball(), model_);
 };
 
 TEST_F(BonePushTest, IsNoneAtRest) {
@@ -88,7 +89,9 @@ TEST_F(BonePushTest, TakesTheMuscleOutOfTheBone) {
 TEST_F(BonePushTest, KeepsTheDepthAtRest) {
   const TriangleSoup surface = SphereAt({28, 0, 0}, 20, 4);
   const auto deep = PrepareBonePush(
-      {{"ball", std::make_shared<const DistanceField>(surface, 3, 6)}}, model_);
+      {},
+      {{"ball", std::make_shared<const DistanceField>(surface, 3, 6)}},
+      model_);
   EXPECT_TRUE(PushIn(*deep, model_, BallAt({0, 0, 0})).isZero(0));
   EXPECT_FALSE(PushIn(*deep, model_, BallAt({-1, 0, 0})).isZero(0));
 }

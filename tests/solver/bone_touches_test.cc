@@ -17,13 +17,11 @@ namespace {
 // A ball of bone of 20 mm, and samples in a block around it that keep 1 mm.
 BonePush PushOfBlock() {
   BonePush push;
-  push.bones = {{"ball",
-                 std::make_shared<const DistanceField>(
-                     Icosphere(20, 4), kPushFieldSpacing, kPushFieldReach)}};
+  push.bones = {
+      {"ball", std::make_shared<const DistanceField>(Icosphere(20, 4), 3, 15)}};
   push.fine_from_coarse.resize(1000, 1);
   push.clearances.setConstant(1000, 1, 1.0);
   push.stiffness = 3;
-  push.onset = 1;
   return push;
 }
 
@@ -95,8 +93,7 @@ TEST(BoneTouches, ForcesAreTheSlopesOfTheirEnergy) {
     const BoneForce here = ForceAt(push, lack);
     const BoneForce after = ForceAt(push, lack + kStep);
     // The truncation of a difference of cubics, and rounding.
-    EXPECT_NEAR(
-        here.force, (after.energy - before.energy) / (2 * kStep), 1e-8);
+    EXPECT_NEAR(here.force, (after.energy - before.energy) / (2 * kStep), 1e-8);
     EXPECT_NEAR(
         here.stiffness, (after.force - before.force) / (2 * kStep), 1e-8);
   }

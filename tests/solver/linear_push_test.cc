@@ -14,7 +14,7 @@ namespace {
 BonePush Bone() {
   BonePush push;
   push.stiffness = 40;
-  push.onset = 1;
+  push.options.onset = 1;
   return push;
 }
 

@@ -83,8 +83,8 @@ RestSeparationOptions RestSeparationOptionsOf(const DeformerOptions& options) {
 
 bool DeformerOptions::IsValid(std::string* error) const {
   return prepare.IsValid(error) && frames.IsValid(error) &&
-         reconstruction.IsValid(error) && solver.IsValid(error) &&
-         cache.IsValid(error);
+         reconstruction.IsValid(error) && bone_push.IsValid(error) &&
+         solver.IsValid(error) && cache.IsValid(error);
 }
 
 Deformer::Deformer(Scene scene, DeformerOptions options)
@@ -98,8 +98,8 @@ Deformer::Deformer(const SizedScene& sized, DeformerOptions options)
   std::optional<StageRecording> recording;
   if (options_.record_stages) recording.emplace();
   Preparation preparation = Prepare(sized.scene);
-  if (options_.bone_push && options_.frames.contact != ContactKind::kPaper) {
-    AddBonePushes(&preparation.scene);
+  if (options_.frames.contact != ContactKind::kPaper) {
+    AddBonePushes(options_.bone_push, &preparation.scene);
   }
   const auto scene =
       std::make_shared<PreparedScene>(std::move(preparation.scene));

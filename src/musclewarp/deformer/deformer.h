@@ -16,6 +16,7 @@
 #include "musclewarp/frames/frame.h"
 #include "musclewarp/preparation/prepared_scene.h"
 #include "musclewarp/scene/scene.h"
+#include "musclewarp/solver/bone_push_options.h"
 
 namespace musclewarp {
 
@@ -31,10 +32,9 @@ struct DeformerOptions {
   // Reconstruction of meshes that cannot be separated in the rest pose.
   ReconstructionOptions reconstruction;
 
-  // If true, bones push the shapes that muscles have without contact aside
-  // (bone_push.h), so that contact has less to do. With the contact of the
-  // paper they never do.
-  bool bone_push = true;
+  // How bones push the shapes that muscles have without contact aside, so that
+  // contact has less to do. With the contact of the paper they never do.
+  BonePushOptions bone_push;
 
   SolverConfiguration solver;
 

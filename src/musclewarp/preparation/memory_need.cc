@@ -25,7 +25,7 @@ double MemoryNeeded(const std::vector<SizedMesh>& meshes,
   const double of_bone_vertex = is_certified ? 1200 : 600;
   // Of a muscle that bones push: how its samples move each other and the hull,
   // in double precision.
-  const double samples = NumPushSamples(coarse_vertices);
+  const double samples = NumPushSamples({}, coarse_vertices);
   const double of_muscle = 8 * samples * (samples + 2 * coarse_vertices);
   double bytes = kProgram;
   for (const SizedMesh& mesh : meshes) {

@@ -53,7 +53,7 @@ DeformerOptions OptionsOf(const DeformerSettings& settings) {
                      "add {laplacian}=area, or leave {laplacian_length} out");
   }
   DeformerOptions options;
-  options.bone_push = settings.bone_push;
+  options.bone_push.enabled = settings.bone_push;
   SetOptions(settings,
              &options.prepare,
              &options.frames.certified,

@@ -29,7 +29,7 @@ struct DeformerSettings : RestSettings {
   double attachment_weight = MuscleModelOptions().attachment_weight;
   double bending_weight = MuscleModelOptions().bending_weight;
   bool body_twist = PreRotationOptions().use_body_twist;
-  bool bone_push = DeformerOptions().bone_push;
+  bool bone_push = DeformerOptions().bone_push.enabled;
   int max_rounds = StepOptions().max_rounds;
   double max_step_turn = DegreesOf(CertifiedContactOptions().limits.max_turn);
   double max_step_move = CertifiedContactOptions().limits.max_move;

@@ -5,6 +5,7 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "musclewarp/geometry/spread_points.h"
@@ -18,19 +19,11 @@
 namespace musclewarp {
 namespace {
 
-// The numbers of the push, lengths in mm: docs/method.md says what halving and
-// doubling them does.
-constexpr double kClearance = 1;           // that samples keep
-constexpr double kOnset = 1;               // over which forces begin
-constexpr double kRelativeStiffness = 40;  // against the response of samples
-constexpr double kDrag = 1;                // m
-constexpr double kMostBehind = 3;          // of the flow, that is made up for
-
-// A round looks at samples so near to touching, and moves them no farther.
+// A round looks at samples so near to touching, and moves them no farther, mm.
 constexpr double kNear = 1.5;
 
-// Rounds end when none would move a sample by as much, or after so many: in a
-// step on the way, and in the pose itself.
+// Rounds end when none would move a sample by as much (mm), or after so many:
+// in a step on the way, and in the pose itself.
 constexpr double kClose = 1e-6;
 constexpr int kRounds = 2;
 constexpr int kLastRounds = 40;
@@ -164,7 +157,7 @@ void Settle(const BonePush& push,
 }
 
 // Returns the least energy near where the flow has come to, which is a step
-// behind; where the muscle slips, no farther than kMostBehind from there.
+// behind; where the muscle slips, no farther than max_lag from there.
 Push NearLeast(const BonePush& push,
                BoneTouches* near,
                const ScenePose& pose,
@@ -173,33 +166,38 @@ Push NearLeast(const BonePush& push,
   Push least = flow;
   Settle(push, near, pose, places, /*drag=*/0, kLastRounds, &least);
   const double behind = (least.moved - flow.moved).rowwise().norm().maxCoeff();
-  return behind > kMostBehind ? Between(flow, least, kMostBehind / behind)
-                              : least;
+  const double most = push.options.max_lag;
+  return behind > most ? Between(flow, least, most / behind) : least;
 }
 
 }  // namespace
 
-int NumPushSamples(int coarse_vertices) {
-  constexpr int kPerCoarseVertex = 4;
-  constexpr int kMost = 1600;
-  return std::min(kMost, kPerCoarseVertex * coarse_vertices);
+int NumPushSamples(const BonePushOptions& options, int coarse_vertices) {
+  constexpr int kMostCoarseVertices = 400;
+  return options.samples_per_coarse_vertex *
+         std::min(kMostCoarseVertices, coarse_vertices);
 }
 
 std::shared_ptr<const BonePush> PrepareBonePush(
-    const std::vector<BoneField>& bones, const MuscleModel& model) {
+    const BonePushOptions& options,
+    const std::vector<BoneField>& bones,
+    const MuscleModel& model) {
+  std::string error;
+  CHECK(options.IsValid(&error)) << error;
   if (!model.HasLines() || bones.empty()) return nullptr;
   auto push = std::make_shared<BonePush>();
+  push->options = options;
   push->bones = bones;
-  const std::vector<int> samples =
-      SpreadPoints(model.fine_rest,
-                   NumPushSamples(static_cast<int>(model.coarse_rest.rows())));
+  const std::vector<int> samples = SpreadPoints(
+      model.fine_rest,
+      NumPushSamples(options, static_cast<int>(model.coarse_rest.rows())));
   push->fine_from_coarse = model.fine_from_coarse(samples, Eigen::all);
   const Points rest = push->fine_from_coarse * model.coarse_rest;
-  push->clearances.setConstant(samples.size(), bones.size(), kClearance);
+  push->clearances.setConstant(samples.size(), bones.size(), options.clearance);
   for (size_t b = 0; b < bones.size(); ++b) {
     DistanceField::Value value;
     for (Eigen::Index v = 0; v < rest.rows(); ++v) {
-      if (bones[b].field->IsBelow(kClearance, rest.row(v), &value)) {
+      if (bones[b].field->IsBelow(options.clearance, rest.row(v), &value)) {
         push->clearances(v, b) = value.distance;
       }
     }
@@ -207,8 +205,8 @@ std::shared_ptr<const BonePush> PrepareBonePush(
   push->reach = model.normal_matrix.solve(
       Eigen::MatrixXd(push->fine_from_coarse.transpose()));
   push->response = push->fine_from_coarse * push->reach;
-  push->onset = kOnset;
-  push->stiffness = kRelativeStiffness / push->response.diagonal().mean();
+  push->stiffness =
+      options.relative_stiffness / push->response.diagonal().mean();
   return push;
 }
 
@@ -217,6 +215,8 @@ std::vector<Points> FollowPush(const BonePush& push,
                                const std::vector<Points>& free) {
   const Eigen::Index count = push.fine_from_coarse.rows();
   const auto last = static_cast<int>(way.size()) - 1;
+  const int steps = push.options.steps_per_pose;
+  const double drag = push.options.drag;
   std::vector<Points> places;
   for (const Points& coarse : free) {
     places.push_back(push.fine_from_coarse * coarse);
@@ -227,17 +227,17 @@ std::vector<Points> FollowPush(const BonePush& push,
   for (int k = 1; k <= last; ++k) {
     const std::vector<ScrewMotion> motions =
         MotionsBetween(push, way[k - 1], way[k]);
-    for (int j = 1; j < kPushSteps; ++j) {
-      const double part = static_cast<double>(j) / kPushSteps;
+    for (int j = 1; j < steps; ++j) {
+      const double part = static_cast<double>(j) / steps;
       Settle(push,
              &near,
              PartOf(push, way[k - 1], motions, part),
              PlacesAt(places, k, part),
-             kDrag,
+             drag,
              kRounds,
              &now);
     }
-    Settle(push, &near, way[k], places[k], kDrag, kRounds, &now);
+    Settle(push, &near, way[k], places[k], drag, kRounds, &now);
     displacements.push_back(push.reach * now.forces);
   }
   displacements.back() =

@@ -11,14 +11,11 @@
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/proximity/distance_field.h"
 #include "musclewarp/scene/scene_pose.h"
+#include "musclewarp/solver/bone_push_options.h"
 
 namespace musclewarp {
 
 struct MuscleModel;
-
-// The distance fields of bones: between samples, and outside of the bones, mm.
-constexpr double kPushFieldSpacing = 3;
-constexpr double kPushFieldReach = 15;
 
 // A bone at rest: how far a place is from it.
 struct BoneField {
@@ -43,26 +40,26 @@ struct BoneField {
 // itself the push goes on to the least energy, unless that is far from there. S
 // samples, N coarse vertices and B bones.
 struct BonePush {
+  BonePushOptions options;
   std::vector<BoneField> bones;
   RowMajorMatrix fine_from_coarse;  // S x N: the rows of W of the samples
   Eigen::MatrixXd clearances;       // S x B, mm: c
   Eigen::MatrixXd reach;            // N x S: how a force on a sample moves X
   Eigen::MatrixXd response;         // S x S: and the samples
   double stiffness = 0;             // k
-  double onset = 0;                 // mm: where phi'' comes to 1
 };
 
 // Prepares the push of a muscle, whose normal matrix is factorised. Returns
-// null if it has no lines or there are no bones.
+// null if it has no lines or there are no bones. Precondition (CHECKed): the
+// options are valid.
 std::shared_ptr<const BonePush> PrepareBonePush(
-    const std::vector<BoneField>& bones, const MuscleModel& model);
+    const BonePushOptions& options,
+    const std::vector<BoneField>& bones,
+    const MuscleModel& model);
 
 // Returns how many samples of a muscle bones push, for a hull with so many
 // vertices.
-int NumPushSamples(int coarse_vertices);
-
-// The steps in which a push is followed from one pose of a way to the next.
-constexpr int kPushSteps = 8;
+int NumPushSamples(const BonePushOptions& options, int coarse_vertices);
 
 // Follows the push of a muscle along a way: `way` are poses from rest on, and
 // `free` are its coarse vertices without the push in each of them, N x 3, mm.

@@ -13,7 +13,7 @@ namespace musclewarp {
 // phi is x^3 / 6s up to the onset s and then a parabola with phi'' = 1, so that
 // a touch begins without a kink.
 BoneForce ForceAt(const BonePush& push, double lack) {
-  const double s = push.onset, k = push.stiffness;
+  const double s = push.options.onset, k = push.stiffness;
   if (lack <= 0) return {};
   if (lack < s) {
     return {k * lack * lack * lack / (6 * s),
