@@ -22,8 +22,7 @@ TEST(BonePushOptions, AreValidByDefault) { EXPECT_EQ(ErrorOf({}), ""); }
 TEST(BonePushOptions, NameTheFieldThatIsNotAllowed) {
   BonePushOptions options;
   options.onset = 0;
-  EXPECT_EQ(ErrorOf(options),
-            "BonePushOptions::onset is 0, allowed: above 0");
+  EXPECT_EQ(ErrorOf(options), "BonePushOptions::onset is 0, allowed: above 0");
   options = {};
   options.clearance = NAN;
   EXPECT_EQ(ErrorOf(options),
