@@ -6,9 +6,8 @@
 
 namespace musclewarp {
 
-// How bones push muscles aside (bone_push.h). benchmarks/push_options.cc tells
-// what halving and doubling the numbers does. Lengths are in mm, and suit
-// people.
+// How bones push muscles aside (bone_push.h). docs/method.md has what halving
+// and doubling the numbers does. Lengths are in mm, and suit people.
 struct BonePushOptions {
   // If false, bones are left to contact.
   bool enabled = true;
@@ -16,17 +15,16 @@ struct BonePushOptions {
   // What samples of a muscle keep from bones, unless they are nearer at rest.
   double clearance = 1;
 
-  // The way into the clearance over which forces begin.
+  // The depth in the clearance by which a force has come to its full stiffness.
   double onset = 1;
 
-  // How stiff bones are against what the mean sample resists.
+  // The stiffness of bones, in multiples of that of the mean sample.
   double relative_stiffness = 40;
 
-  // m: how the push is held back in a step, against the energy of the shape.
+  // The weight m of the change in a step, which holds the push back.
   double drag = 1;
 
-  // How far a push that is held back may be from the least energy, which it
-  // goes on to in the pose itself.
+  // In the pose itself the push goes on to the least energy, at most this far.
   double max_lag = 3;
 
   // Samples of a muscle by vertex of its hull.
