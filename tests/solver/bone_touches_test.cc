@@ -26,10 +26,16 @@ BonePush PushOfBlock() {
 }
 
 Points Block() {
+  constexpr double kSpacing = 7;  // mm
   Points places(1000, 3);
-  for (int i = 0; i < 1000; ++i) {
-    places.row(i) << 7 * (i % 10) - 30, 7 * (i / 10 % 10) - 32,
-        7 * (i / 100) - 31;
+  int i = 0;
+  for (int x = 0; x < 10; ++x) {
+    for (int y = 0; y < 10; ++y) {
+      for (int z = 0; z < 10; ++z) {
+        places.row(i++) << kSpacing * x - 30, kSpacing * y - 32,
+            kSpacing * z - 31;
+      }
+    }
   }
   return places;
 }
