@@ -162,8 +162,14 @@ class GrowingBody {
   using Key = std::array<double, 3>;
   static Key KeyOf(const RowVector3d& p) { return {p[0], p[1], p[2]}; }
   struct HashOfKey {
+    // Positions form a lattice, so that sums of coordinates would collide.
     size_t operator()(const Key& key) const {
-      return std::hash<double>()(key[0] + 3 * key[1] + 7 * key[2]);
+      size_t hash = 0;
+      for (const double x : key) {
+        hash = (hash ^ std::hash<double>()(x)) * 0x9E3779B97F4A7C15U;
+        hash ^= hash >> 32;
+      }
+      return hash;
     }
   };
   struct Shard {

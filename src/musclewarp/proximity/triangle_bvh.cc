@@ -23,7 +23,10 @@ TriangleBvh::TriangleBvh(const Points& points, const Triangles& triangles)
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);
   nodes_.reserve(std::max(0, 2 * count - 1));
-  if (count > 0) Build(centroids, order.data(), order.data() + count);
+  if (count > 0) {
+    Build(centroids, order.data(), order.data() + count);
+    BuildWide(0);
+  }
   Refit(points);
 }
 
@@ -39,6 +42,28 @@ int TriangleBvh::Build(const Points& centroids, int* begin, int* end) {
   Build(centroids, begin, middle);
   const int second = Build(centroids, middle, end);
   nodes_[index].second = second;
+  return index;
+}
+
+int TriangleBvh::BuildWide(int node) {
+  std::vector<int> below = {node};
+  for (int level = 0; level < 3; ++level) {
+    std::vector<int> next;
+    for (const int i : below) {
+      next.push_back(nodes_[i].IsLeaf() ? i : i + 1);
+      if (!nodes_[i].IsLeaf()) next.push_back(nodes_[i].second);
+    }
+    below = std::move(next);
+  }
+  const int index = static_cast<int>(wide_nodes_.size());
+  wide_nodes_.emplace_back().boxes.count = static_cast<int>(below.size());
+  for (size_t lane = 0; lane < below.size(); ++lane) {
+    const Node& child = nodes_[below[lane]];
+    const int number =
+        child.IsLeaf() ? ~child.triangle : BuildWide(below[lane]);
+    wide_nodes_[index].nodes[lane] = below[lane];
+    wide_nodes_[index].children[lane] = number;
+  }
   return index;
 }
 
@@ -73,6 +98,11 @@ void TriangleBvh::RefitNodes(const BoxOfTriangle& box_of) {
                    ? box_of(node.triangle)
                    : BoxOf(nodes_[i + 1].box, nodes_[node.second].box);
   }
+  for (WideNode& wide : wide_nodes_) {
+    for (int lane = 0; lane < wide.boxes.count; ++lane) {
+      wide.boxes.SetBox(lane, nodes_[wide.nodes[lane]].box);
+    }
+  }
 }
 
 std::vector<TriangleBvh::NodePair> TriangleBvh::SelfPairs() const {
@@ -83,21 +113,61 @@ std::vector<TriangleBvh::NodePair> TriangleBvh::SelfPairs() const {
   return pairs;
 }
 
+template <typename Visit>
+void TriangleBvh::VisitAround(const RowVector3d& point,
+                              const Visit& visit,
+                              const double* limit) const {
+  if (wide_nodes_.empty()) return;
+  struct Entry {
+    float bound;
+    int child;
+  };
+  // A level leaves seven nodes at most, and a tree has less than eleven.
+  std::array<Entry, 96> stack;
+  int size = 0;
+  stack[size++] = {0, 0};
+  const OctetQuery query(point);
+  while (size > 0) {
+    const Entry entry = stack[--size];
+    if (entry.bound > *limit) continue;
+    if (entry.child < 0) {
+      visit(~entry.child);
+      continue;
+    }
+    const WideNode& wide = wide_nodes_[entry.child];
+    float bounds[BoxOctet::kSize];
+    BoundSquaredDistances(wide.boxes, query, bounds);
+    const int first = size;
+    for (int lane = 0; lane < wide.boxes.count; ++lane) {
+      if (bounds[lane] > *limit) continue;
+      // Far ones first, so that the nearest comes off the stack next.
+      int at = size++;
+      for (; at > first && stack[at - 1].bound < bounds[lane]; --at) {
+        stack[at] = stack[at - 1];
+      }
+      stack[at] = {bounds[lane], wide.children[lane]};
+    }
+  }
+}
+
 TriangleBvh::Closest TriangleBvh::ClosestPoint(const RowVector3d& point,
                                                double max_distance) const {
   Closest closest;
   double least = max_distance * max_distance;
-  TraverseNearestFirst(
-      [&](const Box3& box) { return box.SquaredDistance(point); },
+  VisitAround(
+      point,
       [&](int triangle) {
         const RowVector3d candidate =
             ClosestPointOfTriangle(point, corners_[triangle]);
         const double square = (point - candidate).squaredNorm();
-        if (square < least || (square == least && closest.triangle < 0)) {
-          least = square;
-          closest.triangle = triangle;
-          closest.point = candidate;
+        if (!(square <= least)) return;
+        if (square == least && closest.triangle >= 0 &&
+            closest.triangle < triangle) {
+          return;
         }
+        least = square;
+        closest.triangle = triangle;
+        closest.point = candidate;
       },
       &least);
   if (closest.triangle >= 0) closest.distance = std::sqrt(least);
@@ -109,8 +179,8 @@ bool TriangleBvh::IsWithin(const RowVector3d& point, double distance) const {
   const double square = distance * distance;
   bool is_within = false;
   double limit = square;
-  TraverseNearestFirst(
-      [&](const Box3& box) { return box.SquaredDistance(point); },
+  VisitAround(
+      point,
       [&](int triangle) {
         const RowVector3d candidate =
             ClosestPointOfTriangle(point, corners_[triangle]);

@@ -14,6 +14,7 @@
 #include "musclewarp/mesh/box.h"
 #include "musclewarp/mesh/triangle.h"
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/proximity/box_octet.h"
 
 namespace musclewarp {
 
@@ -110,7 +111,8 @@ class TriangleBvh {
                             const double* limit) const;
 
   // Returns the point of the mesh that is closest to `point`, if it is at most
-  // max_distance (mm) away.
+  // max_distance (mm) away. Of triangles that are equally close it takes the
+  // first.
   Closest ClosestPoint(
       const Eigen::RowVector3d& point,
       double max_distance = std::numeric_limits<double>::infinity()) const;
@@ -128,10 +130,27 @@ class TriangleBvh {
   };
   using NodePair = std::pair<int, int>;
 
+  // The nodes three levels below a node, or the leaves above them.
+  struct WideNode {
+    BoxOctet boxes;
+    std::array<int, BoxOctet::kSize> nodes;     // by lane
+    std::array<int, BoxOctet::kSize> children;  // wide nodes, or ~triangle
+  };
+
   int Build(const Points& centroids, int* begin, int* end);
+
+  // Adds the wide node of a node, and those below. Returns its index.
+  int BuildWide(int node);
 
   template <typename BoxOfTriangle>
   void RefitNodes(const BoxOfTriangle& box_of);
+
+  // Calls visit(triangle) for the triangles whose boxes are within the root of
+  // *limit of a point, near ones first. `visit` may lower *limit.
+  template <typename Visit>
+  void VisitAround(const Eigen::RowVector3d& point,
+                   const Visit& visit,
+                   const double* limit) const;
 
   // Returns the two pairs that stand for `pair` after one of its nodes, the
   // larger if there is a choice, has been replaced by its children.
@@ -183,6 +202,7 @@ class TriangleBvh {
   Triangles triangles_;
   std::vector<Corners> corners_;  // by triangle
   std::vector<Node> nodes_;
+  std::vector<WideNode> wide_nodes_;
 };
 
 }  // namespace musclewarp

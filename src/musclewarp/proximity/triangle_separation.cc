@@ -78,8 +78,8 @@ bool AreApartAlong(const RowVector3d& direction,
   const double gap =
       std::max(lowest_of_b - highest_of_a, lowest_of_a - highest_of_b);
   // More than rounding may be wrong by.
-  constexpr double kMargin = 1 + 1e-9;
-  return gap > 0 && gap * gap > kMargin * square * direction.squaredNorm();
+  constexpr double kSafety = 1 + 1e-9;
+  return gap > 0 && gap * gap > kSafety * square * direction.squaredNorm();
 }
 
 }  // namespace
