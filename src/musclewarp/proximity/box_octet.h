@@ -9,13 +9,15 @@
 namespace musclewarp {
 
 // Up to eight boxes side by side, so that the processor compares a point with
-// all of them at once. Boxes are in single precision, rounded outward.
+// several of them at once. Boxes are in single precision, rounded outward.
 struct BoxOctet {
   static constexpr int kSize = 8;
+  using Values = Eigen::Array<float, kSize, 1>;       // by lane
+  using Coordinates = Eigen::Array<float, kSize, 3>;  // by lane and axis
 
-  float lower[3][kSize];
-  float upper[3][kSize];
-  int count = 0;  // the boxes in use; what follows is undefined
+  Coordinates lower = Coordinates::Zero();
+  Coordinates upper = Coordinates::Zero();
+  int count = 0;  // the lanes in use
 
   // Precondition: 0 <= lane < kSize.
   void SetBox(int lane, const Box3& box);
@@ -24,14 +26,25 @@ struct BoxOctet {
 // A point, in single precision rounded down and up.
 struct OctetQuery {
   explicit OctetQuery(const Eigen::RowVector3d& point);
-  float lower[3];
-  float upper[3];
+
+  Eigen::Array3f lower;
+  Eigen::Array3f upper;
 };
 
-// Sets by lane a lower bound of the squared distance of a point to the box, 0
-// within it. It falls short by no more than rounding explains.
-void BoundSquaredDistances(const BoxOctet& octet,
-                           const OctetQuery& query,
-                           float (&bounds)[BoxOctet::kSize]);
+// Returns by lane a lower bound of the squared distance of a point to the box,
+// mm^2, 0 within it. It falls short by no more than rounding explains.
+inline BoxOctet::Values BoundSquaredDistances(const BoxOctet& octet,
+                                              const OctetQuery& query) {
+  // Squares, sums and differences round six times, by half a unit each.
+  constexpr float kShortfall = 1 - 0x1p-20F;
+  BoxOctet::Values sums = BoxOctet::Values::Zero();
+  for (int k = 0; k < 3; ++k) {
+    sums += (octet.lower.col(k) - query.upper[k])
+                .max(query.lower[k] - octet.upper.col(k))
+                .max(0)
+                .square();
+  }
+  return kShortfall * sums;
+}
 
 }  // namespace musclewarp

@@ -135,8 +135,7 @@ void TriangleBvh::VisitAround(const RowVector3d& point,
       continue;
     }
     const WideNode& wide = wide_nodes_[entry.child];
-    float bounds[BoxOctet::kSize];
-    BoundSquaredDistances(wide.boxes, query, bounds);
+    const BoxOctet::Values bounds = BoundSquaredDistances(wide.boxes, query);
     const int first = size;
     for (int lane = 0; lane < wide.boxes.count; ++lane) {
       if (bounds[lane] > *limit) continue;
