@@ -24,7 +24,7 @@ struct Search {
       tried.push_back(t);
       return volume_at(t);
     };
-    found = SearchGrowth(noted, volume_at(0), volume, reach, first);
+    found = SearchGrowth(noted, volume_at(0), volume, reach, {first}).t;
     EXPECT_EQ(found, tried.back());
   }
   int steps() const { return static_cast<int>(tried.size()); }
@@ -82,6 +82,31 @@ TEST(SearchGrowth, EndsAtItsReachIfThatIsNotEnough) {
   const Search search(Square, Square(8), 5, 1);
   EXPECT_EQ(search.found, 5);
   EXPECT_EQ(search.steps(), 5);  // 1, 1.5, 2.25, 3.375, 5
+}
+
+// The slope that coarser samples gave is good enough for the first step, on
+// either side of the volume, and a wrong one does no harm.
+TEST(SearchGrowth, GoesByTheSlopeIfItIsKnown) {
+  for (const double first : {2.8, 3.2}) {
+    std::vector<double> tried;
+    const auto noted = [&](double t) {
+      tried.push_back(t);
+      return Square(t);
+    };
+    const GrowthGuess found =
+        SearchGrowth(noted, Square(0), Square(3), 30, {first, 2600});
+    EXPECT_EQ(tried.size(), 2) << first;
+    EXPECT_EQ(found.t, tried.back());
+    EXPECT_NEAR(found.slope,
+                (Square(tried[1]) - Square(first)) / (tried[1] - first),
+                1e-9);
+    EXPECT_NEAR(Square(found.t), Square(3), kAccuracy * Square(3));
+  }
+  for (const double slope : {1.0, 1e6}) {
+    const GrowthGuess found =
+        SearchGrowth(Square, Square(0), Square(3), 30, {4, slope});
+    EXPECT_NEAR(Square(found.t), Square(3), kAccuracy * Square(3)) << slope;
+  }
 }
 
 // The place of a jump is found by tenths at least, whichever end is nearer to

@@ -96,7 +96,6 @@ class GrowingBody {
         cut_(body.points, cut),
         cell_(CellWithin(options.cell, reach), muscle, others, bones),
         around_(bones),
-        reach_(reach),
         limit_(reach + 2 * kCoarser * options.spacing / kSlope),
         blocked_(options.spacing / 4) {
     around_.insert(around_.end(), others.begin(), others.end());
@@ -130,13 +129,16 @@ class GrowingBody {
     return cell;
   }
 
-  // The quantities that determine the growth at a position, mm.
+  // The quantities that determine the growth at a position, mm. They are
+  // measured as far as a growth needs them.
   struct Measures {
-    double own = 0;        // the signed distance to the body, at most `limit_`
-    double to_cut = 0;     // the distance to the cuts
-    bool is_near = false;  // the fields below are known
-    double cell = 0;       // the signed distance to the cell
-    bool is_blocked = false;
+    double own = 0;             // the signed distance to the body
+    double to_cut = kInfinity;  // the distance to the cuts, if it is below ...
+    double cut_limit = 0;       // ... this limit
+    double cell = 0;            // the signed distance to the cell, if above ...
+    double cell_depth = -kInfinity;  // ... minus this depth, or that
+    bool is_way_known = false;
+    bool is_blocked = false;  // the way to the body
   };
 
   // Returns a function that is negative in the grown body. Within `border` of
@@ -145,16 +147,22 @@ class GrowingBody {
   double Region(const RowVector3d& p, double t, double border) const {
     Shard& shard = ShardOf(p);
     Measures at = Known(p, &shard);
+    // The body itself lies within its cell, and no growth reaches farther.
+    if (at.own <= -border) return kSlope * at.own;
+    if (kSlope * (at.own - t) >= border) return kSlope * (at.own - t);
+    bool is_news = MeasureCut(p, t / kDecline, &at);
     const double growth = std::max(0.0, t - kDecline * at.to_cut);
     const double grown = kSlope * (at.own - growth);
-    // The body itself lies within its cell.
-    if (grown >= border || at.own <= -border) return grown;
-    if (!at.is_near) {
-      MeasureNear(p, &at);
+    double region = grown;
+    if (grown < border && growth > 0) {
+      is_news |= MeasureCell(p, -grown, &at);
+      region = std::max(grown, at.cell);
+      if (region < 0 && at.own > 0) is_news |= MeasureWay(p, &at);
+    }
+    if (is_news) {
       const std::lock_guard<std::mutex> lock(shard.mutex);
       shard.measures[KeyOf(p)] = at;
     }
-    const double region = std::max(grown, at.cell);
     return region < 0 && at.is_blocked ? blocked_ : region;
   }
 
@@ -180,8 +188,8 @@ class GrowingBody {
     return shards_[HashOfKey()(KeyOf(p)) % shards_.size()];
   }
 
-  // Returns the known quantities at a position, at least its distances to the
-  // body and to the cuts.
+  // Returns the known quantities at a position, at least its distance to the
+  // body.
   Measures Known(const RowVector3d& p, Shard* shard) const {
     {
       const std::lock_guard<std::mutex> lock(shard->mutex);
@@ -190,27 +198,38 @@ class GrowingBody {
     }
     Measures at;
     at.own = distance_.At(p, limit_);
-    at.to_cut = kInfinity;
-    if (cut_.num_triangles() == 0) {
-      at.to_cut = 0;
-    } else if (at.own < limit_) {
-      const auto cut = cut_.ClosestPoint(p, reach_ / kDecline);
-      if (cut.triangle >= 0) at.to_cut = cut.distance;
-    }
     const std::lock_guard<std::mutex> lock(shard->mutex);
     return shard->measures.emplace(KeyOf(p), at).first->second;
   }
 
-  void MeasureNear(const RowVector3d& p, Measures* at) const {
-    at->is_near = true;
-    at->cell = cell_.SignedDistance(p);
-    at->is_blocked = at->cell < 0 && at->own > 0 && IsBlocked(p);
+  // Measure a position, if it has not been done. They return true if so.
+  bool MeasureCut(const RowVector3d& p, double limit, Measures* at) const {
+    if (at->cut_limit >= limit || at->to_cut < at->cut_limit) return false;
+    at->cut_limit = limit;
+    at->to_cut =
+        cut_.num_triangles() == 0 ? 0 : cut_.ClosestPoint(p, limit).distance;
+    return true;
+  }
+  bool MeasureCell(const RowVector3d& p, double depth, Measures* at) const {
+    if (at->cell_depth >= depth) return false;
+    // A little more, for the next growth that is tried.
+    at->cell_depth = std::max(depth, 0.0) + blocked_;
+    at->cell = cell_.DistanceDownTo(at->cell_depth, p);
+    return true;
+  }
+  bool MeasureWay(const RowVector3d& p, Measures* at) const {
+    if (at->is_way_known) return false;
+    at->is_way_known = true;
+    at->is_blocked = IsBlocked(p, at->own);
+    return true;
   }
 
   // Returns true if a bone or another muscle lies between a position and the
-  // body: the body would grow through it or around it.
-  bool IsBlocked(const RowVector3d& p) const {
-    const RowVector3d on_body = mesh_.bvh().ClosestPoint(p, kInfinity).point;
+  // body, `own` away: the body would grow through it or around it.
+  bool IsBlocked(const RowVector3d& p, double own) const {
+    // A margin above rounding.
+    const RowVector3d on_body =
+        mesh_.bvh().ClosestPoint(p, own * (1 + 1e-9) + 1e-9).point;
     return std::any_of(
         around_.begin(), around_.end(), [&](const SolidDistance* other) {
           return SegmentMeets(p, on_body, other->mesh().bvh());
@@ -223,7 +242,6 @@ class GrowingBody {
   TriangleBvh cut_;
   MedialCell cell_;
   std::vector<const SolidDistance*> around_;  // bones and other muscles
-  double reach_;                              // the largest growth, mm
   double limit_;                              // of distances to the body, mm
   double blocked_;
 
@@ -233,30 +251,30 @@ class GrowingBody {
 
 namespace {
 
-// A growth, mm, and the resulting body.
+// A growth and the resulting body.
 struct Growth {
-  double t = 0;
+  GrowthGuess at;
   TriangleSoup body;
 };
 
 // Returns the growth with which a body has a volume (mm^3), or `reach` if that
-// is not enough, beginning with `t` (SearchGrowth). `left` is the volume
+// is not enough, beginning with `first` (SearchGrowth). `left` is the volume
 // without growth.
 Growth GrowthFor(const GrowingBody& body,
                  double left,
                  double volume,
                  double spacing,
                  double reach,
-                 double t) {
+                 const GrowthGuess& first) {
   Growth growth;
   const auto volume_at = [&](double tried) {
-    growth = {tried, body.GrownBy(tried, spacing)};
+    growth.body = body.GrownBy(tried, spacing);
     const double now = SignedVolume(growth.body.points, growth.body.triangles);
     VLOG(1) << "a body grown by " << tried << " mm has " << now << " of "
             << volume << " mm3";
     return now;
   };
-  SearchGrowth(volume_at, left, volume, reach, t);
+  growth.at = SearchGrowth(volume_at, left, volume, reach, first);
   return growth;
 }
 
@@ -288,13 +306,13 @@ SurfaceGrowth::~SurfaceGrowth() = default;
 TriangleSoup SurfaceGrowth::UpTo(double volume) {
   const TriangleSoup& body = body_->body();
   if (left_ >= volume) return body;
-  if (last_ == 0) {
+  if (last_.t == 0) {
     // Coarser samples cut corners: they only give the initial growth.
     const double coarse = kCoarser * spacing_;
-    last_ = GrowthFor(*body_, left_, volume, coarse, reach_, spacing_).t;
+    last_ = GrowthFor(*body_, left_, volume, coarse, reach_, {spacing_}).at;
   }
   Growth growth = GrowthFor(*body_, left_, volume, spacing_, reach_, last_);
-  last_ = growth.t;
+  last_ = growth.at;
   const TriangleSoup& grown = growth.body;
   return SignedVolume(grown.points, grown.triangles) > left_ ? grown : body;
 }

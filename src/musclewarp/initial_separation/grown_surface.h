@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "musclewarp/initial_separation/cell_surface.h"
+#include "musclewarp/initial_separation/growth_search.h"
 
 namespace musclewarp {
 
@@ -44,10 +45,10 @@ class SurfaceGrowth {
   TriangleSoup UpTo(double volume);
 
  private:
-  double spacing_;   // mm
-  double left_;      // volume without growth, mm^3
-  double reach_;     // the largest t, mm
-  double last_ = 0;  // t of the last growth, mm
+  double spacing_;    // mm
+  double left_;       // volume without growth, mm^3
+  double reach_;      // the largest t, mm
+  GrowthGuess last_;  // what the last search found
   std::unique_ptr<GrowingBody> body_;
 };
 
