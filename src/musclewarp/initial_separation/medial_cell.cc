@@ -27,6 +27,9 @@ struct MedialCell::VoxelGrid {
   double voxel_size;
   std::array<int, 3> size;
 
+  // Voxels are sampled by cubes of so many a side.
+  static constexpr int kBlock = 4;
+
   // By voxel: the signed distance of its centre to the cell, or a positive
   // number if it is more than a voxel outside the muscle.
   std::vector<double> distance;
@@ -44,6 +47,11 @@ struct MedialCell::VoxelGrid {
   }
 
   int count() const { return size[0] * size[1] * size[2]; }
+  std::array<int, 3> num_blocks() const {
+    return {(size[0] + kBlock - 1) / kBlock,
+            (size[1] + kBlock - 1) / kBlock,
+            (size[2] + kBlock - 1) / kBlock};
+  }
   std::array<int, 3> PlaceOf(int index) const {
     return {index % size[0],
             index / size[0] % size[1],
@@ -62,6 +70,20 @@ struct MedialCell::VoxelGrid {
           size[k] - 1);
     }
     return (at[2] * size[1] + at[1]) * size[0] + at[0];
+  }
+  // Calls visit(index) for the voxels of the block from `first` on.
+  template <typename Visit>
+  void ForEachIn(const std::array<int, 3>& first, const Visit& visit) const {
+    const auto end = [&](int k) {
+      return std::min(first[k] + kBlock, size[k]);
+    };
+    for (int z = first[2]; z < end(2); ++z) {
+      for (int y = first[1]; y < end(1); ++y) {
+        for (int x = first[0]; x < end(0); ++x) {
+          visit((z * size[1] + y) * size[0] + x);
+        }
+      }
+    }
   }
   // Calls visit(index, place) for each neighbour of a voxel.
   template <typename Visit>
@@ -253,6 +275,25 @@ bool MedialCell::IsPathFree(const RowVector3d& a,
          IsPathFree(middle, distance, b, distance_b);
 }
 
+bool MedialCell::IsDeepAround(const RowVector3d& p,
+                              double radius,
+                              double depth) const {
+  const double deepest = depth + radius;
+  const double own = muscle_.UpperBound(p);
+  if (own + radius >= 0) return false;
+  const double to_bones = deepest + options_.margin / 2;
+  const double to_others = std::max(0.0, own + options_.margin + 2 * deepest);
+  const auto is_beyond = [&](double distance) {
+    return [&p, distance](const SolidDistance* solid) {
+      return solid->At(p, distance) >= distance;
+    };
+  };
+  return std::all_of(bones_.begin(), bones_.end(), is_beyond(to_bones)) &&
+         std::all_of(other_muscles_.begin(),
+                     other_muscles_.end(),
+                     is_beyond(to_others));
+}
+
 MedialCell::VoxelGrid MedialCell::SampledVoxels() const {
   VoxelGrid grid(muscle_.mesh().bvh().box(), options_.voxel_size);
   // Voxels next to the muscle connect parts of it thinner than a voxel.
@@ -260,12 +301,28 @@ MedialCell::VoxelGrid MedialCell::SampledVoxels() const {
   const double voxel = grid.voxel_size;
   // The path to a neighbour is free if the voxel is deeper than its length.
   const double depth = 1.01 * voxel;
-#pragma omp parallel for schedule(dynamic, 256)
-  for (int i = 0; i < grid.count(); ++i) {
-    const RowVector3d p = grid.Centre(i);
-    if (muscle_.UpperBound(p) < voxel || muscle_.At(p, voxel) < voxel) {
-      grid.distance[i] = DistanceDownTo(depth, p);
-    }
+  const std::array<int, 3> blocks = grid.num_blocks();
+  constexpr int kBlock = VoxelGrid::kBlock;
+  // To the farthest voxel of a block, and more than rounding.
+  const double radius = 1.001 * std::sqrt(3.0) / 2 * (kBlock - 1) * voxel;
+#pragma omp parallel for schedule(dynamic, 4)
+  for (int b = 0; b < blocks[0] * blocks[1] * blocks[2]; ++b) {
+    const std::array<int, 3> first = {kBlock * (b % blocks[0]),
+                                      kBlock * (b / blocks[0] % blocks[1]),
+                                      kBlock * (b / (blocks[0] * blocks[1]))};
+    const RowVector3d middle =
+        grid.Centre(first) + RowVector3d::Constant((kBlock - 1) / 2.0 * voxel);
+    if (muscle_.At(middle, voxel + radius) >= voxel + radius) continue;
+    const bool is_deep = IsDeepAround(middle, radius, depth);
+    grid.ForEachIn(first, [&](int i) {
+      const RowVector3d p = grid.Centre(i);
+      if (is_deep) {
+        grid.distance[i] = -depth;
+      } else if (muscle_.UpperBound(p) < voxel ||
+                 muscle_.At(p, voxel) < voxel) {
+        grid.distance[i] = DistanceDownTo(depth, p);
+      }
+    });
   }
   return grid;
 }

@@ -55,6 +55,10 @@ class MedialCell {
   // does not bound the cell. The Lipschitz constant of this function is 1.
   double SignedDistance(const Eigen::RowVector3d& p) const;
 
+  // Returns the signed distance, or -depth where it is below that. A smaller
+  // depth takes less time.
+  double DistanceDownTo(double depth, const Eigen::RowVector3d& p) const;
+
   // Returns the signed distance to the region that the muscle may fill: the
   // cell, also bounded by the muscle's own surface. At every point, the sum of
   // these functions of two muscles is at least half the margin.
@@ -84,9 +88,11 @@ class MedialCell {
  private:
   struct VoxelGrid;
 
-  // Returns the signed distance, or -depth where it is below that. A smaller
-  // depth takes less time.
-  double DistanceDownTo(double depth, const Eigen::RowVector3d& p) const;
+  // Returns true if all points within `radius` of a point lie in the muscle,
+  // and `depth` (mm) or more within the cell.
+  bool IsDeepAround(const Eigen::RowVector3d& p,
+                    double radius,
+                    double depth) const;
 
   // Returns voxels that cover the muscle with their signed distances to the
   // cell, down to the depth at which paths to neighbours are certainly free.

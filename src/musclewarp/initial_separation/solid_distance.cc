@@ -34,29 +34,28 @@ SolidDistance::SolidDistance(const SearchableMesh& mesh)
           kSpacing) {}
 
 double SolidDistance::At(const RowVector3d& p, double limit) const {
-  bool is_inside = false, is_known = false;
-  double farthest = kInfinity;
+  const TriangleBvh& tree = mesh_.bvh();
   const std::int64_t nearest = samples_.NearestTo(p);
-  if (nearest >= 0) {
-    // A path shorter than the distance does not reach the surface.
-    const double sample = samples_.value(nearest);
-    const double way = (p - samples_.Position(nearest)).norm();
-    if (sample - way >= limit) return limit;
-    is_known = way < std::abs(sample);
-    is_inside = sample < 0;
-    // An exact sample bounds the distance to the surface from above. A margin
-    // above rounding ensures that the nearest triangle is found.
-    if (IsExact(sample)) {
-      farthest = (std::abs(sample) + way) * (1 + 1e-9) + 1e-9;
-    }
+  // The samples cover more than the box of the mesh.
+  if (nearest < 0) return std::min(tree.ClosestPoint(p, limit).distance, limit);
+  const double sample = samples_.value(nearest);
+  const double way = (p - samples_.Position(nearest)).norm();
+  if (sample - way >= limit) return limit;
+  // An exact sample bounds the distance to the surface from above. A margin
+  // above rounding ensures that the nearest triangle is found.
+  constexpr double kMargin = 1e-9;
+  double farthest = kInfinity;
+  if (IsExact(sample)) {
+    farthest = (std::abs(sample) + way) * (1 + kMargin) + kMargin;
   }
-  if (!is_known) {
-    is_inside = mesh_.bvh().box().Contains(p) && mesh_.winding().IsInside(p);
-  }
-  const double distance =
-      mesh_.bvh()
-          .ClosestPoint(p, is_inside ? farthest : std::min(farthest, limit))
-          .distance;
+  // A path shorter than the distance does not reach the surface.
+  if (sample > way) farthest = std::min(farthest, limit);
+  const double distance = tree.ClosestPoint(p, farthest).distance;
+  // Nor does one that is shorter than the distances of both ends together.
+  const bool is_inside =
+      std::abs(sample) + distance > way * (1 + kMargin) + kMargin
+          ? sample < 0
+          : tree.box().Contains(p) && mesh_.winding().IsInside(p);
   return is_inside ? -distance : std::min(distance, limit);
 }
 
