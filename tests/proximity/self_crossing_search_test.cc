@@ -14,7 +14,8 @@ namespace {
 TEST(SelfCrossingSearch, FindsTheSameAsTheTree) {
   for (const double by : {0.0, 0.5, 1.5, 4.0}) {
     const TriangleSoup sphere = CrumpledSphere(by, 5);
-    const auto expected = SelfIntersections(sphere);
+    const auto expected =
+        SelfIntersections(TriangleBvh(sphere.points, sphere.triangles));
     EXPECT_EQ(expected.empty(), by < 1) << by;
     for (const Points& rest :
          {sphere.points, Points(Points::Zero(sphere.points.rows(), 3))}) {
@@ -36,7 +37,8 @@ TEST(SelfCrossingSearch, FindsCrossingsOfSmallAndOpenMeshes) {
       0.4, 0.6, 0.5;
   two.triangles.resize(3, 3);
   two.triangles << 0, 1, 2, 3, 4, 5, 3, 4, 6;
-  const auto expected = SelfIntersections(two);
+  const auto expected =
+      SelfIntersections(TriangleBvh(two.points, two.triangles));
   EXPECT_FALSE(expected.empty());
   EXPECT_EQ(SelfCrossingSearch(two.points, two.triangles).Find(two.points),
             expected);

@@ -9,6 +9,7 @@
 
 #include "musclewarp/cgal/triangle_intersection.h"
 #include "musclewarp/mesh/connectivity.h"
+#include "musclewarp/proximity/self_crossing_search.h"
 
 namespace musclewarp {
 namespace {
@@ -163,7 +164,7 @@ PairList SelfIntersections(const TriangleBvh& bvh) {
 }
 
 PairList SelfIntersections(const TriangleSoup& soup) {
-  return SelfIntersections(TriangleBvh(soup.points, soup.triangles));
+  return SelfCrossingSearch(soup.points, soup.triangles).Find(soup.points);
 }
 
 }  // namespace musclewarp

@@ -25,6 +25,7 @@ TriangleBvh::TriangleBvh(const Points& points, const Triangles& triangles)
   nodes_.reserve(std::max(0, 2 * count - 1));
   if (count > 0) {
     Build(centroids, order.data(), order.data() + count);
+    wide_nodes_.reserve(count / 2 + 1);  // they are large, and moved slowly
     BuildWide(0);
   }
   Refit(points);
