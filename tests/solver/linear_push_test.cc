@@ -37,10 +37,14 @@ TEST(LinearPushForces, AreThoseOfTheBone) {
     const Eigen::MatrixXd response = Response(30, &random);
     Eigen::VectorXd lack(30);
     for (double& entry : lack) entry = 3 * normal(random);
-    const Eigen::VectorXd forces = LinearPushForces(push, response, lack);
-    const Eigen::VectorXd left = lack - response * forces;
-    for (int a = 0; a < 30; ++a) {
-      EXPECT_NEAR(forces[a], ForceAt(push, left[a]).force, 1e-3);
+    // Wherever the search starts.
+    for (const double start : {0.0, 1.0, 100.0}) {
+      const Eigen::VectorXd forces = LinearPushForces(
+          push, response, lack, Eigen::VectorXd::Constant(30, start));
+      const Eigen::VectorXd left = lack - response * forces;
+      for (int a = 0; a < 30; ++a) {
+        EXPECT_NEAR(forces[a], ForceAt(push, left[a]).force, 1e-3);
+      }
     }
   }
 }
@@ -48,10 +52,12 @@ TEST(LinearPushForces, AreThoseOfTheBone) {
 TEST(LinearPushForces, AreNoneWhereNothingLacks) {
   std::mt19937 random(2);
   const Eigen::MatrixXd response = Response(10, &random);
-  EXPECT_TRUE(
-      LinearPushForces(Bone(), response, Eigen::VectorXd::Constant(10, -1))
-          .isZero(0));
-  EXPECT_EQ(LinearPushForces(Bone(), {}, {}).size(), 0);
+  EXPECT_TRUE(LinearPushForces(Bone(),
+                               response,
+                               Eigen::VectorXd::Constant(10, -1),
+                               Eigen::VectorXd::Zero(10))
+                  .isZero(0));
+  EXPECT_EQ(LinearPushForces(Bone(), {}, {}, {}).size(), 0);
 }
 
 // Laws of the force: it is the slope of the energy, and the stiffness that of

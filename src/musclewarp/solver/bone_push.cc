@@ -59,7 +59,8 @@ Push NextPush(const BonePush& push,
   const auto count = static_cast<Eigen::Index>(touches.size());
   std::vector<int> samples;
   Points normals(count, 3);
-  Eigen::VectorXd lack(count);
+  Eigen::VectorXd lack(count), start(count);
+  const Points since_before = now.forces - kept * before.forces;
   for (Eigen::Index a = 0; a < count; ++a) {
     const BoneTouch& touch = touches[a];
     const int v = touch.sample;
@@ -67,13 +68,16 @@ Push NextPush(const BonePush& push,
     normals.row(a) = touch.normal;
     lack[a] = touch.lack +
               touch.normal.dot(now.moved.row(v) - kept * before.moved.row(v));
+    start[a] =
+        std::max(0.0, (1 + drag) * touch.normal.dot(since_before.row(v)));
   }
   const Eigen::MatrixXd response =
       push.response(samples, samples)
           .cwiseProduct(normals * normals.transpose()) /
       (1 + drag);
-  const Points forces = LinearPushForces(push, response, lack).asDiagonal() *
-                        normals / (1 + drag);
+  const Points forces =
+      LinearPushForces(push, response, lack, start).asDiagonal() * normals /
+      (1 + drag);
   Push next = {kept * before.forces, kept * before.moved};
   for (Eigen::Index a = 0; a < count; ++a) {
     if (forces.row(a).isZero(0)) continue;
@@ -191,7 +195,7 @@ std::shared_ptr<const BonePush> PrepareBonePush(
   const std::vector<int> samples = SpreadPoints(
       model.fine_rest,
       NumPushSamples(options, static_cast<int>(model.coarse_rest.rows())));
-  push->fine_from_coarse = model.fine_from_coarse(samples, Eigen::all);
+  push->fine_from_coarse = RowsOf(model.fine_from_coarse, samples);
   const Points rest = push->fine_from_coarse * model.coarse_rest;
   push->clearances.setConstant(samples.size(), bones.size(), options.clearance);
   for (size_t b = 0; b < bones.size(); ++b) {

@@ -16,12 +16,13 @@ class LinearPush {
  public:
   LinearPush(const BonePush& push,
              const Eigen::MatrixXd& response,
-             const Eigen::VectorXd& lack)
+             const Eigen::VectorXd& lack,
+             const Eigen::VectorXd& start)
       : push_(push),
         response_(response),
         lack_(lack),
-        forces_(Eigen::VectorXd::Zero(lack_.size())),
-        yields_(forces_) {}
+        forces_(start),
+        yields_(response * start) {}
 
   // Newton's method on the samples that touch, each step as long as it has to
   // be: the energy is convex, and has continuous second derivatives.
@@ -95,8 +96,9 @@ class LinearPush {
 
 Eigen::VectorXd LinearPushForces(const BonePush& push,
                                  const Eigen::MatrixXd& response,
-                                 const Eigen::VectorXd& lack) {
-  return LinearPush(push, response, lack).Solve();
+                                 const Eigen::VectorXd& lack,
+                                 const Eigen::VectorXd& start) {
+  return LinearPush(push, response, lack, start).Solve();
 }
 
 }  // namespace musclewarp

@@ -15,9 +15,11 @@ namespace musclewarp {
 // is least: the energy of a push with the distances of the bones linear.
 // `response`: M, how the forces move the samples along their normals, symmetric
 // and positive semidefinite. `lack`: b, what the samples lack of the distances
-// that they keep while nothing gives way, mm.
+// that they keep while nothing gives way, mm. `start`: forces that are nearly
+// right, or zero; they only save time.
 Eigen::VectorXd LinearPushForces(const BonePush& push,
                                  const Eigen::MatrixXd& response,
-                                 const Eigen::VectorXd& lack);
+                                 const Eigen::VectorXd& lack,
+                                 const Eigen::VectorXd& start);
 
 }  // namespace musclewarp
