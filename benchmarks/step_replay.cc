@@ -36,10 +36,8 @@ double LargestDistance(const std::vector<Points>& a,
 
 CertifiedScene SceneAtRest(const Deformer& deformer,
                            const DeformerOptions& options) {
-  return RestoreCertifiedScene(deformer.scene(),
-                               SceneMeshes(deformer.scene()),
-                               options.frames.certified,
-                               *deformer.state().contact);
+  return RestoreCertifiedScene(
+      deformer.scene(), options.frames.certified, *deformer.state().contact);
 }
 
 }  // namespace

@@ -37,9 +37,9 @@ struct Hip {
     scene.poses.push_back(pose);
   }
   std::vector<std::string> Warnings() const {
-    return BoneMoveWarnings(
-        scene,
-        {{pelvis_name, pelvis_name, pelvis}, {femur_name, femur_name, femur}});
+    return BoneMoveWarnings(scene,
+                            {{pelvis_name, pelvis_name, SearchableMesh(pelvis)},
+                             {femur_name, femur_name, SearchableMesh(femur)}});
   }
 };
 
@@ -64,8 +64,9 @@ TEST(BoneMoves, AboutTheOriginOfAnImageAreNamed) {
 
 TEST(BoneCrossings, AreThoseOfBonesAsDelivered) {
   const std::string a = "sacrum", b = "hip_bone", c = "femur";
-  const TriangleSoup one = Box(10, 10, 10), two = MovedBy(one, {8, 1, 1}),
-                     apart = MovedBy(one, {40, 0, 0});
+  const TriangleSoup box = Box(10, 10, 10);
+  const SearchableMesh one(box), two(MovedBy(box, {8, 1, 1})),
+      apart(MovedBy(box, {40, 0, 0}));
   const auto crossings =
       BoneCrossings({{a, a, one}, {b, b, two}, {c, c, apart}});
   ASSERT_EQ(crossings.size(), 1u);

@@ -50,8 +50,8 @@ MeshSeparation SeparateSized(const Scene& scene,
   result.before = result.scene.as_delivered
                       ? *result.scene.as_delivered
                       : IntersectAsPrepared(result.scene, &meshes);
-  const CertifiedScene certified = RestoreCertifiedScene(
-      result.scene, meshes, options.contact, result.rest.state);
+  const CertifiedScene certified =
+      RestoreCertifiedScene(result.scene, options.contact, result.rest.state);
   result.frame = CertifiedFrame(
       result.scene,
       certified,

@@ -184,6 +184,7 @@ std::optional<Preparation> PreparationCache::Read(const Scene& scene) const {
       preparation.scene.scene.muscles[i].lines = std::move(lines.at(i));
       FactorNormalMatrix(&preparation.scene.muscles.at(i).model);
     }
+    AddBoneTrees(&preparation.scene.bones);
     preparation.scene.is_cached = true;
     preparation.scene.wall_ms = reading.Milliseconds();
     return preparation;

@@ -55,7 +55,7 @@ CertifiedFrameSolver::CertifiedFrameSolver(const PreparedScene& scene,
                                            RestResult rest)
     : FrameSolver(scene, options, std::move(meshes)),
       certified_(RestoreCertifiedScene(
-          scene, *meshes_, options.certified, std::move(rest.state))) {
+          scene, options.certified, std::move(rest.state))) {
   contact_.rest = std::move(rest.intersections);
   contact_.displaced_at_rest = std::move(rest.displaced);
   contact_.gap = options.certified.step.gap;

@@ -158,7 +158,6 @@ bool RetriangulateOnce(const RestSeparationOptions& options,
   contact.max_rest_steps = options.relaxing_steps;
   SceneMeshes meshes(changed);
   CertifiedScene certified = RelaxCertifiedScene(changed,
-                                                 meshes,
                                                  contact,
                                                  options.pre_rotation,
                                                  solver,

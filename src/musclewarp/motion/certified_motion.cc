@@ -76,7 +76,6 @@ double RowWeight(const CertifiedContactOptions& options,
 }
 
 void AddSurfaces(const PreparedScene& scene,
-                 const SceneMeshes& meshes,
                  const std::vector<ExemptArea>& exempt,
                  CertifiedScene* certified) {
   const CertifiedContactOptions& options = certified->options;
@@ -98,9 +97,9 @@ void AddSurfaces(const PreparedScene& scene,
     certified->row_weights[i] =
         RowWeight(options, model, certified->samples[i].size());
   });
-  for (const NamedMesh& bone : meshes.bones()) {
-    certified->contact.bones.push_back(
-        std::make_shared<TriangleBvh>(bone.mesh->bvh()));
+  for (const PreparedBone& bone : scene.bones) {
+    const auto trees = TreesOf(bone);
+    certified->contact.bones.emplace_back(trees, &trees->mesh.bvh());
   }
   for (const ExemptArea& area : exempt) {
     auto& of_muscle = certified->contact.muscles[area.muscle].exempt;
@@ -132,7 +131,6 @@ void AddRest(ContactState rest, CertifiedScene* certified) {
 
 // Returns the scene without its rest pose.
 CertifiedScene BeginScene(const PreparedScene& scene,
-                          const SceneMeshes& meshes,
                           const std::vector<ExemptArea>& exempt,
                           const CertifiedContactOptions& options) {
   std::string error;
@@ -143,7 +141,7 @@ CertifiedScene BeginScene(const PreparedScene& scene,
   for (const int i : certified.order) {
     certified.muscles.push_back(&scene.muscles[i]);
   }
-  AddSurfaces(scene, meshes, exempt, &certified);
+  AddSurfaces(scene, exempt, &certified);
   return certified;
 }
 
@@ -244,7 +242,7 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                    options.step.gap + options.step.reach);
   const std::vector<ExemptArea> exempt =
       ExemptInOrder(scene, OrderOfNames(scene));
-  CertifiedScene certified = BeginScene(scene, meshes, exempt, options);
+  CertifiedScene certified = BeginScene(scene, exempt, options);
   std::vector<const SearchableMesh*> muscles, bones;
   for (const int i : certified.order) {
     muscles.push_back(meshes.muscles()[i].mesh);
@@ -278,15 +276,14 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
 }
 
 CertifiedScene RelaxCertifiedScene(const PreparedScene& scene,
-                                   const SceneMeshes& meshes,
                                    const CertifiedContactOptions& options,
                                    const PreRotationOptions& pre_rotation,
                                    const MuscleSolver& solver,
                                    const MuscleShapes& start,
                                    const ProgressCallback& on_progress) {
   const Stopwatch preparing;
-  CertifiedScene certified = BeginScene(
-      scene, meshes, ExemptInOrder(scene, OrderOfNames(scene)), options);
+  CertifiedScene certified =
+      BeginScene(scene, ExemptInOrder(scene, OrderOfNames(scene)), options);
   const MotionContext context = {scene, certified, pre_rotation, solver};
   ContactState rest = StateAtRest(context);
   rest.coarse = InOrderOfContact(certified.order, start.coarse);
@@ -299,12 +296,11 @@ CertifiedScene RelaxCertifiedScene(const PreparedScene& scene,
 }
 
 CertifiedScene RestoreCertifiedScene(const PreparedScene& scene,
-                                     const SceneMeshes& meshes,
                                      const CertifiedContactOptions& options,
                                      ContactState rest) {
   const Stopwatch preparing;
-  CertifiedScene certified = BeginScene(
-      scene, meshes, ExemptInOrder(scene, OrderOfNames(scene)), options);
+  CertifiedScene certified =
+      BeginScene(scene, ExemptInOrder(scene, OrderOfNames(scene)), options);
   AddRest(std::move(rest), &certified);
   certified.wall_ms = preparing.Milliseconds();
   return certified;

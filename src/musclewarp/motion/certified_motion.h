@@ -160,7 +160,6 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
 // Preconditions: the options are valid (CHECKed), and nothing crosses in
 // `start`.
 CertifiedScene RelaxCertifiedScene(const PreparedScene& scene,
-                                   const SceneMeshes& meshes,
                                    const CertifiedContactOptions& options,
                                    const PreRotationOptions& pre_rotation,
                                    const MuscleSolver& solver,
@@ -171,7 +170,6 @@ CertifiedScene RelaxCertifiedScene(const PreparedScene& scene,
 // CertifiedScene. `meshes`: the meshes of the scene, in the rest pose.
 // Precondition (CHECKed): the options are valid.
 CertifiedScene RestoreCertifiedScene(const PreparedScene& scene,
-                                     const SceneMeshes& meshes,
                                      const CertifiedContactOptions& options,
                                      ContactState rest);
 

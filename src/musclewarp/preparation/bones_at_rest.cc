@@ -32,7 +32,7 @@ constexpr Eigen::Index kVertices = 1000;
 struct SearchableBone {
   const BoneAtRest& bone;
   Points vertices;  // a sample
-  TriangleBvh tree;
+  const TriangleBvh& tree;
 };
 
 Points SampleOf(const Points& points) {
@@ -120,21 +120,18 @@ std::string MoveText(const Scene& scene,
 }  // namespace
 
 std::vector<BoneCrossing> BoneCrossings(const std::vector<BoneAtRest>& bones) {
-  std::deque<TriangleBvh> trees;
-  for (const BoneAtRest& bone : bones) {
-    trees.emplace_back(bone.mesh.points, bone.mesh.triangles);
-  }
   std::vector<BoneCrossing> crossings;
   for (size_t a = 0; a < bones.size(); ++a) {
     for (size_t b = a + 1; b < bones.size(); ++b) {
-      const auto pairs = IntersectingTriangles(trees[a], trees[b]);
+      const TriangleBvh& tree = bones[a].mesh.bvh();
+      const auto pairs = IntersectingTriangles(tree, bones[b].mesh.bvh());
       if (pairs.empty()) continue;
       BoneCrossing crossing;
       crossing.a = bones[a].name;
       crossing.b = bones[b].name;
       crossing.triangle_pairs = static_cast<int>(pairs.size());
       for (const auto& [f, g] : pairs) {
-        crossing.place += trees[a].corners(f).colwise().mean();
+        crossing.place += tree.corners(f).colwise().mean();
       }
       crossing.place /= static_cast<double>(pairs.size());
       crossings.push_back(crossing);
@@ -147,9 +144,7 @@ std::vector<std::string> BoneMoveWarnings(
     const Scene& scene, const std::vector<BoneAtRest>& bones) {
   std::deque<SearchableBone> searchable;
   for (const BoneAtRest& bone : bones) {
-    searchable.push_back({bone,
-                          SampleOf(bone.mesh.points),
-                          TriangleBvh(bone.mesh.points, bone.mesh.triangles)});
+    searchable.push_back({bone, SampleOf(bone.mesh.points()), bone.mesh.bvh()});
   }
   std::vector<std::string> warnings;
   for (size_t a = 0; a < bones.size(); ++a) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/scene/scene.h"
 
 namespace musclewarp {
@@ -15,7 +15,7 @@ namespace musclewarp {
 struct BoneAtRest {
   const std::string& name;
   const std::string& body;
-  const TriangleSoup& mesh;
+  const SearchableMesh& mesh;
 };
 
 // Two bones that cross each other as delivered. Bones are rigid, so the

@@ -17,10 +17,10 @@ double MemoryNeeded(const std::vector<SizedMesh>& meshes,
                     bool is_certified) {
   // The program itself, and what does not grow with the meshes.
   constexpr double kProgram = 4e7;
-  // Of a vertex of a muscle: a weight for each vertex of the hull, in double
-  // precision, and with certified contact once more in single; and what is kept
-  // of its triangles: trees, planes, offsets.
-  const double of_weight = is_certified ? 12 : 8;
+  // Of a vertex of a muscle: a weight for each vertex of the hull, in single
+  // precision, and with certified contact once more; and what is kept of its
+  // triangles: trees, planes, offsets.
+  const double of_weight = is_certified ? 8 : 4;
   const double of_vertex = is_certified ? 6000 : 3700;
   const double of_bone_vertex = is_certified ? 1200 : 600;
   // Of a muscle that bones push: how its samples move each other and the hull,

@@ -34,7 +34,7 @@ std::vector<MuscleAtRest> MusclesAtRest(const Scene& scene,
   Surroundings surroundings;
   for (const PreparedBone& bone : bones) {
     if (!bone.left_out.empty()) continue;
-    surroundings.AddBone(bone.mesh.name, bone.body, bone.rest);
+    surroundings.AddBone(bone.mesh.name, bone.body, TreesOf(bone));
   }
   for (const TriangleSoup& mesh : meshes) surroundings.AddMuscle(mesh);
   const std::vector<MadeLines> made = MakeSceneLines(

@@ -31,7 +31,7 @@ namespace {
 void AddBones(const std::vector<PreparedBone>& bones,
               Surroundings* surroundings) {
   for (const PreparedBone& bone : bones) {
-    surroundings->AddBone(bone.mesh.name, bone.body, bone.rest);
+    surroundings->AddBone(bone.mesh.name, bone.body, TreesOf(bone));
   }
 }
 
@@ -207,9 +207,11 @@ bool MakesLines(const PrepareOptions& options, const Scene& scene) {
 
 // Finds crossing bones, and poses that dislocate joints.
 void CheckBones(PreparedScene* prepared) {
+  std::vector<std::shared_ptr<const BoneTrees>> trees;
   std::vector<BoneAtRest> bones;
   for (const PreparedBone& bone : prepared->bones) {
-    bones.push_back({bone.mesh.name, bone.body, bone.rest});
+    trees.push_back(TreesOf(bone));
+    bones.push_back({bone.mesh.name, bone.body, trees.back()->mesh});
   }
   prepared->bone_crossings = BoneCrossings(bones);
   prepared->warnings = BoneMoveWarnings(prepared->scene, bones);
@@ -307,8 +309,7 @@ PreparedScene PrepareScene(const Scene& scene,
   const size_t num_muscles = scene.muscles.size();
   const size_t num_meshes = num_bones + num_muscles;
   const bool makes_lines = MakesLines(options, scene);
-  const size_t num_steps =
-      num_meshes + (makes_lines ? 2 * num_muscles : num_muscles);
+  const size_t num_steps = num_meshes + (makes_lines ? 2 : 1) * num_muscles;
   const auto say_progress = SayingProgress(num_steps, on_progress);
   // Bones come first, as their meshes are the largest.
   std::vector<TriangleSoup> fine(num_muscles);
@@ -328,6 +329,7 @@ PreparedScene PrepareScene(const Scene& scene,
   LeaveOutBones(&prepared);
   prepared.memory_needed = CheckedMemory(options, fine, prepared);
   say_progress(num_meshes, "about " + MemoryText(prepared.memory_needed));
+  AddBoneTrees(&prepared.bones);
   const ScopedStage modelling("models of muscles");
   const Surroundings surroundings = SurroundingsOf(prepared.bones, fine);
   if (makes_lines) {

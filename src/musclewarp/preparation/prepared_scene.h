@@ -21,6 +21,7 @@
 #include "musclewarp/preparation/attachment_choice.h"
 #include "musclewarp/preparation/attachments.h"
 #include "musclewarp/preparation/bare_tendons.h"
+#include "musclewarp/preparation/bone_trees.h"
 #include "musclewarp/preparation/bones_at_rest.h"
 #include "musclewarp/preparation/line_ends.h"
 #include "musclewarp/preparation/scene_lines.h"
@@ -142,6 +143,7 @@ struct PreparedBone {
   MeshPreparation mesh;
   std::string body;
   TriangleSoup rest;  // one closed surface or several, which may cross
+  std::shared_ptr<const BoneTrees> trees;  // of `rest`; see TreesOf
 
   // Why the mesh of a model could not be repaired to a closed surface; empty
   // for all bones of a prepared scene.

@@ -20,28 +20,31 @@ SceneMeshes::SceneMeshes(const PreparedScene& scene) {
     muscles_.push_back({model.name});
   }
   for (const PreparedBone& bone : scene.bones) {
-    soups.push_back(bone.rest);
     bones_.push_back({bone.mesh.name});
   }
-  meshes_.resize(soups.size());
-  clusters_.resize(soups.size());
+  meshes_.resize(muscles_.size() + bones_.size());
+  clusters_.resize(meshes_.size());
   rings_.resize(muscles_.size());
   rest_.resize(muscles_.size());
-  ParallelFor(soups.size(), [&](size_t i) {
-    const TriangleSoup& soup = soups[i];
+  ParallelFor(meshes_.size(), [&](size_t i) {
     const bool is_muscle = i < muscles_.size();
     NamedMesh& named = is_muscle ? muscles_[i] : bones_[i - muscles_.size()];
-    clusters_[i] =
-        std::make_unique<TriangleClusters>(soup.points, soup.triangles);
-    named.clusters = clusters_[i].get();
     if (is_muscle) {
+      const TriangleSoup& soup = soups[i];
+      clusters_[i] =
+          std::make_shared<TriangleClusters>(soup.points, soup.triangles);
       rings_[i] =
           std::make_unique<VertexRings>(soup.triangles, soup.points.rows());
       named.rings = rings_[i].get();
       rest_[i] = std::make_unique<SurfaceAtRest>(
           soup.points, soup.triangles, CourseOf(scene.muscles[i].model));
+      meshes_[i] = std::make_unique<SearchableMesh>(std::move(soups[i]));
+    } else {
+      const auto trees = TreesOf(scene.bones[i - muscles_.size()]);
+      clusters_[i] = {trees, &trees->clusters};
+      meshes_[i] = std::make_unique<SearchableMesh>(trees->mesh);
     }
-    meshes_[i] = std::make_unique<SearchableMesh>(std::move(soups[i]));
+    named.clusters = clusters_[i].get();
     named.mesh = meshes_[i].get();
   });
 }

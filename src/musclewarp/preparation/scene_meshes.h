@@ -33,7 +33,7 @@ class SceneMeshes {
 
  private:
   std::vector<std::unique_ptr<SearchableMesh>> meshes_;  // muscles, then bones
-  std::vector<std::unique_ptr<TriangleClusters>> clusters_;
+  std::vector<std::shared_ptr<const TriangleClusters>> clusters_;
   std::vector<std::unique_ptr<VertexRings>> rings_;   // of the muscles
   std::vector<std::unique_ptr<SurfaceAtRest>> rest_;  // of the muscles
   std::vector<NamedMesh> muscles_, bones_;

@@ -3,6 +3,7 @@
 #include "musclewarp/preparation/surroundings.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "musclewarp/anatomy/bone_names.h"
 
@@ -10,11 +11,10 @@ namespace musclewarp {
 
 void Surroundings::AddBone(const std::string& name,
                            const std::string& body,
-                           const TriangleSoup& bone) {
-  bones_.push_back(Measured(BoneOfName(name, bone)));
+                           std::shared_ptr<const BoneTrees> bone) {
+  bones_.push_back(Measured(BoneOfName(name, bone->mesh.soup())));
   bones_.back().bone.body = body;
-  bone_surfaces_.push_back(
-      std::make_unique<TriangleBvh>(bone.points, bone.triangles));
+  bone_trees_.push_back(std::move(bone));
   auto surface = std::find_if(
       bodies_.begin(), bodies_.end(), [&](const BodySurface& other) {
         return other.body == body;
@@ -23,12 +23,12 @@ void Surroundings::AddBone(const std::string& name,
     bodies_.push_back({body, {}});
     surface = bodies_.end() - 1;
   }
-  surface->bones.push_back(bone_surfaces_.back().get());
+  surface->bones.push_back(&bone_trees_.back()->mesh.bvh());
 }
 
 std::vector<const TriangleBvh*> Surroundings::SurfacesOfBones() const {
   std::vector<const TriangleBvh*> surfaces;
-  for (const auto& surface : bone_surfaces_) surfaces.push_back(surface.get());
+  for (const auto& trees : bone_trees_) surfaces.push_back(&trees->mesh.bvh());
   return surfaces;
 }
 

@@ -9,6 +9,7 @@
 #include "musclewarp/anatomy/measured_bone.h"
 #include "musclewarp/fibres/muscle_ends.h"
 #include "musclewarp/mesh/triangle_soup.h"
+#include "musclewarp/preparation/bone_trees.h"
 #include "musclewarp/proximity/triangle_bvh.h"
 #include "musclewarp/scene/scene.h"
 
@@ -20,7 +21,12 @@ class Surroundings {
  public:
   void AddBone(const std::string& name,
                const std::string& body,
-               const TriangleSoup& bone);
+               std::shared_ptr<const BoneTrees> bone);
+  void AddBone(const std::string& name,
+               const std::string& body,
+               const TriangleSoup& bone) {
+    AddBone(name, body, std::make_shared<BoneTrees>(bone));
+  }
 
   // Muscles are numbered in the order in which they are added.
   void AddMuscle(const TriangleSoup& muscle);
@@ -35,7 +41,7 @@ class Surroundings {
   // The bones, in the order in which they were added.
   const std::vector<MeasuredBone>& bones() const { return bones_; }
   const TriangleBvh& surface_of_bone(size_t bone) const {
-    return *bone_surfaces_[bone];
+    return bone_trees_[bone]->mesh.bvh();
   }
   std::vector<const TriangleBvh*> SurfacesOfBones() const;
 
@@ -49,7 +55,8 @@ class Surroundings {
 
  private:
   std::vector<MeasuredBone> bones_;
-  std::vector<std::unique_ptr<TriangleBvh>> bone_surfaces_, muscles_;
+  std::vector<std::shared_ptr<const BoneTrees>> bone_trees_;
+  std::vector<std::unique_ptr<TriangleBvh>> muscles_;
   std::vector<TriangleSoup> meshes_;  // of the muscles
   std::vector<BodySurface> bodies_;
 };

@@ -21,15 +21,20 @@ class SearchableMesh {
   // tree over the triangles.
   explicit SearchableMesh(TriangleSoup soup);
 
-  // The winding number keeps a pointer to the tree, so that a mesh cannot be
-  // copied.
-  SearchableMesh(const SearchableMesh&) = delete;
+  // A copy has trees of its own.
+  SearchableMesh(const SearchableMesh& other)
+      : soup_(other.soup_),
+        bvh_(other.bvh_),
+        winding_(&bvh_, other.winding_),
+        is_used_(other.is_used_),
+        components_(other.components_) {}
   SearchableMesh& operator=(const SearchableMesh&) = delete;
 
   // Moves the points to new positions, #V x 3. Precondition (CHECKed): there
   // are as many as before.
   void Refit(const Points& points);
 
+  const TriangleSoup& soup() const { return soup_; }
   const Points& points() const { return soup_.points; }
   const Triangles& triangles() const { return soup_.triangles; }
   const TriangleBvh& bvh() const { return bvh_; }

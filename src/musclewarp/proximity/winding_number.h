@@ -35,6 +35,10 @@ class WindingNumber {
   // (CHECKed): both have the same number of triangles.
   WindingNumber(const TriangleBvh* bvh, const Triangles& triangles);
 
+  // Does the same as `other` with another tree of the same mesh.
+  WindingNumber(const TriangleBvh* bvh, const WindingNumber& other)
+      : bvh_(bvh), border_(other.border_) {}
+
   // Returns the winding number at a point. It is exact for closed meshes and
   // correct up to rounding for meshes with a border. On the surface, where it
   // jumps, the result is the value on one of the two sides.
