@@ -12,7 +12,7 @@
 #include <map>
 
 #include "arap.h"
-#include "musclewarp/geometry/dense_product.h"
+#include "musclewarp/geometry/fine_map.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/preparation/prepared_scene.h"
 #include "musclewarp/scene/line_targets.h"

@@ -182,7 +182,7 @@ class MomentArmsOfHeldRows : public ::testing::Test {
         SolvedFree(scene_, TightReference(), At(scene_, 0.2, -0.3));
     for (size_t i = 0; i < 2; ++i) {
       const MuscleModel& model = scene_.muscles[i].model;
-      const Points fine = model.fine_from_coarse * free[i];
+      const Points fine = Product(model.fine_from_coarse, free[i]);
       const double side = i == 0 ? -1 : 1;
       std::vector<VertexHalfSpace> spaces;
       for (int v = 0; v < fine.rows(); v += 10) {

@@ -136,8 +136,8 @@ inline Frame FrameWithArms(const PreparedScene& scene,
                            ConvergedShapes shapes) {
   Frame frame;
   for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    frame.muscles.emplace_back().points =
-        scene.muscles[i].model.fine_from_coarse * shapes.muscles.coarse[i];
+    frame.muscles.emplace_back().points = Product(
+        scene.muscles[i].model.fine_from_coarse, shapes.muscles.coarse[i]);
     shapes.muscles.fine.push_back(frame.muscles[i].points);
   }
   AddMomentArms(scene, pose, {}, shapes, &frame);

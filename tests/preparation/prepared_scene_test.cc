@@ -40,7 +40,8 @@ TEST(PrepareScene, TakesAMeshFromMemoryAsFromAFile) {
     const MuscleModel& b = from_files.muscles[i].model;
     EXPECT_EQ(a.fine_rest, b.fine_rest);
     EXPECT_EQ(a.coarse_rest, b.coarse_rest);
-    EXPECT_EQ(a.fine_from_coarse, b.fine_from_coarse);
+    EXPECT_EQ(a.fine_from_coarse.weights, b.fine_from_coarse.weights);
+    EXPECT_EQ(a.fine_from_coarse.corrections, b.fine_from_coarse.corrections);
   }
 }
 

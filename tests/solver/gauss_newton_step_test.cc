@@ -130,7 +130,7 @@ TEST(GaussNewtonStep, OneSidedRowsThatAreNotActiveChangeNothing) {
     } else {
       // The row pulls its vertex along x.
       const Eigen::RowVector3d pull =
-          at.model.fine_from_coarse.row(7) * (with - without);
+          RowsOf(at.model.fine_from_coarse, {7}) * (with - without);
       EXPECT_GT(pull[0], 0);
     }
   }

@@ -37,7 +37,7 @@ Points Solve(const MuscleModel& model,
 double FineDistance(const MuscleModel& model,
                     const Points& a,
                     const Points& b) {
-  return (model.fine_from_coarse * (a - b)).rowwise().norm().maxCoeff();
+  return Product(model.fine_from_coarse, a - b).rowwise().norm().maxCoeff();
 }
 
 Points Moved(const Points& points,
@@ -236,7 +236,7 @@ TEST(GaussNewton, AttachmentsFollowTheirBody) {
   const MuscleModel with = SpindleModel(options);
   const ScenePose pose = BentPose(0.9);
   const auto distance = [&](const MuscleModel& model) {
-    const Points fine = model.fine_from_coarse * Solve(model, pose);
+    const Points fine = Product(model.fine_from_coarse, Solve(model, pose));
     double sum = 0;
     for (Eigen::Index i = 0; i < with.attachment_rest.rows(); ++i) {
       if (with.attachment_of[i] != 1) continue;  // the insertion

@@ -43,10 +43,11 @@ TEST(MuscleModel, MeasuresBothMeshesAtRest) {
 TEST(MuscleModel, FineVerticesFollowTheHull) {
   const MuscleModel model = SpindleModel();
   ASSERT_EQ(model.fine_from_coarse.rows(), model.fine_rest.rows());
-  EXPECT_LT((model.fine_from_coarse * model.coarse_rest - model.fine_rest)
-                .cwiseAbs()
-                .maxCoeff(),
-            kCarriedRounding);
+  EXPECT_LT(
+      (Product(model.fine_from_coarse, model.coarse_rest) - model.fine_rest)
+          .cwiseAbs()
+          .maxCoeff(),
+      kCarriedRounding);
 }
 
 TEST(MuscleModel, SkeletonRowsGiveTheWeightedSamples) {

@@ -114,7 +114,9 @@ TEST(OneSidedRows, MoveVerticesTowardsTheirPlanes) {
     SolveGaussNewton(model, target, {}, &coarse, &summary);
     ASSERT_TRUE(summary.IsSolutionUsable()) << summary.FullReport();
     EXPECT_NEAR(summary.volume_ratio, 1, 1e-8);
-    const double depth = level + (model.fine_from_coarse.row(v) * coarse)[0];
+    const double depth =
+        level +
+        (RowsOf(model.fine_from_coarse, {static_cast<int>(v)}) * coarse)(0, 0);
     EXPECT_LT(depth, least);
     EXPECT_GE(depth, 0);
     least = depth;

@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "musclewarp/geometry/dense_product.h"
+#include "musclewarp/geometry/fine_map.h"
 #include "musclewarp/solver/gauss_newton.h"
 #include "musclewarp/solver/one_sided_rows.h"
 #include "support/muscles.h"
@@ -98,10 +98,10 @@ void ExpectDerivativeOfSolves(const MuscleModel& model,
   EXPECT_LT((rates[0].coarse - difference).rowwise().norm().maxCoeff(),
             kVertex);
   // The derivative of the distance of two fine vertices: a moment arm.
-  const Points fine = model.fine_from_coarse * coarse;
-  const Points exact = model.fine_from_coarse * rates[0].coarse;
+  const Points fine = Product(model.fine_from_coarse, coarse);
+  const Points exact = Product(model.fine_from_coarse, rates[0].coarse);
   EXPECT_LT((rates[0].fine - exact).rowwise().norm().maxCoeff(), kVertex / 100);
-  const Points of_solves = model.fine_from_coarse * difference;
+  const Points of_solves = Product(model.fine_from_coarse, difference);
   Eigen::Index top, bottom;
   model.fine_rest.col(2).maxCoeff(&top);
   model.fine_rest.col(2).minCoeff(&bottom);
@@ -139,8 +139,8 @@ TEST(DifferentiateShape, HoldsActiveRowsOnPlanesThatMove) {
   const MuscleModel model = SpindleModel();
   const double angle = 0.5;
   const Points free =
-      model.fine_from_coarse *
-      SolvedTightly(model, TargetOf(model, BentPose(angle), {}));
+      Product(model.fine_from_coarse,
+              SolvedTightly(model, TargetOf(model, BentPose(angle), {})));
   std::vector<VertexHalfSpace> at_angle;
   for (int v = 0; v < free.rows(); v += 5) {
     // 2 mm in the way, or 4 mm clear.

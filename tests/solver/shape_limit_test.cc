@@ -89,7 +89,7 @@ class ShapeLimit : public ::testing::TestWithParam<ShapeLimitCase> {
     SolveGaussNewton(
         model, TargetOf(model, BentToArc(1.2), {}), {}, &coarse, &summary);
     EXPECT_TRUE(summary.IsSolutionUsable()) << summary.BriefReport();
-    return model.fine_from_coarse * coarse;
+    return Product(model.fine_from_coarse, coarse);
   }
 };
 

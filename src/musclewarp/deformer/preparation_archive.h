@@ -174,6 +174,7 @@ MUSCLEWARP_ARCHIVE(BendingRows, from_coarse, weights, points, rest, field)
 MUSCLEWARP_ARCHIVE(EmbeddedLines, from_coarse, starts)
 MUSCLEWARP_ARCHIVE(AttachedVertices, vertices, attachment)
 // The normal matrix and the push of bones are computed from the other fields.
+MUSCLEWARP_ARCHIVE(FineMap, weights, corrected, corrections)
 MUSCLEWARP_ARCHIVE_WITHOUT(MuscleModel,
                            (normal_matrix, bone_push),
                            name,
@@ -220,7 +221,8 @@ MUSCLEWARP_ARCHIVE(PreparedMuscle,
                    lines,
                    fibres,
                    fibres_ms)
-MUSCLEWARP_ARCHIVE(PreparedBone, mesh, body, rest, left_out, delivered_only)
+MUSCLEWARP_ARCHIVE_WITHOUT(
+    PreparedBone, (trees), mesh, body, rest, left_out, delivered_only)
 MUSCLEWARP_ARCHIVE(PairFigures,
                    a,
                    b,

@@ -10,7 +10,7 @@
 #include "musclewarp/frames/bare_tendon_lines.h"
 #include "musclewarp/frames/fibre_measures.h"
 #include "musclewarp/frames/shape_measures.h"
-#include "musclewarp/geometry/dense_product.h"
+#include "musclewarp/geometry/fine_map.h"
 #include "musclewarp/geometry/folded_triangles.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/transformed.h"

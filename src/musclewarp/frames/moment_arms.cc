@@ -13,7 +13,7 @@
 #include "musclewarp/base/stage_times.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/frames/plane_rates.h"
-#include "musclewarp/geometry/dense_product.h"
+#include "musclewarp/geometry/fine_map.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/preparation/soft_attachments.h"
 #include "musclewarp/scene/line_targets.h"

@@ -61,10 +61,10 @@ void AddPlaneRates(const MuscleModel& model,
   const OneSidedRows& rows = contact.rows;
   rate->plane_speeds = Eigen::VectorXd::Zero(rows.size());
   rate->plane_turns = Points::Zero(rows.size(), 3);
+  const Points places = RowsOf(model.fine_from_coarse, rows.vertices) * coarse;
   for (int k = 0; k < rows.size(); ++k) {
     const RowVector3d normal = rows.normals.row(k);
-    const RowVector3d place =
-        model.fine_from_coarse.row(rows.vertices[k]) * coarse;
+    const RowVector3d place = places.row(k);
     const double depth = rows.levels[k] - normal.dot(place);
     if (depth <= 0) continue;  // not active
     const RowVector3d foot = place + depth * normal;

@@ -8,8 +8,7 @@
 
 namespace musclewarp {
 
-// A dense matrix whose rows are contiguous, as the products of
-// dense_product.h read them.
+// A dense matrix whose rows are contiguous.
 using RowMajorMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -19,7 +18,7 @@ using RowMajorMatrix =
 // points.
 //
 //   const RowMajorMatrix w = MeanValueCoordinates(fine, hull, hull_triangles);
-//   const Points moved_fine = Product(w, moved_hull);
+//   const Points moved_fine = w * moved_hull;
 //
 // The result is #Q x #V for queries (#Q x 3) and a cage of #V vertices. Its
 // rows sum to 1 and reproduce the queries, W * cage_points = queries, up to

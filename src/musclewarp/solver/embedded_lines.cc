@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/solver/embedded_lines.h"
 
-#include "musclewarp/geometry/dense_product.h"
-
 namespace musclewarp {
 
 EmbeddedLines EmbedLines(const std::vector<Points>& rest,
@@ -24,7 +22,7 @@ EmbeddedLines EmbedLines(const std::vector<Points>& rest,
 std::vector<Points> LinesAt(const EmbeddedLines& lines, const Points& coarse) {
   // Without lines the coordinates may never have been made.
   if (lines.num_lines() == 0) return {};
-  const Points all = Product(lines.from_coarse, coarse);
+  const Points all = lines.from_coarse * coarse;
   std::vector<Points> moved;
   for (int k = 0; k < lines.num_lines(); ++k) {
     moved.push_back(

@@ -97,13 +97,13 @@ void AddAttachmentRows(const MuscleModelOptions& options, MuscleModel* model) {
       }
     }
   }
+  const RowMajorMatrix coordinates = RowsOf(model->fine_from_coarse, vertices);
   const Eigen::Index rows = vertices.size();
   model->attachment.resize(rows, model->coarse_rest.rows());
   model->attachment_rest.resize(rows, 3);
   model->attachment_weights.resize(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    model->attachment.row(i) =
-        weights[i] * model->fine_from_coarse.row(vertices[i]);
+    model->attachment.row(i) = weights[i] * coordinates.row(i);
     model->attachment_rest.row(i) = model->fine_rest.row(vertices[i]);
     model->attachment_weights[i] = weights[i];
   }
@@ -189,8 +189,9 @@ MuscleModel PrepareMuscle(const SceneMuscle& muscle,
   model.coarse_rest_volume = SignedVolume(hull.points, hull.triangles);
   model.rest_area = SurfaceArea(fine.points, fine.triangles);
 
-  model.fine_from_coarse =
-      MeanValueCoordinates(fine.points, hull.points, hull.triangles);
+  model.fine_from_coarse = MakeFineMap(
+      MeanValueCoordinates(fine.points, hull.points, hull.triangles),
+      hull.points);
   model.weights = options.laplacian.weights;
   model.laplacian =
       CotangentLaplacian(hull.points, hull.triangles, options.laplacian);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "musclewarp/geometry/cotangent_laplacian.h"
-#include "musclewarp/geometry/mean_value_coordinates.h"
+#include "musclewarp/geometry/fine_map.h"
 #include "musclewarp/geometry/outer_hull.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/scene/scene.h"
@@ -94,7 +94,7 @@ struct MuscleModel {
 
   // W: the mean value coordinates of the fine vertices, so that W X are the
   // fine vertices of a coarse mesh X. n x N.
-  RowMajorMatrix fine_from_coarse;
+  FineMap fine_from_coarse;
 
   // How rows weigh (MuscleModelOptions::laplacian).
   LaplacianWeights weights = LaplacianWeights::kArea;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/solver/muscle_state.h"
 
-#include "musclewarp/geometry/dense_product.h"
+#include "musclewarp/geometry/fine_map.h"
 
 namespace musclewarp {
 

@@ -22,7 +22,7 @@ OneSidedRows OneSidedRowsOf(const std::vector<VertexHalfSpace>& planes,
 
 RowMajorMatrix FineFromCoarse(const MuscleModel& model,
                               const OneSidedRows& rows) {
-  return model.fine_from_coarse(rows.vertices, Eigen::all);
+  return RowsOf(model.fine_from_coarse, rows.vertices);
 }
 
 Eigen::VectorXd OneSidedDepths(const OneSidedRows& rows,

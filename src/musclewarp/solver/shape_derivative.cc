@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "musclewarp/geometry/dense_product.h"
+#include "musclewarp/geometry/fine_map.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/solver/one_sided_rows.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/solver/volume_evaluator.h"
 
-#include "musclewarp/geometry/dense_product.h"
+#include "musclewarp/geometry/fine_map.h"
 #include "musclewarp/mesh/measures.h"
 
 namespace musclewarp {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "musclewarp/geometry/dense_product.h"
+#include "musclewarp/geometry/fine_map.h"
 #include "musclewarp/solver/volume_evaluator.h"
 
 namespace musclewarp {

@@ -80,7 +80,7 @@ TEST_P(SingleMuscleProblem, TheVolumeAddsHalfItsSquaredResidual) {
 
 TEST_P(SingleMuscleProblem, OneSidedRowsAddHalfTheirSquaredDepths) {
   const double without = Cost(model_, target_, GetParam(), NoVolume(), place_);
-  const Points fine = model_.fine_from_coarse * place_;
+  const Points fine = Product(model_.fine_from_coarse, place_);
   // The first vertex is 3 mm on the wrong side of its plane, the second beyond.
   target_.one_sided = OneSidedRowsOf(
       {{5, {{1, 0, 0}, fine(5, 0) + 3}}, {9, {{0, 1, 0}, fine(9, 1) - 3}}}, 2);

@@ -24,7 +24,7 @@ Points SolveWithCeres(const MuscleModel& model,
   EXPECT_EQ(summary.stop_reason, StopReason::kConverged)
       << summary.FullReport();
   EXPECT_NEAR(summary.volume_ratio, 1, 1e-6);
-  return model.fine_from_coarse * coarse;
+  return Product(model.fine_from_coarse, coarse);
 }
 
 Points SolveWithReference(const MuscleModel& model,
@@ -33,7 +33,7 @@ Points SolveWithReference(const MuscleModel& model,
   SolverSummary summary;
   SolveGaussNewton(model, target, {}, &coarse, &summary);
   EXPECT_EQ(summary.stop_reason, StopReason::kConverged);
-  return model.fine_from_coarse * coarse;
+  return Product(model.fine_from_coarse, coarse);
 }
 
 double Distance(const Points& a, const Points& b) {
@@ -152,7 +152,8 @@ TEST(SingleMuscleSolver, TheResultDoesNotDependOnTheStart) {
   Points coarse = 1.2 * model.coarse_rest;
   SolverSummary summary;
   SolveSingleMuscle(model, target, {}, &coarse, &summary);
-  EXPECT_LT(Distance(model.fine_from_coarse * coarse, from_rest), kSameMinimum);
+  EXPECT_LT(Distance(Product(model.fine_from_coarse, coarse), from_rest),
+            kSameMinimum);
 }
 
 }  // namespace musclewarp

@@ -1,0 +1,146 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/geometry/row_products.h"
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#define MUSCLEWARP_HAS_WIDE_PRODUCTS
+#include <immintrin.h>
+#endif
+
+namespace musclewarp {
+namespace {
+
+// The columns from `first` on.
+template <int Rows>
+void AddDots(const float* rows,
+             const double* columns,
+             Eigen::Index first,
+             Eigen::Index size,
+             double* results) {
+  for (Eigen::Index j = first; j < size; ++j) {
+    for (int r = 0; r < Rows; ++r) {
+      const double weight = rows[r * size + j];
+      for (int k = 0; k < 3; ++k) {
+        results[3 * r + k] += weight * columns[k * size + j];
+      }
+    }
+  }
+}
+
+template <int Rows>
+void AddRowsFrom(const float* rows,
+                 const double* factors,
+                 Eigen::Index first,
+                 Eigen::Index size,
+                 double* columns) {
+  for (Eigen::Index j = first; j < size; ++j) {
+    for (int r = 0; r < Rows; ++r) {
+      const double weight = rows[r * size + j];
+      for (int k = 0; k < 3; ++k) {
+        columns[k * size + j] += factors[3 * r + k] * weight;
+      }
+    }
+  }
+}
+
+#ifdef MUSCLEWARP_HAS_WIDE_PRODUCTS
+
+constexpr int kLanes = 4;
+
+bool HasWideRegisters() {
+  static const bool has =
+      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+  return has;
+}
+
+template <int Rows>
+__attribute__((target("avx2,fma"))) void WideDots(const float* rows,
+                                                  const double* columns,
+                                                  Eigen::Index size,
+                                                  double* results) {
+  __m256d sums[3 * Rows];
+  for (__m256d& sum : sums) sum = _mm256_setzero_pd();
+  Eigen::Index j = 0;
+  for (; j + kLanes <= size; j += kLanes) {
+    const __m256d x = _mm256_loadu_pd(columns + j);
+    const __m256d y = _mm256_loadu_pd(columns + size + j);
+    const __m256d z = _mm256_loadu_pd(columns + 2 * size + j);
+    for (int r = 0; r < Rows; ++r) {
+      const __m256d row = _mm256_cvtps_pd(_mm_loadu_ps(rows + r * size + j));
+      sums[3 * r] = _mm256_fmadd_pd(row, x, sums[3 * r]);
+      sums[3 * r + 1] = _mm256_fmadd_pd(row, y, sums[3 * r + 1]);
+      sums[3 * r + 2] = _mm256_fmadd_pd(row, z, sums[3 * r + 2]);
+    }
+  }
+  for (int i = 0; i < 3 * Rows; ++i) {
+    double lanes[kLanes];
+    _mm256_storeu_pd(lanes, sums[i]);
+    results[i] = (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+  }
+  AddDots<Rows>(rows, columns, j, size, results);
+}
+
+template <int Rows>
+__attribute__((target("avx2,fma"))) void AddWideRows(const float* rows,
+                                                     const double* factors,
+                                                     Eigen::Index size,
+                                                     double* columns) {
+  Eigen::Index j = 0;
+  for (; j + kLanes <= size; j += kLanes) {
+    __m256d sums[3];
+    for (int k = 0; k < 3; ++k) {
+      sums[k] = _mm256_loadu_pd(columns + k * size + j);
+    }
+    for (int r = 0; r < Rows; ++r) {
+      const __m256d row = _mm256_cvtps_pd(_mm_loadu_ps(rows + r * size + j));
+      for (int k = 0; k < 3; ++k) {
+        sums[k] =
+            _mm256_fmadd_pd(_mm256_set1_pd(factors[3 * r + k]), row, sums[k]);
+      }
+    }
+    for (int k = 0; k < 3; ++k) {
+      _mm256_storeu_pd(columns + k * size + j, sums[k]);
+    }
+  }
+  AddRowsFrom<Rows>(rows, factors, j, size, columns);
+}
+
+#endif  // MUSCLEWARP_HAS_WIDE_PRODUCTS
+
+}  // namespace
+
+template <int Rows>
+void Dots(const float* rows,
+          const double* columns,
+          Eigen::Index size,
+          double* results) {
+#ifdef MUSCLEWARP_HAS_WIDE_PRODUCTS
+  if (HasWideRegisters()) {
+    WideDots<Rows>(rows, columns, size, results);
+    return;
+  }
+#endif
+  for (int i = 0; i < 3 * Rows; ++i) results[i] = 0;
+  AddDots<Rows>(rows, columns, 0, size, results);
+}
+
+template <int Rows>
+void AddRows(const float* rows,
+             const double* factors,
+             Eigen::Index size,
+             double* columns) {
+#ifdef MUSCLEWARP_HAS_WIDE_PRODUCTS
+  if (HasWideRegisters()) {
+    AddWideRows<Rows>(rows, factors, size, columns);
+    return;
+  }
+#endif
+  AddRowsFrom<Rows>(rows, factors, 0, size, columns);
+}
+
+template void Dots<1>(const float*, const double*, Eigen::Index, double*);
+template void Dots<4>(const float*, const double*, Eigen::Index, double*);
+template void AddRows<1>(const float*, const double*, Eigen::Index, double*);
+template void AddRows<4>(const float*, const double*, Eigen::Index, double*);
+
+}  // namespace musclewarp
