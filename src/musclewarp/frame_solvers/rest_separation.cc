@@ -190,18 +190,20 @@ void Reconstruct(const RestSeparationOptions& options,
   });
 }
 
-// Separates the meshes without reconstruction.
+// Separates the meshes without reconstruction. `cells`: of earlier attempts.
 RestResult SeparateOnce(const RestSeparationOptions& options,
                         const MuscleSolver& solver,
                         const ProgressCallback& on_progress,
-                        const PreparedScene& scene) {
+                        const PreparedScene& scene,
+                        KnownCells* cells) {
   SceneMeshes meshes(scene);
   CertifiedScene certified = PrepareCertifiedScene(scene,
                                                    meshes,
                                                    options.contact,
                                                    options.pre_rotation,
                                                    solver,
-                                                   on_progress);
+                                                   on_progress,
+                                                   cells);
   return RestResultOf(
       scene, std::move(certified), options.requirements, &meshes);
 }
@@ -260,8 +262,10 @@ RestResult SeparateRest(const RestSeparationOptions& options,
       options.reconstruction.kind == ReconstructionKind::kNever;
   const int max_attempts = options.reconstruction.max_attempts;
   DeliveredMuscles delivered;
+  KnownCells cells;
   for (int attempt = 0;; ++attempt) {
-    RestResult result = SeparateOnce(options, solver, on_progress, *scene);
+    RestResult result =
+        SeparateOnce(options, solver, on_progress, *scene, &cells);
     Reasons reasons = UncleanMuscles(options.reconstruction, result);
     const bool is_over = is_never || attempt == max_attempts;
     const bool is_clean =

@@ -58,27 +58,40 @@ class Separator {
     }
   }
 
-  // Moves the vertices of the muscles into their medial cells.
-  void EnterCells() {
+  // Moves the vertices of the muscles into their medial cells. `known`: of an
+  // earlier separation, or null.
+  void EnterCells(KnownCells* known) {
+    // Cells end within their range of a muscle; the rest is for paths that
+    // leave it.
+    const double reach = 3 * options_.cell.range;
+    std::vector<char> is_known(muscles_.size(), false);
+    if (known) is_known = AreStillKnown(*known, muscles_, bones_, reach);
     std::vector<const SolidDistance*> bones;
     for (const SolidDistance& bone : bone_distances_) bones.push_back(&bone);
     cells_.reserve(muscles_.size());
-    std::vector<const MedialCell*> cells;
+    std::vector<const MedialCell*> cells;  // that are not known
     std::vector<const Points*> rest;
     for (size_t i = 0; i < muscles_.size(); ++i) {
       std::vector<const SolidDistance*> others;
       for (size_t j = 0; j < muscles_.size(); ++j) {
         if (j != i) others.push_back(&muscle_distances_[j]);
       }
-      cells.push_back(&cells_.emplace_back(
-          options_.cell, muscle_distances_[i], std::move(others), bones));
+      cells_.emplace_back(
+          options_.cell, muscle_distances_[i], std::move(others), bones);
+      if (is_known[i]) continue;
+      cells.push_back(&cells_.back());
       rest.push_back(&muscles_[i]->points());
     }
-    points_ = MedialCell::Project(cells, rest);
+    std::vector<Points> projected = MedialCell::Project(cells, rest);
+    auto next = projected.begin();
+    for (size_t i = 0; i < muscles_.size(); ++i) {
+      points_.push_back(is_known[i] ? known->projected[i] : std::move(*next++));
+    }
+    if (known) Remember(muscles_, bones_, points_, known);
     for (const ExemptArea& area : exempt_) {
       for (Eigen::Index v = 0; v < points_[area.muscle].rows(); ++v) {
         if (!area.vertices[v]) continue;
-        points_[area.muscle].row(v) = rest[area.muscle]->row(v);
+        points_[area.muscle].row(v) = muscles_[area.muscle]->points().row(v);
       }
     }
     for (size_t i = 0; i < muscles_.size(); ++i) {
@@ -280,13 +293,14 @@ InitialSeparation SeparateInitially(
     const std::vector<const SearchableMesh*>& bones,
     const std::vector<ExemptArea>& exempt,
     const InitialSeparationOptions& options,
-    const std::function<void(int round, int crossing_pairs)>& on_round) {
+    const std::function<void(int round, int crossing_pairs)>& on_round,
+    KnownCells* cells) {
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   const ScopedStage stage("cells of the rest pose");
   Separator separator(muscles, bones, exempt, options);
   if (on_round) on_round(0, 0);
-  separator.EnterCells();
+  separator.EnterCells(cells);
   const ScopedStage rounds("separation");
   InitialSeparation result;
   for (;; ++result.rounds) {

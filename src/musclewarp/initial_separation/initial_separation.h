@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/initial_separation/known_cells.h"
 #include "musclewarp/initial_separation/medial_cell.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 #include "musclewarp/scene/exempt_area.h"
@@ -58,13 +59,15 @@ struct InitialSeparation {
 // areas may still cross their bones.
 //
 // `on_round`, if given, is called before each round with its number and the
-// number of crossing pairs of triangles; it may throw to stop. Precondition
+// number of crossing pairs of triangles; it may throw to stop. `cells`, if
+// given, saves the cells that are as they were at its last use. Precondition
 // (CHECKed): the options are valid.
 InitialSeparation SeparateInitially(
     const std::vector<const SearchableMesh*>& muscles,
     const std::vector<const SearchableMesh*>& bones,
     const std::vector<ExemptArea>& exempt,
     const InitialSeparationOptions& options,
-    const std::function<void(int round, int crossing_pairs)>& on_round = {});
+    const std::function<void(int round, int crossing_pairs)>& on_round = {},
+    KnownCells* cells = nullptr);
 
 }  // namespace musclewarp

@@ -45,4 +45,10 @@ TriangleSoup TrianglesNotIn(const TriangleSoup& a, const TriangleSoup& b) {
   return difference;
 }
 
+bool AreSame(const TriangleSoup& a, const TriangleSoup& b) {
+  return a.points.rows() == b.points.rows() &&
+         a.triangles.rows() == b.triangles.rows() && a.points == b.points &&
+         a.triangles == b.triangles;
+}
+
 }  // namespace musclewarp

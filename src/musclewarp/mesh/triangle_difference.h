@@ -12,4 +12,8 @@ namespace musclewarp {
 // they add nothing to the surface. The points are those in use.
 TriangleSoup TrianglesNotIn(const TriangleSoup& a, const TriangleSoup& b);
 
+// Returns true if two meshes have the same points and triangles in the same
+// order, to the last bit.
+bool AreSame(const TriangleSoup& a, const TriangleSoup& b);
+
 }  // namespace musclewarp

@@ -235,7 +235,8 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                                      const CertifiedContactOptions& options,
                                      const PreRotationOptions& pre_rotation,
                                      const MuscleSolver& solver,
-                                     const ProgressCallback& on_progress) {
+                                     const ProgressCallback& on_progress,
+                                     KnownCells* cells) {
   const Stopwatch preparing;
   CheckContactFits(meshes.muscles(),
                    options.separation.cell.voxel_size,
@@ -261,7 +262,8 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                      round == 0 ? ""
                                 : std::to_string(crossing_pairs) +
                                       " pairs of triangles cross"});
-      });
+      },
+      cells);
 
   const MotionContext context = {scene, certified, pre_rotation, solver};
   ContactState rest = StateAtRest(context);

@@ -153,7 +153,8 @@ CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                                      const CertifiedContactOptions& options,
                                      const PreRotationOptions& pre_rotation,
                                      const MuscleSolver& solver,
-                                     const ProgressCallback& on_progress);
+                                     const ProgressCallback& on_progress,
+                                     KnownCells* cells = nullptr);
 
 // Relaxes a rest pose that is separated, with another triangulation of its
 // meshes: `start` has the muscles in it, in the order of the scene.

@@ -3,18 +3,10 @@
 #include "musclewarp/preparation/bone_trees.h"
 
 #include "musclewarp/base/parallel_for.h"
+#include "musclewarp/mesh/triangle_difference.h"
 #include "musclewarp/preparation/prepared_scene.h"
 
 namespace musclewarp {
-namespace {
-
-bool AreSame(const TriangleSoup& a, const TriangleSoup& b) {
-  return a.points.rows() == b.points.rows() &&
-         a.triangles.rows() == b.triangles.rows() && a.points == b.points &&
-         a.triangles == b.triangles;
-}
-
-}  // namespace
 
 BoneTrees::BoneTrees(const TriangleSoup& rest)
     : mesh(rest), clusters(rest.points, rest.triangles) {}

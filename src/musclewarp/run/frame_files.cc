@@ -14,6 +14,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/xml_text.h"
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/mesh/triangle_difference.h"
 #include "musclewarp/mesh_files/mesh_io.h"
 #include "musclewarp/mesh_files/vtp_writer.h"
 #include "musclewarp/run/bones_file.h"
@@ -122,12 +123,6 @@ void WriteBones(const PreparedScene& scene,
     WriteTriangleSoup((folder / (bone.mesh.name + "." + format)).string(),
                       {frame.bones[i], bone.rest.triangles});
   }
-}
-
-bool AreSame(const TriangleSoup& a, const TriangleSoup& b) {
-  return a.points.rows() == b.points.rows() &&
-         a.triangles.rows() == b.triangles.rows() && a.points == b.points &&
-         a.triangles == b.triangles;
 }
 
 }  // namespace
