@@ -42,7 +42,8 @@ struct SpindleWithRows {
 
   TargetRate Rates(const CarrierRates& owners) const {
     TargetRate rate;
-    AddPlaneRates(model, contact, model.coarse_rest, owners, &rate);
+    const Points places = model.fine_rest(contact.rows.vertices, Eigen::all);
+    AddPlaneRates(contact, places, owners, &rate);
     return rate;
   }
 

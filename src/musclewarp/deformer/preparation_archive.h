@@ -173,8 +173,8 @@ MUSCLEWARP_ARCHIVE(SoftCarrier, muscle, lines, guides, field, from_coarse)
 MUSCLEWARP_ARCHIVE(BendingRows, from_coarse, weights, points, rest, field)
 MUSCLEWARP_ARCHIVE(EmbeddedLines, from_coarse, starts)
 MUSCLEWARP_ARCHIVE(AttachedVertices, vertices, attachment)
-// The normal matrix and the push of bones are computed from the other fields.
 MUSCLEWARP_ARCHIVE(FineMap, weights, corrected, corrections)
+// The normal matrix and the push of bones are computed from the other fields.
 MUSCLEWARP_ARCHIVE_WITHOUT(MuscleModel,
                            (normal_matrix, bone_push),
                            name,

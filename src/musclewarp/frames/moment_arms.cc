@@ -309,11 +309,12 @@ class MomentArms {
     const Points& coarse = shapes_.muscles.coarse[i];
     Muscle& muscle = muscles_[i];
     if (HasRows(i)) {
-      muscle.target.one_sided = shapes_.contact[i].rows;
+      const OneSidedRows& rows = shapes_.contact[i].rows;
+      const Points places = FineFromCoarse(prepared.model, rows) * coarse;
+      muscle.target.one_sided = rows;
       for (size_t c = 0; c < beside_.size(); ++c) {
-        AddPlaneRates(prepared.model,
-                      shapes_.contact[i],
-                      coarse,
+        AddPlaneRates(shapes_.contact[i],
+                      places,
                       CarriersSeenFrom(i, c),
                       &muscle.rates[c]);
       }

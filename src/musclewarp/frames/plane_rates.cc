@@ -53,15 +53,13 @@ RowVector3d Turn(const Matrix4d& rate, const RowVector3d& direction) {
 
 }  // namespace
 
-void AddPlaneRates(const MuscleModel& model,
-                   const ContactRows& contact,
-                   const Points& coarse,
+void AddPlaneRates(const ContactRows& contact,
+                   const Points& places,
                    const CarrierRates& owners,
                    TargetRate* rate) {
   const OneSidedRows& rows = contact.rows;
   rate->plane_speeds = Eigen::VectorXd::Zero(rows.size());
   rate->plane_turns = Points::Zero(rows.size(), 3);
-  const Points places = RowsOf(model.fine_from_coarse, rows.vertices) * coarse;
   for (int k = 0; k < rows.size(); ++k) {
     const RowVector3d normal = rows.normals.row(k);
     const RowVector3d place = places.row(k);

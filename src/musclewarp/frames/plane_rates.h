@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "musclewarp/certified_contact/plane_owner.h"
-#include "musclewarp/solver/muscle_model.h"
 #include "musclewarp/solver/one_sided_rows.h"
 #include "musclewarp/solver/shape_derivative.h"
 
@@ -35,14 +34,14 @@ struct CarrierRates {
 };
 
 // Adds to `rate` how the planes of contact rows change with a coordinate.
-// `coarse` is the shape that the rows hold, N x 3, mm.
+// `places` are those of the vertices of the rows in the shape that they hold, K
+// x 3, mm.
 //
 // The plane of a bone moves with it. A plane between two muscles turns and
 // moves with both of its triangles, as contact would have it in a step
 // (separating_planes.h, plane_set.h).
-void AddPlaneRates(const MuscleModel& model,
-                   const ContactRows& contact,
-                   const Points& coarse,
+void AddPlaneRates(const ContactRows& contact,
+                   const Points& places,
                    const CarrierRates& owners,
                    TargetRate* rate);
 

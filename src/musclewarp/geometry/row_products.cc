@@ -10,35 +10,40 @@
 namespace musclewarp {
 namespace {
 
-// The columns from `first` on.
+// The same from the number `first` of each row and column on. The loops are
+// written so that compilers use the registers that every processor has.
 template <int Rows>
-void AddDots(const float* rows,
-             const double* columns,
-             Eigen::Index first,
-             Eigen::Index size,
-             double* results) {
-  for (Eigen::Index j = first; j < size; ++j) {
-    for (int r = 0; r < Rows; ++r) {
-      const double weight = rows[r * size + j];
-      for (int k = 0; k < 3; ++k) {
-        results[3 * r + k] += weight * columns[k * size + j];
-      }
+void AddPlainDots(const float* rows,
+                  const double* columns,
+                  Eigen::Index first,
+                  Eigen::Index size,
+                  double* results) {
+  for (int r = 0; r < Rows; ++r) {
+    const float* const row = rows + r * size;
+    for (int k = 0; k < 3; ++k) {
+      const double* const column = columns + k * size;
+      double sum = 0;
+#pragma omp simd reduction(+ : sum)
+      for (Eigen::Index j = first; j < size; ++j) sum += row[j] * column[j];
+      results[3 * r + k] += sum;
     }
   }
 }
 
 template <int Rows>
-void AddRowsFrom(const float* rows,
-                 const double* factors,
-                 Eigen::Index first,
-                 Eigen::Index size,
-                 double* columns) {
-  for (Eigen::Index j = first; j < size; ++j) {
-    for (int r = 0; r < Rows; ++r) {
-      const double weight = rows[r * size + j];
-      for (int k = 0; k < 3; ++k) {
-        columns[k * size + j] += factors[3 * r + k] * weight;
-      }
+void AddPlainRows(const float* rows,
+                  const double* factors,
+                  Eigen::Index first,
+                  Eigen::Index size,
+                  double* columns) {
+  for (int k = 0; k < 3; ++k) {
+    double* const column = columns + k * size;
+#pragma omp simd
+    for (Eigen::Index j = first; j < size; ++j) {
+      double sum = column[j];
+      for (int r = 0; r < Rows; ++r)
+        sum += factors[3 * r + k] * rows[r * size + j];
+      column[j] = sum;
     }
   }
 }
@@ -77,7 +82,7 @@ __attribute__((target("avx2,fma"))) void WideDots(const float* rows,
     _mm256_storeu_pd(lanes, sums[i]);
     results[i] = (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
   }
-  AddDots<Rows>(rows, columns, j, size, results);
+  AddPlainDots<Rows>(rows, columns, j, size, results);
 }
 
 template <int Rows>
@@ -102,7 +107,7 @@ __attribute__((target("avx2,fma"))) void AddWideRows(const float* rows,
       _mm256_storeu_pd(columns + k * size + j, sums[k]);
     }
   }
-  AddRowsFrom<Rows>(rows, factors, j, size, columns);
+  AddPlainRows<Rows>(rows, factors, j, size, columns);
 }
 
 #endif  // MUSCLEWARP_HAS_WIDE_PRODUCTS
@@ -121,7 +126,7 @@ void Dots(const float* rows,
   }
 #endif
   for (int i = 0; i < 3 * Rows; ++i) results[i] = 0;
-  AddDots<Rows>(rows, columns, 0, size, results);
+  AddPlainDots<Rows>(rows, columns, 0, size, results);
 }
 
 template <int Rows>
@@ -135,7 +140,7 @@ void AddRows(const float* rows,
     return;
   }
 #endif
-  AddRowsFrom<Rows>(rows, factors, 0, size, columns);
+  AddPlainRows<Rows>(rows, factors, 0, size, columns);
 }
 
 template void Dots<1>(const float*, const double*, Eigen::Index, double*);

@@ -34,6 +34,9 @@ constexpr double kReachPerThickness = 6;
 // 1, in spite of kDecline.
 constexpr double kSlope = 1 / (1 + kDecline);
 
+// How much deeper than it has to be the distance to the cell is measured, mm.
+constexpr double kSlack = 0.2;
+
 // The spacing, in multiples, with which the search for the growth begins.
 constexpr double kCoarser = 2;
 
@@ -150,16 +153,16 @@ class GrowingBody {
     // The body itself lies within its cell, and no growth reaches farther.
     if (at.own <= -border) return kSlope * at.own;
     if (kSlope * (at.own - t) >= border) return kSlope * (at.own - t);
-    bool is_news = MeasureCut(p, t / kDecline, &at);
+    bool has_measured = MeasureCut(p, t / kDecline, &at);
     const double growth = std::max(0.0, t - kDecline * at.to_cut);
     const double grown = kSlope * (at.own - growth);
     double region = grown;
     if (grown < border && growth > 0) {
-      is_news |= MeasureCell(p, -grown, &at);
+      has_measured |= MeasureCell(p, -grown, &at);
       region = std::max(grown, at.cell);
-      if (region < 0 && at.own > 0) is_news |= MeasureWay(p, &at);
+      if (region < 0 && at.own > 0) has_measured |= MeasureWay(p, &at);
     }
-    if (is_news) {
+    if (has_measured) {
       const std::lock_guard<std::mutex> lock(shard.mutex);
       shard.measures[KeyOf(p)] = at;
     }
@@ -213,7 +216,7 @@ class GrowingBody {
   bool MeasureCell(const RowVector3d& p, double depth, Measures* at) const {
     if (at->cell_depth >= depth) return false;
     // A little more, for the next growth that is tried.
-    at->cell_depth = std::max(depth, 0.0) + blocked_;
+    at->cell_depth = std::max(depth, 0.0) + kSlack;
     at->cell = cell_.DistanceDownTo(at->cell_depth, p);
     return true;
   }

@@ -146,8 +146,8 @@ struct CertifiedScene {
 
 // Separates the meshes of a scene and relaxes its rest pose. `meshes`: the
 // meshes of the scene, in the rest pose. `on_progress` may be empty. Throws
-// InputError if a mesh needs too much memory (CheckContactFits). Precondition
-// (CHECKed): the options are valid.
+// InputError if a mesh needs too much memory (CheckContactFits). `cells`: see
+// SeparateInitially. Precondition (CHECKed): the options are valid.
 CertifiedScene PrepareCertifiedScene(const PreparedScene& scene,
                                      const SceneMeshes& meshes,
                                      const CertifiedContactOptions& options,
