@@ -17,12 +17,13 @@ double MemoryNeeded(const std::vector<SizedMesh>& meshes,
                     bool is_certified) {
   // The program itself, and what does not grow with the meshes.
   constexpr double kProgram = 4e7;
-  // Of a vertex of a muscle: a weight for each vertex of the hull, in single
-  // precision, and with certified contact once more; and what is kept of its
-  // triangles: trees, planes, offsets.
-  const double of_weight = is_certified ? 8 : 4;
+  // Of a vertex of a muscle: a weight for each vertex of the hull, in double
+  // precision while it is found and in single afterwards, and with certified
+  // contact once more in single; and what is kept of its triangles: trees,
+  // planes, offsets. Of a vertex of a bone: its trees at rest and in motion.
+  const double of_weight = is_certified ? 12 : 8;
   const double of_vertex = is_certified ? 6000 : 3700;
-  const double of_bone_vertex = is_certified ? 1200 : 600;
+  const double of_bone_vertex = is_certified ? 1700 : 1500;
   // Of a muscle that bones push: how its samples move each other and the hull,
   // in double precision.
   const double samples = NumPushSamples({}, coarse_vertices);

@@ -25,7 +25,7 @@ TriangleBvh::TriangleBvh(const Points& points, const Triangles& triangles)
   nodes_.reserve(std::max(0, 2 * count - 1));
   if (count > 0) {
     Build(centroids, order.data(), order.data() + count);
-    wide_nodes_.reserve(count / 2 + 1);  // they are large, and moved slowly
+    wide_nodes_.reserve(count / 2 + 1);  // they are large, and slow to move
     BuildWide(0);
   }
   Refit(points);
@@ -47,12 +47,25 @@ int TriangleBvh::Build(const Points& centroids, int* begin, int* end) {
 }
 
 int TriangleBvh::BuildWide(int node) {
+  // Counts the triangles below a node: of 2 n - 1 nodes n are leaves.
+  const auto count_triangles = [&](int i) {
+    int size = 1;
+    for (; !nodes_[i].IsLeaf(); i = nodes_[i].second) {
+      size += nodes_[i].second - i;
+    }
+    return (size + 1) / 2;
+  };
+  // Parts that fit into a wide node of their own are not divided, so that wide
+  // nodes are full of triangles.
+  const int enough =
+      count_triangles(node) > BoxOctet::kSize ? BoxOctet::kSize : 1;
   std::vector<int> below = {node};
   for (int level = 0; level < 3; ++level) {
     std::vector<int> next;
     for (const int i : below) {
-      next.push_back(nodes_[i].IsLeaf() ? i : i + 1);
-      if (!nodes_[i].IsLeaf()) next.push_back(nodes_[i].second);
+      const bool is_divided = count_triangles(i) > enough;
+      next.push_back(is_divided ? i + 1 : i);
+      if (is_divided) next.push_back(nodes_[i].second);
     }
     below = std::move(next);
   }

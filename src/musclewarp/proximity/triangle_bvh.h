@@ -130,7 +130,7 @@ class TriangleBvh {
   };
   using NodePair = std::pair<int, int>;
 
-  // The nodes three levels below a node, or the leaves above them.
+  // Up to eight nodes below a node, three levels at most, or triangles.
   struct WideNode {
     BoxOctet boxes;
     std::array<int, BoxOctet::kSize> nodes;     // by lane
