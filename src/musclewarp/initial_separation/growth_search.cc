@@ -14,9 +14,6 @@ namespace {
 constexpr double kAccuracy = 2e-3;
 constexpr int kMostSteps = 14;
 
-// The number of steps that follow a known slope, before the interval decides.
-constexpr int kStepsBySlope = 4;
-
 // Returns a point of an interval, by its share from the lower end; a tenth of
 // the interval stays on either side.
 double Between(double low, double high, double share) {
@@ -37,8 +34,9 @@ GrowthGuess SearchGrowth(const std::function<double(double)>& volume_at,
   double t = first.t;
   for (int step = 0; step < kMostSteps; ++step) {
     const double now = volume_at(t);
+    const bool follows_slope = step == 0 && first.slope > 0;
     const double chord = (now - last_volume) / (t - last.t);
-    last = {t, step == 0 && first.slope > 0 ? first.slope : chord};
+    last = {t, follows_slope ? first.slope : chord};
     last_volume = now;
     if (std::abs(now - volume) < kAccuracy * volume) break;
     if (now < volume) {
@@ -49,12 +47,9 @@ GrowthGuess SearchGrowth(const std::function<double(double)>& volume_at,
       high = t;
       high_volume = now;
     }
-    const double next = std::clamp(
-        t + (volume - now) / last.slope, t / 1.5, std::min(1.5 * t, reach));
-    const bool is_between =
-        next > low && (next < high || high_volume == kInfinity);
-    if (first.slope > 0 && step < kStepsBySlope && is_between) {
-      t = next;
+    if (follows_slope) {
+      const double next = t + (volume - now) / last.slope;
+      t = std::clamp(next, t / 1.5, std::min(1.5 * t, reach));
     } else if (high_volume == kInfinity) {
       t = std::min(1.5 * t, reach);
     } else {
