@@ -52,6 +52,13 @@ void AddPlainRows(const float* rows,
 
 constexpr int kLanes = 4;
 
+// Processors take half as long for all that follows if the upper halves of the
+// wide registers are empty. GCC 12 forgets to empty them before a call that
+// ends a function.
+__attribute__((target("avx2"))) inline void ForgetUpperHalves() {
+  _mm256_zeroupper();
+}
+
 bool HasWideRegisters() {
   static const bool has =
       __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
@@ -82,6 +89,7 @@ __attribute__((target("avx2,fma"))) void WideDots(const float* rows,
     _mm256_storeu_pd(lanes, sums[i]);
     results[i] = (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
   }
+  ForgetUpperHalves();
   AddPlainDots<Rows>(rows, columns, j, size, results);
 }
 
@@ -107,6 +115,7 @@ __attribute__((target("avx2,fma"))) void AddWideRows(const float* rows,
       _mm256_storeu_pd(columns + k * size + j, sums[k]);
     }
   }
+  ForgetUpperHalves();
   AddPlainRows<Rows>(rows, factors, j, size, columns);
 }
 
