@@ -107,7 +107,7 @@ TEST_F(BonePushTest, IsAMinimum) {
     forces.row(touch.sample) +=
         ForceAt(*push_, touch.lack).force * touch.normal;
   }
-  const Points balanced = push_->reach * forces;
+  const Points balanced = push_->reach.transpose() * forces;
   EXPECT_LT((balanced - push).rowwise().norm().maxCoeff(), 1e-3);  // mm
 }
 

@@ -14,6 +14,7 @@
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/frames/plane_rates.h"
 #include "musclewarp/geometry/fine_map.h"
+#include "musclewarp/geometry/thin_product.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/preparation/soft_attachments.h"
 #include "musclewarp/scene/line_targets.h"
@@ -310,7 +311,8 @@ class MomentArms {
     Muscle& muscle = muscles_[i];
     if (HasRows(i)) {
       const OneSidedRows& rows = shapes_.contact[i].rows;
-      const Points places = FineFromCoarse(prepared.model, rows) * coarse;
+      const Points places =
+          ThinProduct(FineFromCoarse(prepared.model, rows), coarse);
       muscle.target.one_sided = rows;
       for (size_t c = 0; c < beside_.size(); ++c) {
         AddPlaneRates(shapes_.contact[i],

@@ -13,16 +13,6 @@
 namespace musclewarp {
 namespace {
 
-// Rows are taken four at a time, so that the points are loaded once for all of
-// them. Calls four(i) for every four rows and one(i) for those that are left.
-template <typename Four, typename One>
-void ForRows(Eigen::Index count, const Four& four, const One& one) {
-  constexpr int kRows = 4;
-  Eigen::Index i = 0;
-  for (; i + kRows <= count; i += kRows) four(i);
-  for (; i < count; ++i) one(i);
-}
-
 // Returns four points (N x 3) that span space well: each is the farthest from
 // what those before it span.
 std::vector<int> SpreadFour(const Points& points) {
@@ -106,7 +96,7 @@ std::vector<Points> Products(const FineMap& map,
       }
     };
   };
-  ForRows(map.rows(), multiply(Dots<4>), multiply(Dots<1>));
+  ForRows(map.rows(), multiply(Dots<4, float>), multiply(Dots<1, float>));
   for (size_t k = 0; k < sets.size(); ++k) {
     products[k] += map.corrections * sets[k](map.corrected, Eigen::all);
   }
@@ -131,7 +121,7 @@ std::vector<Points> TransposedProducts(const FineMap& map,
       }
     };
   };
-  ForRows(map.rows(), add(AddRows<4>), add(AddRows<1>));
+  ForRows(map.rows(), add(AddRows<4, float>), add(AddRows<1, float>));
   for (size_t k = 0; k < sets.size(); ++k) {
     sums[k](map.corrected, Eigen::all) += map.corrections.transpose() * sets[k];
   }

@@ -12,14 +12,14 @@ namespace {
 
 // The same from the number `first` of each row and column on. The loops are
 // written so that compilers use the registers that every processor has.
-template <int Rows>
-void AddPlainDots(const float* rows,
+template <int Rows, typename Number>
+void AddPlainDots(const Number* rows,
                   const double* columns,
                   Eigen::Index first,
                   Eigen::Index size,
                   double* results) {
   for (int r = 0; r < Rows; ++r) {
-    const float* const row = rows + r * size;
+    const Number* const row = rows + r * size;
     for (int k = 0; k < 3; ++k) {
       const double* const column = columns + k * size;
       double sum = 0;
@@ -30,8 +30,8 @@ void AddPlainDots(const float* rows,
   }
 }
 
-template <int Rows>
-void AddPlainRows(const float* rows,
+template <int Rows, typename Number>
+void AddPlainRows(const Number* rows,
                   const double* factors,
                   Eigen::Index first,
                   Eigen::Index size,
@@ -52,6 +52,13 @@ void AddPlainRows(const float* rows,
 
 constexpr int kLanes = 4;
 
+__attribute__((target("avx2"))) inline __m256d LoadFour(const float* numbers) {
+  return _mm256_cvtps_pd(_mm_loadu_ps(numbers));
+}
+__attribute__((target("avx2"))) inline __m256d LoadFour(const double* numbers) {
+  return _mm256_loadu_pd(numbers);
+}
+
 // Processors take half as long for all that follows if the upper halves of the
 // wide registers are empty. GCC 12 forgets to empty them before a call that
 // ends a function.
@@ -65,8 +72,8 @@ bool HasWideRegisters() {
   return has;
 }
 
-template <int Rows>
-__attribute__((target("avx2,fma"))) void WideDots(const float* rows,
+template <int Rows, typename Number>
+__attribute__((target("avx2,fma"))) void WideDots(const Number* rows,
                                                   const double* columns,
                                                   Eigen::Index size,
                                                   double* results) {
@@ -78,7 +85,7 @@ __attribute__((target("avx2,fma"))) void WideDots(const float* rows,
     const __m256d y = _mm256_loadu_pd(columns + size + j);
     const __m256d z = _mm256_loadu_pd(columns + 2 * size + j);
     for (int r = 0; r < Rows; ++r) {
-      const __m256d row = _mm256_cvtps_pd(_mm_loadu_ps(rows + r * size + j));
+      const __m256d row = LoadFour(rows + r * size + j);
       sums[3 * r] = _mm256_fmadd_pd(row, x, sums[3 * r]);
       sums[3 * r + 1] = _mm256_fmadd_pd(row, y, sums[3 * r + 1]);
       sums[3 * r + 2] = _mm256_fmadd_pd(row, z, sums[3 * r + 2]);
@@ -93,8 +100,8 @@ __attribute__((target("avx2,fma"))) void WideDots(const float* rows,
   AddPlainDots<Rows>(rows, columns, j, size, results);
 }
 
-template <int Rows>
-__attribute__((target("avx2,fma"))) void AddWideRows(const float* rows,
+template <int Rows, typename Number>
+__attribute__((target("avx2,fma"))) void AddWideRows(const Number* rows,
                                                      const double* factors,
                                                      Eigen::Index size,
                                                      double* columns) {
@@ -105,7 +112,7 @@ __attribute__((target("avx2,fma"))) void AddWideRows(const float* rows,
       sums[k] = _mm256_loadu_pd(columns + k * size + j);
     }
     for (int r = 0; r < Rows; ++r) {
-      const __m256d row = _mm256_cvtps_pd(_mm_loadu_ps(rows + r * size + j));
+      const __m256d row = LoadFour(rows + r * size + j);
       for (int k = 0; k < 3; ++k) {
         sums[k] =
             _mm256_fmadd_pd(_mm256_set1_pd(factors[3 * r + k]), row, sums[k]);
@@ -123,8 +130,8 @@ __attribute__((target("avx2,fma"))) void AddWideRows(const float* rows,
 
 }  // namespace
 
-template <int Rows>
-void Dots(const float* rows,
+template <int Rows, typename Number>
+void Dots(const Number* rows,
           const double* columns,
           Eigen::Index size,
           double* results) {
@@ -138,8 +145,8 @@ void Dots(const float* rows,
   AddPlainDots<Rows>(rows, columns, 0, size, results);
 }
 
-template <int Rows>
-void AddRows(const float* rows,
+template <int Rows, typename Number>
+void AddRows(const Number* rows,
              const double* factors,
              Eigen::Index size,
              double* columns) {
@@ -154,7 +161,11 @@ void AddRows(const float* rows,
 
 template void Dots<1>(const float*, const double*, Eigen::Index, double*);
 template void Dots<4>(const float*, const double*, Eigen::Index, double*);
+template void Dots<1>(const double*, const double*, Eigen::Index, double*);
+template void Dots<4>(const double*, const double*, Eigen::Index, double*);
 template void AddRows<1>(const float*, const double*, Eigen::Index, double*);
 template void AddRows<4>(const float*, const double*, Eigen::Index, double*);
+template void AddRows<1>(const double*, const double*, Eigen::Index, double*);
+template void AddRows<4>(const double*, const double*, Eigen::Index, double*);
 
 }  // namespace musclewarp

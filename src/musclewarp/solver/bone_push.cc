@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "musclewarp/geometry/spread_points.h"
+#include "musclewarp/geometry/thin_product.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/scene/screw_motion.h"
@@ -80,10 +81,9 @@ Push NextPush(const BonePush& push,
       (1 + drag);
   Push next = {kept * before.forces, kept * before.moved};
   for (Eigen::Index a = 0; a < count; ++a) {
-    if (forces.row(a).isZero(0)) continue;
     next.forces.row(samples[a]) += forces.row(a);
-    next.moved += push.response.col(samples[a]) * forces.row(a);
   }
+  next.moved += ThinTransposedProduct(push.response, samples, forces);
   return next;
 }
 
@@ -206,9 +206,10 @@ std::shared_ptr<const BonePush> PrepareBonePush(
       }
     }
   }
-  push->reach = model.normal_matrix.solve(
-      Eigen::MatrixXd(push->fine_from_coarse.transpose()));
-  push->response = push->fine_from_coarse * push->reach;
+  push->reach = model.normal_matrix
+                    .solve(Eigen::MatrixXd(push->fine_from_coarse.transpose()))
+                    .transpose();
+  push->response = push->fine_from_coarse * push->reach.transpose();
   push->stiffness =
       options.relative_stiffness / push->response.diagonal().mean();
   return push;
@@ -223,7 +224,7 @@ std::vector<Points> FollowPush(const BonePush& push,
   const double drag = push.options.drag;
   std::vector<Points> places;
   for (const Points& coarse : free) {
-    places.push_back(push.fine_from_coarse * coarse);
+    places.push_back(ThinProduct(push.fine_from_coarse, coarse));
   }
   std::vector<Points> displacements = {Points::Zero(free[0].rows(), 3)};
   Push now = {Points::Zero(count, 3), Points::Zero(count, 3)};
@@ -242,10 +243,10 @@ std::vector<Points> FollowPush(const BonePush& push,
              &now);
     }
     Settle(push, &near, way[k], places[k], drag, kRounds, &now);
-    displacements.push_back(push.reach * now.forces);
+    displacements.push_back(ThinTransposedProduct(push.reach, now.forces));
   }
-  displacements.back() =
-      push.reach * NearLeast(push, &near, way[last], places[last], now).forces;
+  displacements.back() = ThinTransposedProduct(
+      push.reach, NearLeast(push, &near, way[last], places[last], now).forces);
   return displacements;
 }
 

@@ -44,8 +44,8 @@ struct BonePush {
   std::vector<BoneField> bones;
   RowMajorMatrix fine_from_coarse;  // S x N: the rows of W of the samples
   Eigen::MatrixXd clearances;       // S x B, mm: c
-  Eigen::MatrixXd reach;            // N x S: how a force on a sample moves X
-  Eigen::MatrixXd response;         // S x S: and the samples
+  RowMajorMatrix reach;             // S x N: how a force on a sample moves X
+  RowMajorMatrix response;          // S x S: and the samples
   double stiffness = 0;             // k
 };
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "musclewarp/geometry/thin_product.h"
 #include "musclewarp/solver/bone_touches.h"
 
 namespace musclewarp {
@@ -70,7 +71,7 @@ std::vector<Points> PushRates(const BonePush& push,
                               const Points& free,
                               const Points& push_now,
                               const std::vector<PushMotion>& motions) {
-  const Points places = push.fine_from_coarse * (free + push_now);
+  const Points places = ThinProduct(push.fine_from_coarse, free + push_now);
   const std::vector<BoneTouch> touches = BoneTouches(push).At(pose, places);
   const auto count = static_cast<Index>(touches.size());
   Eigen::MatrixXd asked(3 * count, static_cast<Index>(motions.size()));
@@ -80,13 +81,13 @@ std::vector<Points> PushRates(const BonePush& push,
   }
   const Eigen::MatrixXd changes =
       SystemOf(push, touches).partialPivLu().solve(asked);
+  std::vector<int> samples;
+  for (const BoneTouch& touch : touches) samples.push_back(touch.sample);
   std::vector<Points> rates;
   for (size_t c = 0; c < motions.size(); ++c) {
-    Points& rate = rates.emplace_back(Points::Zero(free.rows(), 3));
-    for (Index a = 0; a < count; ++a) {
-      rate += push.reach.col(touches[a].sample) *
-              changes.block<3, 1>(3 * a, static_cast<Index>(c)).transpose();
-    }
+    const Eigen::Map<const Points> forces(
+        changes.col(static_cast<Index>(c)).data(), count, 3);
+    rates.push_back(ThinTransposedProduct(push.reach, samples, forces));
   }
   return rates;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/solver/muscle_target.h"
 
+#include "musclewarp/geometry/thin_product.h"
 #include "musclewarp/scene/line_targets.h"
 #include "musclewarp/skeleton/sampling.h"
 #include "musclewarp/skeleton/segment_rotation.h"
@@ -72,9 +73,9 @@ void AddRowsOf(const MuscleModel& model,
                const Points& displacements,
                MuscleTarget* target) {
   target->laplacian += model.laplacian * displacements;
-  target->skeleton += model.skeleton * displacements;
-  target->attachment += model.attachment * displacements;
-  target->bending += model.bending.from_coarse * displacements;
+  target->skeleton += ThinProduct(model.skeleton, displacements);
+  target->attachment += ThinProduct(model.attachment, displacements);
+  target->bending += ThinProduct(model.bending.from_coarse, displacements);
 }
 
 Points LinearDescent(const MuscleModel& model,
@@ -82,23 +83,25 @@ Points LinearDescent(const MuscleModel& model,
                      const Points& coarse) {
   Points descent = model.laplacian.transpose() *
                    (target.laplacian - model.laplacian * coarse);
-  descent +=
-      model.skeleton.transpose() * (target.skeleton - model.skeleton * coarse);
-  descent += model.attachment.transpose() *
-             (target.attachment - model.attachment * coarse);
-  descent += model.bending.from_coarse.transpose() *
-             (target.bending - model.bending.from_coarse * coarse);
+  const auto add = [&](const RowMajorMatrix& rows, const Points& targets) {
+    descent += ThinTransposedProduct(rows, targets - ThinProduct(rows, coarse));
+  };
+  add(model.skeleton, target.skeleton);
+  add(model.attachment, target.attachment);
+  add(model.bending.from_coarse, target.bending);
   return descent;
 }
 
 double LinearEnergy(const MuscleModel& model,
                     const MuscleTarget& target,
                     const Points& coarse) {
-  return 0.5 *
-         ((model.laplacian * coarse - target.laplacian).squaredNorm() +
-          (model.skeleton * coarse - target.skeleton).squaredNorm() +
-          (model.attachment * coarse - target.attachment).squaredNorm() +
-          (model.bending.from_coarse * coarse - target.bending).squaredNorm());
+  const auto square = [&](const RowMajorMatrix& rows, const Points& targets) {
+    return (ThinProduct(rows, coarse) - targets).squaredNorm();
+  };
+  return 0.5 * ((model.laplacian * coarse - target.laplacian).squaredNorm() +
+                square(model.skeleton, target.skeleton) +
+                square(model.attachment, target.attachment) +
+                square(model.bending.from_coarse, target.bending));
 }
 
 Points UnconstrainedMinimizer(const MuscleModel& model,

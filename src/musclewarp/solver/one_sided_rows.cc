@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "musclewarp/geometry/thin_product.h"
+
 namespace musclewarp {
 
 OneSidedRows OneSidedRowsOf(const std::vector<VertexHalfSpace>& planes,
@@ -28,15 +30,24 @@ RowMajorMatrix FineFromCoarse(const MuscleModel& model,
 Eigen::VectorXd OneSidedDepths(const OneSidedRows& rows,
                                const RowMajorMatrix& fine_from_coarse,
                                const Points& coarse) {
-  const Points places = fine_from_coarse * coarse;
+  const Points places = ThinProduct(fine_from_coarse, coarse);
   return rows.levels - rows.normals.cwiseProduct(places).rowwise().sum();
+}
+
+Points OneSidedDescent(const OneSidedRows& rows,
+                       const RowMajorMatrix& fine_from_coarse,
+                       const Eigen::VectorXd& depths) {
+  return rows.weight * rows.weight *
+         ThinTransposedProduct(fine_from_coarse,
+                               depths.cwiseMax(0).asDiagonal() * rows.normals);
 }
 
 OneSidedSystem::OneSidedSystem(const MuscleModel& model,
                                const OneSidedRows& rows)
     : rows_(rows),
       fine_from_coarse_(FineFromCoarse(model, rows)),
-      compliance_(model.normal_matrix.solve(fine_from_coarse_.transpose())) {}
+      compliance_(model.normal_matrix.solve(fine_from_coarse_.transpose())
+                      .transpose()) {}
 
 void OneSidedSystem::UpdateActiveRows(const Points& coarse) {
   depths_ = OneSidedDepths(rows_, fine_from_coarse_, coarse);
@@ -47,7 +58,7 @@ void OneSidedSystem::UpdateActiveRows(const Points& coarse) {
   if (active_.empty()) return;
   const Points normals = rows_.normals(active_, Eigen::all);
   Eigen::MatrixXd matrix = (fine_from_coarse_(active_, Eigen::all) *
-                            compliance_(Eigen::all, active_))
+                            compliance_(active_, Eigen::all).transpose())
                                .cwiseProduct(normals * normals.transpose());
   matrix.diagonal().array() += 1 / (rows_.weight * rows_.weight);
   active_matrix_.compute(matrix);
@@ -56,10 +67,11 @@ void OneSidedSystem::UpdateActiveRows(const Points& coarse) {
 Points OneSidedSystem::CorrectedSolution(Points solved) const {
   if (active_.empty()) return solved;
   const Points normals = rows_.normals(active_, Eigen::all);
-  const Points moves = fine_from_coarse_(active_, Eigen::all) * solved;
+  const Points moves = ThinProduct(fine_from_coarse_, active_, solved);
   const Eigen::VectorXd forces =
       active_matrix_.solve(normals.cwiseProduct(moves).rowwise().sum().eval());
-  solved -= compliance_(Eigen::all, active_) * (forces.asDiagonal() * normals);
+  solved -= ThinTransposedProduct(
+      compliance_, active_, forces.asDiagonal() * normals);
   return solved;
 }
 
@@ -67,8 +79,9 @@ Points OneSidedSystem::CorrectedStep(const Points& step_without) const {
   if (active_.empty()) return step_without;
   const Eigen::VectorXd forces = rows_.weight * rows_.weight * depths_(active_);
   const Points normals = rows_.normals(active_, Eigen::all);
-  return CorrectedSolution(step_without + compliance_(Eigen::all, active_) *
-                                              (forces.asDiagonal() * normals));
+  return CorrectedSolution(
+      step_without + ThinTransposedProduct(
+                         compliance_, active_, forces.asDiagonal() * normals));
 }
 
 }  // namespace musclewarp

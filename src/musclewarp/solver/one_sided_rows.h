@@ -45,6 +45,12 @@ Eigen::VectorXd OneSidedDepths(const OneSidedRows& rows,
                                const RowMajorMatrix& fine_from_coarse,
                                const Points& coarse);
 
+// Returns the direction in which the energy of the rows falls most steeply,
+// for vertices that are `depths` deep: N x 3.
+Points OneSidedDescent(const OneSidedRows& rows,
+                       const RowMajorMatrix& fine_from_coarse,
+                       const Eigen::VectorXd& depths);
+
 // Solves with the Gauss-Newton matrix of the energy that includes the active
 // one-sided rows,
 //
@@ -76,7 +82,7 @@ class OneSidedSystem {
  private:
   const OneSidedRows& rows_;
   RowMajorMatrix fine_from_coarse_;  // K x N
-  Eigen::MatrixXd compliance_;       // N x K: A^-1 W_v^T
+  RowMajorMatrix compliance_;        // K x N: W_v A^-1
   std::vector<int> active_;          // indices of rows
   Eigen::VectorXd depths_;           // of all rows, mm
   Eigen::LLT<Eigen::MatrixXd> active_matrix_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "musclewarp/geometry/fine_map.h"
+#include "musclewarp/geometry/thin_product.h"
 #include "musclewarp/mesh/measures.h"
 #include "musclewarp/solver/one_sided_rows.h"
 
@@ -164,18 +165,10 @@ class ShapeSystem {
     return TransposedProducts(model_.fine_from_coarse, bent);
   }
 
-  // Adds the forces (K x 3) on the vertices of active rows, by weight^2.
-  void AddForces(const Points& forces, Points* sum) const {
-    if (rows_.size() == 0) return;
-    *sum +=
-        rows_.weight * rows_.weight * fine_from_coarse_.transpose() * forces;
-  }
-
   // The direction of steepest descent of the energy without the constraint.
   Points Descent(const MuscleTarget& target) const {
-    Points descent = LinearDescent(model_, target, coarse_);
-    AddForces(depths_.cwiseMax(0).asDiagonal() * rows_.normals, &descent);
-    return descent;
+    return LinearDescent(model_, target, coarse_) +
+           OneSidedDescent(rows_, fine_from_coarse_, depths_);
   }
 
   // J_f^T dr/dq, and how the forces of the active rows change with their planes
@@ -189,8 +182,8 @@ class ShapeSystem {
       forces.row(k) = rate.plane_speeds[k] * rows_.normals.row(k) +
                       depths_[k] * rate.plane_turns.row(k);
     }
-    AddForces(forces, &sum);
-    return sum;
+    return sum + rows_.weight * rows_.weight *
+                     ThinTransposedProduct(fine_from_coarse_, forces);
   }
 
   const MuscleModel& model_;
