@@ -61,11 +61,13 @@ void MuscleSweep::AddEdges(const Points& targets,
       const int u = surface_.neighbours[e];
       const double length = surface_.lengths[e];
       const double of_target = (targets.row(u) - targets.row(v)).norm();
+      const double rope = std::max(options.stretch_limit * length, of_target);
       edges_.push_back(
           {order[u],
            surface_.weights[e] * std::max(stiffness[u], stiffness[v]),
            length > 0 ? options.strain_hardening / (length * length) : 0,
-           std::max(options.stretch_limit * length, of_target)});
+           rope,
+           (rope - of_target) * (rope - of_target)});
       vertex.full_curvature += edges_.back().weight;
     }
   }
@@ -100,9 +102,9 @@ void MuscleSweep::SetPressure(double gain) {
 RowVector3d MuscleSweep::WithinReach(const Vertex& vertex,
                                      const RowVector3d& place) const {
   const RowVector3d beyond = place - vertex.predicted;
-  const double far = beyond.norm();
-  if (far <= options_.reach) return place;
-  return vertex.predicted + options_.reach / far * beyond;
+  const double squared = beyond.squaredNorm();
+  if (squared <= options_.reach * options_.reach) return place;
+  return vertex.predicted + options_.reach / std::sqrt(squared) * beyond;
 }
 
 // Returns the minimizer over the position of one vertex of a quadratic function
@@ -121,9 +123,11 @@ RowVector3d MuscleSweep::LowestPlace(int i) const {
     const Edge& edge = edges_[e];
     const Place& other = places_[edge.neighbour];
     const RowVector3d strain = other.offset - place.offset;
-    const double hardening = edge.hardening * strain.squaredNorm();
+    const double strain_squared = strain.squaredNorm();
+    const double hardening = edge.hardening * strain_squared;
     descent += edge.weight * (1 + hardening) * strain;
     curvature += edge.weight * (1 + 2 * hardening);
+    if (strain_squared <= edge.loose) continue;
     const RowVector3d along = other.point - place.point;
     const double square = along.squaredNorm();
     if (square <= edge.rope * edge.rope) continue;

@@ -73,6 +73,7 @@ class MuscleSweep {
     double weight;     // w
     double hardening;  // h / e^2, mm^-2
     double rope;       // s, mm
+    double loose;      // the square of a strain that surely does not tauten it
   };
 
   void AddEdges(const Points& targets, const Eigen::VectorXd& stiffness);
