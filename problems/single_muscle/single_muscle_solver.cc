@@ -6,6 +6,7 @@
 
 #include "musclewarp/base/invalid_option.h"
 #include "musclewarp/base/stopwatch.h"
+#include "musclewarp/solver/first_step.h"
 #include "musclewarp/solver/volume_constraint.h"
 #include "problems/single_muscle/single_muscle_problem.h"
 
@@ -73,12 +74,24 @@ void SolveSingleMuscle(const MuscleModel& model,
     }
     return part;
   };
-  // As in the paper, the volume of the coarse mesh, which costs next to
-  // nothing, brings the muscle and the multiplier close to the solution.
-  HardConstraintOptions near = options.hard_constraint;
-  near.violation_tolerance = near.step_tolerance =
-      options.fine_volume_threshold;
-  const SolverSummary approach = solve(VolumeMesh::kCoarse, near);
+  const auto first_step = [&] {
+    volume.SetMesh(VolumeMesh::kFine);
+    const Points at = unknowns.Coarse();
+    const FirstStep first = FirstStepFrom(model, target, at, &volume);
+    constraint.multiplier = first.multiplier * model.rest_area;
+    return first.length;
+  };
+  SolverSummary approach;
+  approach.iterations = 0;
+  if (first_step() > options.fine_volume_threshold) {
+    // As in the paper, the volume of the coarse mesh, which costs next to
+    // nothing, brings the muscle close to the solution.
+    HardConstraintOptions near = options.hard_constraint;
+    near.violation_tolerance = near.step_tolerance =
+        options.fine_volume_threshold;
+    approach = solve(VolumeMesh::kCoarse, near);
+    first_step();
+  }
   *summary = MergedSummary(approach,
                            solve(VolumeMesh::kFine, options.hard_constraint));
   summary->initial_energy = LinearEnergy(model, target, *coarse);

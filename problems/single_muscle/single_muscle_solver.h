@@ -16,9 +16,9 @@ struct SingleMuscleOptions {
   MuscleFormulation formulation = MuscleFormulation::kWhitened;
   HardConstraintOptions hard_constraint;
 
-  // The volume is that of the coarse mesh until steps and volume error, the
-  // latter as a thickness, are below this, mm; then that of the fine mesh.
-  double fine_volume_threshold = 0.05;
+  // While steps or the volume error, the latter as a thickness, are above this,
+  // mm, the volume is that of the coarse mesh; then that of the fine mesh.
+  double fine_volume_threshold = 1;
 
   // Returns options for a formulation, with a linear solver that suits it:
   // conjugate gradients for whitened unknowns, dense Cholesky for blocks.

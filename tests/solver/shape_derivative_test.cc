@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "musclewarp/geometry/fine_map.h"
-#include "musclewarp/solver/gauss_newton.h"
 #include "musclewarp/solver/one_sided_rows.h"
 #include "support/muscles.h"
 
@@ -26,17 +25,6 @@ constexpr double kVertex = 1e-2;
 // places 60 mm from the axis adds some 1e-5 mm by rad, solves that end within
 // 1e-9 mm add 1e-6.
 constexpr double kSolveStep = 1e-3;
-
-Points SolvedTightly(const MuscleModel& model, const MuscleTarget& target) {
-  GaussNewtonOptions options;
-  options.polish_threshold = 1e-10;
-  options.volume_tolerance = 1e-12;
-  Points coarse = UnconstrainedMinimizer(model, target);
-  SolverSummary summary;
-  SolveGaussNewton(model, target, options, &coarse, &summary);
-  EXPECT_TRUE(summary.IsSolutionUsable()) << summary.FullReport();
-  return coarse;
-}
 
 // The target in the pose `q`, with one-sided rows.
 using TargetAt = std::function<MuscleTarget(double q)>;

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/muscles.h"
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Geometry>
 
+#include "musclewarp/solver/gauss_newton.h"
 #include "support/meshes.h"
 
 namespace musclewarp {
@@ -58,6 +61,17 @@ MuscleModel SpindleModel(const MuscleModelOptions& options) {
                        Spindle(15, 66, 2),
                        {{}, SpindleFibres()},
                        options);
+}
+
+Points SolvedTightly(const MuscleModel& model, const MuscleTarget& target) {
+  GaussNewtonOptions options;
+  options.polish_threshold = 1e-10;
+  options.volume_tolerance = 1e-12;
+  Points coarse = UnconstrainedMinimizer(model, target);
+  SolverSummary summary;
+  SolveGaussNewton(model, target, options, &coarse, &summary);
+  EXPECT_TRUE(summary.IsSolutionUsable()) << summary.FullReport();
+  return coarse;
 }
 
 ScenePose FemurPose(const Eigen::Matrix3d& rotation,

@@ -7,6 +7,7 @@
 
 #include "musclewarp/scene/scene.h"
 #include "musclewarp/solver/muscle_model.h"
+#include "musclewarp/solver/muscle_target.h"
 
 namespace musclewarp {
 
@@ -24,6 +25,9 @@ MuscleModelOptions NoAttachmentRows();
 // The same, prepared: 642 fine vertices in a hull of 162.
 MuscleModel SpindleModel(
     const MuscleModelOptions& options = NoAttachmentRows());
+
+// The minimum of a target, within 1e-9 mm.
+Points SolvedTightly(const MuscleModel& model, const MuscleTarget& target);
 
 // A pose in which the femur has moved by rotation and then translation.
 ScenePose FemurPose(const Eigen::Matrix3d& rotation,

@@ -12,6 +12,7 @@ VolumeEvaluator::VolumeEvaluator(const MuscleModel& model,
     : model_(model), corrections_(corrections) {}
 
 void VolumeEvaluator::SetMesh(VolumeMesh mesh) {
+  if (mesh == mesh_) return;
   mesh_ = mesh;
   Forget();
 }
