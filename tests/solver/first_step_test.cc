@@ -33,8 +33,7 @@ TEST(FirstStep, LeadsNearTheMinimumFromClose) {
   const Points minimum = SolvedTightly(model, target);
   const Points near = minimum + 0.1 * Points::Random(minimum.rows(), 3);
   VolumeEvaluator volume(model, nullptr);
-  const FirstStep at_minimum =
-      FirstStepFrom(model, target, minimum, &volume);
+  const FirstStep at_minimum = FirstStepFrom(model, target, minimum, &volume);
   const FirstStep first = FirstStepFrom(model, target, near, &volume);
   EXPECT_NEAR(first.length, (near - minimum).rowwise().norm().maxCoeff(), 0.02);
   EXPECT_NEAR(first.multiplier,

@@ -43,20 +43,20 @@ double Highest(const RowVector3d& normal,
 PlaneSet::PlaneSet(const StepOptions& options, const ContactStep& step)
     : options_(options),
       step_(step),
-      sides_(step.scene.muscles.size()),
-      first_sides_(step.scene.muscles.size()),
+      spaces_(step.scene.muscles.size()),
+      first_(step.scene.muscles.size()),
       near_(step.scene.muscles.size()),
       num_near_(step.scene.muscles.size()) {
   for (int i = 0; i < step.num_muscles(); ++i) {
-    first_sides_[i].assign(step.scene.muscles[i].num_vertices() + 1, 0);
+    first_[i].assign(step.scene.muscles[i].num_vertices() + 1, 0);
   }
-  SortSides(std::vector<std::vector<VertexSide>>(sides_.size()));
+  SortSpaces(std::vector<std::vector<VertexSide>>(spaces_.size()));
 }
 
 void PlaneSet::Add(const std::vector<SeparatingPlane>& planes) {
   if (planes.empty()) return;
   const ScopedStage stage("sorting planes");
-  std::vector<std::vector<VertexSide>> added(sides_.size());
+  std::vector<std::vector<VertexSide>> added(spaces_.size());
   for (const SeparatingPlane& plane : planes) {
     const Side above = static_cast<Side>(planes_.size());
     const int a = plane.muscle_above, b = plane.muscle_below;
@@ -76,7 +76,7 @@ void PlaneSet::Add(const std::vector<SeparatingPlane>& planes) {
   for (const std::vector<VertexSide>& sides : added) {
     CountWork(WorkUnit::kHalfSpaces, static_cast<std::int64_t>(sides.size()));
   }
-  SortSides(added);
+  SortSpaces(added);
 }
 
 void PlaneSet::AddPlane(const SeparatingPlane& plane) {
@@ -121,14 +121,24 @@ double PlaneSet::AttachedShare(int muscle,
   return count / 3;
 }
 
-bool PlaneSet::ComesBefore(Side a, Side b) const {
+PlaneSet::VertexSpace PlaneSet::SpaceOf(Side side) const {
+  const Plane& plane = planes_[NumberOf(side)];
+  return {side < 0 ? RowVector3d(-plane.normal) : plane.normal,
+          LevelOf(side),
+          plane.distance,
+          side,
+          plane.moving < 0};
+}
+
+bool PlaneSet::ComesBefore(const VertexSpace& a, const VertexSpace& b) const {
+  if (a.distance != b.distance) return a.distance < b.distance;
   // The order must not depend on that of the muscles. Planes between muscles
   // are compared by their gaps, as their levels still change.
-  const auto key = [&](Side side) {
-    const Plane& plane = planes_[NumberOf(side)];
-    const RowVector3d n = side < 0 ? -plane.normal : plane.normal;
-    return std::make_tuple(plane.distance,
-                           plane.moving < 0 ? LevelOf(side) : plane.half_gap,
+  const auto key = [&](const VertexSpace& space) {
+    const RowVector3d& n = space.normal;
+    return std::make_tuple(space.is_of_bone
+                               ? LevelOf(space.side)
+                               : planes_[NumberOf(space.side)].half_gap,
                            n[0],
                            n[1],
                            n[2]);
@@ -136,27 +146,30 @@ bool PlaneSet::ComesBefore(Side a, Side b) const {
   return key(a) < key(b);
 }
 
-void PlaneSet::SortSides(const std::vector<std::vector<VertexSide>>& added) {
+void PlaneSet::SortSpaces(const std::vector<std::vector<VertexSide>>& added) {
 #pragma omp parallel for schedule(dynamic, 1)
   for (int i = 0; i < step_.num_muscles(); ++i) {
     const int num_vertices = step_.scene.muscles[i].num_vertices();
-    const std::vector<int>& before = first_sides_[i];
+    const std::vector<int>& before = first_[i];
     std::vector<int> first(num_vertices + 1, 0);
     for (const VertexSide& side : added[i]) ++first[side.vertex + 1];
     for (int v = 0; v < num_vertices; ++v) {
       first[v + 1] += first[v] + before[v + 1] - before[v];
     }
-    std::vector<Side> sorted(first.back());
+    std::vector<VertexSpace> sorted(first.back());
     std::vector<int> next = first;
     for (int v = 0; v < num_vertices; ++v) {
-      for (int k = before[v]; k < before[v + 1]; ++k) {
-        sorted[next[v]++] = sides_[i][k];
-      }
+      next[v] = static_cast<int>(std::copy(spaces_[i].begin() + before[v],
+                                           spaces_[i].begin() + before[v + 1],
+                                           sorted.begin() + first[v]) -
+                                 sorted.begin());
     }
     for (const VertexSide& side : added[i]) {
-      sorted[next[side.vertex]++] = side.side;
+      sorted[next[side.vertex]++] = SpaceOf(side.side);
     }
-    const auto comes_before = [&](Side a, Side b) { return ComesBefore(a, b); };
+    const auto comes_before = [&](const VertexSpace& a, const VertexSpace& b) {
+      return ComesBefore(a, b);
+    };
     for (int v = 0; v < num_vertices; ++v) {
       const auto begin = sorted.begin() + first[v];
       const auto end = sorted.begin() + first[v + 1];
@@ -166,14 +179,9 @@ void PlaneSet::SortSides(const std::vector<std::vector<VertexSide>>& added) {
     }
     near_[i].resize(sorted.size());
     num_near_[i].assign(num_vertices, 0);
-    sides_[i] = std::move(sorted);
-    first_sides_[i] = std::move(first);
+    spaces_[i] = std::move(sorted);
+    first_[i] = std::move(first);
   }
-}
-
-HalfSpace PlaneSet::SpaceOf(Side side) const {
-  const RowVector3d& normal = planes_[NumberOf(side)].normal;
-  return {side < 0 ? RowVector3d(-normal) : normal, LevelOf(side)};
 }
 
 void PlaneSet::SetLevel(int plane, double level) {
@@ -228,25 +236,26 @@ void PlaneSet::FindNear(int muscle, int vertex, const RowVector3d& point) {
   // The cosine of 4 degrees. While a vertex moves by a millimetre, what such
   // planes differ by stays below 0.07 mm.
   constexpr double kSameWay = 0.998;
-  const int begin = first_sides_[muscle][vertex];
-  const int end = first_sides_[muscle][vertex + 1];
-  const Side* sides = sides_[muscle].data();
-  NearSpace* near = near_[muscle].data() + begin;
+  const int begin = first_[muscle][vertex], end = first_[muscle][vertex + 1];
+  VertexSpace* spaces = spaces_[muscle].data();
+  int* near = near_[muscle].data() + begin;
   // Reused between calls: the room that each near half-space leaves, mm.
   thread_local std::vector<double> rooms;
   rooms.resize(std::max<size_t>(rooms.size(), end - begin));
   int count = 0;
   for (int i = begin; i < end; ++i) {
-    const HalfSpace space = SpaceOf(sides[i]);
+    VertexSpace& space = spaces[i];
+    space.level = LevelOf(space.side);
     const double room = space.normal.dot(point) - space.level;
     if (room >= options_.reach) continue;
+    const auto face_alike = [&](const VertexSpace& other) {
+      return other.is_of_bone == space.is_of_bone &&
+             other.normal.dot(space.normal) >= kSameWay;
+    };
     int k = 0;
-    while (k < count && (IsOfBone(near[k].side) != IsOfBone(sides[i]) ||
-                         near[k].normal.dot(space.normal) < kSameWay)) {
-      ++k;
-    }
+    while (k < count && !face_alike(spaces[near[k]])) ++k;
     if (k < count && rooms[k] <= room) continue;
-    near[k] = {space.normal, space.level, sides[i]};
+    near[k] = i;
     rooms[k] = room;
     count = std::max(count, k + 1);
   }
@@ -254,26 +263,29 @@ void PlaneSet::FindNear(int muscle, int vertex, const RowVector3d& point) {
 }
 
 void PlaneSet::RefreshNear(int muscle, int vertex) {
-  NearSpace* near = near_[muscle].data() + first_sides_[muscle][vertex];
+  VertexSpace* spaces = spaces_[muscle].data();
+  const int* near = near_[muscle].data() + first_[muscle][vertex];
   const int count = num_near_[muscle][vertex];
-  for (int i = 0; i < count; ++i) near[i].level = LevelOf(near[i].side);
+  for (int i = 0; i < count; ++i) {
+    spaces[near[i]].level = LevelOf(spaces[near[i]].side);
+  }
 }
 
 RowVector3d PlaneSet::Projected(int muscle,
                                 int vertex,
                                 const RowVector3d& point) const {
-  const NearSpace* near = near_[muscle].data() + first_sides_[muscle][vertex];
+  const VertexSpace* all = spaces_[muscle].data();
+  const int* near = near_[muscle].data() + first_[muscle][vertex];
   const int count = num_near_[muscle][vertex];
-  const bool is_inside =
-      std::all_of(near, near + count, [&](const NearSpace& space) {
-        return space.normal.dot(point) >= space.level;
-      });
+  const bool is_inside = std::all_of(near, near + count, [&](int i) {
+    return all[i].normal.dot(point) >= all[i].level;
+  });
   if (is_inside) return point;
   // Reused between calls: most vertices have a few planes, some hundreds.
   thread_local std::vector<HalfSpace> spaces;
   if (static_cast<int>(spaces.size()) < count) spaces.resize(count);
   for (int i = 0; i < count; ++i) {
-    spaces[i] = {near[i].normal, near[i].level};
+    spaces[i] = {all[near[i]].normal, all[near[i]].level};
   }
   const RelaxationOptions& relaxation = options_.relaxation;
   RowVector3d nearest = point;
@@ -283,9 +295,7 @@ RowVector3d PlaneSet::Projected(int muscle,
         spaces.data(), count, relaxation.violation_weight, &nearest);
     int bones = 0;
     for (int i = 0; i < count; ++i) {
-      if (IsOfBone(near[i].side)) {
-        spaces[bones++] = spaces[i];
-      }
+      if (all[near[i]].is_of_bone) spaces[bones++] = spaces[i];
     }
     ApproachHalfSpaces(spaces.data(), bones, relaxation.bone_turns, &nearest);
   }
@@ -315,14 +325,14 @@ OwnedHalfSpaces PlaneSet::MostViolated(int muscle,
                                        const Points& points,
                                        const Points& targets) const {
   OwnedHalfSpaces most_violated;
-  const std::vector<int>& first = first_sides_[muscle];
+  const std::vector<int>& first = first_[muscle];
   for (const int v : vertices) {
     double depth = -kInfinity;
     VertexHalfSpace deepest;
-    const Side* deepest_side = nullptr;
+    const VertexSpace* deepest_space = nullptr;
     for (int i = first[v]; i < first[v + 1]; ++i) {
-      const Side& side = sides_[muscle][i];
-      const HalfSpace space = SpaceOf(side);
+      const VertexSpace& of_vertex = spaces_[muscle][i];
+      const HalfSpace space = {of_vertex.normal, LevelOf(of_vertex.side)};
       if (space.normal.dot(points.row(v)) >
           space.level + options_.relaxation.contact_distance) {
         continue;
@@ -331,11 +341,11 @@ OwnedHalfSpaces PlaneSet::MostViolated(int muscle,
       if (depth_here <= depth) continue;
       depth = depth_here;
       deepest = {v, space};
-      deepest_side = &side;
+      deepest_space = &of_vertex;
     }
-    if (!deepest_side) continue;
+    if (!deepest_space) continue;
     most_violated.spaces.push_back(deepest);
-    most_violated.owners.push_back(CarrierOf(*deepest_side));
+    most_violated.owners.push_back(CarrierOf(deepest_space->side));
   }
   return most_violated;
 }
@@ -343,14 +353,14 @@ OwnedHalfSpaces PlaneSet::MostViolated(int muscle,
 double PlaneSet::WorstViolation(const std::vector<Points>& points) const {
   double worst = 0;
   for (int i = 0; i < step_.num_muscles(); ++i) {
-    const std::vector<int>& first = first_sides_[i];
+    const std::vector<int>& first = first_[i];
     for (Eigen::Index v = 0; v < points[i].rows(); ++v) {
       for (int k = first[v]; k < first[v + 1]; ++k) {
-        const Side side = sides_[i][k];
-        if (IsWithinOneMuscle(side)) continue;
-        const HalfSpace space = SpaceOf(side);
-        worst =
-            std::max(worst, space.level - space.normal.dot(points[i].row(v)));
+        const VertexSpace& space = spaces_[i][k];
+        const double violation =
+            LevelOf(space.side) - space.normal.dot(points[i].row(v));
+        if (violation <= worst || IsWithinOneMuscle(space.side)) continue;
+        worst = violation;
       }
     }
   }

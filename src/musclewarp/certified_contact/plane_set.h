@@ -103,12 +103,14 @@ class PlaneSet {
   };
   // The half-space of a vertex above plane p is p, that of one below it is ~p.
   using Side = int;
-  // A near half-space, with its normal beside it: sweeps read these more often
-  // than anything else.
-  struct NearSpace {
+  // A half-space of a vertex. Sweeps read these more often than anything else,
+  // so that what they need of the plane is beside it.
+  struct VertexSpace {
     Eigen::RowVector3d normal;
-    double level;  // of the last FindNear() or RefreshNear()
+    double level;     // of the last FindNear() or RefreshNear(), mm
+    double distance;  // of the plane
     Side side;
+    bool is_of_bone;
   };
   struct VertexSide {
     int vertex;
@@ -120,17 +122,16 @@ class PlaneSet {
   // Returns the fraction of the corners of a triangle that are attached.
   double AttachedShare(int muscle, const Eigen::RowVector3i& corners) const;
 
-  // Sorts the sides of each vertex, including `added` (by muscle).
-  void SortSides(const std::vector<std::vector<VertexSide>>& added);
-  bool ComesBefore(Side a, Side b) const;
+  // Sorts the half-spaces of each vertex, including `added` (by muscle).
+  void SortSpaces(const std::vector<std::vector<VertexSide>>& added);
+  bool ComesBefore(const VertexSpace& a, const VertexSpace& b) const;
+  VertexSpace SpaceOf(Side side) const;
 
   static int NumberOf(Side side) { return side < 0 ? ~side : side; }
   double LevelOf(Side side) const {
     return side < 0 ? levels_[~side].below : levels_[side].above;
   }
   void SetLevel(int plane, double level);
-  HalfSpace SpaceOf(Side side) const;
-  bool IsOfBone(Side side) const { return planes_[NumberOf(side)].moving < 0; }
   bool IsWithinOneMuscle(Side side) const;
   PlaneOwner CarrierOf(Side side) const;
   void UpdateLevel(const std::vector<Points>& unprojected,
@@ -144,13 +145,13 @@ class PlaneSet {
   std::vector<Levels> levels_;  // of planes_
   std::vector<MovingPlane> moving_;
 
-  // By muscle, by vertex: the sides of vertex v start at first_sides_[v].
-  std::vector<std::vector<Side>> sides_;
-  std::vector<std::vector<int>> first_sides_;
+  // By muscle, by vertex: the half-spaces of vertex v start at first_[v].
+  std::vector<std::vector<VertexSpace>> spaces_;
+  std::vector<std::vector<int>> first_;
 
-  // By muscle: the near half-spaces of vertex v are the num_near_[v] entries
-  // from first_sides_[v] on.
-  std::vector<std::vector<NearSpace>> near_;
+  // By muscle: the near half-spaces of vertex v are those of spaces_ whose
+  // places are the num_near_[v] entries from first_[v] on.
+  std::vector<std::vector<int>> near_;
   std::vector<std::vector<int>> num_near_;
 };
 

@@ -60,7 +60,7 @@ Restoration RestoreVolume(const StepOptions& options,
   const Eigen::VectorXd shares = SharesOf(
       surface, attached, *points, unprojected, limits.smoothing_passes);
   Restoration restoration;
-  double error = 0, room = limits.max_move;
+  double error = 0, room = limits.max_move, since_found = 0;
   for (int step = 0;; ++step) {
     error = SignedVolume(*points, surface.triangles) - surface.volume;
     if (step == 0) restoration.missing = -error;
@@ -76,11 +76,16 @@ Restoration RestoreVolume(const StepOptions& options,
     const double farthest = std::min(options.reach, room);
     const double move = std::clamp(-error / slope, -farthest, farthest);
     room -= std::abs(move);
+    // Half-spaces within the reach of a vertex are near: they serve until it
+    // has gone half of that way.
+    since_found += std::abs(move);
+    const bool finds_near = step == 0 || since_found > options.reach / 2;
+    if (finds_near) since_found = 0;
     for (int v = 0; v < surface.num_vertices(); ++v) {
       if (shares[v] == 0 || lengths[v] == 0) continue;
       const RowVector3d moved =
           points->row(v) + shares[v] * move / lengths[v] * normals.row(v);
-      planes->FindNear(muscle, v, moved);
+      if (finds_near) planes->FindNear(muscle, v, moved);
       points->row(v) = planes->Projected(muscle, v, moved);
     }
   }
