@@ -98,7 +98,8 @@ StepTimes StepReplay::Take(const std::string& path,
                          recorded.pose,
                          recorded.is_settling,
                          recorded.max_push,
-                         recorded.is_still};
+                         recorded.is_still,
+                         recorded.reaches};
   omp_set_num_threads(threads);
   std::vector<StepTimes> times;
   for (int i = 0; i < repeats; ++i) {

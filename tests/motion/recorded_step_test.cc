@@ -50,7 +50,8 @@ class RecordedStepTest : public ::testing::Test {
                      step.pose,
                      step.is_settling,
                      step.max_push,
-                     step.is_still},
+                     step.is_still,
+                     step.reaches},
                     step.before,
                     StepSolves(2))
         .state;

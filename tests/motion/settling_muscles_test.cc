@@ -53,11 +53,23 @@ TEST(SettlingMuscles, StandStillWhileOthersSettle) {
   // All may be asked to move once more.
   muscles.MoveAll();
   EXPECT_THAT(muscles.Still(), IsEmpty());
-  muscles.Add({0.05, 0.2, 0.05}, muscles.Still());
+  muscles.Add({0.05, 0.4, 0.05}, muscles.Still());
   EXPECT_THAT(muscles.Still(), ElementsAre(true, false, true));
   muscles.Add({0, 0.05, 0}, muscles.Still());
   EXPECT_TRUE(muscles.AreSettled());
   EXPECT_THAT(muscles.Still(), IsEmpty());
+}
+
+TEST(SettlingMuscles, StaySettledWhileOthersMoveThemALittle) {
+  SettlingMuscles muscles(2, /*tolerance=*/0.1, /*reach=*/1);
+  muscles.Add({0.05, 0.05}, muscles.Still());
+  EXPECT_TRUE(muscles.AreSettled());
+  muscles.MoveAll();
+  muscles.Add({0.25, 0.05}, muscles.Still());
+  EXPECT_TRUE(muscles.AreSettled());
+  muscles.MoveAll();
+  muscles.Add({0.35, 0.05}, muscles.Still());
+  EXPECT_FALSE(muscles.AreSettled());
 }
 
 TEST(SettlingMuscles, MayBeginWithSomeOfThem) {

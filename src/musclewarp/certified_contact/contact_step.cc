@@ -50,6 +50,7 @@ ContactStep MakeContactStep(const ContactScene& scene,
                    {},
                    std::move(is_still),
                    {},
+                   {},
                    {}};
   for (const MuscleSurface& muscle : scene.muscles) {
     step.trees_before.push_back(*muscle.tree);
@@ -70,6 +71,12 @@ ContactStep MakeContactStep(const ContactScene& scene,
     }
   }
   return step;
+}
+
+double ReachOf(const StepOptions& options,
+               const ContactStep& step,
+               int muscle) {
+  return step.reaches.empty() ? options.reach : step.reaches[muscle];
 }
 
 std::vector<TriangleBvh> PredictedTrees(const ContactStep& step) {

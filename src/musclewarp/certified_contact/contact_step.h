@@ -8,6 +8,7 @@
 
 #include "musclewarp/certified_contact/contact_state.h"
 #include "musclewarp/certified_contact/muscle_surface.h"
+#include "musclewarp/certified_contact/step_options.h"
 #include "musclewarp/mesh/triangle_soup.h"
 #include "musclewarp/proximity/triangle_bvh.h"
 
@@ -42,6 +43,9 @@ struct ContactStep {
   // its way.
   std::vector<char> is_still;
 
+  // By muscle: its reach (StepOptions::reach), mm. Empty: that of the options.
+  std::vector<double> reaches = {};
+
   // By muscle: a tree over its triangles before the step.
   std::vector<TriangleBvh> trees_before;
 
@@ -65,6 +69,9 @@ ContactStep MakeContactStep(const ContactScene& scene,
                             std::vector<Eigen::Matrix4d> bones_from_rest,
                             std::vector<AttachedPoints> attached = {},
                             std::vector<char> is_still = {});
+
+// Returns the reach of a muscle in a step, mm.
+double ReachOf(const StepOptions& options, const ContactStep& step, int muscle);
 
 // Returns a tree over the predicted triangles of each muscle. FindDefects()
 // refits these trees instead of building its own.

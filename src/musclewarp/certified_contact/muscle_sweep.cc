@@ -20,7 +20,8 @@ MuscleSweep::MuscleSweep(const StepOptions& options,
     : options_(options),
       surface_(step.scene.muscles[muscle]),
       attached_(step.attached[muscle].positions),
-      muscle_(muscle) {
+      muscle_(muscle),
+      reach_(ReachOf(options, step, muscle)) {
   const double length = options.relaxation.smoothing_length;
   const int count = surface_.num_vertices();
   std::vector<int> attached(count, -1);
@@ -103,8 +104,8 @@ RowVector3d MuscleSweep::WithinReach(const Vertex& vertex,
                                      const RowVector3d& place) const {
   const RowVector3d beyond = place - vertex.predicted;
   const double squared = beyond.squaredNorm();
-  if (squared <= options_.reach * options_.reach) return place;
-  return vertex.predicted + options_.reach / std::sqrt(squared) * beyond;
+  if (squared <= reach_ * reach_) return place;
+  return vertex.predicted + reach_ / std::sqrt(squared) * beyond;
 }
 
 // Returns the minimizer over the position of one vertex of a quadratic function

@@ -85,6 +85,7 @@ class MuscleSweep {
   const MuscleSurface& surface_;
   const Points& attached_;  // positions
   const int muscle_;
+  const double reach_;  // mm
   std::vector<Vertex> vertices_;
   std::vector<Edge> edges_;
   std::vector<Place> places_;

@@ -3,6 +3,7 @@
 #include "musclewarp/certified_contact/separating_planes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <tuple>
 #include <utility>
@@ -54,29 +55,36 @@ void Append(const std::vector<std::vector<SeparatingPlane>>& parts,
 
 // What is known of a muscle.
 struct MuscleData {
-  // By node of its tree: boxes around its triangles, larger by half of the
-  // search radius on all sides, before the step and at the prediction.
+  double radius = 0;  // its part of the search radius, mm
+
+  // By node of its tree: boxes around its triangles, larger by that part on all
+  // sides, before the step and at the prediction.
   std::vector<Box3> before, predicted;
 
   // By triangle: how many of its corners are attached.
   std::vector<int> attached_corners;
 };
 
-std::vector<MuscleData> MuscleDataOf(const ContactStep& step,
-                                     const std::vector<TriangleBvh>& predicted,
-                                     double radius) {
+std::vector<MuscleData> MuscleDataOf(
+    const StepOptions& options,
+    const ContactStep& step,
+    const std::vector<TriangleBvh>& predicted) {
   std::vector<MuscleData> data(predicted.size());
 #pragma omp parallel for schedule(dynamic, 1)
   for (size_t i = 0; i < predicted.size(); ++i) {
     const MuscleSurface& surface = step.scene.muscles[i];
     std::vector<char> is_attached(surface.num_vertices(), false);
     for (const int v : step.attached[i].vertices) is_attached[v] = true;
+    const double radius = options.AimedGap() / 2 +
+                          options.planes.search_fraction *
+                              ReachOf(options, step, static_cast<int>(i));
+    data[i].radius = radius;
     const int count = predicted[i].num_triangles();
     std::vector<Box3> before(count), after(count);
     data[i].attached_corners.resize(count);
     for (int f = 0; f < count; ++f) {
-      before[f] = BoxOf(step.trees_before[i].corners(f), radius / 2);
-      after[f] = BoxOf(predicted[i].corners(f), radius / 2);
+      before[f] = BoxOf(step.trees_before[i].corners(f), radius);
+      after[f] = BoxOf(predicted[i].corners(f), radius);
       for (const int v : surface.triangles.row(f)) {
         data[i].attached_corners[f] += is_attached[v];
       }
@@ -87,11 +95,15 @@ std::vector<MuscleData> MuscleDataOf(const ContactStep& step,
   return data;
 }
 
-// The search radius and the muscles for AddPlanesBetweenMuscles().
+// The muscles for AddPlanesBetweenMuscles().
 struct NearMuscles {
-  double radius = 0;  // mm
   const std::vector<TriangleBvh>& predicted;
   const std::vector<MuscleData>& muscles;
+
+  // The search radius of two muscles, mm: both may move by their reach.
+  double RadiusOf(int a, int b) const {
+    return muscles[a].radius + muscles[b].radius;
+  }
 };
 
 // The planes of one triangle of a muscle against another muscle.
@@ -108,7 +120,7 @@ class TrianglePlanes {
         a_(a),
         b_(b),
         f_(f),
-        square_(near.radius * near.radius),
+        square_(std::pow(near.RadiusOf(a, b), 2)),
         before_(step.trees_before[a].corners(f)),
         predicted_(near.predicted[a].corners(f)),
         others_before_(step.trees_before[b]),
@@ -229,7 +241,7 @@ void AddPlanesBetweenMuscles(const StepOptions& options,
     return of_a.before[node_a].Overlaps(of_b.before[node_b]) ||
            of_a.predicted[node_a].Overlaps(of_b.predicted[node_b]);
   };
-  const double square = near.radius * near.radius;
+  const double square = std::pow(near.RadiusOf(a, b), 2);
   const auto are_near = [&](int f, int g) {
     const auto are_near_in = [&](const TriangleBvh& tree_a,
                                  const TriangleBvh& tree_b) {
@@ -294,17 +306,15 @@ std::vector<SeparatingPlane> FindPlanesBetweenMuscles(
     const ContactStep& step,
     const std::vector<TriangleBvh>& predicted) {
   const ScopedStage stage("planes between muscles");
-  // Both muscles may move by the reach.
-  const double radius =
-      options.AimedGap() + options.planes.search_fraction * 2 * options.reach;
-  const std::vector<MuscleData> muscles = MuscleDataOf(step, predicted, radius);
+  const std::vector<MuscleData> muscles =
+      MuscleDataOf(options, step, predicted);
   std::vector<SeparatingPlane> planes;
   for (int a = 0; a < step.num_muscles(); ++a) {
     for (int b = 0; b < step.num_muscles(); ++b) {
       if (a == b || !IsAbove(step, a, b)) continue;
       if (step.is_still[a] && step.is_still[b]) continue;
       AddPlanesBetweenMuscles(
-          options, step, {radius, predicted, muscles}, a, b, &planes);
+          options, step, {predicted, muscles}, a, b, &planes);
     }
   }
   return planes;

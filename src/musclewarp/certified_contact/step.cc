@@ -65,9 +65,10 @@ StepResult ResultOf(const StepOptions& options,
   summary.push = MoveOfMostMoved(best.points, step.predicted, kPushedFarthest) +
                  summary.violation;
   summary.is_short_of_reach = summary.push < options.reach;
-  for (const double push :
-       MovesOfMost(best.points, step.predicted, kUnsettled)) {
-    const bool is_far = push >= 0.99 * options.reach;
+  const std::vector<double> pushes =
+      MovesOfMost(best.points, step.predicted, kUnsettled);
+  for (int i = 0; i < step.num_muscles(); ++i) {
+    const bool is_far = pushes[i] >= 0.99 * ReachOf(options, step, i);
     summary.is_pushed_far.push_back(is_far);
     if (is_far) summary.is_short_of_reach = false;
   }
@@ -203,12 +204,13 @@ StepResult Step(const StepOptions& options,
   std::string error;
   CHECK(options.IsValid(&error)) << error;
   ContactState state = goal.state;
-  const ContactStep step = MakeContactStep(scene,
-                                           before,
-                                           state.targets,
-                                           state.bones_from_rest,
-                                           state.held,
-                                           goal.is_still);
+  ContactStep step = MakeContactStep(scene,
+                                     before,
+                                     state.targets,
+                                     state.bones_from_rest,
+                                     state.held,
+                                     goal.is_still);
+  step.reaches = goal.reaches;
   if (goal.max_push < kInfinity) {
     const double passage = MaxTunnelling(step);
     if (passage > options.relaxation.max_push) {

@@ -93,6 +93,9 @@ struct StepGoal {
   // By muscle: whether it stands still while others move out of its way; its
   // targets are those before. Empty: all muscles move.
   std::vector<char> is_still = {};
+
+  // By muscle: its reach, mm. Empty: StepOptions::reach.
+  std::vector<double> reaches = {};
 };
 
 // The result of the coarse solve with contact rows, by muscle; see

@@ -53,6 +53,7 @@ Restoration RestoreVolume(const StepOptions& options,
                           const MuscleSurface& surface,
                           const AttachedPoints& attached,
                           int muscle,
+                          double reach,
                           const Points& unprojected,
                           PlaneSet* planes,
                           Points* points) {
@@ -73,13 +74,13 @@ Restoration RestoreVolume(const StepOptions& options,
     const Eigen::VectorXd lengths = normals.rowwise().norm();
     const double slope = shares.dot(lengths);
     if (!(slope > 0)) break;
-    const double farthest = std::min(options.reach, room);
+    const double farthest = std::min(reach, room);
     const double move = std::clamp(-error / slope, -farthest, farthest);
     room -= std::abs(move);
     // Half-spaces within the reach of a vertex are near: they serve until it
     // has gone half of that way.
     since_found += std::abs(move);
-    const bool finds_near = step == 0 || since_found > options.reach / 2;
+    const bool finds_near = step == 0 || since_found > reach / 2;
     if (finds_near) since_found = 0;
     for (int v = 0; v < surface.num_vertices(); ++v) {
       if (shares[v] == 0 || lengths[v] == 0) continue;
@@ -112,6 +113,7 @@ RestoredVolumes RestoreVolumes(const StepOptions& options,
                                                   step.scene.muscles[i],
                                                   step.attached[i],
                                                   i,
+                                                  ReachOf(options, step, i),
                                                   relaxed.unprojected[i],
                                                   planes,
                                                   &restored.points[i]);

@@ -74,8 +74,7 @@ class PoseStepper {
         state_(state),
         solves_(state->points.size()) {
     if (options.relaxes_rest) {
-      step_.reach =
-          ReachFor(MoveOfMostMoved(state->points, state->targets, kUnsettled));
+      SetReaches(MovesOfMost(state->points, state->targets, kUnsettled), 1);
     }
   }
 
@@ -132,8 +131,8 @@ class PoseStepper {
   // Takes a settling step at the pose.
   void Settle() {
     is_still_ = StillMuscles();
-    PoseStepResult attempt =
-        Try({step_, goal_, /*is_settling=*/true, kInfinity, is_still_});
+    PoseStepResult attempt = Try(
+        {step_, goal_, /*is_settling=*/true, kInfinity, is_still_, reaches_});
     Respond(!IsFinite(attempt.state)   ? StepOutcome::kSettledNotFinite
             : Crosses(attempt.summary) ? StepOutcome::kSettledCrossing
                                        : StepOutcome::kSettledClean,
@@ -225,7 +224,7 @@ class PoseStepper {
     if (!options_.relaxes_rest) return;
     // Muscles that stood still may be out of balance.
     is_settled_ = is_settled_ && is_still_.empty();
-    step_.reach = ReachFor(options_.reach_growth * move);
+    SetReaches(moves, options_.reach_growth);
     ContinueUnfolding(defects.self_crossing_pairs);
   }
 
@@ -251,6 +250,13 @@ class PoseStepper {
     step_.unfolds = step_.unfolds && self_crossings > 0 &&
                     self_crossings < kFewer * self_crossings_;
     self_crossings_ = self_crossings;
+  }
+
+  // Has each muscle reach as far as `growth` times its last move, mm.
+  void SetReaches(const std::vector<double>& moves, double growth) {
+    reaches_.clear();
+    for (const double move : moves) reaches_.push_back(ReachFor(growth * move));
+    step_.reach = *std::max_element(reaches_.begin(), reaches_.end());
   }
 
   // Returns a reach, mm, which still may grow once.
@@ -296,6 +302,7 @@ class PoseStepper {
                         step.options.sweeps,
                         step.options.unfolds,
                         step.is_still,
+                        step.reaches,
                         *state_,
                         attempt.state});
     }
@@ -318,8 +325,11 @@ class PoseStepper {
   // Enlarges the reach of the next step. Returns false at `max_reach`.
   bool ReachFarther() {
     if (step_.reach >= options_.max_reach) return false;
-    step_.reach =
-        std::min(options_.reach_growth * step_.reach, options_.max_reach);
+    const auto farther = [&](double reach) {
+      return std::min(options_.reach_growth * reach, options_.max_reach);
+    };
+    step_.reach = farther(step_.reach);
+    for (double& reach : reaches_) reach = farther(reach);
     return true;
   }
 
@@ -348,6 +358,7 @@ class PoseStepper {
   bool is_broken_ = false;  // no step from here has finite coordinates
   SettlingMuscles settling_;
   std::vector<char> is_still_;         // in the last settling step, by muscle
+  std::vector<double> reaches_;        // of a settling rest pose, by muscle, mm
   double self_crossings_ = kInfinity;  // after the last settling step
   int returns_ = 0;
   std::vector<Waypoint> trail_;  // the latest last

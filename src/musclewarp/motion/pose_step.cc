@@ -122,6 +122,7 @@ PoseStepResult TakeStep(const MotionContext& context,
   result.solves.free = free.summaries;
   goal.max_push = step.max_push;
   goal.is_still = step.is_still;
+  goal.reaches = step.reaches;
   SolveCoarse solve_coarse;
   if (context.certified.options.coarse_weight > 0) {
     solve_coarse = [&](const PlaneSet& planes,

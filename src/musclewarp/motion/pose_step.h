@@ -25,6 +25,9 @@ struct PoseStep {
 
   // By muscle: whether it keeps its shape in a settling step. Empty: all move.
   std::vector<char> is_still = {};
+
+  // By muscle: its reach, mm. Empty: that of the options.
+  std::vector<double> reaches = {};
 };
 
 // The summaries of the solves that produced a state, by muscle, in the order of

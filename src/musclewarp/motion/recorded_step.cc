@@ -17,7 +17,7 @@ namespace {
 
 // The first bytes of a file, followed by a checksum of the rest. The number is
 // incremented with every change of the layout.
-constexpr char kMagic[] = "musclewarp step 3\n";
+constexpr char kMagic[] = "musclewarp step 4\n";
 
 constexpr char kAdvice[] =
     "record it again with musclewarp-deform {record_steps}";
@@ -40,6 +40,7 @@ void serialize(Archive& archive, RecordedStep& step) {
           step.sweeps,
           step.unfolds,
           step.is_still,
+          step.reaches,
           step.before,
           step.after);
 }

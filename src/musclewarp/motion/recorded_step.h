@@ -24,6 +24,7 @@ struct RecordedStep {
   int sweeps = 0;
   bool unfolds = false;
   std::vector<char> is_still;
+  std::vector<double> reaches;  // mm
 
   ContactState before;
   ContactState after;  // without points if its push was too large

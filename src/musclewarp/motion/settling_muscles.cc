@@ -4,6 +4,8 @@
 
 #include <glog/logging.h>
 
+#include <algorithm>
+
 namespace musclewarp {
 namespace {
 
@@ -11,6 +13,11 @@ namespace {
 // fraction of the least move before.
 constexpr int kPatience = 3;
 constexpr double kLess = 0.9;
+
+// A muscle that has settled counts as unsettled again if others make it move by
+// as much, mm, and by no less than the tolerance: what goes to and fro between
+// neighbours would otherwise never end.
+constexpr double kUnsettling = 0.3;
 
 }  // namespace
 
@@ -51,8 +58,9 @@ void SettlingMuscles::AddMove(double move, Muscle* muscle) const {
   } else {
     ++muscle->steps_since_least;
   }
-  muscle->is_unsettled =
-      move >= tolerance_ && muscle->steps_since_least < kPatience;
+  const double limit =
+      muscle->is_unsettled ? tolerance_ : std::max(tolerance_, kUnsettling);
+  muscle->is_unsettled = move >= limit && muscle->steps_since_least < kPatience;
 }
 
 }  // namespace musclewarp
