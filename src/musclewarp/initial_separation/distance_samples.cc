@@ -12,7 +12,8 @@ namespace {
 
 using Eigen::RowVector3d;
 
-constexpr std::int64_t kBlock = 4;  // points along an edge of a block
+// Points along the edges of blocks, and of blocks within them.
+constexpr std::int64_t kEdges[] = {4, 2};
 
 }  // namespace
 
@@ -27,10 +28,14 @@ DistanceSamples::DistanceSamples(SignedDistanceFunction distance,
     size_[k] = static_cast<std::int64_t>(std::ceil(box.upper[k] / spacing)) +
                2 - first_[k];
   }
-  blocks_ = (size_ + kBlock - 1) / kBlock;
   values_ = Unknown(size_.prod());
-  middles_ = Unknown(blocks_.prod());
+  for (const std::int64_t edge : kEdges) blocks_.emplace_back(size_, edge);
 }
+
+DistanceSamples::Blocks::Blocks(const Place& lattice, std::int64_t points)
+    : edge(points),
+      count((lattice + edge - 1) / edge),
+      middles(Unknown(count.prod())) {}
 
 void DistanceSamples::SampleAll() {
 #pragma omp parallel for schedule(dynamic, 256)
@@ -69,28 +74,36 @@ RowVector3d DistanceSamples::Position(const Place& at) const {
   return spacing_ * (first_ + at).cast<double>().matrix();
 }
 
-double DistanceSamples::Sample(std::int64_t index) const {
-  const Place at = PlaceOf(index);
-  const Place block = at / kBlock;
-  const RowVector3d low = Position(kBlock * block);
+std::optional<double> DistanceSamples::FarValue(const Place& at,
+                                                const Blocks& blocks) const {
+  const Place block = at / blocks.edge;
+  const RowVector3d low = Position(blocks.edge * block);
   const RowVector3d high =
-      Position(Place((kBlock * block + kBlock).min(size_) - 1));
+      Position(Place((blocks.edge * block + blocks.edge).min(size_) - 1));
   const RowVector3d middle = (low + high) / 2;
   std::atomic<double>& known =
-      middles_[block[0] + blocks_[0] * (block[1] + blocks_[1] * block[2])];
+      blocks.middles[block[0] +
+                     blocks.count[0] * (block[1] + blocks.count[1] * block[2])];
   double at_middle = known.load(std::memory_order_relaxed);
   if (std::isnan(at_middle)) {
     at_middle = distance_(middle);
     known.store(at_middle, std::memory_order_relaxed);
   }
-  const RowVector3d p = Position(at);
-  const bool is_far =
-      std::abs(at_middle) > (high - low).norm() / 2 + 2 * spacing_;
-  const double value =
-      is_far ? at_middle - std::copysign((p - middle).norm(), at_middle)
-             : distance_(p);
-  values_[index].store(value, std::memory_order_relaxed);
-  return value;
+  if (std::abs(at_middle) <= (high - low).norm() / 2 + 2 * spacing_) {
+    return std::nullopt;
+  }
+  return at_middle - std::copysign((Position(at) - middle).norm(), at_middle);
+}
+
+double DistanceSamples::Sample(std::int64_t index) const {
+  const Place at = PlaceOf(index);
+  std::optional<double> value;
+  for (const Blocks& blocks : blocks_) {
+    if (!value) value = FarValue(at, blocks);
+  }
+  if (!value) value = distance_(Position(at));
+  values_[index].store(*value, std::memory_order_relaxed);
+  return *value;
 }
 
 }  // namespace musclewarp

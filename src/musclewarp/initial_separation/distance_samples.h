@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "musclewarp/mesh/box.h"
 
@@ -66,15 +68,27 @@ class DistanceSamples {
   using Values = std::unique_ptr<std::atomic<double>[]>;
   static Values Unknown(std::int64_t count);
 
+  // Blocks of the lattice, which share the value at their centre.
+  struct Blocks {
+    Blocks(const Place& lattice, std::int64_t points);
+
+    std::int64_t edge;  // points along it
+    Place count;
+    Values middles;
+  };
+
   Place PlaceOf(std::int64_t index) const;
   Eigen::RowVector3d Position(const Place& at) const;
   double Sample(std::int64_t index) const;
 
+  // Returns the value of a point if its block is far from the boundary.
+  std::optional<double> FarValue(const Place& at, const Blocks& blocks) const;
+
   SignedDistanceFunction distance_;
   double spacing_;
-  Place first_, size_, blocks_;
+  Place first_, size_;
   Values values_;
-  Values middles_;  // the values at the centres of blocks
+  std::vector<Blocks> blocks_;  // the largest first
 };
 
 }  // namespace musclewarp
