@@ -8,9 +8,14 @@
 
 namespace musclewarp {
 
-TriangleSoup WithSelfIntersectionsRepaired(const TriangleSoup& soup) {
+TriangleSoup WithSelfIntersectionsRepaired(const TriangleSoup& soup,
+                                           const std::vector<int>& triangles) {
   CgalMesh mesh = ToCgalMesh(soup);
-  CGAL::Polygon_mesh_processing::experimental::remove_self_intersections(mesh);
+  // Faces have the numbers of the triangles.
+  std::vector<CgalMesh::Face_index> faces;
+  for (const int f : triangles) faces.emplace_back(f);
+  CGAL::Polygon_mesh_processing::experimental::remove_self_intersections(faces,
+                                                                         mesh);
   return FromCgalMesh(mesh);
 }
 

@@ -11,6 +11,7 @@
 
 #include "musclewarp/cgal/self_intersection_repair.h"
 #include "musclewarp/mesh/defects.h"
+#include "musclewarp/mesh/measures.h"
 #include "musclewarp/mesh/pieces.h"
 #include "musclewarp/proximity/mesh_intersection.h"
 
@@ -37,13 +38,37 @@ void Compare(const TriangleSoup& before,
   if (removal->new_vertices > 0) removal->place /= removal->new_vertices;
 }
 
+// Returns the triangles within 20 typical edges of those that cross: seven
+// rounds of repair, each of which may take another ring of triangles, stay
+// inside.
+std::vector<int> TrianglesAround(
+    const TriangleSoup& soup,
+    const std::vector<std::pair<int, int>>& crossings) {
+  std::set<int> crossing;
+  for (const auto& [f, g] : crossings) crossing.insert({f, g});
+  const TriangleBvh tree(
+      soup.points,
+      soup.triangles(std::vector<int>(crossing.begin(), crossing.end()),
+                     Eigen::all));
+  const double around = 20 * TypicalEdge(soup.points, soup.triangles);
+  std::vector<int> triangles;
+  for (int f = 0; f < soup.triangles.rows(); ++f) {
+    const Eigen::RowVector3d centre =
+        CornersOf(soup.points, soup.triangles.row(f)).colwise().mean();
+    if (tree.IsWithin(centre, around)) triangles.push_back(f);
+  }
+  return triangles;
+}
+
 // Removes the crossings of one closed manifold with itself.
 SelfCrossingRemoval RemoveFromSurface(TriangleSoup* soup) {
   SelfCrossingRemoval removal;
-  removal.pairs_before = static_cast<int>(SelfIntersections(*soup).size());
+  const std::vector<std::pair<int, int>> crossings = SelfIntersections(*soup);
+  removal.pairs_before = static_cast<int>(crossings.size());
   removal.pairs_after = removal.pairs_before;
-  if (removal.pairs_before == 0) return removal;
-  TriangleSoup repaired = WithSelfIntersectionsRepaired(*soup);
+  if (crossings.empty()) return removal;
+  TriangleSoup repaired =
+      WithSelfIntersectionsRepaired(*soup, TrianglesAround(*soup, crossings));
   const int pairs = static_cast<int>(SelfIntersections(repaired).size());
   if (pairs >= removal.pairs_before || !CountDefects(repaired).IsClean()) {
     return removal;
