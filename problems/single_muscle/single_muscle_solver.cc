@@ -76,8 +76,8 @@ void SolveSingleMuscle(const MuscleModel& model,
   };
   const auto first_step = [&] {
     volume.SetMesh(VolumeMesh::kFine);
-    const Points at = unknowns.Coarse();
-    const FirstStep first = FirstStepFrom(model, target, at, &volume);
+    const FirstStep first =
+        FirstStepFrom(model, target, unknowns.Coarse(), &volume);
     constraint.multiplier = first.multiplier * model.rest_area;
     return first.length;
   };
