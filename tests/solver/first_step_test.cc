@@ -41,7 +41,6 @@ TEST(FirstStep, LeadsNearTheMinimumFromClose) {
               0.5 * std::abs(at_minimum.multiplier));
 }
 
-// The multiplier is a force over an area, whatever the unit of the pose.
 TEST(FirstStep, IsTheSameForBodiesThatMovedAsOne) {
   const MuscleModel model = SpindleModel();
   const Eigen::Matrix3d rotation =

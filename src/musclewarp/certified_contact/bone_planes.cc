@@ -21,13 +21,16 @@ namespace {
 constexpr double kRounding = 1e-9;
 
 // Returns the distance that matters to a triangle that stands still, mm.
-double Margin(const StepOptions& options, double reach) {
-  return options.AimedGap() + options.planes.search_fraction * reach;
+double Margin(const StepOptions& options, const ContactStep& step, int muscle) {
+  return options.AimedGap() +
+         options.planes.search_fraction * ReachOf(options, step, muscle);
 }
 
 // Returns the distance beyond which nothing matters to a triangle, mm.
-double LargestNeed(const StepOptions& options, double reach) {
-  return Margin(options, reach) + 2 * options.relaxation.max_push;
+double LargestNeed(const StepOptions& options,
+                   const ContactStep& step,
+                   int muscle) {
+  return Margin(options, step, muscle) + 2 * options.relaxation.max_push;
 }
 
 // Returns true if a bone is too far from a muscle to matter to it in a step.
@@ -37,7 +40,7 @@ bool IsFar(const StepOptions& options,
            int bone) {
   const Box3 box = Transformed(step.scene.bones[bone]->box(),
                                step.before.bones_from_rest[bone]);
-  const double need = LargestNeed(options, ReachOf(options, step, muscle));
+  const double need = LargestNeed(options, step, muscle);
   return step.trees_before[muscle].box().SquaredDistance(box) > need * need;
 }
 
@@ -75,7 +78,7 @@ class BoneSearch {
         muscle_(muscle),
         bone_(bone),
         max_push_(options.relaxation.max_push),
-        margin_(Margin(options, ReachOf(options, step, muscle))),
+        margin_(Margin(options, step, muscle)),
         rest_from_after_(RigidInverse(step.bones_from_rest[bone])),
         before_(Transformed(step.before.points[muscle],
                             RigidInverse(step.before.bones_from_rest[bone]))) {}
@@ -151,8 +154,7 @@ BoneSearch::Path BoneSearch::PathOf(int f) const {
 std::vector<int> BoneSearch::TrianglesNear(
     const KeptPlanes* kept, std::vector<double>* distances) const {
   const int count = static_cast<int>(surface_.triangles.rows());
-  const double largest_need =
-      LargestNeed(options_, ReachOf(options_, step_, muscle_));
+  const double largest_need = LargestNeed(options_, step_, muscle_);
   const Clearances* known = nullptr;
   Eigen::VectorXd moved;  // of the vertices since `known`, mm
   if (kept != nullptr && !kept->clearances.distances.empty()) {

@@ -48,7 +48,6 @@ PlaneSet::PlaneSet(const StepOptions& options, const ContactStep& step)
       near_(step.scene.muscles.size()),
       num_near_(step.scene.muscles.size()) {
   for (int i = 0; i < step.num_muscles(); ++i) {
-    reaches_.push_back(ReachOf(options, step, i));
     first_[i].assign(step.scene.muscles[i].num_vertices() + 1, 0);
   }
   SortSpaces(std::vector<std::vector<VertexSide>>(spaces_.size()));
@@ -238,7 +237,7 @@ void PlaneSet::FindNear(int muscle, int vertex, const RowVector3d& point) {
   // planes differ by stays below 0.07 mm.
   constexpr double kSameWay = 0.998;
   const int begin = first_[muscle][vertex], end = first_[muscle][vertex + 1];
-  const double reach = reaches_[muscle];
+  const double reach = ReachOf(options_, step_, muscle);
   VertexSpace* spaces = spaces_[muscle].data();
   int* near = near_[muscle].data() + begin;
   // Reused between calls: the room that each near half-space leaves, mm.

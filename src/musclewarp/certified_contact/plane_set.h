@@ -141,7 +141,6 @@ class PlaneSet {
 
   const StepOptions& options_;
   const ContactStep& step_;
-  std::vector<double> reaches_;  // by muscle, mm
   std::vector<Plane> planes_;
   std::vector<Levels> levels_;  // of planes_
   std::vector<MovingPlane> moving_;

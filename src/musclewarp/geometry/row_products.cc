@@ -59,10 +59,10 @@ __attribute__((target("avx2"))) inline __m256d LoadFour(const double* numbers) {
   return _mm256_loadu_pd(numbers);
 }
 
-// Processors take half as long for all that follows if the upper halves of the
-// wide registers are empty. GCC 12 forgets to empty them before a call that
-// ends a function.
-__attribute__((target("avx2"))) inline void ForgetUpperHalves() {
+// While the upper halves of wide registers are in use, all that follows may
+// take twice as long. GCC 12 forgets to zero them before a call that ends a
+// function.
+__attribute__((target("avx2"))) inline void ZeroUpperHalves() {
   _mm256_zeroupper();
 }
 
@@ -96,7 +96,7 @@ __attribute__((target("avx2,fma"))) void WideDots(const Number* rows,
     _mm256_storeu_pd(lanes, sums[i]);
     results[i] = (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
   }
-  ForgetUpperHalves();
+  ZeroUpperHalves();
   AddPlainDots<Rows>(rows, columns, j, size, results);
 }
 
@@ -122,7 +122,7 @@ __attribute__((target("avx2,fma"))) void AddWideRows(const Number* rows,
       _mm256_storeu_pd(columns + k * size + j, sums[k]);
     }
   }
-  ForgetUpperHalves();
+  ZeroUpperHalves();
   AddPlainRows<Rows>(rows, factors, j, size, columns);
 }
 

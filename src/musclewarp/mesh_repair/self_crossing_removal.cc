@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -38,9 +39,8 @@ void Compare(const TriangleSoup& before,
   if (removal->new_vertices > 0) removal->place /= removal->new_vertices;
 }
 
-// Returns the triangles within 20 typical edges of those that cross: seven
-// rounds of repair, each of which may take another ring of triangles, stay
-// inside.
+// Returns the triangles within 20 typical edges of those that cross, which is
+// as far as seven rounds of repair go where triangles are alike.
 std::vector<int> TrianglesAround(
     const TriangleSoup& soup,
     const std::vector<std::pair<int, int>>& crossings) {
@@ -69,7 +69,14 @@ SelfCrossingRemoval RemoveFromSurface(TriangleSoup* soup) {
   if (crossings.empty()) return removal;
   TriangleSoup repaired =
       WithSelfIntersectionsRepaired(*soup, TrianglesAround(*soup, crossings));
-  const int pairs = static_cast<int>(SelfIntersections(repaired).size());
+  int pairs = static_cast<int>(SelfIntersections(repaired).size());
+  if (pairs > 0) {
+    // A patch may cross what lies farther away, where triangles are large.
+    std::vector<int> all(soup->triangles.rows());
+    std::iota(all.begin(), all.end(), 0);
+    repaired = WithSelfIntersectionsRepaired(*soup, all);
+    pairs = static_cast<int>(SelfIntersections(repaired).size());
+  }
   if (pairs >= removal.pairs_before || !CountDefects(repaired).IsClean()) {
     return removal;
   }

@@ -72,6 +72,10 @@ class OneSidedSystem {
   // small system. The functions below refer to the last call.
   void UpdateActiveRows(const Points& coarse);
 
+  // The rows of W of FineFromCoarse(), and OneSidedDepths() at `coarse`.
+  const RowMajorMatrix& fine_from_coarse() const { return fine_from_coarse_; }
+  const Eigen::VectorXd& depths() const { return depths_; }
+
   // Returns A'^-1 b for the `solution` A^-1 b (N x 3).
   Points CorrectedSolution(Points solution) const;
 

@@ -41,8 +41,6 @@ class ShapeSystem {
         rows_(target.one_sided),
         coarse_(coarse),
         fine_(fine),
-        fine_from_coarse_(FineFromCoarse(model, rows_)),
-        depths_(OneSidedDepths(rows_, fine_from_coarse_, coarse)),
         one_sided_(model, rows_),
         gradient_(
             TransposedProduct(model.fine_from_coarse,
@@ -168,7 +166,8 @@ class ShapeSystem {
   // The direction of steepest descent of the energy without the constraint.
   Points Descent(const MuscleTarget& target) const {
     return LinearDescent(model_, target, coarse_) +
-           OneSidedDescent(rows_, fine_from_coarse_, depths_);
+           OneSidedDescent(
+               rows_, one_sided_.fine_from_coarse(), one_sided_.depths());
   }
 
   // J_f^T dr/dq, and how the forces of the active rows change with their planes
@@ -176,22 +175,22 @@ class ShapeSystem {
   Points RightHandSide(const TargetRate& rate) const {
     Points sum = Points::Zero(coarse_.rows(), 3);
     if (!IsZero(rate.linear)) sum = LinearDescent(model_, rate.linear, sum);
+    const Eigen::VectorXd& depths = one_sided_.depths();
     Points forces = Points::Zero(rows_.size(), 3);
     for (int k = 0; k < rows_.size(); ++k) {
-      if (depths_[k] <= 0) continue;
+      if (depths[k] <= 0) continue;
       forces.row(k) = rate.plane_speeds[k] * rows_.normals.row(k) +
-                      depths_[k] * rate.plane_turns.row(k);
+                      depths[k] * rate.plane_turns.row(k);
     }
-    return sum + rows_.weight * rows_.weight *
-                     ThinTransposedProduct(fine_from_coarse_, forces);
+    return sum +
+           rows_.weight * rows_.weight *
+               ThinTransposedProduct(one_sided_.fine_from_coarse(), forces);
   }
 
   const MuscleModel& model_;
   const OneSidedRows& rows_;
   const Points& coarse_;
-  const Points& fine_;                     // n x 3: W X
-  const RowMajorMatrix fine_from_coarse_;  // K x N, of the rows
-  const Eigen::VectorXd depths_;           // K
+  const Points& fine_;  // n x 3: W X
   OneSidedSystem one_sided_;
   const Points gradient_;     // g
   Points inverse_gradient_;   // A'^-1 g
