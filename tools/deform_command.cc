@@ -16,6 +16,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/short_list.h"
 #include "musclewarp/build_info/build_info.h"
+#include "musclewarp/deformer/pose_walk.h"
 #include "musclewarp/program/interruption.h"
 #include "musclewarp/program/program.h"
 #include "musclewarp/report/screen_progress.h"
@@ -148,6 +149,7 @@ class DeformRun {
       };
     }
     deformer_.emplace(scene, options);
+    walk_.emplace(&*deformer_);
     progress_.Clear();
     PrintPreparation(deformer_->scene(), deformer_->contact(), screen_);
   }
@@ -186,6 +188,10 @@ class DeformRun {
     for (size_t i = run_.frames.size(); i < selected_.size(); ++i) {
       const ScenePose* from = nullptr;
       if (is_motion()) from = i == 0 ? &rest : &poses()[selected_[i - 1]];
+      if (is_design()) {
+        const int before = PoseBefore(deformer_->scene().scene, selected_[i]);
+        from = before < 0 ? &rest : &poses()[before];
+      }
       work.push_back(deformer_->ExpectedSteps(from, poses()[selected_[i]]));
     }
     return work;
@@ -196,15 +202,14 @@ class DeformRun {
     progress_.StartFrames(static_cast<int>(run_.frames.size()), ExpectedWork());
     for (size_t i = run_.frames.size(); i < selected_.size(); ++i) {
       ThrowIfInterrupted();
-      const ScenePose& pose = poses()[selected_[i]];
       if (recorder_) recorder_->BeginFrame(selected_[i]);
-      Frame frame =
-          is_motion() ? deformer_->MoveTo(pose) : deformer_->SolveAlone(pose);
-      frame.index = selected_[i];
+      const Frame frame = walk_->Solve(selected_[i]);
       FrameFigures figures = writer_->WriteFrame(frame);
       const std::lock_guard<std::mutex> lock(mutex_);
       run_.frames.push_back(std::move(figures));
-      log_->FrameDone(run_.frames.back(), deformer_->state());
+      // A design finds the way to a posture again.
+      log_->FrameDone(run_.frames.back(),
+                      is_design() ? SceneState() : deformer_->state());
       writer_->KeepReportUpToDate(run_);
       const FrameFigures& done = run_.frames.back();
       progress_.FrameDone(
@@ -284,6 +289,7 @@ class DeformRun {
   }
 
   bool is_motion() const { return deformer_->scene().scene.is_motion; }
+  bool is_design() const { return !deformer_->scene().scene.design.empty(); }
   const std::vector<ScenePose>& poses() const {
     return deformer_->scene().scene.poses;
   }
@@ -298,6 +304,7 @@ class DeformRun {
   std::optional<ResumeLog> log_;
   std::optional<StepRecorder> recorder_;
   std::optional<Deformer> deformer_;
+  std::optional<PoseWalk> walk_;
   std::mutex mutex_;  // guards run_ and is_saved_, which GiveUp() reads
   RunRecord run_;
   bool is_saved_ = false;

@@ -149,13 +149,22 @@ int ExportPointCaches(const ExportRequest& request, std::ostream& screen) {
   return ExportAnimation(request, WritePointCaches, screen);
 }
 
+void CheckAllFrames(const ExportRequest& request) {
+  if (request.frames == "all") return;
+  throw InputError(
+      "--frames=" + request.frames,
+      "is not for --format=" + request.format + ", which takes all frames",
+      "choose frames with --frames of musclewarp-deform");
+}
+
 int ExportModel(const ExportRequest& request, std::ostream& screen) {
-  if (request.frames != "all") {
-    throw InputError("--frames=" + request.frames,
-                     "is not for --format=osim, which takes all frames",
-                     "choose frames with --frames of musclewarp-deform");
-  }
-  return ExportOsim(request.in, request.out, request.osim, screen);
+  CheckAllFrames(request);
+  return ExportOsim(request.in, request.out, request.paths, screen);
+}
+
+int ExportFunctions(const ExportRequest& request, std::ostream& screen) {
+  CheckAllFrames(request);
+  return ExportFit(request.in, request.out, request.paths, screen);
 }
 
 int ExportTable(const ExportRequest& request, std::ostream& screen) {
@@ -185,6 +194,7 @@ const std::map<std::string, Exporter>& Exporters() {
   static const std::map<std::string, Exporter> kExporters = {
       {"crossings", ExportCrossings},
       {"csv", ExportTable},
+      {"fit", ExportFunctions},
       {"glb", ExportGlb},
       {"osim", ExportModel},
       {"pc2", ExportPointCaches}};

@@ -22,27 +22,28 @@ struct ExportRequest : ThreadSettings {
   std::string mesh_format = "ply";
   std::vector<std::string> files;  // meshes in place of a run; for crossings
   ElementOptions elements;
-  OsimExportOptions osim;
+  PathExportOptions paths;
 };
 
 constexpr auto FieldsOf(Described<ExportRequest>) {
   using S = ExportRequest;
   return std::make_tuple(
       Field(&S::in, "in")
-          .Text("folder written by musclewarp-deform; for osim several with "
-                "commas")
+          .Text("folder written by musclewarp-deform; for fit and osim several "
+                "with commas")
           .Path(),
       Field(&S::out, "out")
-          .Text("the file (csv, glb, osim) or the folder (else) to write")
+          .Text("the file (csv, fit, glb, osim) or the folder (else) to write")
           .Path(),
       Field(&S::format, "format")
-          .Text(
-              "crossings: places where meshes cross; csv: one table of "
-              "lengths, moment arms, volumes and sections; glb: glTF 2.0; pc2: "
-              ".obj and point caches for Blender; osim: the OpenSim model "
-              "with path functions; inp, feb, msh and with VTK vtu: finite "
-              "elements, several with commas")
-          .OneOf("crossings, csv, glb, osim, pc2, feb, inp, msh, vtu; commas"),
+          .Text("crossings: places where meshes cross; csv: one table of "
+                "lengths, moment arms, volumes and sections; fit: lengths and "
+                "moment arms as functions (.json); glb: glTF 2.0; pc2: "
+                ".obj and point caches for Blender; osim: the OpenSim model "
+                "with path functions; inp, feb, msh and with VTK vtu: finite "
+                "elements, several with commas")
+          .OneOf("crossings, csv, fit, glb, osim, pc2, feb, inp, msh, vtu; "
+                 "commas"),
       Field(&S::frames, "frames")
           .Text("which frames: all, last, N, FIRST:LAST, FIRST:LAST:STEP; "
                 "FIRST and LAST may be times (0.1s)"),
@@ -52,7 +53,7 @@ constexpr auto FieldsOf(Described<ExportRequest>) {
       Inherited<ThreadSettings>(),
       NotWritten(&S::files),
       NotWritten(&S::elements),
-      NotWritten(&S::osim));
+      NotWritten(&S::paths));
 }
 
 // Returns the values of --format in this build, separated by commas.

@@ -6,43 +6,66 @@
 #include <string>
 
 #include "musclewarp/base/described.h"
-#include "musclewarp/exchange/path_fit.h"
+#include "musclewarp/exchange/fitted_paths.h"
 
 namespace musclewarp {
 
-struct OsimExportOptions {
+// The settings of path functions, for osim and fit.
+struct PathExportOptions {
   std::string model;
-  PathFitOptions fit;
+  int paths_per_muscle = 0;
+  PathBounds bounds;
 };
 
-constexpr const char* HeadingOf(Described<OsimExportOptions>) {
-  return "Path functions of an OpenSim model";
+constexpr const char* HeadingOf(Described<PathExportOptions>) {
+  return "Path functions";
 }
 
-constexpr auto FieldsOf(Described<OsimExportOptions>) {
-  using S = OsimExportOptions;
-  using P = PathFitOptions;
+constexpr auto FieldsOf(Described<PathExportOptions>) {
+  using S = PathExportOptions;
+  using B = PathBounds;
   return std::make_tuple(
       Field(&S::model, "model")
-          .Text("of osim: the model, in place of the one that the run keeps")
+          .Text("of osim and fit: the model, in place of the one that the run "
+                "keeps")
           .Path(),
-      Field(Inner(&S::fit, &P::max_length_error), "max_length_error_mm", "mm")
-          .Text("of osim: exit code 1 if a length is fitted worse")
+      Field(&S::paths_per_muscle, "paths_per_muscle")
+          .Text(
+              "of osim and fit: paths of each muscle, bands of its fibres; 0: "
+              "its lines")
+          .Within(0, 100),
+      Field(
+          Inner(&S::bounds, &B::max_length_error), "max_length_error_mm", "mm")
+          .Text("of osim and fit: exit code 1 if lengths at frames that a "
+                "function does not know are worse on the mean")
           .Above(0),
-      Field(Inner(&S::fit, &P::max_arm_error), "max_arm_error_mm", "mm")
-          .Text("of osim: exit code 1 if a moment arm is fitted worse")
+      Field(Inner(&S::bounds, &B::max_arm_error), "max_arm_error_mm", "mm")
+          .Text("of osim and fit: the same of moment arms")
           .Above(0),
-      NotWritten(&S::fit));
+      Field(Inner(&S::bounds, &B::largest_arm_error),
+            "largest_arm_error_mm",
+            "mm")
+          .Text("of osim and fit: exit code 1 if one of these moment arms is "
+                "worse")
+          .Above(0),
+      NotWritten(&S::bounds));
 }
 
-// Writes the OpenSim model of runs (folders separated by commas), in which
-// functions replace the paths of the lines, and the errors of the fit to
-// `screen` and to a file .fit.json beside the model. Returns kExitNotUsable if
-// an error exceeds its bound. Throws InputError, naming the flag, file or
-// field, before anything is written.
+// Writes the functions of all paths of runs (folders separated by commas) and
+// their errors to a .json file, and the errors to `screen`. Returns
+// kExitNotUsable if an error exceeds its bound. Throws InputError, naming the
+// flag, file or field, before anything is written.
+int ExportFit(const std::string& runs,
+              const std::string& out,
+              const PathExportOptions& options,
+              std::ostream& screen);
+
+// Writes the OpenSim model of runs, in which functions replace the paths of
+// muscles, and does the same as ExportFit() with a file .fit.json beside the
+// model.
 int ExportOsim(const std::string& runs,
                const std::string& out,
-               const OsimExportOptions& options,
+               const PathExportOptions& options,
                std::ostream& screen);
 
 }  // namespace musclewarp

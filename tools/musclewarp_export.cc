@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
   ExportRequest request;
   RegisterFlags(&request);
   RegisterFlags(&request.elements);
-  RegisterFlags(&request.osim);
+  RegisterFlags(&request.paths);
   return RunProgram(
       argc, argv, kText, [&](const std::vector<std::string>& arguments) {
         request.files = arguments;

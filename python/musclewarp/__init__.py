@@ -19,7 +19,8 @@ anything that numpy makes such an array of. Bad input raises InputError.
 from musclewarp import _lifetime  # first, see there
 from musclewarp import _plot
 from musclewarp._core import (Attachment, Bone, BoneFrame, Crossings, Frame,
-                              Joint, Line, Mesh, Model, Muscle, MuscleFrame, Pose,
+                              Joint, Line, Mesh, Model, Muscle, MuscleFrame,
+                              PathFunction, PathFunctions, Pose,
                               State, Table, __version__, crossings, read_model,
                               read_mesh, read_table, self_crossings,
                               set_threads, threads, write_mesh)
@@ -29,14 +30,16 @@ from musclewarp._functions import repair, separate
 from musclewarp._joints import Articulation, articulate
 from musclewarp._labels import Labels, read_labels
 from musclewarp._page import Page, page
+from musclewarp._paths import fit_paths
 from musclewarp._scene import Scene, demo_scene, read_scene
 
 __all__ = [
     "Articulation", "Attachment", "Bone", "BoneFrame", "Crossings", "Deformer",
     "Frame", "InputError", "Joint", "Labels", "Line", "Mesh", "Model", "Muscle", "MuscleFrame", "Page",
+    "PathFunction", "PathFunctions",
     "Pose", "Run", "Scene", "State", "Table", "__version__", "articulate",
     "crossings",
-    "demo_scene", "page", "read_labels", "read_mesh", "read_model", "read_scene", "read_table", "repair",
+    "demo_scene", "fit_paths", "page", "read_labels", "read_mesh", "read_model", "read_scene", "read_table", "repair",
     "run", "self_crossings", "separate", "set_threads", "threads", "write_mesh"
 ]
 
@@ -44,5 +47,6 @@ _lifetime.begin()
 _plot.begin()
 for _class in (Attachment, Bone, BoneFrame, Crossings, Frame, Joint, Line,
                Mesh, Model,
-               Muscle, MuscleFrame, Pose, State, Table):
+               Muscle, MuscleFrame, PathFunction, PathFunctions, Pose, State,
+               Table):
     _class.__module__ = "musclewarp"

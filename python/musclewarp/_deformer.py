@@ -123,6 +123,20 @@ class Run(_core.Run):
         """
         super().write(os.fspath(out), format, overwrite, bones)
 
+    def fit_paths(self, paths_per_muscle: int = 0) -> _core.PathFunctions:
+        """Returns lengths and moment arms as functions of the coordinates.
+
+        They hold between the postures of the run; best is one of a design of
+        postures (docs/scene.md).
+
+        Args:
+            paths_per_muscle: 0 for the lines of the muscles; n for at most n
+                bands of the fibres of each (fibres=40 of the Deformer).
+        Raises:
+            InputError: the scene has no model, or the frames no moment arms.
+        """
+        return _core.fit_run(self, paths_per_muscle)
+
     def page(self) -> Page:
         """Returns the page of the run (docs/page.md), for a notebook or a file.
 
@@ -152,10 +166,16 @@ def run(scene: Scene,
     function = as_function(progress)
     deformer = Deformer(scene, progress=function, **settings)
     result = Run(deformer)
-    todo = list(scene.poses if poses is None else poses)
-    solve = deformer.move_to if scene.is_motion else deformer.solve_alone
-    for done, pose in enumerate(todo, start=1):
-        result.append(solve(pose))
+    given = None if poses is None else list(poses)
+    count = len(scene.poses if given is None else given)
+    for number in range(count):
+        if given is None:
+            frame = deformer.solve(number)
+        elif scene.is_motion:
+            frame = deformer.move_to(given[number])
+        else:
+            frame = deformer.solve_alone(given[number])
+        result.append(frame)
         if function is not None:
-            function("frames", done, len(todo))
+            function("frames", number + 1, count)
     return result

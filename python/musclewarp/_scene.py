@@ -48,6 +48,13 @@ class Scene:
         return self._source.path
 
     @property
+    def design(self) -> str:
+        """The design of postures of the scene file, "latin_hypercube" or
+        "grid"; "" of other poses. `run()` reaches its poses along a tree as
+        long as `poses` are those of the file."""
+        return self._source.design
+
+    @property
     def warnings(self) -> List[str]:
         """What was passed over while the scene was read."""
         return self._source.warnings

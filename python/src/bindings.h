@@ -16,6 +16,7 @@ void BindScene(pybind11::module_* module);
 void BindFrames(pybind11::module_* module);
 void BindDeformer(pybind11::module_* module);
 void BindRun(pybind11::module_* module);
+void BindPaths(pybind11::module_* module);
 void BindChecks(pybind11::module_* module);
 void BindLabels(pybind11::module_* module);
 void BindJoints(pybind11::module_* module);

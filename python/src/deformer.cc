@@ -38,6 +38,20 @@ constexpr char kSolveAloneDoc[] =
 It does not depend on where the muscles are now, and they stay there. Args,
 returns and raises as move_to().)";
 
+constexpr char kSolveDoc[] =
+    R"(Returns the frame of a pose of the scene, from where it starts.
+
+In a motion that is where the muscles are now, so that poses are asked for in
+their order. Poses of a design start from the pose of their tree, and may be
+asked for in any order. Others start from rest.
+
+Args:
+    number: of the pose in Scene.poses, from 0.
+Returns:
+    A Frame, with its `index` and, of a design, where it was `reached_from`.
+Raises:
+    InputError: the scene has no such pose.)";
+
 constexpr char kExpectedStepsDoc[] =
     R"(Returns in how many steps a pose can be reached, if they are short.
 
@@ -68,6 +82,7 @@ Self MakeFromKeywords(const SharedScene& scene,
         self->solver = options.solver.name;
         self->keywords = given;
         self->deformer.emplace(scene, options);
+        self->walk.emplace(&*self->deformer);
         self->parts = PartsOf(self->deformer->scene(), given);
         return self;
       });
@@ -90,6 +105,21 @@ void SetState(const Self& self, const SharedState& state) {
     deformer->set_state(state->state);
     return true;
   });
+}
+
+std::shared_ptr<FrameOfScene> Solve(const Self& self, int number) {
+  const auto count =
+      static_cast<int>(self->deformer->scene().scene.poses.size());
+  if (number < 0 || number >= count) {
+    throw InputError(
+        "number",
+        "is " + std::to_string(number),
+        "the scene has " + std::to_string(count) + " poses, numbered from 0");
+  }
+  return SharedDeformer::ComputeFrame(self,
+                                      [self, number](Deformer* /*deformer*/) {
+                                        return self->walk->Solve(number);
+                                      });
 }
 
 int ExpectedSteps(const Self& self,
@@ -162,6 +192,7 @@ void BindDeformer(py::module_* module) {
           },
           py::arg("pose"),
           kSolveAloneDoc)
+      .def("solve", &Solve, py::arg("number"), kSolveDoc)
       .def(
           "reset",
           [](const Self& self) {

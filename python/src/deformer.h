@@ -11,6 +11,7 @@
 #include <string>
 
 #include "musclewarp/deformer/deformer.h"
+#include "musclewarp/deformer/pose_walk.h"
 #include "python/src/call.h"
 #include "python/src/frames.h"
 #include "python/src/scene.h"
@@ -23,6 +24,7 @@ struct SharedDeformer {
   std::string solver;
   std::map<std::string, std::string> keywords;  // as users gave them
   std::optional<Deformer> deformer;
+  std::optional<PoseWalk> walk;  // of the deformer
   std::shared_ptr<const SceneParts> parts;
 
   // Runs `work` with the deformer, as ComputeFree() does, when it is its turn.

@@ -22,6 +22,7 @@ PYBIND11_MODULE(_core, module) {
   BindFrames(&module);
   BindDeformer(&module);
   BindRun(&module);
+  BindPaths(&module);
   BindChecks(&module);
   BindLabels(&module);
   BindJoints(&module);

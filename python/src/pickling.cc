@@ -26,6 +26,7 @@ MUSCLEWARP_ARCHIVE_WITHOUT(SolverSummary,
 // Copies all figures but those of muscles.
 void CopyFiguresOfPose(const FrameFigures& figures, Frame* frame) {
   frame->index = figures.index;
+  frame->reached_from = figures.reached_from;
   frame->name = figures.name;
   frame->time = figures.time;
   frame->coordinates = figures.coordinates;

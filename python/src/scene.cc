@@ -4,6 +4,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/phantom/demo_scene.h"
@@ -92,6 +94,18 @@ SharedPose PoseOfModel(const Scene& scene,
   return pose;
 }
 
+// Returns true if the poses of `scene` are those of `source`.
+bool HasPosesOf(const Scene& source, const Scene& scene) {
+  return std::equal(source.poses.begin(),
+                    source.poses.end(),
+                    scene.poses.begin(),
+                    scene.poses.end(),
+                    [](const ScenePose& a, const ScenePose& b) {
+                      return a.name == b.name &&
+                             a.model_values == b.model_values;
+                    });
+}
+
 // Puts lists of parts in place of those of a scene.
 SharedScene Assemble(const SharedScene& source,
                      const std::string& name,
@@ -110,6 +124,10 @@ SharedScene Assemble(const SharedScene& source,
   scene->poses.clear();
   for (const SharedPose& pose : poses) scene->poses.push_back(*pose);
   scene->is_motion = is_motion;
+  if (is_motion || !HasPosesOf(*source, *scene)) {
+    scene->design.clear();
+    scene->reached_from.clear();
+  }
   scene->states_axes = source->states_axes || axes != source->axes;
   scene->axes = axes;
   scene->side = side;
@@ -212,6 +230,7 @@ void BindScene(py::module_* module) {
       .def_readonly("axes", &Scene::axes)
       .def_readonly("side", &Scene::side)
       .def_readonly("is_motion", &Scene::is_motion)
+      .def_readonly("design", &Scene::design)
       .def_readonly("files", &Scene::files)
       .def_readonly("warnings", &Scene::warnings)
       .def_readonly("notes", &Scene::notes)

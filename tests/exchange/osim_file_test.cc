@@ -34,11 +34,13 @@ const char kAfter[] =
     "\r\n\t<max>1</max> </Thelen2003Muscle></objects></ForceSet>\r\n"
     "</Model></OpenSimDocument>\r\n";
 
-std::map<std::string, PathFit> Fits(const std::string& muscle) {
-  PathFit fit;
-  fit.coordinates = {0};
-  fit.length = {1, 2, Eigen::Vector3d(100.1, 1 / 3., -7e-5)};
-  return {{muscle, fit}};
+std::map<std::string, PathFunction> Fits(const std::string& muscle) {
+  PathFunction path;
+  path.coordinates = {0};
+  path.exponents.resize(3, 1);
+  path.exponents << 0, 1, 2;
+  path.coefficients = Eigen::Vector3d(100.1, 1 / 3., -7e-5);
+  return {{muscle, path}};
 }
 
 std::string Edited(const std::string& path = kPath) {
@@ -144,10 +146,12 @@ TEST(OsimFile, ReaderGivesTheFitBack) {
   ASSERT_EQ(model.muscles.size(), 1u);
   EXPECT_THAT(model.muscles[0].unsupported,
               ::testing::HasSubstr("FunctionBasedPath"));
-  const PathFit fit = Fits("psoas")["psoas"];
+  PathFunction path = Fits("psoas")["psoas"];
+  path.low = Eigen::VectorXd::Constant(1, -2);
+  path.high = Eigen::VectorXd::Constant(1, 2);
   for (const double q : {-0.3, 0., 1.2}) {
     const double length =
-        PolynomialValue(fit.length, Eigen::VectorXd::Constant(1, q));
+        Evaluate(path, Eigen::VectorXd::Constant(1, q)).length;
     const double read =
         PathLength(model.muscles[0], BodyFrames(model, {q}), {q});
     EXPECT_NEAR(read, length, 1e-9);

@@ -47,8 +47,9 @@ TEST(RunOf010, IsReadForExports) {
 
 TEST(RunOf010, IsReadForPathsOfOpenSim) {
   const RunPaths paths = ReadRunPaths({kRun}, "");
-  ASSERT_THAT(paths.lines, SizeIs(7));
-  EXPECT_THAT(paths.lines.begin()->second, SizeIs(2));
+  ASSERT_THAT(paths.paths, SizeIs(7));
+  EXPECT_THAT(paths.paths[0].samples, SizeIs(2));
+  EXPECT_THAT(paths.paths[0].coordinates, SizeIs(3));
 }
 
 TEST(RunOf010, IsReadForPictures) {

@@ -94,7 +94,7 @@ class ExportOsimTest : public ::testing::Test {
 
   std::string dir_;
   Json report_;
-  OsimExportOptions options_;
+  PathExportOptions options_;
   std::ostringstream screen_;
 };
 
@@ -161,7 +161,7 @@ TEST_F(ExportOsimTest, ModelsOfSeveralRunsAreComparedByWhatTheyHold) {
 }
 
 TEST_F(ExportOsimTest, ErrorsAboveTheBoundAreSaid) {
-  options_.fit.max_length_error = 1e-12;
+  options_.bounds.max_length_error = 1e-12;
   EXPECT_EQ(Run(), kExitNotUsable);
   EXPECT_THAT(screen_.str(), HasSubstr("ABOVE THE BOUND"));
 }

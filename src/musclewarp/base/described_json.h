@@ -155,6 +155,9 @@ void ReadJson(const nlohmann::json& json, const FieldPath& path, T* value) {
     for (const auto& item : json.items()) {
       ReadJson(item.value(), {&path, item.key()}, &(*value)[item.key()]);
     }
+  } else if constexpr (kIsOptional<T>) {
+    value->reset();
+    if (!json.is_null()) ReadJson(json, path, &value->emplace());
   } else if constexpr (std::is_same_v<T, Eigen::RowVector3d>) {
     Require(json.is_array() && json.size() == 3, json, path, "three numbers");
     for (int k = 0; k < 3; ++k) ReadJson(json[k], {&path, "", k}, &(*value)[k]);

@@ -10,6 +10,7 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/base/xml_text.h"
+#include "musclewarp/opensim/multivariate_polynomial.h"
 #include "musclewarp/opensim/osim_xml.h"
 
 namespace musclewarp {
@@ -106,6 +107,31 @@ size_t EndOfElement(const std::string& text, size_t begin) {
   return begin;
 }
 
+// Returns the polynomial with all monomials up to its order, as OpenSim has
+// them.
+MultivariatePolynomial AllTermsOf(const PathFunction& path) {
+  MultivariatePolynomial polynomial;
+  polynomial.dimension = static_cast<int>(path.exponents.cols());
+  polynomial.order = path.exponents.rowwise().sum().maxCoeff();
+  const Eigen::MatrixXi monomials =
+      Monomials(polynomial.dimension, polynomial.order);
+  std::map<std::vector<int>, double> terms;
+  const auto exponents_of = [](const Eigen::MatrixXi& all, Eigen::Index row) {
+    std::vector<int> exponents(all.cols());
+    for (Eigen::Index k = 0; k < all.cols(); ++k) exponents[k] = all(row, k);
+    return exponents;
+  };
+  for (Eigen::Index i = 0; i < path.exponents.rows(); ++i) {
+    terms[exponents_of(path.exponents, i)] = path.coefficients[i];
+  }
+  polynomial.coefficients.resize(monomials.rows());
+  for (Eigen::Index i = 0; i < monomials.rows(); ++i) {
+    const auto term = terms.find(exponents_of(monomials, i));
+    polynomial.coefficients[i] = term == terms.end() ? 0 : term->second;
+  }
+  return polynomial;
+}
+
 std::string Numbers(const Eigen::VectorXd& values) {
   std::string text;
   for (const double value : values) {
@@ -167,10 +193,11 @@ std::string IndentAt(const std::string& text, size_t position) {
 
 }  // namespace
 
-std::string WithFunctionPaths(const std::string& bytes,
-                              const std::string& where,
-                              const std::vector<std::string>& coordinates,
-                              const std::map<std::string, PathFit>& fits) {
+std::string WithFunctionPaths(
+    const std::string& bytes,
+    const std::string& where,
+    const std::vector<std::string>& coordinates,
+    const std::map<std::string, PathFunction>& paths) {
   const std::string text = DecodeXml(bytes).utf8;
   const bool has_mark = bytes.compare(0, kMark.size(), kMark) == 0;
   pugi::xml_document document;
@@ -183,7 +210,7 @@ std::string WithFunctionPaths(const std::string& bytes,
   }
   const bool has_returns = text.find("\r\n") != std::string::npos;
   std::vector<Edit> edits;
-  for (const auto& item : fits) {
+  for (const auto& item : paths) {
     const pugi::xml_node path = PathOfMuscle(document, where, item.first);
     std::string names;
     for (const int k : item.second.coordinates) {
@@ -196,7 +223,7 @@ std::string WithFunctionPaths(const std::string& bytes,
     const std::string indent = IndentAt(text, edit.begin);
     const bool has_tabs = indent.find('\t') != std::string::npos;
     edit.text = PathText(names,
-                         item.second.length,
+                         AllTermsOf(item.second),
                          std::string(path.parent().name()) == "path",
                          has_returns ? "\r\n" : "\n",
                          indent,

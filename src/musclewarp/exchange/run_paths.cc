@@ -2,72 +2,146 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/exchange/run_paths.h"
 
-#include <filesystem>
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
 
 #include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/base/input_file.h"
 #include "musclewarp/base/near_name.h"
 #include "musclewarp/base/text.h"
+#include "musclewarp/exchange/fibre_bands.h"
 #include "musclewarp/exchange/path_beyond.h"
+#include "musclewarp/exchange/path_coordinates.h"
 #include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/run/frame_files.h"
-#include "musclewarp/run/kept_model.h"
-#include "musclewarp/run/lines_file.h"
-#include "musclewarp/run/run_reader.h"
 
 namespace musclewarp {
 namespace {
 
-// Throws InputError if the report of a run says that its paths will not do.
-void CheckReport(const JsonField& report) {
-  const JsonField summary = report.At("summary");
-  if (!summary.At("finished").AsBool()) {
-    summary.At("finished").Fail("is false", "finish the run with {resume}");
-  }
-  if (!summary.At("usable").AsBool()) {
-    summary.At("usable").Fail(
-        "is false: lengths of such a run mean little",
-        "see the shortcomings of its frames, or choose others with {frames} "
-        "of musclewarp-deform");
-  }
-  if (report.At("motion").IsNull()) {
-    report.At("motion").Fail("is null: the run has no OpenSim model",
-                             "run a scene with \"model\" and \"motion\"");
-  }
-}
-
-// Finds the parts of paths that the muscles of a run do not carry. Runs of
-// earlier builds have no lines at rest.
-std::map<std::string, double> PartsBeyond(const RunOutline& run,
-                                          const Model& model) {
+// The parts of paths that the muscles of a run do not carry, by line.
+std::map<std::string, double> PartsBeyond(
+    const std::vector<MuscleLines>& at_rest, const Model& model) {
   std::map<std::string, double> beyond;
-  const std::string file =
-      (std::filesystem::path(run.rest) / kLinesFile).string();
-  if (run.rest.empty() || !std::filesystem::exists(file)) return beyond;
-  for (const MuscleLines& muscle : ReadLinesFile(file)) {
+  for (const MuscleLines& muscle : at_rest) {
     for (const NamedLine& line : muscle.lines) {
       const int index = model.FindMuscle(line.name);
       if (index < 0) continue;
-      const double length =
-          LengthBeyond(DefaultPath(model, index), line.points);
-      if (length > 0) beyond[line.name] = length;
+      beyond[line.name] = LengthBeyond(DefaultPath(model, index), line.points);
     }
   }
   return beyond;
 }
 
-// The frames of one run, whose report is `file`.
+// Returns the coordinates of a run's moment arms, by name.
+std::vector<std::string> CoordinatesOf(const FrameFigures& frame) {
+  for (const MuscleFigures& muscle : frame.muscles) {
+    for (const auto& line : muscle.line_moment_arms) {
+      std::vector<std::string> names;
+      for (const auto& arm : line.second) names.push_back(arm.first);
+      return names;
+    }
+  }
+  return {};
+}
+
+int IndexOf(const Model& model,
+            const std::string& coordinate,
+            const std::string& where) {
+  const int index = model.FindCoordinate(coordinate);
+  if (index >= 0) return index;
+  std::vector<std::string> known;
+  for (const Coordinate& other : model.coordinates) known.push_back(other.name);
+  throw InputError(
+      where,
+      "names \"" + coordinate + "\", which is no coordinate of " + model.path,
+      DidYouMean(coordinate, known) + "check {model}");
+}
+
+// Adds the paths of the first run, without samples. `bands` has the fibres of
+// each path that is a band.
+void AddPaths(const MeasuredRun& run,
+              int paths_per_muscle,
+              RunPaths* paths,
+              std::map<std::string, std::vector<int>>* bands) {
+  const FrameFigures& frame = run.frames[0];
+  paths->coordinates = CoordinatesOf(frame);
+  std::vector<int> indices;
+  for (const std::string& name : paths->coordinates) {
+    indices.push_back(IndexOf(paths->model, name, run.name));
+  }
+  const auto add = [&](const std::string& name, const std::string& muscle) {
+    MeasuredPath path;
+    path.name = name;
+    path.muscle = muscle;
+    path.coordinates = CrossedCoordinates(
+        paths->model, indices, BodiesOfPath(paths->model, frame, muscle, name));
+    paths->paths.push_back(std::move(path));
+  };
+  const auto beyond = PartsBeyond(run.at_rest, paths->model);
+  for (const MuscleFigures& muscle : frame.muscles) {
+    if (paths_per_muscle == 0) {
+      for (const auto& line : muscle.line_lengths) {
+        const bool has_arms = muscle.line_moment_arms.count(line.first) > 0;
+        if (!has_arms && paths->model.FindMuscle(line.first) < 0) {
+          paths->lines_without_arms.push_back(line.first);
+          continue;
+        }
+        add(line.first, muscle.name);
+        const auto part = beyond.find(line.first);
+        if (part != beyond.end()) paths->paths.back().beyond = part->second;
+      }
+      continue;
+    }
+    const auto lines = std::find_if(
+        run.at_rest.begin(), run.at_rest.end(), [&](const auto& one) {
+          return one.name == muscle.name;
+        });
+    if (lines == run.at_rest.end() || lines->fibres.empty()) {
+      throw InputError(run.name,
+                       "has no fibres of " + muscle.name,
+                       "run musclewarp-deform with {fibres}=40");
+    }
+    const auto of_muscle = FibreBands(lines->fibres, paths_per_muscle);
+    for (size_t b = 0; b < of_muscle.size(); ++b) {
+      add(muscle.name + "_" + std::to_string(b + 1), muscle.name);
+      paths->paths.back().fibres = static_cast<int>(of_muscle[b].size());
+      (*bands)[paths->paths.back().name] = of_muscle[b];
+    }
+  }
+}
+
+// The frames of one run.
 class FramesOfRun {
  public:
-  FramesOfRun(const RunOutline& run, const std::string& file, RunPaths* paths)
-      : run_(run), file_(file), paths_(*paths) {}
+  FramesOfRun(const MeasuredRun& run,
+              const std::map<std::string, std::vector<int>>& bands,
+              RunPaths* paths)
+      : run_(run), bands_(bands), paths_(*paths) {}
 
   void Add() {
     for (size_t i = 0; i < run_.frames.size(); ++i) {
-      const FrameFigures& frame = run_.frames[i].figures;
-      const std::string where = file_ + ": frames[" + std::to_string(i) + "].";
+      const FrameFigures& frame = run_.frames[i];
+      const std::string where =
+          run_.name + ": frames[" + std::to_string(i) + "].";
+      const std::string name =
+          run_.name + ": " + FrameFolder(frame.index) + " (" + frame.name + ")";
+      if (run_.is_of_design && !frame.IsUsable()) {
+        paths_.frames_left_out.push_back(name + ": " +
+                                         (frame.shortcomings.empty()
+                                              ? frame.stop_reason()
+                                              : frame.shortcomings[0]));
+        continue;
+      }
       if (!frame.moment_arms_converged) {
+        if (run_.is_of_design) {
+          paths_.frames_left_out.push_back(name +
+                                           ": moment arms did not converge");
+          continue;
+        }
         throw InputError(
             where + "moment_arms_converged",
             "is false: the moment arms of the frame (" +
@@ -75,24 +149,65 @@ class FramesOfRun {
                 " s) mean nothing",
             "run without the frame ({frames} of musclewarp-deform)");
       }
-      const CoordinateValues values =
-          ValuesOf(frame.coordinates, where + "coordinates");
-      for (size_t m = 0; m < frame.muscles.size(); ++m) {
-        AddMuscle(
-            frame.muscles[m],
-            values,
-            where + "muscles[" + std::to_string(m) + "].line_moment_arms_mm");
-      }
+      AddFrame(frame, where);
+      paths_.frames.push_back(name);
     }
   }
 
  private:
+  void AddFrame(const FrameFigures& frame, const std::string& where) {
+    const CoordinateValues values =
+        ValuesOf(frame.coordinates, where + "coordinates");
+    Eigen::VectorXd at(static_cast<Eigen::Index>(paths_.coordinates.size()));
+    for (Eigen::Index k = 0; k < at.size(); ++k) {
+      at[k] = values[IndexOf(paths_.model, paths_.coordinates[k], where)];
+    }
+    size_t found = 0;
+    for (size_t m = 0; m < frame.muscles.size(); ++m) {
+      const MuscleFigures& muscle = frame.muscles[m];
+      for (MeasuredPath& path : paths_.paths) {
+        if (path.muscle != muscle.name) continue;
+        ++found;
+        const std::string field = where + "muscles[" + std::to_string(m) + "].";
+        PathSample sample = path.fibres > 0
+                                ? OfBand(muscle, bands_.at(path.name), field)
+                                : OfLine(muscle, path.name, field);
+        sample.coordinates = at;
+        sample.length += path.beyond;
+        NoteOtherArms(sample, &path);
+        path.samples.push_back(std::move(sample));
+      }
+      CheckLines(muscle);
+    }
+    if (found != paths_.paths.size()) FailOtherLines(paths_.paths[found].name);
+  }
+
+  // A run with more lines than the first is no run of its scene either.
+  void CheckLines(const MuscleFigures& muscle) const {
+    if (!bands_.empty()) return;
+    for (const auto& line : muscle.line_lengths) {
+      const bool is_known = std::any_of(
+          paths_.paths.begin(),
+          paths_.paths.end(),
+          [&](const MeasuredPath& path) { return path.name == line.first; });
+      const bool has_arms = muscle.line_moment_arms.count(line.first) > 0;
+      if (!is_known && has_arms) FailOtherLines(line.first);
+    }
+  }
+
+  [[noreturn]] void FailOtherLines(const std::string& line) const {
+    throw InputError(
+        run_.name,
+        "does not have the lines of the other runs: \"" + line + "\"",
+        "give runs of one scene");
+  }
+
   // The coordinates of a frame in the units of the model.
   CoordinateValues ValuesOf(const std::map<std::string, double>& given,
                             const std::string& where) const {
     CoordinateValues values = DefaultValues(paths_.model);
     for (const auto& [name, value] : given) {
-      const int index = IndexOf(name, where);
+      const int index = IndexOf(paths_.model, name, where);
       const bool is_angle =
           paths_.model.coordinates[index].kind == CoordinateKind::kRotational;
       values[index] = value * (is_angle ? kRadiansPerDegree : 1);
@@ -101,123 +216,134 @@ class FramesOfRun {
     return values;
   }
 
-  int IndexOf(const std::string& coordinate, const std::string& where) const {
-    const int index = paths_.model.FindCoordinate(coordinate);
-    if (index >= 0) return index;
-    std::vector<std::string> known;
-    for (const Coordinate& other : paths_.model.coordinates) {
-      known.push_back(other.name);
+  PathSample OfLine(const MuscleFigures& muscle,
+                    const std::string& line,
+                    const std::string& where) const {
+    const auto length = muscle.line_lengths.find(line);
+    if (length == muscle.line_lengths.end()) FailOtherLines(line);
+    const auto arms = muscle.line_moment_arms.find(line);
+    if (arms == muscle.line_moment_arms.end()) {
+      FailNoArms("\"" + line + "\"", where + "line_moment_arms_mm");
     }
-    throw InputError(where,
-                     "names \"" + coordinate +
-                         "\", which is no coordinate of " + paths_.model.path,
-                     DidYouMean(coordinate, known) + "check {model}");
-  }
-
-  void AddMuscle(const MuscleFigures& muscle,
-                 const CoordinateValues& values,
-                 const std::string& where) {
-    for (const auto& [line, length] : muscle.line_lengths) {
-      if (paths_.model.FindMuscle(line) < 0) {
-        paths_.lines_without_muscle.insert(line);
-        continue;
-      }
-      const auto arms = muscle.line_moment_arms.find(line);
-      if (arms == muscle.line_moment_arms.end()) {
-        throw InputError(where,
-                         "has no moment arms of \"" + line + "\"",
-                         "use {contact}=certified or none, which have them");
-      }
-      CheckCoordinates(arms->second, where);
-      PathSample& sample = paths_.lines[line].emplace_back();
-      const auto beyond = paths_.beyond.find(line);
-      sample.length =
-          length + (beyond == paths_.beyond.end() ? 0 : beyond->second);
-      sample.arms.resize(static_cast<int>(arms->second.size()));
-      sample.coordinates.resize(sample.arms.size());
-      int k = 0;
-      for (const auto& [name, arm] : arms->second) {
-        sample.arms[k] = arm;
-        sample.coordinates[k++] = values[IndexOf(name, where)];
-      }
-    }
-  }
-
-  // The coordinates must be those of the first line of the first run.
-  void CheckCoordinates(const std::map<std::string, double>& arms,
-                        const std::string& where) {
+    PathSample sample;
+    sample.length = length->second;
+    sample.arms.resize(static_cast<Eigen::Index>(arms->second.size()));
     std::vector<std::string> names;
-    for (const auto& item : arms) names.push_back(item.first);
-    if (paths_.coordinates.empty()) paths_.coordinates = names;
-    if (!names.empty() && names == paths_.coordinates) return;
-    throw InputError(
-        where,
-        "has other coordinates than the first line of the first run",
-        "give runs of one scene and model");
+    for (const auto& [name, arm] : arms->second) {
+      sample.arms[static_cast<Eigen::Index>(names.size())] = arm;
+      names.push_back(name);
+    }
+    if (names.empty() || names != paths_.coordinates) {
+      throw InputError(
+          where + "line_moment_arms_mm",
+          "has other coordinates than the first line of the first run",
+          "give runs of one scene and model");
+    }
+    return sample;
   }
 
-  const RunOutline& run_;
-  const std::string file_;
+  // The mean of the fibres.
+  PathSample OfBand(const MuscleFigures& muscle,
+                    const std::vector<int>& fibres,
+                    const std::string& where) const {
+    const auto num_fibres = static_cast<int>(muscle.fibre_lengths.size());
+    if (fibres.back() >= num_fibres) {
+      throw InputError(where + "fibre_lengths_mm",
+                       "has " + std::to_string(num_fibres) +
+                           " fibres, the first run has more",
+                       "give runs with the same {fibres}");
+    }
+    if (muscle.fibre_moment_arms.empty()) {
+      FailNoArms("the fibres", where + "fibre_moment_arms_mm");
+    }
+    const double share = 1 / static_cast<double>(fibres.size());
+    PathSample sample;
+    sample.arms.setZero(static_cast<Eigen::Index>(paths_.coordinates.size()));
+    for (const int fibre : fibres) {
+      sample.length += share * muscle.fibre_lengths[fibre];
+      for (Eigen::Index k = 0; k < sample.arms.size(); ++k) {
+        // A coordinate that changes no fibre is left out.
+        const auto arms = muscle.fibre_moment_arms.find(paths_.coordinates[k]);
+        if (arms == muscle.fibre_moment_arms.end()) continue;
+        sample.arms[k] += share * arms->second.at(fibre);
+      }
+    }
+    return sample;
+  }
+
+  [[noreturn]] static void FailNoArms(const std::string& what,
+                                      const std::string& where) {
+    throw InputError(where,
+                     "has no moment arms of " + what,
+                     "use {contact}=certified or none, which have them");
+  }
+
+  static void NoteOtherArms(const PathSample& sample, MeasuredPath* path) {
+    for (Eigen::Index k = 0; k < sample.arms.size(); ++k) {
+      const bool is_crossed = std::binary_search(path->coordinates.begin(),
+                                                 path->coordinates.end(),
+                                                 static_cast<int>(k));
+      if (is_crossed) continue;
+      path->largest_other_arm =
+          std::max(path->largest_other_arm, std::abs(sample.arms[k]));
+    }
+  }
+
+  const MeasuredRun& run_;
+  const std::map<std::string, std::vector<int>>& bands_;
   RunPaths& paths_;
 };
 
 // Muscles that push each other have other paths than those that do not: one fit
 // of both would be neither.
-void CheckContact(const std::string& dir,
-                  const std::string& contact,
-                  const std::string& first_dir,
-                  const std::string& first_contact) {
-  if (contact == first_contact) return;
-  throw InputError(dir,
-                   "was made with {contact}=" + contact + ", " + first_dir +
-                       " with {contact}=" + first_contact,
+void CheckContact(const MeasuredRun& run, const MeasuredRun& first) {
+  if (run.contact == first.contact) return;
+  throw InputError(run.name,
+                   "was made with {contact}=" + run.contact + ", " +
+                       first.name + " with {contact}=" + first.contact,
                    "give runs of one contact mode");
-}
-
-// Each run has a copy of its model.
-bool AreEqual(const std::string& model, const std::string& other) {
-  return model == other || ReadFile(model) == ReadFile(other);
 }
 
 }  // namespace
 
-RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
-                      const std::string& model_path) {
+bool IsInModel(const RunPaths& paths, const MeasuredPath& path) {
+  return paths.model.FindMuscle(path.name) >= 0;
+}
+
+RunPaths PathsOf(Model model,
+                 const std::vector<MeasuredRun>& runs,
+                 int paths_per_muscle) {
+  CHECK(!runs.empty());
   RunPaths paths;
-  std::string first_model, contact;
-  size_t frames = 0;
-  for (const std::string& dir : dirs) {
-    const JsonField report = ReadReport(dir);
-    CheckReport(report);
-    const RunOutline run = OutlineOf(dir, report);
-    if (dir == dirs[0]) contact = run.contact;
-    CheckContact(dir, run.contact, dirs[0], contact);
-    const std::string model = ModelOfRun(dir, report.At("motion"));
-    if (dir == dirs[0]) {
-      first_model = model;
-      paths.model = ReadModel(model_path.empty() ? model : model_path);
-      paths.beyond = PartsBeyond(run, paths.model);
-    } else if (model_path.empty() && !AreEqual(model, first_model)) {
-      report.At("motion").At("model").Fail(
-          "is " + model + ", that of " + dirs[0] + " is " + first_model,
-          "give runs of one model, or name it in {model}");
-    }
-    FramesOfRun(run, report.file(), &paths).Add();
-    frames += run.frames.size();
-    for (const auto& line : paths.lines) {
-      if (line.second.size() == frames) continue;
+  paths.model = std::move(model);
+  std::map<std::string, std::vector<int>> bands;
+  for (const MeasuredRun& run : runs) {
+    if (run.frames.empty()) {
       throw InputError(
-          dir,
-          "does not have the lines of the other runs: \"" + line.first + "\"",
-          "give runs of one scene");
+          run.name, "has no frames", "run musclewarp-deform again");
     }
+    CheckContact(run, runs[0]);
+    if (&run == &runs[0]) AddPaths(run, paths_per_muscle, &paths, &bands);
+    FramesOfRun(run, bands, &paths).Add();
   }
-  if (paths.lines.empty()) {
-    throw InputError(dirs.empty() ? "{in}" : dirs[0],
-                     "has no line that is a muscle of " + paths.model.path,
-                     "check {model} and the \"lines\" of the scene");
+  if (paths.paths.empty() || paths.frames.empty()) {
+    throw InputError(runs[0].name,
+                     paths.paths.empty()
+                         ? "has no line that is a muscle of " +
+                               paths.model.path + " or has moment arms"
+                         : "has no frame that is usable",
+                     "run a scene whose muscles have lines");
   }
   return paths;
+}
+
+RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
+                      const std::string& model_path,
+                      int paths_per_muscle) {
+  Model model;
+  const std::vector<MeasuredRun> runs =
+      ReadMeasuredRuns(dirs, model_path, &model);
+  return PathsOf(std::move(model), runs, paths_per_muscle);
 }
 
 }  // namespace musclewarp

@@ -2,40 +2,75 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "musclewarp/exchange/path_fit.h"
+#include "musclewarp/exchange/measured_run.h"
 #include "musclewarp/opensim/model.h"
+#include "musclewarp/path_functions/path_sample.h"
 
 namespace musclewarp {
 
-// What runs with an OpenSim model measured of the lines that muscles carry.
+// What runs measured of a path: a line that a muscle carries, or the mean of a
+// band of its fibres.
+struct MeasuredPath {
+  std::string name;    // of the line, or "psoas_2" of the second band
+  std::string muscle;  // that carries it
+  int fibres = 0;      // of the band; 0 for a line
+
+  // The coordinates that it crosses (CrossedCoordinates), as ascending indices
+  // into RunPaths::coordinates, and the largest arm of a sample about one that
+  // it does not cross, mm per rad or m.
+  std::vector<int> coordinates;
+  double largest_other_arm = 0;
+
+  std::vector<PathSample> samples;  // over all of RunPaths::coordinates
+
+  // What the samples contain of the path beyond the muscle, such as a tendon
+  // with a mesh of its own, mm (path_beyond.h): as long as at rest in every
+  // frame.
+  double beyond = 0;
+};
+
+// What runs with an OpenSim model measured of all paths.
 struct RunPaths {
   Model model;
   std::vector<std::string> coordinates;  // those of the moment arms
-  std::map<std::string, std::vector<PathSample>> lines;
+  std::vector<MeasuredPath> paths;       // by muscle, in the order of the run
 
-  // What the samples of a line contain of its path beyond its muscle, such as a
-  // tendon with a mesh of its own, mm (path_beyond.h): as long as at rest in
-  // every frame. Only lines of which there is such a part.
-  std::map<std::string, double> beyond;
+  // The frames of the samples, such as "hip: frame_0007 (posture_7)", and those
+  // of a design that were left out, with what they fall short of.
+  std::vector<std::string> frames;
+  std::vector<std::string> frames_left_out;
 
-  // Lines of the scene that the model does not have as muscles; left out.
-  std::set<std::string> lines_without_muscle;
+  // Lines without moment arms that are no muscles of the model; left out.
+  std::vector<std::string> lines_without_arms;
 };
 
-// Reads report.json of one or more runs, of this or another version. The model
-// is that of the first run, or `model_path` if that is not empty. Coordinates
-// that a run does not give are at their default values.
+// Returns true if a muscle of the model has the name of the path.
+bool IsInModel(const RunPaths& paths, const MeasuredPath& path);
+
+// Returns the paths of runs of one scene. Coordinates that a run does not give
+// are at the default values of the model. Of a design of postures the frames
+// that are usable count. If `paths_per_muscle` is above 0, the paths are bands
+// of the fibres of the first run, at most so many of each muscle (FibreBands),
+// instead of lines.
 //
-// Throws InputError that names the run and the field if a run is not usable or
-// not finished, has no model, other lines, other coordinates, another model or
-// another contact mode than the first, no moment arms (--contact=paper) or ones
-// that mean nothing, or if the model has none of the lines as a muscle.
+// Throws InputError that names the run and the field if a run has no usable
+// frame, other lines, other coordinates or another contact mode than the first,
+// no moment arms (--contact=paper) or ones that mean nothing, or if bands are
+// asked for and a muscle has no fibres. Precondition (CHECKed): there is a run.
+RunPaths PathsOf(Model model,
+                 const std::vector<MeasuredRun>& runs,
+                 int paths_per_muscle);
+
+// Reads report.json of one or more runs, of this or another version, and
+// returns their paths. The model is that of the first run, or `model_path` if
+// that is not empty. Throws InputError as PathsOf() does, and if a motion is
+// not usable, if a run is not finished or has no model or another one than the
+// first.
 RunPaths ReadRunPaths(const std::vector<std::string>& dirs,
-                      const std::string& model_path);
+                      const std::string& model_path,
+                      int paths_per_muscle = 0);
 
 }  // namespace musclewarp

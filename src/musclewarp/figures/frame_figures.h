@@ -33,6 +33,7 @@ constexpr auto FieldsOf(Described<StageTime>) {
 template <class Muscle>
 struct FiguresOfFrame {
   int index = -1;  // of the pose in its scene, or -1
+  std::optional<int> reached_from;
   std::string name;
   double time = 0;
   std::map<std::string, double> coordinates;
@@ -102,6 +103,10 @@ constexpr auto FieldsOf(Described<FiguresOfFrame<Muscle>>) {
   using F = FiguresOfFrame<Muscle>;
   return std::make_tuple(
       Field(&F::index, "index").Text("the number of the pose in its motion"),
+      Field(&F::reached_from, "reached_from")
+          .Text("of a design of postures: the number of the frame from which "
+                "it was reached, -1 for the rest pose; null of other frames")
+          .Later(),
       Field(&F::name, "name").Text("name of the pose"),
       Field(&F::time, "time", "s").Text("time of the pose"),
       Field(&F::coordinates, "coordinates")

@@ -9,8 +9,9 @@
 
 namespace musclewarp {
 
-// OpenSim has polynomials of at most so many coordinates.
-constexpr int kMaxPolynomialDimension = 6;
+// The most coordinates of a polynomial. OpenSim had a limit of 6 until January
+// 2025 (opensim-core pull request 4001).
+constexpr int kMaxPolynomialDimension = 24;
 
 // A polynomial of several coordinates with all monomials up to a total order,
 // as OpenSim's MultivariatePolynomialFunction has it. Its coefficients are in

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "musclewarp/phantom/random_draws.h"
+#include "musclewarp/base/random_draws.h"
 
 namespace musclewarp::phantom {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/random_draws.h"
 #include "musclewarp/phantom/field.h"
 #include "musclewarp/phantom/phantom_scene.h"
-#include "musclewarp/phantom/random_draws.h"
 
 namespace musclewarp::phantom {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "musclewarp/base/random_draws.h"
 #include "musclewarp/phantom/field.h"
 #include "musclewarp/phantom/random_bones.h"
-#include "musclewarp/phantom/random_draws.h"
 #include "musclewarp/phantom/strap.h"
 #include "musclewarp/skeleton/action_line.h"
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "musclewarp/base/random_draws.h"
 #include "musclewarp/phantom/random_bones.h"
-#include "musclewarp/phantom/random_draws.h"
 #include "musclewarp/phantom/random_muscles.h"
 #include "musclewarp/scene/scene_pose.h"
 

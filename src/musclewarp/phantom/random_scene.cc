@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "musclewarp/base/random_draws.h"
 #include "musclewarp/phantom/random_bones.h"
-#include "musclewarp/phantom/random_draws.h"
 #include "musclewarp/phantom/random_muscles.h"
 #include "musclewarp/phantom/random_poses.h"
 #include "musclewarp/phantom/scene_parts.h"
@@ -21,7 +21,6 @@ namespace musclewarp {
 namespace {
 
 using phantom::RandomBone;
-using phantom::RandomDraws;
 using phantom::RandomMuscle;
 
 std::string NumberedName(int number) {

@@ -79,21 +79,25 @@ std::optional<BoneMove> ImpossibleMove(const Scene& scene,
   const NearestPair rest = NearestTo(a.tree, b.vertices, kJointGap);
   if (rest.distance >= kJointGap) return std::nullopt;
   BoneMove largest;
-  Eigen::Matrix4d before = Eigen::Matrix4d::Identity();
-  for (size_t i = 0; i < scene.poses.size(); ++i) {
+  const auto relative_motion = [&](int i) -> Eigen::Matrix4d {
+    if (i < 0) return Eigen::Matrix4d::Identity();
     const ScenePose& pose = scene.poses[i];
-    const Eigen::Matrix4d now = BodyTransform(pose, a.bone.body).inverse() *
-                                BodyTransform(pose, b.bone.body);
-    const Points joint = rest.middle;
+    return BodyTransform(pose, a.bone.body).inverse() *
+           BodyTransform(pose, b.bone.body);
+  };
+  const Points joint = rest.middle;
+  const auto count = static_cast<int>(scene.poses.size());
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Matrix4d now = relative_motion(i);
+    const Eigen::Matrix4d before = relative_motion(PoseBefore(scene, i));
     const double moved =
         (Transformed(joint, now) - Transformed(joint, before)).norm();
-    if (scene.is_motion) before = now;
     if (moved <= std::max(kLongSlide, largest.distance)) continue;
     const double wide = rest.distance + kWideGap;
     const double gap =
         NearestTo(a.tree, Transformed(b.vertices, now), wide).distance;
     if (moved < kLongestSlide && gap < wide) continue;
-    largest = {moved, static_cast<int>(i)};
+    largest = {moved, i};
   }
   if (largest.pose < 0) return std::nullopt;
   return largest;
@@ -107,8 +111,8 @@ std::string MoveText(const Scene& scene,
   text << b.bone.name << " moves by "
        << LengthText(move.distance, scene.body_size) << " against "
        << a.bone.name;
-  if (scene.is_motion && move.pose > 0) {
-    text << " between frames " << move.pose - 1 << " and " << move.pose;
+  if (const int before = PoseBefore(scene, move.pose); before >= 0) {
+    text << " between frames " << before << " and " << move.pose;
   } else {
     text << " between the rest pose and frame " << move.pose;
   }

@@ -32,9 +32,9 @@ std::vector<BoneCrossing> BoneCrossings(const std::vector<BoneAtRest>& bones);
 // Returns a warning for each pair of bones that are close at rest, as in a
 // joint, and that a pose moves apart by more than any joint allows. The usual
 // cause is a wrong joint centre, as with a rotation about the origin of an
-// image. Computing such a pose takes long and fails. In a motion, each pose is
-// compared with the one before. The warning states the largest move of the
-// pair.
+// image. Computing such a pose takes long and fails. Each pose is compared with
+// the one from which it is reached (PoseBefore). The warning states the largest
+// move of the pair.
 std::vector<std::string> BoneMoveWarnings(const Scene& scene,
                                           const std::vector<BoneAtRest>& bones);
 

@@ -70,21 +70,6 @@ void WriteMuscleVtp(const PreparedMuscle&,
 void WriteLinesVtp(const std::vector<Points>&, const fs::path&) {}
 #endif
 
-std::vector<MuscleLines> NamedLines(const PreparedScene& scene,
-                                    const Frame& frame) {
-  std::vector<MuscleLines> muscles;
-  for (size_t i = 0; i < scene.muscles.size(); ++i) {
-    const MuscleModel& model = scene.muscles[i].model;
-    MuscleLines lines{
-        model.name, {}, frame.muscles[i].fibres, frame.muscles[i].bare_tendons};
-    for (size_t k = 0; k < model.lines.size(); ++k) {
-      lines.lines.push_back({model.lines[k].name, frame.muscles[i].lines[k]});
-    }
-    muscles.push_back(std::move(lines));
-  }
-  return muscles;
-}
-
 BoneMotions NamedMotions(const PreparedScene& scene, const Frame& frame) {
   BoneMotions motions;
   for (size_t i = 0; i < scene.bones.size(); ++i) {
@@ -196,6 +181,21 @@ Eigen::VectorXd AreaStretch(const Points& rest,
   return stretch;
 }
 
+std::vector<MuscleLines> LinesOf(const PreparedScene& scene,
+                                 const Frame& frame) {
+  std::vector<MuscleLines> muscles;
+  for (size_t i = 0; i < scene.muscles.size(); ++i) {
+    const MuscleModel& model = scene.muscles[i].model;
+    MuscleLines lines{
+        model.name, {}, frame.muscles[i].fibres, frame.muscles[i].bare_tendons};
+    for (size_t k = 0; k < model.lines.size(); ++k) {
+      lines.lines.push_back({model.lines[k].name, frame.muscles[i].lines[k]});
+    }
+    muscles.push_back(std::move(lines));
+  }
+  return muscles;
+}
+
 void WriteFrame(const PreparedScene& scene,
                 const Frame& frame,
                 const FrameFileOptions& options,
@@ -203,7 +203,7 @@ void WriteFrame(const PreparedScene& scene,
   const bool is_rest = frame.index < 0;
   const auto write_all = [&](const std::string& partial) {
     const fs::path folder(partial);
-    WriteLinesFile((folder / kLinesFile).string(), NamedLines(scene, frame));
+    WriteLinesFile((folder / kLinesFile).string(), LinesOf(scene, frame));
     if (!is_rest && options.bones == BoneFiles::kOnce) {
       WriteBonesFile((folder / kBonesFile).string(),
                      NamedMotions(scene, frame));

@@ -8,6 +8,7 @@
 
 #include "musclewarp/frames/frame.h"
 #include "musclewarp/preparation/prepared_scene.h"
+#include "musclewarp/run/lines_file.h"
 
 namespace musclewarp {
 
@@ -45,6 +46,10 @@ struct FrameFileOptions {
   // Returns true if frames have the meshes of bones in the format.
   bool HasBonesInFrames(const std::string& format) const;
 };
+
+// Returns the lines and fibres of a frame, as lines.json has them.
+std::vector<MuscleLines> LinesOf(const PreparedScene& scene,
+                                 const Frame& frame);
 
 // Writes all meshes of a frame to DIR/frame_0000/<name>.<format> (DIR/rest/...
 // of the rest frame) and lines and fibres to lines.json beside them; the folder

@@ -177,6 +177,7 @@ OrderedJson MotionJson(const Scene& scene, bool keeps_model) {
   OrderedJson json = {{"model", model.path}};
   if (keeps_model) json["kept_model"] = kKeptModel;
   json["file"] = scene.motion_path;
+  if (!scene.design.empty()) json["design"] = scene.design;
   json["coordinates"] = coordinates;
   return json;
 }

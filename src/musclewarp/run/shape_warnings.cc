@@ -93,12 +93,13 @@ void WarnOfStretch(const std::vector<FrameFigures>& frames,
                       StretchedAreas(record, body_size));
 }
 
-// The first frame has no frame before it.
+// The first frame has no frame before it. The moves of a design are not of one
+// length, so that their median says nothing.
 void WarnOfJumps(const std::vector<FrameFigures>& frames,
                  size_t muscle,
                  double body_size,
                  std::vector<std::string>* warnings) {
-  if (frames.size() < kFewestFrames) return;
+  if (frames.size() < kFewestFrames || frames[0].reached_from) return;
   const auto change_in = [&](const FrameFigures& f) {
     return &f == &frames[0] ? 0 : f.muscles[muscle].shape.max_change;
   };

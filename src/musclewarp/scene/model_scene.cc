@@ -14,6 +14,7 @@
 #include "musclewarp/base/text.h"
 #include "musclewarp/opensim/coordinate_motion.h"
 #include "musclewarp/opensim/storage_table.h"
+#include "musclewarp/scene/designed_postures.h"
 #include "musclewarp/scene/model_bones.h"
 #include "musclewarp/scene/ramped_motion.h"
 #include "musclewarp/scene/scene.h"
@@ -67,36 +68,43 @@ std::vector<std::string> MeshFolders(const JsonField& scene,
   return folders;
 }
 
-// Reads the motion given for the run or, without one, the motion of the scene:
-// a file, or an object in the scene file. `path` is set to the file that
-// contains the motion.
-CoordinateMotion ReadMotion(const JsonField& scene,
+// Reads the motion given for the run or, without one, the motion or the design
+// of postures of the scene: a file, or an object in the scene file. Sets
+// Scene::motion_path and Scene::design.
+CoordinateMotion ReadMotion(const JsonField& field,
                             const std::string& root,
                             const ModelSources& sources,
                             const Model& model,
-                            std::string* path) {
+                            const std::vector<std::string>& bodies,
+                            Scene* scene) {
   std::optional<bool> in_degrees = sources.motion_in_degrees;
-  if (!in_degrees && scene.Has("motion_in_degrees")) {
-    in_degrees = scene.At("motion_in_degrees").AsBool();
+  if (!in_degrees && field.Has("motion_in_degrees")) {
+    in_degrees = field.At("motion_in_degrees").AsBool();
   }
   const auto read_file = [&](const std::string& file) {
-    *path = PathIn(root, file);
-    return MotionOf(model, ReadStorageTable(*path), *path, in_degrees);
+    const std::string path = PathIn(root, file);
+    scene->motion_path = path;
+    return MotionOf(model, ReadStorageTable(path), path, in_degrees);
   };
   if (!sources.motion.empty()) return read_file(sources.motion);
-  const JsonField motion = scene.At("motion");
+  const JsonField motion = field.At("motion");
   if (motion.IsString()) return read_file(motion.AsString());
   if (!motion.IsObject()) {
     motion.Fail("is " + motion.AsText(),
                 "give the path of a motion in quotes, or an object with "
-                "\"frames\" and \"coordinates\"");
+                "\"frames\" and \"coordinates\", or with \"design\" and "
+                "\"postures\"");
   }
   if (in_degrees && !*in_degrees) {
     motion.Fail("has its angles in degrees, and motion_in_degrees says no",
                 "leave motion_in_degrees out: it is for motion files");
   }
-  *path = scene.file();
-  return RampedMotion(motion, model);
+  scene->motion_path = field.file();
+  if (!IsDesign(motion)) return RampedMotion(motion, model);
+  DesignedPostures postures = ReadDesignedPostures(motion, model, bodies);
+  scene->design = postures.design;
+  scene->notes.push_back(postures.note);
+  return std::move(postures.motion);
 }
 
 // Throws InputError if a column of the motion has a name that several joints
@@ -143,7 +151,8 @@ void AddPoses(const CoordinateMotion& motion,
   for (size_t i = 0; i < motion.times.size(); ++i) {
     ScenePose pose = PoseAt(poses, motion.values[i]);
     pose.time = motion.times[i];
-    pose.name = PoseName(pose.time, &names);
+    pose.name = scene->design.empty() ? PoseName(pose.time, &names)
+                                      : "posture_" + std::to_string(i);
     scene->poses.push_back(std::move(pose));
   }
 }
@@ -165,8 +174,8 @@ void AddModelPoses(const JsonField& field,
                "add \"bones\"");
   }
   scene->warnings = model.warnings;
-  const CoordinateMotion motion =
-      ReadMotion(field, root, sources, model, &scene->motion_path);
+  CoordinateMotion motion =
+      ReadMotion(field, root, sources, model, bodies, scene);
   scene->warnings.insert(
       scene->warnings.end(), motion.warnings.begin(), motion.warnings.end());
   CheckMotionIsKnown(motion, model, bodies, scene->motion_path);
@@ -186,9 +195,12 @@ void AddModelPoses(const JsonField& field,
   }
   AddMeshesOfModel(
       *poses, MeshFolders(field, root, sources), field.file(), scene);
+  scene->is_motion = scene->design.empty();
+  if (!scene->is_motion) {
+    scene->reached_from = VisitAsTree(poses->model, poses->rest, &motion);
+  }
   AddPoses(motion, *poses, scene);
   scene->model = std::move(poses);
-  scene->is_motion = true;
 }
 
 }  // namespace musclewarp

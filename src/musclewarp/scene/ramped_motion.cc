@@ -8,12 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "musclewarp/base/near_name.h"
-#include "musclewarp/base/short_list.h"
-#include "musclewarp/opensim/motion_columns.h"
 #include "musclewarp/opensim/storage_table.h"
-#include "musclewarp/scene/coordinate_limits.h"
-#include "musclewarp/scene/scene_names.h"
+#include "musclewarp/scene/coordinate_fields.h"
 
 namespace musclewarp {
 namespace {
@@ -27,47 +23,15 @@ struct Ramp {
   double per_table_unit = 1;  // 1000 for mm, since tables are in metres
 };
 
-void CheckNames(const JsonField& coordinates, const Model& model) {
-  std::vector<std::string> known;
-  for (const Coordinate& coordinate : model.coordinates) {
-    known.push_back(coordinate.name);
-  }
-  for (const std::string& member : coordinates.Keys()) {
-    if (model.FindCoordinate(member) >= 0) continue;
-    const std::string problem = "names " + QuotedName(member) + ", which " +
-                                WhyNoCoordinate(model, member) + ", " +
-                                model.path;
-    coordinates.Fail(problem,
-                     DidYouMean(member, known) +
-                         "allowed: " + ShortList(known, known.size()));
-  }
-}
-
-std::vector<double> ReadValues(const JsonField& field) {
-  if (!field.IsArray() || field.ArraySize() == 0) {
-    field.Fail("is " + field.AsText(),
-               "give a list of numbers such as [30] or [0, 90, 0]");
-  }
-  std::vector<double> values(field.ArraySize());
-  for (size_t i = 0; i < values.size(); ++i) {
-    values[i] = field.At(i).AsNumber();
-    if (std::abs(values[i]) > kLargestCoordinate) {
-      field.At(i).Fail("is " + field.At(i).AsText(), "allowed: -1e7 to 1e7");
-    }
-  }
-  return values;
-}
-
 std::vector<Ramp> ReadRamps(const JsonField& coordinates, const Model& model) {
   coordinates.CheckObject();
-  CheckNames(coordinates, model);
+  CheckCoordinateNames(coordinates, coordinates.Keys(), model);
   std::vector<Ramp> ramps;
   for (const Coordinate& coordinate : model.coordinates) {
     if (!coordinates.Has(coordinate.name)) continue;
-    const bool is_length = coordinate.kind == CoordinateKind::kTranslational;
     ramps.push_back({coordinate.name,
-                     ReadValues(coordinates.At(coordinate.name)),
-                     is_length ? kMillimetresPerMetre : 1});
+                     ReadCoordinateValues(coordinates.At(coordinate.name)),
+                     ScenePerTableUnit(coordinate)});
   }
   if (ramps.empty()) {
     coordinates.Fail("is empty", "name at least one coordinate of the model");

@@ -127,6 +127,13 @@ struct Scene {
   // the previous one. Otherwise each pose is computed independently.
   bool is_motion = false;
 
+  // The design of postures of which the poses are, "latin_hypercube" or "grid",
+  // or empty for other poses; and for each of its poses the number of the pose
+  // from which it is reached, which comes before it, or -1 for the rest pose
+  // (scene/designed_postures.h).
+  std::string design;
+  std::vector<int> reached_from;
+
   // The OpenSim model that provides the poses, and the file that contains its
   // motion, which may be the scene file; null and empty if the scene gives its
   // poses itself.
@@ -166,6 +173,10 @@ ScenePose PoseBetween(const Scene& scene,
                       const ScenePose& from,
                       const ScenePose& to,
                       double part);
+
+// Returns the number of the pose from which a pose is reached: the one before
+// in a motion, the one that the tree of a design has; -1 for the rest pose.
+int PoseBefore(const Scene& scene, int pose);
 
 // Returns the bodies that bones, lines and attachments name, without
 // duplicates, in order of first occurrence.

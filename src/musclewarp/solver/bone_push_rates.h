@@ -21,7 +21,9 @@ struct PushMotion {
 // Differentiates a push implicitly, with respect to several coordinates:
 // returns the derivatives of its displacements, N x 3 each, mm. `free`: the
 // coarse vertices without it in the pose, `push_now`: the displacements, N x 3,
-// mm. The samples that touch stay the same.
+// mm. The samples that touch stay the same. Where the muscle slips over a bone
+// (the equilibrium is barely stable, or not), the slipping motions are left
+// out.
 std::vector<Points> PushRates(const BonePush& push,
                               const ScenePose& pose,
                               const Points& free,

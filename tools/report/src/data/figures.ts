@@ -18,6 +18,7 @@ export interface RunFigures {
 
 export interface FrameFigures {
   index: number;
+  reached_from?: number | null;
   name: string;
   time: number;
   coordinates: Record<string, number>;

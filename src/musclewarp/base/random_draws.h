@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <random>
 
-namespace musclewarp::phantom {
+namespace musclewarp {
 
 // A sequence of random numbers that is the same on every machine for the same
 // seed. The engine std::mt19937 is specified to the bit; the distributions of
@@ -43,4 +43,4 @@ class RandomDraws {
   std::mt19937 engine_;
 };
 
-}  // namespace musclewarp::phantom
+}  // namespace musclewarp

@@ -1,13 +1,13 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/phantom/random_draws.h"
+#include "musclewarp/base/random_draws.h"
 
 #include <glog/logging.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace musclewarp::phantom {
+namespace musclewarp {
 
 double RandomDraws::Uniform(double low, double high) {
   return low + (high - low) * (engine_() / 4294967296.0);
@@ -41,4 +41,4 @@ Eigen::Vector3d RandomDraws::DirectionAcross(const Eigen::Vector3d& direction) {
   }
 }
 
-}  // namespace musclewarp::phantom
+}  // namespace musclewarp

@@ -1,13 +1,13 @@
 // Copyright 2026 The musclewarp authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "musclewarp/phantom/random_draws.h"
+#include "musclewarp/base/random_draws.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-namespace musclewarp::phantom {
+namespace musclewarp {
 namespace {
 
 // Sums of rounded squares of unit vectors.
@@ -76,4 +76,4 @@ TEST(RandomDrawsDeathTest, AnEmptyRangeOfIntegersIsRefused) {
 }
 
 }  // namespace
-}  // namespace musclewarp::phantom
+}  // namespace musclewarp

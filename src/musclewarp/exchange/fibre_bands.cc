@@ -1,0 +1,94 @@
+// Copyright 2026 The musclewarp authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "musclewarp/exchange/fibre_bands.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "musclewarp/base/infinity.h"
+
+namespace musclewarp {
+namespace {
+
+constexpr int kPlaces = 10;
+constexpr int kMostRounds = 100;
+
+// Returns points at equal distances along a fibre, 1 x 3 kPlaces.
+Eigen::RowVectorXd PlacesAlong(const Points& fibre) {
+  std::vector<double> at(fibre.rows(), 0);
+  for (Eigen::Index i = 1; i < fibre.rows(); ++i) {
+    at[i] = at[i - 1] + (fibre.row(i) - fibre.row(i - 1)).norm();
+  }
+  Eigen::RowVectorXd places(3 * kPlaces);
+  Eigen::Index piece = 1;
+  for (int k = 0; k < kPlaces; ++k) {
+    const double here = at.back() * k / (kPlaces - 1);
+    while (piece + 1 < fibre.rows() && at[piece] < here) ++piece;
+    const double length = at[piece] - at[piece - 1];
+    const double part =
+        length > 0 ? std::min(1.0, (here - at[piece - 1]) / length) : 0;
+    places.segment<3>(3 * k) =
+        (1 - part) * fibre.row(piece - 1) + part * fibre.row(piece);
+  }
+  return places;
+}
+
+// Returns the centre that is nearest to a row.
+int NearestCentre(const Eigen::RowVectorXd& row,
+                  const Eigen::MatrixXd& centres) {
+  Eigen::Index nearest = 0;
+  (centres.rowwise() - row).rowwise().squaredNorm().minCoeff(&nearest);
+  return static_cast<int>(nearest);
+}
+
+// The first centre is the fibre farthest from the mean, each next one that
+// which is farthest from all centres.
+Eigen::MatrixXd FirstCentres(const Eigen::MatrixXd& rows, int count) {
+  Eigen::VectorXd distances =
+      (rows.rowwise() - rows.colwise().mean()).rowwise().squaredNorm();
+  Eigen::MatrixXd centres(count, rows.cols());
+  for (int c = 0; c < count; ++c) {
+    Eigen::Index farthest = 0;
+    distances.maxCoeff(&farthest);
+    centres.row(c) = rows.row(farthest);
+    const Eigen::VectorXd from_it =
+        (rows.rowwise() - centres.row(c)).rowwise().squaredNorm();
+    distances = c == 0 ? from_it : distances.cwiseMin(from_it).eval();
+  }
+  return centres;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> FibreBands(const std::vector<Points>& fibres,
+                                         int count) {
+  const auto num_fibres = static_cast<int>(fibres.size());
+  count = std::min(count, num_fibres);
+  if (count < 1) return {};
+  Eigen::MatrixXd rows(num_fibres, 3 * kPlaces);
+  for (int i = 0; i < num_fibres; ++i) rows.row(i) = PlacesAlong(fibres[i]);
+  Eigen::MatrixXd centres = FirstCentres(rows, count);
+  std::vector<std::vector<int>> bands;
+  for (int round = 0; round < kMostRounds; ++round) {
+    std::vector<std::vector<int>> next(count);
+    for (int i = 0; i < num_fibres; ++i) {
+      next[NearestCentre(rows.row(i), centres)].push_back(i);
+    }
+    if (next == bands) break;
+    bands = std::move(next);
+    for (int c = 0; c < count; ++c) {
+      if (!bands[c].empty()) {
+        centres.row(c) = rows(bands[c], Eigen::all).colwise().mean();
+      }
+    }
+  }
+  // A band is empty where fibres lie on each other.
+  bands.erase(std::remove_if(bands.begin(),
+                             bands.end(),
+                             [](const auto& band) { return band.empty(); }),
+              bands.end());
+  std::sort(bands.begin(), bands.end());
+  return bands;
+}
+
+}  // namespace musclewarp
