@@ -60,6 +60,28 @@ TEST(PathFit, FindsThePolynomialAndItsTerms) {
   }
 }
 
+// Law: a term is found although none of the terms below it explains anything.
+TEST(PathFit, FindsATermThatStandsAlone) {
+  std::vector<PathSample> samples;
+  RandomDraws draws(3);
+  for (int i = 0; i < 150; ++i) {
+    PathSample sample;
+    sample.coordinates.resize(2);
+    for (double& q : sample.coordinates) q = draws.Uniform(-1, 1);
+    // Legendre polynomials of degree 3 and 4, as the samples span the range.
+    const double x = sample.coordinates[0], y = sample.coordinates[1];
+    const double p = (5 * x * x * x - 3 * x) / 2, dp = (15 * x * x - 3) / 2;
+    const double r = (35 * y * y * y * y - 30 * y * y + 3) / 8,
+                 dr = (140 * y * y * y - 60 * y) / 8;
+    sample.length = 200 + 10 * p * r;
+    sample.arms = Eigen::Vector2d(-10 * dp * r, -10 * p * dr);
+    samples.push_back(sample);
+  }
+  const PathFit fit = FitPath(samples, {0, 1});
+  EXPECT_LT(fit.held_back.length.largest, 0.01);
+  EXPECT_LT(fit.held_back.arm.largest, 0.1);
+}
+
 // What noise adds is not taken for a term: with it, held-back errors stay near
 // those of the noise itself, whose mean is half of its largest.
 TEST(PathFit, DoesNotFollowNoise) {

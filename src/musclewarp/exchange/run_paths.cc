@@ -114,6 +114,18 @@ void AddPaths(const MeasuredRun& run,
   }
 }
 
+// Returns why a posture of a design says nothing about paths, or nothing. A
+// muscle between bones that lie in each other is squeezed out of its place.
+std::string WhyNoSample(const FrameFigures& frame) {
+  if (!frame.shortcomings.empty()) return frame.shortcomings[0];
+  if (!frame.IsUsable()) return frame.stop_reason();
+  if (!frame.moment_arms_converged) return "moment arms did not converge";
+  if (frame.bone_overlaps.empty()) return "";
+  const BoneOverlap& overlap = frame.bone_overlaps[0];
+  return overlap.a + " and " + overlap.b + " are " +
+         MeasureText(overlap.depth_mm) + " mm deep in each other";
+}
+
 // The frames of one run.
 class FramesOfRun {
  public:
@@ -129,19 +141,14 @@ class FramesOfRun {
           run_.name + ": frames[" + std::to_string(i) + "].";
       const std::string name =
           run_.name + ": " + FrameFolder(frame.index) + " (" + frame.name + ")";
-      if (run_.is_of_design && !frame.IsUsable()) {
-        paths_.frames_left_out.push_back(name + ": " +
-                                         (frame.shortcomings.empty()
-                                              ? frame.stop_reason()
-                                              : frame.shortcomings[0]));
-        continue;
-      }
-      if (!frame.moment_arms_converged) {
-        if (run_.is_of_design) {
-          paths_.frames_left_out.push_back(name +
-                                           ": moment arms did not converge");
+      if (run_.is_of_design) {
+        const std::string reason = WhyNoSample(frame);
+        if (!reason.empty()) {
+          paths_.frames_left_out.push_back(name + ": " + reason);
           continue;
         }
+      }
+      if (!frame.moment_arms_converged) {
         throw InputError(
             where + "moment_arms_converged",
             "is false: the moment arms of the frame (" +

@@ -20,7 +20,7 @@ namespace {
 // those that are chosen.
 constexpr double kUndetermined = 1e-8;
 
-// The search ends when so many terms in a row have not improved the prediction.
+// The search ends when so many more terms have not improved the prediction.
 constexpr int kPatience = 12;
 
 // The equations of least squares of some samples: the sum of (rows * x -
@@ -72,26 +72,39 @@ double Misfit(const NormalEquations& equations, const Choice& choice) {
          2 * x.dot(equations.right(choice.terms)) + equations.square;
 }
 
-// Returns the term that explains most of what the chosen ones leave, of those
-// whose terms below are all chosen; -1 if there is none.
-int BestTerm(const NormalEquations& equations,
-             const std::vector<int>& chosen,
-             const std::vector<std::vector<int>>& below) {
+// Returns a term and the terms below it that are not chosen, those below first.
+std::vector<int> WithTermsBelow(int term,
+                                const std::vector<std::vector<int>>& below,
+                                std::vector<char>* is_chosen) {
+  std::vector<int> terms;
+  if ((*is_chosen)[term]) return terms;
+  (*is_chosen)[term] = 1;
+  for (const int other : below[term]) {
+    const std::vector<int> more = WithTermsBelow(other, below, is_chosen);
+    terms.insert(terms.end(), more.begin(), more.end());
+  }
+  terms.push_back(term);
+  return terms;
+}
+
+// Returns the term that explains most of what the chosen ones leave, with the
+// terms below it that it needs: the most by each term that comes with it.
+// Returns nothing if the samples determine no more. A term alone that needs
+// others is looked at too, as none of these may explain anything by itself.
+std::vector<int> BestAddition(const NormalEquations& equations,
+                              const std::vector<int>& chosen,
+                              const std::vector<std::vector<int>>& below) {
   std::vector<char> is_chosen(below.size(), 0);
   for (const int term : chosen) is_chosen[term] = 1;
   std::vector<int> candidates;
   for (size_t i = 0; i < below.size(); ++i) {
-    const bool may = std::all_of(below[i].begin(),
-                                 below[i].end(),
-                                 [&](int term) { return is_chosen[term]; });
-    if (may && !is_chosen[i]) candidates.push_back(static_cast<int>(i));
+    if (!is_chosen[i]) candidates.push_back(static_cast<int>(i));
   }
-  if (candidates.empty()) return -1;
   const auto factor = Factor(Part(equations.matrix, chosen));
   const Eigen::MatrixXd across = equations.matrix(chosen, candidates);
   const Eigen::MatrixXd solved = factor.solve(across);
   const Eigen::VectorXd rest = equations.right(chosen);
-  int best = -1;
+  std::vector<int> best;
   double most = 0;
   for (size_t i = 0; i < candidates.size(); ++i) {
     const int term = candidates[i];
@@ -101,8 +114,12 @@ int BestTerm(const NormalEquations& equations,
     const double explains =
         std::pow(equations.right[term] - solved.col(i).dot(rest), 2) / free;
     if (!(explains > most)) continue;
-    most = explains;
-    best = term;
+    std::vector<char> taken = is_chosen;
+    std::vector<int> terms = WithTermsBelow(term, below, &taken);
+    const double by_term = explains / static_cast<double>(terms.size());
+    if (!(by_term > most)) continue;
+    most = by_term;
+    best = std::move(terms);
   }
   return best;
 }
@@ -134,22 +151,23 @@ Choice ChooseTerms(const std::vector<NormalEquations>& groups,
     others[g].right -= groups[g].right;
   }
   std::vector<int> terms = {0};
-  std::vector<double> misfits = {PredictionMisfit(groups, others, terms)};
+  std::vector<std::pair<size_t, double>> misfits;  // by number of terms
   size_t best = 0;
-  while (misfits.size() <= best + kPatience) {
-    const int next = BestTerm(all, terms, below);
-    if (next < 0) break;
-    terms.push_back(next);
-    misfits.push_back(PredictionMisfit(groups, others, terms));
-    if (misfits.back() < misfits[best]) best = misfits.size() - 1;
+  while (true) {
+    misfits.emplace_back(terms.size(), PredictionMisfit(groups, others, terms));
+    if (misfits.back().second < misfits[best].second) best = misfits.size() - 1;
+    if (misfits.back().first > misfits[best].first + kPatience) break;
+    const std::vector<int> next = BestAddition(all, terms, below);
+    if (next.empty()) break;
+    terms.insert(terms.end(), next.begin(), next.end());
   }
-  const double enough = kAsGood * std::max(0.0, misfits[best]) +
+  const double enough = kAsGood * std::max(0.0, misfits[best].second) +
                         kNegligible * kNegligible * all.rows;
   const auto first =
-      std::find_if(misfits.begin(), misfits.end(), [&](double misfit) {
-        return misfit <= enough;
+      std::find_if(misfits.begin(), misfits.end(), [&](const auto& misfit) {
+        return misfit.second <= enough;
       });
-  terms.resize(first - misfits.begin() + 1);
+  terms.resize(first->first);
   return {terms, Solve(all, terms)};
 }
 

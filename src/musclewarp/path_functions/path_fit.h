@@ -50,9 +50,9 @@ struct PathFit {
 };
 
 // Fits a polynomial of some coordinates to lengths and moment arms together, by
-// least squares. Terms are added one by one, each time the one that explains
-// most, as long as they improve the prediction of groups that are held back
-// (cross-validation); a term needs those with one degree less of each
+// least squares. Terms are added, each time the one that explains most, as long
+// as they improve the prediction of groups that are held back
+// (cross-validation); a term comes with those that have one degree less of a
 // coordinate. What no sample determines is zero: a coordinate that does not
 // vary enters by its arms only. Samples whose numbers have the same remainder
 // by PathFitOptions::groups are a group.
