@@ -35,7 +35,7 @@ def packages_of(source):
 def without_figures(text):
     """Times, what is left of volume errors and the signs of zeros differ
     between machines."""
-    text = re.sub(r"(?<=error )[-.\de]+|[.\d]+(?= ms)", "#", text)
+    text = re.sub(r"(?<=error )[-.\de]+|[.\d]+(?= ms| microseconds)", "#", text)
     return re.sub(r"-(?=0\.0\b)", "", text)
 
 
