@@ -27,6 +27,7 @@
 #include "musclewarp/run/run_reader.h"
 #include "musclewarp/scene/frame_selection.h"
 #include "musclewarp/settings/checked_settings.h"
+#include "tools/export_mjcf.h"
 
 namespace musclewarp {
 namespace {
@@ -188,6 +189,11 @@ int ExportTable(const ExportRequest& request, std::ostream& screen) {
   return kExitUsable;
 }
 
+int ExportMujoco(const ExportRequest& request, std::ostream& screen) {
+  CheckAllFrames(request);
+  return ExportMjcf(request.in, request.out, request.paths, screen);
+}
+
 using Exporter = int (*)(const ExportRequest&, std::ostream&);
 
 const std::map<std::string, Exporter>& Exporters() {
@@ -196,6 +202,7 @@ const std::map<std::string, Exporter>& Exporters() {
       {"csv", ExportTable},
       {"fit", ExportFunctions},
       {"glb", ExportGlb},
+      {"mjcf", ExportMujoco},
       {"osim", ExportModel},
       {"pc2", ExportPointCaches}};
   return kExporters;

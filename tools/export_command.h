@@ -29,8 +29,8 @@ constexpr auto FieldsOf(Described<ExportRequest>) {
   using S = ExportRequest;
   return std::make_tuple(
       Field(&S::in, "in")
-          .Text("folder written by musclewarp-deform; for fit and osim several "
-                "with commas")
+          .Text("folder written by musclewarp-deform; for fit, mjcf and osim "
+                "several with commas")
           .Path(),
       Field(&S::out, "out")
           .Text("the file (csv, fit, glb, osim) or the folder (else) to write")
@@ -38,12 +38,13 @@ constexpr auto FieldsOf(Described<ExportRequest>) {
       Field(&S::format, "format")
           .Text("crossings: places where meshes cross; csv: one table of "
                 "lengths, moment arms, volumes and sections; fit: lengths and "
-                "moment arms as functions (.json); glb: glTF 2.0; pc2: "
-                ".obj and point caches for Blender; osim: the OpenSim model "
+                "moment arms as functions (.json); glb: glTF 2.0; mjcf: "
+                "a model for MuJoCo with muscles and their skins; pc2: .obj "
+                "and point caches for Blender; osim: the OpenSim model "
                 "with path functions; inp, feb, msh and with VTK vtu: finite "
                 "elements, several with commas")
-          .OneOf("crossings, csv, fit, glb, osim, pc2, feb, inp, msh, vtu; "
-                 "commas"),
+          .OneOf("crossings, csv, fit, glb, mjcf, osim, pc2, feb, inp, msh, "
+                 "vtu; commas"),
       Field(&S::frames, "frames")
           .Text("which frames: all, last, N, FIRST:LAST, FIRST:LAST:STEP; "
                 "FIRST and LAST may be times (0.1s)"),

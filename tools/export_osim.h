@@ -26,26 +26,29 @@ constexpr auto FieldsOf(Described<PathExportOptions>) {
   using B = PathBounds;
   return std::make_tuple(
       Field(&S::model, "model")
-          .Text("of osim and fit: the model, in place of the one that the run "
+          .Text("of fit, mjcf and osim: the model, in place of the one that "
+                "the run "
                 "keeps")
           .Path(),
       Field(&S::paths_per_muscle, "paths_per_muscle")
-          .Text(
-              "of osim and fit: paths of each muscle, bands of its fibres; 0: "
-              "its lines")
+          .Text("of fit, mjcf and osim: paths of each muscle, bands of its "
+                "fibres; 0: "
+                "its lines")
           .Within(0, 100),
       Field(
           Inner(&S::bounds, &B::max_length_error), "max_length_error_mm", "mm")
-          .Text("of osim and fit: exit code 1 if lengths at frames that a "
-                "function does not know are worse on the mean")
+          .Text(
+              "of fit, mjcf and osim: exit code 1 if lengths at frames that a "
+              "function does not know are worse on the mean")
           .Above(0),
       Field(Inner(&S::bounds, &B::max_arm_error), "max_arm_error_mm", "mm")
-          .Text("of osim and fit: the same of moment arms")
+          .Text("of fit, mjcf and osim: the same of moment arms")
           .Above(0),
       Field(Inner(&S::bounds, &B::largest_arm_error),
             "largest_arm_error_mm",
             "mm")
-          .Text("of osim and fit: exit code 1 if one of these moment arms is "
+          .Text("of fit, mjcf and osim: exit code 1 if one of these moment "
+                "arms is "
                 "worse")
           .Above(0),
       NotWritten(&S::bounds));

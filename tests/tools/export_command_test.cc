@@ -181,8 +181,9 @@ TEST_F(Export, AnimationsSayTheirAxes) {
 }
 
 TEST_F(Export, WhatCannotBeDoneIsNamedAndNothingIsWritten) {
-  ExpectRefused(
-      "", {"--format=", "crossings, csv, fit, glb, osim, pc2, feb, inp, msh"});
+  ExpectRefused("",
+                {"--format=",
+                 "crossings, csv, fit, glb, mjcf, osim, pc2, feb, inp, msh"});
   ExpectRefused("fbx", {"--format=fbx", "allowed: "});
   ExpectRefused("inp,glb", {"--format=inp,glb"});
   ExpectRefused("glb", {"--out", ".glb"});

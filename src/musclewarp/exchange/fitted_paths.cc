@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "musclewarp/base/input_error.h"
 #include "musclewarp/base/parallel_for.h"
 #include "musclewarp/base/stopwatch.h"
 #include "musclewarp/run/pose_name.h"
@@ -131,6 +132,13 @@ bool FittedPaths::AreWithinBounds() const {
 FittedPaths FitPaths(const RunPaths& paths, const PathBounds& bounds) {
   FittedPaths fitted;
   for (const MeasuredPath& path : paths.paths) {
+    if (path.coordinates.size() > kMostPathCoordinates) {
+      throw InputError(
+          "line \"" + path.name + "\"",
+          "crosses " + std::to_string(path.coordinates.size()) + " coordinates",
+          "functions have at most " + std::to_string(kMostPathCoordinates) +
+              "; lock those of the model that do not move");
+    }
     if (path.coordinates.empty()) {
       fitted.without_coordinates.push_back(path.name);
     } else {
@@ -169,6 +177,7 @@ OrderedJson FitJson(const RunPaths& paths,
           {"coordinates", coordinates},
           {"frames", paths.frames.size()},
           {"frames_left_out", paths.frames_left_out},
+          {"frames_doubtful", paths.frames_doubtful},
           {"without_coordinates", fitted.without_coordinates},
           {"microseconds", fitted.microseconds},
           {"muscles", functions}};
@@ -179,6 +188,9 @@ void PrintFits(const RunPaths& paths,
                std::ostream& screen) {
   for (const std::string& frame : paths.frames_left_out) {
     screen << "left out: " << frame << "\n";
+  }
+  for (const std::string& frame : paths.frames_doubtful) {
+    screen << "counts a tenth: " << frame << "\n";
   }
   char line[300];
   for (const FittedPath& one : fitted.paths) {
@@ -224,10 +236,11 @@ void PrintFits(const RunPaths& paths,
   }
   std::snprintf(line,
                 sizeof line,
-                "%d functions of %d frames, %d left out; %.1f microseconds for "
-                "all lengths and arms\n",
+                "%d functions of %d frames, %d of them doubtful, %d left out; "
+                "%.1f microseconds for all lengths and arms\n",
                 static_cast<int>(fitted.paths.size()),
                 static_cast<int>(paths.frames.size()),
+                static_cast<int>(paths.frames_doubtful.size()),
                 static_cast<int>(paths.frames_left_out.size()),
                 fitted.microseconds);
   screen << line;

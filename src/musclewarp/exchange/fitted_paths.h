@@ -44,7 +44,7 @@ struct FittedPaths {
 // Fits a function to every path (FitPath) and surveys it on kSurveyLines lines.
 // With a single sample, the bounds are held against the error there. The result
 // refers to `paths`, and is the same for any number of threads, but for the
-// time.
+// time. Throws InputError if a path crosses more than kMostPathCoordinates.
 FittedPaths FitPaths(const RunPaths& paths, const PathBounds& bounds);
 
 constexpr int kSurveyLines = 500;

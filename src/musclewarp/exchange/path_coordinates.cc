@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <set>
 
-#include "musclewarp/opensim/kinematics.h"
+#include "musclewarp/base/angles.h"
+#include "musclewarp/base/input_error.h"
+#include "musclewarp/base/near_name.h"
 
 namespace musclewarp {
 namespace {
@@ -61,6 +63,33 @@ std::vector<int> CrossedCoordinates(const Model& model,
     }
   }
   return crossed;
+}
+
+int CoordinateNamed(const Model& model,
+                    const std::string& coordinate,
+                    const std::string& where) {
+  const int index = model.FindCoordinate(coordinate);
+  if (index >= 0) return index;
+  std::vector<std::string> known;
+  for (const Coordinate& other : model.coordinates) known.push_back(other.name);
+  throw InputError(
+      where,
+      "names \"" + coordinate + "\", which is no coordinate of " + model.path,
+      DidYouMean(coordinate, known) + "check {model}");
+}
+
+CoordinateValues ModelValuesOf(const Model& model,
+                               const FrameFigures& frame,
+                               const std::string& where) {
+  CoordinateValues values = DefaultValues(model);
+  for (const auto& [name, value] : frame.coordinates) {
+    const int index = CoordinateNamed(model, name, where);
+    const bool is_angle =
+        model.coordinates[index].kind == CoordinateKind::kRotational;
+    values[index] = value * (is_angle ? kRadiansPerDegree : 1);
+  }
+  ApplyCouplers(model, &values);
+  return values;
 }
 
 }  // namespace musclewarp

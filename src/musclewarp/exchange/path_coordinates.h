@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "musclewarp/figures/frame_figures.h"
+#include "musclewarp/opensim/kinematics.h"
 #include "musclewarp/opensim/model.h"
 
 namespace musclewarp {
@@ -29,5 +30,18 @@ std::vector<int> BodiesOfPath(const Model& model,
 std::vector<int> CrossedCoordinates(const Model& model,
                                     const std::vector<int>& coordinates,
                                     const std::vector<int>& bodies);
+
+// Returns the coordinate of a model with a name. Throws InputError, which names
+// `where`, if there is none.
+int CoordinateNamed(const Model& model,
+                    const std::string& name,
+                    const std::string& where);
+
+// Returns the values of all coordinates of a model in a frame, rad or m: those
+// that the frame does not give are at their default values, and coupled ones
+// follow. Throws InputError as CoordinateNamed() does.
+CoordinateValues ModelValuesOf(const Model& model,
+                               const FrameFigures& frame,
+                               const std::string& where);
 
 }  // namespace musclewarp

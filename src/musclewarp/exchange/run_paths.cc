@@ -9,9 +9,7 @@
 #include <map>
 #include <utility>
 
-#include "musclewarp/base/angles.h"
 #include "musclewarp/base/input_error.h"
-#include "musclewarp/base/near_name.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/exchange/fibre_bands.h"
 #include "musclewarp/exchange/path_beyond.h"
@@ -48,19 +46,6 @@ std::vector<std::string> CoordinatesOf(const FrameFigures& frame) {
   return {};
 }
 
-int IndexOf(const Model& model,
-            const std::string& coordinate,
-            const std::string& where) {
-  const int index = model.FindCoordinate(coordinate);
-  if (index >= 0) return index;
-  std::vector<std::string> known;
-  for (const Coordinate& other : model.coordinates) known.push_back(other.name);
-  throw InputError(
-      where,
-      "names \"" + coordinate + "\", which is no coordinate of " + model.path,
-      DidYouMean(coordinate, known) + "check {model}");
-}
-
 // Adds the paths of the first run, without samples. `bands` has the fibres of
 // each path that is a band.
 void AddPaths(const MeasuredRun& run,
@@ -71,7 +56,7 @@ void AddPaths(const MeasuredRun& run,
   paths->coordinates = CoordinatesOf(frame);
   std::vector<int> indices;
   for (const std::string& name : paths->coordinates) {
-    indices.push_back(IndexOf(paths->model, name, run.name));
+    indices.push_back(CoordinateNamed(paths->model, name, run.name));
   }
   const auto add = [&](const std::string& name, const std::string& muscle) {
     MeasuredPath path;
@@ -114,18 +99,6 @@ void AddPaths(const MeasuredRun& run,
   }
 }
 
-// Returns why a posture of a design says nothing about paths, or nothing. A
-// muscle between bones that lie in each other is squeezed out of its place.
-std::string WhyNoSample(const FrameFigures& frame) {
-  if (!frame.shortcomings.empty()) return frame.shortcomings[0];
-  if (!frame.IsUsable()) return frame.stop_reason();
-  if (!frame.moment_arms_converged) return "moment arms did not converge";
-  if (frame.bone_overlaps.empty()) return "";
-  const BoneOverlap& overlap = frame.bone_overlaps[0];
-  return overlap.a + " and " + overlap.b + " are " +
-         MeasureText(overlap.depth_mm) + " mm deep in each other";
-}
-
 // The frames of one run.
 class FramesOfRun {
  public:
@@ -156,18 +129,23 @@ class FramesOfRun {
                 " s) mean nothing",
             "run without the frame ({frames} of musclewarp-deform)");
       }
-      AddFrame(frame, where);
+      const std::string doubt = run_.is_of_design ? WhyDoubtful(frame) : "";
+      if (!doubt.empty()) paths_.frames_doubtful.push_back(name + ": " + doubt);
+      AddFrame(frame, doubt.empty() ? 1 : kDoubtfulWeight, where);
       paths_.frames.push_back(name);
     }
   }
 
  private:
-  void AddFrame(const FrameFigures& frame, const std::string& where) {
+  void AddFrame(const FrameFigures& frame,
+                double weight,
+                const std::string& where) {
     const CoordinateValues values =
-        ValuesOf(frame.coordinates, where + "coordinates");
+        ModelValuesOf(paths_.model, frame, where + "coordinates");
     Eigen::VectorXd at(static_cast<Eigen::Index>(paths_.coordinates.size()));
     for (Eigen::Index k = 0; k < at.size(); ++k) {
-      at[k] = values[IndexOf(paths_.model, paths_.coordinates[k], where)];
+      at[k] =
+          values[CoordinateNamed(paths_.model, paths_.coordinates[k], where)];
     }
     size_t found = 0;
     for (size_t m = 0; m < frame.muscles.size(); ++m) {
@@ -180,6 +158,7 @@ class FramesOfRun {
                                 ? OfBand(muscle, bands_.at(path.name), field)
                                 : OfLine(muscle, path.name, field);
         sample.coordinates = at;
+        sample.weight = weight;
         sample.length += path.beyond;
         NoteOtherArms(sample, &path);
         path.samples.push_back(std::move(sample));
@@ -207,20 +186,6 @@ class FramesOfRun {
         run_.name,
         "does not have the lines of the other runs: \"" + line + "\"",
         "give runs of one scene");
-  }
-
-  // The coordinates of a frame in the units of the model.
-  CoordinateValues ValuesOf(const std::map<std::string, double>& given,
-                            const std::string& where) const {
-    CoordinateValues values = DefaultValues(paths_.model);
-    for (const auto& [name, value] : given) {
-      const int index = IndexOf(paths_.model, name, where);
-      const bool is_angle =
-          paths_.model.coordinates[index].kind == CoordinateKind::kRotational;
-      values[index] = value * (is_angle ? kRadiansPerDegree : 1);
-    }
-    ApplyCouplers(paths_.model, &values);
-    return values;
   }
 
   PathSample OfLine(const MuscleFigures& muscle,
@@ -312,6 +277,19 @@ void CheckContact(const MeasuredRun& run, const MeasuredRun& first) {
 }
 
 }  // namespace
+
+std::string WhyNoSample(const FrameFigures& frame) {
+  if (!frame.shortcomings.empty()) return frame.shortcomings[0];
+  if (!frame.IsUsable()) return frame.stop_reason();
+  return frame.moment_arms_converged ? "" : "moment arms did not converge";
+}
+
+std::string WhyDoubtful(const FrameFigures& frame) {
+  if (frame.bone_overlaps.empty()) return "";
+  const BoneOverlap& overlap = frame.bone_overlaps[0];
+  return overlap.a + " and " + overlap.b + " are " +
+         MeasureText(overlap.depth_mm) + " mm deep in each other";
+}
 
 bool IsInModel(const RunPaths& paths, const MeasuredPath& path) {
   return paths.model.FindMuscle(path.name) >= 0;

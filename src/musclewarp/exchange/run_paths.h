@@ -38,21 +38,33 @@ struct RunPaths {
   std::vector<std::string> coordinates;  // those of the moment arms
   std::vector<MeasuredPath> paths;       // by muscle, in the order of the run
 
-  // The frames of the samples, such as "hip: frame_0007 (posture_7)", and those
-  // of a design that were left out, with what they fall short of.
+  // The frames of the samples, such as "hip: frame_0007 (posture_7)"; those of
+  // a design that count little (WhyDoubtful), and those that were left out
+  // (WhyNoSample), with the reason.
   std::vector<std::string> frames;
+  std::vector<std::string> frames_doubtful;
   std::vector<std::string> frames_left_out;
 
   // Lines without moment arms that are no muscles of the model; left out.
   std::vector<std::string> lines_without_arms;
 };
 
+// Returns why the frame of a posture says nothing about paths, or nothing.
+std::string WhyNoSample(const FrameFigures& frame);
+
+// Returns why a usable frame of a posture says little about paths, or nothing:
+// bones lie in each other, which squeezes a muscle between them out of its
+// place. Its samples count by kDoubtfulWeight, so that functions stay sane
+// there.
+std::string WhyDoubtful(const FrameFigures& frame);
+constexpr double kDoubtfulWeight = 0.1;
+
 // Returns true if a muscle of the model has the name of the path.
 bool IsInModel(const RunPaths& paths, const MeasuredPath& path);
 
 // Returns the paths of runs of one scene. Coordinates that a run does not give
-// are at the default values of the model. Of a design of postures the frames
-// that are usable count. If `paths_per_muscle` is above 0, the paths are bands
+// are at the default values of the model. Of a design of postures the usable
+// frames count. If `paths_per_muscle` is above 0, the paths are bands
 // of the fibres of the first run, at most so many of each muscle (FibreBands),
 // instead of lines.
 //

@@ -162,6 +162,25 @@ OrderedJson ContactOptionsJson(const ContactReport& contact) {
   return nullptr;
 }
 
+OrderedJson RowsJson(const Eigen::Matrix4d& matrix) {
+  OrderedJson rows = OrderedJson::array();
+  for (int i = 0; i < 4; ++i) {
+    rows.push_back({matrix(i, 0), matrix(i, 1), matrix(i, 2), matrix(i, 3)});
+  }
+  return rows;
+}
+
+// How the meshes lie on the model at rest.
+OrderedJson RestJson(const ModelPoses& poses) {
+  OrderedJson bodies = OrderedJson::object();
+  for (const int body : poses.bodies) {
+    bodies[poses.model.bodies[body].name] =
+        RowsJson(poses.body_from_rest[body]);
+  }
+  return {{"scene_from_ground", RowsJson(poses.scene_from_ground)},
+          {"body_from_rest", bodies}};
+}
+
 OrderedJson MotionJson(const Scene& scene, bool keeps_model) {
   if (!scene.model) return nullptr;
   const Model& model = scene.model->model;
@@ -179,6 +198,7 @@ OrderedJson MotionJson(const Scene& scene, bool keeps_model) {
   json["file"] = scene.motion_path;
   if (!scene.design.empty()) json["design"] = scene.design;
   json["coordinates"] = coordinates;
+  json["rest"] = RestJson(*scene.model);
   return json;
 }
 
