@@ -23,14 +23,13 @@ const musclewarp::ProgramText kText = {
 }  // namespace
 
 int main(int argc, char** argv) {
-  using namespace musclewarp;
-  ExportRequest request;
-  RegisterFlags(&request);
-  RegisterFlags(&request.elements);
-  RegisterFlags(&request.paths);
-  return RunProgram(
+  musclewarp::ExportRequest request;
+  musclewarp::RegisterFlags(&request);
+  musclewarp::RegisterFlags(&request.elements);
+  musclewarp::RegisterFlags(&request.paths);
+  return musclewarp::RunProgram(
       argc, argv, kText, [&](const std::vector<std::string>& arguments) {
         request.files = arguments;
-        return ExportCommand(request, std::cout);
+        return musclewarp::ExportCommand(request, std::cout);
       });
 }

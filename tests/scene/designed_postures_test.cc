@@ -22,9 +22,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::Ge;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::Le;
-using ::testing::UnorderedElementsAreArray;
 
 // Rounding of degrees to radians.
 constexpr double kRounding = 1e-12;
