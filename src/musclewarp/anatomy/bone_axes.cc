@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/anatomy/bone_axes.h"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 
