@@ -17,10 +17,17 @@ using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::uint32_t kSeed = 1;  // of the lines of surveys
 
+// What a function is judged by: errors at its samples where none could be held
+// back.
+const PathErrors& JudgedErrors(const PathFit& fit) {
+  return fit.held_back.length.worst_sample < 0 ? fit.at_samples : fit.held_back;
+}
+
+// A function of doubtful samples alone was not judged.
 bool IsWithin(const PathFit& fit, const PathBounds& bounds) {
-  const PathErrors& errors =
-      fit.held_back.length.worst_sample < 0 ? fit.at_samples : fit.held_back;
-  return errors.length.mean <= bounds.max_length_error &&
+  const PathErrors& errors = JudgedErrors(fit);
+  return errors.length.worst_sample >= 0 &&
+         errors.length.mean <= bounds.max_length_error &&
          errors.arm.mean <= bounds.max_arm_error &&
          errors.arm.largest <= bounds.largest_arm_error;
 }
@@ -145,6 +152,12 @@ FittedPaths FitPaths(const RunPaths& paths, const PathBounds& bounds) {
       fitted.paths.emplace_back().path = &path;
     }
   }
+  if (fitted.paths.empty()) {
+    throw InputError("{in}",
+                     "has no path that crosses a coordinate of its motion",
+                     "run a scene whose model has the joints that the muscles "
+                     "cross");
+  }
   ParallelFor(fitted.paths.size(), [&](size_t i) {
     FittedPath& one = fitted.paths[i];
     one.fit = FitPath(one.path->samples, one.path->coordinates);
@@ -194,9 +207,7 @@ void PrintFits(const RunPaths& paths,
   }
   char line[300];
   for (const FittedPath& one : fitted.paths) {
-    const PathErrors& errors = one.fit.held_back.length.worst_sample < 0
-                                   ? one.fit.at_samples
-                                   : one.fit.held_back;
+    const PathErrors& errors = JudgedErrors(one.fit);
     std::snprintf(
         line,
         sizeof line,

@@ -9,8 +9,8 @@
 
 namespace musclewarp {
 
-// The most coordinates of a polynomial. OpenSim had a limit of 6 until January
-// 2025 (opensim-core pull request 4001).
+// The most coordinates of a polynomial. OpenSim 4.5 takes at most 6; later
+// versions have no limit (opensim-core pull request 4001).
 constexpr int kMaxPolynomialDimension = 24;
 
 // A polynomial of several coordinates with all monomials up to a total order,
