@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/export_mjcf.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "musclewarp/base/angles.h"
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/mujoco/mjcf_of_run.h"
@@ -127,6 +125,7 @@ int ExportMjcf(const std::string& runs,
                const PathExportOptions& options,
                std::ostream& screen) {
   CheckSettings(options);
+  CheckWritable(out);
   const std::vector<std::string> dirs = Split(runs, ',');
   const RunPaths paths =
       ReadRunPaths(dirs, options.model, options.paths_per_muscle);
@@ -135,18 +134,19 @@ int ExportMjcf(const std::string& runs,
       MjcfOfRun(dirs[0], paths, fitted, [&](const std::string& what) {
         screen << "fitting: " << what << std::endl;
       });
-  OrderedJson record = FitJson(paths, fitted, options.bounds);
+  const std::string model_file = (fs::path(out) / "model.xml").string();
+  OrderedJson record =
+      PathRecord(runs, model_file, paths, fitted, options.bounds);
   record["joints"] = CouplingsJson(mjcf.tree);
   record["tendons"] = TendonsJson(mjcf);
   record["skins"] = SkinsJson(mjcf, paths.model);
-  CheckWritable(out);
   const OutputLock lock(out);
   WriteModel(out, mjcf, paths.model, record);
   PrintFits(paths, fitted, screen);
   PrintModel(mjcf, screen);
-  screen << "wrote " << (fs::path(out) / "model.xml").string() << ": "
-         << mjcf.tree.bodies.size() << " bodies, " << mjcf.muscles.size()
-         << " muscles, " << mjcf.skins.size() << " skins; m, kg and rad\n";
+  screen << "wrote " << model_file << ": " << mjcf.tree.bodies.size()
+         << " bodies, " << mjcf.muscles.size() << " muscles, "
+         << mjcf.skins.size() << " skins; m, kg and rad\n";
   return fitted.AreWithinBounds() ? kExitUsable : kExitNotUsable;
 }
 

@@ -68,27 +68,26 @@ std::string FolderOf(const std::string& file) {
   return folder.empty() ? "." : folder.string();
 }
 
-// Returns what is written beside the functions.
-OrderedJson RecordOf(const std::string& runs,
-                     const std::string& out,
-                     const RunPaths& paths,
-                     const FittedPaths& fitted,
-                     const PathExportOptions& options) {
+int ExitCodeOf(const FittedPaths& fitted) {
+  return fitted.AreWithinBounds() ? kExitUsable : kExitNotUsable;
+}
+
+}  // namespace
+
+OrderedJson PathRecord(const std::string& runs,
+                       const std::string& out,
+                       const RunPaths& paths,
+                       const FittedPaths& fitted,
+                       const PathBounds& bounds) {
   OrderedJson dirs = OrderedJson::array();
   for (const std::string& dir : Split(runs, ',')) {
     dirs.push_back(PathFrom(FolderOf(out), dir));
   }
   OrderedJson record = {{"model", PathFrom(FolderOf(out), paths.model.path)},
                         {"runs", dirs}};
-  record.update(FitJson(paths, fitted, options.bounds));
+  record.update(FitJson(paths, fitted, bounds));
   return record;
 }
-
-int ExitCodeOf(const FittedPaths& fitted) {
-  return fitted.AreWithinBounds() ? kExitUsable : kExitNotUsable;
-}
-
-}  // namespace
 
 int ExportFit(const std::string& runs,
               const std::string& out,
@@ -99,7 +98,7 @@ int ExportFit(const std::string& runs,
       ReadRunPaths(Split(runs, ','), options.model, options.paths_per_muscle);
   const FittedPaths fitted = FitPaths(paths, options.bounds);
   WriteTextAtomically(
-      out, RecordOf(runs, out, paths, fitted, options).dump(2) + "\n");
+      out, PathRecord(runs, out, paths, fitted, options.bounds).dump(2) + "\n");
   PrintFits(paths, fitted, screen);
   screen << "wrote " << out << "\n";
   return ExitCodeOf(fitted);
@@ -123,7 +122,7 @@ int ExportOsim(const std::string& runs,
                                              paths.model.path,
                                              paths.coordinates,
                                              functions);
-  OrderedJson record = RecordOf(runs, out, paths, fitted, options);
+  OrderedJson record = PathRecord(runs, out, paths, fitted, options.bounds);
   record["lines_left_out"] = left_out;
   WriteTextAtomically(fs::path(out).replace_extension(".fit.json").string(),
                       record.dump(2) + "\n");

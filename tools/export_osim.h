@@ -54,6 +54,14 @@ constexpr auto FieldsOf(Described<PathExportOptions>) {
       NotWritten(&S::bounds));
 }
 
+// Returns what is written of the functions of runs (folders separated by
+// commas) beside `out`: fit.json.
+nlohmann::ordered_json PathRecord(const std::string& runs,
+                                  const std::string& out,
+                                  const RunPaths& paths,
+                                  const FittedPaths& fitted,
+                                  const PathBounds& bounds);
+
 // Writes the functions of all paths of runs (folders separated by commas) and
 // their errors to a .json file, and the errors to `screen`. Returns
 // kExitNotUsable if an error exceeds its bound. Throws InputError, naming the

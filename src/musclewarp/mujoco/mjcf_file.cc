@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/mujoco/mjcf_file.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <pugixml.hpp>
@@ -41,13 +43,26 @@ void Set(pugi::xml_node node, const char* name, const std::string& value) {
 
 // MuJoCo refuses moments that no body can have; rounded ones of a file are near
 // that.
+// Returns true if a body can have these moments.
+bool ArePositive(const std::array<double, 6>& moments) {
+  Eigen::Matrix3d inertia;
+  inertia << moments[0], moments[3], moments[4],  //
+      moments[3], moments[1], moments[5],         //
+      moments[4], moments[5], moments[2];
+  return inertia.llt().info() == Eigen::Success;
+}
+
+// A body without a mass, or with moments that are none, is a small ball.
 void AddInertia(const BodyMass& body, pugi::xml_node node) {
   pugi::xml_node inertial = Add(node, "inertial");
-  if (!(body.mass > kLeastMass)) {
+  if (!(body.mass > kLeastMass) || !ArePositive(body.inertia)) {
     constexpr double kRadius = 0.05;  // m
-    Set(inertial, "pos", "0 0 0");
-    Set(inertial, "mass", NumberText(kLeastMass));
-    const double moment = kLeastMass * kRadius * kRadius;
+    const double mass = std::max(body.mass, kLeastMass);
+    Set(inertial,
+        "pos",
+        NumbersText(Eigen::Vector3d(kMetresPerMillimetre * body.centre)));
+    Set(inertial, "mass", NumberText(mass, kDigits));
+    const double moment = mass * kRadius * kRadius;
     Set(inertial,
         "diaginertia",
         NumbersText(std::array<double, 3>{moment, moment, moment}));

@@ -124,7 +124,11 @@ class MjcfMaker {
                            ? -1
                            : model_.FindBody(body_name->second);
       const auto place = places_.body_from_rest.find(body);
-      if (place == places_.body_from_rest.end()) continue;
+      if (place == places_.body_from_rest.end()) {
+        mjcf_.tree.notes.push_back("the bone " + name +
+                                   " is on no body of the model, and left out");
+        continue;
+      }
       mjcf_.bones.push_back({name,
                              body,
                              {Transformed(rest_.bones[i].points, place->second),
@@ -202,8 +206,12 @@ class MjcfMaker {
       muscles[p] = MuscleOf(one, coordinates, postures);
     });
     for (MjcfMuscle& muscle : muscles) {
-      if (!muscle.path.sites.empty())
+      if (muscle.path.sites.empty()) {
+        mjcf_.tree.notes.push_back("the path " + muscle.name +
+                                   " has no line or bodies, and no tendon");
+      } else {
         mjcf_.muscles.push_back(std::move(muscle));
+      }
     }
   }
 
@@ -243,7 +251,12 @@ class MjcfMaker {
       MjcfSkin skin;
       skin.name = name;
       skin.bodies = BodiesOfSkin(name);
-      if (skin.bodies.empty()) continue;
+      if (skin.bodies.empty()) {
+        mjcf_.tree.notes.push_back(
+            "the muscle " + name +
+            " is on no body of the model, and has no skin");
+        continue;
+      }
       std::vector<std::vector<Matrix4d>> motions;
       for (const auto& frames : ground_from_body) {
         std::vector<Matrix4d>& of_bones = motions.emplace_back();
