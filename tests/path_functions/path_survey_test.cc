@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace musclewarp {
 namespace {
 
@@ -31,18 +33,26 @@ TEST(PathSurvey, CountsLinesOnWhichAnArmChangesItsSign) {
   EXPECT_EQ(SurveyPath(Parabola(0, 0.4), 50, 1).lines_with_sign_change, 0);
 }
 
+// Arms of 10 mm that are 14 mm behind a place, as where a wrapped path slips.
 TEST(PathSurvey, FindsAJump) {
-  // So steep a wave in the middle of the range is one to all who use it.
-  PathFunction path = Parabola(0, 0);
-  path.exponents << 0, 1, 12;
-  path.coefficients = Eigen::Vector3d(100, 0, 0);
-  EXPECT_EQ(SurveyPath(path, 20, 1).jumps, 0);
-  // 1e9 x^12 of a range of 1e-3: nothing but a step at both ends.
-  path.coefficients[2] = 1e40;
-  path.low.setConstant(-1e-3);
-  path.high.setConstant(1e-3);
-  const PathSurvey survey = SurveyPath(path, 20, 1);
-  EXPECT_GT(survey.steepest, 0);
+  const Eigen::VectorXd low = Eigen::VectorXd::Constant(1, -1);
+  const Eigen::VectorXd high = Eigen::VectorXd::Constant(1, 1);
+  const auto stepped = [](const Eigen::VectorXd& at) -> Eigen::VectorXd {
+    return Eigen::VectorXd::Constant(1, at[0] < 0.123 ? 10 : 14);
+  };
+  EXPECT_EQ(SurveyArms(stepped, low, high, 50, 1).jumps, 50);
+}
+
+// A steep arm, and one that turns back within a piece, are none.
+TEST(PathSurvey, TakesNoSmoothChangeForAJump) {
+  const Eigen::VectorXd low = Eigen::VectorXd::Constant(1, -1);
+  const Eigen::VectorXd high = Eigen::VectorXd::Constant(1, 1);
+  for (const double rate : {10.0, 60.0, 150.0}) {
+    const auto wave = [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
+      return Eigen::VectorXd::Constant(1, 20 * std::sin(rate * at[0]));
+    };
+    EXPECT_EQ(SurveyArms(wave, low, high, 50, 1).jumps, 0) << rate;
+  }
 }
 
 TEST(PathSurvey, IsThatOfItsSeed) {

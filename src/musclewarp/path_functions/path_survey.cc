@@ -20,18 +20,20 @@ struct Line {
   Eigen::VectorXd begin, end;
 };
 
-Line DrawLine(const PathFunction& path, RandomDraws* draws) {
-  const Eigen::Index dimension = path.low.size();
+Line DrawLine(const Eigen::VectorXd& low,
+              const Eigen::VectorXd& high,
+              RandomDraws* draws) {
+  const Eigen::Index dimension = low.size();
   Eigen::VectorXd through(dimension), direction(dimension);
   for (Eigen::Index k = 0; k < dimension; ++k) {
-    through[k] = draws->Uniform(path.low[k], path.high[k]);
-    direction[k] = draws->Uniform(-1, 1) * (path.high[k] - path.low[k]);
+    through[k] = draws->Uniform(low[k], high[k]);
+    direction[k] = draws->Uniform(-1, 1) * (high[k] - low[k]);
   }
   double backward = -kInfinity, forward = kInfinity;
   for (Eigen::Index k = 0; k < dimension; ++k) {
     if (direction[k] == 0) continue;
-    const double a = (path.low[k] - through[k]) / direction[k];
-    const double b = (path.high[k] - through[k]) / direction[k];
+    const double a = (low[k] - through[k]) / direction[k];
+    const double b = (high[k] - through[k]) / direction[k];
     backward = std::max(backward, std::min(a, b));
     forward = std::min(forward, std::max(a, b));
   }
@@ -42,40 +44,40 @@ Line DrawLine(const PathFunction& path, RandomDraws* draws) {
 // The arms along a line.
 class ArmsAlong {
  public:
-  ArmsAlong(const PathFunction& path, const Line& line)
-      : path_(path), line_(line), way_(line.end - line.begin) {}
+  ArmsAlong(const ArmsAt& arms, const Line& line)
+      : arms_(arms), line_(line), way_(line.end - line.begin) {}
 
   double length() const { return way_.norm(); }
 
   // `place`: from 0 to kPieces.
   Eigen::VectorXd operator()(double place) const {
     const double t = -kBeyond + (1 + 2 * kBeyond) * place / kPieces;
-    return Evaluate(path_, line_.begin + t * way_).arms;
+    return arms_(line_.begin + t * way_);
   }
 
  private:
-  const PathFunction& path_;
+  const ArmsAt& arms_;
   const Line& line_;
   const Eigen::VectorXd way_;
 };
 
-// Returns the largest change of an arm over a sixteenth of a piece.
-double LargestChangeWithin(const ArmsAlong& arms, int piece, Eigen::Index arm) {
+// Returns true if at least half of what an arm changes by in a piece, to and
+// fro together, is in one sixteenth of it.
+bool Jumps(const ArmsAlong& arms, int piece, Eigen::Index arm) {
   constexpr int kParts = 16;
-  double largest = 0;
+  double largest = 0, sum = 0;
   double before = arms(piece)[arm];
   for (int i = 1; i <= kParts; ++i) {
     const double here = arms(piece + static_cast<double>(i) / kParts)[arm];
-    largest = std::max(largest, std::abs(here - before));
+    const double change = std::abs(here - before);
+    largest = std::max(largest, change);
+    sum += change;
     before = here;
   }
-  return largest;
+  return sum >= kJump && largest >= sum / 2;
 }
 
-void FollowLine(const PathFunction& path,
-                const Line& line,
-                PathSurvey* survey) {
-  const ArmsAlong arms(path, line);
+void FollowLine(const ArmsAlong& arms, PathSurvey* survey) {
   if (!(arms.length() > 0)) return;
   const double piece_length = (1 + 2 * kBeyond) * arms.length() / kPieces;
   Eigen::VectorXd before = arms(0);
@@ -87,10 +89,7 @@ void FollowLine(const PathFunction& path,
     for (Eigen::Index k = 0; k < dimension; ++k) {
       const double change = std::abs(here[k] - before[k]);
       survey->steepest = std::max(survey->steepest, change / piece_length);
-      if (change >= kJump &&
-          LargestChangeWithin(arms, i - 1, k) >= change / 2) {
-        ++survey->jumps;
-      }
+      if (change >= kJump && Jumps(arms, i - 1, k)) ++survey->jumps;
       if (std::abs(here[k]) < kArmOfSign) continue;
       const double sign = here[k] > 0 ? 1 : -1;
       if (sign * signs[k] < 0) ++changes[k];
@@ -105,14 +104,28 @@ void FollowLine(const PathFunction& path,
 
 }  // namespace
 
-PathSurvey SurveyPath(const PathFunction& path, int lines, std::uint32_t seed) {
+PathSurvey SurveyArms(const ArmsAt& arms,
+                      const Eigen::VectorXd& low,
+                      const Eigen::VectorXd& high,
+                      int lines,
+                      std::uint32_t seed) {
   RandomDraws draws(seed);
   PathSurvey survey;
   survey.lines = lines;
   for (int i = 0; i < lines; ++i) {
-    FollowLine(path, DrawLine(path, &draws), &survey);
+    const Line line = DrawLine(low, high, &draws);
+    FollowLine(ArmsAlong(arms, line), &survey);
   }
   return survey;
+}
+
+PathSurvey SurveyPath(const PathFunction& path, int lines, std::uint32_t seed) {
+  return SurveyArms(
+      [&](const Eigen::VectorXd& at) { return Evaluate(path, at).arms; },
+      path.low,
+      path.high,
+      lines,
+      seed);
 }
 
 }  // namespace musclewarp

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
-#include <vector>
+#include <functional>
 
 #include "musclewarp/path_functions/path_function.h"
 
@@ -14,7 +15,8 @@ struct PathSurvey {
   int lines = 0;
 
   // Jumps of an arm: pieces of a line over which it changes by kJump or more,
-  // at least half of that within a sixteenth of the piece.
+  // to and fro together, with at least half of that in a sixteenth of the
+  // piece.
   int jumps = 0;
 
   // Lines on which an arm changes its sign, with at least kArmOfSign on both
@@ -33,9 +35,19 @@ struct PathSurvey {
 constexpr double kArmOfSign = 1;
 constexpr double kJump = 0.5;
 
+// The arms in a posture, mm per rad or m.
+using ArmsAt = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+
 // Follows `lines` random lines, in 100 pieces each, from one end of the range
 // to the other and a tenth of it beyond both ends, where functions go on
 // linearly.
 PathSurvey SurveyPath(const PathFunction& path, int lines, std::uint32_t seed);
+
+// Does the same for arms of any kind, over a range of coordinates.
+PathSurvey SurveyArms(const ArmsAt& arms,
+                      const Eigen::VectorXd& low,
+                      const Eigen::VectorXd& high,
+                      int lines,
+                      std::uint32_t seed);
 
 }  // namespace musclewarp
