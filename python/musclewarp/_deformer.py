@@ -127,7 +127,7 @@ class Run(_core.Run):
         """Returns lengths and moment arms as functions of the coordinates.
 
         They hold between the postures of the run; best is one of a design of
-        postures (docs/scene.md).
+        postures (docs/motion.md).
 
         Args:
             paths_per_muscle: 0 for the lines of the muscles; n for at most n

@@ -15,7 +15,7 @@ def fit_paths(runs: Union[str, "os.PathLike[str]",
     """Fits functions to the lengths and moment arms of written runs.
 
     They hold between the postures of the runs; best is a run of a design of
-    postures (docs/scene.md). `Run.fit_paths()` does the same in memory.
+    postures (docs/motion.md). `Run.fit_paths()` does the same in memory.
 
     Args:
         runs: the folder of a run of musclewarp-deform, or several of one scene.

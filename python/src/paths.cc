@@ -160,26 +160,31 @@ void EvaluateAll(const PathsOfRun& paths, const Rows& q, const Use& use) {
   }
 }
 
-py::array Lengths(const PathsOfRun& paths, const py::handle& q) {
+// Returns one number of every path in every posture, (n, paths).
+template <typename Number, typename NumberOf>
+py::array TableOf(const PathsOfRun& paths,
+                  const py::handle& q,
+                  const NumberOf& number_of) {
   const Rows postures = PosturesFrom(paths, q);
-  py::array_t<double> lengths(std::vector<size_t>{
+  py::array_t<Number> table(std::vector<size_t>{
       static_cast<size_t>(postures.rows()), paths.fitted.paths.size()});
-  auto out = lengths.mutable_unchecked<2>();
-  EvaluateAll(paths, postures, [&](auto i, auto p, const auto&, const auto& v) {
-    out(i, p) = v.length;
-  });
-  return std::move(lengths);
+  auto out = table.template mutable_unchecked<2>();
+  EvaluateAll(paths,
+              postures,
+              [&](auto i, auto p, const auto& /*path*/, const auto& v) {
+                out(i, p) = number_of(v);
+              });
+  return std::move(table);
+}
+
+py::array Lengths(const PathsOfRun& paths, const py::handle& q) {
+  return TableOf<double>(
+      paths, q, [](const PathValue& value) { return value.length; });
 }
 
 py::array Inside(const PathsOfRun& paths, const py::handle& q) {
-  const Rows postures = PosturesFrom(paths, q);
-  py::array_t<bool> inside(std::vector<size_t>{
-      static_cast<size_t>(postures.rows()), paths.fitted.paths.size()});
-  auto out = inside.mutable_unchecked<2>();
-  EvaluateAll(paths, postures, [&](auto i, auto p, const auto&, const auto& v) {
-    out(i, p) = v.is_inside_range;
-  });
-  return std::move(inside);
+  return TableOf<bool>(
+      paths, q, [](const PathValue& value) { return value.is_inside_range; });
 }
 
 py::array MomentArms(const PathsOfRun& paths, const py::handle& q) {

@@ -5,33 +5,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "musclewarp/base/infinity.h"
+#include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp {
 namespace {
 
 constexpr int kPlaces = 10;
 constexpr int kMostRounds = 100;
-
-// Returns points at equal distances along a fibre, 1 x 3 kPlaces.
-Eigen::RowVectorXd PlacesAlong(const Points& fibre) {
-  std::vector<double> at(fibre.rows(), 0);
-  for (Eigen::Index i = 1; i < fibre.rows(); ++i) {
-    at[i] = at[i - 1] + (fibre.row(i) - fibre.row(i - 1)).norm();
-  }
-  Eigen::RowVectorXd places(3 * kPlaces);
-  Eigen::Index piece = 1;
-  for (int k = 0; k < kPlaces; ++k) {
-    const double here = at.back() * k / (kPlaces - 1);
-    while (piece + 1 < fibre.rows() && at[piece] < here) ++piece;
-    const double length = at[piece] - at[piece - 1];
-    const double part =
-        length > 0 ? std::min(1.0, (here - at[piece - 1]) / length) : 0;
-    places.segment<3>(3 * k) =
-        (1 - part) * fibre.row(piece - 1) + part * fibre.row(piece);
-  }
-  return places;
-}
 
 // Returns the centre that is nearest to a row.
 int NearestCentre(const Eigen::RowVectorXd& row,
@@ -66,7 +46,12 @@ std::vector<std::vector<int>> FibreBands(const std::vector<Points>& fibres,
   count = std::min(count, num_fibres);
   if (count < 1) return {};
   Eigen::MatrixXd rows(num_fibres, 3 * kPlaces);
-  for (int i = 0; i < num_fibres; ++i) rows.row(i) = PlacesAlong(fibres[i]);
+  for (int i = 0; i < num_fibres; ++i) {
+    const Points places = Resampled(fibres[i], kPlaces);
+    for (int k = 0; k < kPlaces; ++k) {
+      rows.block<1, 3>(i, 3 * k) = places.row(k);
+    }
+  }
   Eigen::MatrixXd centres = FirstCentres(rows, count);
   std::vector<std::vector<int>> bands;
   for (int round = 0; round < kMostRounds; ++round) {

@@ -14,6 +14,7 @@
 #include "musclewarp/base/infinity.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/scene/perturbed_poses.h"
+#include "musclewarp/skeleton/polyline.h"
 
 namespace musclewarp {
 namespace {
@@ -107,46 +108,34 @@ struct PlaceMisfit {
   }
 };
 
-Vector3d PlaceAlong(const Points& line, double share) {
-  double length = 0;
-  for (Eigen::Index i = 1; i < line.rows(); ++i) {
-    length += (line.row(i) - line.row(i - 1)).norm();
-  }
-  double left = share * length;
-  for (Eigen::Index i = 1; i < line.rows(); ++i) {
-    const Eigen::RowVector3d way = line.row(i) - line.row(i - 1);
-    if (left <= way.norm() || i + 1 == line.rows()) {
-      const double part = way.norm() > 0 ? std::min(1.0, left / way.norm()) : 0;
-      return (line.row(i - 1) + part * way).transpose();
-    }
-    left -= way.norm();
-  }
-  return line.row(0).transpose();
-}
-
-// Returns the site for a place of the line: on the body against which it moves
-// least.
+// Returns the site for a place of the line, the one with a number of `count`
+// that are evenly spread: on the body against which it moves least.
 Site StartOf(const std::vector<int>& bodies,
              const std::vector<SitePosture>& postures,
              const std::vector<MovingBodies>& moving,
-             double share) {
+             int number,
+             int count) {
+  std::vector<Vector3d> places;
+  for (const SitePosture& posture : postures) {
+    places.push_back(Resampled(posture.line, count).row(number).transpose());
+  }
   Site best;
   double least = kInfinity;
   for (const int body : bodies) {
     Vector3d sum = Vector3d::Zero();
     double squares = 0;
     for (size_t i = 0; i < postures.size(); ++i) {
-      const Vector3d place = (RigidInverse(moving[i].frames[body]) *
-                              PlaceAlong(postures[i].line, share).homogeneous())
-                                 .head<3>();
+      const Vector3d place =
+          (RigidInverse(moving[i].frames[body]) * places[i].homogeneous())
+              .head<3>();
       sum += place;
       squares += place.squaredNorm();
     }
-    const auto count = static_cast<double>(postures.size());
-    const double variance = squares - sum.squaredNorm() / count;
+    const auto total = static_cast<double>(postures.size());
+    const double variance = squares - sum.squaredNorm() / total;
     if (!(variance < least)) continue;
     least = variance;
-    best = {body, sum / count};
+    best = {body, sum / total};
   }
   return best;
 }
@@ -202,8 +191,7 @@ std::vector<std::vector<Site>> StartsWith(
     const std::vector<SitePosture>& postures,
     const std::vector<MovingBodies>& moving) {
   const auto start_on = [&](const std::vector<int>& some, int i) {
-    return StartOf(
-        some, postures, moving, static_cast<double>(i) / (count - 1));
+    return StartOf(some, postures, moving, i, count);
   };
   std::vector<std::vector<Site>> starts(1);
   for (int i = 0; i < count; ++i) starts[0].push_back(start_on(bodies, i));

@@ -45,7 +45,8 @@ class ResumeLog {
   // Deletes the frames of an interrupted run and begins a new log.
   void StartAnew() const;
 
-  // Adds a frame. To be called once its files are complete.
+  // Adds a frame, with the state that the next one starts from, empty if none
+  // does (a design of postures). To be called once its files are complete.
   void FrameDone(const FrameFigures& record, const SceneState& state) const;
 
   // Returns the folders of the rest pose and of these frames that are not
