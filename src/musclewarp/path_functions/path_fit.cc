@@ -194,8 +194,8 @@ std::vector<PathSample> WithCoordinates(const std::vector<PathSample>& samples,
 // What the coefficients of terms cost for each sample, more the higher their
 // degree n is: n^6, as the square of a third derivative does. It keeps
 // functions sane in corners of the range that have no samples. With this
-// factor, held-back errors of the LHDL hip are the same on the mean as without,
-// and half as large at most; ten times as much makes them worse.
+// factor, held-back errors of the LHDL hip are on the mean what they are
+// without, and their largest ones half of it; with ten times as much they grow.
 Eigen::VectorXd PenaltyOf(const LegendreTerms& terms) {
   constexpr double kFactor = 1e-5;
   return kFactor *
@@ -203,6 +203,7 @@ Eigen::VectorXd PenaltyOf(const LegendreTerms& terms) {
 }
 
 NormalEquations EquationsOf(const LegendreTerms& terms,
+                            const Eigen::VectorXd& penalty,
                             const PathSample& sample,
                             const PathFitOptions& options) {
   const Eigen::Index dimension = sample.arms.size();
@@ -221,7 +222,7 @@ NormalEquations EquationsOf(const LegendreTerms& terms,
           weight * (rows.transpose() * right),
           weight * right.squaredNorm(),
           static_cast<int>(rows.rows()),
-          weight * PenaltyOf(terms)};
+          weight * penalty};
 }
 
 ErrorFigures FiguresOf(std::vector<std::pair<double, int>> errors) {
@@ -296,11 +297,13 @@ PathFit FitPath(const std::vector<PathSample>& all_samples,
   }
   const LegendreTerms terms = AllTerms(low, high);
   const std::vector<std::vector<int>> below = TermsBelow(terms);
+  const Eigen::VectorXd penalty = PenaltyOf(terms);
   const auto num_groups =
       std::min(samples.size(), static_cast<size_t>(options.groups));
   std::vector<NormalEquations> groups(num_groups);
   for (size_t i = 0; i < samples.size(); ++i) {
-    NormalEquations equations = EquationsOf(terms, samples[i], options);
+    NormalEquations equations =
+        EquationsOf(terms, penalty, samples[i], options);
     if (i < num_groups) {
       groups[i] = std::move(equations);
     } else {
